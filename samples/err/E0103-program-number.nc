@@ -1,0 +1,4 @@
+ % "Priruba bez cisla programu
+"^ E0103
+N10 G90 G0 X0 Y0
+N20 M30

@@ -1,0 +1,3 @@
+ %2052 "Zatim jen nazev
+"^^^^^ E0205
+"no block yet: the finding stands at the program

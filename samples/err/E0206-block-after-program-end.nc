@@ -1,0 +1,20 @@
+%206 "Bloky za koncem programu
+"PRG-2 after M30 only subprograms may follow
+N10 G90 G0 X0 Y0
+N20 G71 L100 Q2
+N30 G71 L200
+N40 M30
+ N50 G0 Z100
+"^^^ E0206
+N60 X0 Y0
+N100 G79 L100
+N110 G0 X5
+N120 G70
+ N130 G0 Y5
+"^^^^ E0206
+N140 M5
+N200 G79 L200
+N210 G0 Y10
+N220 G70
+ N230 M30
+"^^^^ E0206

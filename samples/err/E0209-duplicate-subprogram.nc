@@ -1,0 +1,12 @@
+%209 "Dvakrat stejny podprogram
+"PRG-4 each L once
+N10 G90 G0 X0 Y0
+N20 G71 L100
+N30 M30
+N100 G79 L100
+N110 G0 X5
+N120 G70
+N200 G79 L100
+"        ^^^^ E0209
+N210 G0 Y5
+N220 G70

@@ -1,0 +1,4 @@
+%216 "Makrocyklus s jinym cislem
+N10 G90 G0 X0 Y0
+N20 G72 L9001
+N30 M30

@@ -1,0 +1,18 @@
+%408 "Podprogram vola sam sebe
+"FLW-2 a call that leads back to a unit still running
+N10 G90 G0 X0 Y0
+N20 G71 L100
+N30 G71 L300
+N40 M30
+N100 G79 L100
+N110 G71 L200
+"    ^^^ W0414
+N120 G70
+N200 G79 L200
+N210 G0 X5
+N220 G70
+N300 G79 L300
+N310 G0 Y5
+N320 G71 L300
+"        ^^^^ E0408
+N330 G70

@@ -1,0 +1,9 @@
+%411 "Prodleva bez doby
+"GRP-5 G04 needs Q
+N10 G90 G0 X0 Y0
+N20 G4
+"   ^^ E0411
+N30 G04 X5 F100
+"   ^^^ E0411
+N40 G4 Q100
+N50 M30

@@ -1,0 +1,11 @@
+%505 "Chybi ridici slovo
+"PAR-7 the control words stand in the same block
+N10 R10=5 R11=2 R5=01101112
+N20 G26
+"   ^^^ E0505
+N30 G27 R5=01101112
+"   ^^^ E0505
+N40 G29 R5=01101112 R6=02101113 R8=03101114
+"   ^^^ E0505
+N50 G26 R5=01101112
+N60 M30

@@ -1,0 +1,14 @@
+%5101 "Struktura z parametru
+"BLK-10 M30 and G70 are written out
+N10 R1=30 R2=70 R3=2
+N20 G90 G0 X0 Y0
+N30 MR1
+"   ^^^ E0510
+N40 MR3 X5
+"   ^^^ E0510
+N50 G71 L100
+N60 M30
+N100 G79 L100
+N110 GR2 X10
+"    ^^^ E0510
+N120 G70

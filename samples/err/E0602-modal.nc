@@ -1,0 +1,7 @@
+%6021 "Kruh bez stredu, G2 o blok driv
+N10 G90 G0 X0 Y0
+N20 G2 X20 Y0 I10 F200
+N30 X40 Y0
+"   ^^^ E0602
+N40 X60 Y0 I10
+N50 M30

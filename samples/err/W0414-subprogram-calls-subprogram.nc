@@ -1,0 +1,13 @@
+%414 "Podprogram vola podprogram
+"FLW-2 accepted, with one warning
+N10 G90 G0 X0 Y0
+N20 G71 L100
+N30 M30
+N100 G79 L100
+N110 G71 L200
+"    ^^^ W0414
+N120 G71 L200 Q2
+N130 G70
+N200 G79 L200
+N210 G0 X5
+N220 G70

@@ -1,0 +1,8 @@
+%601 "Bez posuvu
+"TEC-2 once per program
+N10 G90 G0 X0 Y0 S800 M3
+N20 G1 X50
+"   ^^ W0601
+N30 Y50
+N40 G2 X60 Y60 I10
+N50 M30

@@ -1,0 +1,7 @@
+%6011 "Bez posuvu, G1 o blok driv
+N10 G90 G0 X0 Y0 S800 M3
+N20 G1
+N30 X50 Y10
+"   ^^^ W0601
+N40 G0 X0
+N50 M30

@@ -1,0 +1,1 @@
+%1013 "LEX-8 a lone CR ends a lineN10 G90 G0 X0 Y0 "a comment ends with itN20 X5 "so M30 below is not in this commentN30 M30

@@ -1,0 +1,7 @@
+%49 "PAR-5 given in the project file
+N10 G90 G0 XR10 Y0
+N20 G71 LR11
+N30 M30
+N100 G79 L100
+N110 G0 X5
+N120 G70

@@ -1,0 +1,234 @@
+//! The validated configuration of one machine.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use super::MFunctions;
+use crate::diag::{Code, Severity};
+use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, Operation};
+use crate::text::Encoding;
+
+/// One axis of the machine.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Axis {
+    /// Its letter.
+    pub letter: AxisLetter,
+    /// Whether it turns (degrees) or travels (millimetres).
+    pub rotary: bool,
+}
+
+/// The axes, in the order of the machine (ADR-4).
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct Axes {
+    axes: Vec<Axis>,
+    index: [Option<u8>; 9],
+}
+
+impl Axes {
+    /// Axes in machine order; a letter listed again is ignored (the configuration reports it).
+    pub fn new(listed: impl IntoIterator<Item = Axis>) -> Self {
+        let mut axes: Vec<Axis> = Vec::new();
+        let mut index = [None; 9];
+        for axis in listed {
+            if let Some(slot @ None) = index.get_mut(axis.letter as usize) {
+                *slot = u8::try_from(axes.len()).ok();
+                axes.push(axis);
+            }
+        }
+        Self { axes, index }
+    }
+
+    /// In machine order.
+    pub fn iter(&self) -> impl Iterator<Item = Axis> + '_ {
+        self.axes.iter().copied()
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.axes.len()
+    }
+
+    /// The place in machine order of that letter; `None` when the machine has no such axis (E0311).
+    pub fn index(&self, letter: AxisLetter) -> Option<usize> {
+        self.index.get(letter as usize).copied().flatten().map(usize::from)
+    }
+
+    /// The place in machine order of the axis that the address is.
+    pub fn index_of(&self, address: Address) -> Option<usize> {
+        address.axis().and_then(|letter| self.index(letter))
+    }
+
+    /// The axis at that place.
+    pub fn get(&self, index: usize) -> Option<Axis> {
+        self.axes.get(index).copied()
+    }
+
+    /// The 4th axis: the first that is not X, Y or Z (§13 Configuration).
+    pub fn fourth(&self) -> Option<usize> {
+        self.axes
+            .iter()
+            .position(|axis| !matches!(axis.letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z))
+    }
+
+    /// The axis that is the spindle under M19: the first of C, A, B that the machine has (§13 M functions).
+    pub fn spindle(&self) -> Option<usize> {
+        [AxisLetter::C, AxisLetter::A, AxisLetter::B].into_iter().find_map(|letter| self.index(letter))
+    }
+
+    /// Their letters, as in `X, Y, Z`.
+    pub fn letters(&self) -> String {
+        self.axes.iter().map(|axis| axis.letter.to_string()).collect::<Vec<_>>().join(", ")
+    }
+}
+
+impl Default for Axes {
+    /// All nine letters, A, B and C rotary (ADR-4).
+    fn default() -> Self {
+        Self::new(AxisLetter::ALL.into_iter().map(|letter| Axis { letter, rotary: letter.is_rotary_by_default() }))
+    }
+}
+
+/// One range of the gearbox (MFN-9), both ends included.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Gear {
+    /// M41–M44, by number.
+    pub m: u8,
+    /// Least speed in rev/min.
+    pub min: u32,
+    /// Greatest speed in rev/min.
+    pub max: u32,
+}
+
+/// Where the compiler stops or draws a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Most records of a stream (FLW-9).
+    pub records: u64,
+    /// Most calls open at once (FLW-2).
+    pub nesting: u32,
+    /// Highest feed per minute in mm/min (TEC-1).
+    pub feed: Decimal,
+    /// How far the radii of an arc may differ, in mm, where that is more than a thousandth of the radius (MOT-4).
+    pub arc_tolerance: Decimal,
+}
+
+impl Limits {
+    /// What holds unless configured.
+    pub const fn of(dialect: Dialect) -> Self {
+        Self {
+            records: 10_000_000,
+            nesting: 32,
+            feed: dialect.highest_feed(),
+            arc_tolerance: Decimal::from_thousandths(10),
+        }
+    }
+}
+
+/// A configured level of a diagnostic.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Level {
+    /// Not shown.
+    Allow,
+    /// A warning.
+    Warn,
+    /// An error.
+    Deny,
+}
+
+/// The machine, as far as programs see it.
+#[derive(Clone, Debug)]
+pub struct Machine {
+    /// Which control.
+    pub dialect: Dialect,
+    /// Its axes.
+    pub axes: Axes,
+    /// Its M functions and their groups.
+    pub m_functions: MFunctions,
+    /// What holds at program start in each G group; none in G4.
+    pub power_up: [Option<GCode>; 12],
+    /// The parameter table at program start.
+    pub parameters: BTreeMap<u8, Decimal>,
+    /// Operations of G26–G29 by code (PAR-9).
+    pub operations: BTreeMap<u8, Operation>,
+    /// Fixed cycles mapped to macrocycles: number of the G function to number of the macrocycle (GRP-6).
+    pub cycles: BTreeMap<u8, u32>,
+    /// The gear table, by rising M number.
+    pub gears: Vec<Gear>,
+    /// Whether M19 exists (MFN-10).
+    pub oriented_stop: bool,
+    /// Limits.
+    pub limits: Limits,
+}
+
+impl Machine {
+    /// A machine of that dialect with nothing configured.
+    pub fn new(dialect: Dialect) -> Self {
+        Self {
+            dialect,
+            axes: Axes::default(),
+            m_functions: MFunctions::standard(dialect),
+            power_up: GGroup::ALL.map(GCode::power_up),
+            parameters: BTreeMap::new(),
+            operations: BTreeMap::new(),
+            cycles: BTreeMap::new(),
+            gears: Vec::new(),
+            oriented_stop: true,
+            limits: Limits::of(dialect),
+        }
+    }
+}
+
+impl Default for Machine {
+    fn default() -> Self {
+        Self::new(Dialect::default())
+    }
+}
+
+/// Everything a run is told: the machine, and how to read, execute and judge programs.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// The machine.
+    pub machine: Machine,
+    /// What files are in that are not UTF-8.
+    pub encoding: Encoding,
+    /// Folders to search for macrocycles, in order; empty: the program's folder.
+    pub macrocycles: Vec<PathBuf>,
+    /// Whether skippable blocks are left out (BLK-6).
+    pub block_skip: bool,
+    /// Whether M01 stops (MFN-8).
+    pub optional_stop: bool,
+    /// Levels of diagnostics that differ from the registry's.
+    pub lints: BTreeMap<Code, Level>,
+}
+
+impl Settings {
+    /// With everything as it is unless configured.
+    pub fn new(dialect: Dialect) -> Self {
+        Self {
+            machine: Machine::new(dialect),
+            encoding: Encoding::default(),
+            macrocycles: Vec::new(),
+            block_skip: false,
+            optional_stop: false,
+            lints: BTreeMap::new(),
+        }
+    }
+
+    /// The severity of a code in this run; `None` when it is allowed.
+    pub fn severity(&self, code: Code) -> Option<Severity> {
+        match self.lints.get(&code) {
+            Some(Level::Allow) => None,
+            Some(Level::Warn) => Some(Severity::Warning),
+            Some(Level::Deny) => Some(Severity::Error),
+            // LEX-7: the newest control reads longer lines.
+            None if code == Code::E0109 && self.machine.dialect == Dialect::Cnc872 => Some(Severity::Warning),
+            None => Some(code.severity()),
+        }
+    }
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self::new(Dialect::default())
+    }
+}

@@ -1,0 +1,131 @@
+//! Closed sets of reasons that the texts of some diagnostics name, in both languages.
+
+use crate::dict::{Address, Lang};
+
+macro_rules! details {
+    ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug, Eq, PartialEq)]
+        #[allow(missing_docs, reason = "the texts say it")]
+        pub enum $name {
+            $(#[doc = $en] $variant $({ $($field: $ty),* })?,)*
+        }
+
+        impl $name {
+            /// The text in `lang`.
+            pub fn text(&self, lang: Lang) -> String {
+                match (self, lang) {
+                    $(
+                        (Self::$variant $({ $($field),* })?, Lang::En) => format!($en),
+                        (Self::$variant $({ $($field),* })?, Lang::Cs) => format!($cs),
+                    )*
+                }
+            }
+        }
+    };
+}
+
+details! {
+    /// Why a file cannot be read.
+    Problem {
+        NotFound "no such file", "soubor neexistuje";
+        Denied "permission denied", "přístup odepřen";
+        Directory "it is a directory", "je to složka";
+        NotAFile "it is not a regular file", "není to obyčejný soubor";
+        TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
+        MacrocycleGiven "it is a macrocycle; compile takes a program", "je to makrocyklus; compile zpracuje program";
+        Other { reason: String } "{reason}", "{reason}";
+    }
+}
+
+details! {
+    /// What went wrong in parameter arithmetic (PAR-10).
+    ArithmeticFault {
+        DivisionByZero "a division by zero", "dělení nulou";
+        NegativeRoot { operand: String } "the root of {operand}, a negative number", "odmocnina ze záporného čísla {operand}";
+        NoAngle { operand: String } "no angle has the sine or cosine {operand}", "žádný úhel nemá sinus ani kosinus {operand}";
+        NoTangent { operand: String } "the tangent of {operand}° does not exist", "tangens {operand}° neexistuje";
+        ResultOutOfRange { result: String, limit: String } "the result {result} is outside ±{limit}", "výsledek {result} je mimo ±{limit}";
+    }
+}
+
+details! {
+    /// Why a word I, J or K has no use in its block (MOT-3, GRP-4, GRP-7, GRP-8).
+    CenterPlace {
+        ThirdInArc "an arc has its centre in I and J", "střed oblouku udávají I a J";
+        InTableBlock "a G92 or G93 block takes axis words", "blok s G92 nebo G93 má slova os";
+        NoUse "it is no arc, and no function that takes it is in force", "není to oblouk a neplatí funkce, která by ho použila";
+    }
+}
+
+details! {
+    /// Why a configuration file cannot be read at all.
+    ConfigProblem {
+        Malformed { what: String } "{what}", "{what}";
+        File { problem: String } "{problem}", "{problem}";
+        TooDeep "its elements are nested too deeply", "elementy jsou do sebe vnořeny příliš hluboko";
+    }
+}
+
+details! {
+    /// What a configured value must be.
+    ConfigNeed {
+        Text "takes a text", "musí být text";
+        Flag "takes true or false", "musí být true nebo false";
+        Whole { min: i64, max: i64 } "takes a whole number from {min} to {max}", "musí být celé číslo od {min} do {max}";
+        Number { min: String, max: String } "takes a number from {min} to {max}", "musí být číslo od {min} do {max}";
+        Table "takes a table", "musí být tabulka";
+        List "takes a list", "musí být seznam";
+        OneOf { choices: String } "takes one of {choices}", "musí být jedno z: {choices}";
+        Missing { key: String } "lacks `{key}`", "postrádá {key}";
+        Repeated "is there twice", "je uvedeno dvakrát";
+        TooManyAxes { limit: usize } "lists more axes than the control has, {limit}", "má více os než systém, tedy {limit}";
+        NotForDialect { dialect: String } "does not exist on {dialect}", "na {dialect} neexistuje";
+        ErrorLevel "is an error and stays one; only warnings and E0109 have a level", "je chyba a zůstává jí; úroveň mají jen varování a E0109";
+        Range "has a lower end above its upper end", "má dolní mez nad horní";
+        GOfGroup { group: String } "takes a lasting function of group {group}", "musí být trvalá funkce skupiny {group}";
+        ParameterValue "takes ±69999.999, or a whole number of up to eight digits", "musí být ±69999.999, nebo celé číslo nejvýše o osmi číslicích";
+    }
+}
+
+details! {
+    /// What is wrong with one of R56–R59 (MFN-5).
+    ConstantProblem {
+        Digits "has at most eight digits: four functions of two", "má nejvýše osm číslic: čtyři funkce po dvou";
+        Standard { m: u8, group: u8 } "names M{m:02}, which is fixed in M group {group}", "uvádí M{m:02}, která pevně patří do {group}. skupiny";
+        Twice { m: u8 } "names M{m:02}, which is named already", "uvádí M{m:02}, která už je uvedena";
+    }
+}
+
+/// What an address needs of a value that a parameter gives (PAR-3).
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum ParameterNeed {
+    /// No sign.
+    NoSign,
+    /// A whole number.
+    Whole,
+    /// A value of that range.
+    Range(String),
+    /// Four digits 0–2.
+    CorrectionDigits,
+    /// A number written out (BLK-10).
+    WrittenOut(String),
+}
+
+impl ParameterNeed {
+    /// The text in `lang`, as the rest of a sentence.
+    pub fn text(&self, address: Address, lang: Lang) -> String {
+        match (self, lang) {
+            (Self::NoSign, Lang::En) => format!("{address} takes no sign"),
+            (Self::NoSign, Lang::Cs) => format!("{address} nesmí mít znaménko"),
+            (Self::Whole, Lang::En) => format!("{address} takes a whole number"),
+            (Self::Whole, Lang::Cs) => format!("{address} musí být celé číslo"),
+            (Self::Range(range), Lang::En) => format!("{address} takes {range}"),
+            (Self::Range(range), Lang::Cs) => format!("{address} má rozsah {range}"),
+            (Self::CorrectionDigits, Lang::En) => format!("{address} takes four digits, each 0, 1 or 2"),
+            (Self::CorrectionDigits, Lang::Cs) => format!("{address} má čtyři číslice, každou 0, 1 nebo 2"),
+            (Self::WrittenOut(function), Lang::En) => format!("{function} must be written out"),
+            (Self::WrittenOut(function), Lang::Cs) => format!("{function} musí být v programu vypsáno číslem"),
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! One finding at its place.
+
+use super::{Code, Finding, FixTitle, LabelText};
+use crate::text::{FileId, Location};
+
+/// A finding, where it is, what else belongs to it, and how it may be mended.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    /// What is wrong.
+    pub finding: Finding,
+    /// Where.
+    pub at: Location,
+    /// Other places that explain it.
+    pub labels: Vec<Label>,
+    /// The calls that led there, outermost first; for findings that depend on them.
+    pub calls: Vec<CallSite>,
+    /// Changes a machine may apply.
+    pub fixes: Vec<Fix>,
+}
+
+/// Another place that explains a finding.
+#[derive(Clone, Debug)]
+pub struct Label {
+    /// The place.
+    pub at: Location,
+    /// What it shows.
+    pub text: LabelText,
+}
+
+/// By what a unit was called.
+#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
+pub enum CallKind {
+    /// G71: a subprogram.
+    Subprogram,
+    /// G72: a macrocycle.
+    Macrocycle,
+    /// The cycle map: G81–G89, by number.
+    Cycle(u8),
+}
+
+impl CallKind {
+    /// As the stream and the findings name it: `G71`, `G72`, `G81`–`G89`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Subprogram => "G71",
+            Self::Macrocycle => "G72",
+            Self::Cycle(81) => "G81",
+            Self::Cycle(82) => "G82",
+            Self::Cycle(83) => "G83",
+            Self::Cycle(84) => "G84",
+            Self::Cycle(85) => "G85",
+            Self::Cycle(86) => "G86",
+            Self::Cycle(87) => "G87",
+            Self::Cycle(88) => "G88",
+            Self::Cycle(_) => "G89",
+        }
+    }
+}
+
+/// One call on the way to a finding.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct CallSite {
+    /// By what.
+    pub by: CallKind,
+    /// What was called.
+    pub l: u32,
+    /// Number of the calling block.
+    pub n: u32,
+    /// The calling block's `N` word.
+    pub at: Location,
+}
+
+/// A change that mends a finding.
+#[derive(Clone, Debug)]
+pub struct Fix {
+    /// What it does.
+    pub title: FixTitle,
+    /// Replacements that do not overlap.
+    pub edits: Vec<Edit>,
+}
+
+/// One replacement.
+#[derive(Clone, Debug)]
+pub struct Edit {
+    /// What is replaced.
+    pub at: Location,
+    /// By what; ASCII, so that it is the same in every code page.
+    pub text: String,
+}
+
+impl Diagnostic {
+    /// `finding` at `at`, alone.
+    pub fn new(finding: Finding, at: Location) -> Self {
+        Self { finding, at, labels: Vec::new(), calls: Vec::new(), fixes: Vec::new() }
+    }
+
+    /// Its code.
+    pub fn code(&self) -> Code {
+        self.finding.code()
+    }
+
+    /// With another place.
+    #[must_use]
+    pub fn with_label(mut self, at: Location, text: LabelText) -> Self {
+        self.labels.push(Label { at, text });
+        self
+    }
+
+    /// With a fix that replaces one place.
+    #[must_use]
+    pub fn with_fix(mut self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
+        self.fixes.push(Fix { title, edits: vec![Edit { at, text: text.into() }] });
+        self
+    }
+
+    /// The file it is in.
+    pub const fn file(&self) -> FileId {
+        self.at.file
+    }
+}

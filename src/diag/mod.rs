@@ -1,0 +1,21 @@
+//! Findings: one registry of codes and texts, the findings of a run, and their renderings.
+//!
+//! A [`Finding`] is a row of the registry with its fields filled in; a [`Diagnostic`] is a finding at a place. There is no
+//! other way to tell a user that something is wrong with a program.
+
+mod details;
+mod diagnostic;
+mod findings;
+mod labels;
+mod registry;
+mod shown;
+
+pub use details::{
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, ParameterNeed, Problem,
+};
+pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
+pub use findings::{Findings, LIMIT_PER_SEVERITY};
+pub use labels::{FixTitle, LabelText};
+pub use registry::{Code, Finding, Severity};
+pub use shown::{one_of, shown, shown_path_list};
+pub(crate) use shown::is_unsafe;

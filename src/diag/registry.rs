@@ -1,0 +1,583 @@
+//! Every diagnostic: code, name, level, fields, English and Czech text. Everything else about diagnostics is made from
+//! these rows: `explain`, the reference pages, JSON names, `[lints]`.
+//!
+//! A text is a format string with the fields by name, or an expression in parentheses over the fields that gives a
+//! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
+//! to write.
+
+use super::{ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, ParameterNeed};
+use crate::dict::{Address, GCode, GGroup, Lang};
+
+/// How serious a finding is, unless configured.
+#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub enum Severity {
+    /// The program is wrong, or means something else than written.
+    Error,
+    /// The program is legal but hardly meant so.
+    Warning,
+}
+
+impl Severity {
+    /// As in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+        }
+    }
+}
+
+macro_rules! text {
+    (($text:expr)) => { String::from($text) };
+    ($text:literal) => { format!($text) };
+}
+
+macro_rules! optional_text {
+    () => { String::new() };
+    ($text:tt) => { text!($text) };
+}
+
+macro_rules! diagnostics {
+    ($(
+        [$code:ident] $variant:ident $name:literal $severity:ident { $($field:ident : $ty:ty),* $(,)? }
+            en $en:tt
+            cs $cs:tt
+            $(help $help_en:tt | $help_cs:tt)?
+            $(note $note_en:tt | $note_cs:tt)?
+    )*) => {
+        /// The code of a diagnostic. Codes are never reused.
+        #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+        pub enum Code {
+            $(#[doc = $name] $code,)*
+        }
+
+        impl Code {
+            /// Every code, in order of definition.
+            pub const ALL: &'static [Self] = &[$(Self::$code),*];
+
+            /// The code as written: `E0306`.
+            pub const fn as_str(self) -> &'static str {
+                match self { $(Self::$code => stringify!($code),)* }
+            }
+
+            /// The kebab-case name: `duplicate-address`.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$code => $name,)* }
+            }
+
+            /// Its level unless configured.
+            pub const fn severity(self) -> Severity {
+                match self { $(Self::$code => Severity::$severity,)* }
+            }
+
+            /// Its page in `lang`, Markdown.
+            pub const fn page(self, lang: Lang) -> &'static str {
+                match (self, lang) {
+                    $(
+                        (Self::$code, Lang::En) =>
+                            include_str!(concat!("../../docs/explain/en/", stringify!($code), ".md")),
+                        (Self::$code, Lang::Cs) =>
+                            include_str!(concat!("../../docs/explain/cs/", stringify!($code), ".md")),
+                    )*
+                }
+            }
+        }
+
+        /// What was found, with what its texts name.
+        #[derive(Clone, Debug, PartialEq)]
+        #[allow(missing_docs, reason = "the texts of each row say what its fields are")]
+        pub enum Finding {
+            $(#[doc = $name] $variant { $($field: $ty),* },)*
+        }
+
+        #[allow(unused_variables, reason = "not every text names every field")]
+        impl Finding {
+            /// Its code.
+            pub const fn code(&self) -> Code {
+                match self { $(Self::$variant { .. } => Code::$code,)* }
+            }
+
+            /// What is wrong, in one sentence.
+            pub fn message(&self, lang: Lang) -> String {
+                match (self, lang) {
+                    $(
+                        (Self::$variant { $($field),* }, Lang::En) => text!($en),
+                        (Self::$variant { $($field),* }, Lang::Cs) => text!($cs),
+                    )*
+                }
+            }
+
+            /// What to write instead, where that can be said.
+            pub fn help(&self, lang: Lang) -> Option<String> {
+                let help = match (self, lang) {
+                    $(
+                        (Self::$variant { $($field),* }, Lang::En) => optional_text!($($help_en)?),
+                        (Self::$variant { $($field),* }, Lang::Cs) => optional_text!($($help_cs)?),
+                    )*
+                };
+                Some(help).filter(|help| !help.is_empty())
+            }
+
+            /// Why it is so.
+            pub fn note(&self, lang: Lang) -> Option<String> {
+                let note = match (self, lang) {
+                    $(
+                        (Self::$variant { $($field),* }, Lang::En) => optional_text!($($note_en)?),
+                        (Self::$variant { $($field),* }, Lang::Cs) => optional_text!($($note_cs)?),
+                    )*
+                };
+                Some(note).filter(|note| !note.is_empty())
+            }
+        }
+    };
+}
+
+impl Code {
+    /// The diagnostic of that code (`E0306`) or name (`duplicate-address`).
+    pub fn find(code_or_name: &str) -> Option<Self> {
+        Self::ALL
+            .iter()
+            .copied()
+            .find(|code| code.as_str().eq_ignore_ascii_case(code_or_name) || code.name() == code_or_name)
+    }
+
+    /// Whether its level may be changed: warnings, and E0109.
+    pub fn is_configurable(self) -> bool {
+        self.severity() == Severity::Warning || self == Self::E0109
+    }
+}
+
+impl std::fmt::Display for Code {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+/// `text` with the nearest thing in it, or nothing when there is none.
+fn nearest<T: std::fmt::Display>(candidate: Option<&T>, before: &str, after: &str) -> String {
+    candidate.map(|found| format!("{before}{found}{after}")).unwrap_or_default()
+}
+
+diagnostics! {
+    [E0101] UnknownCharacter "unknown-character" Error { text: String, parenthesis: bool }
+        en "`{text}` means nothing to the control"
+        cs "znaky „{text}“ řídicí systém nezná"
+        help (if *parenthesis { "comments stand between quotes: `\"comment\"`" } else { "delete it; text for people stands in a comment between quotes: `\"comment\"`" })
+           | (if *parenthesis { "poznámka se píše do uvozovek: \"poznámka\"" } else { "znaky vymazat; text pro člověka patří do poznámky v uvozovkách: \"poznámka\"" })
+    [E0102] SplitNumber "split-number" Error { joined: String }
+        en "a blank stands inside a number"
+        cs "mezera uvnitř čísla"
+        help "write `{joined}`, or give the second number an address of its own"
+           | "napsat „{joined}“, nebo druhému číslu doplnit adresu"
+        note "blanks may stand between the address and its number, never inside the number or after its sign"
+           | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
+    [E0103] MissingValue "missing-value" Error { address: String }
+        en "`{address}` has no value"
+        cs "adresa {address} nemá hodnotu"
+        help (if address == "R" { "write the number of the parameter: `R10`".to_owned() } else if address.starts_with('R') { format!("write its value: `{address}=0`") } else if address == "N" || address == "%" || address == "G" || address == "M" { format!("write a number right after it: `{address}1`") } else { format!("write its number on the same line: `{address}0` when zero is meant") })
+           | (if address == "R" { "doplnit číslo parametru: „R10“".to_owned() } else if address.starts_with('R') { format!("doplnit hodnotu: „{address}=0“") } else if address == "N" || address == "%" || address == "G" || address == "M" { format!("napsat hned za ni číslo: „{address}1“") } else { format!("napsat číslo na tentýž řádek; je-li míněna nula: „{address}0“") })
+        note "a line end or a comment between an address and its number leaves the address without a value"
+           | "konec řádku nebo poznámka mezi adresou a číslem nechá adresu bez hodnoty"
+    [E0104] DecimalComma "decimal-comma" Error { fixed: String }
+        en "a decimal comma"
+        cs "desetinná čárka"
+        help "the control knows the decimal point only: write `{fixed}`"
+           | "systém zná jen desetinnou tečku: napsat „{fixed}“"
+    [E0105] TypographicQuote "typographic-quote" Error { quote: char }
+        en "the typographic quote `{quote}` instead of `\"`"
+        cs "typografické uvozovky {quote} místo obyčejných \""
+        help "write the plain quote `\"`" | "napsat obyčejné uvozovky \""
+        note "the control takes only the plain quote for the border of a comment; all that follows would be read as words"
+           | "systém ohraničuje poznámky jen obyčejnými uvozovkami; text za jinými by četl jako slova programu"
+    [E0106] MalformedNumber "malformed-number" Error { text: String }
+        en "`{text}` is not a number of a word"
+        cs "„{text}“ není číslo slova"
+        help "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own address"
+           | "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou adresou"
+    [E0107] LetterForDigit "letter-for-digit" Error { fixed: String }
+        en "a letter stands where a digit is meant"
+        cs "místo číslice je písmeno"
+        help "write `{fixed}`" | "napsat „{fixed}“"
+    [W0108] LowercaseAddress "lowercase-address" Warning { count: usize }
+        en (if *count == 1 { "an address in lower case".to_owned() } else { format!("{count} addresses in lower case, the first one here") })
+        cs (if *count == 1 { "adresa malým písmenem".to_owned() } else { format!("adresy malými písmeny ({count}×), první je zde") })
+        help "write addresses in upper case, as the control's own editor does"
+           | "psát adresy velkými písmeny, jako to dělá editor systému"
+    [E0109] LineTooLong "line-too-long" Error { length: usize }
+        en "the line has {length} characters; the control reads 80"
+        cs "řádek má {length} znaků; systém jich čte 80"
+        help "break the line between two words: a block may go on in the next line, a comment may not"
+           | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, poznámka ne"
+    [W0110] TextAfterEnd "text-after-end" Warning {}
+        en "the control never reads what stands after `*`"
+        cs "text za hvězdičkou systém nikdy nečte"
+        help "move it before `*`, or make it a comment" | "přesunout před hvězdičku, nebo z něj udělat poznámku"
+    [E0111] StrayText "stray-text" Error { text: String }
+        en "`{text}` is text outside a comment"
+        cs "„{text}“ je text mimo poznámku"
+        help "put text for people between quotes: `\"{text}\"`" | "text pro člověka dát do uvozovek: \"{text}\""
+    [E0112] UnreadableFile "unreadable-file" Error { problem: crate::diag::Problem }
+        en ({ let reason = problem.text(Lang::En); format!("the file cannot be read: {reason}") })
+        cs ({ let reason = problem.text(Lang::Cs); format!("soubor nelze přečíst: {reason}") })
+
+    [E0201] MissingProgramStart "missing-program-start" Error {}
+        en "no `%`: the control would ignore the whole file"
+        cs "chybí %: systém by celý soubor přeskočil"
+        help "begin the program with `%` and its number: `%1`" | "začít program znakem % a číslem: „%1“"
+    [E0202] SecondProgramStart "second-program-start" Error {}
+        en "a second `%` in one file"
+        cs "druhé % v jednom souboru"
+        help "one file holds one program; put the second into a file of its own, or write `%` in a comment only"
+           | "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v poznámce"
+    [E0203] WordOutsideBlock "word-outside-block" Error { word: String }
+        en "`{word}` stands before the first block"
+        cs "slovo {word} stojí před prvním blokem"
+        help "a block begins with its number: `N10 {word}`" | "blok začíná svým číslem: „N10 {word}“"
+    [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32 }
+        en "block number N{block} is used twice in this file"
+        cs "číslo bloku N{block} je v souboru dvakrát"
+        help "give one of the blocks a number of its own" | "jednomu z bloků dát jiné číslo"
+        note "subprograms count too: one file, one set of block numbers"
+           | "platí i pro podprogramy: v jednom souboru smí být každé číslo bloku jen jednou"
+    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool }
+        en (if *skipped { "with block skip on, the end of the program is left out" } else { "the program has no end: no block holds M02 or M30" })
+        cs (if *skipped { "při zapnutém vynechávání bloků se vynechá i konec programu" } else { "program nemá konec: v žádném bloku není M02 ani M30" })
+        help "end the main program with a block of its own: `N… M30`" | "ukončit hlavní program samostatným blokem: „N… M30“"
+    [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32 }
+        en "N{block} stands after the end of the program and in no subprogram"
+        cs "blok N{block} stojí za koncem programu a nepatří do žádného podprogramu"
+        help "only subprograms (`G79 L…` to `G70`) may follow M02 or M30; move it before the end, or into a subprogram"
+           | "za M02 nebo M30 smějí následovat jen podprogramy (od „G79 L…“ po „G70“); blok přesunout před konec, nebo do podprogramu"
+    [E0207] UnterminatedSubprogram "unterminated-subprogram" Error { macrocycle: bool, skipped: bool }
+        en (match (macrocycle, skipped) { (_, true) => "with block skip on, the G70 that ends this unit is left out", (true, false) => "the macrocycle has no end: no block holds G70", (false, false) => "the subprogram has no end: no block up to the next one holds G70" })
+        cs (match (macrocycle, skipped) { (_, true) => "při zapnutém vynechávání bloků se vynechá i G70, které tento celek končí", (true, false) => "makrocyklus nemá konec: v žádném bloku není G70", (false, false) => "podprogram nemá konec: až po další podprogram v žádném bloku není G70" })
+        help "end it with a block that holds G70: `N… G70`" | "ukončit ho blokem s G70: „N… G70“"
+    [E0208] CrowdedSubprogramStart "crowded-subprogram-start" Error { word: String }
+        en "`{word}` stands in the block that begins a subprogram"
+        cs "slovo {word} stojí v úvodním bloku podprogramu"
+        help "that block holds its number, G79 and L only: `N… G79 L…`; move the rest into the next block"
+           | "v tomto bloku smí být jen číslo bloku, G79 a L: „N… G79 L…“; ostatní přesunout do dalšího bloku"
+    [E0209] DuplicateSubprogram "duplicate-subprogram" Error { l: u32 }
+        en "subprogram L{l} stands twice in the file"
+        cs "podprogram L{l} je v souboru dvakrát"
+        help "give one of them a number of its own" | "jednomu z nich dát jiné číslo"
+    [E0210] TooManySubprograms "too-many-subprograms" Error {}
+        en "more than 99 subprograms in one file"
+        cs "v souboru je více než 99 podprogramů"
+        help "make macrocycles of some of them: files of their own, called by G72"
+           | "některé převést na makrocykly: samostatné soubory volané pomocí G72"
+    [W0211] UnusedSubprogram "unused-subprogram" Warning { l: u32 }
+        en "no G71 calls subprogram L{l}"
+        cs "podprogram L{l} žádné G71 nevolá"
+        help "call it with `G71 L{l}`, or delete it" | "zavolat ho pomocí „G71 L{l}“, nebo ho vymazat"
+    [E0212] EndOutsideSubprogram "end-outside-subprogram" Error {}
+        en "G70 in the main program"
+        cs "G70 v hlavním programu"
+        help "G70 ends subprograms and macrocycles; the main program ends with M02 or M30"
+           | "G70 končí podprogramy a makrocykly; hlavní program končí M02 nebo M30"
+    [W0213] SkipBeforeBlockNumber "skip-before-block-number" Warning { block: u32 }
+        en (if *block == 0 { "this `/` belongs to the block before it".to_owned() } else { format!("this `/` belongs to block N{block}, before it") })
+        cs (if *block == 0 { "toto / patří k předchozímu bloku".to_owned() } else { format!("toto / patří k předchozímu bloku N{block}") })
+        help "write `/` after the number of the block that it shall skip: `N… /`"
+           | "psát / až za číslo bloku, který se má vynechat: „N… /“"
+    [W0214] EmptyBlock "empty-block" Warning { block: u32 }
+        en "block N{block} is empty"
+        cs "blok N{block} je prázdný"
+        help "delete it, or say in a comment what it is for" | "vymazat ho, nebo v poznámce napsat, k čemu je"
+    [W0215] ProgramEndInSubprogram "program-end-in-subprogram" Warning { function: u8 }
+        en "M{function:02} in here ends the whole program, not only this unit"
+        cs "M{function:02} zde ukončí celý program, nejen tento celek"
+        help "end subprograms and macrocycles with G70" | "podprogramy a makrocykly končit pomocí G70"
+    [E0216] MacrocycleNumberMismatch "macrocycle-number-mismatch" Error { file: String, expected: u32, found: Option<u32> }
+        en ({ let file = crate::diag::shown(file); match found { Some(l) => format!("the file {file} holds macrocycle L{l}"), None => format!("the macrocycle {file} does not begin with G79") } })
+        cs ({ let file = crate::diag::shown(file); match found { Some(l) => format!("soubor {file} obsahuje makrocyklus L{l}"), None => format!("makrocyklus {file} nezačíná funkcí G79") } })
+        help "its first block is `N… G79 L{expected}`" | "první blok má být „N… G79 L{expected}“"
+    [E0217] DuplicateMacrocycle "duplicate-macrocycle" Error { l: u32, first: String, second: String }
+        en ({ let (first, second) = (crate::diag::shown(first), crate::diag::shown(second)); format!("two files are macrocycle L{l}: {first} and {second}") })
+        cs ({ let (first, second) = (crate::diag::shown(first), crate::diag::shown(second)); format!("makrocyklus L{l} je ve dvou souborech: {first} a {second}") })
+        help "keep one of them on the search path" | "na cestě hledání nechat jen jeden"
+    [E0218] BlockAfterMacrocycleEnd "block-after-macrocycle-end" Error { block: u32 }
+        en "N{block} stands after the G70 that ends the macrocycle"
+        cs "blok N{block} stojí za G70, které makrocyklus končí"
+        help "a macrocycle file holds one unit; move the block before G70, or into another file"
+           | "soubor makrocyklu obsahuje jediný celek; blok přesunout před G70, nebo do jiného souboru"
+    [W0219] SkippableStructure "skippable-structure" Warning { function: String }
+        en "`/` in the block with {function}: with block skip on, the end would be missing"
+        cs "/ v bloku s {function}: při zapnutém vynechávání bloků by konec chyběl"
+        help "give {function} a block of its own without `/`" | "dát {function} do samostatného bloku bez /"
+    [W0220] ProgramStartInMacrocycle "program-start-in-macrocycle" Warning {}
+        en "a macrocycle file with a `%` line"
+        cs "soubor makrocyklu s řádkem %"
+        help "delete the `%` word: a macrocycle begins with `N… G79 L…`" | "slovo s % vymazat: makrocyklus začíná blokem „N… G79 L…“"
+
+    [E0301] UnknownAddress "unknown-address" Error { letter: char }
+        en "`{letter}` is no address of this control"
+        cs "{letter} není adresa tohoto systému"
+        help (if *letter == 'O' { "programs are numbered with `%`; for the digit zero write `0`" } else { "delete the word, or write the address that was meant" })
+           | (if *letter == 'O' { "čísla programů se píší s %; číslice nula je „0“" } else { "slovo vymazat, nebo napsat adresu, která byla míněna" })
+    [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String }
+        en "{address} takes {range}"
+        cs "{address} má rozsah {range}"
+    [W0303] FinerThanResolution "finer-than-resolution" Warning { rounded: String }
+        en "finer than the control resolves: taken as {rounded}"
+        cs "jemnější, než systém rozliší: platí {rounded}"
+        help "write three decimals at most" | "psát nejvýše tři desetinná místa"
+    [E0304] PointNotAllowed "decimal-point-not-allowed" Error { address: Address, fixed: String, dwell: bool }
+        en (if *dwell { "the dwell takes whole units of 10 ms".to_owned() } else { format!("{address} takes no decimal point") })
+        cs (if *dwell { "prodleva se zadává v celých jednotkách po 10 ms".to_owned() } else { format!("{address} nesmí mít desetinnou tečku") })
+        help (if fixed.is_empty() { String::new() } else if *dwell { format!("when seconds are meant, write `{fixed}`") } else { format!("write `{fixed}`") })
+           | (if fixed.is_empty() { String::new() } else if *dwell { format!("jsou-li míněny sekundy, napsat „{fixed}“") } else { format!("napsat „{fixed}“") })
+    [E0305] SignNotAllowed "sign-not-allowed" Error { address: Address }
+        en "{address} takes no sign"
+        cs "{address} nesmí mít znaménko"
+        help "write the number without it" | "napsat číslo bez něj"
+    [E0306] DuplicateAddress "duplicate-address" Error { address: String }
+        en "`{address}` stands twice in this block"
+        cs "{address} je v bloku dvakrát"
+        help "keep one of them, or begin a new block with `N…`" | "nechat jen jedno slovo, nebo začít nový blok „N…“"
+    [E0307] ConflictingG "conflicting-g-functions" Error { first: GCode, second: GCode, group: GGroup }
+        en (if first.group() == second.group() { format!("{first} and {second} are both of group {group}") } else { format!("{first} calls a macrocycle by the cycle map, and so the block cannot hold {second} as well") })
+        cs (if first.group() == second.group() { format!("{first} a {second} jsou obě ze skupiny {group}") } else { format!("{first} volá makrocyklus podle mapy cyklů, {second} proto v bloku být nemůže") })
+        help "one function of a group per block: delete one, or give it a block of its own"
+           | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
+    [E0308] ConflictingM "conflicting-m-functions" Error { first: u8, second: u8, group: u8 }
+        en "M{first:02} and M{second:02} are both of M group {group}"
+        cs "M{first:02} a M{second:02} jsou obě z {group}. skupiny M funkcí"
+        help "one function of a group per block: delete one, or give it a block of its own"
+           | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
+    [E0309] UnknownG "unknown-g-function" Error { number: u32 }
+        en "G{number:02} is no function of this control"
+        cs "G{number:02} není funkce tohoto systému"
+        help (foreign_g(*number, Lang::En)) | (foreign_g(*number, Lang::Cs))
+    [E0310] TooManyWords "too-many-words" Error { address: Address, limit: usize }
+        en "more than {limit} `{address}` words in one block"
+        cs "v bloku je více než {limit} slov {address}"
+        help "share them out among several blocks" | "rozdělit je do více bloků"
+    [E0311] UnknownAxis "unknown-axis" Error { axis: char, axes: String }
+        en "this machine has no axis {axis}"
+        cs "stroj nemá osu {axis}"
+        help "the configured axes are {axes}" | "nastavené osy jsou {axes}"
+    [E0312] CorrectionDigits "length-correction-digits" Error {}
+        en "`&` takes four digits, each 0, 1 or 2"
+        cs "& má čtyři číslice, každou 0, 1 nebo 2"
+        help "one digit for each axis: 0 no correction, 1 or 2 its direction; for example `&0010`"
+           | "každé ose patří jedna číslice: 0 bez korekce, 1 nebo 2 směr; například „&0010“"
+
+    [E0401] MissingTarget "missing-target" Error { function: GCode }
+        en "{function} without `L`"
+        cs "{function} bez L"
+        help (match function { GCode::G73 => "write the number of the block to jump to: `L10`", GCode::G72 => "write the number of the macrocycle: `L9001`", _ => "write the number of the subprogram: `L100`" })
+           | (match function { GCode::G73 => "doplnit číslo bloku, na který se skáče: „L10“", GCode::G72 => "doplnit číslo makrocyklu: „L9001“", _ => "doplnit číslo podprogramu: „L100“" })
+    [W0402] UnusedTarget "unused-target" Warning {}
+        en "`L` does nothing in this block"
+        cs "L v tomto bloku nic nedělá"
+        help "`L` goes with G71, G72, G73 or G79" | "L patří ke G71, G72, G73 nebo G79"
+    [W0403] UnusedRepeat "unused-repeat" Warning {}
+        en "`Q` does nothing in this block"
+        cs "Q v tomto bloku nic nedělá"
+        help "`Q` goes with G71, G72, G73 or, as the dwell time, with G04"
+           | "Q patří ke G71, G72, G73 nebo jako délka prodlevy ke G04"
+    [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool }
+        en (if *from_macrocycle { format!("a macrocycle cannot call subprogram L{l}: subprograms belong to the program's file") } else { format!("there is no subprogram L{l} in this file") })
+        cs (if *from_macrocycle { format!("makrocyklus nemůže volat podprogram L{l}: podprogramy patří k souboru programu") } else { format!("podprogram L{l} v souboru není") })
+        help (if *macrocycle { format!("L{l} is a macrocycle: call it with `G72 L{l}`") } else if *from_macrocycle { "call a macrocycle with G72".to_owned() } else { nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
+           | (if *macrocycle { format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“") } else if *from_macrocycle { "volat makrocyklus pomocí G72".to_owned() } else { nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
+    [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool }
+        en "macrocycle L{l} is not on the search path"
+        cs "makrocyklus L{l} na cestě hledání není"
+        help (if *subprogram { format!("L{l} is a subprogram of this file: call it with `G71 L{l}`") } else { "name its folder with `-L` or under `macrocycles` in cnc872c.toml".to_owned() })
+           | (if *subprogram { format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“") } else { "uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml".to_owned() })
+        note ({ let searched = crate::diag::shown_path_list(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::shown_path_list(searched); format!("hledalo se v: {searched}") })
+    [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32> }
+        en "there is no block N{l} to jump to"
+        cs "blok N{l}, na který se má skočit, neexistuje"
+        help (nearest(near.as_ref(), "the nearest block of this unit is `L", "`")) | (nearest(near.as_ref(), "nejbližší blok tohoto celku je „L", "“"))
+    [E0407] JumpOutOfUnit "jump-out-of-unit" Error { l: u32 }
+        en "block N{l} is in another unit of the program"
+        cs "blok N{l} je v jiném programovém celku"
+        help "a jump stays in its main program, subprogram or macrocycle; to run another unit call it with G71 or G72"
+           | "skákat se smí jen uvnitř hlavního programu, podprogramu nebo makrocyklu; jiný celek volat pomocí G71 nebo G72"
+    [E0408] RecursiveCall "recursive-call" Error { ring: String }
+        en "this call leads back to a unit that is still running: {ring}"
+        cs "toto volání vede zpět do celku, který ještě běží: {ring}"
+        help "break the ring; to repeat something, use `Q` or a jump with G73"
+           | "kruh přerušit; k opakování slouží Q nebo skok G73"
+    [E0409] NestingTooDeep "nesting-too-deep" Error { limit: u32 }
+        en "more than {limit} calls are open at once"
+        cs "otevřených volání je více než {limit}"
+        help "call fewer units from within one another" | "volat méně celků jeden z druhého"
+    [E0410] ExpansionLimit "expansion-limit" Error { limit: u64, repeats: String }
+        en "the program executes more than {limit} blocks"
+        cs "program provede více než {limit} bloků"
+        help "when this is meant, raise `records` under [limits], or `--max-blocks`"
+           | "je-li to záměr, zvýšit records v [limits], nebo --max-blocks"
+        note (if repeats.is_empty() { String::new() } else { format!("what multiplies here: {repeats}") })
+           | (if repeats.is_empty() { String::new() } else { format!("co se zde násobí: {repeats}") })
+    [E0411] MissingDwell "missing-dwell" Error {}
+        en "G04 without `Q`"
+        cs "G04 bez Q"
+        help "write the dwell in units of 10 ms: `Q100` is one second" | "doplnit délku prodlevy po 10 ms: „Q100“ je jedna sekunda"
+    [W0412] DwellTakesRepeat "dwell-takes-repeat" Warning { function: GCode }
+        en "`Q` is the dwell of G04 here, not the repeats of {function}"
+        cs "Q je zde délka prodlevy G04, ne počet opakování {function}"
+        help "the {function} is done once; give G04 a block of its own" | "{function} se provede jednou; G04 dát do samostatného bloku"
+    [E0413] FlowAfterEnd "flow-after-end" Error { function: GCode }
+        en "{function} in the block that ends the program"
+        cs "{function} v bloku, který končí program"
+        help "give M02 or M30 a block of its own" | "M02 nebo M30 dát do samostatného bloku"
+    [W0414] SubprogramCallsSubprogram "subprogram-calls-subprogram" Warning { l: Option<u32> }
+        en "a subprogram calls another one with G71"
+        cs "podprogram volá pomocí G71 další podprogram"
+        help "make the called one a macrocycle and call it with G72" | "z volaného udělat makrocyklus a volat ho pomocí G72"
+        note "the manual describes G71 in the main program only; not every machine may follow"
+           | "příručka popisuje G71 jen v hlavním programu; ne každý stroj to musí umět"
+
+    [E0501] ParameterNumber "parameter-number" Error {}
+        en "there are parameters R0 to R95 only"
+        cs "parametry jsou jen R0 až R95"
+        help "use a number from 0 to 95, without sign and decimal point"
+           | "použít číslo 0 až 95, bez znaménka a desetinné tečky"
+    [W0502] ReservedParameter "reserved-parameter" Warning {}
+        en "R95 is reserved for control functions"
+        cs "R95 je vyhrazen pro řídicí funkce"
+        help "use another parameter" | "použít jiný parametr"
+    [W0503] UnassignedParameter "unassigned-parameter" Warning { parameter: u8 }
+        en "R{parameter} is read before the program gives it a value"
+        cs "R{parameter} se čte dřív, než mu program dal hodnotu"
+        help "assign it first: `R{parameter}=…`, or give the machine's value with `--param R{parameter}=…`"
+           | "nejdřív přiřadit: „R{parameter}=…“, nebo zadat hodnotu ze stroje volbou --param R{parameter}=…"
+        note "its value comes from the machine's parameter table, and what depends on it is not checked"
+           | "hodnota pochází z tabulky parametrů stroje a co na ní závisí, se nekontroluje"
+    [W0504] AssignedAndRead "assigned-and-read" Warning { parameter: u8 }
+        en "R{parameter} is read here and assigned in the same block: the old value counts"
+        cs "R{parameter} se v témže bloku čte i přiřazuje: platí stará hodnota"
+        help "assign it in a block before, or after" | "přiřadit ho v bloku před tím, nebo za tím"
+    [E0505] MissingControlWord "missing-control-word" Error { function: GCode, missing: String }
+        en "{function} needs {missing} in its block"
+        cs "{function} potřebuje v bloku {missing}"
+        help "write the control word in the same block: `{missing}=oo aa bb rr` as one number of eight digits"
+           | "řídicí slovo napsat do téhož bloku: {missing}= a osm číslic oo aa bb rr bez mezer"
+    [W0506] SuperfluousControlWord "superfluous-control-word" Warning { function: GCode, parameter: u8 }
+        en "{function} does not use R{parameter}"
+        cs "{function} R{parameter} nepoužije"
+        help "delete it, or use the function with more operations" | "vymazat ho, nebo použít funkci s více operacemi"
+    [E0507] MalformedControlWord "malformed-control-word" Error { field: Option<i64> }
+        en (match field { Some(number) => format!("the control word names parameter R{number}; there are R0 to R95"), None => "a control word is a whole number of at most eight digits".to_owned() })
+        cs (match field { Some(number) => format!("řídicí slovo uvádí parametr R{number}; jsou jen R0 až R95"), None => "řídicí slovo je celé číslo nejvýše o osmi číslicích".to_owned() })
+        help "its digits are `oo aa bb rr`: operation, first operand, second operand, result"
+           | "číslice jsou „oo aa bb rr“: operace, první operand, druhý operand, výsledek"
+    [E0508] UnknownOperation "unknown-operation" Error { operation: i64 }
+        en "the configuration does not say which operation {operation:02} is"
+        cs "konfigurace neříká, která operace je {operation:02}"
+        help "name it in cnc872c.toml, after the machine's manual: `[operations]`, `\"{operation:02}\" = \"add\"`"
+           | "pojmenovat ji v cnc872c.toml podle příručky stroje: [operations], \"{operation:02}\" = \"add\""
+    [E0509] ArithmeticError "arithmetic-error" Error { what: ArithmeticFault }
+        en (what.text(Lang::En))
+        cs (what.text(Lang::Cs))
+    [E0510] UnusableParameterValue "unusable-parameter-value" Error { address: Address, parameter: u8, value: String, needs: ParameterNeed }
+        en ({ let needs = needs.text(*address, Lang::En); format!("R{parameter} is {value}, but {needs}") })
+        cs ({ let needs = needs.text(*address, Lang::Cs); format!("R{parameter} má hodnotu {value}, ale {needs}") })
+    [E0511] ParameterNotAllowed "parameter-not-allowed" Error { address: Address }
+        en "`{address}` takes a number, not a parameter"
+        cs "za {address} musí být číslo, ne parametr"
+
+    [W0601] MissingFeed "missing-feed" Warning {}
+        en "working motion before the program sets a feed"
+        cs "pracovní pohyb dřív, než program zadal posuv"
+        help "write `F` in this block or before it; otherwise the feed of the program before stays in force"
+           | "zadat F v tomto bloku nebo před ním; jinak platí posuv z předchozího programu"
+    [E0602] MissingArcCenter "missing-arc-center" Error { radius_word: bool }
+        en "an arc without its centre: `I` and `J` are missing or zero"
+        cs "oblouk bez středu: I a J chybí nebo jsou nulové"
+        help "write the distances from the start to the centre: `I` along the first axis of the arc, `J` along the second"
+           | "doplnit vzdálenosti od počátku oblouku ke středu: I v první ose oblouku, J ve druhé"
+        note (if *radius_word { "`R` is a parameter on this control, never a radius" } else { "" })
+           | (if *radius_word { "R je v tomto systému parametr, nikdy poloměr" } else { "" })
+    [E0603] ArcRadiusMismatch "arc-radius-mismatch" Error { start: String, end: String }
+        en "the radius is {start} at the start of the arc and {end} at its end"
+        cs "poloměr na počátku oblouku je {start}, na konci {end}"
+        help "mend `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the centre"
+           | "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od počátku oblouku, ne souřadnice středu"
+    [W0604] MissingSpindleSpeed "missing-spindle-speed" Warning { function: GCode }
+        en "working motion under {function} before the program sets a spindle speed"
+        cs "pracovní pohyb při {function} dřív, než program zadal otáčky"
+        help "write `S` in this block or before it" | "zadat S v tomto bloku nebo před ním"
+    [W0605] IncrementalFromUnknown "incremental-from-unknown" Warning { axis: char }
+        en "{axis} moves by a distance from a position that the program does not know"
+        cs "osa {axis} se pohybuje přírůstkem z polohy, kterou program nezná"
+        help "program {axis} absolutely (G90) first" | "nejdřív najet osou {axis} absolutně (G90)"
+    [W0606] ArcFromUnknown "arc-from-unknown" Warning { axes: String }
+        en "the arc starts from a position that the program does not know ({axes})"
+        cs "oblouk začíná v poloze, kterou program nezná ({axes})"
+        help "program {axes} absolutely (G90) before the arc" | "před obloukem najet absolutně (G90) osami: {axes}"
+    [E0607] SpeedOutsideGear "speed-outside-gear" Error { s: u32, m: u8, min: u32, max: u32 }
+        en "S{s} is outside range M{m}, which is {min}–{max} rev/min"
+        cs "S{s} je mimo rozsah M{m}, tedy {min}–{max} ot/min"
+        help "change the speed, program another range, or let M40 choose it"
+           | "změnit otáčky, zadat jiný rozsah, nebo ho nechat vybrat funkcí M40"
+    [E0608] OrientedStopUnavailable "oriented-stop-unavailable" Error {}
+        en "this machine is configured without the oriented stop M19"
+        cs "stroj nemá podle konfigurace orientovaný stop M19"
+        help "use M05; when the machine has it, set `oriented-stop = true`" | "použít M05; má-li ho stroj, nastavit oriented-stop = true"
+    [E0609] CenterWordNotUsable "center-word-not-usable" Error { letter: char, place: CenterPlace }
+        en ({ let why = place.text(Lang::En); format!("`{letter}` does nothing in this block: {why}") })
+        cs ({ let why = place.text(Lang::Cs); format!("{letter} v tomto bloku nic nedělá: {why}") })
+        help "delete it, or program the function that it belongs to" | "vymazat ho, nebo zadat funkci, ke které patří"
+    [W0610] ArcAfterOriginChange "arc-after-origin-change" Warning {}
+        en "an arc right after a change of origin or correction: its start is not where the tool stands"
+        cs "oblouk hned po změně počátku nebo korekce: nezačíná tam, kde stojí nástroj"
+        help "move by a straight line (G00, G01) first" | "nejdřív zařadit přímkový pohyb (G00, G01)"
+    [E0611] ArcAxes "arc-axes" Error { plane: String, many: bool }
+        en (if *many { "an arc takes at most three axis words".to_owned() } else { format!("the axis words of the arc do not fit the plane {plane} in force") })
+        cs (if *many { "oblouk smí mít nejvýše tři slova os".to_owned() } else { format!("slova os oblouku nesouhlasí s platnou rovinou {plane}") })
+        help "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX"
+           | "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX"
+    [W0612] FunctionNotModelled "function-not-modelled" Warning { function: GCode }
+        en "what {function} does is not modelled: the record shows the programmed path"
+        cs "účinek {function} se nemodeluje: záznam ukazuje programovanou dráhu"
+    [W0613] HelixWithoutG09 "helix-without-g09" Warning {}
+        en "an arc with a third axis, but G09 is not in force"
+        cs "oblouk s třetí osou, ale neplatí G09"
+        help "program G09 for a helix, or move the third axis in a block of its own"
+           | "pro šroubovici zadat G09, nebo třetí osou jet v samostatném bloku"
+
+    [E0701] UnreadableConfiguration "unreadable-configuration" Error { reason: ConfigProblem }
+        en ({ let why = reason.text(Lang::En); format!("the configuration cannot be read: {why}") })
+        cs ({ let why = reason.text(Lang::Cs); format!("konfiguraci nelze přečíst: {why}") })
+    [E0702] ConfigurationValue "configuration-value" Error { key: String, needs: ConfigNeed }
+        en ({ let needs = needs.text(Lang::En); format!("`{key}` {needs}") })
+        cs ({ let needs = needs.text(Lang::Cs); format!("{key} {needs}") })
+    [E0703] MFunctionFixed "m-function-fixed" Error { m: u8, group: u8 }
+        en "M{m:02} is a standard function and cannot leave M group {group}"
+        cs "M{m:02} je pevně přiřazená funkce a nelze ji vyřadit z {group}. skupiny"
+        help "write GroupNo=\"{group}\", or leave GroupNo out; the other attributes may be set"
+           | "napsat GroupNo=\"{group}\", nebo GroupNo vynechat; ostatní atributy nastavit lze"
+    [E0704] MFunctionRepeated "m-function-repeated" Error { m: u8 }
+        en "M{m:02} is configured twice with different data"
+        cs "M{m:02} je nastavena dvakrát s různými údaji"
+        help "keep one of the two elements" | "ponechat jen jeden z obou elementů"
+    [W0705] UnknownConfigurationKey "unknown-configuration-key" Warning { key: String, near: Option<String> }
+        en "`{key}` is not a name known here"
+        cs "název {key} zde není známý"
+        help (nearest(near.as_ref(), "perhaps `", "` is meant")) | (nearest(near.as_ref(), "možná mělo být „", "“"))
+    [E0706] MachineConstant "machine-constant" Error { constant: String, problem: ConstantProblem }
+        en ({ let what = problem.text(Lang::En); format!("machine constant {constant} {what}") })
+        cs ({ let what = problem.text(Lang::Cs); format!("strojní konstanta {constant} {what}") })
+}
+
+/// What a G number of other controls is called here, as far as it can be told.
+fn foreign_g(number: u32, lang: Lang) -> &'static str {
+    let (en, cs) = match number {
+        20 | 21 => ("lengths are always millimetres here", "délky jsou zde vždy v milimetrech"),
+        28 => ("the reference point is approached by G30", "do reference se najíždí funkcí G30"),
+        43 | 44 | 49 => ("length corrections are chosen with `&` and `D`", "délkové korekce se volí adresami & a D"),
+        52 => ("origins are shifted by G54–G59, G92 and G93", "počátky se posouvají funkcemi G54–G59, G92 a G93"),
+        65 | 66 => ("a macrocycle is called by G72", "makrocyklus se volá funkcí G72"),
+        99 => ("a subprogram ends with G70", "podprogram končí funkcí G70"),
+        _ => ("delete it, or write the function that was meant", "vymazat ji, nebo napsat funkci, která byla míněna"),
+    };
+    match lang {
+        Lang::En => en,
+        Lang::Cs => cs,
+    }
+}

@@ -1,0 +1,261 @@
+//! The preparatory functions (§7 of the language).
+
+use std::fmt;
+
+use super::Bilingual;
+
+/// How long a G function holds.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Lasting {
+    /// Until another of its group.
+    Modal,
+    /// `+`: also what holds after power-up, a reset, M02 and M30.
+    Default,
+    /// `x`: in its own block; hides but does not cancel what was in force.
+    Block,
+}
+
+/// A group of G functions; one of each holds at a time.
+#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub enum GGroup {
+    /// Interpolation.
+    G0,
+    /// Plane.
+    G1,
+    /// Joining of blocks, copying, helix.
+    G2,
+    /// Radius correction.
+    G3,
+    /// Parameter arithmetic.
+    G4,
+    /// Zero offsets.
+    G5,
+    /// Unit of feed.
+    G6,
+    /// Calls and jumps.
+    G7,
+    /// Fixed cycles.
+    G8,
+    /// Absolute or incremental.
+    G9,
+    /// Dwell, tables, diameters.
+    G10,
+    /// Conversions of coordinates.
+    G11,
+}
+
+impl GGroup {
+    /// All groups, by number.
+    pub const ALL: [Self; 12] = [
+        Self::G0,
+        Self::G1,
+        Self::G2,
+        Self::G3,
+        Self::G4,
+        Self::G5,
+        Self::G6,
+        Self::G7,
+        Self::G8,
+        Self::G9,
+        Self::G10,
+        Self::G11,
+    ];
+
+    /// Its number, 0–11.
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+}
+
+impl fmt::Display for GGroup {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "G{}", self.index())
+    }
+}
+
+macro_rules! g_functions {
+    ($($variant:ident $number:literal $group:ident $lasting:ident $en:literal, $cs:literal;)*) => {
+        /// A preparatory function of the control.
+        #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+        pub enum GCode {
+            $(#[doc = $en] $variant,)*
+        }
+
+        impl GCode {
+            /// Every function, by group.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),*];
+
+            /// The function of that number; `None` when it is in no group (GRP-1).
+            pub const fn from_number(number: u8) -> Option<Self> {
+                match number {
+                    $($number => Some(Self::$variant),)*
+                    _ => None,
+                }
+            }
+
+            /// Its number.
+            pub const fn number(self) -> u8 {
+                match self { $(Self::$variant => $number,)* }
+            }
+
+            /// Its group.
+            pub const fn group(self) -> GGroup {
+                match self { $(Self::$variant => GGroup::$group,)* }
+            }
+
+            /// How long it holds.
+            pub const fn lasting(self) -> Lasting {
+                match self { $(Self::$variant => Lasting::$lasting,)* }
+            }
+
+            /// What it does.
+            pub const fn meaning(self) -> Bilingual {
+                match self { $(Self::$variant => Bilingual { en: $en, cs: $cs },)* }
+            }
+        }
+    };
+}
+
+g_functions! {
+    G00 0 G0 Default "rapid traverse", "rychloposuv";
+    G01 1 G0 Modal "linear interpolation", "lineární interpolace";
+    G02 2 G0 Modal "circular interpolation, clockwise", "kruhová interpolace po směru hodin";
+    G03 3 G0 Modal "circular interpolation, counter-clockwise", "kruhová interpolace proti směru hodin";
+    G30 30 G0 Block "approach of the reference point", "nájezd do reference";
+    G33 33 G0 Modal "thread cutting", "řezání závitu";
+    G17 17 G1 Default "plane XY", "rovina XY";
+    G18 18 G1 Modal "plane YZ (in ISO 6983 G18 is ZX)", "rovina YZ (v ISO 6983 je G18 rovina ZX)";
+    G19 19 G1 Modal "plane ZX (in ISO 6983 G19 is YZ)", "rovina ZX (v ISO 6983 je G19 rovina YZ)";
+    G14 14 G1 Modal "plane of Z and the 4th axis", "rovina Z a 4. osy";
+    G15 15 G1 Modal "plane of Y and the 4th axis", "rovina Y a 4. osy";
+    G16 16 G1 Modal "plane of the 4th axis and X", "rovina 4. osy a X";
+    G05 5 G2 Modal "copying from a template", "kopírování podle předlohy";
+    G06 6 G2 Modal "copying from memory", "kopírování z paměti";
+    G07 7 G2 Modal "copying into memory", "kopírování do paměti";
+    G08 8 G2 Modal "dragged axis", "vlečení osy";
+    G09 9 G2 Modal "helix (spiral)", "šroubovice (spirála)";
+    G10 10 G2 Modal "pitch of the spiral", "zadání stoupání spirály";
+    G23 23 G2 Modal "continuous path: blocks join without a stop", "plynulá návaznost bloků";
+    G24 24 G2 Modal "tight joining of blocks: a ramp in each", "těsné napojování bloků";
+    G98 98 G2 Default "basic state of the group: blocks join with ramps", "základní stav skupiny: bloky se napojují s rampami";
+    G40 40 G3 Default "radius correction off", "zrušení korekce na poloměr";
+    G41 41 G3 Modal "radius correction, tool left of the path", "korekce na poloměr vlevo";
+    G42 42 G3 Modal "radius correction, tool right of the path", "korekce na poloměr vpravo";
+    G26 26 G4 Block "parameter arithmetic, one operation (R5)", "aritmetika parametrů, jedna operace (R5)";
+    G27 27 G4 Block "parameter arithmetic, two operations (R5, R6)", "aritmetika parametrů, dvě operace (R5, R6)";
+    G28 28 G4 Block "parameter arithmetic, three operations (R5–R7)", "aritmetika parametrů, tři operace (R5–R7)";
+    G29 29 G4 Block "parameter arithmetic, four operations (R5–R8)", "aritmetika parametrů, čtyři operace (R5–R8)";
+    G53 53 G5 Default "zero offset 0", "0. posunutí nulového bodu";
+    G54 54 G5 Modal "zero offset 1", "1. posunutí nulového bodu";
+    G55 55 G5 Modal "zero offset 2", "2. posunutí nulového bodu";
+    G56 56 G5 Modal "zero offset 3", "3. posunutí nulového bodu";
+    G57 57 G5 Modal "zero offset 4", "4. posunutí nulového bodu";
+    G58 58 G5 Block "zero offset 5", "5. posunutí nulového bodu";
+    G59 59 G5 Block "zero offset 6", "6. posunutí nulového bodu";
+    G94 94 G6 Default "feed per minute", "posuv za minutu";
+    G95 95 G6 Modal "feed per revolution", "posuv na otáčku";
+    G96 96 G6 Modal "feed per minute, constant cutting speed", "posuv za minutu, konstantní řezná rychlost";
+    G97 97 G6 Modal "feed per revolution, constant cutting speed", "posuv na otáčku, konstantní řezná rychlost";
+    G70 70 G7 Default "end of a subprogram or macrocycle", "konec podprogramu nebo makrocyklu";
+    G71 71 G7 Block "call of a subprogram", "volání podprogramu";
+    G72 72 G7 Block "call of a macrocycle", "volání makrocyklu";
+    G73 73 G7 Block "jump to a block of the same unit", "skok na blok téhož programového celku";
+    G79 79 G7 Block "entry of a subprogram or macrocycle", "vstup do podprogramu nebo makrocyklu";
+    G80 80 G8 Default "no fixed cycle", "zrušení pevného cyklu";
+    G81 81 G8 Modal "fixed cycle 81 of the ISO standard", "pevný cyklus 81 podle normy ISO";
+    G82 82 G8 Modal "fixed cycle 82 of the ISO standard", "pevný cyklus 82 podle normy ISO";
+    G83 83 G8 Modal "fixed cycle 83 of the ISO standard", "pevný cyklus 83 podle normy ISO";
+    G84 84 G8 Modal "fixed cycle 84 of the ISO standard", "pevný cyklus 84 podle normy ISO";
+    G85 85 G8 Modal "fixed cycle 85 of the ISO standard", "pevný cyklus 85 podle normy ISO";
+    G86 86 G8 Modal "fixed cycle 86 of the ISO standard", "pevný cyklus 86 podle normy ISO";
+    G87 87 G8 Modal "fixed cycle 87 of the ISO standard", "pevný cyklus 87 podle normy ISO";
+    G88 88 G8 Modal "fixed cycle 88 of the ISO standard", "pevný cyklus 88 podle normy ISO";
+    G89 89 G8 Modal "fixed cycle 89 of the ISO standard", "pevný cyklus 89 podle normy ISO";
+    G90 90 G9 Default "absolute coordinates", "absolutní souřadnice";
+    G91 91 G9 Modal "incremental coordinates", "přírůstkové souřadnice";
+    G04 4 G10 Block "dwell, Q in units of 10 ms", "časová prodleva, Q po 10 ms";
+    G92 92 G10 Block "writes the table of origins or of corrections", "zápis do tabulky počátků nebo korekcí";
+    G93 93 G10 Block "writes the origin so that the tool stands at the programmed coordinates",
+        "zápis počátku tak, aby nástroj stál na programovaných souřadnicích";
+    G74 74 G10 Modal "diameter programming: X is a diameter", "průměrové programování: X je průměr";
+    G75 75 G10 Default "radius programming", "poloměrové programování";
+    G34 34 G11 Default "all conversions of coordinates off", "zrušení všech přepočtů souřadnic";
+    G35 35 G11 Modal "mirror image", "zrcadlení";
+    G36 36 G11 Modal "scale", "změna měřítka";
+    G37 37 G11 Modal "independent shift", "nezávislý posun";
+    G38 38 G11 Modal "first plane transformation", "první rovinná transformace";
+    G39 39 G11 Modal "second plane transformation", "druhá rovinná transformace";
+    G31 31 G11 Modal "spatial transformation", "prostorová transformace";
+}
+
+impl GCode {
+    /// The function that holds in `group` after power-up unless configured (§7, GRP-3); none in G4.
+    pub fn power_up(group: GGroup) -> Option<Self> {
+        Self::ALL.iter().copied().find(|code| code.group() == group && matches!(code.lasting(), Lasting::Default))
+    }
+
+    /// Whether it is one of the fixed cycles G81–G89.
+    pub const fn is_cycle(self) -> bool {
+        self.number() >= 81 && self.number() <= 89
+    }
+
+    /// Whether its block's axis words are data of a table or transformation, and nothing moves (GRP-4).
+    pub const fn makes_words_data(self) -> bool {
+        matches!(
+            self,
+            Self::G92 | Self::G93 | Self::G31 | Self::G35 | Self::G36 | Self::G37 | Self::G38 | Self::G39
+        )
+    }
+
+    /// How many operations G26–G29 perform; 0 for the other functions.
+    pub const fn operations(self) -> usize {
+        match self.group() {
+            GGroup::G4 => (self.number() - 25) as usize,
+            GGroup::G0
+            | GGroup::G1
+            | GGroup::G2
+            | GGroup::G3
+            | GGroup::G5
+            | GGroup::G6
+            | GGroup::G7
+            | GGroup::G8
+            | GGroup::G9
+            | GGroup::G10
+            | GGroup::G11 => 0,
+        }
+    }
+
+    /// Whether it calls or jumps: G71, G72, G73.
+    pub const fn is_flow(self) -> bool {
+        matches!(self, Self::G71 | Self::G72 | Self::G73)
+    }
+}
+
+impl fmt::Display for GCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "G{:02}", self.number())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// GRP-3: power-up state.
+    #[test]
+    fn power_up_state() {
+        let numbers: Vec<Option<u8>> =
+            GGroup::ALL.into_iter().map(|group| GCode::power_up(group).map(GCode::number)).collect();
+        let expected = [Some(0), Some(17), Some(98), Some(40), None, Some(53), Some(94), Some(70), Some(80), Some(90)];
+        assert_eq!(numbers[..10], expected);
+        assert_eq!(numbers[10..], [Some(75), Some(34)]);
+    }
+
+    #[test]
+    fn numbers_are_unique() {
+        let mut numbers: Vec<u8> = GCode::ALL.iter().map(|code| code.number()).collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        assert_eq!(numbers.len(), GCode::ALL.len());
+    }
+}

@@ -1,0 +1,92 @@
+//! The code pages that part programs come in (LEX-13).
+
+/// How the bytes of a file become characters, when they are not valid UTF-8.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, clap::ValueEnum)]
+pub enum Encoding {
+    /// UTF-8: tried first on every file.
+    #[value(skip)]
+    Utf8,
+    /// DOS Latin 2, the default of what is not UTF-8.
+    #[default]
+    #[value(name = "cp852")]
+    Cp852,
+    /// Windows, Central European.
+    #[value(name = "windows-1250")]
+    Windows1250,
+    /// ISO Latin 2.
+    #[value(name = "iso-8859-2")]
+    Iso88592,
+    /// The code of the Kamenický brothers (CP895), of Czech DOS machines.
+    #[value(name = "kamenicky")]
+    Kamenicky,
+}
+
+/// The upper half of Kamenický's code page: 0x80–0xAF its own, the rest as in code page 437.
+const KAMENICKY: [char; 128] = [
+    'Č', 'ü', 'é', 'ď', 'ä', 'Ď', 'Ť', 'č', 'ě', 'Ě', 'Ĺ', 'Í', 'ľ', 'ĺ', 'Ä', 'Á', 'É', 'ž', 'Ž', 'ô', 'ö', 'Ó', 'ů',
+    'Ú', 'ý', 'Ö', 'Ü', 'Š', 'Ľ', 'Ý', 'Ř', 'ť', 'á', 'í', 'ó', 'ú', 'ň', 'Ň', 'Ů', 'Ô', 'š', 'ř', 'ŕ', 'Ŕ', '¼', '§',
+    '«', '»', '░', '▒', '▓', '│', '┤', '╡', '╢', '╖', '╕', '╣', '║', '╗', '╝', '╜', '╛', '┐', '└', '┴', '┬', '├', '─',
+    '┼', '╞', '╟', '╚', '╔', '╩', '╦', '╠', '═', '╬', '╧', '╨', '╤', '╥', '╙', '╘', '╒', '╓', '╫', '╪', '┘', '┌', '█',
+    '▄', '▌', '▐', '▀', 'α', 'ß', 'Γ', 'π', 'Σ', 'σ', 'µ', 'τ', 'Φ', 'Θ', 'Ω', 'δ', '∞', 'φ', 'ε', '∩', '≡', '±', '≥',
+    '≤', '⌠', '⌡', '÷', '≈', '°', '∙', '·', '√', 'ⁿ', '²', '■', '\u{a0}',
+];
+
+impl Encoding {
+    /// Decodes every byte to exactly one character (in the one-byte code pages): nothing is lost, nothing merged.
+    pub(super) fn decode(self, bytes: &[u8]) -> String {
+        match self {
+            Self::Utf8 => String::from_utf8_lossy(bytes).into_owned(),
+            Self::Cp852 => oem_cp::decode_string_complete_table(bytes, &oem_cp::code_table::DECODING_TABLE_CP852),
+            Self::Windows1250 => encoding_rs::WINDOWS_1250.decode_without_bom_handling(bytes).0.into_owned(),
+            Self::Iso88592 => encoding_rs::ISO_8859_2.decode_without_bom_handling(bytes).0.into_owned(),
+            Self::Kamenicky => bytes
+                .iter()
+                .map(|&byte| match byte.checked_sub(0x80) {
+                    Some(upper) => KAMENICKY.get(usize::from(upper)).copied().unwrap_or('\u{fffd}'),
+                    None => char::from(byte),
+                })
+                .collect(),
+        }
+    }
+
+    /// The encodings that the project file and `--encoding` name, each with its name there.
+    pub const NAMED: [(&'static str, Self); 4] = [
+        ("cp852", Self::Cp852),
+        ("windows-1250", Self::Windows1250),
+        ("iso-8859-2", Self::Iso88592),
+        ("kamenicky", Self::Kamenicky),
+    ];
+
+    /// Whether each byte of the file is one character.
+    pub const fn is_single_byte(self) -> bool {
+        !matches!(self, Self::Utf8)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// LEX-13: in every code page each of the 256 bytes is one character of its own, so positions and bytes agree.
+    #[test]
+    fn every_byte_is_one_character_of_its_own() {
+        let bytes: Vec<u8> = (0..=255).collect();
+        for encoding in [Encoding::Cp852, Encoding::Windows1250, Encoding::Iso88592, Encoding::Kamenicky] {
+            let text = encoding.decode(&bytes);
+            let mut characters: Vec<char> = text.chars().collect();
+            assert_eq!(characters.len(), 256, "{encoding:?}");
+            assert!(!characters.contains(&'\u{fffd}'), "{encoding:?}");
+            characters.sort_unstable();
+            characters.dedup();
+            assert_eq!(characters.len(), 256, "{encoding:?} maps two bytes to one character");
+        }
+    }
+
+    #[test]
+    fn czech_words_in_each_code_page() {
+        assert_eq!(Encoding::Cp852.decode(b"p\xfd\xa1ruba"), "příruba");
+        assert_eq!(Encoding::Windows1250.decode(b"p\xf8\xedruba"), "příruba");
+        assert_eq!(Encoding::Iso88592.decode(b"\xb9roub"), "šroub");
+        assert_eq!(Encoding::Kamenicky.decode(b"p\xa9\xa1ruba \xa8roub \x87ep"), "příruba šroub čep");
+    }
+}

@@ -1,0 +1,76 @@
+//! Where the lines of a text begin. Lines end with CR LF, LF or CR, and with nothing else (LEX-8).
+
+/// A place as users count it: both from 1, the column in characters.
+#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+pub struct LineColumn {
+    /// Line, from 1.
+    pub line: u32,
+    /// Column in characters, from 1.
+    pub column: u32,
+}
+
+/// The offsets at which lines begin.
+#[derive(Debug)]
+pub struct LineIndex {
+    starts: Vec<u32>,
+}
+
+impl LineIndex {
+    /// Indexes `text`, whose first line begins at `first` (after a byte-order mark).
+    pub fn new(text: &str, first: u32) -> Self {
+        let bytes = text.as_bytes();
+        let mut starts = vec![first];
+        for at in memchr::memchr2_iter(b'\n', b'\r', bytes) {
+            let crlf_middle = bytes.get(at) == Some(&b'\r') && bytes.get(at + 1) == Some(&b'\n');
+            if !crlf_middle {
+                starts.push(u32::try_from(at + 1).unwrap_or(u32::MAX));
+            }
+        }
+        Self { starts }
+    }
+
+    /// Index from 0 of the line that holds `offset`.
+    pub fn line_at(&self, offset: u32) -> usize {
+        self.starts.partition_point(|&start| start <= offset).saturating_sub(1)
+    }
+
+    /// Like [`Self::line_at`], quick when `hint` is the line of a place shortly before: execution mostly moves on.
+    pub fn line_near(&self, offset: u32, hint: usize) -> usize {
+        let mut line = hint;
+        for _ in 0..4 {
+            let here = self.starts.get(line).is_some_and(|&start| start <= offset);
+            let before_next = self.starts.get(line + 1).is_none_or(|&next| offset < next);
+            match (here, before_next) {
+                (true, true) => return line,
+                (true, false) => line += 1,
+                (false, _) => break,
+            }
+        }
+        self.line_at(offset)
+    }
+
+    /// Where line `line` (from 0) begins.
+    pub fn start(&self, line: usize) -> Option<u32> {
+        self.starts.get(line).copied()
+    }
+
+    /// Number of lines; a text that ends with a line end has an empty last one.
+    pub fn count(&self) -> usize {
+        self.starts.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// LEX-8: only CR and LF end lines; VT, FF, NEL and U+2028 do not.
+    #[test]
+    fn line_ends() {
+        let index = LineIndex::new("a\r\nb\rc\n\u{b}\u{c}\u{85}\u{2028}d\n", 0);
+        assert_eq!(index.starts, [0, 3, 5, 7, 15]);
+        assert_eq!(index.line_at(4), 1);
+        assert_eq!(index.line_near(5, 0), 2);
+        assert_eq!(index.line_near(0, 3), 0);
+    }
+}

@@ -1,0 +1,18 @@
+//! Source text: bytes decoded once, places in them, and the way back to the bytes.
+//!
+//! Every later stage works on UTF-8 text and [`Span`]s of it. Lines, columns and offsets in the file's own bytes are
+//! worked out only for what is shown.
+
+mod encoding;
+mod lines;
+mod loader;
+mod source;
+mod sources;
+mod span;
+
+pub use encoding::Encoding;
+pub use lines::{LineColumn, LineIndex};
+pub use loader::{Loader, MemoryLoader};
+pub use source::{DecodeError, FileId, Location, SourceText};
+pub use sources::Sources;
+pub use span::Span;

@@ -1,0 +1,164 @@
+//! One file's text, and places in files.
+
+use std::sync::OnceLock;
+
+use super::{Encoding, LineColumn, LineIndex, Span};
+
+/// Index of a file among the sources of one run; the program is 0.
+#[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub struct FileId(pub u32);
+
+/// A span in a file.
+#[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub struct Location {
+    /// The file.
+    pub file: FileId,
+    /// The place in its text.
+    pub span: Span,
+}
+
+/// A file whose bytes cannot become a text.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum DecodeError {
+    /// Spans hold 32 bits.
+    TooLarge,
+}
+
+/// The text of one file, decoded, with the way back to its bytes.
+#[derive(Debug)]
+pub struct SourceText {
+    name: String,
+    text: String,
+    encoding: Encoding,
+    bom: bool,
+    lines: OnceLock<LineIndex>,
+}
+
+impl SourceText {
+    /// Decodes `bytes`: as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A byte-order mark is kept in the
+    /// text, and skipped by [`Self::first_offset`] (LEX-8).
+    ///
+    /// # Errors
+    /// [`DecodeError::TooLarge`] when the text has 4 GiB or more.
+    pub fn decode(name: impl Into<String>, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
+        let (text, encoding) = match String::from_utf8(bytes) {
+            Ok(text) => (text, Encoding::Utf8),
+            Err(error) => (fallback.decode(error.as_bytes()), fallback),
+        };
+        if u32::try_from(text.len()).is_err() {
+            return Err(DecodeError::TooLarge);
+        }
+        let bom = encoding == Encoding::Utf8 && text.starts_with('\u{feff}');
+        Ok(Self { name: name.into(), text, encoding, bom, lines: OnceLock::new() })
+    }
+
+    /// A text that is already decoded: an editor's buffer, a test.
+    pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Self {
+        let text = text.into();
+        let bom = text.starts_with('\u{feff}');
+        Self { name: name.into(), text, encoding: Encoding::Utf8, bom, lines: OnceLock::new() }
+    }
+
+    /// The file as the user named it.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The decoded text, byte-order mark included.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What the bytes were decoded from.
+    pub const fn encoding(&self) -> Encoding {
+        self.encoding
+    }
+
+    /// Where the text begins: after a byte-order mark.
+    pub const fn first_offset(&self) -> u32 {
+        if self.bom { 3 } else { 0 }
+    }
+
+    /// Length of the text in bytes; below 4 GiB by construction.
+    pub fn len(&self) -> u32 {
+        u32::try_from(self.text.len()).unwrap_or(u32::MAX)
+    }
+
+    /// Whether the file is empty.
+    pub fn is_empty(&self) -> bool {
+        self.text.is_empty()
+    }
+
+    /// The text of `span`; empty when the span is not one of this text.
+    pub fn slice(&self, span: Span) -> &str {
+        self.text.get(span.range()).unwrap_or_default()
+    }
+
+    /// The lines, indexed at the first use.
+    pub fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(&self.text, self.first_offset()))
+    }
+
+    /// Line and column of `offset`.
+    pub fn line_column(&self, offset: u32) -> LineColumn {
+        let lines = self.lines();
+        let line = lines.line_at(offset);
+        self.column_in(line, offset)
+    }
+
+    /// Line and column of `offset`, which lies in line `line` (from 0).
+    pub fn column_in(&self, line: usize, offset: u32) -> LineColumn {
+        let start = self.lines().start(line).unwrap_or(0);
+        let before = self.slice(Span::new(start, offset));
+        let column = if before.is_ascii() { before.len() } else { before.chars().count() };
+        LineColumn { line: saturate(line + 1), column: saturate(column + 1) }
+    }
+
+    /// Offset in the bytes of the file of `offset` in the text.
+    pub fn byte_offset(&self, offset: u32) -> u64 {
+        if self.encoding.is_single_byte() {
+            self.slice(Span::new(0, offset)).chars().count() as u64
+        } else {
+            u64::from(offset)
+        }
+    }
+
+    /// The span of line `line` (from 0), its line end excluded.
+    pub fn line_span(&self, line: usize) -> Span {
+        let lines = self.lines();
+        let start = lines.start(line).unwrap_or(self.len());
+        let end = lines.start(line + 1).unwrap_or(self.len());
+        let text = self.slice(Span::new(start, end));
+        Span::new(start, start + saturate(text.trim_end_matches(['\r', '\n']).len()))
+    }
+}
+
+/// Counts that fit 32 bits because the text does.
+fn saturate(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// LEX-13: positions are characters, and offsets lead back to the bytes, in UTF-8 and in a code page.
+    #[test]
+    fn positions_in_utf8_and_code_page() {
+        let utf8 = SourceText::decode("a", "%1 \"př\" X".as_bytes().to_vec(), Encoding::Cp852).unwrap();
+        let dos = SourceText::decode("b", b"%1 \"p\xfd\" X".to_vec(), Encoding::Cp852).unwrap();
+        assert_eq!(utf8.text(), dos.text());
+        let x = u32::try_from(utf8.text().find('X').unwrap()).unwrap();
+        assert_eq!(utf8.line_column(x), LineColumn { line: 1, column: 9 });
+        assert_eq!(dos.line_column(x), LineColumn { line: 1, column: 9 });
+        assert_eq!((utf8.byte_offset(x), dos.byte_offset(x)), (9, 8));
+    }
+
+    /// LEX-8: a byte-order mark takes no column.
+    #[test]
+    fn byte_order_mark() {
+        let source = SourceText::decode("a", "\u{feff}%1".as_bytes().to_vec(), Encoding::Cp852).unwrap();
+        assert_eq!(source.line_column(source.first_offset()), LineColumn { line: 1, column: 1 });
+        assert_eq!(source.byte_offset(3), 3);
+    }
+}
