@@ -4,4 +4,5 @@ pub mod text;
 pub mod dict;
 pub mod diag;
 pub mod config;
+pub mod syntax;
 pub mod session;
