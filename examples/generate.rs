@@ -88,29 +88,46 @@ fn height(u: i64, v: i64) -> i64 {
 fn surface(out: &mut impl Write) -> io::Result<()> {
     const ROWS: i64 = 100;
     const POINTS: i64 = 200;
-    writeln!(out, "%20000 \"TVAROVA PLOCHA 80 x 50, DOKONCENI KULOVOU FREZOU\"")?;
-    writeln!(out, "\" Ball-nose cutter D6, rows along X, stepover 0.5 mm, tolerance 0.005\"")?;
-    writeln!(out, "\" Nula G54: stred plochy, Z0 = horni hrana polotovaru\"")?;
+    writeln!(
+        out,
+        "%20000 \"TVAROVA PLOCHA 80 x 50, DOKONCENI KULOVOU FREZOU\""
+    )?;
+    writeln!(
+        out,
+        "\" Ball-nose cutter D6, rows along X, stepover 0.5 mm, tolerance 0.005\""
+    )?;
+    writeln!(
+        out,
+        "\" Nula G54: stred plochy, Z0 = horni hrana polotovaru\""
+    )?;
     writeln!(out, "N1 G54 G17 G90 G94 G40")?;
     writeln!(out, "N2 T6 M06 \"Kulova freza D6\"")?;
-    writeln!(out, "N3 S12000 M03")?;
+    writeln!(out, "N3 S9500 M03")?;
     let mut number = 4;
     for row in 0..ROWS {
-        let v = (2 * row - (ROWS - 1)) * ONE / (ROWS - 1);
-        let y = Mm(part(24_750, v));
+        let across = (2 * row - (ROWS - 1)) * ONE / (ROWS - 1);
+        let y = Mm(part(24_750, across));
         for point in 0..POINTS {
-            let column = if row % 2 == 0 { point } else { POINTS - 1 - point };
-            // The points lie closer together where the surface bends more.
+            let column = if row % 2 == 0 {
+                point
+            } else {
+                POINTS - 1 - point
+            };
+            // The points do not lie evenly, as in most programs from CAM systems.
             let even = (2 * column - (POINTS - 1)) * ONE / (POINTS - 1);
-            let u = even + part(150_000, part(part(even, even), even) - even);
-            let x = Mm(part(40_000, u));
-            let z = Mm(height(u, v));
+            let along = even + part(150_000, part(part(even, even), even) - even);
+            let x = Mm(part(40_000, along));
+            let z = Mm(height(along, across));
             match (row, point) {
                 (0, 0) => {
                     writeln!(out, "N{number} G00 X{x} Y{y}")?;
                     writeln!(out, "N{} Z50.000 M08", number + 1)?;
                     writeln!(out, "N{} Z5.000", number + 2)?;
-                    writeln!(out, "N{} G23 I4 G01 Z{z} F600 \"dynamicka sada 4\"", number + 3)?;
+                    writeln!(
+                        out,
+                        "N{} G23 I4 G01 Z{z} F600 \"dynamicka sada 4\"",
+                        number + 3
+                    )?;
                     number += 4;
                     continue;
                 }
@@ -134,14 +151,15 @@ fn surface(out: &mut impl Write) -> io::Result<()> {
 /// Points of three axes, all words in every block.
 fn cam(out: &mut impl Write, blocks: u32) -> io::Result<()> {
     writeln!(out, "%1000 \"CAM, {blocks} BLOKU\"")?;
-    writeln!(out, "N1 G54 G17 G90 G94 G40 G23 S10000 M03")?;
+    writeln!(out, "N1 G54 G17 G90 G94 G40 G23 S9900 M03")?;
     for number in 2..=blocks - 2 {
         let step = i64::from(number);
         let row = step / 1000;
-        let (u, v) = (triangle(step, 1000) * 2_000 - ONE, triangle(row, 800) * 2_500 - ONE);
-        let x = Mm(part(100_000, u));
-        let y = Mm(part(80_000, v) + triangle(step, 40) * 5);
-        let z = Mm(height(u, v));
+        let along = triangle(step, 1000) * 2_000 - ONE;
+        let across = triangle(row, 800) * 2_500 - ONE;
+        let x = Mm(part(100_000, along));
+        let y = Mm(part(80_000, across) + triangle(step, 40) * 5);
+        let z = Mm(height(along, across));
         match number % 50_000 {
             2 => writeln!(out, "N{number} G00 X{x} Y{y} Z50.000")?,
             3 => writeln!(out, "N{number} G01 X{x} Y{y} Z{z} F2500")?,
@@ -177,6 +195,11 @@ const CIRCLE: [(i64, i64); 20] = [
     (24, -7),
 ];
 
+/// The point of [`CIRCLE`] after `steps` from the first, any number of times round.
+fn on_circle(steps: usize) -> (i64, i64) {
+    CIRCLE.get(steps % CIRCLE.len()).copied().unwrap_or((25, 0))
+}
+
 /// Lines and arcs in turn; radii from 1 to 8.75 mm, now and then a full circle.
 fn arcs(out: &mut impl Write, blocks: u32) -> io::Result<()> {
     writeln!(out, "%2000 \"OBLOUKY, {blocks} BLOKU\"")?;
@@ -194,11 +217,15 @@ fn arcs(out: &mut impl Write, blocks: u32) -> io::Result<()> {
         }
         turn += 1;
         let scale = 40 + 10 * i64::from(number / 2 % 32);
-        let from = turn * 7 % CIRCLE.len();
+        let from = turn * 7;
         let sweep = 1 + turn * 3 % CIRCLE.len();
-        let clockwise = turn % 3 == 0;
-        let to = if clockwise { from + CIRCLE.len() - sweep } else { from + sweep } % CIRCLE.len();
-        let ((x0, y0), (x1, y1)) = (CIRCLE[from], CIRCLE[to]);
+        let clockwise = turn.is_multiple_of(3);
+        let to = if clockwise {
+            from + CIRCLE.len() - sweep
+        } else {
+            from + sweep
+        };
+        let ((x0, y0), (x1, y1)) = (on_circle(from), on_circle(to));
         writeln!(
             out,
             "N{number} {} X{} Y{} I{} J{}",
@@ -227,22 +254,48 @@ fn rich(out: &mut impl Write, blocks: u32) -> io::Result<()> {
         let (xm, ym) = (Mm(x), Mm(y));
         write!(out, "N{number} ")?;
         match number % KINDS {
-            2 => writeln!(out, "G{} G00 X{xm} Y{ym} Z80.000 M53 \"operace {pass}\"", 54 + pass % 4)?,
+            2 => writeln!(
+                out,
+                "G{} G00 X{xm} Y{ym} Z80.000 M53 \"operace {pass}\"",
+                54 + pass % 4
+            )?,
             3 => writeln!(
                 out,
                 "T{} D{} M06 \"nástroj číslo {0}, korekce v tabulce\"",
                 1 + pass % 24,
                 1 + pass % 99
             )?,
-            4 => writeln!(out, "S{} F{} M03 M08 M51 M49 \"otáčky a chlazení\"", 800 + pass % 5000, 200 + pass % 900)?,
-            5 => writeln!(out, "R10={xm} R11=-{} R14={} \"parametry\"", Mm(500 + 250 * (step % 20)), 150 + pass % 600)?,
+            4 => writeln!(
+                out,
+                "S{} F{} M03 M08 M51 M49 \"otáčky a chlazení\"",
+                800 + pass % 5000,
+                200 + pass % 900
+            )?,
+            5 => writeln!(
+                out,
+                "R10={xm} R11=-{} R14={} \"parametry\"",
+                Mm(500 + 250 * (step % 20)),
+                150 + pass % 600
+            )?,
             6 => writeln!(out, "G00 X{} Y{} Z5.000", Mm(x - 10_000), Mm(y - 10_000))?,
             7 => writeln!(out, "G01 Z R11 F R14 \"hloubka z parametru\"")?,
             8 => writeln!(out, "G41 XR10 Y{ym} D{}", 1 + pass % 99)?,
             9 => writeln!(out, "G03 X{} Y{} I0 J5.000", Mm(x + 5_000), Mm(y + 5_000))?,
-            10 => writeln!(out, "G01 X{} \"konec oblouku\" Y{} F{}", Mm(x + 5_250), Mm(y + 12_500), 300 + pass % 400)?,
+            10 => writeln!(
+                out,
+                "G01 X{} \"konec oblouku\" Y{} F{}",
+                Mm(x + 5_250),
+                Mm(y + 12_500),
+                300 + pass % 400
+            )?,
             11 => writeln!(out, "G40 G91 X-2.500 Y1.250 Z.5 \"přírůstek\"")?,
-            12 => writeln!(out, "G90 X {xm} Y {ym} H{} P{} M{}", 1 + pass % 99, 1 + pass % 9, 41 + pass % 4)?,
+            12 => writeln!(
+                out,
+                "G90 X {xm} Y {ym} H{} P{} M{}",
+                1 + pass % 99,
+                1 + pass % 9,
+                41 + pass % 4
+            )?,
             13 => writeln!(out, "G04 Q{} \"prodleva\"", 5 + pass % 200)?,
             14 => writeln!(out, "/ M01 \"měření\"")?,
             15 => writeln!(out, "R15=R10 R16=-R11 R17=0.125")?,
@@ -258,26 +311,58 @@ fn rich(out: &mut impl Write, blocks: u32) -> io::Result<()> {
 /// One hundred lines with nested jumps and calls: 9760269 executed blocks.
 fn loops(out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "%4000 \"VNORENE SKOKY A VOLANI\"")?;
-    writeln!(out, "\" Kazdy podprogram ma dva skoky v sobe: 2 + 10 x (10 x 5 + 4) = 542 bloku.\"")?;
-    writeln!(out, "\" Vnitrni skok hlavniho programu: 20 x (6 x (1 + 5 x 542) + 1) bloku,\"")?;
-    writeln!(out, "\" vnejsi tricetkrat; s posuvem rady a skokem dohromady 9760269 bloku.\"")?;
-    for line in ["N1 G54 G17 G90 G94 G40", "N2 T5 M06", "N3 S9000 M03", "N4 G00 X0 Y0", "N5 Z2", "N6 G01 Z-1 F1500"] {
+    writeln!(
+        out,
+        "\" Kazdy podprogram ma dva skoky v sobe: 2 + 10 x (10 x 5 + 4) = 542 bloku.\""
+    )?;
+    writeln!(
+        out,
+        "\" Vnitrni skok hlavniho programu: 20 x (6 x (1 + 5 x 542) + 1) bloku,\""
+    )?;
+    writeln!(
+        out,
+        "\" vnejsi tricetkrat; s posuvem rady a skokem dohromady 9760269 bloku.\""
+    )?;
+    for line in [
+        "N1 G54 G17 G90 G94 G40",
+        "N2 T5 M06",
+        "N3 S9000 M03",
+        "N4 G00 X0 Y0",
+        "N5 Z2",
+        "N6 G01 Z-1 F1500",
+    ] {
         writeln!(out, "{line}")?;
     }
     writeln!(out, "\"--- sest tvaru, kazdy petkrat ---\"")?;
     for shape in 1..=6 {
         writeln!(out, "N{} G71 L{} Q5", 10 * shape, 100 * shape)?;
     }
-    for line in ["N70 G73 L10 Q19", "\"--- dalsi rada ---\"", "N80 G91 G01 Y1", "N90 G73 L10 Q29"] {
+    for line in [
+        "N70 G73 L10 Q19",
+        "\"--- dalsi rada ---\"",
+        "N80 G91 G01 Y1",
+        "N90 G73 L10 Q29",
+    ] {
         writeln!(out, "{line}")?;
     }
-    for line in ["N100 G90 G00 Z50", "N110 X0 Y0 M05", "N120 M30"] {
+    for line in [
+        "\"--- konec ---\"",
+        "N100 G90 G00 Z50",
+        "N110 X0 Y0 M05",
+        "N120 M30",
+        "\"\"",
+        "\" Podprogramy: posuvy jsou prirustkove a jejich soucet je nula.\"",
+    ] {
         writeln!(out, "{line}")?;
     }
     for shape in 1..=6_i64 {
         let base = 1000 * shape;
         let side = Mm(100 * shape);
-        writeln!(out, "\"--- tvar {shape}: {} ---\"", if shape % 2 == 0 { "kruh" } else { "ctverec" })?;
+        writeln!(
+            out,
+            "\"--- tvar {shape}: {} ---\"",
+            if shape % 2 == 0 { "kruh" } else { "ctverec" }
+        )?;
         writeln!(out, "N{base} G79 L{}", 100 * shape)?;
         if shape % 2 == 0 {
             writeln!(out, "N{} G91 G02 X{side} Y{side} I{side} J0", base + 10)?;
@@ -305,22 +390,26 @@ fn block_count(text: &str) -> Result<u32, String> {
     let digits: String = text.chars().filter(|&c| c != '_').collect();
     match digits.parse::<u32>() {
         Ok(count) if (MIN_BLOCKS..=MAX_BLOCKS).contains(&count) => Ok(count),
-        _ => Err(format!("BLOCKS must be a whole number from {MIN_BLOCKS} to {MAX_BLOCKS}, not '{text}'")),
+        _ => Err(format!(
+            "BLOCKS must be a whole number from {MIN_BLOCKS} to {MAX_BLOCKS}, not '{text}'"
+        )),
     }
 }
 
 /// Reads the command line; `None` when help was asked for.
 fn arguments(words: &[String]) -> Result<Option<Kind>, String> {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    match words[..] {
+    match words.as_slice() {
         ["-h" | "--help" | "help"] => Ok(None),
         ["surface"] => Ok(Some(Kind::Surface)),
         ["loops"] => Ok(Some(Kind::Loops)),
         ["cam", count] => Ok(Some(Kind::Cam(block_count(count)?))),
         ["arcs", count] => Ok(Some(Kind::Arcs(block_count(count)?))),
         ["rich", count] => Ok(Some(Kind::Rich(block_count(count)?))),
-        ["cam" | "arcs" | "rich"] => Err(format!("'{}' needs the number of blocks", words[0])),
-        ["surface" | "loops" | "cam" | "arcs" | "rich", ..] => Err(format!("too many arguments for '{}'", words[0])),
+        [kind @ ("cam" | "arcs" | "rich")] => Err(format!("'{kind}' needs the number of blocks")),
+        [kind @ ("surface" | "loops" | "cam" | "arcs" | "rich"), ..] => {
+            Err(format!("too many arguments for '{kind}'"))
+        }
         [] => Err("no kind of program given".to_owned()),
         [other, ..] => Err(format!("unknown kind of program '{other}'")),
     }
@@ -340,7 +429,10 @@ fn write_program(kind: Kind) -> io::Result<()> {
 }
 
 fn main() -> ExitCode {
-    let words: Vec<String> = env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let words: Vec<String> = env::args_os()
+        .skip(1)
+        .map(|word| word.to_string_lossy().into_owned())
+        .collect();
     let kind = match arguments(&words) {
         Ok(Some(kind)) => kind,
         Ok(None) => {

@@ -5,4 +5,7 @@ pub mod dict;
 pub mod diag;
 pub mod config;
 pub mod syntax;
+pub mod resolve;
+pub mod ir;
+pub mod expand;
 pub mod session;

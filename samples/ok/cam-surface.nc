@@ -3,7 +3,7 @@
 " Nula G54: stred plochy, Z0 = horni hrana polotovaru"
 N1 G54 G17 G90 G94 G40
 N2 T6 M06 "Kulova freza D6"
-N3 S12000 M03
+N3 S9500 M03
 N4 G00 X-40.000 Y-24.750
 N5 Z50.000 M08
 N6 Z5.000

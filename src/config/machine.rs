@@ -227,6 +227,26 @@ impl Settings {
     }
 }
 
+/// What a run is for.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum Purpose {
+    /// `check`: findings.
+    #[default]
+    Check,
+    /// `compile`: the stream; a parameter without a value is an error there (PAR-5).
+    Compile,
+}
+
+impl Settings {
+    /// The severity of a code in a run for that purpose; `None` when it is allowed.
+    pub fn severity_for(&self, code: Code, purpose: Purpose) -> Option<Severity> {
+        match purpose {
+            Purpose::Compile if code == Code::W0503 => Some(Severity::Error),
+            Purpose::Compile | Purpose::Check => self.severity(code),
+        }
+    }
+}
+
 impl Default for Settings {
     fn default() -> Self {
         Self::new(Dialect::default())

@@ -3,5 +3,5 @@
 mod machine;
 mod mfunctions;
 
-pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Settings};
+pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Purpose, Settings};
 pub use mfunctions::{MFunction, MFunctions};

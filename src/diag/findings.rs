@@ -56,6 +56,11 @@ impl Findings {
         self.errors > 0
     }
 
+    /// How many findings are errors by default.
+    pub const fn error_count(&self) -> usize {
+        self.errors
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
