@@ -2,6 +2,11 @@
 
 mod machine;
 mod mfunctions;
+mod near;
+mod number;
+mod overrides;
 
 pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Settings};
 pub use mfunctions::{MFunction, MFunctions};
+pub use number::{ParameterFault, parse_decimal, parse_parameter};
+pub use overrides::Overrides;
