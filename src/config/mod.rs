@@ -1,12 +1,17 @@
 //! The machine that a program is for: project file, ChannelConfig and machine constants become one validated [`Machine`].
 
+mod keys;
 mod machine;
 mod mfunctions;
+mod names;
 mod near;
 mod number;
 mod overrides;
+mod sections;
+mod takes;
 
 pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Settings};
 pub use mfunctions::{MFunction, MFunctions};
 pub use number::{ParameterFault, parse_decimal, parse_parameter};
 pub use overrides::Overrides;
+use takes::Takes;
