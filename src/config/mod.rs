@@ -7,8 +7,11 @@ mod names;
 mod near;
 mod number;
 mod overrides;
+mod project;
+mod reader;
 mod sections;
 mod takes;
+mod toml_problem;
 
 pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Settings};
 pub use mfunctions::{MFunction, MFunctions};
