@@ -1,5 +1,7 @@
 //! The machine that a program is for: project file, ChannelConfig and machine constants become one validated [`Machine`].
 
+mod channel;
+mod constants;
 mod keys;
 mod machine;
 mod mfunctions;
@@ -12,6 +14,7 @@ mod reader;
 mod sections;
 mod takes;
 mod toml_problem;
+mod xml;
 
 pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Settings};
 pub use mfunctions::{MFunction, MFunctions};
