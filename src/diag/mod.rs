@@ -5,6 +5,7 @@
 
 mod details;
 mod diagnostic;
+pub mod explain;
 mod findings;
 mod labels;
 mod registry;
