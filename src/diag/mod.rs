@@ -20,7 +20,7 @@ pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};
 pub use labels::{FixTitle, LabelText};
 pub use registry::{Code, Finding, Severity};
-pub use render::{Format, render};
+pub use render::{Format, render, schema};
 pub use report::{Report, Reported};
 pub(crate) use shown::is_unsafe;
 pub use shown::{one_of, shown, shown_path_list, terminal_safe};

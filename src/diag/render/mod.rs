@@ -6,6 +6,8 @@ mod github;
 mod human;
 #[cfg(test)]
 mod human_tests;
+mod json;
+mod json_text;
 mod places;
 #[cfg(test)]
 mod samples;
@@ -14,6 +16,8 @@ pub(super) mod style;
 mod words;
 
 use std::io::{self, Write};
+
+pub use json::schema;
 
 use super::Report;
 use crate::dict::Lang;
@@ -26,6 +30,8 @@ pub enum Format {
     Human,
     /// One line each, as editors and grep read them: `path:line:column: error[E0306]: message`.
     Short,
+    /// One JSON object, after the schema `cnc872c.diagnostics/1`.
+    Json,
     /// Workflow commands of GitHub Actions.
     Github,
 }
@@ -39,6 +45,7 @@ pub fn render(format: Format, report: &Report, lang: Lang, colour: bool, out: &m
     match format {
         Format::Human => human::write(report, lang, colour, &mut out)?,
         Format::Short => short::write(report, lang, &mut out)?,
+        Format::Json => json::write(report, lang, &mut out)?,
         Format::Github => github::write(report, lang, &mut out)?,
     }
     out.flush()
