@@ -11,6 +11,7 @@ mod json_text;
 mod places;
 #[cfg(test)]
 mod samples;
+mod sarif;
 mod short;
 pub(super) mod style;
 mod words;
@@ -32,6 +33,8 @@ pub enum Format {
     Short,
     /// One JSON object, after the schema `cnc872c.diagnostics/1`.
     Json,
+    /// SARIF 2.1.0, for code scanning services.
+    Sarif,
     /// Workflow commands of GitHub Actions.
     Github,
 }
@@ -46,6 +49,7 @@ pub fn render(format: Format, report: &Report, lang: Lang, colour: bool, out: &m
         Format::Human => human::write(report, lang, colour, &mut out)?,
         Format::Short => short::write(report, lang, &mut out)?,
         Format::Json => json::write(report, lang, &mut out)?,
+        Format::Sarif => sarif::write(report, lang, &mut out)?,
         Format::Github => github::write(report, lang, &mut out)?,
     }
     out.flush()
