@@ -5,9 +5,12 @@
 
 mod details;
 mod diagnostic;
+pub mod explain;
 mod findings;
 mod labels;
 mod registry;
+mod render;
+mod report;
 mod shown;
 
 pub use details::{
@@ -17,5 +20,7 @@ pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};
 pub use labels::{FixTitle, LabelText};
 pub use registry::{Code, Finding, Severity};
-pub use shown::{one_of, shown, shown_path_list};
+pub use render::{Format, render, schema};
+pub use report::{Report, Reported};
 pub(crate) use shown::is_unsafe;
+pub use shown::{one_of, shown, shown_path_list, terminal_safe};
