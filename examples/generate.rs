@@ -79,8 +79,7 @@ fn height(u: i64, v: i64) -> i64 {
     let (u2, v2) = (part(u, u), part(v, v));
     let (u3, uv) = (part(u2, u), part(u, v));
     let (u2v2, uv3) = (part(u2, v2), part(uv, v2));
-    -2_500 - part(4_200, u2) + part(1_900, u3) - part(2_800, v2) + part(2_100, uv)
-        - part(1_300, uv3)
+    -2_500 - part(4_200, u2) + part(1_900, u3) - part(2_800, v2) + part(2_100, uv) - part(1_300, uv3)
         + part(1_600, u2v2)
 }
 
@@ -88,18 +87,9 @@ fn height(u: i64, v: i64) -> i64 {
 fn surface(out: &mut impl Write) -> io::Result<()> {
     const ROWS: i64 = 100;
     const POINTS: i64 = 200;
-    writeln!(
-        out,
-        "%20000 \"TVAROVA PLOCHA 80 x 50, DOKONCENI KULOVOU FREZOU\""
-    )?;
-    writeln!(
-        out,
-        "\" Ball-nose cutter D6, rows along X, stepover 0.5 mm, tolerance 0.005\""
-    )?;
-    writeln!(
-        out,
-        "\" Nula G54: stred plochy, Z0 = horni hrana polotovaru\""
-    )?;
+    writeln!(out, "%20000 \"TVAROVA PLOCHA 80 x 50, DOKONCENI KULOVOU FREZOU\"")?;
+    writeln!(out, "\" Ball-nose cutter D6, rows along X, stepover 0.5 mm, tolerance 0.005\"")?;
+    writeln!(out, "\" Nula G54: stred plochy, Z0 = horni hrana polotovaru\"")?;
     writeln!(out, "N1 G54 G17 G90 G94 G40")?;
     writeln!(out, "N2 T6 M06 \"Kulova freza D6\"")?;
     writeln!(out, "N3 S9500 M03")?;
@@ -108,11 +98,7 @@ fn surface(out: &mut impl Write) -> io::Result<()> {
         let across = (2 * row - (ROWS - 1)) * ONE / (ROWS - 1);
         let y = Mm(part(24_750, across));
         for point in 0..POINTS {
-            let column = if row % 2 == 0 {
-                point
-            } else {
-                POINTS - 1 - point
-            };
+            let column = if row % 2 == 0 { point } else { POINTS - 1 - point };
             // The points do not lie evenly, as in most programs from CAM systems.
             let even = (2 * column - (POINTS - 1)) * ONE / (POINTS - 1);
             let along = even + part(150_000, part(part(even, even), even) - even);
@@ -123,11 +109,7 @@ fn surface(out: &mut impl Write) -> io::Result<()> {
                     writeln!(out, "N{number} G00 X{x} Y{y}")?;
                     writeln!(out, "N{} Z50.000 M08", number + 1)?;
                     writeln!(out, "N{} Z5.000", number + 2)?;
-                    writeln!(
-                        out,
-                        "N{} G23 I4 G01 Z{z} F600 \"dynamicka sada 4\"",
-                        number + 3
-                    )?;
+                    writeln!(out, "N{} G23 I4 G01 Z{z} F600 \"dynamicka sada 4\"", number + 3)?;
                     number += 4;
                     continue;
                 }
@@ -220,11 +202,7 @@ fn arcs(out: &mut impl Write, blocks: u32) -> io::Result<()> {
         let from = turn * 7;
         let sweep = 1 + turn * 3 % CIRCLE.len();
         let clockwise = turn.is_multiple_of(3);
-        let to = if clockwise {
-            from + CIRCLE.len() - sweep
-        } else {
-            from + sweep
-        };
+        let to = if clockwise { from + CIRCLE.len() - sweep } else { from + sweep };
         let ((x0, y0), (x1, y1)) = (on_circle(from), on_circle(to));
         writeln!(
             out,
@@ -254,48 +232,17 @@ fn rich(out: &mut impl Write, blocks: u32) -> io::Result<()> {
         let (xm, ym) = (Mm(x), Mm(y));
         write!(out, "N{number} ")?;
         match number % KINDS {
-            2 => writeln!(
-                out,
-                "G{} G00 X{xm} Y{ym} Z80.000 M53 \"operace {pass}\"",
-                54 + pass % 4
-            )?,
-            3 => writeln!(
-                out,
-                "T{} D{} M06 \"nástroj číslo {0}, korekce v tabulce\"",
-                1 + pass % 24,
-                1 + pass % 99
-            )?,
-            4 => writeln!(
-                out,
-                "S{} F{} M03 M08 M51 M49 \"otáčky a chlazení\"",
-                800 + pass % 5000,
-                200 + pass % 900
-            )?,
-            5 => writeln!(
-                out,
-                "R10={xm} R11=-{} R14={} \"parametry\"",
-                Mm(500 + 250 * (step % 20)),
-                150 + pass % 600
-            )?,
+            2 => writeln!(out, "G{} G00 X{xm} Y{ym} Z80.000 M53 \"operace {pass}\"", 54 + pass % 4)?,
+            3 => writeln!(out, "T{} D{} M06 \"nástroj číslo {0}, korekce v tabulce\"", 1 + pass % 24, 1 + pass % 99)?,
+            4 => writeln!(out, "S{} F{} M03 M08 M51 M49 \"otáčky a chlazení\"", 800 + pass % 5000, 200 + pass % 900)?,
+            5 => writeln!(out, "R10={xm} R11=-{} R14={} \"parametry\"", Mm(500 + 250 * (step % 20)), 150 + pass % 600)?,
             6 => writeln!(out, "G00 X{} Y{} Z5.000", Mm(x - 10_000), Mm(y - 10_000))?,
             7 => writeln!(out, "G01 Z R11 F R14 \"hloubka z parametru\"")?,
             8 => writeln!(out, "G41 XR10 Y{ym} D{}", 1 + pass % 99)?,
             9 => writeln!(out, "G03 X{} Y{} I0 J5.000", Mm(x + 5_000), Mm(y + 5_000))?,
-            10 => writeln!(
-                out,
-                "G01 X{} \"konec oblouku\" Y{} F{}",
-                Mm(x + 5_250),
-                Mm(y + 12_500),
-                300 + pass % 400
-            )?,
+            10 => writeln!(out, "G01 X{} \"konec oblouku\" Y{} F{}", Mm(x + 5_250), Mm(y + 12_500), 300 + pass % 400)?,
             11 => writeln!(out, "G40 G91 X-2.500 Y1.250 Z.5 \"přírůstek\"")?,
-            12 => writeln!(
-                out,
-                "G90 X {xm} Y {ym} H{} P{} M{}",
-                1 + pass % 99,
-                1 + pass % 9,
-                41 + pass % 4
-            )?,
+            12 => writeln!(out, "G90 X {xm} Y {ym} H{} P{} M{}", 1 + pass % 99, 1 + pass % 9, 41 + pass % 4)?,
             13 => writeln!(out, "G04 Q{} \"prodleva\"", 5 + pass % 200)?,
             14 => writeln!(out, "/ M01 \"měření\"")?,
             15 => writeln!(out, "R15=R10 R16=-R11 R17=0.125")?,
@@ -311,38 +258,17 @@ fn rich(out: &mut impl Write, blocks: u32) -> io::Result<()> {
 /// One hundred lines with nested jumps and calls: 9760269 executed blocks.
 fn loops(out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "%4000 \"VNORENE SKOKY A VOLANI\"")?;
-    writeln!(
-        out,
-        "\" Kazdy podprogram ma dva skoky v sobe: 2 + 10 x (10 x 5 + 4) = 542 bloku.\""
-    )?;
-    writeln!(
-        out,
-        "\" Vnitrni skok hlavniho programu: 20 x (6 x (1 + 5 x 542) + 1) bloku,\""
-    )?;
-    writeln!(
-        out,
-        "\" vnejsi tricetkrat; s posuvem rady a skokem dohromady 9760269 bloku.\""
-    )?;
-    for line in [
-        "N1 G54 G17 G90 G94 G40",
-        "N2 T5 M06",
-        "N3 S9000 M03",
-        "N4 G00 X0 Y0",
-        "N5 Z2",
-        "N6 G01 Z-1 F1500",
-    ] {
+    writeln!(out, "\" Kazdy podprogram ma dva skoky v sobe: 2 + 10 x (10 x 5 + 4) = 542 bloku.\"")?;
+    writeln!(out, "\" Vnitrni skok hlavniho programu: 20 x (6 x (1 + 5 x 542) + 1) bloku,\"")?;
+    writeln!(out, "\" vnejsi tricetkrat; s posuvem rady a skokem dohromady 9760269 bloku.\"")?;
+    for line in ["N1 G54 G17 G90 G94 G40", "N2 T5 M06", "N3 S9000 M03", "N4 G00 X0 Y0", "N5 Z2", "N6 G01 Z-1 F1500"] {
         writeln!(out, "{line}")?;
     }
     writeln!(out, "\"--- sest tvaru, kazdy petkrat ---\"")?;
     for shape in 1..=6 {
         writeln!(out, "N{} G71 L{} Q5", 10 * shape, 100 * shape)?;
     }
-    for line in [
-        "N70 G73 L10 Q19",
-        "\"--- dalsi rada ---\"",
-        "N80 G91 G01 Y1",
-        "N90 G73 L10 Q29",
-    ] {
+    for line in ["N70 G73 L10 Q19", "\"--- dalsi rada ---\"", "N80 G91 G01 Y1", "N90 G73 L10 Q29"] {
         writeln!(out, "{line}")?;
     }
     for line in [
@@ -358,11 +284,7 @@ fn loops(out: &mut impl Write) -> io::Result<()> {
     for shape in 1..=6_i64 {
         let base = 1000 * shape;
         let side = Mm(100 * shape);
-        writeln!(
-            out,
-            "\"--- tvar {shape}: {} ---\"",
-            if shape % 2 == 0 { "kruh" } else { "ctverec" }
-        )?;
+        writeln!(out, "\"--- tvar {shape}: {} ---\"", if shape % 2 == 0 { "kruh" } else { "ctverec" })?;
         writeln!(out, "N{base} G79 L{}", 100 * shape)?;
         if shape % 2 == 0 {
             writeln!(out, "N{} G91 G02 X{side} Y{side} I{side} J0", base + 10)?;
@@ -390,9 +312,7 @@ fn block_count(text: &str) -> Result<u32, String> {
     let digits: String = text.chars().filter(|&c| c != '_').collect();
     match digits.parse::<u32>() {
         Ok(count) if (MIN_BLOCKS..=MAX_BLOCKS).contains(&count) => Ok(count),
-        _ => Err(format!(
-            "BLOCKS must be a whole number from {MIN_BLOCKS} to {MAX_BLOCKS}, not '{text}'"
-        )),
+        _ => Err(format!("BLOCKS must be a whole number from {MIN_BLOCKS} to {MAX_BLOCKS}, not '{text}'")),
     }
 }
 
@@ -407,9 +327,7 @@ fn arguments(words: &[String]) -> Result<Option<Kind>, String> {
         ["arcs", count] => Ok(Some(Kind::Arcs(block_count(count)?))),
         ["rich", count] => Ok(Some(Kind::Rich(block_count(count)?))),
         [kind @ ("cam" | "arcs" | "rich")] => Err(format!("'{kind}' needs the number of blocks")),
-        [kind @ ("surface" | "loops" | "cam" | "arcs" | "rich"), ..] => {
-            Err(format!("too many arguments for '{kind}'"))
-        }
+        [kind @ ("surface" | "loops" | "cam" | "arcs" | "rich"), ..] => Err(format!("too many arguments for '{kind}'")),
         [] => Err("no kind of program given".to_owned()),
         [other, ..] => Err(format!("unknown kind of program '{other}'")),
     }
@@ -429,10 +347,7 @@ fn write_program(kind: Kind) -> io::Result<()> {
 }
 
 fn main() -> ExitCode {
-    let words: Vec<String> = env::args_os()
-        .skip(1)
-        .map(|word| word.to_string_lossy().into_owned())
-        .collect();
+    let words: Vec<String> = env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
     let kind = match arguments(&words) {
         Ok(Some(kind)) => kind,
         Ok(None) => {

@@ -1,11 +1,11 @@
 //! Compiler toolchain for part programs of the CNC8x6, CNC8x9 and CNC872 controls.
 
-pub mod text;
-pub mod dict;
-pub mod diag;
 pub mod config;
-pub mod syntax;
-pub mod resolve;
-pub mod ir;
+pub mod diag;
+pub mod dict;
 pub mod expand;
+pub mod ir;
+pub mod resolve;
 pub mod session;
+pub mod syntax;
+pub mod text;

@@ -8,8 +8,8 @@ use crate::config::{Purpose, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, Problem, Severity};
 use crate::expand::{Executor, Stop};
 use crate::ir::{
-    AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA, write_block, write_end,
-    write_file, write_program,
+    AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA, write_block,
+    write_end, write_file, write_program,
 };
 use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program};
 use crate::text::{DecodeError, FileId, Loader, Location, SourceText, Sources, Span};
@@ -79,8 +79,7 @@ impl Session<'_> {
         if self.has_errors(findings, Purpose::Check) {
             return outcome;
         }
-        let mut executor =
-            Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
+        let mut executor = Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
         while executor.step().is_some() {
             if self.is_cancelled(executor.executed()) {
                 break;

@@ -28,13 +28,21 @@ impl Severity {
 }
 
 macro_rules! text {
-    (($text:expr)) => { String::from($text) };
-    ($text:literal) => { format!($text) };
+    (($text:expr)) => {
+        String::from($text)
+    };
+    ($text:literal) => {
+        format!($text)
+    };
 }
 
 macro_rules! optional_text {
-    () => { String::new() };
-    ($text:tt) => { text!($text) };
+    () => {
+        String::new()
+    };
+    ($text:tt) => {
+        text!($text)
+    };
 }
 
 macro_rules! diagnostics {

@@ -264,8 +264,12 @@ impl<'a, 'l> Executor<'a, 'l> {
                 let at = self.resolved.file(unit.file).map(|file| file.n_place(last)).unwrap_or(unit.entry);
                 (Finding::MissingProgramEnd { skipped: true }, at)
             }
-            UnitKind::Subprogram(_) => (Finding::UnterminatedSubprogram { macrocycle: false, skipped: true }, unit.entry),
-            UnitKind::Macrocycle(_) => (Finding::UnterminatedSubprogram { macrocycle: true, skipped: true }, unit.entry),
+            UnitKind::Subprogram(_) => {
+                (Finding::UnterminatedSubprogram { macrocycle: false, skipped: true }, unit.entry)
+            }
+            UnitKind::Macrocycle(_) => {
+                (Finding::UnterminatedSubprogram { macrocycle: true, skipped: true }, unit.entry)
+            }
         };
         self.report(Diagnostic::new(finding, at));
     }

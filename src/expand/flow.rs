@@ -113,7 +113,8 @@ impl Executor<'_, '_> {
     /// G71 and G72 (FLW-1).
     fn call(&mut self, function: GCode, word: Word) -> Next {
         let Some(l) = self.words.l else { return Next::Halt };
-        let Some(number) = l.value.and_then(|value| value.as_whole()).and_then(|value| u32::try_from(value).ok()) else {
+        let Some(number) = l.value.and_then(|value| value.as_whole()).and_then(|value| u32::try_from(value).ok())
+        else {
             return Next::Halt;
         };
         let (Some(count), place) = (self.repeats(), self.value_or_word(l.word)) else { return Next::Halt };
@@ -148,10 +149,8 @@ impl Executor<'_, '_> {
     }
 
     fn find_subprogram(&mut self, l: u32, word: Word, place: Location) -> Option<UnitId> {
-        let from_macrocycle = self
-            .frames
-            .last()
-            .is_some_and(|frame| matches!(frame.unit.kind, UnitKind::Macrocycle(_)));
+        let from_macrocycle =
+            self.frames.last().is_some_and(|frame| matches!(frame.unit.kind, UnitKind::Macrocycle(_)));
         if let (Some(unit), false) = (self.resolved.subprogram(l), from_macrocycle) {
             return Some(unit);
         }
@@ -219,8 +218,7 @@ impl Executor<'_, '_> {
     /// The units from `unit` on to it again, when it still runs.
     fn ring(&self, unit: UnitId) -> Option<String> {
         let from = self.frames.iter().position(|frame| frame.id == unit)?;
-        let mut names: Vec<String> =
-            self.frames.iter().skip(from).map(|frame: &Frame| frame.unit.name()).collect();
+        let mut names: Vec<String> = self.frames.iter().skip(from).map(|frame: &Frame| frame.unit.name()).collect();
         names.extend(self.resolved.unit(unit).map(crate::resolve::Unit::name));
         Some(names.join(" → "))
     }
@@ -228,7 +226,8 @@ impl Executor<'_, '_> {
     /// G73 (FLW-3, FLW-4).
     fn jump(&mut self, block: BlockId, word: Word) -> Next {
         let Some(l) = self.words.l else { return Next::Halt };
-        let Some(number) = l.value.and_then(|value| value.as_whole()).and_then(|value| u32::try_from(value).ok()) else {
+        let Some(number) = l.value.and_then(|value| value.as_whole()).and_then(|value| u32::try_from(value).ok())
+        else {
             return Next::Halt;
         };
         let known = (!word.is_parametric() && !l.word.is_parametric())

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::dict::GCode;
 use crate::diag::CallKind;
+use crate::dict::GCode;
 use crate::resolve::{FileIndex, Unit, UnitId};
 use crate::syntax::BlockId;
 use crate::text::Location;

@@ -14,7 +14,9 @@ impl Executor<'_, '_> {
         let count = file.words(block).len();
         let mut late = Vec::new();
         for place in 0..count {
-            let Some(&word) = self.resolved.file(self.file).and_then(|file| file.words(block).get(place)) else { break };
+            let Some(&word) = self.resolved.file(self.file).and_then(|file| file.words(block).get(place)) else {
+                break;
+            };
             if let Some(axis) = self.settings.machine.axes.index_of(word.address) {
                 let valued = self.evaluate_form(word, false, None);
                 if let Some(slot) = self.words.axes.get_mut(axis) {

@@ -65,8 +65,7 @@ impl Executor<'_, '_> {
         };
         let circular = matches!(kind, MotionType::ArcCw | MotionType::ArcCcw);
         let centered = self.words.i.is_some() || self.words.j.is_some();
-        let full_circle =
-            circular && self.words.axis_count == 0 && centered && self.words.has(GCode::G23).is_none();
+        let full_circle = circular && self.words.axis_count == 0 && centered && self.words.has(GCode::G23).is_none();
         let is_arc = circular && (self.words.axis_count > 0 || full_circle);
         self.use_center_words(is_arc, circular);
         if self.words.axis_count == 0 && !full_circle {
@@ -370,8 +369,7 @@ impl Executor<'_, '_> {
             };
             let before = self.state.position(axis);
             let distance = Some(Micro::ZERO);
-            *slot =
-                Some(Travel { axis, definition, before, after: before, distance, incremental: false, word: None });
+            *slot = Some(Travel { axis, definition, before, after: before, distance, incremental: false, word: None });
         }
     }
 

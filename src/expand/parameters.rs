@@ -183,15 +183,13 @@ impl Executor<'_, '_> {
             None => Some(Decimal::ZERO),
         };
         let result = match (first, second) {
-            (Some(first), Some(second)) => {
-                match arithmetic::compute(control.operation, first, second, control.whole) {
-                    Ok(result) => Some(result),
-                    Err(what) => {
-                        self.report_arithmetic(place, what, control.first, control.second);
-                        None
-                    }
+            (Some(first), Some(second)) => match arithmetic::compute(control.operation, first, second, control.whole) {
+                Ok(result) => Some(result),
+                Err(what) => {
+                    self.report_arithmetic(place, what, control.first, control.second);
+                    None
                 }
-            }
+            },
             _ => None,
         };
         let at = self.word_place(word);
@@ -215,8 +213,7 @@ impl Executor<'_, '_> {
         };
         let number = value.as_whole().and_then(|number| u8::try_from(number).ok()).filter(|number| *number <= 99);
         let Some(number) = number else {
-            let needs =
-                if value.is_whole() { ParameterNeed::Range("0–99".to_owned()) } else { ParameterNeed::Whole };
+            let needs = if value.is_whole() { ParameterNeed::Range("0–99".to_owned()) } else { ParameterNeed::Whole };
             self.report_unusable(word, value, needs);
             self.words.unknown_g = true;
             return None;

@@ -7,8 +7,8 @@ mod write;
 
 pub use micro::Micro;
 pub use records::{
-    AxisList, AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop, Motion, MotionType,
-    ProgramRecord, SCHEMA,
+    AxisList, AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop,
+    Motion, MotionType, ProgramRecord, SCHEMA,
 };
 pub use schema::schema;
 pub use write::{write_block, write_end, write_file, write_program};

@@ -233,7 +233,8 @@ impl BlockChecker<'_> {
         let dwell = address == Address::Q && functions.dwell().is_some();
         if word.has_point() && !address.row().form.takes_point(machine.dialect) {
             // GRP-5: `Q5.` is tolerated with G04; with a G word from a parameter it is not known.
-            let tolerated = address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.unknown_g);
+            let tolerated =
+                address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.unknown_g);
             if !tolerated {
                 let fixed = point_help(address, value, dwell);
                 self.report_value(word, Finding::PointNotAllowed { address, fixed, dwell });

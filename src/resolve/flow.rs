@@ -29,7 +29,8 @@ fn written(resolved: &Resolved, file: FileIndex, block: BlockId) -> Option<Writt
         return None;
     }
     let words = parsed.words(block);
-    let (code, g) = words.iter().find_map(|word| g_code(*word).filter(|code| code.is_flow()).map(|code| (code, *word)))?;
+    let (code, g) =
+        words.iter().find_map(|word| g_code(*word).filter(|code| code.is_flow()).map(|code| (code, *word)))?;
     let l = words.iter().copied().find(|word| word.address == Address::L)?;
     Some(Written { code, g, l })
 }
@@ -112,19 +113,12 @@ pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool) -> F
     }
 }
 
-fn jump(
-    context: &mut Context<'_, '_>,
-    resolved: &Resolved,
-    unit: Unit,
-    written: Written,
-    l: u32,
-) -> Option<Target> {
+fn jump(context: &mut Context<'_, '_>, resolved: &Resolved, unit: Unit, written: Written, l: u32) -> Option<Target> {
     match resolved.numbered(unit.file, l) {
         Some(block) if unit.contains(block) => Some(Target::Block(block)),
         Some(block) => {
             if let Some(parsed) = resolved.file(unit.file) {
-                let diagnostic =
-                    Diagnostic::new(Finding::JumpOutOfUnit { l }, parsed.value_place(written.l));
+                let diagnostic = Diagnostic::new(Finding::JumpOutOfUnit { l }, parsed.value_place(written.l));
                 let label = LabelText::BlockHere { block: l };
                 context.findings.add(diagnostic.with_label(parsed.n_place(block), label));
             }

@@ -49,14 +49,14 @@ pub fn check_form(
     };
     match form {
         ValueForm::None => Ok(()),
-        ValueForm::Whole { max, .. } if dwell && address == Address::Q => within(Decimal::ZERO, Decimal::whole(max), ""),
+        ValueForm::Whole { max, .. } if dwell && address == Address::Q => {
+            within(Decimal::ZERO, Decimal::whole(max), "")
+        }
         ValueForm::Whole { min, max } => within(Decimal::whole(min), Decimal::whole(max), ""),
         ValueForm::Dimension => dimension(),
         ValueForm::Auxiliary if form.takes_point(machine.dialect) => dimension(),
         ValueForm::Auxiliary => within(Decimal::whole(1), Decimal::whole(99), ""),
-        ValueForm::Technological => {
-            within(Decimal::ZERO, Decimal::whole(i64::from(machine.dialect.highest_m())), "")
-        }
+        ValueForm::Technological => within(Decimal::ZERO, Decimal::whole(i64::from(machine.dialect.highest_m())), ""),
         ValueForm::Parameter if value.fits_parameter() => Ok(()),
         ValueForm::Parameter => Err(FormFault::Range("±69999.999, ±99999999".to_owned())),
         ValueForm::Feed => {
@@ -70,8 +70,8 @@ pub fn check_form(
         }
         ValueForm::CorrectionDigits => {
             let digits = value.as_whole().unwrap_or(-1);
-            let fits = (0..10_000).contains(&digits)
-                && [1, 10, 100, 1000].into_iter().all(|unit| (digits / unit) % 10 <= 2);
+            let fits =
+                (0..10_000).contains(&digits) && [1, 10, 100, 1000].into_iter().all(|unit| (digits / unit) % 10 <= 2);
             if fits { Ok(()) } else { Err(FormFault::Digits) }
         }
     }

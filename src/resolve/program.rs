@@ -121,7 +121,11 @@ impl Resolved {
     /// Where the call or jump of a block leads, when it is written with digits and exists.
     pub fn target(&self, file: FileIndex, block: BlockId) -> Option<Target> {
         let targets = &self.files.get(file.0 as usize)?.targets;
-        targets.binary_search_by_key(&block, |(block, _)| *block).ok().and_then(|at| targets.get(at)).map(|found| found.1)
+        targets
+            .binary_search_by_key(&block, |(block, _)| *block)
+            .ok()
+            .and_then(|at| targets.get(at))
+            .map(|found| found.1)
     }
 
     /// The first block of a file with that number.

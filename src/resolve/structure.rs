@@ -174,8 +174,7 @@ impl Context<'_, '_> {
                         resolved.subprograms.insert(l, id);
                     }
                     Some(first) => {
-                        let diagnostic =
-                            Diagnostic::new(Finding::DuplicateSubprogram { l }, parsed.word_place(word));
+                        let diagnostic = Diagnostic::new(Finding::DuplicateSubprogram { l }, parsed.word_place(word));
                         let label = parsed.word_place(*first);
                         self.findings.add(diagnostic.with_label(label, LabelText::First));
                     }

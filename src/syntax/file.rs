@@ -120,10 +120,10 @@ impl ParsedFile {
 
     fn word_range(&self, block: BlockId) -> Range<u32> {
         let start = self.blocks.get(block.index()).map_or(0, |block| block.first_word);
-        let end = self.blocks.get(block.index() + 1).map_or_else(
-            || u32::try_from(self.words.len()).unwrap_or(u32::MAX),
-            |next| next.first_word,
-        );
+        let end = self
+            .blocks
+            .get(block.index() + 1)
+            .map_or_else(|| u32::try_from(self.words.len()).unwrap_or(u32::MAX), |next| next.first_word);
         start..end
     }
 

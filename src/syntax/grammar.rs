@@ -64,14 +64,15 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .filter(|token: &Token| matches!(token.kind, Kind::Word | Kind::LooseWord))
         .then(pieces.clone())
         .map(|(word, pieces)| Item::Word { word, pieces });
-    let comment = any()
-        .filter(|token: &Token| matches!(token.kind, Kind::Comment | Kind::TypographicComment))
-        .map(Item::Comment);
+    let comment =
+        any().filter(|token: &Token| matches!(token.kind, Kind::Comment | Kind::TypographicComment)).map(Item::Comment);
     let assigned = parameter.then_ignore(one(Kind::Equals)).then(one(Kind::Sign).or_not());
-    let copy = assigned
-        .then(parameter)
-        .then(pieces.clone())
-        .map(|(((target, sign), source), pieces)| Item::Copy { target, sign, source, pieces });
+    let copy = assigned.then(parameter).then(pieces.clone()).map(|(((target, sign), source), pieces)| Item::Copy {
+        target,
+        sign,
+        source,
+        pieces,
+    });
     let assignment = assigned
         .then(number)
         .then(pieces.clone())

@@ -56,7 +56,8 @@ impl<'t> Lowering<'t> {
             }
             Item::Valueless { address, comments } => {
                 let name = self.slice(address.span()).to_ascii_uppercase();
-                let name: String = name.chars().filter(|character| !matches!(character, ' ' | '\t' | '+' | '-')).collect();
+                let name: String =
+                    name.chars().filter(|character| !matches!(character, ' ' | '\t' | '+' | '-')).collect();
                 self.void_word(address, address.span(), |_| Finding::MissingValue { address: name });
                 for comment in comments {
                     self.comment(comment);
@@ -362,7 +363,11 @@ impl<'t> Lowering<'t> {
             faulty = true;
             // A sign that stands apart splits the number like a blank inside it.
             let pieces = if sign.is_some() && pieces.is_empty() { &[number][..] } else { pieces };
-            if sign.is_some() { self.mend_split_sign(&run, pieces, number, &prefix, span) } else { self.mend(run, pieces, &prefix, span) }
+            if sign.is_some() {
+                self.mend_split_sign(&run, pieces, number, &prefix, span)
+            } else {
+                self.mend(run, pieces, &prefix, span)
+            }
         };
         let word = match value {
             Some(value) => Word::with_number(Address::R, span, value),
@@ -372,7 +377,14 @@ impl<'t> Lowering<'t> {
         self.push(if faulty { word.faulty() } else { word });
     }
 
-    fn mend_split_sign(&mut self, run: &str, pieces: &[Token], number: Token, prefix: &str, span: Span) -> Option<Number> {
+    fn mend_split_sign(
+        &mut self,
+        run: &str,
+        pieces: &[Token],
+        number: Token,
+        prefix: &str,
+        span: Span,
+    ) -> Option<Number> {
         let more: Vec<Token> = pieces.iter().copied().filter(|piece| *piece != number).collect();
         if more.is_empty() && matches!(number.kind, Kind::Number) && !matches!(self.byte(number.start), b'+' | b'-') {
             let joined = format!("{prefix}{run}");

@@ -183,9 +183,8 @@ impl Reader<'_> {
             }
         }
         let first = self.lowering.comments.iter().copied().find(|comment| comment.start >= program_end);
-        header.title = first.filter(|comment| {
-            !file::comment_text(text.get(comment.range()).unwrap_or_default()).is_empty()
-        });
+        header.title =
+            first.filter(|comment| !file::comment_text(text.get(comment.range()).unwrap_or_default()).is_empty());
         self.header = Some(header);
     }
 
