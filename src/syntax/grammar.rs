@@ -27,7 +27,7 @@ pub(super) enum Item {
     /// An address with `=` and a number.
     ForeignAssignment { address: Token, number: Token },
     /// An address or R word without a value; a number that stands beyond a line end or comment was meant for it.
-    Valueless { address: Token, comments: Vec<Token> },
+    Valueless { address: Token, end: Token, comments: Vec<Token> },
     /// `/`
     Skip(Token),
     /// A comment.
@@ -97,9 +97,13 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .map(|(address, number)| Item::ForeignAssignment { address, number });
     let valueless = address
         .or(one(Kind::BareR))
-        .or(parameter.then_ignore(one(Kind::Equals).or_not()).then_ignore(one(Kind::Sign).or_not()))
+        .map(|address| (address, address))
+        .or(parameter
+            .then(one(Kind::Equals).or_not())
+            .then_ignore(one(Kind::Sign).or_not())
+            .map(|(parameter, equals): (Token, Option<Token>)| (parameter, equals.unwrap_or(parameter))))
         .then(beyond)
-        .map(|(address, comments)| Item::Valueless { address, comments });
+        .map(|((address, end), comments)| Item::Valueless { address, end, comments });
     let stray_token = any()
         .filter(|token: &Token| matches!(token.kind, Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals));
     let stray = stray_token

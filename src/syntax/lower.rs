@@ -54,11 +54,11 @@ impl<'t> Lowering<'t> {
                 let span = address.span().to(number.span());
                 self.void_word(address, span, |text| Finding::MalformedNumber { text });
             }
-            Item::Valueless { address, comments } => {
+            Item::Valueless { address, end, comments } => {
                 let name = self.slice(address.span()).to_ascii_uppercase();
                 let name: String =
                     name.chars().filter(|character| !matches!(character, ' ' | '\t' | '+' | '-')).collect();
-                self.void_word(address, address.span(), |_| Finding::MissingValue { address: name });
+                self.void_word(address, address.span().to(end.span()), |_| Finding::MissingValue { address: name });
                 for comment in comments {
                     self.comment(comment);
                 }
@@ -157,7 +157,7 @@ impl<'t> Lowering<'t> {
         match word.address {
             Address::G | Address::M => {
                 self.flags.set(BlockFlags::RICH);
-                let number = word.whole().filter(|_| word.is_plain()).and_then(|number| u8::try_from(number).ok());
+                let number = word.whole().and_then(|number| u8::try_from(number).ok());
                 if let Some(number) = number {
                     if word.address == Address::M {
                         if PROGRAM_ENDS.contains(&number) {

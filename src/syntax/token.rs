@@ -27,7 +27,7 @@ pub enum Kind {
     #[token("=")]
     Equals,
     /// `/` and the digits that are read with it (LEX-10).
-    #[regex(r"/[ \t]*[0-9]*", priority = 40)]
+    #[regex(r"/([ \t]*[0-9]+)?", priority = 40)]
     Skip,
     /// `*`
     #[token("*")]

@@ -1,0 +1,6 @@
+//! The integration tests, one binary.
+#![expect(clippy::disallowed_methods, reason = "tests read files")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
+
+mod disk;
+mod markers;
