@@ -6,6 +6,7 @@
 mod details;
 mod diagnostic;
 mod findings;
+mod fix;
 mod labels;
 mod registry;
 mod shown;
@@ -14,6 +15,7 @@ pub use details::{
     ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, ParameterNeed, Problem,
 };
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
+pub use fix::{Fixed, apply_fixes};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};
 pub use labels::{FixTitle, LabelText};
 pub use registry::{Code, Finding, Severity};
