@@ -50,7 +50,11 @@ impl Axes {
 
     /// The place in machine order of that letter; `None` when the machine has no such axis (E0311).
     pub fn index(&self, letter: AxisLetter) -> Option<usize> {
-        self.index.get(letter as usize).copied().flatten().map(usize::from)
+        self.index
+            .get(letter as usize)
+            .copied()
+            .flatten()
+            .map(usize::from)
     }
 
     /// The place in machine order of the axis that the address is.
@@ -72,19 +76,28 @@ impl Axes {
 
     /// The axis that is the spindle under M19: the first of C, A, B that the machine has (§13 M functions).
     pub fn spindle(&self) -> Option<usize> {
-        [AxisLetter::C, AxisLetter::A, AxisLetter::B].into_iter().find_map(|letter| self.index(letter))
+        [AxisLetter::C, AxisLetter::A, AxisLetter::B]
+            .into_iter()
+            .find_map(|letter| self.index(letter))
     }
 
     /// Their letters, as in `X, Y, Z`.
     pub fn letters(&self) -> String {
-        self.axes.iter().map(|axis| axis.letter.to_string()).collect::<Vec<_>>().join(", ")
+        self.axes
+            .iter()
+            .map(|axis| axis.letter.to_string())
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 }
 
 impl Default for Axes {
     /// All nine letters, A, B and C rotary (ADR-4).
     fn default() -> Self {
-        Self::new(AxisLetter::ALL.into_iter().map(|letter| Axis { letter, rotary: letter.is_rotary_by_default() }))
+        Self::new(AxisLetter::ALL.into_iter().map(|letter| Axis {
+            letter,
+            rotary: letter.is_rotary_by_default(),
+        }))
     }
 }
 
@@ -156,6 +169,8 @@ pub struct Machine {
     pub gears: Vec<Gear>,
     /// Whether M19 exists (MFN-10).
     pub oriented_stop: bool,
+    /// Machine constants R0–R999: their digits as configured. What R56–R59 say is in `m_functions` already (MFN-5).
+    pub constants: BTreeMap<u16, String>,
     /// Limits.
     pub limits: Limits,
 }
@@ -173,6 +188,7 @@ impl Machine {
             cycles: BTreeMap::new(),
             gears: Vec::new(),
             oriented_stop: true,
+            constants: BTreeMap::new(),
             limits: Limits::of(dialect),
         }
     }
@@ -221,7 +237,9 @@ impl Settings {
             Some(Level::Warn) => Some(Severity::Warning),
             Some(Level::Deny) => Some(Severity::Error),
             // LEX-7: the newest control reads longer lines.
-            None if code == Code::E0109 && self.machine.dialect == Dialect::Cnc872 => Some(Severity::Warning),
+            None if code == Code::E0109 && self.machine.dialect == Dialect::Cnc872 => {
+                Some(Severity::Warning)
+            }
             None => Some(code.severity()),
         }
     }

@@ -1,7 +1,36 @@
 //! The machine that a program is for: project file, ChannelConfig and machine constants become one validated [`Machine`].
 
+mod channel;
+mod configure;
+mod constants;
+mod find;
+mod keys;
 mod machine;
 mod mfunctions;
+mod names;
+mod near;
+mod number;
+mod overrides;
+mod project;
+mod reader;
+mod reference;
+mod schema;
+mod sections;
+mod takes;
+mod toml_problem;
+mod xml;
 
+pub use configure::configure;
+pub use find::{PROJECT_FILE, find_project};
 pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Settings};
 pub use mfunctions::{MFunction, MFunctions};
+pub use number::{ParameterFault, parse_decimal, parse_parameter};
+pub use overrides::Overrides;
+pub use reference::reference;
+pub use schema::schema;
+use takes::Takes;
+
+#[cfg(test)]
+mod samples;
+#[cfg(test)]
+mod tests;

@@ -64,6 +64,42 @@ details! {
         Malformed { what: String } "{what}", "{what}";
         File { problem: String } "{problem}", "{problem}";
         TooDeep "its elements are nested too deeply", "elementy jsou do sebe vnořeny příliš hluboko";
+        NotFound { name: String } "there is no file `{name}`", "soubor {name} neexistuje";
+        Denied { name: String } "access to `{name}` is denied", "přístup k {name} je odepřen";
+        Directory { name: String } "`{name}` is a directory", "{name} je složka";
+        TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
+        Utf16 "it is in UTF-16; it must be in UTF-8", "je v kódování UTF-16; musí být v UTF-8";
+        NotToml "this is not TOML", "toto není TOML";
+        KeyTwice { key: String } "`{key}` is there twice", "{key} je zde dvakrát";
+        KeyHasValue { key: String } "`{key}` has a value already and cannot be a table too", "{key} už má hodnotu a nemůže být také tabulkou";
+        KeyForm "a key has the letters a–z, digits, `-` and `_`; any other stands in quotes", "klíč má písmena a–z, číslice, - a _; jakýkoli jiný patří do uvozovek";
+        NoEquals "`=` and a value are missing after a key", "za klíčem chybí = a hodnota";
+        NoValue "a value is missing", "chybí hodnota";
+        UnquotedText "a text stands in quotes, a number is written as `12` or `-0.5`", "text patří do uvozovek, číslo se píše jako 12 nebo -0.5";
+        TextOpen "a text is not closed by its quote", "text není ukončen uvozovkou";
+        Escape "in a text between `\"` a `\\` is written twice; between `'` once", "v textu mezi \" se \\ píše dvakrát; mezi ' jednou";
+        ControlCharacter "a control character stands here", "je zde řídicí znak";
+        BracketOpen "a bracket is not closed", "závorka není uzavřena";
+        Comma "a comma is missing or superfluous", "čárka chybí nebo přebývá";
+        DecimalComma "a number has a decimal point, not a comma", "číslo má desetinnou tečku, ne čárku";
+        OneKeyALine "a line holds one key and its value", "na řádku je jeden klíč a jeho hodnota";
+        NumberForm "a number is written as `12`, `-0.5` or `10_000`, without leading zeros", "číslo se píše jako 12, -0.5 nebo 10_000, bez úvodních nul";
+        NumberTooLarge "the number is too large", "číslo je příliš velké";
+        FlagForm "`true` or `false` is misspelled", "true nebo false je napsáno chybně";
+        LineEnd "a line ends with CR alone", "řádek končí samotným CR";
+        NotXml "this is not XML", "toto není XML";
+        ClosingTag { expected: String, actual: String } "`<{expected}>` is open, but `</{actual}>` closes", "otevřen je <{expected}>, ale uzavírá se </{actual}>";
+        ElementOpen "it ends before all its elements are closed", "končí dřív, než jsou všechny elementy uzavřeny";
+        NoElement "it holds no element", "neobsahuje žádný element";
+        AttributeTwice { name: String } "the attribute `{name}` is there twice", "atribut {name} je zde dvakrát";
+        UnknownEntity { name: String } "`&{name};` stands for nothing here; other files are never fetched", "&{name}; zde nic neznamená; z jiných souborů se nic nenačítá";
+        EntityDeclared "it declares entities; only those of XML itself are known", "deklaruje entity; známy jsou jen ty, které má samo XML";
+        Ampersand "`&` is written `&amp;`", "& se píše &amp;";
+        LessThan "in a value `<` is written `&lt;`", "v hodnotě se < píše &lt;";
+        UnknownPrefix { prefix: String } "the prefix `{prefix}` is not declared", "předpona {prefix} není deklarována";
+        DeclarationPlace "`<?xml` stands at the very beginning, or not at all", "<?xml stojí na samém začátku, nebo vůbec ne";
+        CommentForm "a comment must not hold `--`", "poznámka nesmí obsahovat --";
+        TooMany "it holds more attributes or elements than are read", "má víc atributů nebo elementů, než se čte";
     }
 }
 
@@ -74,8 +110,11 @@ details! {
         Flag "takes true or false", "musí být true nebo false";
         Whole { min: i64, max: i64 } "takes a whole number from {min} to {max}", "musí být celé číslo od {min} do {max}";
         Number { min: String, max: String } "takes a number from {min} to {max}", "musí být číslo od {min} do {max}";
+        AtLeast { min: i64 } "takes a whole number, {min} or more", "musí být celé číslo {min} nebo větší";
+        Constant "takes a number, or its digits as a text", "musí být číslo, nebo jeho číslice jako text";
         Table "takes a table", "musí být tabulka";
         List "takes a list", "musí být seznam";
+        Texts "takes a list of texts", "musí být seznam textů";
         OneOf { choices: String } "takes one of {choices}", "musí být jedno z: {choices}";
         Missing { key: String } "lacks `{key}`", "postrádá {key}";
         Repeated "is there twice", "je uvedeno dvakrát";

@@ -1,0 +1,325 @@
+//! The configuration of a run: project file, ChannelConfig and command line put together.
+
+use std::io::{self, ErrorKind};
+use std::path::{Component, Path, PathBuf};
+
+use super::project::Project;
+use super::reader::Setting;
+use super::{Axes, MFunctions, Machine, Overrides, Settings, channel, constants};
+use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, shown_path_list};
+use crate::dict::Dialect;
+use crate::text::{Encoding, FileId, Loader, Location, SourceText, Sources, Span};
+
+/// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
+/// command line says, value by value (§11, §13 Configuration).
+///
+/// The files read join `sources` under the names by which they were reached; paths in the project file are relative to
+/// its folder. What is wrong joins `findings` at its place: E0701 for what cannot be read, E0702–E0706 for values, W0705
+/// for unknown names. A wrong value leaves the default in force; when `findings` then has an error, the run must end with
+/// status 2 before any program is read.
+pub fn configure(
+    project: Option<&Path>,
+    overrides: &Overrides,
+    loader: &dyn Loader,
+    sources: &mut Sources,
+    findings: &mut Findings,
+) -> Settings {
+    let fallback = overrides.encoding.unwrap_or_default();
+    let mut files = Files {
+        loader,
+        sources,
+        findings,
+    };
+    let (values, file) =
+        project.map_or_else(Default::default, |path| files.project(path, fallback));
+    let dialect = overrides
+        .dialect
+        .or(value(values.dialect))
+        .unwrap_or_default();
+    let known = overrides.dialect.is_some() || !values.dialect_unusable;
+    let mut settings = Settings::new(dialect);
+    settings.encoding = overrides
+        .encoding
+        .or(value(values.encoding))
+        .unwrap_or_default();
+    settings.block_skip = overrides
+        .block_skip
+        .or(value(values.block_skip))
+        .unwrap_or(false);
+    settings.optional_stop = overrides
+        .optional_stop
+        .or(value(values.optional_stop))
+        .unwrap_or(false);
+    let folder = project.and_then(Path::parent).unwrap_or(Path::new(""));
+    settings.macrocycles = if overrides.macrocycles.is_empty() {
+        let named = values.macrocycles.iter().flat_map(|list| &list.value);
+        named.map(|name| join(folder, name)).collect()
+    } else {
+        overrides.macrocycles.clone()
+    };
+    let lints = values
+        .lints
+        .iter()
+        .map(|lint| lint.value)
+        .chain(overrides.lints.iter().copied());
+    settings.lints = lints.filter(|(code, _)| code.is_configurable()).collect();
+    set_machine(&mut settings.machine, &values, overrides);
+    if known {
+        check_dialect(&values, file, dialect, files.findings);
+        if !dialect.has_channel_config() {
+            constants::apply(
+                &values.constants,
+                file,
+                &mut settings.machine.m_functions,
+                files.findings,
+            );
+        }
+        files.channel_config(&values, file, folder, overrides, &mut settings);
+    }
+    settings
+}
+
+fn value<T>(setting: Option<Setting<T>>) -> Option<T> {
+    setting.map(|setting| setting.value)
+}
+
+/// `name` in `folder`, without the parts that lead nowhere.
+fn join(folder: &Path, name: &str) -> PathBuf {
+    folder
+        .join(name)
+        .components()
+        .filter(|part| *part != Component::CurDir)
+        .collect()
+}
+
+/// What the machine is, M functions excepted.
+fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
+    if !values.axes.is_empty() {
+        machine.axes = Axes::new(values.axes.iter().map(|axis| axis.value));
+    }
+    for function in &values.power_up {
+        if let Some(slot) = machine.power_up.get_mut(function.value.group().index()) {
+            *slot = Some(function.value);
+        }
+    }
+    machine.parameters = values
+        .parameters
+        .iter()
+        .map(|r| r.value)
+        .chain(overrides.parameters.iter().copied())
+        .collect();
+    machine.operations = values
+        .operations
+        .iter()
+        .map(|operation| operation.value)
+        .collect();
+    machine.cycles = values.cycles.iter().map(|cycle| cycle.value).collect();
+    machine.gears = values.gears.iter().map(|gear| gear.value).collect();
+    machine.gears.sort_by_key(|gear| gear.m);
+    machine.constants = values
+        .constants
+        .iter()
+        .map(|constant| constant.value.clone())
+        .collect();
+    machine.oriented_stop = value(values.oriented_stop).unwrap_or(machine.oriented_stop);
+    let limits = &mut machine.limits;
+    limits.records = overrides
+        .max_blocks
+        .or(value(values.records))
+        .unwrap_or(limits.records);
+    limits.nesting = value(values.nesting).unwrap_or(limits.nesting);
+    limits.feed = value(values.feed).unwrap_or(limits.feed);
+    limits.arc_tolerance = value(values.arc_tolerance).unwrap_or(limits.arc_tolerance);
+}
+
+/// What the file says and the control of the run does not have (§13 Configuration).
+fn check_dialect(values: &Project, file: FileId, dialect: Dialect, findings: &mut Findings) {
+    let mut add = |key: &str, span, needs| {
+        let finding = Finding::ConfigurationValue {
+            key: key.to_owned(),
+            needs,
+        };
+        findings.add(Diagnostic::new(finding, Location { file, span }));
+    };
+    if let Some(axis) = values.axes.get(dialect.axes()) {
+        add(
+            "axes",
+            axis.key,
+            ConfigNeed::TooManyAxes {
+                limit: dialect.axes(),
+            },
+        );
+    }
+    if dialect.has_channel_config() {
+        for constant in &values.constants {
+            let number = constant.value.0;
+            if constants::group_of(number).is_some() {
+                let needs = ConfigNeed::NotForDialect {
+                    dialect: dialect.name().to_owned(),
+                };
+                add(&format!("machine-constants.R{number}"), constant.key, needs);
+            }
+        }
+    }
+}
+
+/// The files of a configuration.
+struct Files<'a> {
+    loader: &'a dyn Loader,
+    sources: &'a mut Sources,
+    findings: &'a mut Findings,
+}
+
+impl Files<'_> {
+    /// The values of the project file; none when it cannot be read (E0701, at an empty text of its name).
+    fn project(&mut self, path: &Path, fallback: Encoding) -> (Project, FileId) {
+        let name = path.display().to_string();
+        match self.load(path, fallback) {
+            Ok(source) => {
+                let file = self.sources.add(source);
+                let Some(source) = self.sources.get(file) else {
+                    return (Project::default(), file);
+                };
+                (Project::read(source, file, self.findings), file)
+            }
+            Err(reason) => {
+                let at = self.nowhere(name);
+                self.findings.add(Diagnostic::new(
+                    Finding::UnreadableConfiguration { reason },
+                    at,
+                ));
+                (Project::default(), at.file)
+            }
+        }
+    }
+
+    /// Sets the M functions of the ChannelConfig that the command line names, or else the project file `file`.
+    fn channel_config(
+        &mut self,
+        values: &Project,
+        file: FileId,
+        folder: &Path,
+        overrides: &Overrides,
+        settings: &mut Settings,
+    ) {
+        let dialect = settings.machine.dialect;
+        let (path, option) = match (&overrides.channel_config, &values.channel_config) {
+            (Some(path), _) => (path.clone(), None),
+            (None, Some(named)) => (join(folder, &named.value), Some(named)),
+            (None, None) => return,
+        };
+        if !dialect.has_channel_config() {
+            let (key, at) = match option {
+                Some(named) => (
+                    "channel-config",
+                    Location {
+                        file,
+                        span: named.key,
+                    },
+                ),
+                None => ("--channel-config", self.nowhere(path.display().to_string())),
+            };
+            let needs = ConfigNeed::NotForDialect {
+                dialect: dialect.name().to_owned(),
+            };
+            let finding = Finding::ConfigurationValue {
+                key: key.to_owned(),
+                needs,
+            };
+            self.findings.add(Diagnostic::new(finding, at));
+            return;
+        }
+        self.m_functions(
+            &path,
+            option.map(|named| Location {
+                file,
+                span: named.at,
+            }),
+            settings,
+        );
+    }
+
+    /// Reads the ChannelConfig at `path`, which `named` names; when it cannot be read, E0701 there, or at an empty text of
+    /// its name when the command line names it.
+    fn m_functions(&mut self, path: &Path, named: Option<Location>, settings: &mut Settings) {
+        match self.load(path, settings.encoding) {
+            Ok(source) => {
+                let file = self.sources.add(source);
+                let functions: &mut MFunctions = &mut settings.machine.m_functions;
+                if let Some(source) = self.sources.get(file) {
+                    channel::read(source, file, functions, self.findings);
+                }
+            }
+            Err(reason) => {
+                let at = named.unwrap_or_else(|| self.nowhere(path.display().to_string()));
+                self.findings.add(Diagnostic::new(
+                    Finding::UnreadableConfiguration { reason },
+                    at,
+                ));
+            }
+        }
+    }
+
+    /// An empty place in an empty text of that name.
+    fn nowhere(&mut self, name: String) -> Location {
+        let file = self
+            .sources
+            .find(&name)
+            .unwrap_or_else(|| self.sources.add(SourceText::from_text(name, "")));
+        Location {
+            file,
+            span: Span::default(),
+        }
+    }
+
+    fn load(&self, path: &Path, fallback: Encoding) -> Result<SourceText, ConfigProblem> {
+        let name = path.display().to_string();
+        let bytes = self
+            .loader
+            .read(path)
+            .map_err(|error| unread(&name, &error))?;
+        if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+            return Err(ConfigProblem::Utf16);
+        }
+        let encoding = declared_encoding(&bytes).unwrap_or(fallback);
+        SourceText::decode(name, bytes, encoding).map_err(|_| ConfigProblem::TooLarge)
+    }
+}
+
+/// Why the file of that name cannot be read.
+fn unread(name: &str, error: &io::Error) -> ConfigProblem {
+    let name = shown_path_list(name);
+    let kind = error.kind();
+    if matches!(kind, ErrorKind::NotFound | ErrorKind::NotADirectory) {
+        ConfigProblem::NotFound { name }
+    } else if kind == ErrorKind::PermissionDenied {
+        ConfigProblem::Denied { name }
+    } else if kind == ErrorKind::IsADirectory {
+        ConfigProblem::Directory { name }
+    } else {
+        ConfigProblem::File {
+            problem: format!("{name}: {}", shown_path_list(&error.to_string())),
+        }
+    }
+}
+
+/// The code page that an XML declaration names, when it is one of ours.
+fn declared_encoding(bytes: &[u8]) -> Option<Encoding> {
+    const LONGEST: usize = 200;
+    let start = bytes.get(..LONGEST.min(bytes.len()))?;
+    let text: String = start.iter().map(|&byte| char::from(byte)).collect();
+    let declaration = text.strip_prefix("<?xml")?.split_once("?>")?.0;
+    let value = declaration
+        .split_once("encoding")?
+        .1
+        .trim_start()
+        .strip_prefix('=')?
+        .trim_start();
+    let name = value.split(['"', '\'']).nth(1)?.to_ascii_lowercase();
+    match name.as_str() {
+        "windows-1250" | "cp1250" => Some(Encoding::Windows1250),
+        "iso-8859-2" | "iso8859-2" | "latin2" => Some(Encoding::Iso88592),
+        "cp852" | "ibm852" => Some(Encoding::Cp852),
+        _ => None,
+    }
+}

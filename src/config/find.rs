@@ -1,0 +1,138 @@
+//! The project file of a program: in its folder, or in the nearest folder above.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use crate::text::Loader;
+
+/// Name of the project file.
+pub const PROJECT_FILE: &str = "cnc872c.toml";
+
+/// The project file of the programs in `start_folder`: that of the folder itself or of the nearest folder above it, by
+/// the folder's absolute path. A relative path comes back when the file is in `start_folder` or in a folder that its
+/// path passes through, so that messages name it as the user would.
+///
+/// A file that exists and cannot be read counts, so that [`configure`](super::configure()) reports it.
+pub fn find_project(start_folder: &Path, loader: &dyn Loader) -> Option<PathBuf> {
+    let start = canonical(start_folder, loader);
+    let folder = start
+        .ancestors()
+        .find(|folder| exists(&folder.join(PROJECT_FILE), loader))?;
+    let named = start_folder
+        .ancestors()
+        .find(|named| canonical(named, loader) == folder)
+        .unwrap_or(folder);
+    Some(named.join(PROJECT_FILE))
+}
+
+/// The canonical path of a folder; the working folder, which is an empty path here, is `.` to the operating system.
+fn canonical(folder: &Path, loader: &dyn Loader) -> PathBuf {
+    let here = Path::new(".");
+    let path = loader.canonical(if folder.as_os_str().is_empty() {
+        here
+    } else {
+        folder
+    });
+    if path == here { PathBuf::new() } else { path }
+}
+
+fn exists(path: &Path, loader: &dyn Loader) -> bool {
+    match loader.read(path) {
+        Ok(_) => true,
+        Err(error) => !matches!(
+            error.kind(),
+            ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::IsADirectory
+        ),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+
+    use super::*;
+    use crate::text::MemoryLoader;
+
+    /// Files in memory seen from the working folder `/work`.
+    struct From {
+        files: MemoryLoader,
+    }
+
+    impl Loader for From {
+        fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+            if path.starts_with("/locked") {
+                return Err(io::Error::from(ErrorKind::PermissionDenied));
+            }
+            self.files.read(&self.canonical(path))
+        }
+
+        fn list(&self, folder: &Path) -> Vec<PathBuf> {
+            self.files.list(folder)
+        }
+
+        fn canonical(&self, path: &Path) -> PathBuf {
+            Path::new("/work").join(path).components().collect()
+        }
+    }
+
+    fn found(start: &str, project: &str) -> Option<PathBuf> {
+        find_project(
+            Path::new(start),
+            &From {
+                files: MemoryLoader::new().with(project, ""),
+            },
+        )
+    }
+
+    #[test]
+    fn in_the_folder_or_above() {
+        for (start, project, expected) in [
+            ("", "/work/cnc872c.toml", "cnc872c.toml"),
+            (
+                "samples",
+                "/work/samples/cnc872c.toml",
+                "samples/cnc872c.toml",
+            ),
+            (
+                "samples/err",
+                "/work/samples/cnc872c.toml",
+                "samples/cnc872c.toml",
+            ),
+            ("samples/err", "/work/cnc872c.toml", "cnc872c.toml"),
+            ("samples", "/cnc872c.toml", "/cnc872c.toml"),
+            ("", "/cnc872c.toml", "/cnc872c.toml"),
+            ("/work/a", "/work/cnc872c.toml", "/work/cnc872c.toml"),
+            ("/locked/a", "/nothing", "/locked/a/cnc872c.toml"),
+        ] {
+            assert_eq!(
+                found(start, project),
+                Some(PathBuf::from(expected)),
+                "{start} {project}"
+            );
+        }
+    }
+
+    #[test]
+    fn none_beside_or_below() {
+        assert_eq!(found("samples", "/work/other/cnc872c.toml"), None);
+        assert_eq!(found("", "/work/samples/cnc872c.toml"), None);
+    }
+
+    #[test]
+    fn the_nearest_counts() {
+        let files = MemoryLoader::new()
+            .with("/cnc872c.toml", "")
+            .with("/work/a/cnc872c.toml", "");
+        let found = find_project(Path::new("a/b/c"), &From { files });
+        assert_eq!(found, Some(PathBuf::from("a/cnc872c.toml")));
+    }
+
+    #[test]
+    fn in_memory_without_absolute_paths() {
+        let files = MemoryLoader::new().with("cnc872c.toml", "");
+        assert_eq!(
+            find_project(Path::new("a/b"), &files),
+            Some(PathBuf::from("cnc872c.toml"))
+        );
+    }
+}

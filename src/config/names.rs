@@ -1,0 +1,251 @@
+//! The keys of those tables whose keys are names of the control: groups, parameters, codes, functions, constants.
+
+use super::Takes;
+use super::keys::operations;
+use super::near::nearest;
+use super::number::HIGHEST_PARAMETER;
+use crate::diag::Code;
+use crate::dict::{GGroup, Lang};
+
+/// Highest number of a machine constant.
+const HIGHEST_CONSTANT: u16 = 999;
+/// Highest operation code (PAR-8: two digits).
+const HIGHEST_OPERATION: u16 = 99;
+/// Words for levels, with what they mean.
+pub(super) const LEVELS: [(&str, super::Level); 3] = [
+    ("allow", super::Level::Allow),
+    ("warn", super::Level::Warn),
+    ("deny", super::Level::Deny),
+];
+
+/// A kind of names.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Names {
+    /// G groups: `G0`–`G11` but `G4`.
+    Groups,
+    /// Parameters: `R0`–`R95`.
+    Parameters,
+    /// Operation codes: `00`–`99`; the leading zero may be left out.
+    Operations,
+    /// Fixed cycles: `G81`–`G89`.
+    Cycles,
+    /// Machine constants: `R0`–`R999`; leading zeros may be written (`R06`).
+    Constants,
+    /// Diagnostics whose level can be set, by name or code.
+    Lints,
+}
+
+impl Names {
+    /// The number that the name stands for; `None` when the name is not known. For [`Self::Lints`] the place in
+    /// [`Code::ALL`], errors included.
+    pub(super) fn number(self, name: &str) -> Option<u16> {
+        match self {
+            Self::Groups => plain(name, "G", 11).filter(|&number| number != 4),
+            Self::Parameters => plain(name, "R", HIGHEST_PARAMETER),
+            Self::Operations => digits(name).filter(|_| name.len() <= 2),
+            Self::Cycles => plain(name, "G", 89).filter(|&number| number >= 81),
+            Self::Constants => digits(name.strip_prefix('R')?)
+                .filter(|&number| number <= HIGHEST_CONSTANT && name.len() <= 4),
+            Self::Lints => {
+                let code =
+                    Code::find(name).filter(|code| [code.name(), code.as_str()].contains(&name))?;
+                Code::ALL
+                    .iter()
+                    .position(|&other| other == code)
+                    .and_then(|at| u16::try_from(at).ok())
+            }
+        }
+    }
+
+    /// What the value of the name with that number must be.
+    pub(super) fn takes(self, number: u16) -> Takes {
+        match self {
+            Self::Groups => group(number).map_or(
+                Takes::Whole {
+                    min: 0,
+                    max: Some(99),
+                },
+                Takes::GFunction,
+            ),
+            Self::Parameters => Takes::ParameterValue,
+            Self::Operations => Takes::OneOf(operations),
+            Self::Cycles => Takes::Whole {
+                min: 1,
+                max: Some(9999),
+            },
+            Self::Constants => Takes::Constant,
+            Self::Lints => Takes::OneOf(|| LEVELS.iter().map(|(name, _)| *name).collect()),
+        }
+    }
+
+    /// The name that was probably meant by one that is not known: one written a little otherwise, but no other number.
+    pub(super) fn near(self, name: &str) -> Option<String> {
+        if self == Self::Lints {
+            let code = Code::find(name).filter(|code| code.is_configurable());
+            return match code {
+                Some(code) => Some(code.to_string()),
+                None => nearest(name, settable().map(Code::name)),
+            };
+        }
+        let upper = name.trim().to_ascii_uppercase();
+        let (prefix, number) = upper.split_at_checked(upper.find(|c: char| c.is_ascii_digit())?)?;
+        let number: u16 = number.parse().ok()?;
+        let meant = match self {
+            Self::Operations => format!("{number:02}"),
+            Self::Groups | Self::Parameters | Self::Cycles | Self::Constants | Self::Lints => {
+                format!("{}{number}", prefix.trim_end())
+            }
+        };
+        self.number(&meant).map(|_| meant)
+    }
+
+    /// All names with their numbers, for kinds with few of them; a pattern says the others.
+    pub(super) fn listed(self) -> Option<Vec<(String, u16)>> {
+        match self {
+            Self::Groups => Some(
+                (0..=11)
+                    .filter(|&number| number != 4)
+                    .map(|n| (format!("G{n}"), n))
+                    .collect(),
+            ),
+            Self::Cycles => Some(
+                (81..=89)
+                    .map(|number| (format!("G{number}"), number))
+                    .collect(),
+            ),
+            Self::Lints => Some(
+                settable()
+                    .flat_map(|code| [code.name(), code.as_str()])
+                    .filter_map(|name| Some((name.to_owned(), self.number(name)?)))
+                    .collect(),
+            ),
+            Self::Parameters | Self::Operations | Self::Constants => None,
+        }
+    }
+
+    /// The names as a regular expression, for kinds with many of them.
+    pub(super) const fn pattern(self) -> Option<&'static str> {
+        match self {
+            Self::Parameters => Some("^R([0-9]|[1-8][0-9]|9[0-5])$"),
+            Self::Operations => Some("^[0-9]{1,2}$"),
+            Self::Constants => Some("^R[0-9]{1,3}$"),
+            Self::Groups | Self::Cycles | Self::Lints => None,
+        }
+    }
+
+    /// The names as the reference page gives them in `lang`.
+    pub(super) fn shown(self, lang: Lang) -> String {
+        let to = match lang {
+            Lang::En => "to",
+            Lang::Cs => "až",
+        };
+        match self {
+            Self::Groups => String::new(),
+            Self::Parameters => format!("`R0` {to} `R{HIGHEST_PARAMETER}`"),
+            Self::Operations => format!("`\"00\"` {to} `\"{HIGHEST_OPERATION}\"`"),
+            Self::Cycles => format!("`G81` {to} `G89`"),
+            Self::Constants => format!("`R0` {to} `R{HIGHEST_CONSTANT}`"),
+            Self::Lints => match lang {
+                Lang::En => "name or code".to_owned(),
+                Lang::Cs => "jméno nebo kód".to_owned(),
+            },
+        }
+    }
+}
+
+/// The G group of that number.
+pub(super) fn group(number: u16) -> Option<GGroup> {
+    GGroup::ALL.get(usize::from(number)).copied()
+}
+
+/// The codes whose level can be set.
+pub(super) fn settable() -> impl Iterator<Item = Code> {
+    Code::ALL
+        .iter()
+        .copied()
+        .filter(|code| code.is_configurable())
+}
+
+/// A number without leading zeros behind `prefix`, at most `highest`.
+fn plain(name: &str, prefix: &str, highest: u16) -> Option<u16> {
+    let text = name.strip_prefix(prefix)?;
+    digits(text).filter(|&number| number <= highest && (text.len() == 1 || !text.starts_with('0')))
+}
+
+/// Digits and nothing else.
+fn digits(text: &str) -> Option<u16> {
+    if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
+        None
+    } else {
+        text.parse().ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_and_numbers() {
+        for (names, name, number) in [
+            (Names::Groups, "G0", Some(0)),
+            (Names::Groups, "G11", Some(11)),
+            (Names::Groups, "G4", None),
+            (Names::Groups, "G12", None),
+            (Names::Groups, "G01", None),
+            (Names::Parameters, "R95", Some(95)),
+            (Names::Parameters, "R96", None),
+            (Names::Parameters, "R", None),
+            (Names::Operations, "01", Some(1)),
+            (Names::Operations, "1", Some(1)),
+            (Names::Operations, "00", Some(0)),
+            (Names::Operations, "100", None),
+            (Names::Operations, "+1", None),
+            (Names::Cycles, "G81", Some(81)),
+            (Names::Cycles, "G80", None),
+            (Names::Constants, "R06", Some(6)),
+            (Names::Constants, "R432", Some(432)),
+            (Names::Constants, "R1000", None),
+            (Names::Constants, "56", None),
+            (Names::Lints, "no-such-name", None),
+            (Names::Lints, "w0214", None),
+        ] {
+            assert_eq!(names.number(name), number, "{name}");
+        }
+        assert_eq!(
+            Names::Lints.number("W0214"),
+            Names::Lints.number("empty-block")
+        );
+    }
+
+    #[test]
+    fn near_names() {
+        for (names, name, near) in [
+            (Names::Parameters, "r10", Some("R10")),
+            (Names::Parameters, "R010", Some("R10")),
+            (Names::Parameters, "R96", None),
+            (Names::Operations, "001", Some("01")),
+            (Names::Cycles, "g81", Some("G81")),
+            (Names::Groups, "G4", None),
+            (Names::Groups, "G 5", Some("G5")),
+            (Names::Lints, "emptyblock", Some("empty-block")),
+            (Names::Lints, "w0214", Some("W0214")),
+            (Names::Lints, "e0302", None),
+            (Names::Constants, "R", None),
+            (Names::Constants, "č1", None),
+        ] {
+            assert_eq!(names.near(name).as_deref(), near, "{name}");
+        }
+    }
+
+    /// What is listed or fits the pattern is what is known.
+    #[test]
+    fn lists_agree_with_numbers() {
+        for names in [Names::Groups, Names::Cycles, Names::Lints] {
+            for (name, number) in names.listed().unwrap() {
+                assert_eq!(names.number(&name), Some(number), "{name}");
+            }
+            assert!(names.pattern().is_none());
+        }
+    }
+}

@@ -1,0 +1,33 @@
+//! What the command line or the editor's settings say over the project file.
+
+use std::path::PathBuf;
+
+use super::Level;
+use crate::diag::Code;
+use crate::dict::{Decimal, Dialect};
+use crate::text::Encoding;
+
+/// Settings that win over the project file, value by value (§13 Configuration). What is `None` or empty is left to the
+/// file, and then to the defaults.
+#[derive(Clone, Debug, Default)]
+pub struct Overrides {
+    /// `--dialect`.
+    pub dialect: Option<Dialect>,
+    /// `--channel-config`: as given, relative to the working folder.
+    pub channel_config: Option<PathBuf>,
+    /// `-L`: folders as given; when there is one, the project's `macrocycles` do not count.
+    pub macrocycles: Vec<PathBuf>,
+    /// `--param`: R0–R95 and its value; the last of one number wins. Others of the project's parameters stay.
+    pub parameters: Vec<(u8, Decimal)>,
+    /// `--block-skip` (BLK-6).
+    pub block_skip: Option<bool>,
+    /// `--optional-stop` (MFN-8).
+    pub optional_stop: Option<bool>,
+    /// `--encoding`: of files that are not UTF-8 (LEX-13).
+    pub encoding: Option<Encoding>,
+    /// `--max-blocks`: most records of a stream (FLW-9).
+    pub max_blocks: Option<u64>,
+    /// `-D`, `-W`, `-A`: the last of one code wins. Codes whose level is fixed ([`Code::is_configurable`]) are left out;
+    /// the command line refuses them itself.
+    pub lints: Vec<(Code, Level)>,
+}

@@ -1,0 +1,227 @@
+//! What a key of the project file takes: the one description that the reader, the schema and the reference page share.
+
+use serde_json::{Value, json};
+
+use crate::diag::ConfigNeed;
+use crate::dict::{Decimal, GCode, GGroup, Lang, Lasting};
+
+/// The type and range of a value.
+#[derive(Clone, Copy, Debug)]
+pub enum Takes {
+    /// `true` or `false`.
+    Flag,
+    /// A path, relative to the project file's folder.
+    Path,
+    /// A list of paths, relative to the project file's folder.
+    Paths,
+    /// One of these texts.
+    OneOf(fn() -> Vec<&'static str>),
+    /// A whole number, both ends included; without an upper end when that is `None`.
+    Whole {
+        /// Least.
+        min: i64,
+        /// Greatest.
+        max: Option<i64>,
+    },
+    /// A number, both ends included; rounded to 0.001, halves away from zero.
+    Number {
+        /// Least.
+        min: Decimal,
+        /// Greatest.
+        max: Decimal,
+    },
+    /// What a parameter can hold: ±69999.999, or a whole number of up to eight digits.
+    ParameterValue,
+    /// The number of a G function of that group that lasts beyond its block.
+    GFunction(GGroup),
+    /// A number, or its digits as a text.
+    Constant,
+}
+
+impl Takes {
+    /// What a message says of a value that is not taken.
+    pub(super) fn need(self) -> ConfigNeed {
+        match self {
+            Self::Flag => ConfigNeed::Flag,
+            Self::Path => ConfigNeed::Text,
+            Self::Paths => ConfigNeed::Texts,
+            Self::OneOf(choices) => ConfigNeed::OneOf {
+                choices: choices().join(", "),
+            },
+            Self::Whole {
+                min,
+                max: Some(max),
+            } => ConfigNeed::Whole { min, max },
+            Self::Whole { min, max: None } => ConfigNeed::AtLeast { min },
+            Self::Number { min, max } => ConfigNeed::Number {
+                min: min.to_string(),
+                max: max.to_string(),
+            },
+            Self::ParameterValue => ConfigNeed::ParameterValue,
+            Self::GFunction(group) => ConfigNeed::GOfGroup {
+                group: group.to_string(),
+            },
+            Self::Constant => ConfigNeed::Constant,
+        }
+    }
+
+    /// Whether the whole number is taken; only of [`Self::Whole`].
+    pub(super) fn holds_whole(self, value: i64) -> bool {
+        matches!(self, Self::Whole { min, max } if value >= min && max.is_none_or(|max| value <= max))
+    }
+
+    /// Whether the number is taken; only of [`Self::Number`] and [`Self::ParameterValue`].
+    pub(super) fn holds_number(self, value: Decimal) -> bool {
+        match self {
+            Self::Number { min, max } => value >= min && value <= max,
+            Self::ParameterValue => value.fits_parameter(),
+            Self::Flag
+            | Self::Path
+            | Self::Paths
+            | Self::OneOf(_)
+            | Self::Whole { .. }
+            | Self::GFunction(_)
+            | Self::Constant => false,
+        }
+    }
+
+    /// As JSON Schema.
+    pub(super) fn schema(self) -> Value {
+        match self {
+            Self::Flag => json!({ "type": "boolean" }),
+            Self::Path => json!({ "type": "string" }),
+            Self::Paths => json!({ "type": "array", "items": { "type": "string" } }),
+            Self::OneOf(choices) => json!({ "enum": choices() }),
+            Self::Whole {
+                min,
+                max: Some(max),
+            } => json!({ "type": "integer", "minimum": min, "maximum": max }),
+            Self::Whole { min, max: None } => json!({ "type": "integer", "minimum": min }),
+            Self::Number { min, max } => range(min, max, "number"),
+            Self::ParameterValue => json!({ "anyOf": [
+                range(Decimal::DIMENSION_MAX.negated(), Decimal::DIMENSION_MAX, "number"),
+                range(Decimal::WHOLE_MAX.negated(), Decimal::WHOLE_MAX, "integer"),
+            ] }),
+            Self::GFunction(group) => {
+                json!({ "enum": lasting(group).map(GCode::number).collect::<Vec<_>>() })
+            }
+            Self::Constant => json!({ "anyOf": [
+                { "type": "number" },
+                { "type": "string", "pattern": "^[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)$" },
+            ] }),
+        }
+    }
+
+    /// As the reference page says it in `lang`.
+    pub(super) fn shown(self, lang: Lang) -> String {
+        let text = |en: &str, cs: &str| match lang {
+            Lang::En => en.to_owned(),
+            Lang::Cs => cs.to_owned(),
+        };
+        match self {
+            Self::Flag => "`true`, `false`".to_owned(),
+            Self::Path => text("path", "cesta"),
+            Self::Paths => text("list of paths", "seznam cest"),
+            Self::OneOf(choices) => choices()
+                .into_iter()
+                .map(|choice| format!("`\"{choice}\"`"))
+                .collect::<Vec<_>>()
+                .join(", "),
+            Self::Whole {
+                min,
+                max: Some(max),
+            } => text(
+                &format!("whole number {min}–{max}"),
+                &format!("celé číslo {min}–{max}"),
+            ),
+            Self::Whole { min, max: None } => text(
+                &format!("whole number, {min} or more"),
+                &format!("celé číslo {min} nebo větší"),
+            ),
+            Self::Number { min, max } => text(
+                &format!("number {min}–{max}"),
+                &format!("číslo {min}–{max}"),
+            ),
+            Self::ParameterValue => text(
+                "±69999.999, or a whole number up to ±99999999",
+                "±69999.999, nebo celé číslo do ±99999999",
+            ),
+            Self::GFunction(group) => lasting(group)
+                .map(|code| format!("`{}`", code.number()))
+                .collect::<Vec<_>>()
+                .join(", "),
+            Self::Constant => text(
+                "number, or digits as a text",
+                "číslo, nebo číslice jako text",
+            ),
+        }
+    }
+}
+
+/// The functions of a group that last beyond their block.
+pub(super) fn lasting(group: GGroup) -> impl Iterator<Item = GCode> {
+    GCode::ALL
+        .iter()
+        .copied()
+        .filter(move |code| code.group() == group && !matches!(code.lasting(), Lasting::Block))
+}
+
+fn range(min: Decimal, max: Decimal, kind: &str) -> Value {
+    json!({ "type": kind, "minimum": json_number(min), "maximum": json_number(max) })
+}
+
+/// A decimal as JSON writes it, whole numbers without a point; the limits of the language lie far below 2^53 thousandths.
+pub(super) fn json_number(value: Decimal) -> Value {
+    match value.as_whole() {
+        Some(whole) => json!(whole),
+        None => json!(value.thousandths() as f64 / 1000.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges() {
+        let whole = Takes::Whole {
+            min: 1,
+            max: Some(9),
+        };
+        assert!(whole.holds_whole(1) && whole.holds_whole(9));
+        assert!(
+            !whole.holds_whole(0)
+                && !whole.holds_whole(10)
+                && !whole.holds_number(Decimal::whole(5))
+        );
+        assert!(Takes::Whole { min: 1, max: None }.holds_whole(i64::MAX));
+        let number = Takes::Number {
+            min: Decimal::ZERO,
+            max: Decimal::whole(1),
+        };
+        assert!(
+            number.holds_number(Decimal::whole(1))
+                && !number.holds_number(Decimal::from_thousandths(1001))
+        );
+        assert!(!Takes::Flag.holds_whole(1) && !Takes::Flag.holds_number(Decimal::ZERO));
+    }
+
+    #[test]
+    fn numbers_in_json() {
+        assert_eq!(json_number(Decimal::DIMENSION_MAX).to_string(), "69999.999");
+        assert_eq!(
+            json_number(Decimal::WHOLE_MAX.negated()).to_string(),
+            "-99999999"
+        );
+    }
+
+    /// §7: what may be in force at power-up; none of G4, and of G7 only G70.
+    #[test]
+    fn lasting_functions() {
+        let numbers = |group| lasting(group).map(GCode::number).collect::<Vec<_>>();
+        assert_eq!(numbers(GGroup::G0), [0, 1, 2, 3, 33]);
+        assert_eq!(numbers(GGroup::G4), [] as [u8; 0]);
+        assert_eq!(numbers(GGroup::G7), [70]);
+        assert_eq!(numbers(GGroup::G10), [74, 75]);
+    }
+}
