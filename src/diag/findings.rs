@@ -1,6 +1,6 @@
 //! The findings of a run, bounded in number.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use super::{Code, Diagnostic, Severity};
 use crate::text::Location;
@@ -13,10 +13,9 @@ pub const LIMIT_PER_SEVERITY: usize = 10_000;
 pub struct Findings {
     items: Vec<Diagnostic>,
     seen: HashSet<(Code, Location)>,
-    errors: usize,
-    warnings: usize,
     kept_errors: usize,
     kept_warnings: usize,
+    beyond: BTreeMap<Code, usize>,
 }
 
 impl Findings {
@@ -27,33 +26,34 @@ impl Findings {
 
     /// Adds a finding, unless the same code was found at the same place (a subprogram executed many times).
     pub fn add(&mut self, diagnostic: Diagnostic) {
-        let error = diagnostic.code().severity() == Severity::Error;
-        let kept = if error { &mut self.kept_errors } else { &mut self.kept_warnings };
+        let key = (diagnostic.code(), diagnostic.at);
+        let kept = match key.0.severity() {
+            Severity::Error => &mut self.kept_errors,
+            Severity::Warning => &mut self.kept_warnings,
+        };
         if *kept < LIMIT_PER_SEVERITY {
-            if !self.seen.insert((diagnostic.code(), diagnostic.at)) {
-                return;
+            if self.seen.insert(key) {
+                *kept += 1;
+                self.items.push(diagnostic);
             }
-            *kept += 1;
-            self.items.push(diagnostic);
-        } else if self.seen.contains(&(diagnostic.code(), diagnostic.at)) {
-            return;
+        } else if !self.seen.contains(&key) {
+            *self.beyond.entry(key.0).or_default() += 1;
         }
-        *(if error { &mut self.errors } else { &mut self.warnings }) += 1;
     }
 
     /// Adds all findings of another collection.
     pub fn append(&mut self, other: Self) {
-        let beyond = (other.errors - other.kept_errors, other.warnings - other.kept_warnings);
         for diagnostic in other.items {
             self.add(diagnostic);
         }
-        self.errors += beyond.0;
-        self.warnings += beyond.1;
+        for (code, count) in other.beyond {
+            *self.beyond.entry(code).or_default() += count;
+        }
     }
 
     /// Whether a finding that is an error by default is among them.
-    pub const fn has_errors(&self) -> bool {
-        self.errors > 0
+    pub fn has_errors(&self) -> bool {
+        self.kept_errors > 0 || self.beyond().0 > 0
     }
 
     /// Whether there are none.
@@ -66,9 +66,16 @@ impl Findings {
         &self.items
     }
 
-    /// How many errors and warnings were found beyond those kept.
-    pub const fn beyond(&self) -> (usize, usize) {
-        (self.errors - self.kept_errors, self.warnings - self.kept_warnings)
+    /// How many errors and warnings, by default level, were found beyond those kept.
+    pub fn beyond(&self) -> (usize, usize) {
+        let of =
+            |severity| self.beyond.iter().filter(|(code, _)| code.severity() == severity).map(|(_, count)| count).sum();
+        (of(Severity::Error), of(Severity::Warning))
+    }
+
+    /// How many findings of each code were found beyond those kept.
+    pub const fn beyond_by_code(&self) -> &BTreeMap<Code, usize> {
+        &self.beyond
     }
 
     /// The findings, sorted by file and place, then code.
@@ -76,5 +83,39 @@ impl Findings {
         let mut items = self.items;
         items.sort_by_key(|diagnostic| (diagnostic.at, diagnostic.code()));
         items
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::Finding;
+    use crate::text::{FileId, Span};
+
+    fn empty_block(at: u32) -> Diagnostic {
+        Diagnostic::new(Finding::EmptyBlock { block: at }, Location { file: FileId(0), span: Span::new(at, at + 1) })
+    }
+
+    #[test]
+    fn each_code_once_at_a_place() {
+        let mut findings = Findings::new();
+        findings.add(empty_block(3));
+        findings.add(empty_block(3));
+        assert_eq!(findings.items().len(), 1);
+        assert!(!findings.has_errors());
+    }
+
+    #[test]
+    fn what_is_not_kept_is_counted_by_code() {
+        let mut findings = Findings::new();
+        for at in 0..10_003 {
+            findings.add(empty_block(at));
+        }
+        findings.add(empty_block(7));
+        let mut all = Findings::new();
+        all.append(findings);
+        assert_eq!(all.items().len(), LIMIT_PER_SEVERITY);
+        assert_eq!(all.beyond(), (0, 3));
+        assert_eq!(all.beyond_by_code(), &BTreeMap::from([(Code::W0214, 3)]));
     }
 }

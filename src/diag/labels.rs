@@ -51,7 +51,7 @@ texts! {
     FixTitle {
         Write { text: String } "write `{text}`", "napsat „{text}“";
         PlainQuote "write the plain quote `\"`", "napsat obyčejné uvozovky „\"“";
-        UpperCase "write the addresses in upper case", "napsat adresy velkými písmeny";
+        UpperCase "write addresses in upper case", "psát adresy velkými písmeny";
         MoveSkip { block: u32 } "move `/` behind N{block}", "přesunout „/“ za N{block}";
     }
 }

@@ -5,10 +5,13 @@
 
 mod details;
 mod diagnostic;
+pub mod explain;
 mod findings;
 mod fix;
 mod labels;
 mod registry;
+mod render;
+mod report;
 mod shown;
 
 pub use details::{
@@ -19,5 +22,7 @@ pub use fix::{Fixed, apply_fixes};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};
 pub use labels::{FixTitle, LabelText};
 pub use registry::{Code, Finding, Severity};
-pub use shown::{one_of, shown, shown_path_list};
+pub use render::{Format, render, schema};
+pub use report::{Report, Reported};
 pub(crate) use shown::is_unsafe;
+pub use shown::{one_of, shown, shown_path_list, terminal_safe};

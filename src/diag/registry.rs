@@ -163,7 +163,7 @@ diagnostics! {
         en "`{text}` means nothing to the control"
         cs "znaky „{text}“ řídicí systém nezná"
         help (if *parenthesis { "comments stand between quotes: `\"comment\"`" } else { "delete it; text for people stands in a comment between quotes: `\"comment\"`" })
-           | (if *parenthesis { "poznámka se píše do uvozovek: \"poznámka\"" } else { "znaky vymazat; text pro člověka patří do poznámky v uvozovkách: \"poznámka\"" })
+           | (if *parenthesis { "komentář se píše do uvozovek: \"komentář\"" } else { "znaky vymazat; text pro člověka patří do komentáře v uvozovkách: \"komentář\"" })
     [E0102] SplitNumber "split-number" Error { joined: String }
         en "a blank stands inside a number"
         cs "mezera uvnitř čísla"
@@ -177,7 +177,7 @@ diagnostics! {
         help (if address == "R" { "write the number of the parameter: `R10`".to_owned() } else if address.starts_with('R') { format!("write its value: `{address}=0`") } else if address == "N" || address == "%" || address == "G" || address == "M" { format!("write a number right after it: `{address}1`") } else { format!("write its number on the same line: `{address}0` when zero is meant") })
            | (if address == "R" { "doplnit číslo parametru: „R10“".to_owned() } else if address.starts_with('R') { format!("doplnit hodnotu: „{address}=0“") } else if address == "N" || address == "%" || address == "G" || address == "M" { format!("napsat hned za ni číslo: „{address}1“") } else { format!("napsat číslo na tentýž řádek; je-li míněna nula: „{address}0“") })
         note "a line end or a comment between an address and its number leaves the address without a value"
-           | "konec řádku nebo poznámka mezi adresou a číslem nechá adresu bez hodnoty"
+           | "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty"
     [E0104] DecimalComma "decimal-comma" Error { fixed: String }
         en "a decimal comma"
         cs "desetinná čárka"
@@ -188,7 +188,7 @@ diagnostics! {
         cs "typografické uvozovky {quote} místo obyčejných \""
         help "write the plain quote `\"`" | "napsat obyčejné uvozovky \""
         note "the control takes only the plain quote for the border of a comment; all that follows would be read as words"
-           | "systém ohraničuje poznámky jen obyčejnými uvozovkami; text za jinými by četl jako slova programu"
+           | "systém ohraničuje komentáře jen obyčejnými uvozovkami; text za jinými by četl jako slova programu"
     [E0106] MalformedNumber "malformed-number" Error { text: String }
         en "`{text}` is not a number of a word"
         cs "„{text}“ není číslo slova"
@@ -207,14 +207,14 @@ diagnostics! {
         en "the line has {length} characters; the control reads 80"
         cs "řádek má {length} znaků; systém jich čte 80"
         help "break the line between two words: a block may go on in the next line, a comment may not"
-           | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, poznámka ne"
+           | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, komentář ne"
     [W0110] TextAfterEnd "text-after-end" Warning {}
         en "the control never reads what stands after `*`"
         cs "text za hvězdičkou systém nikdy nečte"
-        help "move it before `*`, or make it a comment" | "přesunout před hvězdičku, nebo z něj udělat poznámku"
+        help "move it before `*`, or make it a comment" | "přesunout před hvězdičku, nebo z něj udělat komentář"
     [E0111] StrayText "stray-text" Error { text: String }
         en "`{text}` is text outside a comment"
-        cs "„{text}“ je text mimo poznámku"
+        cs "„{text}“ je text mimo komentář"
         help "put text for people between quotes: `\"{text}\"`" | "text pro člověka dát do uvozovek: \"{text}\""
     [E0112] UnreadableFile "unreadable-file" Error { problem: crate::diag::Problem }
         en ({ let reason = problem.text(Lang::En); format!("the file cannot be read: {reason}") })
@@ -228,7 +228,7 @@ diagnostics! {
         en "a second `%` in one file"
         cs "druhé % v jednom souboru"
         help "one file holds one program; put the second into a file of its own, or write `%` in a comment only"
-           | "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v poznámce"
+           | "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v komentáři"
     [E0203] WordOutsideBlock "word-outside-block" Error { word: String }
         en "`{word}` stands before the first block"
         cs "slovo {word} stojí před prvním blokem"
@@ -283,7 +283,7 @@ diagnostics! {
     [W0214] EmptyBlock "empty-block" Warning { block: u32 }
         en "block N{block} is empty"
         cs "blok N{block} je prázdný"
-        help "delete it, or say in a comment what it is for" | "vymazat ho, nebo v poznámce napsat, k čemu je"
+        help "delete it, or say in a comment what it is for" | "vymazat ho, nebo v komentáři napsat, k čemu je"
     [W0215] ProgramEndInSubprogram "program-end-in-subprogram" Warning { function: u8 }
         en "M{function:02} in here ends the whole program, not only this unit"
         cs "M{function:02} zde ukončí celý program, nejen tento celek"
@@ -366,8 +366,8 @@ diagnostics! {
     [E0401] MissingTarget "missing-target" Error { function: GCode }
         en "{function} without `L`"
         cs "{function} bez L"
-        help (match function { GCode::G73 => "write the number of the block to jump to: `L10`", GCode::G72 => "write the number of the macrocycle: `L9001`", _ => "write the number of the subprogram: `L100`" })
-           | (match function { GCode::G73 => "doplnit číslo bloku, na který se skáče: „L10“", GCode::G72 => "doplnit číslo makrocyklu: „L9001“", _ => "doplnit číslo podprogramu: „L100“" })
+        help (if *function == GCode::G73 { "write the number of the block to jump to: `L10`" } else if *function == GCode::G72 { "write the number of the macrocycle: `L9001`" } else { "write the number of the subprogram: `L100`" })
+           | (if *function == GCode::G73 { "doplnit číslo bloku, na který se skáče: „L10“" } else if *function == GCode::G72 { "doplnit číslo makrocyklu: „L9001“" } else { "doplnit číslo podprogramu: „L100“" })
     [W0402] UnusedTarget "unused-target" Warning {}
         en "`L` does nothing in this block"
         cs "L v tomto bloku nic nedělá"

@@ -1,12 +1,38 @@
 //! Program text made fit for a message: never raw control characters, never endless.
 
+use std::borrow::Cow;
+
 /// Longest piece of program text that a message repeats, in characters.
 const LONGEST: usize = 40;
 
-/// Whether a terminal might act on the character: controls, and the marks that reorder text.
+/// Whether a terminal might act on the character: controls, the marks that reorder text, and characters without a shape
+/// of their own, which could hide what a name or a program says.
 pub(crate) fn is_unsafe(character: char) -> bool {
     character.is_control()
-        || matches!(character, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{2069}' | '\u{feff}')
+        || matches!(character,
+            '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
+            | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
+}
+
+/// `text` as a terminal may have it: what [`is_unsafe`] finds as `\u{…}`, the rest as it is. The last defence of every
+/// rendering for people, whatever a message repeats.
+pub fn terminal_safe(text: &str) -> Cow<'_, str> {
+    if !text.chars().any(is_unsafe) {
+        return Cow::Borrowed(text);
+    }
+    let mut result = String::with_capacity(text.len() + 16);
+    for character in text.chars() {
+        push_safe(&mut result, character);
+    }
+    Cow::Owned(result)
+}
+
+fn push_safe(result: &mut String, character: char) {
+    if is_unsafe(character) {
+        result.extend(character.escape_unicode());
+    } else {
+        result.push(character);
+    }
 }
 
 /// `text` for a message: control characters and bidirectional marks as `\u{…}`, shortened in the middle of nowhere.
@@ -17,18 +43,14 @@ pub fn shown(text: &str) -> String {
             result.push('…');
             break;
         }
-        if is_unsafe(character) {
-            result.extend(character.escape_unicode());
-        } else {
-            result.push(character);
-        }
+        push_safe(&mut result, character);
     }
     result
 }
 
 /// A list of paths for a message: as [`shown`], but not shortened.
 pub fn shown_path_list(paths: &str) -> String {
-    paths.chars().flat_map(|c| if is_unsafe(c) { c.escape_unicode().collect::<Vec<_>>() } else { vec![c] }).collect()
+    terminal_safe(paths).into_owned()
 }
 
 /// A list as in prose: `a, b or c` with the given last joint.
@@ -48,5 +70,11 @@ mod tests {
     fn terminals_get_no_raw_controls() {
         assert_eq!(shown("a\u{1b}[2Jb\u{202e}"), "a\\u{1b}[2Jb\\u{202e}");
         assert_eq!(shown(&"x".repeat(100)).chars().count(), LONGEST + 1);
+    }
+
+    #[test]
+    fn only_what_is_unsafe_is_escaped() {
+        assert!(matches!(terminal_safe("příruba ⌀50 „x“ → 日本"), Cow::Borrowed(_)));
+        assert_eq!(terminal_safe("a\tb\u{85}\u{61c}c\nd"), "a\\u{9}b\\u{85}\\u{61c}c\\u{a}d");
     }
 }

@@ -1,0 +1,159 @@
+//! Findings for people, on a terminal: what is wrong, the lines of the program, why, and what to write.
+
+use std::io::{self, Write};
+
+use super::excerpt::Excerpt;
+use super::frame::{self, Mark};
+use super::places::Places;
+use super::style::{Style, paint};
+use super::words;
+use crate::diag::{CallSite, Code, Diagnostic, Report, Reported, Severity, terminal_safe};
+use crate::dict::Lang;
+use crate::text::{FileId, LineColumn, Span};
+
+/// Calls listed from the finding outwards, before the rest is counted.
+const NEAREST_CALLS: usize = 3;
+/// Calls listed in all.
+const MOST_CALLS: usize = 5;
+/// Codes that the last line names.
+const MOST_CODES: usize = 6;
+
+/// Writes every finding, and a summary.
+pub(super) fn write(report: &Report, lang: Lang, colour: bool, out: &mut dyn Write) -> io::Result<()> {
+    let human = Human { places: Places::new(report.sources()), lang, colour };
+    for item in report.items() {
+        out.write_all(human.finding(item).as_bytes())?;
+    }
+    human.summary(report, out)
+}
+
+struct Human<'a> {
+    places: Places<'a>,
+    lang: Lang,
+    colour: bool,
+}
+
+impl Human<'_> {
+    fn finding(&self, Reported { severity, diagnostic }: &Reported) -> String {
+        let style = style_of(*severity);
+        let message = terminal_safe(&diagnostic.finding.message(self.lang)).into_owned();
+        let header = format!("{}[{}]", words::severity(*severity, self.lang), diagnostic.code());
+        let mut text = paint(&header, style, self.colour);
+        text.push_str(&paint(&format!(": {message}"), Style::Strong, self.colour));
+        text.push('\n');
+        let (lines, width) = self.frame(diagnostic, style);
+        let bar = format!("  {:width$}{}", "", paint("│", Style::Faint, self.colour));
+        for line in lines {
+            text.push_str(&line);
+            text.push('\n');
+        }
+        for (word, words) in self.remarks(diagnostic) {
+            let word = paint(word, Style::Accent, self.colour);
+            text.push_str(&format!("{bar} {word}: {}\n", terminal_safe(&words)));
+        }
+        let end = format!("{}╯", "─".repeat(width + 2));
+        text.push_str(&paint(&end, Style::Faint, self.colour));
+        text.push_str("\n\n");
+        text
+    }
+
+    /// The lines of the programs with their marks.
+    fn frame(&self, diagnostic: &Diagnostic, style: Style) -> (Vec<String>, usize) {
+        let mut files: Vec<(FileId, Vec<Span>)> = Vec::new();
+        let mut marks = Vec::new();
+        let primary = (diagnostic.at, words::here(self.lang).to_owned());
+        let labels = diagnostic.labels.iter().map(|label| (label.at, label.text.text(self.lang)));
+        for (index, (at, text)) in std::iter::once(primary).chain(labels).enumerate() {
+            let excerpt = files.iter().position(|(file, _)| *file == at.file).unwrap_or_else(|| {
+                files.push((at.file, Vec::new()));
+                files.len() - 1
+            });
+            if let Some((_, spans)) = files.get_mut(excerpt) {
+                spans.push(at.span);
+                marks.push(Mark {
+                    excerpt,
+                    mark: spans.len() - 1,
+                    text: terminal_safe(&text).into_owned(),
+                    primary: index == 0,
+                });
+            }
+        }
+        if self.places.source(diagnostic.at.file).is_none_or(|source| source.is_empty()) && files.len() == 1 {
+            // Nothing to show: the file is empty, or could not be read.
+            let place = format!("{}:1:1", terminal_safe(self.places.name(diagnostic.at.file)));
+            return (vec![frame::place_line(&place, '╭', 1, self.colour)], 1);
+        }
+        let names: Vec<&str> = files.iter().map(|&(file, _)| self.places.name(file)).collect();
+        let excerpts: Vec<Excerpt> =
+            files.iter().map(|(file, spans)| Excerpt::new(&self.places, *file, spans)).collect();
+        frame::draw(&excerpts, &names, &marks, style, self.colour)
+    }
+
+    /// What is said below the program: the calls, why, what to write.
+    fn remarks(&self, diagnostic: &Diagnostic) -> Vec<(&'static str, String)> {
+        let mut remarks: Vec<(&'static str, String)> =
+            calls(&self.places, diagnostic, self.lang).into_iter().map(|call| (words::note(self.lang), call)).collect();
+        remarks.extend(diagnostic.finding.note(self.lang).map(|note| (words::note(self.lang), note)));
+        let help = diagnostic.finding.help(self.lang);
+        let titles = diagnostic.fixes.iter().map(|fix| fix.title.text(self.lang));
+        let unsaid = titles.filter(|title| help.as_ref().is_none_or(|help| !help.contains(title)));
+        remarks.extend(help.iter().cloned().chain(unsaid).map(|help| (words::help(self.lang), help)));
+        remarks
+    }
+
+    /// The last lines: how many, what can be mended, where to read on.
+    fn summary(&self, report: &Report, out: &mut dyn Write) -> io::Result<()> {
+        let style = match (report.errors(), report.warnings()) {
+            (0, 0) => Style::Strong,
+            (0, _) => Style::Warning,
+            (_, _) => Style::Error,
+        };
+        writeln!(out, "{}", paint(&words::summary(report, self.lang), style, self.colour))?;
+        if report.suppressed() > 0 {
+            writeln!(out, "{}", words::suppressed(report.suppressed(), self.lang))?;
+        }
+        let fixable = report.items().filter(|item| !item.diagnostic.fixes.is_empty()).count();
+        if fixable > 0 {
+            writeln!(out, "{}", words::fixable(fixable, self.lang))?;
+        }
+        let mut codes: Vec<Code> = report.items().map(|item| item.diagnostic.code()).collect();
+        codes.sort_unstable();
+        codes.dedup();
+        if !codes.is_empty() {
+            let names: Vec<&str> = codes.iter().take(MOST_CODES).map(|code| code.as_str()).collect();
+            let more = if codes.len() > MOST_CODES { " …" } else { "" };
+            writeln!(out, "{}", words::explain(&format!("{}{more}", names.join(" ")), self.lang))?;
+        }
+        Ok(())
+    }
+}
+
+/// The calls that led to the finding, the nearest first.
+pub(super) fn calls(places: &Places<'_>, diagnostic: &Diagnostic, lang: Lang) -> Vec<String> {
+    let called_by = |call: &CallSite| {
+        let LineColumn { line, .. } = places.start(call.at);
+        let place = if call.at.file == diagnostic.at.file {
+            words::line(line, lang)
+        } else {
+            format!("{}:{line}", places.name(call.at.file))
+        };
+        words::called_by(call, &place, lang)
+    };
+    let nearest_first = diagnostic.calls.iter().rev();
+    let count = diagnostic.calls.len();
+    if count <= MOST_CALLS {
+        return nearest_first.map(called_by).collect();
+    }
+    let far = MOST_CALLS - NEAREST_CALLS;
+    let mut calls: Vec<String> = nearest_first.clone().take(NEAREST_CALLS).map(called_by).collect();
+    calls.push(words::more_calls(count - MOST_CALLS, lang));
+    calls.extend(nearest_first.skip(count - far).map(called_by));
+    calls
+}
+
+const fn style_of(severity: Severity) -> Style {
+    match severity {
+        Severity::Error => Style::Error,
+        Severity::Warning => Style::Warning,
+    }
+}

@@ -1,0 +1,56 @@
+//! The forms in which findings leave the program: for people, for editors, for other programs.
+
+mod excerpt;
+mod frame;
+mod github;
+mod human;
+#[cfg(test)]
+mod human_tests;
+mod json;
+mod json_text;
+mod places;
+#[cfg(test)]
+mod samples;
+mod sarif;
+mod short;
+pub(super) mod style;
+mod words;
+
+use std::io::{self, Write};
+
+pub use json::schema;
+
+use super::Report;
+use crate::dict::Lang;
+
+/// A form of the findings of a run.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, clap::ValueEnum)]
+pub enum Format {
+    /// For people: the lines of the program, why, and what to write.
+    #[default]
+    Human,
+    /// One line each, as editors and grep read them: `path:line:column: error[E0306]: message`.
+    Short,
+    /// One JSON object, after the schema `cnc872c.diagnostics/1`.
+    Json,
+    /// SARIF 2.1.0, for code scanning services.
+    Sarif,
+    /// Workflow commands of GitHub Actions.
+    Github,
+}
+
+/// Writes the findings to `out`. Colours are used only in the form for people.
+///
+/// # Errors
+/// What writing to `out` gives.
+pub fn render(format: Format, report: &Report, lang: Lang, colour: bool, out: &mut dyn Write) -> io::Result<()> {
+    let mut out = io::BufWriter::new(out);
+    match format {
+        Format::Human => human::write(report, lang, colour, &mut out)?,
+        Format::Short => short::write(report, lang, &mut out)?,
+        Format::Json => json::write(report, lang, &mut out)?,
+        Format::Sarif => sarif::write(report, lang, &mut out)?,
+        Format::Github => github::write(report, lang, &mut out)?,
+    }
+    out.flush()
+}

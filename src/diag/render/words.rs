@@ -1,0 +1,142 @@
+//! The words between findings, in both languages.
+
+use crate::diag::{CallKind, CallSite, Report, Severity};
+use crate::dict::Lang;
+
+/// `error`, `chyba`: the word a finding begins with.
+pub(super) const fn severity(severity: Severity, lang: Lang) -> &'static str {
+    match (severity, lang) {
+        (Severity::Error, Lang::En) => "error",
+        (Severity::Error, Lang::Cs) => "chyba",
+        (Severity::Warning, Lang::En) => "warning",
+        (Severity::Warning, Lang::Cs) => "varování",
+    }
+}
+
+pub(super) const fn note(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "note",
+        Lang::Cs => "poznámka",
+    }
+}
+
+pub(super) const fn help(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "help",
+        Lang::Cs => "nápověda",
+    }
+}
+
+/// What stands at the place of the finding itself, whose message says what is wrong there.
+pub(super) const fn here(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "here",
+        Lang::Cs => "zde",
+    }
+}
+
+/// The call, as in `called by N80 G71 L100 (line 9)`; `place` is `line 9`, or `part.nc:9` in another file.
+pub(super) fn called_by(call: &CallSite, place: &str, lang: Lang) -> String {
+    let CallSite { by, l, n, .. } = call;
+    let name = by.name();
+    match (by, lang) {
+        (CallKind::Subprogram | CallKind::Macrocycle, Lang::En) => format!("called by N{n} {name} L{l} ({place})"),
+        (CallKind::Subprogram | CallKind::Macrocycle, Lang::Cs) => format!("voláno z bloku N{n} {name} L{l} ({place})"),
+        (CallKind::Cycle(_), Lang::En) => format!("called by N{n} {name} as L{l} ({place})"),
+        (CallKind::Cycle(_), Lang::Cs) => format!("voláno z bloku N{n} {name} jako L{l} ({place})"),
+    }
+}
+
+/// `line 9`.
+pub(super) fn line(line: u32, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("line {line}"),
+        Lang::Cs => format!("řádek {line}"),
+    }
+}
+
+/// In place of calls that are not listed.
+pub(super) fn more_calls(count: usize, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("… {count} more calls"),
+        Lang::Cs => format!("… dalších volání: {count}"),
+    }
+}
+
+/// The last words of a run: `2 programs: 3 errors, 1 warning`.
+pub(super) fn summary(report: &Report, lang: Lang) -> String {
+    let (errors, warnings) = (report.errors(), report.warnings());
+    let counts = match (errors, warnings, lang) {
+        (0, 0, Lang::En) => "no errors".to_owned(),
+        (0, 0, Lang::Cs) => "bez chyb".to_owned(),
+        (_, 0, _) => counted(errors, ERRORS, lang),
+        (0, _, _) => counted(warnings, WARNINGS, lang),
+        (_, _, _) => format!("{}, {}", counted(errors, ERRORS, lang), counted(warnings, WARNINGS, lang)),
+    };
+    if report.programs() == 0 { counts } else { format!("{}: {counts}", counted(report.programs(), PROGRAMS, lang)) }
+}
+
+/// How many findings are not shown.
+pub(super) fn suppressed(count: usize, lang: Lang) -> String {
+    match lang {
+        Lang::En if count == 1 => "1 more finding is counted, but not shown".to_owned(),
+        Lang::En => format!("{count} more findings are counted, but not shown"),
+        Lang::Cs => format!("další hlášení, která jsou započtena, ale ne vypsána: {count}"),
+    }
+}
+
+/// How many findings a machine can mend.
+pub(super) fn fixable(count: usize, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("fixable with cnc872c check --fix: {count}"),
+        Lang::Cs => format!("opravitelné pomocí cnc872c check --fix: {count}"),
+    }
+}
+
+/// Where there is more to read.
+pub(super) fn explain(codes: &str, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("details: cnc872c explain {codes}"),
+        Lang::Cs => format!("podrobnosti: cnc872c explain {codes}"),
+    }
+}
+
+/// A counted noun: English for one and for more; Czech for one, for two to four, for five and more.
+type Noun = ([&'static str; 2], [&'static str; 3]);
+
+const ERRORS: Noun = (["error", "errors"], ["chyba", "chyby", "chyb"]);
+const WARNINGS: Noun = (["warning", "warnings"], ["varování", "varování", "varování"]);
+const PROGRAMS: Noun = (["program", "programs"], ["program", "programy", "programů"]);
+
+fn counted(count: usize, (en, cs): Noun, lang: Lang) -> String {
+    let [one_en, more_en] = en;
+    let [one_cs, few_cs, many_cs] = cs;
+    let noun = match (lang, count) {
+        (Lang::En, 1) => one_en,
+        (Lang::En, _) => more_en,
+        (Lang::Cs, 1) => one_cs,
+        (Lang::Cs, 2..=4) => few_cs,
+        (Lang::Cs, _) => many_cs,
+    };
+    format!("{count} {noun}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plurals() {
+        let cs = |count| counted(count, ERRORS, Lang::Cs);
+        assert_eq!(
+            [0, 1, 2, 4, 5, 21, 22, 100].map(cs),
+            ["0 chyb", "1 chyba", "2 chyby", "4 chyby", "5 chyb", "21 chyb", "22 chyb", "100 chyb"]
+        );
+        let en = |count| counted(count, PROGRAMS, Lang::En);
+        assert_eq!([0, 1, 2].map(en), ["0 programs", "1 program", "2 programs"]);
+        assert_eq!(
+            [1, 3, 5].map(|count| counted(count, WARNINGS, Lang::Cs)),
+            ["1 varování", "3 varování", "5 varování"]
+        );
+    }
+}
