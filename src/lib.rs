@@ -5,3 +5,4 @@ pub mod dict;
 pub mod diag;
 pub mod config;
 pub mod session;
+pub mod cli;
