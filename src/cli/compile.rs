@@ -65,8 +65,11 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     Ok(status)
 }
 
-/// Writes the findings to standard error: the stream may be on standard output.
+/// Writes the findings to standard error: the stream may be on standard output. People need no word about none.
 fn print(format: Format, report: &Report, locale: Locale) {
+    if report.items().len() == 0 && format == Format::Human {
+        return;
+    }
     let colors = locale.colors(io::stderr().is_terminal());
     let mut out = BufWriter::new(io::stderr().lock());
     // Nobody can be told that stderr is gone.
