@@ -1,8 +1,12 @@
 //! Compiler toolchain for part programs of the CNC8x6, CNC8x9 and CNC872 controls.
 
-pub mod text;
-pub mod dict;
-pub mod diag;
-pub mod config;
-pub mod session;
 pub mod cli;
+pub mod config;
+pub mod diag;
+pub mod dict;
+pub mod expand;
+pub mod ir;
+pub mod resolve;
+pub mod session;
+pub mod syntax;
+pub mod text;

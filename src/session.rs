@@ -1,11 +1,23 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
+use std::sync::Arc;
 
-use crate::config::Settings;
-use crate::diag::Findings;
-use crate::text::{Loader, Sources};
+use crate::config::{Purpose, Settings};
+use crate::diag::{Diagnostic, Finding, Findings, Problem, Severity};
+use crate::expand::{Executor, Stop};
+use crate::ir::{
+    AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA, write_block,
+    write_end, write_file, write_program,
+};
+use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program};
+use crate::text::{DecodeError, FileId, Loader, Location, SourceText, Sources, Span};
+
+/// Blocks between two reports of progress.
+const PROGRESS: u64 = 1 << 16;
+/// Records are handed on in pieces of about this many bytes.
+const PIECE: usize = 1 << 18;
 
 /// Which block records of a stream are written; `program`, `file` and `end` always are.
 #[derive(Clone, Copy, Debug, Default)]
@@ -14,6 +26,16 @@ pub struct Part {
     pub from: u64,
     /// Most block records; all when `None`.
     pub limit: Option<u64>,
+}
+
+impl Part {
+    const fn contains(self, seq: u64) -> bool {
+        seq >= self.from
+            && match self.limit {
+                Some(limit) => seq - self.from < limit,
+                None => true,
+            }
+    }
 }
 
 /// What a run found, with the texts that the places are in.
@@ -25,6 +47,10 @@ pub struct Outcome {
     pub findings: Findings,
     /// Whether the program itself could not be read, or is not what the command takes (exit status 2).
     pub unusable: bool,
+    /// What the run was for: it decides the severity of W0503.
+    pub purpose: Purpose,
+    /// Blocks executed.
+    pub executed: u64,
 }
 
 /// Runs programs with one loader and one configuration.
@@ -41,36 +67,236 @@ pub struct Session<'a> {
 impl Session<'_> {
     /// Checks the program or macrocycle at `path`, which the user calls `name`: everything that `check` finds.
     pub fn check(&self, path: &Path, name: &str) -> Outcome {
-        let _ = (path, name);
-        Outcome::default()
+        let mut outcome = Outcome::default();
+        let Some(source) = self.read(path, name, &mut outcome) else { return outcome };
+        let mut library = Library::new(self.loader, &self.settings.macrocycles, path);
+        let Outcome { sources, findings, executed, .. } = &mut outcome;
+        if let Some(l) = Library::number(path) {
+            resolve_macrocycle(&source, l, self.settings, &mut library, sources, findings);
+            return outcome;
+        }
+        let mut resolved = resolve_program(&source, self.settings, &mut library, sources, findings);
+        if self.has_errors(findings, Purpose::Check) {
+            return outcome;
+        }
+        let mut executor = Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
+        while executor.step().is_some() {
+            if self.is_cancelled(executor.executed()) {
+                break;
+            }
+        }
+        *executed = executor.executed();
+        outcome
     }
 
     /// Compiles the program at `path` to `out`. When the outcome has errors, the stream has no `end` record.
     ///
     /// # Errors
     /// What writing to `out` gives.
-    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut dyn Write) -> std::io::Result<Outcome> {
-        let _ = (path, name, part, out);
-        Ok(Outcome::default())
+    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut dyn Write) -> io::Result<Outcome> {
+        let mut outcome = Outcome { purpose: Purpose::Compile, ..Outcome::default() };
+        if Library::number(path).is_some() {
+            self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
+            return Ok(outcome);
+        }
+        let Some(source) = self.read(path, name, &mut outcome) else { return Ok(outcome) };
+        let mut library = Library::new(self.loader, &self.settings.macrocycles, path);
+        let Outcome { sources, findings, executed, .. } = &mut outcome;
+        let mut resolved = resolve_program(&source, self.settings, &mut library, sources, findings);
+        if self.has_errors(findings, Purpose::Compile) {
+            return Ok(outcome);
+        }
+        let header = self.program_record(&resolved, name);
+        let mut executor =
+            Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Compile);
+        let mut stream = Stream::new(out, part);
+        write_program(&mut stream.buffer, &header);
+        self.write_blocks(&mut executor, &mut stream)?;
+        *executed = executor.executed();
+        let end = executor.end();
+        if let Some(Stop::End(end)) = end
+            && !self.has_errors(findings, Purpose::Compile)
+        {
+            write_end(&mut stream.buffer, &stream.totals.record(end, *executed));
+        }
+        stream.flush()?;
+        Ok(outcome)
     }
 
     /// Whether the name is that of a macrocycle file: `L` and its number, with no extension, `.NC`, `.NCP`, `.MRC` or
     /// `.TXT`, in either case (PRG-6).
     pub fn is_macrocycle_name(path: &Path) -> bool {
-        macrocycle_number(path).is_some()
+        Library::number(path).is_some()
+    }
+
+    /// Writes records until the program ends or has an error.
+    fn write_blocks(&self, executor: &mut Executor<'_, '_>, stream: &mut Stream<'_>) -> io::Result<()> {
+        let axes = executor.axes().to_vec();
+        let mut known_files = vec![FileIndex(0)];
+        loop {
+            let Some(record) = executor.step() else { return Ok(()) };
+            stream.totals.add(record.motion.as_ref());
+            let place = stream.buffer.len();
+            if stream.part.contains(record.seq) {
+                write_block(&mut stream.buffer, record, &axes);
+            }
+            if executor.found_errors() || executor.read_unassigned() {
+                stream.buffer.truncate(place);
+                // What is still to be found is found without writing.
+                while executor.step().is_some() {
+                    if self.is_cancelled(executor.executed()) {
+                        return Ok(());
+                    }
+                }
+                return Ok(());
+            }
+            let current = executor.current_file();
+            if !known_files.contains(&current) {
+                known_files.push(current);
+                let name = executor.source_name(current).unwrap_or_default().to_owned();
+                let mut record = Vec::new();
+                write_file(&mut record, &FileRecord { index: current.0, name });
+                stream.buffer.splice(place..place, record);
+            }
+            if stream.buffer.len() >= PIECE {
+                stream.flush()?;
+            }
+            if self.is_cancelled(executor.executed()) {
+                return Ok(());
+            }
+        }
+    }
+
+    fn is_cancelled(&self, executed: u64) -> bool {
+        executed.is_multiple_of(PROGRESS) && self.progress.is_some_and(|progress| !progress(executed))
+    }
+
+    /// Whether a finding is an error in this run.
+    fn has_errors(&self, findings: &Findings, purpose: Purpose) -> bool {
+        findings.items().iter().any(|diagnostic| {
+            let code = diagnostic.code();
+            let severity = self.settings.severity_for(code, purpose);
+            match purpose {
+                // A warning that is denied does not keep `check` from executing the program.
+                Purpose::Check => code.severity() == Severity::Error && severity == Some(Severity::Error),
+                Purpose::Compile => severity == Some(Severity::Error),
+            }
+        })
+    }
+
+    fn read(&self, path: &Path, name: &str, outcome: &mut Outcome) -> Option<Arc<SourceText>> {
+        let bytes = match self.loader.read(path) {
+            Ok(bytes) => bytes,
+            Err(error) => {
+                self.refuse(name, Problem::from_io(&error), outcome);
+                return None;
+            }
+        };
+        match SourceText::decode(name, bytes, self.settings.encoding) {
+            Ok(source) => Some(Arc::new(source)),
+            Err(DecodeError::TooLarge) => {
+                self.refuse(name, Problem::TooLarge, outcome);
+                None
+            }
+        }
+    }
+
+    fn refuse(&self, name: &str, problem: Problem, outcome: &mut Outcome) {
+        outcome.sources.add(SourceText::from_text(name, ""));
+        outcome.unusable = true;
+        let at = Location { file: FileId(0), span: Span::empty(0) };
+        outcome.findings.add(Diagnostic::new(Finding::UnreadableFile { problem }, at));
+    }
+
+    fn program_record(&self, resolved: &Resolved, name: &str) -> ProgramRecord {
+        let machine = &self.settings.machine;
+        let file = resolved.file(FileIndex(0));
+        let number = file.and_then(|file| file.program).and_then(|word| word.whole());
+        ProgramRecord {
+            schema: SCHEMA.to_owned(),
+            generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
+            dialect: machine.dialect.name().to_owned(),
+            number: number.and_then(|number| u32::try_from(number).ok()).unwrap_or(0),
+            title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
+            file: name.to_owned(),
+            axes: machine
+                .axes
+                .iter()
+                .map(|axis| AxisRecord {
+                    letter: axis.letter.to_string(),
+                    kind: if axis.rotary { "rotary" } else { "linear" }.to_owned(),
+                })
+                .collect(),
+            block_skip: self.settings.block_skip,
+            optional_stop: self.settings.optional_stop,
+            m_functions: machine
+                .m_functions
+                .configured()
+                .map(|function| MFunctionRecord {
+                    no: function.number,
+                    group: function.group,
+                    break_cont: function.break_cont,
+                    break_cont_end: function.break_cont_end,
+                    change_pos: function.change_pos,
+                })
+                .collect(),
+        }
     }
 }
 
-/// The number of the macrocycle that a file of that name holds (PRG-6).
-pub fn macrocycle_number(path: &Path) -> Option<u32> {
-    let name = path.file_name()?.to_str()?.to_ascii_uppercase();
-    let digits = name.strip_prefix('L')?;
-    let digits = [".NC", ".NCP", ".MRC", ".TXT"]
-        .into_iter()
-        .find_map(|extension| digits.strip_suffix(extension))
-        .unwrap_or(digits);
-    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        return None;
+impl std::fmt::Debug for Session<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Session").field("settings", self.settings).finish_non_exhaustive()
     }
-    digits.trim_start_matches('0').parse().ok().filter(|number| (1..=9999).contains(number))
+}
+
+/// The stream on its way out.
+struct Stream<'a> {
+    out: &'a mut dyn Write,
+    buffer: Vec<u8>,
+    part: Part,
+    totals: Totals,
+}
+
+impl<'a> Stream<'a> {
+    fn new(out: &'a mut dyn Write, part: Part) -> Self {
+        Self { out, buffer: Vec::with_capacity(PIECE + PIECE / 4), part, totals: Totals::default() }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.write_all(&self.buffer)?;
+        self.buffer.clear();
+        self.out.flush()
+    }
+}
+
+/// Sums over the lengths as written.
+#[derive(Debug, Default)]
+struct Totals {
+    path: Micro,
+    by_type: [Option<Micro>; MotionType::ALL.len()],
+}
+
+impl Totals {
+    fn add(&mut self, motion: Option<&crate::ir::Motion>) {
+        let Some(motion) = motion else { return };
+        let Some(length) = motion.length_mm else { return };
+        self.path = self.path.plus(length);
+        if let Some(sum) = self.by_type.get_mut(motion.kind as usize) {
+            *sum = Some(sum.unwrap_or_default().plus(length));
+        }
+    }
+
+    fn record(&self, end: u8, blocks: u64) -> EndRecord {
+        EndRecord {
+            reason: format!("M{end:02}"),
+            blocks,
+            path_mm: self.path,
+            path_mm_by_type: MotionType::ALL
+                .into_iter()
+                .zip(self.by_type)
+                .filter_map(|(kind, sum)| Some((kind, sum?)))
+                .collect(),
+        }
+    }
 }

@@ -1,6 +1,6 @@
 %999999 "table of addresses: the limits are in range
 N1 G90 G0 X69999.999 Y-69999.999 Z0069999.9990
-N2 A69999.999 B-69999.999 C0 U1 V2.5 W-3 "ADR-4 nine letters without configured axes"
+N2 A69999.999 B-69999.999 C0 U1 V2.5 W-3 "ADR-4 nine letters when none is named"
 N3 G001 M100 S9999 T69999999 F99999
 N4 S0 T0 P99 D99 H-69999.999 &2222
 N5 P1 D1 H0 &0000 S0009999

@@ -11,6 +11,6 @@ N70 "" X2 "" Y3 "also empty ones, and up to the end of the line
 N80 /1 X3 "LEX-10 digits after a slash are not evaluated"
 N90 / 007 X4
 N100 X5 /2 Y5
-N110 X6 "LEX-13 anything may stand in a comment: ; # $ ( ) ž é ⟨ “ ” „ E5 XO 1,5"
+N110 X6 "LEX-13 anything may stand here: ; # $ ( ) ž é ⟨ “ ” „ E5 XO 1,5"
 N120 / X7
 N130 M30

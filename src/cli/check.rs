@@ -12,9 +12,9 @@ use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, tell};
 use super::walk::{Target, targets};
-use super::words::{Words, problem};
+use super::words::Words;
 use crate::config::Settings;
-use crate::diag::{Diagnostic, Finding, Findings, Format, Report, render};
+use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, render};
 use crate::session::{Outcome, Session};
 use crate::text::{Location, SourceText, Sources};
 
@@ -78,7 +78,7 @@ fn check_all(
     let mut unusable = false;
     let mut add = |(outcome, settings): (Outcome, &Settings)| {
         unusable |= outcome.unusable;
-        report.add_program(&outcome.sources, outcome.findings, |code| settings.severity(code));
+        report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
     };
     if let [only] = targets {
         // The threads of the pool are not started for one program.
@@ -106,8 +106,8 @@ pub(super) fn unreadable(name: &str, error: &io::Error) -> Outcome {
     let file = sources.add(SourceText::from_text(name, ""));
     let mut findings = Findings::new();
     let at = Location { file, ..Location::default() };
-    findings.add(Diagnostic::new(Finding::UnreadableFile { problem: problem(error) }, at));
-    Outcome { sources, findings, unusable: true }
+    findings.add(Diagnostic::new(Finding::UnreadableFile { problem: Problem::from_io(error) }, at));
+    Outcome { sources, findings, unusable: true, ..Outcome::default() }
 }
 
 /// Writes the findings to standard output.

@@ -9,7 +9,7 @@ use super::status::Failure;
 use super::topic::nearest;
 use super::walk::Target;
 use super::words::Words;
-use crate::config::{Level, Overrides, Settings, configure, find_project, parse_parameter};
+use crate::config::{Overrides, Settings, configure, find_project, parse_parameter};
 use crate::diag::{Code, Findings, Report};
 use crate::dict::Lang;
 use crate::text::{Loader, Sources};
@@ -117,13 +117,6 @@ impl Projects {
     pub fn settings(&self, target: &Target) -> Option<&Settings> {
         let index = self.by_folder.get(target.folder())?;
         self.configured.get(*index).map(|configured| &configured.settings)
-    }
-
-    /// For `compile`: a parameter that nobody assigned is an error there, whatever the levels say (PAR-5).
-    pub fn forbid_unassigned_parameters(&mut self) {
-        for configured in &mut self.configured {
-            configured.settings.lints.insert(Code::W0503, Level::Deny);
-        }
     }
 
     /// What is wrong with the project files.

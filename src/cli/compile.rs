@@ -34,7 +34,6 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     }
     let mut projects = Projects::configure(&targets, args.common.config.as_deref(), &overrides, &loader)?;
     let mut report = projects.report();
-    projects.forbid_unassigned_parameters();
     let settings = projects.settings(target).filter(|_| report.errors() == 0);
     let Some(settings) = settings else {
         print(args.common.format, &report, locale);
@@ -52,7 +51,7 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let outcome = written.and_then(|outcome| stream.flush().map(|()| outcome));
     drop(progress);
     let outcome = outcome.map_err(|error| cannot_write(error, output, locale.lang))?;
-    report.add_program(&outcome.sources, outcome.findings, |code| settings.severity(code));
+    report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
     let status = match report.errors() > 0 {
         _ if outcome.unusable => Status::Unusable,
         true => Status::Faulty,

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata};
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 
@@ -39,7 +39,9 @@ fn end_interrupted(lang: Lang) {
     for file in files.iter() {
         let _ = fs::remove_file(file);
     }
-    let _ = writeln!(io::stderr(), "{}: {}", error_prefix(lang), Words::Interrupted.text(lang));
+    // A progress bar may stand in the line.
+    let clear = if io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
+    let _ = writeln!(io::stderr(), "{clear}{}: {}", error_prefix(lang), Words::Interrupted.text(lang));
     std::process::exit(INTERRUPTED);
 }
 

@@ -42,7 +42,8 @@ pub fn targets(paths: &[PathBuf]) -> (Vec<Target>, Vec<PathBuf>) {
     for path in paths {
         let before = search.found.len();
         if !is_stdin(path) && path.is_dir() {
-            search.folder(path);
+            // What is found in the working folder is named as it is there.
+            search.folder(if path.as_os_str() == "." { Path::new("") } else { path });
             if search.found.len() == before && !search.met_again {
                 barren.push(path.clone());
             }

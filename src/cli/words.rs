@@ -118,18 +118,5 @@ pub fn reason(error: &io::Error, lang: Lang) -> String {
         (io::ErrorKind::FileTooLarge, Bilingual { en: "it is too large", cs: "soubor je příliš velký" }),
     ];
     let text = TEXTS.iter().find(|(kind, _)| *kind == error.kind());
-    text.map_or_else(|| problem(error).text(lang), |(_, text)| text.get(lang).to_owned())
-}
-
-/// Why a file cannot be read, as findings say it. [`DiskLoader`](super::DiskLoader) gives errors of these kinds.
-pub fn problem(error: &io::Error) -> Problem {
-    let known = [
-        (io::ErrorKind::NotFound, Problem::NotFound),
-        (io::ErrorKind::PermissionDenied, Problem::Denied),
-        (io::ErrorKind::IsADirectory, Problem::Directory),
-        (io::ErrorKind::Unsupported, Problem::NotAFile),
-        (io::ErrorKind::FileTooLarge, Problem::TooLarge),
-    ];
-    let found = known.into_iter().find(|(kind, _)| *kind == error.kind());
-    found.map_or_else(|| Problem::Other { reason: error.to_string() }, |(_, problem)| problem)
+    text.map_or_else(|| Problem::from_io(error).text(lang), |(_, text)| text.get(lang).to_owned())
 }

@@ -22,34 +22,17 @@ const HIGHEST_GROUP: u8 = 14;
 /// Sets the functions that the ChannelConfig `source`, which is `file` of the run, names. E0701 when it is no XML; E0702
 /// for values of the wrong form or range, E0703 for a standard function in another group, E0704 for one number with
 /// different data, W0705 for unknown attributes; what one of these is found of is not set.
-pub(super) fn read(
-    source: &SourceText,
-    file: FileId,
-    functions: &mut MFunctions,
-    findings: &mut Findings,
-) {
+pub(super) fn read(source: &SourceText, file: FileId, functions: &mut MFunctions, findings: &mut Findings) {
     let document = match xml::parse(source) {
         Ok(document) => document,
         Err((reason, span)) => {
             let at = Location { file, span };
-            findings.add(Diagnostic::new(
-                Finding::UnreadableConfiguration { reason },
-                at,
-            ));
+            findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
             return;
         }
     };
-    let mut reader = Reader {
-        file,
-        source,
-        functions,
-        findings,
-        seen: Vec::new(),
-    };
-    for list in document
-        .descendants()
-        .filter(|node| node.tag_name().name() == LIST)
-    {
+    let mut reader = Reader { file, source, functions, findings, seen: Vec::new() };
+    for list in document.descendants().filter(|node| node.tag_name().name() == LIST) {
         for element in list.children().filter(Node::is_element) {
             reader.element(element);
         }
@@ -80,17 +63,10 @@ impl Reader<'_> {
     }
 
     fn unknown_attributes(&mut self, element: Node<'_, '_>) {
-        for attribute in element
-            .attributes()
-            .filter(|attribute| attribute.namespace().is_none())
-        {
+        for attribute in element.attributes().filter(|attribute| attribute.namespace().is_none()) {
             let name = attribute.name();
             if !ATTRIBUTES.contains(&name) {
-                self.unknown(
-                    name,
-                    to_span(attribute.range_qname()),
-                    nearest(name, ATTRIBUTES),
-                );
+                self.unknown(name, to_span(attribute.range_qname()), nearest(name, ATTRIBUTES));
             }
         }
     }
@@ -100,19 +76,10 @@ impl Reader<'_> {
         let number = attribute("No").map(|no| self.number(no, 0, HIGHEST_M));
         let group = attribute("GroupNo").map(|group| self.number(group, 1, HIGHEST_GROUP));
         let [break_cont, break_cont_end, change_pos] = ["BreakCont", "BreakContEnd", "ChangePos"]
-            .map(|name| {
-                attribute(name)
-                    .map_or(Some(0), |flag| self.number(flag, 0, 1))
-                    .map(|value| value == 1)
-            });
+            .map(|name| attribute(name).map_or(Some(0), |flag| self.number(flag, 0, 1)).map(|value| value == 1));
         let Some(number) = number else {
-            let needs = ConfigNeed::Missing {
-                key: "No".to_owned(),
-            };
-            let finding = Finding::ConfigurationValue {
-                key: element.tag_name().name().to_owned(),
-                needs,
-            };
+            let needs = ConfigNeed::Missing { key: "No".to_owned() };
+            let finding = Finding::ConfigurationValue { key: element.tag_name().name().to_owned(), needs };
             self.add(finding, self.tag_name(element));
             return;
         };
@@ -124,63 +91,32 @@ impl Reader<'_> {
         let Some(known) = self.functions.get(number) else {
             return;
         };
-        let own = if known.standard {
-            known.group
-        } else {
-            HIGHEST_GROUP
-        };
+        let own = if known.standard { known.group } else { HIGHEST_GROUP };
         let Some(group) = group.unwrap_or(Some(own)) else {
             return;
         };
         if known.standard && group != own {
             let at = attribute("GroupNo").map_or(Span::default(), |group| value_span(&group));
-            self.add(
-                Finding::MFunctionFixed {
-                    m: number,
-                    group: own,
-                },
-                at,
-            );
+            self.add(Finding::MFunctionFixed { m: number, group: own }, at);
             return;
         }
-        let function = MFunction {
-            group,
-            configured: true,
-            break_cont,
-            break_cont_end,
-            change_pos,
-            ..known
-        };
-        self.set(
-            function,
-            attribute("No").map_or(Span::default(), |no| value_span(&no)),
-        );
+        let function = MFunction { group, configured: true, break_cont, break_cont_end, change_pos, ..known };
+        self.set(function, attribute("No").map_or(Span::default(), |no| value_span(&no)));
     }
 
     /// Sets a function, unless the document has named it before.
     fn set(&mut self, function: MFunction, at: Span) {
-        match self
-            .seen
-            .iter()
-            .find(|(other, _)| other.number == function.number)
-        {
+        match self.seen.iter().find(|(other, _)| other.number == function.number) {
             None => {
                 self.seen.push((function, at));
                 self.functions.set(function);
             }
             Some((other, _)) if *other == function => {}
             Some(&(_, first)) => {
-                let first = Location {
-                    file: self.file,
-                    span: first,
-                };
-                let at = Location {
-                    file: self.file,
-                    span: at,
-                };
+                let first = Location { file: self.file, span: first };
+                let at = Location { file: self.file, span: at };
                 let finding = Finding::MFunctionRepeated { m: function.number };
-                self.findings
-                    .add(Diagnostic::new(finding, at).with_label(first, LabelText::First));
+                self.findings.add(Diagnostic::new(finding, at).with_label(first, LabelText::First));
             }
         }
     }
@@ -189,51 +125,28 @@ impl Reader<'_> {
     fn number(&mut self, attribute: Attribute<'_, '_>, min: u8, max: u8) -> Option<u8> {
         let text = attribute.value().trim_ascii();
         let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-        let number = text
-            .parse::<u8>()
-            .ok()
-            .filter(|number| digits && (min..=max).contains(number));
+        let number = text.parse::<u8>().ok().filter(|number| digits && (min..=max).contains(number));
         if number.is_none() {
-            let needs = ConfigNeed::Whole {
-                min: i64::from(min),
-                max: i64::from(max),
-            };
+            let needs = ConfigNeed::Whole { min: i64::from(min), max: i64::from(max) };
             let key = attribute.name().to_owned();
-            self.add(
-                Finding::ConfigurationValue { key, needs },
-                value_span(&attribute),
-            );
+            self.add(Finding::ConfigurationValue { key, needs }, value_span(&attribute));
         }
         number
     }
 
     fn unknown(&mut self, name: &str, at: Span, near: Option<String>) {
-        self.add(
-            Finding::UnknownConfigurationKey {
-                key: shown(name),
-                near,
-            },
-            at,
-        );
+        self.add(Finding::UnknownConfigurationKey { key: shown(name), near }, at);
     }
 
     fn add(&mut self, finding: Finding, span: Span) {
-        self.findings.add(Diagnostic::new(
-            finding,
-            Location {
-                file: self.file,
-                span,
-            },
-        ));
+        self.findings.add(Diagnostic::new(finding, Location { file: self.file, span }));
     }
 
     /// The name in the start tag of an element.
     fn tag_name(&self, element: Node<'_, '_>) -> Span {
         let start = element.range().start + 1;
         let rest = self.source.text().get(start..).unwrap_or_default();
-        let length = rest
-            .find(|c: char| c.is_whitespace() || c == '/' || c == '>')
-            .unwrap_or(rest.len());
+        let length = rest.find(|c: char| c.is_whitespace() || c == '/' || c == '>').unwrap_or(rest.len());
         to_span(start..start + length)
     }
 }
@@ -260,10 +173,7 @@ mod tests {
     /// The codes with the text they stand at.
     fn found(text: &str) -> Vec<(Code, String)> {
         let (_, findings, source) = read_text(text);
-        findings
-            .iter()
-            .map(|found| (found.code(), source.slice(found.at.span).to_owned()))
-            .collect()
+        findings.iter().map(|found| (found.code(), source.slice(found.at.span).to_owned())).collect()
     }
 
     fn one(attributes: &str) -> String {
@@ -286,25 +196,10 @@ mod tests {
     fn example_of_the_manual() {
         let (functions, findings, _) = read_text(EXAMPLE);
         assert!(findings.is_empty(), "{findings:?}");
-        let configured: Vec<_> = functions
-            .configured()
-            .map(|m| (m.number, m.group, m.standard))
-            .collect();
-        assert_eq!(
-            configured,
-            [
-                (3, 2, true),
-                (6, 9, true),
-                (91, 10, false),
-                (95, 11, false),
-                (96, 14, false)
-            ]
-        );
+        let configured: Vec<_> = functions.configured().map(|m| (m.number, m.group, m.standard)).collect();
+        assert_eq!(configured, [(3, 2, true), (6, 9, true), (91, 10, false), (95, 11, false), (96, 14, false)]);
         let m6 = functions.get(6).unwrap();
-        assert_eq!(
-            (m6.break_cont, m6.break_cont_end, m6.change_pos),
-            (true, false, true)
-        );
+        assert_eq!((m6.break_cont, m6.break_cont_end, m6.change_pos), (true, false, true));
         assert!(functions.get(95).unwrap().break_cont_end);
         assert!(functions.get(3).unwrap().break_cont);
         assert_eq!(functions.defaults()[2], Some(5));
@@ -337,20 +232,13 @@ mod tests {
             ("No='91' BreakContEnd='ano'", "ano"),
             ("No='91' ChangePos='-1'", "-1"),
         ] {
-            assert_eq!(
-                found(&one(attributes)),
-                [(Code::E0702, at.to_owned())],
-                "{attributes}"
-            );
+            assert_eq!(found(&one(attributes)), [(Code::E0702, at.to_owned())], "{attributes}");
         }
     }
 
     #[test]
     fn a_function_without_number() {
-        assert_eq!(
-            found(&one("GroupNo='10'")),
-            [(Code::E0702, "MFunc".to_owned())]
-        );
+        assert_eq!(found(&one("GroupNo='10'")), [(Code::E0702, "MFunc".to_owned())]);
         let (_, findings, _) = read_text(&one(""));
         assert_eq!(findings[0].finding.message(Lang::Cs), "MFunc postrádá No");
     }
@@ -358,45 +246,27 @@ mod tests {
     /// MFN-3.
     #[test]
     fn a_standard_function_keeps_its_group() {
-        assert_eq!(
-            found(&one("No='8' GroupNo='12'")),
-            [(Code::E0703, "12".to_owned())]
-        );
-        assert_eq!(
-            found(&one("No='30' GroupNo='14'")),
-            [(Code::E0703, "14".to_owned())]
-        );
-        assert_eq!(
-            found(&one("No='36' GroupNo='12'")),
-            [],
-            "M36 is no standard function of CNC872"
-        );
+        assert_eq!(found(&one("No='8' GroupNo='12'")), [(Code::E0703, "12".to_owned())]);
+        assert_eq!(found(&one("No='30' GroupNo='14'")), [(Code::E0703, "14".to_owned())]);
+        assert_eq!(found(&one("No='36' GroupNo='12'")), [], "M36 is no standard function of CNC872");
     }
 
     #[test]
     fn the_same_number_twice() {
-        let text =
-            "<MFunctions><MFunc No='91' GroupNo='10'/><MFunc No='091' GroupNo='11'/></MFunctions>";
+        let text = "<MFunctions><MFunc No='91' GroupNo='10'/><MFunc No='091' GroupNo='11'/></MFunctions>";
         let (functions, findings, source) = read_text(text);
         assert_eq!(found(text), [(Code::E0704, "091".to_owned())]);
         assert_eq!(source.slice(findings[0].labels[0].at.span), "91");
         assert_eq!(functions.group(91), 10);
-        let same =
-            "<MFunctions><MFunc No='6'/><MFunc No='6' GroupNo='9' BreakCont='0'/></MFunctions>";
+        let same = "<MFunctions><MFunc No='6'/><MFunc No='6' GroupNo='9' BreakCont='0'/></MFunctions>";
         assert_eq!(found(same), []);
     }
 
     #[test]
     fn unknown_names() {
-        assert_eq!(
-            found(&one("No='91' BreakCount='1'")),
-            [(Code::W0705, "BreakCount".to_owned())]
-        );
+        assert_eq!(found(&one("No='91' BreakCount='1'")), [(Code::W0705, "BreakCount".to_owned())]);
         let (_, findings, _) = read_text(&one("no='91'"));
-        let help = findings
-            .iter()
-            .find_map(|found| found.finding.help(Lang::En))
-            .unwrap();
+        let help = findings.iter().find_map(|found| found.finding.help(Lang::En)).unwrap();
         assert!(help.contains("`No`"), "{help}");
         let others = "<MFunctions xmlns:x='urn:x'><MFunc x:note='1' No='91'/><Comment/><Mfunc No='92'/></MFunctions>";
         assert_eq!(found(others), [(Code::W0705, "Mfunc".to_owned())]);
@@ -404,10 +274,7 @@ mod tests {
 
     #[test]
     fn elements_elsewhere_are_not_read() {
-        assert_eq!(
-            found("<a><MFunc No='8' GroupNo='12'/><MFunctions/></a>"),
-            []
-        );
+        assert_eq!(found("<a><MFunc No='8' GroupNo='12'/><MFunctions/></a>"), []);
         assert_eq!(found("<a b='&x;'/>"), [(Code::E0701, String::new())]);
     }
 
@@ -415,8 +282,7 @@ mod tests {
     #[test]
     fn large_documents() {
         let (open, close) = ("<a>".repeat(100_000), "</a>".repeat(100_000));
-        let (functions, findings, _) =
-            read_text(&format!("{open}{}{close}", one("No='91' GroupNo='10'")));
+        let (functions, findings, _) = read_text(&format!("{open}{}{close}", one("No='91' GroupNo='10'")));
         assert!(findings.is_empty());
         assert_eq!(functions.group(91), 10);
         let many = "<MFunc No='91' GroupNo='10'/>".repeat(100_000);

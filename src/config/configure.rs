@@ -25,31 +25,14 @@ pub fn configure(
     findings: &mut Findings,
 ) -> Settings {
     let fallback = overrides.encoding.unwrap_or_default();
-    let mut files = Files {
-        loader,
-        sources,
-        findings,
-    };
-    let (values, file) =
-        project.map_or_else(Default::default, |path| files.project(path, fallback));
-    let dialect = overrides
-        .dialect
-        .or(value(values.dialect))
-        .unwrap_or_default();
+    let mut files = Files { loader, sources, findings };
+    let (values, file) = project.map_or_else(Default::default, |path| files.project(path, fallback));
+    let dialect = overrides.dialect.or(value(values.dialect)).unwrap_or_default();
     let known = overrides.dialect.is_some() || !values.dialect_unusable;
     let mut settings = Settings::new(dialect);
-    settings.encoding = overrides
-        .encoding
-        .or(value(values.encoding))
-        .unwrap_or_default();
-    settings.block_skip = overrides
-        .block_skip
-        .or(value(values.block_skip))
-        .unwrap_or(false);
-    settings.optional_stop = overrides
-        .optional_stop
-        .or(value(values.optional_stop))
-        .unwrap_or(false);
+    settings.encoding = overrides.encoding.or(value(values.encoding)).unwrap_or_default();
+    settings.block_skip = overrides.block_skip.or(value(values.block_skip)).unwrap_or(false);
+    settings.optional_stop = overrides.optional_stop.or(value(values.optional_stop)).unwrap_or(false);
     let folder = project.and_then(Path::parent).unwrap_or(Path::new(""));
     settings.macrocycles = if overrides.macrocycles.is_empty() {
         let named = values.macrocycles.iter().flat_map(|list| &list.value);
@@ -57,22 +40,13 @@ pub fn configure(
     } else {
         overrides.macrocycles.clone()
     };
-    let lints = values
-        .lints
-        .iter()
-        .map(|lint| lint.value)
-        .chain(overrides.lints.iter().copied());
+    let lints = values.lints.iter().map(|lint| lint.value).chain(overrides.lints.iter().copied());
     settings.lints = lints.filter(|(code, _)| code.is_configurable()).collect();
     set_machine(&mut settings.machine, &values, overrides);
     if known {
         check_dialect(&values, file, dialect, files.findings);
         if !dialect.has_channel_config() {
-            constants::apply(
-                &values.constants,
-                file,
-                &mut settings.machine.m_functions,
-                files.findings,
-            );
+            constants::apply(&values.constants, file, &mut settings.machine.m_functions, files.findings);
         }
         files.channel_config(&values, file, folder, overrides, &mut settings);
     }
@@ -85,11 +59,7 @@ fn value<T>(setting: Option<Setting<T>>) -> Option<T> {
 
 /// `name` in `folder`, without the parts that lead nowhere.
 fn join(folder: &Path, name: &str) -> PathBuf {
-    folder
-        .join(name)
-        .components()
-        .filter(|part| *part != Component::CurDir)
-        .collect()
+    folder.join(name).components().filter(|part| *part != Component::CurDir).collect()
 }
 
 /// What the machine is, M functions excepted.
@@ -102,31 +72,16 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
             *slot = Some(function.value);
         }
     }
-    machine.parameters = values
-        .parameters
-        .iter()
-        .map(|r| r.value)
-        .chain(overrides.parameters.iter().copied())
-        .collect();
-    machine.operations = values
-        .operations
-        .iter()
-        .map(|operation| operation.value)
-        .collect();
+    machine.parameters =
+        values.parameters.iter().map(|r| r.value).chain(overrides.parameters.iter().copied()).collect();
+    machine.operations = values.operations.iter().map(|operation| operation.value).collect();
     machine.cycles = values.cycles.iter().map(|cycle| cycle.value).collect();
     machine.gears = values.gears.iter().map(|gear| gear.value).collect();
     machine.gears.sort_by_key(|gear| gear.m);
-    machine.constants = values
-        .constants
-        .iter()
-        .map(|constant| constant.value.clone())
-        .collect();
+    machine.constants = values.constants.iter().map(|constant| constant.value.clone()).collect();
     machine.oriented_stop = value(values.oriented_stop).unwrap_or(machine.oriented_stop);
     let limits = &mut machine.limits;
-    limits.records = overrides
-        .max_blocks
-        .or(value(values.records))
-        .unwrap_or(limits.records);
+    limits.records = overrides.max_blocks.or(value(values.records)).unwrap_or(limits.records);
     limits.nesting = value(values.nesting).unwrap_or(limits.nesting);
     limits.feed = value(values.feed).unwrap_or(limits.feed);
     limits.arc_tolerance = value(values.arc_tolerance).unwrap_or(limits.arc_tolerance);
@@ -135,28 +90,17 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
 /// What the file says and the control of the run does not have (§13 Configuration).
 fn check_dialect(values: &Project, file: FileId, dialect: Dialect, findings: &mut Findings) {
     let mut add = |key: &str, span, needs| {
-        let finding = Finding::ConfigurationValue {
-            key: key.to_owned(),
-            needs,
-        };
+        let finding = Finding::ConfigurationValue { key: key.to_owned(), needs };
         findings.add(Diagnostic::new(finding, Location { file, span }));
     };
     if let Some(axis) = values.axes.get(dialect.axes()) {
-        add(
-            "axes",
-            axis.key,
-            ConfigNeed::TooManyAxes {
-                limit: dialect.axes(),
-            },
-        );
+        add("axes", axis.key, ConfigNeed::TooManyAxes { limit: dialect.axes() });
     }
     if dialect.has_channel_config() {
         for constant in &values.constants {
             let number = constant.value.0;
             if constants::group_of(number).is_some() {
-                let needs = ConfigNeed::NotForDialect {
-                    dialect: dialect.name().to_owned(),
-                };
+                let needs = ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() };
                 add(&format!("machine-constants.R{number}"), constant.key, needs);
             }
         }
@@ -184,10 +128,7 @@ impl Files<'_> {
             }
             Err(reason) => {
                 let at = self.nowhere(name);
-                self.findings.add(Diagnostic::new(
-                    Finding::UnreadableConfiguration { reason },
-                    at,
-                ));
+                self.findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
                 (Project::default(), at.file)
             }
         }
@@ -210,33 +151,15 @@ impl Files<'_> {
         };
         if !dialect.has_channel_config() {
             let (key, at) = match option {
-                Some(named) => (
-                    "channel-config",
-                    Location {
-                        file,
-                        span: named.key,
-                    },
-                ),
+                Some(named) => ("channel-config", Location { file, span: named.key }),
                 None => ("--channel-config", self.nowhere(path.display().to_string())),
             };
-            let needs = ConfigNeed::NotForDialect {
-                dialect: dialect.name().to_owned(),
-            };
-            let finding = Finding::ConfigurationValue {
-                key: key.to_owned(),
-                needs,
-            };
+            let needs = ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() };
+            let finding = Finding::ConfigurationValue { key: key.to_owned(), needs };
             self.findings.add(Diagnostic::new(finding, at));
             return;
         }
-        self.m_functions(
-            &path,
-            option.map(|named| Location {
-                file,
-                span: named.at,
-            }),
-            settings,
-        );
+        self.m_functions(&path, option.map(|named| Location { file, span: named.at }), settings);
     }
 
     /// Reads the ChannelConfig at `path`, which `named` names; when it cannot be read, E0701 there, or at an empty text of
@@ -252,32 +175,20 @@ impl Files<'_> {
             }
             Err(reason) => {
                 let at = named.unwrap_or_else(|| self.nowhere(path.display().to_string()));
-                self.findings.add(Diagnostic::new(
-                    Finding::UnreadableConfiguration { reason },
-                    at,
-                ));
+                self.findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
             }
         }
     }
 
     /// An empty place in an empty text of that name.
     fn nowhere(&mut self, name: String) -> Location {
-        let file = self
-            .sources
-            .find(&name)
-            .unwrap_or_else(|| self.sources.add(SourceText::from_text(name, "")));
-        Location {
-            file,
-            span: Span::default(),
-        }
+        let file = self.sources.find(&name).unwrap_or_else(|| self.sources.add(SourceText::from_text(name, "")));
+        Location { file, span: Span::default() }
     }
 
     fn load(&self, path: &Path, fallback: Encoding) -> Result<SourceText, ConfigProblem> {
         let name = path.display().to_string();
-        let bytes = self
-            .loader
-            .read(path)
-            .map_err(|error| unread(&name, &error))?;
+        let bytes = self.loader.read(path).map_err(|error| unread(&name, &error))?;
         if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
             return Err(ConfigProblem::Utf16);
         }
@@ -297,9 +208,7 @@ fn unread(name: &str, error: &io::Error) -> ConfigProblem {
     } else if kind == ErrorKind::IsADirectory {
         ConfigProblem::Directory { name }
     } else {
-        ConfigProblem::File {
-            problem: format!("{name}: {}", shown_path_list(&error.to_string())),
-        }
+        ConfigProblem::File { problem: format!("{name}: {}", shown_path_list(&error.to_string())) }
     }
 }
 
@@ -309,12 +218,7 @@ fn declared_encoding(bytes: &[u8]) -> Option<Encoding> {
     let start = bytes.get(..LONGEST.min(bytes.len()))?;
     let text: String = start.iter().map(|&byte| char::from(byte)).collect();
     let declaration = text.strip_prefix("<?xml")?.split_once("?>")?.0;
-    let value = declaration
-        .split_once("encoding")?
-        .1
-        .trim_start()
-        .strip_prefix('=')?
-        .trim_start();
+    let value = declaration.split_once("encoding")?.1.trim_start().strip_prefix('=')?.trim_start();
     let name = value.split(['"', '\'']).nth(1)?.to_ascii_lowercase();
     match name.as_str() {
         "windows-1250" | "cp1250" => Some(Encoding::Windows1250),

@@ -37,33 +37,17 @@ pub(super) fn apply(
                 for m in list {
                     named.push((m, constant.at));
                     if let Some(known) = functions.get(m) {
-                        functions.set(MFunction {
-                            group,
-                            configured: true,
-                            ..known
-                        });
+                        functions.set(MFunction { group, configured: true, ..known });
                     }
                 }
             }
             Err(problem) => {
                 let first = match problem {
-                    ConstantProblem::Twice { m } => named
-                        .iter()
-                        .find(|(other, _)| *other == m)
-                        .map(|(_, at)| *at),
+                    ConstantProblem::Twice { m } => named.iter().find(|(other, _)| *other == m).map(|(_, at)| *at),
                     ConstantProblem::Digits | ConstantProblem::Standard { .. } => None,
                 };
-                let finding = Finding::MachineConstant {
-                    constant: format!("R{number}"),
-                    problem,
-                };
-                let mut diagnostic = Diagnostic::new(
-                    finding,
-                    Location {
-                        file,
-                        span: constant.at,
-                    },
-                );
+                let finding = Finding::MachineConstant { constant: format!("R{number}"), problem };
+                let mut diagnostic = Diagnostic::new(finding, Location { file, span: constant.at });
                 if let Some(span) = first {
                     diagnostic = diagnostic.with_label(Location { file, span }, LabelText::First);
                 }
@@ -74,11 +58,7 @@ pub(super) fn apply(
 }
 
 /// The functions of one constant, or the first thing wrong with it.
-fn functions_of(
-    digits: &str,
-    functions: &MFunctions,
-    named: &[(u8, Span)],
-) -> Result<Vec<u8>, ConstantProblem> {
+fn functions_of(digits: &str, functions: &MFunctions, named: &[(u8, Span)]) -> Result<Vec<u8>, ConstantProblem> {
     // `91.0` is the whole number 91.
     let digits = match digits.split_once('.') {
         Some((whole, fraction)) if fraction.bytes().all(|digit| digit == b'0') => whole,
@@ -97,14 +77,9 @@ fn functions_of(
     list.retain(|&m| m != 0);
     for (place, &m) in list.iter().enumerate() {
         if let Some(function) = functions.get(m).filter(|function| function.standard) {
-            return Err(ConstantProblem::Standard {
-                m,
-                group: function.group,
-            });
+            return Err(ConstantProblem::Standard { m, group: function.group });
         }
-        if named.iter().any(|(other, _)| *other == m)
-            || list.iter().take(place).any(|&other| other == m)
-        {
+        if named.iter().any(|(other, _)| *other == m) || list.iter().take(place).any(|&other| other == m) {
             return Err(ConstantProblem::Twice { m });
         }
     }
@@ -135,30 +110,11 @@ mod tests {
     /// MFN-5: eight decades; `00` is none, missing leading digits are zeros.
     #[test]
     fn groups_10_to_13() {
-        let (functions, findings) = applied(&[
-            (56, "91929394"),
-            (57, "95000096"),
-            (58, "97"),
-            (59, "0.00"),
-            (39, "60.0"),
-        ]);
+        let (functions, findings) =
+            applied(&[(56, "91929394"), (57, "95000096"), (58, "97"), (59, "0.00"), (39, "60.0")]);
         assert!(findings.is_empty());
-        let groups: Vec<_> = functions
-            .configured()
-            .map(|m| (m.number, m.group))
-            .collect();
-        assert_eq!(
-            groups,
-            [
-                (91, 10),
-                (92, 10),
-                (93, 10),
-                (94, 10),
-                (95, 11),
-                (96, 11),
-                (97, 12)
-            ]
-        );
+        let groups: Vec<_> = functions.configured().map(|m| (m.number, m.group)).collect();
+        assert_eq!(groups, [(91, 10), (92, 10), (93, 10), (94, 10), (95, 11), (96, 11), (97, 12)]);
         assert!(functions.configured().all(|m| !m.standard && !m.break_cont));
     }
 
@@ -169,35 +125,20 @@ mod tests {
             (&[(56, "000000091")], ConstantProblem::Digits),
             (&[(56, "-91")], ConstantProblem::Digits),
             (&[(56, "91.5")], ConstantProblem::Digits),
-            (
-                &[(57, "03000000")],
-                ConstantProblem::Standard { m: 3, group: 2 },
-            ),
+            (&[(57, "03000000")], ConstantProblem::Standard { m: 3, group: 2 }),
             (&[(57, "36")], ConstantProblem::Standard { m: 36, group: 4 }),
             (&[(56, "91920091")], ConstantProblem::Twice { m: 91 }),
-            (
-                &[(58, "91"), (56, "9091")],
-                ConstantProblem::Twice { m: 91 },
-            ),
+            (&[(58, "91"), (56, "9091")], ConstantProblem::Twice { m: 91 }),
         ] {
             let (_, findings) = applied(constants);
             assert_eq!(findings.len(), 1, "{constants:?}");
             assert_eq!(findings[0].code(), Code::E0706);
             let constant = format!("R{}", constants.last().unwrap().0);
-            assert_eq!(
-                findings[0].finding,
-                Finding::MachineConstant { constant, problem },
-                "{constants:?}"
-            );
+            assert_eq!(findings[0].finding, Finding::MachineConstant { constant, problem }, "{constants:?}");
         }
         let (_, findings) = applied(&[(56, "91"), (57, "91")]);
         assert_eq!(findings[0].labels.len(), 1);
-        assert!(
-            findings[0]
-                .finding
-                .message(Lang::Cs)
-                .starts_with("strojní konstanta R57 uvádí M91")
-        );
+        assert!(findings[0].finding.message(Lang::Cs).starts_with("strojní konstanta R57 uvádí M91"));
     }
 
     /// A constant with a fault sets nothing, so it causes no second finding.

@@ -15,34 +15,22 @@ pub const PROJECT_FILE: &str = "cnc872c.toml";
 /// A file that exists and cannot be read counts, so that [`configure`](super::configure()) reports it.
 pub fn find_project(start_folder: &Path, loader: &dyn Loader) -> Option<PathBuf> {
     let start = canonical(start_folder, loader);
-    let folder = start
-        .ancestors()
-        .find(|folder| exists(&folder.join(PROJECT_FILE), loader))?;
-    let named = start_folder
-        .ancestors()
-        .find(|named| canonical(named, loader) == folder)
-        .unwrap_or(folder);
+    let folder = start.ancestors().find(|folder| exists(&folder.join(PROJECT_FILE), loader))?;
+    let named = start_folder.ancestors().find(|named| canonical(named, loader) == folder).unwrap_or(folder);
     Some(named.join(PROJECT_FILE))
 }
 
 /// The canonical path of a folder; the working folder, which is an empty path here, is `.` to the operating system.
 fn canonical(folder: &Path, loader: &dyn Loader) -> PathBuf {
     let here = Path::new(".");
-    let path = loader.canonical(if folder.as_os_str().is_empty() {
-        here
-    } else {
-        folder
-    });
+    let path = loader.canonical(if folder.as_os_str().is_empty() { here } else { folder });
     if path == here { PathBuf::new() } else { path }
 }
 
 fn exists(path: &Path, loader: &dyn Loader) -> bool {
     match loader.read(path) {
         Ok(_) => true,
-        Err(error) => !matches!(
-            error.kind(),
-            ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::IsADirectory
-        ),
+        Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::IsADirectory),
     }
 }
 
@@ -76,39 +64,22 @@ mod tests {
     }
 
     fn found(start: &str, project: &str) -> Option<PathBuf> {
-        find_project(
-            Path::new(start),
-            &From {
-                files: MemoryLoader::new().with(project, ""),
-            },
-        )
+        find_project(Path::new(start), &From { files: MemoryLoader::new().with(project, "") })
     }
 
     #[test]
     fn in_the_folder_or_above() {
         for (start, project, expected) in [
             ("", "/work/cnc872c.toml", "cnc872c.toml"),
-            (
-                "samples",
-                "/work/samples/cnc872c.toml",
-                "samples/cnc872c.toml",
-            ),
-            (
-                "samples/err",
-                "/work/samples/cnc872c.toml",
-                "samples/cnc872c.toml",
-            ),
+            ("samples", "/work/samples/cnc872c.toml", "samples/cnc872c.toml"),
+            ("samples/err", "/work/samples/cnc872c.toml", "samples/cnc872c.toml"),
             ("samples/err", "/work/cnc872c.toml", "cnc872c.toml"),
             ("samples", "/cnc872c.toml", "/cnc872c.toml"),
             ("", "/cnc872c.toml", "/cnc872c.toml"),
             ("/work/a", "/work/cnc872c.toml", "/work/cnc872c.toml"),
             ("/locked/a", "/nothing", "/locked/a/cnc872c.toml"),
         ] {
-            assert_eq!(
-                found(start, project),
-                Some(PathBuf::from(expected)),
-                "{start} {project}"
-            );
+            assert_eq!(found(start, project), Some(PathBuf::from(expected)), "{start} {project}");
         }
     }
 
@@ -120,9 +91,7 @@ mod tests {
 
     #[test]
     fn the_nearest_counts() {
-        let files = MemoryLoader::new()
-            .with("/cnc872c.toml", "")
-            .with("/work/a/cnc872c.toml", "");
+        let files = MemoryLoader::new().with("/cnc872c.toml", "").with("/work/a/cnc872c.toml", "");
         let found = find_project(Path::new("a/b/c"), &From { files });
         assert_eq!(found, Some(PathBuf::from("a/cnc872c.toml")));
     }
@@ -130,9 +99,6 @@ mod tests {
     #[test]
     fn in_memory_without_absolute_paths() {
         let files = MemoryLoader::new().with("cnc872c.toml", "");
-        assert_eq!(
-            find_project(Path::new("a/b"), &files),
-            Some(PathBuf::from("cnc872c.toml"))
-        );
+        assert_eq!(find_project(Path::new("a/b"), &files), Some(PathBuf::from("cnc872c.toml")));
     }
 }

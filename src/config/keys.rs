@@ -77,16 +77,7 @@ const fn row(
     meaning: (&'static str, &'static str),
     rule: &'static str,
 ) -> Row {
-    Row {
-        name,
-        takes,
-        default,
-        meaning: Bilingual {
-            en: meaning.0,
-            cs: meaning.1,
-        },
-        rule,
-    }
+    Row { name, takes, default, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule }
 }
 
 const fn words(en: &'static str, cs: &'static str) -> Default {
@@ -113,30 +104,21 @@ fn axis_kinds() -> Vec<&'static str> {
 }
 
 pub(super) fn operations() -> Vec<&'static str> {
-    Operation::ALL
-        .iter()
-        .map(|operation| operation.name())
-        .collect()
+    Operation::ALL.iter().map(|operation| operation.name()).collect()
 }
 
 pub(super) const DIALECT: Row = row(
     "dialect",
     Takes::OneOf(dialects),
     Default::Text("cnc872"),
-    (
-        "the control that the programs are for",
-        "řídicí systém, pro který programy jsou",
-    ),
+    ("the control that the programs are for", "řídicí systém, pro který programy jsou"),
     "§12",
 );
 pub(super) const ENCODING: Row = row(
     "encoding",
     Takes::OneOf(encodings),
     Default::Text("cp852"),
-    (
-        "the code page of programs that are not in UTF-8",
-        "kódová stránka programů, které nejsou v UTF-8",
-    ),
+    ("the code page of programs that are not in UTF-8", "kódová stránka programů, které nejsou v UTF-8"),
     "LEX-13",
 );
 pub(super) const CHANNEL_CONFIG: Row = row(
@@ -163,10 +145,7 @@ pub(super) const BLOCK_SKIP: Row = row(
     "block-skip",
     Takes::Flag,
     Default::Flag(false),
-    (
-        "whether blocks with `/` are left out",
-        "zda se bloky s `/` vynechávají",
-    ),
+    ("whether blocks with `/` are left out", "zda se bloky s `/` vynechávají"),
     "BLK-6",
 );
 pub(super) const OPTIONAL_STOP: Row = row(
@@ -180,10 +159,7 @@ pub(super) const ORIENTED_STOP: Row = row(
     "oriented-stop",
     Takes::Flag,
     Default::Flag(true),
-    (
-        "whether the machine has the oriented spindle stop M19",
-        "zda stroj má orientovaný stop vřetena M19",
-    ),
+    ("whether the machine has the oriented spindle stop M19", "zda stroj má orientovaný stop vřetena M19"),
     "MFN-10",
 );
 
@@ -197,54 +173,30 @@ pub(super) const AXIS_LETTER: Row = row(
 pub(super) const AXIS_KIND: Row = row(
     "kind",
     Takes::OneOf(axis_kinds),
-    words(
-        "`\"rotary\"` for A, B and C, `\"linear\"` for the others",
-        "`\"rotary\"` pro A, B a C, jinak `\"linear\"`",
-    ),
-    (
-        "whether the axis travels (millimetres) or turns (degrees)",
-        "zda osa jezdí (milimetry), nebo se otáčí (stupně)",
-    ),
+    words("`\"rotary\"` for A, B and C, `\"linear\"` for the others", "`\"rotary\"` pro A, B a C, jinak `\"linear\"`"),
+    ("whether the axis travels (millimetres) or turns (degrees)", "zda osa jezdí (milimetry), nebo se otáčí (stupně)"),
     "ADR-4",
 );
 
 pub(super) const GEAR_M: Row = row(
     "m",
-    Takes::Whole {
-        min: 41,
-        max: Some(44),
-    },
+    Takes::Whole { min: 41, max: Some(44) },
     Default::Required,
-    (
-        "the function of the range, M41 to M44, each once",
-        "funkce rozsahu, M41 až M44, každá jednou",
-    ),
+    ("the function of the range, M41 to M44, each once", "funkce rozsahu, M41 až M44, každá jednou"),
     "MFN-9",
 );
 pub(super) const GEAR_MIN: Row = row(
     "min",
-    Takes::Whole {
-        min: 0,
-        max: Some(9999),
-    },
+    Takes::Whole { min: 0, max: Some(9999) },
     Default::Required,
-    (
-        "least speed of the range in rev/min",
-        "nejnižší otáčky rozsahu v ot/min",
-    ),
+    ("least speed of the range in rev/min", "nejnižší otáčky rozsahu v ot/min"),
     "MFN-9",
 );
 pub(super) const GEAR_MAX: Row = row(
     "max",
-    Takes::Whole {
-        min: 0,
-        max: Some(9999),
-    },
+    Takes::Whole { min: 0, max: Some(9999) },
     Default::Required,
-    (
-        "greatest speed of the range in rev/min, not below `min`",
-        "nejvyšší otáčky rozsahu v ot/min, ne pod `min`",
-    ),
+    ("greatest speed of the range in rev/min, not below `min`", "nejvyšší otáčky rozsahu v ot/min, ne pod `min`"),
     "MFN-9",
 );
 
@@ -252,44 +204,26 @@ pub(super) const RECORDS: Row = row(
     "records",
     Takes::Whole { min: 1, max: None },
     Default::Whole(10_000_000),
-    (
-        "most block records of a stream",
-        "nejvyšší počet záznamů bloků ve výstupu",
-    ),
+    ("most block records of a stream", "nejvyšší počet záznamů bloků ve výstupu"),
     "FLW-9",
 );
 pub(super) const NESTING: Row = row(
     "nesting",
-    Takes::Whole {
-        min: 1,
-        max: Some(1000),
-    },
+    Takes::Whole { min: 1, max: Some(1000) },
     Default::Whole(32),
-    (
-        "most calls open at once",
-        "nejvyšší počet současně otevřených volání",
-    ),
+    ("most calls open at once", "nejvyšší počet současně otevřených volání"),
     "FLW-2",
 );
 pub(super) const FEED: Row = row(
     "feed",
-    Takes::Number {
-        min: Decimal::whole(1),
-        max: Decimal::whole(9_999_999),
-    },
+    Takes::Number { min: Decimal::whole(1), max: Decimal::whole(9_999_999) },
     words("24000; 99999 on CNC872", "24000; u CNC872 99999"),
-    (
-        "greatest feed per minute in mm/min (G94, G96)",
-        "nejvyšší posuv za minutu v mm/min (G94, G96)",
-    ),
+    ("greatest feed per minute in mm/min (G94, G96)", "nejvyšší posuv za minutu v mm/min (G94, G96)"),
     "TEC-1",
 );
 pub(super) const ARC_TOLERANCE: Row = row(
     "arc-tolerance",
-    Takes::Number {
-        min: Decimal::ZERO,
-        max: Decimal::DIMENSION_MAX,
-    },
+    Takes::Number { min: Decimal::ZERO, max: Decimal::DIMENSION_MAX },
     Default::Number(Decimal::from_thousandths(10)),
     (
         "how far the radii at the start and the end of an arc may differ, in mm; a thousandth of the radius where that is more",
@@ -298,15 +232,7 @@ pub(super) const ARC_TOLERANCE: Row = row(
     "MOT-4",
 );
 
-const ROOT: &[Row] = &[
-    DIALECT,
-    ENCODING,
-    CHANNEL_CONFIG,
-    MACROCYCLES,
-    BLOCK_SKIP,
-    OPTIONAL_STOP,
-    ORIENTED_STOP,
-];
+const ROOT: &[Row] = &[DIALECT, ENCODING, CHANNEL_CONFIG, MACROCYCLES, BLOCK_SKIP, OPTIONAL_STOP, ORIENTED_STOP];
 
 #[cfg(test)]
 mod tests {
@@ -329,27 +255,12 @@ mod tests {
             | Default::Words(_) => "",
         };
         assert_eq!(text(DIALECT), settings.machine.dialect.name());
-        assert_eq!(
-            Encoding::NAMED
-                .iter()
-                .find(|(name, _)| *name == text(ENCODING))
-                .unwrap()
-                .1,
-            settings.encoding
-        );
+        assert_eq!(Encoding::NAMED.iter().find(|(name, _)| *name == text(ENCODING)).unwrap().1, settings.encoding);
         assert!(matches!(BLOCK_SKIP.default, Default::Flag(flag) if flag == settings.block_skip));
-        assert!(
-            matches!(OPTIONAL_STOP.default, Default::Flag(flag) if flag == settings.optional_stop)
-        );
-        assert!(
-            matches!(ORIENTED_STOP.default, Default::Flag(flag) if flag == settings.machine.oriented_stop)
-        );
-        assert!(
-            matches!(RECORDS.default, Default::Whole(records) if u64::try_from(records) == Ok(limits.records))
-        );
-        assert!(
-            matches!(NESTING.default, Default::Whole(nesting) if u32::try_from(nesting) == Ok(limits.nesting))
-        );
+        assert!(matches!(OPTIONAL_STOP.default, Default::Flag(flag) if flag == settings.optional_stop));
+        assert!(matches!(ORIENTED_STOP.default, Default::Flag(flag) if flag == settings.machine.oriented_stop));
+        assert!(matches!(RECORDS.default, Default::Whole(records) if u64::try_from(records) == Ok(limits.records)));
+        assert!(matches!(NESTING.default, Default::Whole(nesting) if u32::try_from(nesting) == Ok(limits.nesting)));
         assert!(matches!(ARC_TOLERANCE.default, Default::Number(mm) if mm == limits.arc_tolerance));
         assert_eq!(Dialect::Cnc8x9.highest_feed(), Decimal::whole(24_000));
         assert_eq!(Dialect::Cnc872.highest_feed(), Decimal::whole(99_999));

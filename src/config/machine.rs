@@ -50,11 +50,7 @@ impl Axes {
 
     /// The place in machine order of that letter; `None` when the machine has no such axis (E0311).
     pub fn index(&self, letter: AxisLetter) -> Option<usize> {
-        self.index
-            .get(letter as usize)
-            .copied()
-            .flatten()
-            .map(usize::from)
+        self.index.get(letter as usize).copied().flatten().map(usize::from)
     }
 
     /// The place in machine order of the axis that the address is.
@@ -69,35 +65,24 @@ impl Axes {
 
     /// The 4th axis: the first that is not X, Y or Z (§13 Configuration).
     pub fn fourth(&self) -> Option<usize> {
-        self.axes
-            .iter()
-            .position(|axis| !matches!(axis.letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z))
+        self.axes.iter().position(|axis| !matches!(axis.letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z))
     }
 
     /// The axis that is the spindle under M19: the first of C, A, B that the machine has (§13 M functions).
     pub fn spindle(&self) -> Option<usize> {
-        [AxisLetter::C, AxisLetter::A, AxisLetter::B]
-            .into_iter()
-            .find_map(|letter| self.index(letter))
+        [AxisLetter::C, AxisLetter::A, AxisLetter::B].into_iter().find_map(|letter| self.index(letter))
     }
 
     /// Their letters, as in `X, Y, Z`.
     pub fn letters(&self) -> String {
-        self.axes
-            .iter()
-            .map(|axis| axis.letter.to_string())
-            .collect::<Vec<_>>()
-            .join(", ")
+        self.axes.iter().map(|axis| axis.letter.to_string()).collect::<Vec<_>>().join(", ")
     }
 }
 
 impl Default for Axes {
     /// All nine letters, A, B and C rotary (ADR-4).
     fn default() -> Self {
-        Self::new(AxisLetter::ALL.into_iter().map(|letter| Axis {
-            letter,
-            rotary: letter.is_rotary_by_default(),
-        }))
+        Self::new(AxisLetter::ALL.into_iter().map(|letter| Axis { letter, rotary: letter.is_rotary_by_default() }))
     }
 }
 
@@ -237,10 +222,28 @@ impl Settings {
             Some(Level::Warn) => Some(Severity::Warning),
             Some(Level::Deny) => Some(Severity::Error),
             // LEX-7: the newest control reads longer lines.
-            None if code == Code::E0109 && self.machine.dialect == Dialect::Cnc872 => {
-                Some(Severity::Warning)
-            }
+            None if code == Code::E0109 && self.machine.dialect == Dialect::Cnc872 => Some(Severity::Warning),
             None => Some(code.severity()),
+        }
+    }
+}
+
+/// What a run is for.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum Purpose {
+    /// `check`: findings.
+    #[default]
+    Check,
+    /// `compile`: the stream; a parameter without a value is an error there (PAR-5).
+    Compile,
+}
+
+impl Settings {
+    /// The severity of a code in a run for that purpose; `None` when it is allowed.
+    pub fn severity_for(&self, code: Code, purpose: Purpose) -> Option<Severity> {
+        match purpose {
+            Purpose::Compile if code == Code::W0503 => Some(Severity::Error),
+            Purpose::Compile | Purpose::Check => self.severity(code),
         }
     }
 }

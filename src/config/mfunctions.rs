@@ -57,10 +57,7 @@ impl MFunctions {
                 *default = Some(row.number);
             }
         }
-        Self {
-            functions,
-            defaults,
-        }
+        Self { functions, defaults }
     }
 
     /// The function of that number, 0–100.
@@ -87,9 +84,6 @@ impl MFunctions {
 
     /// The functions that configuration names, by number.
     pub fn configured(&self) -> impl Iterator<Item = MFunction> + '_ {
-        self.functions
-            .iter()
-            .copied()
-            .filter(|function| function.configured)
+        self.functions.iter().copied().filter(|function| function.configured)
     }
 }

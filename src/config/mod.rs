@@ -22,7 +22,7 @@ mod xml;
 
 pub use configure::configure;
 pub use find::{PROJECT_FILE, find_project};
-pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Settings};
+pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Purpose, Settings};
 pub use mfunctions::{MFunction, MFunctions};
 pub use number::{ParameterFault, parse_decimal, parse_parameter};
 pub use overrides::Overrides;

@@ -12,11 +12,8 @@ const HIGHEST_CONSTANT: u16 = 999;
 /// Highest operation code (PAR-8: two digits).
 const HIGHEST_OPERATION: u16 = 99;
 /// Words for levels, with what they mean.
-pub(super) const LEVELS: [(&str, super::Level); 3] = [
-    ("allow", super::Level::Allow),
-    ("warn", super::Level::Warn),
-    ("deny", super::Level::Deny),
-];
+pub(super) const LEVELS: [(&str, super::Level); 3] =
+    [("allow", super::Level::Allow), ("warn", super::Level::Warn), ("deny", super::Level::Deny)];
 
 /// A kind of names.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -44,15 +41,12 @@ impl Names {
             Self::Parameters => plain(name, "R", HIGHEST_PARAMETER),
             Self::Operations => digits(name).filter(|_| name.len() <= 2),
             Self::Cycles => plain(name, "G", 89).filter(|&number| number >= 81),
-            Self::Constants => digits(name.strip_prefix('R')?)
-                .filter(|&number| number <= HIGHEST_CONSTANT && name.len() <= 4),
+            Self::Constants => {
+                digits(name.strip_prefix('R')?).filter(|&number| number <= HIGHEST_CONSTANT && name.len() <= 4)
+            }
             Self::Lints => {
-                let code =
-                    Code::find(name).filter(|code| [code.name(), code.as_str()].contains(&name))?;
-                Code::ALL
-                    .iter()
-                    .position(|&other| other == code)
-                    .and_then(|at| u16::try_from(at).ok())
+                let code = Code::find(name).filter(|code| [code.name(), code.as_str()].contains(&name))?;
+                Code::ALL.iter().position(|&other| other == code).and_then(|at| u16::try_from(at).ok())
             }
         }
     }
@@ -60,19 +54,10 @@ impl Names {
     /// What the value of the name with that number must be.
     pub(super) fn takes(self, number: u16) -> Takes {
         match self {
-            Self::Groups => group(number).map_or(
-                Takes::Whole {
-                    min: 0,
-                    max: Some(99),
-                },
-                Takes::GFunction,
-            ),
+            Self::Groups => group(number).map_or(Takes::Whole { min: 0, max: Some(99) }, Takes::GFunction),
             Self::Parameters => Takes::ParameterValue,
             Self::Operations => Takes::OneOf(operations),
-            Self::Cycles => Takes::Whole {
-                min: 1,
-                max: Some(9999),
-            },
+            Self::Cycles => Takes::Whole { min: 1, max: Some(9999) },
             Self::Constants => Takes::Constant,
             Self::Lints => Takes::OneOf(|| LEVELS.iter().map(|(name, _)| *name).collect()),
         }
@@ -102,17 +87,8 @@ impl Names {
     /// All names with their numbers, for kinds with few of them; a pattern says the others.
     pub(super) fn listed(self) -> Option<Vec<(String, u16)>> {
         match self {
-            Self::Groups => Some(
-                (0..=11)
-                    .filter(|&number| number != 4)
-                    .map(|n| (format!("G{n}"), n))
-                    .collect(),
-            ),
-            Self::Cycles => Some(
-                (81..=89)
-                    .map(|number| (format!("G{number}"), number))
-                    .collect(),
-            ),
+            Self::Groups => Some((0..=11).filter(|&number| number != 4).map(|n| (format!("G{n}"), n)).collect()),
+            Self::Cycles => Some((81..=89).map(|number| (format!("G{number}"), number)).collect()),
             Self::Lints => Some(
                 settable()
                     .flat_map(|code| [code.name(), code.as_str()])
@@ -160,10 +136,7 @@ pub(super) fn group(number: u16) -> Option<GGroup> {
 
 /// The codes whose level can be set.
 pub(super) fn settable() -> impl Iterator<Item = Code> {
-    Code::ALL
-        .iter()
-        .copied()
-        .filter(|code| code.is_configurable())
+    Code::ALL.iter().copied().filter(|code| code.is_configurable())
 }
 
 /// A number without leading zeros behind `prefix`, at most `highest`.
@@ -174,11 +147,7 @@ fn plain(name: &str, prefix: &str, highest: u16) -> Option<u16> {
 
 /// Digits and nothing else.
 fn digits(text: &str) -> Option<u16> {
-    if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) {
-        None
-    } else {
-        text.parse().ok()
-    }
+    if text.is_empty() || !text.bytes().all(|byte| byte.is_ascii_digit()) { None } else { text.parse().ok() }
 }
 
 #[cfg(test)]
@@ -212,10 +181,7 @@ mod tests {
         ] {
             assert_eq!(names.number(name), number, "{name}");
         }
-        assert_eq!(
-            Names::Lints.number("W0214"),
-            Names::Lints.number("empty-block")
-        );
+        assert_eq!(Names::Lints.number("W0214"), Names::Lints.number("empty-block"));
     }
 
     #[test]

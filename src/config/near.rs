@@ -5,10 +5,7 @@ const LONGEST: usize = 60;
 
 /// The candidate that was probably meant by `name`: that with the fewest letters to change, case and `_` for `-` not
 /// counted, and no more than half of them. The first of equals.
-pub(super) fn nearest<'a>(
-    name: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<String> {
+pub(super) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<String> {
     if name.len() > LONGEST {
         return None;
     }
@@ -17,9 +14,7 @@ pub(super) fn nearest<'a>(
     candidates
         .into_iter()
         .map(|candidate| (strsim::osa_distance(&meant, &plain(candidate)), candidate))
-        .filter(|(distance, candidate)| {
-            distance * 2 <= candidate.chars().count().max(meant.chars().count())
-        })
+        .filter(|(distance, candidate)| distance * 2 <= candidate.chars().count().max(meant.chars().count()))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, candidate)| candidate.to_owned())
 }

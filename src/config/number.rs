@@ -26,20 +26,12 @@ pub fn parse_decimal(text: &str) -> Option<Decimal> {
     if (whole.is_empty() && fraction.is_empty()) || !all_digits(whole) || !all_digits(fraction) {
         return None;
     }
-    let digits: Vec<u8> = whole
-        .bytes()
-        .chain(fraction.bytes())
-        .skip_while(|&digit| digit == b'0')
-        .map(|digit| digit - b'0')
-        .collect();
+    let digits: Vec<u8> =
+        whole.bytes().chain(fraction.bytes()).skip_while(|&digit| digit == b'0').map(|digit| digit - b'0').collect();
     let fraction_digits = i64::try_from(fraction.len()).unwrap_or(i64::MAX);
     let shift = exponent.saturating_sub(fraction_digits).saturating_add(3);
     let thousandths = shifted(&digits, shift);
-    Some(Decimal::from_thousandths(if negative {
-        -thousandths
-    } else {
-        thousandths
-    }))
+    Some(Decimal::from_thousandths(if negative { -thousandths } else { thousandths }))
 }
 
 /// The exponent, saturated: beyond a few thousand every number is zero or too large alike.
@@ -49,14 +41,8 @@ fn parse_exponent(text: &str) -> Option<i64> {
         return None;
     }
     let limit = i64::MAX / 4;
-    let magnitude = digits
-        .parse::<i64>()
-        .map_or(limit, |value| value.min(limit));
-    Some(if text.starts_with('-') {
-        -magnitude
-    } else {
-        magnitude
-    })
+    let magnitude = digits.parse::<i64>().map_or(limit, |value| value.min(limit));
+    Some(if text.starts_with('-') { -magnitude } else { magnitude })
 }
 
 /// The number of these digits (the first is not 0) times ten to the power `shift`, rounded, halves up; saturated.
@@ -64,18 +50,14 @@ fn shifted(digits: &[u8], shift: i64) -> i64 {
     if digits.is_empty() {
         return 0;
     }
-    let length = i64::try_from(digits.len())
-        .unwrap_or(i64::MAX)
-        .saturating_add(shift);
+    let length = i64::try_from(digits.len()).unwrap_or(i64::MAX).saturating_add(shift);
     let Ok(kept) = usize::try_from(length) else {
         return 0;
     };
     if kept > MOST_DIGITS {
         return i64::MAX;
     }
-    let value = (0..kept).fold(0_i64, |value, at| {
-        value * 10 + i64::from(digits.get(at).copied().unwrap_or(0))
-    });
+    let value = (0..kept).fold(0_i64, |value, at| value * 10 + i64::from(digits.get(at).copied().unwrap_or(0)));
     value + i64::from(digits.get(kept).is_some_and(|&dropped| dropped >= 5))
 }
 
@@ -98,10 +80,7 @@ impl ParameterFault {
                 en: "a parameter is given as `R10=5` or `R10=-2.5`",
                 cs: "parametr se zadává jako R10=5 nebo R10=-2.5",
             },
-            Self::Number => Bilingual {
-                en: "there are parameters R0 to R95",
-                cs: "jsou jen parametry R0 až R95",
-            },
+            Self::Number => Bilingual { en: "there are parameters R0 to R95", cs: "jsou jen parametry R0 až R95" },
             Self::Value => Bilingual {
                 en: "a parameter takes ±69999.999, or a whole number of up to eight digits",
                 cs: "hodnota parametru je ±69999.999, nebo celé číslo nejvýše o osmi číslicích",
@@ -121,10 +100,7 @@ pub(super) const HIGHEST_PARAMETER: u16 = 95;
 /// [`ParameterFault`], by what is wrong first.
 pub fn parse_parameter(text: &str) -> Result<(u8, Decimal), ParameterFault> {
     let (name, value) = text.split_once('=').ok_or(ParameterFault::Form)?;
-    let number = name
-        .trim()
-        .strip_prefix(['R', 'r'])
-        .ok_or(ParameterFault::Form)?;
+    let number = name.trim().strip_prefix(['R', 'r']).ok_or(ParameterFault::Form)?;
     if number.is_empty() || !number.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(ParameterFault::Form);
     }
@@ -138,11 +114,7 @@ pub fn parse_parameter(text: &str) -> Result<(u8, Decimal), ParameterFault> {
         return Err(ParameterFault::Form);
     }
     let value = parse_decimal(value).ok_or(ParameterFault::Form)?;
-    if value.fits_parameter() {
-        Ok((number, value))
-    } else {
-        Err(ParameterFault::Value)
-    }
+    if value.fits_parameter() { Ok((number, value)) } else { Err(ParameterFault::Value) }
 }
 
 #[cfg(test)]
@@ -194,11 +166,7 @@ mod tests {
 
     #[test]
     fn too_large_saturates() {
-        for text in [
-            "1e400",
-            "999999999999999999999",
-            "1e99999999999999999999999",
-        ] {
+        for text in ["1e400", "999999999999999999999", "1e99999999999999999999999"] {
             assert_eq!(thousandths(text), Some(i64::MAX), "{text}");
         }
         assert_eq!(thousandths("-1e400"), Some(-i64::MAX));
@@ -208,10 +176,8 @@ mod tests {
 
     #[test]
     fn what_is_no_number() {
-        for text in [
-            "", "-", ".", "+.", "1.2.3", "1,5", "e5", "1e", "1e+", "--1", "1_0", "inf", "nan",
-            " 1", "1 ", "١",
-        ] {
+        for text in ["", "-", ".", "+.", "1.2.3", "1,5", "e5", "1e", "1e+", "--1", "1_0", "inf", "nan", " 1", "1 ", "١"]
+        {
             assert_eq!(thousandths(text), None, "{text}");
         }
     }
@@ -220,15 +186,9 @@ mod tests {
     #[test]
     fn parameters_of_the_command_line() {
         assert_eq!(parse_parameter("R10=5"), Ok((10, Decimal::whole(5))));
-        assert_eq!(
-            parse_parameter(" r095 = -2.5 "),
-            Ok((95, Decimal::from_thousandths(-2_500)))
-        );
+        assert_eq!(parse_parameter(" r095 = -2.5 "), Ok((95, Decimal::from_thousandths(-2_500))));
         assert_eq!(parse_parameter("R0=99999999"), Ok((0, Decimal::WHOLE_MAX)));
-        for text in [
-            "", "R10", "10=5", "R=5", "R1=", "R1=x", "R1=5,5", "R1=1e3", "R1=R2", "R-1=5", "R1==5",
-            "P1=5",
-        ] {
+        for text in ["", "R10", "10=5", "R=5", "R1=", "R1=x", "R1=5,5", "R1=1e3", "R1=R2", "R-1=5", "R1==5", "P1=5"] {
             assert_eq!(parse_parameter(text), Err(ParameterFault::Form), "{text}");
         }
         for text in ["R96=5", "R256=5", "R99999999999=5"] {

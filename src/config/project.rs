@@ -69,28 +69,18 @@ impl Project {
             Err(error) => {
                 let (reason, span) = toml_problem(text, &error);
                 let at = Location { file, span };
-                findings.add(Diagnostic::new(
-                    Finding::UnreadableConfiguration { reason },
-                    at,
-                ));
+                findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
                 return Self::default();
             }
         };
         let mut project = Self::default();
-        let root = Table {
-            path: "",
-            at: Span::empty(source.first_offset()),
-            table: document.as_table(),
-        };
+        let root = Table { path: "", at: Span::empty(source.first_offset()), table: document.as_table() };
         project.document(&mut Reader::new(text, file, findings), root);
         project
     }
 
     fn document(&mut self, reader: &mut Reader<'_>, root: Table<'_>) {
-        let sections = SECTIONS
-            .iter()
-            .map(|section| section.name)
-            .filter(|name| !name.is_empty());
+        let sections = SECTIONS.iter().map(|section| section.name).filter(|name| !name.is_empty());
         let known: Vec<&'static str> = Rows::Root.names().into_iter().chain(sections).collect();
         reader.warn_unknown(root, &known);
         self.root(reader, root);
@@ -102,18 +92,11 @@ impl Project {
     }
 
     fn root(&mut self, reader: &mut Reader<'_>, root: Table<'_>) {
-        self.dialect = reader.choice(root, &keys::DIALECT, |name| {
-            Dialect::ALL
-                .into_iter()
-                .find(|dialect| dialect.name() == name)
-        });
-        self.dialect_unusable =
-            self.dialect.is_none() && root.table.contains_key(keys::DIALECT.name);
+        self.dialect =
+            reader.choice(root, &keys::DIALECT, |name| Dialect::ALL.into_iter().find(|dialect| dialect.name() == name));
+        self.dialect_unusable = self.dialect.is_none() && root.table.contains_key(keys::DIALECT.name);
         self.encoding = reader.choice(root, &keys::ENCODING, |name| {
-            Encoding::NAMED
-                .into_iter()
-                .find(|(known, _)| *known == name)
-                .map(|(_, encoding)| encoding)
+            Encoding::NAMED.into_iter().find(|(known, _)| *known == name).map(|(_, encoding)| encoding)
         });
         self.channel_config = reader.text(root, &keys::CHANNEL_CONFIG);
         self.macrocycles = reader.texts(root, &keys::MACROCYCLES);
@@ -126,15 +109,7 @@ impl Project {
         let path = format!("{}.", section.name);
         if let Form::List(rows) = section.form {
             for (at, table) in list(reader, section.name, entry) {
-                self.keys(
-                    reader,
-                    rows,
-                    Table {
-                        path: &path,
-                        at,
-                        table,
-                    },
-                );
+                self.keys(reader, rows, Table { path: &path, at, table });
             }
             return;
         }
@@ -142,11 +117,7 @@ impl Project {
             reader.need(section.name, entry.at, ConfigNeed::Table);
             return;
         };
-        let table = Table {
-            path: &path,
-            at: entry.key,
-            table,
-        };
+        let table = Table { path: &path, at: entry.key, table };
         match section.form {
             Form::Map(names) => self.map(reader, names, table),
             Form::Keys(rows) | Form::List(rows) => self.keys(reader, rows, table),
@@ -156,22 +127,10 @@ impl Project {
     /// A table with these keys.
     fn keys(&mut self, reader: &mut Reader<'_>, rows: Rows, table: Table<'_>) {
         reader.warn_unknown(table, &rows.names());
-        let required = rows
-            .rows()
-            .iter()
-            .filter(|row| matches!(row.default, keys::Default::Required));
-        if let Some(missing) = required
-            .into_iter()
-            .find(|row| !table.table.contains_key(row.name))
-        {
+        let required = rows.rows().iter().filter(|row| matches!(row.default, keys::Default::Required));
+        if let Some(missing) = required.into_iter().find(|row| !table.table.contains_key(row.name)) {
             let name = table.path.trim_end_matches('.');
-            reader.need(
-                name,
-                table.at,
-                ConfigNeed::Missing {
-                    key: missing.name.to_owned(),
-                },
-            );
+            reader.need(name, table.at, ConfigNeed::Missing { key: missing.name.to_owned() });
         }
         match rows {
             Rows::Root => self.root(reader, table),
@@ -196,28 +155,14 @@ impl Project {
             letter.filter(|_| characters.next().is_none())
         });
         let kind = reader.choice(table, &keys::AXIS_KIND, |name| {
-            keys::AXIS_KINDS
-                .into_iter()
-                .find(|(known, _)| *known == name)
-                .map(|(_, rotary)| rotary)
+            keys::AXIS_KINDS.into_iter().find(|(known, _)| *known == name).map(|(_, rotary)| rotary)
         });
         let Some(letter) = letter else {
             return;
         };
         let rotary = kind.map_or(letter.value.is_rotary_by_default(), |kind| kind.value);
-        let axis = Setting {
-            value: Axis {
-                letter: letter.value,
-                rotary,
-            },
-            key: table.at,
-            at: letter.at,
-        };
-        match self
-            .axes
-            .iter()
-            .find(|other| other.value.letter == letter.value)
-        {
+        let axis = Setting { value: Axis { letter: letter.value, rotary }, key: table.at, at: letter.at };
+        match self.axes.iter().find(|other| other.value.letter == letter.value) {
             Some(first) => reader.repeated(letter.value.to_string(), first.at, letter.at),
             None => self.axes.push(axis),
         }
@@ -241,19 +186,8 @@ impl Project {
             reader.repeated(format!("M{}", m.value), first.at, m.at);
             return;
         }
-        let (min, max) = (
-            min.map_or(0, |min| min.value),
-            max.map_or(9999, |max| max.value),
-        );
-        self.gears.push(Setting {
-            value: Gear {
-                m: m.value,
-                min,
-                max,
-            },
-            key: table.at,
-            at: m.at,
-        });
+        let (min, max) = (min.map_or(0, |min| min.value), max.map_or(9999, |max| max.value));
+        self.gears.push(Setting { value: Gear { m: m.value, min, max }, key: table.at, at: m.at });
     }
 
     /// A table whose keys are names of the control.
@@ -269,22 +203,12 @@ impl Project {
                 continue;
             }
             seen.push((number, entry.key));
-            let fixed = (names == Names::Lints)
-                .then(|| code(number))
-                .flatten()
-                .filter(|code| !code.is_configurable());
+            let fixed = (names == Names::Lints).then(|| code(number)).flatten().filter(|code| !code.is_configurable());
             if fixed.is_some() {
-                reader.need(
-                    format!("{}{}", table.path, entry.name),
-                    entry.key,
-                    ConfigNeed::ErrorLevel,
-                );
+                reader.need(format!("{}{}", table.path, entry.name), entry.key, ConfigNeed::ErrorLevel);
                 continue;
             }
-            let taken = entry
-                .item
-                .as_value()
-                .and_then(|value| self.named(reader, names, number, value, entry));
+            let taken = entry.item.as_value().and_then(|value| self.named(reader, names, number, value, entry));
             if taken.is_none() {
                 let key = format!("{}{}", table.path, entry.name);
                 reader.need(key, entry.at, names.takes(number).need());
@@ -293,21 +217,12 @@ impl Project {
     }
 
     /// Sets what the name of that kind and number is given; `None` when the value is not what it takes.
-    fn named(
-        &mut self,
-        reader: &Reader<'_>,
-        names: Names,
-        number: u16,
-        value: &Value,
-        entry: Entry<'_>,
-    ) -> Option<()> {
+    fn named(&mut self, reader: &Reader<'_>, names: Names, number: u16, value: &Value, entry: Entry<'_>) -> Option<()> {
         let takes = names.takes(number);
         let small = u8::try_from(number).ok();
         match names {
             Names::Groups => {
-                let function = u8::try_from(value.as_integer()?)
-                    .ok()
-                    .and_then(GCode::from_number)?;
+                let function = u8::try_from(value.as_integer()?).ok().and_then(GCode::from_number)?;
                 let value = lasting(group(number)?).find(|&code| code == function)?;
                 self.power_up.push(placed(value, entry));
             }
@@ -319,12 +234,8 @@ impl Project {
                 let operation = Operation::from_name(value.as_str()?)?;
                 self.operations.push(placed((small?, operation), entry));
             }
-            Names::Cycles => self
-                .cycles
-                .push(placed((small?, whole(value, takes)?), entry)),
-            Names::Constants => self
-                .constants
-                .push(placed((number, reader.digits(value)?), entry)),
+            Names::Cycles => self.cycles.push(placed((small?, whole(value, takes)?), entry)),
+            Names::Constants => self.constants.push(placed((number, reader.digits(value)?), entry)),
             Names::Lints => {
                 let name = value.as_str()?;
                 let (_, level) = LEVELS.into_iter().find(|(known, _)| *known == name)?;
@@ -336,11 +247,7 @@ impl Project {
 }
 
 fn placed<T>(value: T, entry: Entry<'_>) -> Setting<T> {
-    Setting {
-        value,
-        key: entry.key,
-        at: entry.at,
-    }
+    Setting { value, key: entry.key, at: entry.at }
 }
 
 /// The code at that place of [`Code::ALL`].
@@ -349,11 +256,7 @@ fn code(number: u16) -> Option<Code> {
 }
 
 /// The tables of a list, `[[name]]` or `name = [{ … }]`, each with its header; what is none of these is reported.
-fn list<'t>(
-    reader: &mut Reader<'_>,
-    name: &str,
-    entry: Entry<'t>,
-) -> Vec<(Span, &'t dyn TableLike)> {
+fn list<'t>(reader: &mut Reader<'_>, name: &str, entry: Entry<'t>) -> Vec<(Span, &'t dyn TableLike)> {
     let mut tables: Vec<(Span, &'t dyn TableLike)> = Vec::new();
     match entry.item {
         Item::ArrayOfTables(list) => {
@@ -370,9 +273,7 @@ fn list<'t>(
                 }
             }
         }
-        Item::None | Item::Table(_) | Item::Value(_) => {
-            reader.need(name, entry.at, ConfigNeed::List)
-        }
+        Item::None | Item::Table(_) | Item::Value(_) => reader.need(name, entry.at, ConfigNeed::List),
     }
     tables
 }

@@ -55,39 +55,25 @@ pub(super) struct Reader<'t> {
 impl<'t> Reader<'t> {
     /// For the document that was parsed from `text`, byte-order mark included.
     pub(super) const fn new(text: &'t str, file: FileId, findings: &'t mut Findings) -> Self {
-        Self {
-            text,
-            file,
-            findings,
-        }
+        Self { text, file, findings }
     }
 
     /// Reports that the value of `key` is not what it must be (E0702).
     pub(super) fn need(&mut self, key: impl AsRef<str>, at: Span, needs: ConfigNeed) {
-        let finding = Finding::ConfigurationValue {
-            key: shown(key.as_ref()),
-            needs,
-        };
+        let finding = Finding::ConfigurationValue { key: shown(key.as_ref()), needs };
         self.findings.add(Diagnostic::new(finding, self.place(at)));
     }
 
     /// Reports that `key` is there twice (E0702), at the second.
     pub(super) fn repeated(&mut self, key: impl AsRef<str>, first: Span, second: Span) {
-        let finding = Finding::ConfigurationValue {
-            key: shown(key.as_ref()),
-            needs: ConfigNeed::Repeated,
-        };
+        let finding = Finding::ConfigurationValue { key: shown(key.as_ref()), needs: ConfigNeed::Repeated };
         let first = self.place(first);
-        self.findings
-            .add(Diagnostic::new(finding, self.place(second)).with_label(first, LabelText::First));
+        self.findings.add(Diagnostic::new(finding, self.place(second)).with_label(first, LabelText::First));
     }
 
     /// Reports a key that is not known (W0705).
     pub(super) fn unknown(&mut self, name: &str, at: Span, near: Option<String>) {
-        let finding = Finding::UnknownConfigurationKey {
-            key: shown(name),
-            near,
-        };
+        let finding = Finding::UnknownConfigurationKey { key: shown(name), near };
         self.findings.add(Diagnostic::new(finding, self.place(at)));
     }
 
@@ -95,21 +81,14 @@ impl<'t> Reader<'t> {
     pub(super) fn warn_unknown(&mut self, table: Table<'_>, known: &[&'static str]) {
         for entry in entries(table.table) {
             if !known.contains(&entry.name) {
-                self.unknown(
-                    entry.name,
-                    entry.key,
-                    nearest(entry.name, known.iter().copied()),
-                );
+                self.unknown(entry.name, entry.key, nearest(entry.name, known.iter().copied()));
             }
         }
     }
 
     /// The place of a span in this document.
     pub(super) const fn place(&self, span: Span) -> Location {
-        Location {
-            file: self.file,
-            span,
-        }
+        Location { file: self.file, span }
     }
 
     /// The value of the row's key when it is there and `read` takes it; else reports what the row takes.
@@ -121,17 +100,9 @@ impl<'t> Reader<'t> {
     ) -> Option<Setting<T>> {
         let entry = entry(table.table, row.name)?;
         match entry.item.as_value().and_then(read) {
-            Some(value) => Some(Setting {
-                value,
-                key: entry.key,
-                at: entry.at,
-            }),
+            Some(value) => Some(Setting { value, key: entry.key, at: entry.at }),
             None => {
-                self.need(
-                    format!("{}{}", table.path, row.name),
-                    entry.at,
-                    row.takes.need(),
-                );
+                self.need(format!("{}{}", table.path, row.name), entry.at, row.takes.need());
                 None
             }
         }
@@ -157,23 +128,11 @@ impl<'t> Reader<'t> {
                 Some(text) => texts.push(text.to_owned()),
                 None => {
                     wrong = true;
-                    self.need(
-                        row.name,
-                        value.span().map_or(list.at, to_span),
-                        row.takes.need(),
-                    );
+                    self.need(row.name, value.span().map_or(list.at, to_span), row.takes.need());
                 }
             }
         }
-        if wrong {
-            None
-        } else {
-            Some(Setting {
-                value: texts,
-                key: list.key,
-                at: list.at,
-            })
-        }
+        if wrong { None } else { Some(Setting { value: texts, key: list.key, at: list.at }) }
     }
 
     /// What one of the texts of a row means.
@@ -187,11 +146,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A whole number in the row's range.
-    pub(super) fn whole<T: TryFrom<i64>>(
-        &mut self,
-        table: Table<'_>,
-        row: &Row,
-    ) -> Option<Setting<T>> {
+    pub(super) fn whole<T: TryFrom<i64>>(&mut self, table: Table<'_>, row: &Row) -> Option<Setting<T>> {
         self.take(table, row, |value| whole(value, row.takes))
     }
 
@@ -224,10 +179,7 @@ impl<'t> Reader<'t> {
 
 /// A whole number in the range that `takes` gives.
 pub(super) fn whole<T: TryFrom<i64>>(value: &Value, takes: Takes) -> Option<T> {
-    value
-        .as_integer()
-        .filter(|&number| takes.holds_whole(number))
-        .and_then(|number| T::try_from(number).ok())
+    value.as_integer().filter(|&number| takes.holds_whole(number)).and_then(|number| T::try_from(number).ok())
 }
 
 /// A number in the range that `takes` gives: a float by its digits in the text, never through binary.
@@ -235,11 +187,7 @@ fn number(text: &str, value: &Value, takes: Takes) -> Option<Decimal> {
     let number = match value {
         Value::Integer(number) => Decimal::whole(*number.value()),
         Value::Float(_) => parse_decimal(&written(text, value)?)?,
-        Value::String(_)
-        | Value::Boolean(_)
-        | Value::Datetime(_)
-        | Value::Array(_)
-        | Value::InlineTable(_) => {
+        Value::String(_) | Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
             return None;
         }
     };
@@ -248,8 +196,7 @@ fn number(text: &str, value: &Value, takes: Takes) -> Option<Decimal> {
 
 /// A number as it stands in the text, without `_`.
 fn written(text: &str, value: &Value) -> Option<String> {
-    text.get(value.span()?)
-        .map(|digits| digits.replace('_', ""))
+    text.get(value.span()?).map(|digits| digits.replace('_', ""))
 }
 
 /// A range of the parser as a span.
@@ -266,20 +213,12 @@ pub(super) fn entry<'t>(table: &'t dyn TableLike, name: &str) -> Option<Entry<'t
         Item::Value(value) => value.span().map_or(place, to_span),
         Item::None | Item::Table(_) | Item::ArrayOfTables(_) => place,
     };
-    Some(Entry {
-        name: key.get(),
-        key: place,
-        at,
-        item,
-    })
+    Some(Entry { name: key.get(), key: place, at, item })
 }
 
 /// The entries of a table, in the order of the text.
 pub(super) fn entries(table: &dyn TableLike) -> Vec<Entry<'_>> {
-    let mut entries: Vec<_> = table
-        .iter()
-        .filter_map(|(name, _)| entry(table, name))
-        .collect();
+    let mut entries: Vec<_> = table.iter().filter_map(|(name, _)| entry(table, name)).collect();
     entries.sort_by_key(|entry| entry.key);
     entries
 }

@@ -40,22 +40,14 @@ pub fn reference(lang: Lang) -> String {
 
 fn section(page: &mut String, section: &Section, lang: Lang) -> std::fmt::Result {
     let title = match section.form {
-        Form::Keys(_) if section.name.is_empty() => Bilingual {
-            en: "Before all tables",
-            cs: "Před všemi tabulkami",
+        Form::Keys(_) if section.name.is_empty() => {
+            Bilingual { en: "Before all tables", cs: "Před všemi tabulkami" }.get(lang).to_owned()
         }
-        .get(lang)
-        .to_owned(),
         Form::Keys(_) | Form::Map(_) => format!("`[{}]`", section.name),
         Form::List(_) => format!("`[[{}]]`", section.name),
     };
     let mut meaning = section.meaning.get(lang).chars();
-    let meaning: String = meaning
-        .next()
-        .into_iter()
-        .flat_map(char::to_uppercase)
-        .chain(meaning)
-        .collect();
+    let meaning: String = meaning.next().into_iter().flat_map(char::to_uppercase).chain(meaning).collect();
     writeln!(page, "\n## {title}\n\n{meaning}. ({})\n", section.rule)?;
     match section.form {
         Form::Keys(rows) | Form::List(rows) => keys(page, rows.rows(), lang),
@@ -71,13 +63,7 @@ fn keys(page: &mut String, rows: &[Row], lang: Lang) -> std::fmt::Result {
     writeln!(page, "{}\n|---|---|---|---|---|", head.get(lang))?;
     for row in rows {
         let (takes, default) = (row.takes.shown(lang), default(row.default, lang));
-        writeln!(
-            page,
-            "| `{}` | {takes} | {default} | {} | {} |",
-            row.name,
-            row.meaning.get(lang),
-            row.rule
-        )?;
+        writeln!(page, "| `{}` | {takes} | {default} | {} | {} |", row.name, row.meaning.get(lang), row.rule)?;
     }
     Ok(())
 }
@@ -85,12 +71,7 @@ fn keys(page: &mut String, rows: &[Row], lang: Lang) -> std::fmt::Result {
 fn default(default: Default, lang: Lang) -> String {
     match default {
         Default::Nothing => "–".to_owned(),
-        Default::Required => Bilingual {
-            en: "must be there",
-            cs: "musí být uvedeno",
-        }
-        .get(lang)
-        .to_owned(),
+        Default::Required => Bilingual { en: "must be there", cs: "musí být uvedeno" }.get(lang).to_owned(),
         Default::Flag(flag) => format!("`{flag}`"),
         Default::Whole(number) => format!("`{number}`"),
         Default::Number(number) => format!("`{number}`"),
@@ -100,40 +81,19 @@ fn default(default: Default, lang: Lang) -> String {
 }
 
 fn map(page: &mut String, names: Names, lang: Lang) -> std::fmt::Result {
-    let head = Bilingual {
-        en: "| key | takes |",
-        cs: "| klíč | hodnota |",
-    };
+    let head = Bilingual { en: "| key | takes |", cs: "| klíč | hodnota |" };
     writeln!(page, "{}\n|---|---|", head.get(lang))?;
     if names == Names::Groups {
         for (name, number) in names.listed().unwrap_or_default() {
-            let default = group(number)
-                .and_then(crate::dict::GCode::power_up)
-                .map(|code| code.number().to_string());
-            let word = Bilingual {
-                en: "default",
-                cs: "výchozí",
-            }
-            .get(lang);
+            let default = group(number).and_then(crate::dict::GCode::power_up).map(|code| code.number().to_string());
+            let word = Bilingual { en: "default", cs: "výchozí" }.get(lang);
             let takes = names.takes(number).shown(lang);
-            writeln!(
-                page,
-                "| `{name}` | {takes}; {word} `{}` |",
-                default.unwrap_or_default()
-            )?;
+            writeln!(page, "| `{name}` | {takes}; {word} `{}` |", default.unwrap_or_default())?;
         }
         return Ok(());
     }
-    let number = names
-        .listed()
-        .and_then(|listed| listed.first().map(|(_, number)| *number))
-        .unwrap_or(0);
-    writeln!(
-        page,
-        "| {} | {} |",
-        names.shown(lang),
-        names.takes(number).shown(lang)
-    )
+    let number = names.listed().and_then(|listed| listed.first().map(|(_, number)| *number)).unwrap_or(0);
+    writeln!(page, "| {} | {} |", names.shown(lang), names.takes(number).shown(lang))
 }
 
 #[cfg(test)]
@@ -150,36 +110,19 @@ mod tests {
             for row in rows.rows() {
                 let key = format!("| `{}` |", row.name);
                 assert!(en.contains(&key) && cs.contains(&key), "{key}");
-                assert!(
-                    en.contains(row.meaning.en) && cs.contains(row.meaning.cs),
-                    "{key}"
-                );
+                assert!(en.contains(row.meaning.en) && cs.contains(row.meaning.cs), "{key}");
             }
         }
-        assert!(en.contains(
-            "| `nesting` | whole number 1–1000 | `32` | most calls open at once | FLW-2 |"
-        ));
-        assert!(
-            cs.contains("| `G0` | `0`, `1`, `2`, `3`, `33`; výchozí `0` |"),
-            "{cs}"
-        );
-        assert!(
-            cs.contains("| `R0` až `R95` | ±69999.999, nebo celé číslo do ±99999999 |"),
-            "{cs}"
-        );
-        assert!(
-            cs.contains("## `[[gears]]`\n\nRozsahy otáček vřetena. (MFN-9)"),
-            "{cs}"
-        );
+        assert!(en.contains("| `nesting` | whole number 1–1000 | `32` | most calls open at once | FLW-2 |"));
+        assert!(cs.contains("| `G0` | `0`, `1`, `2`, `3`, `33`; výchozí `0` |"), "{cs}");
+        assert!(cs.contains("| `R0` až `R95` | ±69999.999, nebo celé číslo do ±99999999 |"), "{cs}");
+        assert!(cs.contains("## `[[gears]]`\n\nRozsahy otáček vřetena. (MFN-9)"), "{cs}");
     }
 
     /// Cells hold no character that would end them.
     #[test]
     fn tables_are_whole() {
-        for line in reference(Lang::Cs)
-            .lines()
-            .chain(reference(Lang::En).lines())
-        {
+        for line in reference(Lang::Cs).lines().chain(reference(Lang::En).lines()) {
             if line.starts_with('|') {
                 let cells = line.matches('|').count();
                 assert!(cells == 3 || cells == 6, "{line}");

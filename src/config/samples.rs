@@ -14,13 +14,8 @@ fn marks(text: &str) -> Vec<(u32, u32, u32, String)> {
         let Some(start) = comment.find('^') else {
             continue;
         };
-        let carets = comment[start..]
-            .find(|c| c != '^')
-            .unwrap_or(comment.len() - start);
-        let code = comment[start + carets..]
-            .split_whitespace()
-            .next()
-            .unwrap_or_default();
+        let carets = comment[start..].find(|c| c != '^').unwrap_or(comment.len() - start);
+        let code = comment[start + carets..].split_whitespace().next().unwrap_or_default();
         let column = |at: usize| u32::try_from(at + 1).unwrap();
         marks.push((line, column(start), column(start + carets), code.to_owned()));
     }

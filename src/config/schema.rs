@@ -16,10 +16,7 @@ pub fn schema() -> Value {
         match section.form {
             Form::Keys(Rows::Root) => properties.extend(rows(Rows::Root)),
             Form::Keys(_) | Form::List(_) | Form::Map(_) => {
-                properties.insert(
-                    section.name.to_owned(),
-                    described(table(section), section.meaning.en),
-                );
+                properties.insert(section.name.to_owned(), described(table(section), section.meaning.en));
             }
         }
     }
@@ -42,14 +39,9 @@ fn table(section: &Section) -> Value {
 }
 
 fn object(keys: Rows) -> Value {
-    let required: Vec<_> = keys
-        .rows()
-        .iter()
-        .filter(|row| matches!(row.default, Default::Required))
-        .map(|row| row.name)
-        .collect();
-    let mut object =
-        json!({ "type": "object", "properties": rows(keys), "additionalProperties": false });
+    let required: Vec<_> =
+        keys.rows().iter().filter(|row| matches!(row.default, Default::Required)).map(|row| row.name).collect();
+    let mut object = json!({ "type": "object", "properties": rows(keys), "additionalProperties": false });
     if !required.is_empty() {
         insert(&mut object, "required", json!(required));
     }
@@ -57,10 +49,7 @@ fn object(keys: Rows) -> Value {
 }
 
 fn rows(keys: Rows) -> Map<String, Value> {
-    keys.rows()
-        .iter()
-        .map(|row| (row.name.to_owned(), value(row)))
-        .collect()
+    keys.rows().iter().map(|row| (row.name.to_owned(), value(row))).collect()
 }
 
 fn value(row: &Row) -> Value {
@@ -123,12 +112,9 @@ mod tests {
             toml_edit::Value::Boolean(flag) => json!(flag.value()),
             toml_edit::Value::Datetime(time) => json!(time.to_string()),
             toml_edit::Value::Array(list) => list.iter().map(as_json).collect(),
-            toml_edit::Value::InlineTable(table) => Value::Object(
-                table
-                    .iter()
-                    .map(|(key, value)| (key.to_owned(), as_json(value)))
-                    .collect(),
-            ),
+            toml_edit::Value::InlineTable(table) => {
+                Value::Object(table.iter().map(|(key, value)| (key.to_owned(), as_json(value))).collect())
+            }
         }
     }
 
@@ -190,14 +176,8 @@ mod tests {
     #[test]
     fn keys_are_described() {
         let schema = schema();
-        assert_eq!(
-            schema["properties"]["oriented-stop"]["default"],
-            json!(true)
-        );
-        assert_eq!(
-            schema["properties"]["limits"]["properties"]["arc-tolerance"]["default"],
-            json!(0.01)
-        );
+        assert_eq!(schema["properties"]["oriented-stop"]["default"], json!(true));
+        assert_eq!(schema["properties"]["limits"]["properties"]["arc-tolerance"]["default"], json!(0.01));
         for (name, value) in schema["properties"].as_object().unwrap() {
             assert!(value["description"].is_string(), "{name}");
         }

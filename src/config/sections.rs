@@ -28,31 +28,13 @@ pub(super) enum Form {
     Map(Names),
 }
 
-const fn section(
-    name: &'static str,
-    form: Form,
-    meaning: (&'static str, &'static str),
-    rule: &'static str,
-) -> Section {
-    Section {
-        name,
-        form,
-        meaning: Bilingual {
-            en: meaning.0,
-            cs: meaning.1,
-        },
-        rule,
-    }
+const fn section(name: &'static str, form: Form, meaning: (&'static str, &'static str), rule: &'static str) -> Section {
+    Section { name, form, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule }
 }
 
 /// Every table of the project file, in the order of the specification.
 pub(super) const SECTIONS: &[Section] = &[
-    section(
-        "",
-        Form::Keys(Rows::Root),
-        ("the control and its modes", "systém a jeho režimy"),
-        "§11",
-    ),
+    section("", Form::Keys(Rows::Root), ("the control and its modes", "systém a jeho režimy"), "§11"),
     section(
         "axes",
         Form::List(Rows::Axis),
@@ -74,10 +56,7 @@ pub(super) const SECTIONS: &[Section] = &[
     section(
         "parameters",
         Form::Map(Names::Parameters),
-        (
-            "the machine's parameter table at program start",
-            "tabulka parametrů stroje na začátku programu",
-        ),
+        ("the machine's parameter table at program start", "tabulka parametrů stroje na začátku programu"),
         "PAR-5",
     ),
     section(
@@ -98,12 +77,7 @@ pub(super) const SECTIONS: &[Section] = &[
         ),
         "GRP-6",
     ),
-    section(
-        "gears",
-        Form::List(Rows::Gear),
-        ("the speed ranges of the spindle", "rozsahy otáček vřetena"),
-        "MFN-9",
-    ),
+    section("gears", Form::List(Rows::Gear), ("the speed ranges of the spindle", "rozsahy otáček vřetena"), "MFN-9"),
     section(
         "machine-constants",
         Form::Map(Names::Constants),
@@ -113,19 +87,11 @@ pub(super) const SECTIONS: &[Section] = &[
         ),
         "MFN-5",
     ),
-    section(
-        "limits",
-        Form::Keys(Rows::Limits),
-        ("where the compiler draws a line", "meze překladače"),
-        "§11",
-    ),
+    section("limits", Form::Keys(Rows::Limits), ("where the compiler draws a line", "meze překladače"), "§11"),
     section(
         "lints",
         Form::Map(Names::Lints),
-        (
-            "levels of warnings, and of E0109, by name or code",
-            "úrovně varování a hlášení E0109, podle jména nebo kódu",
-        ),
+        ("levels of warnings, and of E0109, by name or code", "úrovně varování a hlášení E0109, podle jména nebo kódu"),
         "§11",
     ),
 ];

@@ -45,22 +45,12 @@ impl Takes {
             Self::Flag => ConfigNeed::Flag,
             Self::Path => ConfigNeed::Text,
             Self::Paths => ConfigNeed::Texts,
-            Self::OneOf(choices) => ConfigNeed::OneOf {
-                choices: choices().join(", "),
-            },
-            Self::Whole {
-                min,
-                max: Some(max),
-            } => ConfigNeed::Whole { min, max },
+            Self::OneOf(choices) => ConfigNeed::OneOf { choices: choices().join(", ") },
+            Self::Whole { min, max: Some(max) } => ConfigNeed::Whole { min, max },
             Self::Whole { min, max: None } => ConfigNeed::AtLeast { min },
-            Self::Number { min, max } => ConfigNeed::Number {
-                min: min.to_string(),
-                max: max.to_string(),
-            },
+            Self::Number { min, max } => ConfigNeed::Number { min: min.to_string(), max: max.to_string() },
             Self::ParameterValue => ConfigNeed::ParameterValue,
-            Self::GFunction(group) => ConfigNeed::GOfGroup {
-                group: group.to_string(),
-            },
+            Self::GFunction(group) => ConfigNeed::GOfGroup { group: group.to_string() },
             Self::Constant => ConfigNeed::Constant,
         }
     }
@@ -92,10 +82,7 @@ impl Takes {
             Self::Path => json!({ "type": "string" }),
             Self::Paths => json!({ "type": "array", "items": { "type": "string" } }),
             Self::OneOf(choices) => json!({ "enum": choices() }),
-            Self::Whole {
-                min,
-                max: Some(max),
-            } => json!({ "type": "integer", "minimum": min, "maximum": max }),
+            Self::Whole { min, max: Some(max) } => json!({ "type": "integer", "minimum": min, "maximum": max }),
             Self::Whole { min, max: None } => json!({ "type": "integer", "minimum": min }),
             Self::Number { min, max } => range(min, max, "number"),
             Self::ParameterValue => json!({ "anyOf": [
@@ -122,48 +109,30 @@ impl Takes {
             Self::Flag => "`true`, `false`".to_owned(),
             Self::Path => text("path", "cesta"),
             Self::Paths => text("list of paths", "seznam cest"),
-            Self::OneOf(choices) => choices()
-                .into_iter()
-                .map(|choice| format!("`\"{choice}\"`"))
-                .collect::<Vec<_>>()
-                .join(", "),
-            Self::Whole {
-                min,
-                max: Some(max),
-            } => text(
-                &format!("whole number {min}–{max}"),
-                &format!("celé číslo {min}–{max}"),
-            ),
-            Self::Whole { min, max: None } => text(
-                &format!("whole number, {min} or more"),
-                &format!("celé číslo {min} nebo větší"),
-            ),
-            Self::Number { min, max } => text(
-                &format!("number {min}–{max}"),
-                &format!("číslo {min}–{max}"),
-            ),
-            Self::ParameterValue => text(
-                "±69999.999, or a whole number up to ±99999999",
-                "±69999.999, nebo celé číslo do ±99999999",
-            ),
-            Self::GFunction(group) => lasting(group)
-                .map(|code| format!("`{}`", code.number()))
-                .collect::<Vec<_>>()
-                .join(", "),
-            Self::Constant => text(
-                "number, or digits as a text",
-                "číslo, nebo číslice jako text",
-            ),
+            Self::OneOf(choices) => {
+                choices().into_iter().map(|choice| format!("`\"{choice}\"`")).collect::<Vec<_>>().join(", ")
+            }
+            Self::Whole { min, max: Some(max) } => {
+                text(&format!("whole number {min}–{max}"), &format!("celé číslo {min}–{max}"))
+            }
+            Self::Whole { min, max: None } => {
+                text(&format!("whole number, {min} or more"), &format!("celé číslo {min} nebo větší"))
+            }
+            Self::Number { min, max } => text(&format!("number {min}–{max}"), &format!("číslo {min}–{max}")),
+            Self::ParameterValue => {
+                text("±69999.999, or a whole number up to ±99999999", "±69999.999, nebo celé číslo do ±99999999")
+            }
+            Self::GFunction(group) => {
+                lasting(group).map(|code| format!("`{}`", code.number())).collect::<Vec<_>>().join(", ")
+            }
+            Self::Constant => text("number, or digits as a text", "číslo, nebo číslice jako text"),
         }
     }
 }
 
 /// The functions of a group that last beyond their block.
 pub(super) fn lasting(group: GGroup) -> impl Iterator<Item = GCode> {
-    GCode::ALL
-        .iter()
-        .copied()
-        .filter(move |code| code.group() == group && !matches!(code.lasting(), Lasting::Block))
+    GCode::ALL.iter().copied().filter(move |code| code.group() == group && !matches!(code.lasting(), Lasting::Block))
 }
 
 fn range(min: Decimal, max: Decimal, kind: &str) -> Value {
@@ -184,35 +153,19 @@ mod tests {
 
     #[test]
     fn ranges() {
-        let whole = Takes::Whole {
-            min: 1,
-            max: Some(9),
-        };
+        let whole = Takes::Whole { min: 1, max: Some(9) };
         assert!(whole.holds_whole(1) && whole.holds_whole(9));
-        assert!(
-            !whole.holds_whole(0)
-                && !whole.holds_whole(10)
-                && !whole.holds_number(Decimal::whole(5))
-        );
+        assert!(!whole.holds_whole(0) && !whole.holds_whole(10) && !whole.holds_number(Decimal::whole(5)));
         assert!(Takes::Whole { min: 1, max: None }.holds_whole(i64::MAX));
-        let number = Takes::Number {
-            min: Decimal::ZERO,
-            max: Decimal::whole(1),
-        };
-        assert!(
-            number.holds_number(Decimal::whole(1))
-                && !number.holds_number(Decimal::from_thousandths(1001))
-        );
+        let number = Takes::Number { min: Decimal::ZERO, max: Decimal::whole(1) };
+        assert!(number.holds_number(Decimal::whole(1)) && !number.holds_number(Decimal::from_thousandths(1001)));
         assert!(!Takes::Flag.holds_whole(1) && !Takes::Flag.holds_number(Decimal::ZERO));
     }
 
     #[test]
     fn numbers_in_json() {
         assert_eq!(json_number(Decimal::DIMENSION_MAX).to_string(), "69999.999");
-        assert_eq!(
-            json_number(Decimal::WHOLE_MAX.negated()).to_string(),
-            "-99999999"
-        );
+        assert_eq!(json_number(Decimal::WHOLE_MAX.negated()).to_string(), "-99999999");
     }
 
     /// §7: what may be in force at power-up; none of G4, and of G7 only G70.

@@ -61,39 +61,20 @@ pub(super) struct Run {
 }
 
 impl Run {
-    pub(super) fn with(
-        project: Option<&str>,
-        overrides: &Overrides,
-        loader: &MemoryLoader,
-    ) -> Self {
+    pub(super) fn with(project: Option<&str>, overrides: &Overrides, loader: &MemoryLoader) -> Self {
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
-        let settings = configure(
-            project.map(Path::new),
-            overrides,
-            loader,
-            &mut sources,
-            &mut findings,
-        );
-        Self {
-            settings,
-            sources,
-            findings: findings.into_sorted(),
-        }
+        let settings = configure(project.map(Path::new), overrides, loader, &mut sources, &mut findings);
+        Self { settings, sources, findings: findings.into_sorted() }
     }
 
     fn of(text: &str, overrides: &Overrides) -> Self {
-        let loader = MemoryLoader::new()
-            .with("m/cnc872c.toml", text)
-            .with("m/Channel.xml", CHANNEL);
+        let loader = MemoryLoader::new().with("m/cnc872c.toml", text).with("m/Channel.xml", CHANNEL);
         Self::with(Some("m/cnc872c.toml"), overrides, &loader)
     }
 
     /// Codes and the texts they stand at.
     fn found(&self) -> Vec<(Code, &str)> {
-        self.findings
-            .iter()
-            .map(|found| (found.code(), self.sources.slice(found.at)))
-            .collect()
+        self.findings.iter().map(|found| (found.code(), self.sources.slice(found.at))).collect()
     }
 
     fn clean(text: &str) -> Settings {
@@ -121,14 +102,7 @@ fn example_of_the_specification() {
     assert_eq!(machine.parameters[&10], Decimal::from_thousandths(25_500));
     assert_eq!(machine.operations[&1], Operation::Add);
     assert_eq!(machine.cycles[&81], 8100);
-    assert_eq!(
-        machine.gears,
-        [Gear {
-            m: 41,
-            min: 20,
-            max: 500
-        }]
-    );
+    assert_eq!(machine.gears, [Gear { m: 41, min: 20, max: 500 }]);
     assert_eq!(machine.constants[&39], "60.0");
     assert_eq!(machine.limits.feed, Decimal::whole(24_000));
     assert_eq!(settings.lints[&Code::W0214], Level::Allow);
@@ -138,17 +112,10 @@ fn example_of_the_specification() {
 #[test]
 fn defaults() {
     for project in [None, Some("cnc872c.toml")] {
-        let run = Run::with(
-            project,
-            &Overrides::default(),
-            &MemoryLoader::new().with("cnc872c.toml", ""),
-        );
+        let run = Run::with(project, &Overrides::default(), &MemoryLoader::new().with("cnc872c.toml", ""));
         assert_eq!(run.found(), []);
         let machine = &run.settings.machine;
-        assert_eq!(
-            (machine.dialect, machine.axes.count()),
-            (Dialect::Cnc872, 9)
-        );
+        assert_eq!((machine.dialect, machine.axes.count()), (Dialect::Cnc872, 9));
         assert_eq!(machine.limits, Limits::of(Dialect::Cnc872));
         assert!(machine.oriented_stop && run.settings.macrocycles.is_empty());
     }
@@ -169,52 +136,21 @@ fn values_are_set() {
     let machine = &settings.machine;
     assert_eq!(settings.encoding, Encoding::Kamenicky);
     assert!(settings.block_skip && settings.optional_stop && !machine.oriented_stop);
-    assert_eq!(
-        settings.macrocycles,
-        ["m", "m/../shared", "m/own", "/abs"].map(PathBuf::from)
-    );
+    assert_eq!(settings.macrocycles, ["m", "m/../shared", "m/own", "/abs"].map(PathBuf::from));
     assert_eq!(machine.axes.letters(), "Z, A, C");
     let rotary: Vec<_> = machine.axes.iter().map(|axis| axis.rotary).collect();
     assert_eq!(rotary, [false, false, true]);
     assert_eq!(machine.axes.fourth(), machine.axes.index(AxisLetter::A));
-    assert_eq!(
-        (machine.power_up[0], machine.power_up[1]),
-        (Some(GCode::G01), Some(GCode::G19))
-    );
-    assert_eq!(
-        (machine.power_up[10], machine.power_up[5]),
-        (Some(GCode::G74), Some(GCode::G53))
-    );
-    let thousandths: Vec<_> = machine
-        .parameters
-        .values()
-        .map(|value| value.thousandths())
-        .collect();
+    assert_eq!((machine.power_up[0], machine.power_up[1]), (Some(GCode::G01), Some(GCode::G19)));
+    assert_eq!((machine.power_up[10], machine.power_up[5]), (Some(GCode::G74), Some(GCode::G53)));
+    let thousandths: Vec<_> = machine.parameters.values().map(|value| value.thousandths()).collect();
     assert_eq!(thousandths, [-1, 15_000, 16_000, 99_999_999_000]);
     assert_eq!(machine.operations[&2], Operation::Sqrt);
-    assert_eq!(
-        (machine.m_functions.group(91), machine.m_functions.group(92)),
-        (10, 11)
-    );
-    assert_eq!(
-        (
-            machine.constants[&6].as_str(),
-            machine.constants[&340].as_str()
-        ),
-        ("-1", "0012")
-    );
-    assert_eq!(
-        machine.gears.iter().map(|gear| gear.m).collect::<Vec<_>>(),
-        [41, 44]
-    );
-    assert_eq!(
-        (machine.limits.nesting, machine.limits.arc_tolerance),
-        (1000, Decimal::ZERO)
-    );
-    assert_eq!(
-        (settings.lints[&Code::W0214], settings.lints[&Code::E0109]),
-        (Level::Deny, Level::Warn)
-    );
+    assert_eq!((machine.m_functions.group(91), machine.m_functions.group(92)), (10, 11));
+    assert_eq!((machine.constants[&6].as_str(), machine.constants[&340].as_str()), ("-1", "0012"));
+    assert_eq!(machine.gears.iter().map(|gear| gear.m).collect::<Vec<_>>(), [41, 44]);
+    assert_eq!((machine.limits.nesting, machine.limits.arc_tolerance), (1000, Decimal::ZERO));
+    assert_eq!((settings.lints[&Code::W0214], settings.lints[&Code::E0109]), (Level::Deny, Level::Warn));
 }
 
 /// §11: wrong types and ranges are errors at the value.
@@ -259,10 +195,7 @@ fn wrong_values() {
         ("[[gears]]\nm = 41\nmin = 3\nmax = 2", "2"),
         ("[[gears]]\nm = 41\nmax = 2\nmin = 3", "3"),
         ("[[gears]]\nm = 41\nmin = 3", "[[gears]]"),
-        (
-            "gears = [{ m = 41, min = 1, max = 2 }, { m = 41, min = 1, max = 2 }]",
-            "41",
-        ),
+        ("gears = [{ m = 41, min = 1, max = 2 }, { m = 41, min = 1, max = 2 }]", "41"),
         ("[machine-constants]\nR39 = true", "true"),
         ("[machine-constants]\nR39 = 'x'", "'x'"),
         ("[machine-constants]\nR39 = '1e3'", "'1e3'"),
@@ -274,10 +207,7 @@ fn wrong_values() {
         ("[limits]\nfeed = 0.5", "0.5"),
         ("[limits]\narc-tolerance = -0.001", "-0.001"),
         ("[lints]\nempty-block = true", "true"),
-        (
-            "[lints]\nunknown-g-function = 'allow'",
-            "unknown-g-function",
-        ),
+        ("[lints]\nunknown-g-function = 'allow'", "unknown-g-function"),
         ("[lints]\nE0302 = 'nonsense'", "E0302"),
         ("[lints]\nempty-block = 'allow'\nW0214 = 'deny'", "W0214"),
     ] {
@@ -295,10 +225,7 @@ fn unknown_keys() {
         ("[[axes]]\nletter = 'X'\nlimit = 5", "limit"),
         ("gears = [{ m = 41, min = 1, max = 2, mex = 3 }]", "mex"),
         ("[parameters]\nR96 = 5", "R96"),
-        (
-            "[parameters]\n\"R\\u0031\\u0030x\" = 5",
-            "\"R\\u0031\\u0030x\"",
-        ),
+        ("[parameters]\n\"R\\u0031\\u0030x\" = 5", "\"R\\u0031\\u0030x\""),
         ("[power-up]\nG4 = 26", "G4"),
         ("[cycles]\nG80 = 1", "G80"),
         ("[operations]\n'100' = 'add'", "'100'"),
@@ -309,13 +236,7 @@ fn unknown_keys() {
         assert_eq!(Run::one(text), (Code::W0705, at.to_owned()), "{text}");
     }
     let run = Run::of("block_skip = true", &Overrides::default());
-    assert!(
-        run.findings[0]
-            .finding
-            .help(Lang::Cs)
-            .unwrap()
-            .contains("block-skip")
-    );
+    assert!(run.findings[0].finding.help(Lang::Cs).unwrap().contains("block-skip"));
     assert!(!run.settings.block_skip);
 }
 
@@ -337,10 +258,7 @@ fn what_a_control_does_not_have() {
     let axes = "axes = [{letter='X'},{letter='Y'},{letter='Z'},{letter='A'},{letter='B'},{letter='C'},{letter='U'}]\n";
     for (text, at) in [
         ("[machine-constants]\nR56 = '91'", "R56"),
-        (
-            "dialect = 'cnc8x9'\nchannel-config = 'Channel.xml'",
-            "channel-config",
-        ),
+        ("dialect = 'cnc8x9'\nchannel-config = 'Channel.xml'", "channel-config"),
         (&format!("dialect = 'cnc8x6'\n{axes}"), "{letter='U'}"),
     ] {
         assert_eq!(Run::one(text), (Code::E0702, at.to_owned()), "{text}");
@@ -360,70 +278,33 @@ fn the_command_line_wins() {
         dialect: Some(Dialect::Cnc872),
         channel_config: Some(PathBuf::from("m/Channel.xml")),
         macrocycles: vec![PathBuf::from("x"), PathBuf::from("y/z")],
-        parameters: vec![
-            (2, Decimal::whole(20)),
-            (3, Decimal::whole(30)),
-            (3, Decimal::whole(31)),
-        ],
+        parameters: vec![(2, Decimal::whole(20)), (3, Decimal::whole(30)), (3, Decimal::whole(31))],
         block_skip: Some(false),
         optional_stop: Some(true),
         encoding: Some(Encoding::Windows1250),
         max_blocks: Some(7),
-        lints: vec![
-            (Code::W0214, Level::Deny),
-            (Code::W0214, Level::Warn),
-            (Code::E0302, Level::Allow),
-        ],
+        lints: vec![(Code::W0214, Level::Deny), (Code::W0214, Level::Warn), (Code::E0302, Level::Allow)],
     };
     let run = Run::of(text, &overrides);
     assert_eq!(run.found(), []);
     let (settings, machine) = (&run.settings, &run.settings.machine);
-    assert_eq!(
-        (machine.dialect, settings.encoding),
-        (Dialect::Cnc872, Encoding::Windows1250)
-    );
+    assert_eq!((machine.dialect, settings.encoding), (Dialect::Cnc872, Encoding::Windows1250));
     assert_eq!(machine.m_functions.group(91), 10);
     assert_eq!(settings.macrocycles, overrides.macrocycles);
-    let parameters: Vec<_> = machine
-        .parameters
-        .iter()
-        .map(|(&r, value)| (r, value.as_whole()))
-        .collect();
+    let parameters: Vec<_> = machine.parameters.iter().map(|(&r, value)| (r, value.as_whole())).collect();
     assert_eq!(parameters, [(1, Some(1)), (2, Some(20)), (3, Some(31))]);
     assert!(!settings.block_skip && settings.optional_stop);
     assert_eq!(machine.limits.records, 7);
     assert_eq!(machine.limits.feed, Decimal::whole(99_999));
-    let lints: Vec<_> = settings
-        .lints
-        .iter()
-        .map(|(&code, &level)| (code, level))
-        .collect();
-    assert_eq!(
-        lints,
-        [(Code::W0214, Level::Warn), (Code::W0403, Level::Deny)]
-    );
+    let lints: Vec<_> = settings.lints.iter().map(|(&code, &level)| (code, level)).collect();
+    assert_eq!(lints, [(Code::W0214, Level::Warn), (Code::W0403, Level::Deny)]);
 
-    let old = Overrides {
-        dialect: Some(Dialect::Cnc8x9),
-        ..Overrides::default()
-    };
+    let old = Overrides { dialect: Some(Dialect::Cnc8x9), ..Overrides::default() };
     assert_eq!(Run::of("[machine-constants]\nR56 = '91'", &old).found(), []);
-    assert_eq!(
-        Run::of("dialect = 'cnc'", &old).found(),
-        [(Code::E0702, "'cnc'")]
-    );
-    assert_eq!(
-        Run::of("channel-config = 'Channel.xml'", &old).found(),
-        [(Code::E0702, "channel-config")]
-    );
-    let new = Overrides {
-        dialect: Some(Dialect::Cnc872),
-        ..Overrides::default()
-    };
-    assert_eq!(
-        Run::of("dialect = 'cnc8x9'\n[machine-constants]\nR56 = '91'", &new).found(),
-        [(Code::E0702, "R56")]
-    );
+    assert_eq!(Run::of("dialect = 'cnc'", &old).found(), [(Code::E0702, "'cnc'")]);
+    assert_eq!(Run::of("channel-config = 'Channel.xml'", &old).found(), [(Code::E0702, "channel-config")]);
+    let new = Overrides { dialect: Some(Dialect::Cnc872), ..Overrides::default() };
+    assert_eq!(Run::of("dialect = 'cnc8x9'\n[machine-constants]\nR56 = '91'", &new).found(), [(Code::E0702, "R56")]);
 }
 
 #[test]
@@ -431,45 +312,22 @@ fn files_that_cannot_be_read() {
     let none = MemoryLoader::new();
     let run = Run::with(Some("m/x.toml"), &Overrides::default(), &none);
     assert_eq!(run.found(), [(Code::E0701, "")]);
-    assert_eq!(
-        run.sources.get(run.findings[0].at.file).unwrap().name(),
-        "m/x.toml"
-    );
-    assert_eq!(
-        run.findings[0].finding.message(Lang::Cs),
-        "konfiguraci nelze přečíst: soubor m/x.toml neexistuje"
-    );
+    assert_eq!(run.sources.get(run.findings[0].at.file).unwrap().name(), "m/x.toml");
+    assert_eq!(run.findings[0].finding.message(Lang::Cs), "konfiguraci nelze přečíst: soubor m/x.toml neexistuje");
 
     let run = Run::of("channel-config = 'c.xml'", &Overrides::default());
     assert_eq!(run.found(), [(Code::E0701, "'c.xml'")]);
-    assert!(
-        run.findings[0]
-            .finding
-            .message(Lang::En)
-            .ends_with("there is no file `m/c.xml`")
-    );
+    assert!(run.findings[0].finding.message(Lang::En).ends_with("there is no file `m/c.xml`"));
 
-    let overrides = Overrides {
-        channel_config: Some(PathBuf::from("c.xml")),
-        ..Overrides::default()
-    };
+    let overrides = Overrides { channel_config: Some(PathBuf::from("c.xml")), ..Overrides::default() };
     let run = Run::of("channel-config = 'none.xml'", &overrides);
     assert_eq!(run.found(), [(Code::E0701, "")]);
-    assert_eq!(
-        run.sources.get(run.findings[0].at.file).unwrap().name(),
-        "c.xml"
-    );
+    assert_eq!(run.sources.get(run.findings[0].at.file).unwrap().name(), "c.xml");
 
-    let overrides = Overrides {
-        dialect: Some(Dialect::Cnc8x6),
-        ..overrides
-    };
+    let overrides = Overrides { dialect: Some(Dialect::Cnc8x6), ..overrides };
     let run = Run::with(None, &overrides, &none);
     assert_eq!(run.found(), [(Code::E0702, "")]);
-    assert_eq!(
-        run.findings[0].finding.message(Lang::En),
-        "`--channel-config` does not exist on cnc8x6"
-    );
+    assert_eq!(run.findings[0].finding.message(Lang::En), "`--channel-config` does not exist on cnc8x6");
 }
 
 /// LEX-13: code pages of the files themselves; a byte-order mark is tolerated.
@@ -477,11 +335,10 @@ fn files_that_cannot_be_read() {
 fn encodings_of_the_files() {
     let mut toml = b"\xef\xbb\xbf".to_vec();
     toml.extend(b"channel-config = 'C.xml'\nblock-skip = true\n");
-    let mut xml = b"<?xml version='1.0' encoding='windows-1250'?>\n<C note='\xf8'><MFunctions><MFunc No='\xe8'/>".to_vec();
+    let mut xml =
+        b"<?xml version='1.0' encoding='windows-1250'?>\n<C note='\xf8'><MFunctions><MFunc No='\xe8'/>".to_vec();
     xml.extend(b"</MFunctions></C>");
-    let loader = MemoryLoader::new()
-        .with("cnc872c.toml", toml)
-        .with("C.xml", xml);
+    let loader = MemoryLoader::new().with("cnc872c.toml", toml).with("C.xml", xml);
     let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
     assert_eq!(run.found(), [(Code::E0702, "č")]);
     assert!(run.settings.block_skip);
@@ -490,10 +347,7 @@ fn encodings_of_the_files() {
     let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
     assert_eq!(run.found(), [(Code::E0701, "")]);
 
-    let loader = MemoryLoader::new().with(
-        "cnc872c.toml",
-        b"# p\xfd\xa1ruba\nblock-skip = 5\n".to_vec(),
-    );
+    let loader = MemoryLoader::new().with("cnc872c.toml", b"# p\xfd\xa1ruba\nblock-skip = 5\n".to_vec());
     let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
     assert_eq!(run.found(), [(Code::E0702, "5")]);
 }
@@ -504,16 +358,7 @@ fn faults_do_not_hide_each_other() {
     let text = "dialect = 'x'\nblock-skip = 1\n[limits]\nnesting = 0\nrecrods = 1\n[lints]\nno-such = 'warn'\n";
     let run = Run::of(text, &Overrides::default());
     let codes: Vec<_> = run.findings.iter().map(Diagnostic::code).collect();
-    assert_eq!(
-        codes,
-        [
-            Code::E0702,
-            Code::E0702,
-            Code::E0702,
-            Code::W0705,
-            Code::W0705
-        ]
-    );
+    assert_eq!(codes, [Code::E0702, Code::E0702, Code::E0702, Code::W0705, Code::W0705]);
     assert_eq!(run.settings.machine.limits, Limits::of(Dialect::Cnc872));
 }
 
@@ -536,21 +381,13 @@ fn messages() {
             "`limits.records` takes a whole number, 1 or more",
             "limits.records musí být celé číslo 1 nebo větší",
         ),
-        (
-            "[[gears]]\nm = 41\nmin = 1",
-            "`gears` lacks `max`",
-            "gears postrádá max",
-        ),
+        ("[[gears]]\nm = 41\nmin = 1", "`gears` lacks `max`", "gears postrádá max"),
         (
             "[power-up]\nG0 = 17",
             "`power-up.G0` takes a lasting function of group G0",
             "power-up.G0 musí být trvalá funkce skupiny G0",
         ),
-        (
-            "[parameters]\nR96 = 0",
-            "`R96` is not a name known here",
-            "název R96 zde není známý",
-        ),
+        ("[parameters]\nR96 = 0", "`R96` is not a name known here", "název R96 zde není známý"),
         (
             "a = 25,5",
             "the configuration cannot be read: a number has a decimal point, not a comma",
@@ -569,8 +406,5 @@ fn hostile_names_are_shown_harmless() {
     let text = format!("\"\\u001b[2J{}\" = 1", "x".repeat(1000));
     let run = Run::of(&text, &Overrides::default());
     let message = run.findings[0].finding.message(Lang::En);
-    assert!(
-        !message.contains('\u{1b}') && message.len() < 120,
-        "{message}"
-    );
+    assert!(!message.contains('\u{1b}') && message.len() < 120, "{message}");
 }

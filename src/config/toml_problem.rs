@@ -26,10 +26,7 @@ const PROBLEMS: &[(&str, ConfigProblem)] = &[
     ("unexpected key or value", ConfigProblem::OneKeyALine),
     ("unexpected content", ConfigProblem::OneKeyALine),
     ("integer number overflowed", ConfigProblem::NumberTooLarge),
-    (
-        "floating-point number overflowed",
-        ConfigProblem::NumberTooLarge,
-    ),
+    ("floating-point number overflowed", ConfigProblem::NumberTooLarge),
     ("unexpected leading zero", ConfigProblem::NumberForm),
     ("`_` may only go between digits", ConfigProblem::NumberForm),
     ("invalid mantissa", ConfigProblem::NumberForm),
@@ -42,10 +39,7 @@ const PROBLEMS: &[(&str, ConfigProblem)] = &[
     ("invalid hexadecimal number", ConfigProblem::NumberForm),
     ("invalid octal number", ConfigProblem::NumberForm),
     ("invalid binary number", ConfigProblem::NumberForm),
-    (
-        "carriage return must be followed by newline",
-        ConfigProblem::LineEnd,
-    ),
+    ("carriage return must be followed by newline", ConfigProblem::LineEnd),
     ("invalid comment character", ConfigProblem::ControlCharacter),
     ("cannot recurse further", ConfigProblem::TooDeep),
     ("recursion limit", ConfigProblem::TooDeep),
@@ -64,9 +58,7 @@ fn earlier(text: &str, error: &TomlError) -> Option<TomlError> {
     let before = text.get(..error.span()?.start)?;
     let lines = before.get(..before.rfind('\n')? + 1)?;
     // Brackets and texts of many lines may be open only because the lines end here.
-    let open = |error: &TomlError| {
-        error.message().starts_with("unclosed") || error.message().contains("multi-line")
-    };
+    let open = |error: &TomlError| error.message().starts_with("unclosed") || error.message().contains("multi-line");
     Document::parse(lines).err().filter(|error| !open(error))
 }
 
@@ -89,9 +81,7 @@ fn problem(text: &str, error: &TomlError) -> (ConfigProblem, Span) {
             .find(|(beginning, _)| message.starts_with(beginning))
             .map_or(ConfigProblem::NotToml, |(_, problem)| problem.clone())
     };
-    let comma = text
-        .get(range.start..)
-        .is_some_and(|rest| rest.starts_with(','));
+    let comma = text.get(range.start..).is_some_and(|rest| rest.starts_with(','));
     let problem = if problem == ConfigProblem::OneKeyALine && comma {
         ConfigProblem::DecimalComma
     } else if problem == ConfigProblem::UnquotedText && there.is_empty() {
@@ -155,19 +145,9 @@ mod tests {
     #[test]
     fn places_and_names() {
         let (found, at) = told("dialect = \"a\"\n dialect = \"b\"\n");
-        assert_eq!(
-            found,
-            ConfigProblem::KeyTwice {
-                key: "dialect".to_owned()
-            }
-        );
+        assert_eq!(found, ConfigProblem::KeyTwice { key: "dialect".to_owned() });
         assert_eq!(at, Span::new(15, 22));
-        assert_eq!(
-            told("a = 1\na.b = 2").0,
-            ConfigProblem::KeyHasValue {
-                key: "a".to_owned()
-            }
-        );
+        assert_eq!(told("a = 1\na.b = 2").0, ConfigProblem::KeyHasValue { key: "a".to_owned() });
         assert_eq!(told("a = \"x\ny").1, Span::empty(6));
         assert!(found.text(Lang::Cs).contains("dvakrát"));
     }
@@ -175,10 +155,7 @@ mod tests {
     /// The first fault of the text is told, in whatever order the parser meets them.
     #[test]
     fn the_first_fault() {
-        assert_eq!(
-            told("a = \"x\nb 5\n"),
-            (ConfigProblem::TextOpen, Span::empty(6))
-        );
+        assert_eq!(told("a = \"x\nb 5\n"), (ConfigProblem::TextOpen, Span::empty(6)));
         assert_eq!(told("a = [\n1,\n2\n3]\nb 5\n").0, ConfigProblem::Comma);
         assert_eq!(told("a = 1\na = 2\nb 5\n").1, Span::new(6, 7));
         assert_eq!(told("a = \"\"\"\nx\"\"\" 5").0, ConfigProblem::OneKeyALine);

@@ -26,19 +26,11 @@ pub(super) fn parse(source: &SourceText) -> Result<Document<'_>, (ConfigProblem,
     if let Some(element) = overloaded(text) {
         return Err((ConfigProblem::TooMany, element));
     }
-    let options = ParsingOptions {
-        allow_dtd: true,
-        ..ParsingOptions::default()
-    };
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| {
         let end = Span::empty(to_span(0..text.trim_end().len()).end);
-        let ended = matches!(
-            error,
-            Error::UnclosedRootNode | Error::UnexpectedEndOfStream | Error::NoRootNode
-        );
-        let at = Some(error.pos())
-            .filter(|_| !ended)
-            .and_then(|place| offset(text, place));
+        let ended = matches!(error, Error::UnclosedRootNode | Error::UnexpectedEndOfStream | Error::NoRootNode);
+        let at = Some(error.pos()).filter(|_| !ended).and_then(|place| offset(text, place));
         let at = at.map_or(end, Span::empty);
         (problem(&error, text, at), at)
     })
@@ -48,18 +40,12 @@ pub(super) fn parse(source: &SourceText) -> Result<Document<'_>, (ConfigProblem,
 fn declared_entity(text: &str) -> Option<Span> {
     let declaration = "<!ENTITY";
     text.find("<!DOCTYPE")?;
-    text.match_indices(declaration)
-        .map(|(at, _)| at)
-        .find_map(|at| {
-            let rest = text.get(at + declaration.len()..)?.trim_start();
-            let rest = rest.strip_prefix('%').map_or(rest, str::trim_start);
-            let value = rest
-                .trim_start_matches(|c: char| !c.is_whitespace())
-                .trim_start();
-            value
-                .starts_with(['"', '\''])
-                .then(|| to_span(at..at + declaration.len()))
-        })
+    text.match_indices(declaration).map(|(at, _)| at).find_map(|at| {
+        let rest = text.get(at + declaration.len()..)?.trim_start();
+        let rest = rest.strip_prefix('%').map_or(rest, str::trim_start);
+        let value = rest.trim_start_matches(|c: char| !c.is_whitespace()).trim_start();
+        value.starts_with(['"', '\'']).then(|| to_span(at..at + declaration.len()))
+    })
 }
 
 /// The place of the first element with more attributes, or more namespaces in force, than are read.
@@ -87,9 +73,7 @@ fn overloaded(text: &str) -> Option<Span> {
                 prefixes.insert(prefix);
             }
         }
-        if attributes > MOST_ATTRIBUTES
-            || declarations.saturating_mul(prefixes.len()) > MOST_NAMESPACES
-        {
+        if attributes > MOST_ATTRIBUTES || declarations.saturating_mul(prefixes.len()) > MOST_NAMESPACES {
             return Some(to_span(start..start + 1));
         }
         at = place;
@@ -119,48 +103,33 @@ fn offset(text: &str, at: TextPos) -> Option<u32> {
         Some(before) => memchr::memchr_iter(b'\n', text.as_bytes()).nth(before)? + 1,
     };
     let rest = text.get(start..)?;
-    let within = rest
-        .char_indices()
-        .map(|(at, _)| at)
-        .chain([rest.len()])
-        .nth(column)?;
+    let within = rest.char_indices().map(|(at, _)| at).chain([rest.len()]).nth(column)?;
     u32::try_from(start + within).ok()
 }
 
 fn problem(error: &Error, text: &str, at: Span) -> ConfigProblem {
     match error {
-        Error::UnexpectedCloseTag(expected, actual, _) => ConfigProblem::ClosingTag {
-            expected: shown(expected),
-            actual: shown(actual),
-        },
+        Error::UnexpectedCloseTag(expected, actual, _) => {
+            ConfigProblem::ClosingTag { expected: shown(expected), actual: shown(actual) }
+        }
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => ConfigProblem::ElementOpen,
         Error::NoRootNode if text.rfind('<') > text.rfind('>') => ConfigProblem::ElementOpen,
         Error::NoRootNode => ConfigProblem::NoElement,
         Error::DuplicatedAttribute(name, _) => ConfigProblem::AttributeTwice { name: shown(name) },
-        Error::DuplicatedNamespace(name, _) => ConfigProblem::AttributeTwice {
-            name: shown(&format!("xmlns:{name}")),
-        },
-        Error::UnknownEntityReference(name, _) => {
-            ConfigProblem::UnknownEntity { name: shown(name) }
-        }
+        Error::DuplicatedNamespace(name, _) => ConfigProblem::AttributeTwice { name: shown(&format!("xmlns:{name}")) },
+        Error::UnknownEntityReference(name, _) => ConfigProblem::UnknownEntity { name: shown(name) },
         Error::MalformedEntityReference(_) => ConfigProblem::Ampersand,
         Error::InvalidAttributeValue(_) => ConfigProblem::LessThan,
-        Error::InvalidChar(..)
-            if text
-                .get(at.start as usize..)
-                .is_some_and(|rest| rest.starts_with('<')) =>
-        {
+        Error::InvalidChar(..) if text.get(at.start as usize..).is_some_and(|rest| rest.starts_with('<')) => {
             ConfigProblem::LessThan
         }
-        Error::UnknownNamespace(prefix, _) => ConfigProblem::UnknownPrefix {
-            prefix: shown(prefix),
-        },
+        Error::UnknownNamespace(prefix, _) => ConfigProblem::UnknownPrefix { prefix: shown(prefix) },
         Error::UnexpectedDeclaration(_) => ConfigProblem::DeclarationPlace,
         Error::InvalidComment(_) => ConfigProblem::CommentForm,
         Error::NonXmlChar(..) => ConfigProblem::ControlCharacter,
-        Error::NodesLimitReached
-        | Error::AttributesLimitReached
-        | Error::NamespacesLimitReached => ConfigProblem::TooMany,
+        Error::NodesLimitReached | Error::AttributesLimitReached | Error::NamespacesLimitReached => {
+            ConfigProblem::TooMany
+        }
         Error::InvalidXmlPrefixUri(_)
         | Error::UnexpectedXmlUri(_)
         | Error::UnexpectedXmlnsUri(_)
@@ -198,40 +167,17 @@ mod tests {
     fn faults_and_places() {
         let name = |name: &str| name.to_owned();
         for (text, expected, at) in [
-            (
-                "<a>\n <b></a>",
-                ConfigProblem::ClosingTag {
-                    expected: name("b"),
-                    actual: name("a"),
-                },
-                8,
-            ),
+            ("<a>\n <b></a>", ConfigProblem::ClosingTag { expected: name("b"), actual: name("a") }, 8),
             ("<a>\n <b/>\n", ConfigProblem::ElementOpen, 9),
             ("<a", ConfigProblem::ElementOpen, 2),
             ("", ConfigProblem::NoElement, 0),
             ("<!-- č -->", ConfigProblem::NoElement, 11),
-            (
-                "<a x='1' x='2'/>",
-                ConfigProblem::AttributeTwice { name: name("x") },
-                9,
-            ),
-            (
-                "<a>č &x;</a>",
-                ConfigProblem::UnknownEntity { name: name("x") },
-                6,
-            ),
+            ("<a x='1' x='2'/>", ConfigProblem::AttributeTwice { name: name("x") }, 9),
+            ("<a>č &x;</a>", ConfigProblem::UnknownEntity { name: name("x") }, 6),
             ("<a>č & x</a>", ConfigProblem::Ampersand, 6),
             ("<a x='<'/>", ConfigProblem::LessThan, 6),
-            (
-                "<p:a/>",
-                ConfigProblem::UnknownPrefix { prefix: name("p") },
-                1,
-            ),
-            (
-                "\n<?xml version='1.0'?><a/>",
-                ConfigProblem::DeclarationPlace,
-                1,
-            ),
+            ("<p:a/>", ConfigProblem::UnknownPrefix { prefix: name("p") }, 1),
+            ("\n<?xml version='1.0'?><a/>", ConfigProblem::DeclarationPlace, 1),
             ("<a><!-- -- --></a>", ConfigProblem::CommentForm, 3),
             ("<a>\u{1}</a>", ConfigProblem::ControlCharacter, 3),
             ("No=1", ConfigProblem::NotXml, 0),
@@ -248,34 +194,20 @@ mod tests {
         let (_, at) = parse(&source).map(|_| ()).expect_err("not closed");
         let place = source.line_column(at.start);
         assert_eq!((place.line, place.column), (2, 5));
-        assert!(is_read(
-            "\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\"?><a/>"
-        ));
+        assert!(is_read("\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\"?><a/>"));
     }
 
     /// §11: external entities are never fetched; a document type that only names them is no fault.
     #[test]
     fn entities() {
-        assert!(is_read(
-            "<!DOCTYPE a SYSTEM \"http://example.invalid/a.dtd\"><a/>"
-        ));
-        assert!(is_read(
-            "<!DOCTYPE a [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><a/>"
-        ));
+        assert!(is_read("<!DOCTYPE a SYSTEM \"http://example.invalid/a.dtd\"><a/>"));
+        assert!(is_read("<!DOCTYPE a [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><a/>"));
         assert_eq!(
             fault("<!DOCTYPE a [<!ENTITY x SYSTEM \"file:///etc/passwd\">]><a>&x;</a>").0,
-            ConfigProblem::UnknownEntity {
-                name: "x".to_owned()
-            }
+            ConfigProblem::UnknownEntity { name: "x".to_owned() }
         );
-        assert_eq!(
-            fault("<!DOCTYPE a [<!ENTITY x 'y'>]><a>&x;</a>"),
-            (ConfigProblem::EntityDeclared, 13)
-        );
-        assert_eq!(
-            fault("<!DOCTYPE a [<!ENTITY % x 'y'>]><a/>"),
-            (ConfigProblem::EntityDeclared, 13)
-        );
+        assert_eq!(fault("<!DOCTYPE a [<!ENTITY x 'y'>]><a>&x;</a>"), (ConfigProblem::EntityDeclared, 13));
+        assert_eq!(fault("<!DOCTYPE a [<!ENTITY % x 'y'>]><a/>"), (ConfigProblem::EntityDeclared, 13));
         assert!(is_read("<a><!-- <!ENTITY x 'y'> --></a>"));
         assert!(is_read("<a x='&lt;&amp;&#65;'/>"));
     }
@@ -284,28 +216,13 @@ mod tests {
     #[test]
     fn large_and_deep_documents() {
         let count = 100_000;
-        assert!(is_read(&format!(
-            "{}{}",
-            "<a>".repeat(count),
-            "</a>".repeat(count)
-        )));
+        assert!(is_read(&format!("{}{}", "<a>".repeat(count), "</a>".repeat(count))));
         assert_eq!(fault(&"<a>".repeat(count)).0, ConfigProblem::ElementOpen);
-        assert!(is_read(&format!(
-            "<a>{}</a>",
-            "<b x='1' y=\"a>b\"/>\n".repeat(count)
-        )));
+        assert!(is_read(&format!("<a>{}</a>", "<b x='1' y=\"a>b\"/>\n".repeat(count))));
         let attributes: String = (0..count).map(|i| format!(" a{i}='1'")).collect();
-        assert_eq!(
-            fault(&format!("<r><a{attributes}/></r>")),
-            (ConfigProblem::TooMany, 3)
-        );
-        let namespaces: String = (0..count)
-            .map(|i| format!("<a xmlns:n{i}='{i}'>"))
-            .collect();
+        assert_eq!(fault(&format!("<r><a{attributes}/></r>")), (ConfigProblem::TooMany, 3));
+        let namespaces: String = (0..count).map(|i| format!("<a xmlns:n{i}='{i}'>")).collect();
         assert_eq!(fault(&namespaces).0, ConfigProblem::TooMany);
-        assert!(is_read(&format!(
-            "<a>{}</a>",
-            "<b xmlns:x='urn:x' x:y='1'/>".repeat(count)
-        )));
+        assert!(is_read(&format!("<a>{}</a>", "<b xmlns:x='urn:x' x:y='1'/>".repeat(count))));
     }
 }

@@ -38,6 +38,21 @@ details! {
     }
 }
 
+impl Problem {
+    /// What an error of the operating system says.
+    pub fn from_io(error: &std::io::Error) -> Self {
+        match error.kind() {
+            std::io::ErrorKind::NotFound => Self::NotFound,
+            std::io::ErrorKind::PermissionDenied => Self::Denied,
+            std::io::ErrorKind::IsADirectory => Self::Directory,
+            // What the disk loader says of pipes and devices.
+            std::io::ErrorKind::Unsupported => Self::NotAFile,
+            std::io::ErrorKind::FileTooLarge => Self::TooLarge,
+            _ => Self::Other { reason: error.to_string() },
+        }
+    }
+}
+
 details! {
     /// What went wrong in parameter arithmetic (PAR-10).
     ArithmeticFault {

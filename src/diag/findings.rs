@@ -53,7 +53,12 @@ impl Findings {
 
     /// Whether a finding that is an error by default is among them.
     pub fn has_errors(&self) -> bool {
-        self.kept_errors > 0 || self.beyond().0 > 0
+        self.kept_errors > 0
+    }
+
+    /// How many findings are errors by default.
+    pub fn error_count(&self) -> usize {
+        self.kept_errors + self.beyond().0
     }
 
     /// Whether there are none.

@@ -14,12 +14,10 @@ mod render;
 mod report;
 mod shown;
 
-pub use details::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, ParameterNeed, Problem,
-};
+pub use details::{ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, ParameterNeed, Problem};
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
-pub use fix::{Fixed, apply_fixes};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};
+pub use fix::{Fixed, apply_fixes};
 pub use labels::{FixTitle, LabelText};
 pub use registry::{Code, Finding, Severity};
 pub use render::{Format, render, schema};

@@ -28,13 +28,21 @@ impl Severity {
 }
 
 macro_rules! text {
-    (($text:expr)) => { String::from($text) };
-    ($text:literal) => { format!($text) };
+    (($text:expr)) => {
+        String::from($text)
+    };
+    ($text:literal) => {
+        format!($text)
+    };
 }
 
 macro_rules! optional_text {
-    () => { String::new() };
-    ($text:tt) => { text!($text) };
+    () => {
+        String::new()
+    };
+    ($text:tt) => {
+        text!($text)
+    };
 }
 
 macro_rules! diagnostics {
@@ -475,8 +483,8 @@ diagnostics! {
         en (what.text(Lang::En))
         cs (what.text(Lang::Cs))
     [E0510] UnusableParameterValue "unusable-parameter-value" Error { address: Address, parameter: u8, value: String, needs: ParameterNeed }
-        en ({ let needs = needs.text(*address, Lang::En); format!("R{parameter} is {value}, but {needs}") })
-        cs ({ let needs = needs.text(*address, Lang::Cs); format!("R{parameter} má hodnotu {value}, ale {needs}") })
+        en ({ let needs = needs.text(*address, Lang::En); if value.is_empty() { needs } else { format!("R{parameter} is {value}, but {needs}") } })
+        cs ({ let needs = needs.text(*address, Lang::Cs); if value.is_empty() { needs } else { format!("R{parameter} má hodnotu {value}, ale {needs}") } })
     [E0511] ParameterNotAllowed "parameter-not-allowed" Error { address: Address }
         en "`{address}` takes a number, not a parameter"
         cs "za {address} musí být číslo, ne parametr"

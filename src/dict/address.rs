@@ -212,16 +212,7 @@ impl Address {
 
     /// Whether a sign may stand before the value (ADR-1).
     pub const fn takes_sign(self, dialect: Dialect) -> bool {
-        match self.row().form {
-            ValueForm::Auxiliary => matches!(dialect, Dialect::Cnc872),
-            ValueForm::None
-            | ValueForm::Whole { .. }
-            | ValueForm::Dimension
-            | ValueForm::Parameter
-            | ValueForm::Feed
-            | ValueForm::CorrectionDigits
-            | ValueForm::Technological => self.row().sign,
-        }
+        if matches!(self.row().form, Auxiliary) { matches!(dialect, Dialect::Cnc872) } else { self.row().sign }
     }
 
     /// The axis that the address may be.

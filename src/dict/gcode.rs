@@ -201,10 +201,7 @@ impl GCode {
 
     /// Whether its block's axis words are data of a table or transformation, and nothing moves (GRP-4).
     pub const fn makes_words_data(self) -> bool {
-        matches!(
-            self,
-            Self::G92 | Self::G93 | Self::G31 | Self::G35 | Self::G36 | Self::G37 | Self::G38 | Self::G39
-        )
+        matches!(self, Self::G92 | Self::G93 | Self::G31 | Self::G35 | Self::G36 | Self::G37 | Self::G38 | Self::G39)
     }
 
     /// How many operations G26–G29 perform; 0 for the other functions.

@@ -65,10 +65,8 @@ const OLD_ONLY: [MRow; 4] = [
     row(8, 5, Modal, "coolant 1 on", "zapnutí chlazení 1"),
 ];
 
-const NEW_ONLY: [MRow; 2] = [
-    row(7, 5, Modal, "coolant 1 on", "zapnutí chlazení 1"),
-    row(8, 5, Modal, "coolant 2 on", "zapnutí chlazení 2"),
-];
+const NEW_ONLY: [MRow; 2] =
+    [row(7, 5, Modal, "coolant 1 on", "zapnutí chlazení 1"), row(8, 5, Modal, "coolant 2 on", "zapnutí chlazení 2")];
 
 /// The standard M functions of a dialect, by S4 (CNC8x6, CNC8x9) and S0 8.2.1 (CNC872).
 pub fn standard_m_functions(dialect: Dialect) -> impl Iterator<Item = &'static MRow> {

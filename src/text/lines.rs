@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn line_ends() {
         let index = LineIndex::new("a\r\nb\rc\n\u{b}\u{c}\u{85}\u{2028}d\n", 0);
-        assert_eq!(index.starts, [0, 3, 5, 7, 15]);
+        assert_eq!(index.starts, [0, 3, 5, 7, 16]);
         assert_eq!(index.line_at(4), 1);
         assert_eq!(index.line_near(5, 0), 2);
         assert_eq!(index.line_near(0, 3), 0);

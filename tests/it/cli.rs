@@ -220,7 +220,6 @@ fn schemas_are_json_schemas() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn the_schema_of_blocks_is_the_default() {
     let place = Place::with(&[]);
     let text = place.run(&["schema"]).ends(0).stdout;

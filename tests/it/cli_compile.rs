@@ -77,7 +77,6 @@ fn devices_are_written_to_directly() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn the_stream_goes_to_stdout_or_to_a_file() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
     let run = place.run(&["compile", "a.nc"]).ends(0);
@@ -98,7 +97,6 @@ fn the_stream_goes_to_stdout_or_to_a_file() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn a_program_with_errors_leaves_the_old_file() {
     let place = Place::with(&[("bad.nc", BAD.as_bytes()), ("a.jsonl", b"old")]);
     let run = place.run(&["compile", "bad.nc", "-o", "a.jsonl"]).ends(1).says("E0306");
@@ -112,7 +110,6 @@ fn a_program_with_errors_leaves_the_old_file() {
 
 /// PAR-5: in `compile` a parameter without a value is an error, and `-A` cannot change that.
 #[test]
-#[ignore = "needs the pipeline"]
 fn a_parameter_without_a_value_is_an_error_in_compile() {
     let place = Place::with(&[("a.nc", b"%1\nN10 G0 G90 XR10\nN20 M30\n")]);
     place.run(&["check", "a.nc"]).ends(0);
@@ -121,7 +118,6 @@ fn a_parameter_without_a_value_is_an_error_in_compile() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn what_is_no_program_gives_status_2() {
     let place = Place::with(&[("L9001", b"N1 G79 L9001 N2 G70"), ("out", b"old")]);
     place.run(&["compile", "L9001", "-o", "out"]).ends(2).says("it is a macrocycle");
@@ -131,7 +127,6 @@ fn what_is_no_program_gives_status_2() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn a_closed_pipe_is_no_error() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
     let run = place.run_into(&["compile", "a.nc"], closed_pipe()).ends(0);
@@ -140,7 +135,6 @@ fn a_closed_pipe_is_no_error() {
 
 #[cfg(target_os = "linux")]
 #[test]
-#[ignore = "needs the pipeline"]
 fn a_full_disk_is_told() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
     let full = crate::cli::open_for_writing("/dev/full");
@@ -150,7 +144,6 @@ fn a_full_disk_is_told() {
 
 #[cfg(unix)]
 #[test]
-#[ignore = "needs the pipeline"]
 fn a_pipe_is_written_to_directly() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
     let pipe = place.path("pipe");
@@ -162,7 +155,6 @@ fn a_pipe_is_written_to_directly() {
 
 #[cfg(unix)]
 #[test]
-#[ignore = "needs the pipeline"]
 fn an_interruption_leaves_the_old_file_and_nothing_beside_it() {
     use std::process::{Command, Stdio};
     use std::time::{Duration, Instant};

@@ -28,7 +28,6 @@ fn a_file_without_findings_is_not_touched() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn encoding_and_line_ends_are_kept() {
     let place = Place::with(&[("a.nc", DOS)]);
     let run = place.run(&["check", "--fix", "a.nc"]).ends(0);
@@ -40,7 +39,6 @@ fn encoding_and_line_ends_are_kept() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn what_is_left_is_reported() {
     let place = Place::with(&[("a.nc", b"%1\nN10 G0 G90 X1,5 Y0 Y5\nN20 M30\n")]);
     let run = place.run(&["check", "--fix", "a.nc", "--format", "short", "--lang", "cs"]).ends(1);
@@ -51,7 +49,6 @@ fn what_is_left_is_reported() {
 
 /// A finding that is allowed is not fixed.
 #[test]
-#[ignore = "needs the pipeline"]
 fn levels_count() {
     let place = Place::with(&[("a.nc", b"%1\nN10 g0 G90 X1\nN20 M30\n")]);
     place.run(&["check", "--fix", "a.nc", "-A", "W0108"]).ends(0);
@@ -59,7 +56,6 @@ fn levels_count() {
 }
 
 #[test]
-#[ignore = "needs the pipeline"]
 fn a_folder_is_fixed_with_its_macrocycles() {
     let place = Place::with(&[
         ("a.nc", b"%1\nN10 G72 L5\nN20 m30\n"),
@@ -78,7 +74,6 @@ fn a_folder_is_fixed_with_its_macrocycles() {
 
 #[cfg(unix)]
 #[test]
-#[ignore = "needs the pipeline"]
 fn permissions_and_links_are_kept_and_a_read_only_file_stays() {
     use std::fs::{self, Permissions};
     use std::os::unix::fs::PermissionsExt;

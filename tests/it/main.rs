@@ -1,16 +1,10 @@
-//! Integration tests: one binary, a module for each part.
-
-#![allow(
-    missing_docs,
-    clippy::disallowed_methods,
-    clippy::expect_used,
-    clippy::indexing_slicing,
-    clippy::panic,
-    clippy::unwrap_used,
-    reason = "tests make files, and fail when something is not as expected"
-)]
+//! The integration tests, one binary.
+#![expect(clippy::disallowed_methods, reason = "tests read files")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
 mod cli;
 mod cli_check;
 mod cli_compile;
 mod cli_fix;
+mod disk;
+mod markers;

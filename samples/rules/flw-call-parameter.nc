@@ -1,0 +1,9 @@
+%100 "FLW-1 a call from a parameter: at the word
+N10 R1=101 G90 G0 X0 Y0
+N20 G71 L100
+N30 G71 LR1
+"       ^^^ E0404
+N40 G1 X5
+N50 M30
+N100 G79 L100
+N110 G70

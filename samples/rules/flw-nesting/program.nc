@@ -1,0 +1,9 @@
+%107 "FLW-2 one open call is allowed here
+N10 G90 G0 X0 Y0
+N20 G72 L9095 Q3
+N30 G71 L100
+N40 M30
+N100 G79 L100
+N110 G72 L9095
+"        ^^^^^ E0409
+N120 G70

@@ -1,0 +1,6 @@
+%99 "PAR-3 FLW-5 a target from a parameter: at the word
+N10 R1=25 G90 G0 X0 Y0
+N20 G73 LR1
+"       ^^^ E0406
+N30 G1 X5 "execution went no farther"
+N40 M30

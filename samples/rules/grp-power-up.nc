@@ -1,0 +1,4 @@
+%114 "GRP-3 G00 and G90 at power-up
+N10 X10 Y0
+N20 G91 X5
+N30 M30

@@ -1,0 +1,5 @@
+%138 "MFN-9 no table, no limit
+N10 G90 G0 X0 Y0
+N20 M41 S9999 M3
+N30 M44 S1
+N40 M30

@@ -1,0 +1,19 @@
+%172 "MOT-3 MOT-4 without a G word at the first axis word
+N10 G90 G0 X0 Y0 Z0 C0 F100
+N20 G2 X20 Y0 I10
+N30 X40 Y0
+"   ^^^ E0602
+N40 G0 X0 Y0
+N50 G2 X20 Y0 I10
+N60 Z5 I5
+"   ^^ E0611
+N70 G0 X0 Y0 Z0
+N80 G2 X20 Y0 I10
+N90 Z5 X40 Y0 I10
+"   ^^ W0613
+N100 X60 Y3 I10 J5
+"           ^^^ E0603
+N110 G0 X0 Y0
+N120 G3 X20 Y0 I10 K1
+"                  ^^ E0609
+N130 M30

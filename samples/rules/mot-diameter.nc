@@ -1,0 +1,11 @@
+%181 "MOT-1 in G74 X words are diameters, I and J radii
+N10 G90 G0 X0 Z0 F100
+N20 G19
+N30 G74 X20
+N40 G2 X60 Z0 I10
+N50 G4 Q10 G3 X20 Z0 I-10 "G04 hides G74 and does not cancel it"
+N60 G91 G0 X20
+N70 G90 G75
+N80 G2 X40 Z0 I10
+N90 G74 G3 X40 Z0 I-10
+N100 M30

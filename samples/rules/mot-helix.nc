@@ -1,0 +1,9 @@
+%182 "MOT-3 the third axis word makes a helix
+N10 G90 G0 X0 Y0 Z0 C0 F100
+N20 G2 X20 Y0 Z-5 I10
+"   ^^ W0613
+N30 G9 G2 X0 Y0 Z-10 I-10
+N40 X20 Y0 C90 I10
+N50 G98
+N60 G0 X0 Y0
+N70 M30

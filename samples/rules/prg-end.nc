@@ -1,0 +1,12 @@
+%61 "PRG-2 the first M02 or M30 ends the main program
+N10 G90 G0 X0 Y0
+N20 G71 L100
+N30 M02
+ N40 G0 X5
+"^^^ E0206
+N50 M30
+N100 G79 L100
+N110 G70
+ N120 G0 Y5
+"^^^^ E0206
+N130 X5

@@ -1,0 +1,11 @@
+%72 "BLK-10 G79, G70, M02 and M30 are written out
+N10 R1=79 R2=70 R3=2 R4=30 G90 G0 X0 Y0
+N20 GR1
+"   ^^^ E0510
+N30 GR2
+"   ^^^ E0510
+N40 MR3
+"   ^^^ E0510
+N50 MR4 / X5
+"   ^^^ E0510
+N60 M30

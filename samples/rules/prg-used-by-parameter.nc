@@ -1,0 +1,8 @@
+%66 "PRG-4 unless a G71 takes its L from a parameter
+N10 G90 G0 X0 Y0 R1=100
+N20 G71 LR1
+N30 M30
+N100 G79 L100
+N110 G70
+N200 G79 L200
+N210 G70

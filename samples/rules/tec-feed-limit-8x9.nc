@@ -1,0 +1,7 @@
+"! dialect=cnc8x9
+%153 "TEC-1 CNC8x9: up to 24000
+N10 G90 G0 X0 Z0
+N20 F24000
+N30 F24001
+"    ^^^^^ E0302
+N40 M30

@@ -1,0 +1,6 @@
+%151 "TEC-1 the order of words is free
+N10 G90 G0 X0 Z0 S800 M3
+N20 F0.001 X5 G1 G95
+N30 F99999 X6 G94
+N40 F0.5 G97
+N50 M30

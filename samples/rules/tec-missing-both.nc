@@ -1,0 +1,6 @@
+%159 "TEC-2 TEC-3 both missing
+N10 G90 G0 X0 Z0
+N20 G1 G95 X5
+"   ^^ W0601
+"   ^^ W0604
+N30 M30

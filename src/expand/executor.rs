@@ -1,0 +1,332 @@
+//! The executor: one step is one executed block.
+
+use super::block::BlockWords;
+use super::flow::Next;
+use super::frames::Frame;
+use super::lines::Lines;
+use super::state::{Position, State};
+use crate::config::{Purpose, Settings};
+use crate::diag::{CallSite, Diagnostic, Finding, Findings};
+use crate::dict::{Address, AxisLetter, GCode};
+use crate::ir::{AxisMap, BlockRecord, Call};
+use crate::resolve::{FileIndex, Library, Resolved, UnitKind};
+use crate::syntax::{BlockFlags, BlockId, Word};
+use crate::text::{Location, Sources};
+
+/// Why execution went no further.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Stop {
+    /// M02 or M30, by number.
+    End(u8),
+    /// A finding, or something unknown, ends the flattening.
+    Halted,
+}
+
+/// Executes a program. Ask for blocks with [`Executor::step`] until it gives none.
+pub struct Executor<'a, 'l> {
+    pub(super) resolved: &'a mut Resolved,
+    pub(super) settings: &'a Settings,
+    pub(super) library: &'a mut Library<'l>,
+    pub(super) sources: &'a mut Sources,
+    pub(super) findings: &'a mut Findings,
+    pub(super) wants_records: bool,
+    pub(super) state: State,
+    pub(super) frames: Vec<Frame>,
+    pub(super) words: BlockWords,
+    pub(super) record: BlockRecord,
+    /// G functions of the block in hand, x functions included.
+    pub(super) in_force: [Option<GCode>; 12],
+    pub(super) file: FileIndex,
+    pub(super) block: BlockId,
+    pub(super) calls_changed: bool,
+    pub(super) moves_by_m: bool,
+    pub(super) feed_warned: bool,
+    pub(super) speed_warned: bool,
+    pub(super) incremental_warned: [bool; 9],
+    pub(super) unmodelled_warned: [bool; 4],
+    pub(super) unassigned_warned: [bool; 96],
+    pub(super) unassigned_read: bool,
+    /// A macrocycle that execution loaded has errors: it cannot be executed.
+    pub(super) broken_macrocycle: bool,
+    lines: Lines,
+    letters: Vec<AxisLetter>,
+    executed: u64,
+    errors_before: usize,
+    stop: Option<Stop>,
+}
+
+impl<'a, 'l> Executor<'a, 'l> {
+    /// Ready for the first block of the main program. The program has no error so far.
+    pub fn new(
+        resolved: &'a mut Resolved,
+        settings: &'a Settings,
+        library: &'a mut Library<'l>,
+        sources: &'a mut Sources,
+        findings: &'a mut Findings,
+        purpose: Purpose,
+    ) -> Self {
+        let main = resolved.main().and_then(|id| resolved.unit(id).map(|unit| Frame::new(id, *unit, None)));
+        let errors_before = findings.error_count();
+        Self {
+            resolved,
+            settings,
+            library,
+            sources,
+            findings,
+            wants_records: purpose == Purpose::Compile,
+            state: State::new(settings),
+            stop: main.is_none().then_some(Stop::Halted),
+            frames: main.into_iter().collect(),
+            words: BlockWords::default(),
+            record: BlockRecord::default(),
+            in_force: [None; 12],
+            file: FileIndex(0),
+            block: BlockId(0),
+            calls_changed: true,
+            moves_by_m: false,
+            feed_warned: false,
+            speed_warned: false,
+            incremental_warned: [false; 9],
+            unmodelled_warned: [false; 4],
+            unassigned_warned: [false; 96],
+            unassigned_read: false,
+            broken_macrocycle: false,
+            lines: Lines::default(),
+            letters: settings.machine.axes.iter().map(|axis| axis.letter).collect(),
+            executed: 0,
+            errors_before,
+        }
+    }
+
+    /// Executes the next block. `None` at the end of the program, or where it cannot go on; [`Self::end`] tells which.
+    pub fn step(&mut self) -> Option<&BlockRecord> {
+        while self.stop.is_none() {
+            match self.advance() {
+                Ok(true) => return Some(&self.record),
+                Ok(false) => {}
+                Err(stop) => {
+                    self.stop = Some(stop);
+                    if matches!(stop, Stop::End(_)) {
+                        return Some(&self.record);
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// How the program ended; `None` while it runs.
+    pub const fn end(&self) -> Option<Stop> {
+        self.stop
+    }
+
+    /// Blocks executed so far.
+    pub const fn executed(&self) -> u64 {
+        self.executed
+    }
+
+    /// Whether a parameter was read that has no value: an error of `compile` (PAR-5).
+    pub const fn read_unassigned(&self) -> bool {
+        self.unassigned_read
+    }
+
+    /// Whether execution found an error.
+    pub fn found_errors(&self) -> bool {
+        self.findings.error_count() > self.errors_before
+    }
+
+    /// The file whose index a record holds.
+    pub fn source_name(&self, file: FileIndex) -> Option<&str> {
+        self.resolved.file(file).map(|file| file.source.name())
+    }
+
+    /// The file of the block in hand.
+    pub const fn current_file(&self) -> FileIndex {
+        self.file
+    }
+
+    /// The axes in machine order.
+    pub fn axes(&self) -> &[AxisLetter] {
+        &self.letters
+    }
+
+    /// One block: executed (`true`) or skipped.
+    fn advance(&mut self) -> Result<bool, Stop> {
+        let Some(frame) = self.frames.last() else { return Err(Stop::Halted) };
+        let (unit, block) = (frame.unit, frame.next);
+        self.file = unit.file;
+        self.block = block;
+        if block >= unit.end {
+            self.report_missing_end();
+            return Err(Stop::Halted);
+        }
+        let Some(flags) = self.resolved.file(unit.file).map(|file| file.flags(block)) else { return Err(Stop::Halted) };
+        if self.settings.block_skip && flags.has(BlockFlags::SKIP) {
+            if let Some(frame) = self.frames.last_mut() {
+                frame.next = block.next();
+            }
+            return Ok(false);
+        }
+        if self.executed == self.settings.machine.limits.records {
+            self.report_limit();
+            return Err(Stop::Halted);
+        }
+        self.execute(block, flags)
+    }
+
+    fn execute(&mut self, block: BlockId, flags: BlockFlags) -> Result<bool, Stop> {
+        self.begin_record(block, flags);
+        self.collect(block);
+        self.apply_g();
+        self.track_origin();
+        self.apply_words();
+        let end = self.apply_m();
+        let moved = self.run_motion();
+        self.forget_positions();
+        self.run_parameters();
+        let next = self.next(block, moved, end.is_some());
+        let halted = matches!(next, Next::Halt);
+        self.finish_record(end.is_some());
+        self.executed += 1;
+        if let Some(end) = end {
+            return Err(Stop::End(end));
+        }
+        let returns = flags.has(BlockFlags::RETURN) && self.frames.len() > 1;
+        match self.proceed(block, next, returns) {
+            Ok(()) => Ok(true),
+            // The block itself was executed; what would follow is not.
+            Err(stop) if halted => {
+                self.stop = Some(stop);
+                Ok(true)
+            }
+            Err(stop) => Err(stop),
+        }
+    }
+
+    fn begin_record(&mut self, block: BlockId, flags: BlockFlags) {
+        self.record.jump = None;
+        if !self.wants_records {
+            return;
+        }
+        let Some(file) = self.resolved.file(self.file) else { return };
+        let place = self.lines.of(self.file, file, block);
+        let record = &mut self.record;
+        record.seq = self.executed;
+        record.n = file.shown_number(block);
+        record.file = self.file.0;
+        record.line = place.line;
+        record.column = place.column;
+        record.first_block = self.executed == 0;
+        record.skippable = flags.has(BlockFlags::SKIP);
+        record.params.clear();
+        record.comments.clear();
+        if flags.has(BlockFlags::COMMENT) {
+            let texts = file.comments(block).iter().map(|comment| file.comment_text(*comment));
+            record.comments.extend(texts.filter(|text| !text.is_empty()).map(str::to_owned));
+        }
+        if self.calls_changed {
+            self.calls_changed = false;
+            record.calls.clear();
+            record.calls.extend(self.frames.iter().filter_map(|frame| frame.call).map(|call| Call {
+                by: call.by.name(),
+                l: call.l,
+                file: call.file.0,
+                n: call.n,
+                pass: call.pass,
+                of: call.of,
+            }));
+        }
+    }
+
+    fn finish_record(&mut self, ends: bool) {
+        if !self.wants_records {
+            return;
+        }
+        self.record.last_block = ends;
+        self.record.dwell_s = self.dwell();
+        self.record_technology();
+        let mut positions = AxisMap::default();
+        for (axis, letter) in self.letters.iter().enumerate() {
+            if let Position::Known(value) = self.state.position(axis) {
+                positions.set(*letter, Some(value));
+            }
+        }
+        self.record.position = positions;
+    }
+
+    /// BLK-10: a skipped end is a missing end.
+    fn report_missing_end(&mut self) {
+        let Some(frame) = self.frames.last() else { return };
+        let unit = frame.unit;
+        let (finding, at) = match unit.kind {
+            UnitKind::Main => {
+                let last = BlockId(unit.end.0.saturating_sub(1));
+                let at = self.resolved.file(unit.file).map(|file| file.n_place(last)).unwrap_or(unit.entry);
+                (Finding::MissingProgramEnd { skipped: true }, at)
+            }
+            UnitKind::Subprogram(_) => {
+                (Finding::UnterminatedSubprogram { macrocycle: false, skipped: true }, unit.entry)
+            }
+            UnitKind::Macrocycle(_) => {
+                (Finding::UnterminatedSubprogram { macrocycle: true, skipped: true }, unit.entry)
+            }
+        };
+        self.report(Diagnostic::new(finding, at));
+    }
+
+    /// FLW-9: names the calls and jumps that multiply.
+    fn report_limit(&mut self) {
+        let mut repeats = Vec::new();
+        for frame in &self.frames {
+            if let Some(call) = frame.call.filter(|call| call.of > 1) {
+                repeats.push(format!("N{} {} L{} ×{}", call.n, call.by.name(), call.l, call.of));
+            }
+            for (block, counter) in &frame.counters {
+                let n = self.resolved.file(frame.unit.file).map_or(0, |file| file.shown_number(*block));
+                repeats.push(format!("N{n} G73 ×{}", counter.of));
+            }
+        }
+        repeats.truncate(12);
+        let limit = self.settings.machine.limits.records;
+        let finding = Finding::ExpansionLimit { limit, repeats: repeats.join(", ") };
+        self.report(Diagnostic::new(finding, self.block_place()));
+    }
+
+    pub(super) fn block_place(&self) -> Location {
+        self.resolved.file(self.file).map(|file| file.n_place(self.block)).unwrap_or_default()
+    }
+
+    pub(super) fn block_number(&self) -> u32 {
+        self.resolved.file(self.file).map_or(0, |file| file.shown_number(self.block))
+    }
+
+    pub(super) fn word_place(&self, word: Word) -> Location {
+        self.resolved.file(self.file).map(|file| file.word_place(word)).unwrap_or_default()
+    }
+
+    pub(super) fn value_place(&self, word: Word) -> Location {
+        self.resolved.file(self.file).map(|file| file.value_place(word)).unwrap_or_default()
+    }
+
+    /// The number of a word; the whole word when a parameter stands for it.
+    pub(super) fn value_or_word(&self, word: Word) -> Location {
+        if word.is_parametric() && word.address != Address::R { self.word_place(word) } else { self.value_place(word) }
+    }
+
+    /// Adds a finding with the calls that led to the block.
+    pub(super) fn report(&mut self, mut diagnostic: Diagnostic) {
+        diagnostic.calls = self
+            .frames
+            .iter()
+            .filter_map(|frame| frame.call)
+            .map(|call| CallSite { by: call.by, l: call.l, n: call.n, at: call.at })
+            .collect();
+        self.findings.add(diagnostic);
+    }
+}
+
+impl std::fmt::Debug for Executor<'_, '_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Executor").field("executed", &self.executed).field("frames", &self.frames.len()).finish()
+    }
+}

@@ -1,0 +1,154 @@
+//! Everything that is in force between two blocks.
+
+use crate::config::Settings;
+use crate::dict::{Decimal, GCode, GGroup, M_GROUPS};
+use crate::ir::Micro;
+use crate::text::Location;
+
+/// What the program knows of an axis.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(super) enum Position {
+    /// Nothing yet, or nothing any more (MOT-2, MOT-7, MFN-4).
+    #[default]
+    Unknown,
+    /// It depends on a parameter that only the machine knows (PAR-5): no finding follows from that.
+    Undetermined,
+    /// There.
+    Known(Micro),
+}
+
+impl Position {
+    pub(super) const fn known(self) -> Option<Micro> {
+        match self {
+            Self::Known(value) => Some(value),
+            Self::Unknown | Self::Undetermined => None,
+        }
+    }
+}
+
+/// Where a parameter got its value.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Origin {
+    /// Nowhere: the machine's table has it.
+    Machine,
+    /// The configuration or the command line.
+    Configured,
+    /// A word of the program.
+    Word(Location),
+}
+
+/// A parameter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parameter {
+    /// `None`: not known (PAR-5).
+    pub(super) value: Option<Decimal>,
+    pub(super) origin: Origin,
+}
+
+/// A value that stays until changed: not yet programmed, programmed but unknown, or known.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(super) enum Held {
+    #[default]
+    None,
+    Undetermined,
+    Value(Decimal),
+}
+
+impl Held {
+    pub(super) const fn value(self) -> Option<Decimal> {
+        match self {
+            Self::Value(value) => Some(value),
+            Self::None | Self::Undetermined => None,
+        }
+    }
+
+    pub(super) const fn of(value: Option<Decimal>) -> Self {
+        match value {
+            Some(value) => Self::Value(value),
+            None => Self::Undetermined,
+        }
+    }
+}
+
+/// What is in force.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    /// Lasting G functions, by group.
+    pub(super) g: [Option<GCode>; 12],
+    /// M functions in force, by group.
+    pub(super) m: [Option<u8>; M_GROUPS],
+    /// By place in machine order.
+    pub(super) positions: [Position; 9],
+    pub(super) parameters: [Parameter; 96],
+    pub(super) feed: Held,
+    pub(super) speed: Held,
+    pub(super) tool: Held,
+    pub(super) h: Held,
+    pub(super) p: Held,
+    pub(super) d: Held,
+    /// The digits of `&` (§2).
+    pub(super) correction: Held,
+    /// GRP-7.
+    pub(super) dynamic_set: Option<u8>,
+    /// The programmed position is not where the tool stands (MOT-8).
+    pub(super) origin_changed: bool,
+    /// The G5 and G11 functions of the block before, x functions included (MOT-8).
+    pub(super) last_origin: (Option<GCode>, Option<GCode>),
+}
+
+impl State {
+    /// After power-up.
+    pub(super) fn new(settings: &Settings) -> Self {
+        let machine = &settings.machine;
+        let mut parameters = [Parameter { value: None, origin: Origin::Machine }; 96];
+        for (&index, &value) in &machine.parameters {
+            if let Some(parameter) = parameters.get_mut(usize::from(index)) {
+                *parameter = Parameter { value: Some(value), origin: Origin::Configured };
+            }
+        }
+        let mut state = Self {
+            g: machine.power_up,
+            m: *machine.m_functions.defaults(),
+            positions: [Position::Unknown; 9],
+            parameters,
+            feed: Held::None,
+            speed: Held::None,
+            tool: Held::None,
+            h: Held::None,
+            p: Held::None,
+            d: Held::None,
+            correction: Held::None,
+            dynamic_set: None,
+            origin_changed: false,
+            last_origin: (None, None),
+        };
+        state.last_origin = (state.modal(GGroup::G5), state.modal(GGroup::G11));
+        state
+    }
+
+    /// The lasting function of a group.
+    pub(super) fn modal(&self, group: GGroup) -> Option<GCode> {
+        self.g.get(group.index()).copied().flatten()
+    }
+
+    pub(super) fn set_modal(&mut self, code: GCode) {
+        if let Some(slot) = self.g.get_mut(code.group().index()) {
+            *slot = Some(code);
+        }
+    }
+
+    pub(super) fn position(&self, axis: usize) -> Position {
+        self.positions.get(axis).copied().unwrap_or_default()
+    }
+
+    pub(super) fn set_position(&mut self, axis: usize, position: Position) {
+        if let Some(slot) = self.positions.get_mut(axis) {
+            *slot = position;
+        }
+    }
+
+    /// The function of an M group.
+    pub(super) fn m(&self, group: usize) -> Option<u8> {
+        self.m.get(group).copied().flatten()
+    }
+}

@@ -1,0 +1,14 @@
+//! The block stream: its records, their JSON, their schema. The only serialised form of a program.
+
+mod micro;
+mod records;
+mod schema;
+mod write;
+
+pub use micro::Micro;
+pub use records::{
+    AxisList, AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop,
+    Motion, MotionType, ProgramRecord, SCHEMA,
+};
+pub use schema::schema;
+pub use write::{write_block, write_end, write_file, write_program};

@@ -1,0 +1,411 @@
+//! The records of the stream. Fields that are `false`, empty or absent are left out when written, except where a field
+//! says otherwise.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+
+use super::Micro;
+use crate::dict::{AxisLetter, Decimal};
+
+/// Name and version of the stream's form.
+pub const SCHEMA: &str = "cnc872c.blocks/1";
+
+/// The first record: what the stream was made from and for.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct ProgramRecord {
+    /// `cnc872c.blocks/1`.
+    pub schema: String,
+    /// Name and version of the compiler.
+    pub generator: String,
+    /// `cnc8x6`, `cnc8x9`, `cnc872`.
+    pub dialect: String,
+    /// The number after `%`.
+    pub number: u32,
+    /// The title (BLK-9).
+    pub title: Option<String>,
+    /// The program, as the user named it; its index is 0.
+    pub file: String,
+    /// The axes, in the order of the machine.
+    pub axes: Vec<AxisRecord>,
+    /// Whether skippable blocks were left out.
+    #[schemars(default)]
+    pub block_skip: bool,
+    /// Whether M01 stops.
+    #[schemars(default)]
+    pub optional_stop: bool,
+    /// Every M function that configuration names, by number.
+    #[schemars(default)]
+    pub m_functions: Vec<MFunctionRecord>,
+}
+
+/// An axis of the machine.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct AxisRecord {
+    /// Its letter.
+    pub letter: String,
+    /// `linear` or `rotary`.
+    pub kind: String,
+}
+
+/// An M function that configuration names.
+#[derive(Clone, Copy, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct MFunctionRecord {
+    /// Its number.
+    pub no: u8,
+    /// Its group.
+    pub group: u8,
+    /// Breaks continuous motion at the start of the block.
+    #[schemars(default)]
+    pub break_cont: bool,
+    /// Breaks continuous motion at the end of the block.
+    #[schemars(default)]
+    pub break_cont_end: bool,
+    /// Moves the machine.
+    #[schemars(default)]
+    pub change_pos: bool,
+}
+
+/// Before the first record that comes from another file.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct FileRecord {
+    /// 1, 2 …
+    pub index: u32,
+    /// The macrocycle's path as found.
+    pub name: String,
+}
+
+/// A value for some axes, by letter.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub struct AxisMap([Option<Micro>; 9]);
+
+impl AxisMap {
+    /// Sets the value of an axis.
+    pub fn set(&mut self, axis: AxisLetter, value: Option<Micro>) {
+        if let Some(slot) = self.0.get_mut(axis as usize) {
+            *slot = value;
+        }
+    }
+
+    /// The value of an axis.
+    pub fn get(&self, axis: AxisLetter) -> Option<Micro> {
+        self.0.get(axis as usize).copied().flatten()
+    }
+
+    /// Whether no axis has a value.
+    pub fn is_empty(&self) -> bool {
+        self.0.iter().all(Option::is_none)
+    }
+
+    /// No value for any axis.
+    pub fn clear(&mut self) {
+        self.0 = [None; 9];
+    }
+}
+
+/// Some axes, in machine order.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub struct AxisList {
+    letters: [Option<AxisLetter>; 9],
+    count: usize,
+}
+
+impl AxisList {
+    /// Adds an axis at the end.
+    pub fn push(&mut self, axis: AxisLetter) {
+        if let Some(slot) = self.letters.get_mut(self.count) {
+            *slot = Some(axis);
+            self.count += 1;
+        }
+    }
+
+    /// Whether the axis is among them.
+    pub fn contains(&self, axis: AxisLetter) -> bool {
+        self.letters.contains(&Some(axis))
+    }
+
+    /// In order.
+    pub fn iter(&self) -> impl Iterator<Item = AxisLetter> + '_ {
+        self.letters.iter().copied().flatten()
+    }
+}
+
+type Numbers = BTreeMap<String, f64>;
+
+/// One executed block.
+#[derive(Clone, Debug, Default, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct BlockRecord {
+    /// 0, 1, 2 …
+    pub seq: u64,
+    /// Block number.
+    pub n: u32,
+    /// Index of the file.
+    pub file: u32,
+    /// Line of the `N`, from 1.
+    pub line: u32,
+    /// Column of the `N` in characters, from 1.
+    pub column: u32,
+    /// How execution got here, outermost first.
+    #[schemars(default)]
+    pub calls: Vec<Call>,
+    /// The jump that is taken at the end of this block.
+    pub jump: Option<Jump>,
+    /// The block carries `/` (and was executed).
+    #[schemars(default)]
+    pub skippable: bool,
+    /// First executed block of the program.
+    #[schemars(default)]
+    pub first_block: bool,
+    /// Last executed block of the program.
+    #[schemars(default)]
+    pub last_block: bool,
+    /// For each G group what is in force in this block, x functions included.
+    pub g: [Option<u8>; 12],
+    /// G functions written in this block, in written order.
+    #[schemars(default)]
+    pub g_set: Vec<u8>,
+    /// By group, 0 always null: what is in force after this block; groups 1, 7, 9 only here.
+    pub m: [Option<u8>; 15],
+    /// M functions written in this block, in written order.
+    #[schemars(default)]
+    pub m_set: Vec<u8>,
+    /// Groups with a change mark (MFN-6), ascending.
+    #[schemars(default)]
+    pub m_changed: Vec<u8>,
+    /// Values of groups 2, 5, 6 while the program stands (MFN-8).
+    #[schemars(with = "Option<BTreeMap<String, u8>>")]
+    pub m_at_stop: Option<MStop>,
+    /// Some M of this block breaks continuous motion at its start.
+    #[schemars(default)]
+    pub break_cont: bool,
+    /// Some M of this block breaks continuous motion at its end.
+    #[schemars(default)]
+    pub break_cont_end: bool,
+    /// Some M of this block moves the machine.
+    #[schemars(default)]
+    pub change_pos: bool,
+    /// 1–4: M41–M44 in force, or what M40 chose (MFN-9).
+    pub gear: Option<u8>,
+    /// The motion of the block.
+    pub motion: Option<Motion>,
+    /// AxNC: every axis whose programmed position is known, after the block.
+    #[schemars(with = "Numbers", default)]
+    pub position: AxisMap,
+    /// FeedProgr: mm/min, with `rev_feed` mm/rev; deg/min when only rotary axes or the spindle move.
+    #[schemars(with = "Option<f64>")]
+    pub feed: Option<Decimal>,
+    /// RevFeed: G95 or G97.
+    #[schemars(default)]
+    pub rev_feed: bool,
+    /// ConstCutSpeed: G96 or G97.
+    #[schemars(default)]
+    pub const_cut_speed: bool,
+    /// SpindleSpeed, rev/min.
+    #[schemars(with = "Option<u32>")]
+    pub s: Option<Decimal>,
+    /// T in force.
+    #[schemars(with = "Option<u32>")]
+    pub t: Option<Decimal>,
+    /// H in force.
+    #[schemars(with = "Option<f64>")]
+    pub h: Option<Decimal>,
+    /// P in force.
+    #[schemars(with = "Option<u32>")]
+    pub p: Option<Decimal>,
+    /// D in force.
+    #[schemars(with = "Option<u32>")]
+    pub d: Option<Decimal>,
+    /// T is written in this block (TProg).
+    #[schemars(default)]
+    pub t_set: bool,
+    /// H is written in this block (HProg).
+    #[schemars(default)]
+    pub h_set: bool,
+    /// P is written in this block.
+    #[schemars(default)]
+    pub p_set: bool,
+    /// D is written in this block.
+    #[schemars(default)]
+    pub d_set: bool,
+    /// S is written in this block.
+    #[schemars(default)]
+    pub s_set: bool,
+    /// F is written in this block.
+    #[schemars(default)]
+    pub f_set: bool,
+    /// The four digits of `&` in force.
+    #[schemars(with = "Option<String>")]
+    pub length_correction: Option<u16>,
+    /// Delay, in seconds.
+    #[schemars(with = "Option<f64>")]
+    pub dwell_s: Option<Micro>,
+    /// M00.
+    #[schemars(default)]
+    pub stop: bool,
+    /// M01; whether it halts follows from `optional_stop` of the first record.
+    #[schemars(default)]
+    pub cond_stop: bool,
+    /// ContinuousMode: G23 in force.
+    #[schemars(default)]
+    pub continuous_mode: bool,
+    /// 1–4, once G23 with I chose one (GRP-7).
+    pub dynamic_set: Option<u8>,
+    /// Words that are data (GRP-4).
+    pub data: Option<Data>,
+    /// I, J, K as written (GRP-8).
+    #[schemars(with = "Numbers", default)]
+    pub words: Vec<(char, Decimal)>,
+    /// Parameters this block wrote, with their values after its arithmetic.
+    #[schemars(with = "Numbers", default)]
+    pub params: Vec<(u8, Decimal)>,
+    /// Texts of its comments, trimmed, empty ones left out.
+    #[schemars(default)]
+    pub comments: Vec<String>,
+}
+
+/// One call on the way to a block.
+#[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
+#[schemars(deny_unknown_fields)]
+pub struct Call {
+    /// `G71`, `G72`, or `G81`–`G89` (cycle map).
+    pub by: &'static str,
+    /// What was called.
+    pub l: u32,
+    /// File of the calling block.
+    pub file: u32,
+    /// Number of the calling block.
+    pub n: u32,
+    /// Which pass this is, from 1.
+    pub pass: u32,
+    /// Of how many.
+    pub of: u32,
+}
+
+/// A jump that is taken.
+#[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
+#[schemars(deny_unknown_fields)]
+pub struct Jump {
+    /// The block jumped to.
+    pub to: u32,
+    /// The counter after lowering; left out when uncounted.
+    pub left: Option<u32>,
+}
+
+/// What M groups 2, 5 and 6 hold while the program stands.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub struct MStop {
+    /// Group 2: the spindle.
+    pub spindle: u8,
+    /// Group 5: coolant 1 and 2.
+    pub coolant_12: u8,
+    /// Group 6: coolant 3 and 4.
+    pub coolant_34: u8,
+}
+
+/// How a block moves.
+#[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
+#[schemars(rename_all = "snake_case")]
+pub enum MotionType {
+    /// G00.
+    Rapid,
+    /// G01.
+    Linear,
+    /// G02.
+    ArcCw,
+    /// G03.
+    ArcCcw,
+    /// G33.
+    Thread,
+    /// G30.
+    Reference,
+}
+
+impl MotionType {
+    /// All, in the order of the documentation.
+    pub const ALL: [Self; 6] = [Self::Rapid, Self::Linear, Self::ArcCw, Self::ArcCcw, Self::Thread, Self::Reference];
+
+    /// As written in records.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rapid => "rapid",
+            Self::Linear => "linear",
+            Self::ArcCw => "arc_cw",
+            Self::ArcCcw => "arc_ccw",
+            Self::Thread => "thread",
+            Self::Reference => "reference",
+        }
+    }
+}
+
+/// The motion of a block.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Motion {
+    /// What kind.
+    #[schemars(rename = "type")]
+    pub kind: MotionType,
+    /// Axes that move: those written in the block, in machine order (AxNCxMove).
+    #[schemars(with = "Vec<String>")]
+    pub axes: AxisList,
+    /// Distances of axes moved by G91 from an unknown position (MOT-2).
+    #[schemars(with = "Numbers", default)]
+    pub delta: AxisMap,
+    /// BlockLen in mm (MOT-6).
+    #[schemars(with = "Option<f64>")]
+    pub length_mm: Option<Micro>,
+    /// BlockLen in degrees, when rotary axes only move.
+    #[schemars(with = "Option<f64>")]
+    pub length_deg: Option<Micro>,
+    /// Arcs: `XY`, `YZ`, `ZX`, else the two letters, first-named first.
+    #[schemars(with = "Option<String>")]
+    pub plane: Option<[AxisLetter; 2]>,
+    /// Arcs: the centre, absolute.
+    #[schemars(with = "Numbers", default)]
+    pub center: AxisMap,
+    /// Arcs: the radius at the start.
+    #[schemars(with = "Option<f64>")]
+    pub radius_mm: Option<Micro>,
+    /// Arcs: the angle turned through, positive, up to 360.
+    #[schemars(with = "Option<f64>")]
+    pub sweep_deg: Option<Micro>,
+    /// The axis that is the spindle (M19), when it moves.
+    #[schemars(with = "Option<String>")]
+    pub spindle_axis: Option<AxisLetter>,
+}
+
+/// Words of a block that are data and move nothing (GRP-4).
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Data {
+    /// The function that makes them data.
+    pub g: u8,
+    /// The G5 function in force, for G92 and G93.
+    pub origin: Option<u8>,
+    /// D, when written.
+    #[schemars(with = "Option<u32>")]
+    pub d: Option<Decimal>,
+    /// The words, as programmed.
+    #[schemars(with = "Numbers", default)]
+    pub values: Vec<(char, Decimal)>,
+}
+
+/// The last record. A stream is complete when it has it.
+#[derive(Clone, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct EndRecord {
+    /// `M02` or `M30`.
+    pub reason: String,
+    /// Block records of the program, all of them.
+    pub blocks: u64,
+    /// Exact sum of the written `length_mm`.
+    #[schemars(with = "f64")]
+    pub path_mm: Micro,
+    /// The same by motion type.
+    #[schemars(with = "Numbers", default)]
+    pub path_mm_by_type: Vec<(MotionType, Micro)>,
+}

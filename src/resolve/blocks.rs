@@ -1,0 +1,508 @@
+//! The checks of one block, as far as its written values go.
+
+use super::UnitKind;
+use super::forms::{FormFault, check_form};
+use crate::config::Settings;
+use crate::diag::{Diagnostic, Finding, Findings, FixTitle, LabelText, ParameterNeed};
+use crate::dict::{Address, Decimal, GCode, GGroup, M_GROUPS, PROGRAM_ENDS};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
+use crate::text::{Location, Span};
+
+/// Most words of an address in one block (BLK-3, BLK-4).
+const MOST_G: usize = 11;
+const MOST_M: usize = 10;
+const MOST_R: usize = 95;
+/// The first parameter that holds a control word (PAR-7).
+const FIRST_CONTROL: u8 = 5;
+/// The last one.
+const LAST_CONTROL: u8 = 8;
+/// Reserved for control functions.
+const RESERVED: u8 = 95;
+
+/// Checks blocks of one file.
+pub(super) struct BlockChecker<'a> {
+    pub(super) settings: &'a Settings,
+    pub(super) file: &'a ParsedFile,
+    pub(super) findings: &'a mut Findings,
+}
+
+/// The G and M functions written in a block, and the words that go with them.
+#[derive(Default)]
+struct Functions {
+    g: [Option<(GCode, Word)>; 12],
+    m: [Option<(u8, Word)>; M_GROUPS],
+    l: Option<Word>,
+    q: Option<Word>,
+    /// Some G word takes its number from a parameter, or has none: what L and Q are for is not known.
+    unknown_g: bool,
+    g_words: usize,
+    m_words: usize,
+    r_words: usize,
+}
+
+impl Functions {
+    fn of(&self, group: GGroup) -> Option<(GCode, Word)> {
+        self.g.get(group.index()).copied().flatten()
+    }
+
+    fn flow(&self) -> Option<(GCode, Word)> {
+        self.of(GGroup::G7).filter(|(code, _)| code.is_flow())
+    }
+
+    fn dwell(&self) -> Option<Word> {
+        self.of(GGroup::G10).filter(|(code, _)| *code == GCode::G04).map(|(_, word)| word)
+    }
+}
+
+impl BlockChecker<'_> {
+    /// Checks a block of a unit of that kind; `None`: of no unit.
+    pub(super) fn check(&mut self, block: BlockId, unit: Option<UnitKind>) {
+        let flags = self.file.flags(block);
+        if let Some(word) = self.file.n_word(block) {
+            self.check_word(word, &Functions::default());
+        }
+        let words = self.file.words(block);
+        if !flags.has(BlockFlags::RICH) {
+            self.check_plain_words(words);
+            if words.is_empty() && flags == BlockFlags::default() {
+                let finding = Finding::EmptyBlock { block: self.file.shown_number(block) };
+                self.findings.add(Diagnostic::new(finding, self.file.n_place(block)));
+            }
+            return;
+        }
+        let functions = self.collect(words);
+        for &word in words {
+            self.check_word(word, &functions);
+        }
+        self.check_repeated(words);
+        self.check_technology(&functions, flags);
+        self.check_flow_words(&functions);
+        self.check_parameters(words, &functions);
+        if flags.has(BlockFlags::SKIP) {
+            self.check_skip(block, words, &functions, flags, unit);
+        }
+        if !matches!(unit, Some(UnitKind::Main) | None) && flags.has(BlockFlags::END) {
+            self.check_end_in_unit(words);
+        }
+    }
+
+    /// `%` has the form of its address like every word.
+    pub(super) fn check_program_word(&mut self, word: Word) {
+        self.check_word(word, &Functions::default());
+    }
+
+    /// A block of axis, feed and the like: its words are plain numbers, and nothing else can be wrong with it.
+    #[inline]
+    fn check_plain_words(&mut self, words: &[Word]) {
+        let mut seen = 0_u32;
+        for &word in words {
+            let bit = 1_u32 << (word.address as u8);
+            if seen & bit != 0 {
+                self.check_repeated(words);
+                seen = 0;
+            }
+            seen |= bit;
+            let in_range = word.number().is_some_and(|number| number.abs() <= Decimal::DIMENSION_MAX);
+            let simple = in_range
+                && !word.is_rounded()
+                && (word.address == Address::I
+                    || word.address == Address::J
+                    || self.settings.machine.axes.index_of(word.address).is_some());
+            if !simple {
+                self.check_word(word, &Functions::default());
+            }
+        }
+    }
+
+    fn collect(&mut self, words: &[Word]) -> Functions {
+        let mut functions = Functions::default();
+        let limited = self.settings.machine.dialect.limits_words();
+        for &word in words {
+            match word.address {
+                Address::G => self.collect_g(word, &mut functions, limited),
+                Address::M => self.collect_m(word, &mut functions, limited),
+                Address::R => {
+                    functions.r_words += 1;
+                    if functions.r_words == MOST_R + 1 {
+                        self.too_many(word, MOST_R);
+                    }
+                }
+                Address::L if functions.l.is_none() => functions.l = Some(word),
+                Address::Q if functions.q.is_none() => functions.q = Some(word),
+                Address::L | Address::Q => {}
+                Address::Program
+                | Address::N
+                | Address::Skip
+                | Address::X
+                | Address::Y
+                | Address::Z
+                | Address::A
+                | Address::B
+                | Address::C
+                | Address::U
+                | Address::V
+                | Address::W
+                | Address::I
+                | Address::J
+                | Address::K
+                | Address::Correction
+                | Address::D
+                | Address::F
+                | Address::S
+                | Address::H
+                | Address::P
+                | Address::T => {}
+            }
+        }
+        functions
+    }
+
+    fn collect_g(&mut self, word: Word, functions: &mut Functions, limited: bool) {
+        functions.g_words += 1;
+        if limited && functions.g_words == MOST_G + 1 {
+            self.too_many(word, MOST_G);
+        }
+        let Some(code) = g_code(word) else {
+            functions.unknown_g = true;
+            return;
+        };
+        match functions.g.get_mut(code.group().index()) {
+            Some(Some((first, first_word))) => {
+                let (first, first_word) = (*first, *first_word);
+                let finding = Finding::ConflictingG { first, second: code, group: code.group() };
+                self.report_with_first(word, finding, first_word);
+            }
+            Some(slot) => *slot = Some((code, word)),
+            None => {}
+        }
+    }
+
+    fn collect_m(&mut self, word: Word, functions: &mut Functions, limited: bool) {
+        functions.m_words += 1;
+        if limited && functions.m_words == MOST_M + 1 {
+            self.too_many(word, MOST_M);
+        }
+        let Some(number) = m_number(word, self.settings) else { return };
+        let group = self.settings.machine.m_functions.group(number);
+        match functions.m.get_mut(usize::from(group)) {
+            Some(Some((first, first_word))) => {
+                let (first, first_word) = (*first, *first_word);
+                self.report_with_first(word, Finding::ConflictingM { first, second: number, group }, first_word);
+            }
+            Some(slot) => *slot = Some((number, word)),
+            None => {}
+        }
+    }
+
+    fn too_many(&mut self, word: Word, limit: usize) {
+        self.report(word, Finding::TooManyWords { address: word.address, limit });
+    }
+
+    fn report(&mut self, word: Word, finding: Finding) {
+        self.findings.add(Diagnostic::new(finding, self.file.word_place(word)));
+    }
+
+    fn report_value(&mut self, word: Word, finding: Finding) {
+        self.findings.add(Diagnostic::new(finding, self.file.value_place(word)));
+    }
+
+    fn report_with_first(&mut self, word: Word, finding: Finding, first: Word) {
+        let diagnostic = Diagnostic::new(finding, self.file.word_place(word));
+        self.findings.add(diagnostic.with_label(self.file.word_place(first), LabelText::First));
+    }
+
+    /// The form of one word (§2). One code a word, in the order of §13: axis, sign, point, digits of `&`, range, unknown G.
+    fn check_word(&mut self, word: Word, functions: &Functions) {
+        if word.is_faulty() || word.is_void() {
+            return;
+        }
+        let machine = &self.settings.machine;
+        let address = word.address;
+        if let Some(axis) = address.axis()
+            && machine.axes.index(axis).is_none()
+        {
+            let finding = Finding::UnknownAxis { axis: axis.letter(), axes: machine.axes.letters() };
+            self.report(word, finding);
+            return;
+        }
+        if word.has_sign() && !address.takes_sign(machine.dialect) {
+            self.report_value(word, Finding::SignNotAllowed { address });
+            return;
+        }
+        let Some(value) = word.number() else { return };
+        let dwell = address == Address::Q && functions.dwell().is_some();
+        if word.has_point() && !address.row().form.takes_point(machine.dialect) {
+            // GRP-5: `Q5.` is tolerated with G04; with a G word from a parameter it is not known.
+            let tolerated =
+                address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.unknown_g);
+            if !tolerated {
+                let fixed = point_help(address, value, dwell);
+                self.report_value(word, Finding::PointNotAllowed { address, fixed, dwell });
+                return;
+            }
+        }
+        let feed_mode = functions.of(GGroup::G6).map(|(code, _)| code);
+        let zero_dwell = address == Address::Q && functions.unknown_g;
+        match check_form(machine, address, value, dwell || zero_dwell, feed_mode) {
+            Ok(()) => {}
+            Err(FormFault::Digits) => {
+                self.report_value(word, Finding::CorrectionDigits {});
+                return;
+            }
+            Err(FormFault::Range(range)) => {
+                self.report_value(word, Finding::ValueOutOfRange { address, range });
+                return;
+            }
+            // A fraction without a point cannot be.
+            Err(FormFault::Fraction) => {
+                let fixed = point_help(address, value, dwell);
+                self.report_value(word, Finding::PointNotAllowed { address, fixed, dwell });
+                return;
+            }
+        }
+        if address == Address::G && g_code(word).is_none() {
+            let number = value.as_whole().and_then(|number| u32::try_from(number).ok()).unwrap_or(0);
+            self.report_value(word, Finding::UnknownG { number });
+            return;
+        }
+        if word.is_rounded() {
+            self.report_value(word, Finding::FinerThanResolution { rounded: value.to_string() });
+        }
+    }
+
+    /// Each address once (BLK-3); G and M by group, R by parameter.
+    fn check_repeated(&mut self, words: &[Word]) {
+        let mut addresses: [Option<Word>; Address::ALL.len()] = [None; Address::ALL.len()];
+        let mut parameters: [Option<Word>; 96] = [None; 96];
+        for &word in words {
+            let slot = match word.address {
+                Address::G | Address::M => continue,
+                Address::R => parameters.get_mut(usize::from(word.target())),
+                other => addresses.get_mut(other as usize),
+            };
+            let usable = !word.is_void() || word.address == Address::Skip;
+            let Some(slot) = slot.filter(|_| usable) else { continue };
+            match *slot {
+                None => *slot = Some(word),
+                Some(first) => {
+                    let address = match word.address {
+                        Address::R => format!("R{}", word.target()),
+                        other => other.to_string(),
+                    };
+                    self.report_with_first(word, Finding::DuplicateAddress { address }, first);
+                }
+            }
+        }
+    }
+
+    /// Ends that also call or jump (PRG-2), and G04 (GRP-5, FLW-6).
+    fn check_technology(&mut self, functions: &Functions, flags: BlockFlags) {
+        if flags.has(BlockFlags::END)
+            && let Some((function, word)) = functions.flow()
+        {
+            self.report(word, Finding::FlowAfterEnd { function });
+        }
+        if let Some(dwell) = functions.dwell() {
+            match (functions.q, functions.flow()) {
+                (None, _) => self.report(dwell, Finding::MissingDwell {}),
+                (Some(q), Some((function, _))) => self.report(q, Finding::DwellTakesRepeat { function }),
+                (Some(_), None) => {}
+            }
+        }
+    }
+
+    /// What L and Q are for (FLW-7).
+    fn check_flow_words(&mut self, functions: &Functions) {
+        let taker = functions.of(GGroup::G7).filter(|(code, _)| *code != GCode::G70);
+        match (taker, functions.l) {
+            (Some((function, word)), None) => self.report(word, Finding::MissingTarget { function }),
+            (None, Some(l)) if !functions.unknown_g && !l.is_faulty() => self.report(l, Finding::UnusedTarget {}),
+            (Some((GCode::G79, _)), Some(l)) => {
+                if let Value::Parameter { index, .. } = l.value()
+                    && !l.is_faulty()
+                {
+                    let needs = ParameterNeed::WrittenOut("L".to_owned());
+                    let finding = Finding::UnusableParameterValue {
+                        address: Address::L,
+                        parameter: index,
+                        value: String::new(),
+                        needs,
+                    };
+                    self.report(l, finding);
+                }
+            }
+            _ => {}
+        }
+        if let Some(q) = functions.q
+            && functions.flow().is_none()
+            && functions.dwell().is_none()
+            && !functions.unknown_g
+            && !q.is_faulty()
+            && !functions.of(GGroup::G7).is_some_and(|(code, _)| code == GCode::G79)
+        {
+            self.report(q, Finding::UnusedRepeat {});
+        }
+    }
+
+    /// Parameters: R95, what is assigned and read, control words (PAR-4, PAR-7…PAR-9).
+    fn check_parameters(&mut self, words: &[Word], functions: &Functions) {
+        if functions.r_words == 0 && functions.of(GGroup::G4).is_none() {
+            return;
+        }
+        let mut assigned: [Option<Word>; 96] = [None; 96];
+        let mut void = false;
+        for &word in words.iter().filter(|word| word.address == Address::R) {
+            void |= word.is_void();
+            if let Some(slot) = assigned.get_mut(usize::from(word.target()))
+                && !word.is_void()
+                && slot.is_none()
+            {
+                *slot = Some(word);
+            }
+            if word.target() == RESERVED {
+                self.report(word, Finding::ReservedParameter {});
+            }
+        }
+        let mut warned = [false; 96];
+        for &word in words {
+            let Value::Parameter { index, .. } = word.value() else { continue };
+            let place = usize::from(index);
+            if let (Some(Some(first)), Some(warned @ false)) = (assigned.get(place), warned.get_mut(place)) {
+                *warned = true;
+                let diagnostic =
+                    Diagnostic::new(Finding::AssignedAndRead { parameter: index }, self.file.word_place(word));
+                let label = LabelText::AssignedHere { parameter: index };
+                self.findings.add(diagnostic.with_label(self.file.word_place(*first), label));
+            }
+        }
+        if let Some((function, g_word)) = functions.of(GGroup::G4) {
+            self.check_control_words(function, g_word, &assigned, void);
+        }
+    }
+
+    fn check_control_words(&mut self, function: GCode, g_word: Word, assigned: &[Option<Word>; 96], void: bool) {
+        let mut missing = Vec::new();
+        let used = FIRST_CONTROL..FIRST_CONTROL + u8::try_from(function.operations()).unwrap_or(0);
+        for parameter in FIRST_CONTROL..=LAST_CONTROL {
+            let word = assigned.get(usize::from(parameter)).copied().flatten();
+            match (used.contains(&parameter), word) {
+                (true, None) => missing.push(format!("R{parameter}")),
+                (false, Some(word)) => self.report(word, Finding::SuperfluousControlWord { function, parameter }),
+                (true, Some(word)) => {
+                    if let (Some(value), false) = (word.number(), word.is_faulty())
+                        && value.fits_parameter()
+                        && !word.is_rounded()
+                        && let Err(finding) = super::structure::control_word(&self.settings.machine, value)
+                    {
+                        self.report_value(word, finding);
+                    }
+                }
+                (false, None) => {}
+            }
+        }
+        if !missing.is_empty() && !void {
+            self.report(g_word, Finding::MissingControlWord { function, missing: missing.join(", ") });
+        }
+    }
+
+    /// `/` where it is not what was meant (BLK-6), or in a block that gives structure (BLK-10).
+    fn check_skip(
+        &mut self,
+        block: BlockId,
+        words: &[Word],
+        functions: &Functions,
+        flags: BlockFlags,
+        unit: Option<UnitKind>,
+    ) {
+        let Some(&skip) = words.iter().find(|word| word.address == Address::Skip) else { return };
+        let ends = match functions.m.get(1).copied().flatten() {
+            Some((number, _)) if PROGRAM_ENDS.contains(&number) => Some(format!("M{number:02}")),
+            _ if flags.has(BlockFlags::RETURN) && !matches!(unit, Some(UnitKind::Main)) => Some("G70".to_owned()),
+            _ => None,
+        };
+        if let Some(function) = ends
+            && !flags.has(BlockFlags::ENTRY)
+        {
+            self.report(skip, Finding::SkippableStructure { function });
+        }
+        for &skip in words.iter().filter(|word| word.address == Address::Skip) {
+            self.check_skip_place(block, words, skip);
+        }
+    }
+
+    /// Warns of a `/` that begins its line or stands directly before an `N` on the same line (BLK-6).
+    fn check_skip_place(&mut self, block: BlockId, words: &[Word], skip: Word) {
+        let source = &self.file.source;
+        let line = source.line_span(source.lines().line_at(skip.start()));
+        let on_line = |at: u32| line.start <= at && at < line.end;
+        let begins_line = self
+            .file
+            .n_word(block)
+            .into_iter()
+            .chain(words.iter().copied())
+            .filter(|word| word.start() < skip.start())
+            .all(|word| word.span(source.text()).end <= line.start);
+        let is_last = words.iter().all(|word| word.start() <= skip.start());
+        let next = self.file.n_word(block.next()).filter(|next| is_last && on_line(next.start()));
+        if !begins_line && next.is_none() {
+            return;
+        }
+        let place = self.file.word_place(skip);
+        let finding = Finding::SkipBeforeBlockNumber { block: self.file.shown_number(block) };
+        let mut diagnostic = Diagnostic::new(finding, place);
+        if let Some(next) = next {
+            let text = source.slice(place.span);
+            let behind = Span::empty(next.span(source.text()).end);
+            diagnostic = diagnostic.with_fix(
+                FixTitle::MoveSkip { block: self.file.shown_number(block.next()) },
+                Location { span: behind, ..place },
+                format!(" {text}"),
+            );
+            let mut removed = place;
+            // The blanks behind it go too, so that the block number takes its place.
+            if source.slice(Span::new(place.span.end, next.start())).bytes().all(|byte| matches!(byte, b' ' | b'\t')) {
+                removed.span.end = next.start();
+            }
+            if let Some(fix) = diagnostic.fixes.first_mut() {
+                fix.edits.insert(0, crate::diag::Edit { at: removed, text: String::new() });
+            }
+        }
+        self.findings.add(diagnostic);
+    }
+
+    /// M02 and M30 in a subprogram or macrocycle (PRG-5).
+    fn check_end_in_unit(&mut self, words: &[Word]) {
+        for &word in words {
+            if let Some(function) = m_number(word, self.settings).filter(|number| PROGRAM_ENDS.contains(number)) {
+                self.report(word, Finding::ProgramEndInSubprogram { function });
+            }
+        }
+    }
+}
+
+/// What the help says to write instead of a value with a point.
+fn point_help(address: Address, value: Decimal, dwell: bool) -> String {
+    if dwell {
+        // GRP-5: units of 10 ms.
+        let units = (value.thousandths() + 5) / 10;
+        return if (0..10_000).contains(&units) { format!("{address}{units}") } else { String::new() };
+    }
+    value.as_whole().map(|whole| format!("{address}{whole}")).unwrap_or_default()
+}
+
+/// The G function that a word writes out.
+pub(super) fn g_code(word: Word) -> Option<GCode> {
+    if word.address != Address::G {
+        return None;
+    }
+    word.whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number)
+}
+
+/// The number of the M function that a word writes out, when the dialect has it.
+pub(super) fn m_number(word: Word, settings: &Settings) -> Option<u8> {
+    if word.address != Address::M {
+        return None;
+    }
+    let number = word.whole().and_then(|number| u8::try_from(number).ok())?;
+    (number <= settings.machine.dialect.highest_m()).then_some(number)
+}

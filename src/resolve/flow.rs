@@ -1,0 +1,168 @@
+//! Where the calls and jumps that are written with digits lead (§6).
+
+use super::blocks::g_code;
+use super::structure::{Context, l_number};
+use super::{FileIndex, MacrocycleFault, Resolved, Target, Unit, UnitId, UnitKind};
+use crate::diag::{Diagnostic, Finding, LabelText};
+use crate::dict::{Address, GCode};
+use crate::syntax::{BlockFlags, BlockId, Value, Word};
+
+/// A call or jump as written.
+#[derive(Clone, Copy, Debug)]
+struct Written {
+    code: GCode,
+    g: Word,
+    l: Word,
+}
+
+/// Follows the calls and jumps of every unit not yet followed, and of the macrocycles that they load.
+pub(super) fn follow_calls(context: &mut Context<'_, '_>, resolved: &mut Resolved) {
+    while let Some(unit) = resolved.units.get(resolved.followed).copied() {
+        resolved.followed += 1;
+        follow_unit(context, resolved, unit);
+    }
+}
+
+fn written(resolved: &Resolved, file: FileIndex, block: BlockId) -> Option<Written> {
+    let parsed = resolved.file(file)?;
+    if !parsed.flags(block).has(BlockFlags::RICH) {
+        return None;
+    }
+    let words = parsed.words(block);
+    let (code, g) =
+        words.iter().find_map(|word| g_code(*word).filter(|code| code.is_flow()).map(|code| (code, *word)))?;
+    let l = words.iter().copied().find(|word| word.address == Address::L)?;
+    Some(Written { code, g, l })
+}
+
+fn follow_unit(context: &mut Context<'_, '_>, resolved: &mut Resolved, unit: Unit) {
+    for block in (unit.first.0..unit.end.0).map(BlockId) {
+        let Some(written) = written(resolved, unit.file, block) else { continue };
+        if written.code == GCode::G71 {
+            warn_of_inner_call(context, resolved, unit, written);
+        }
+        let Some(l) = l_number(written.l) else { continue };
+        let target = match written.code {
+            GCode::G71 => call_subprogram(context, resolved, unit, written, l),
+            GCode::G72 => call_macrocycle(context, resolved, unit, written, l),
+            _ => jump(context, resolved, unit, written, l),
+        };
+        if let (Some(target), Some(file)) = (target, resolved.files.get_mut(unit.file.0 as usize)) {
+            let at = file.targets.partition_point(|(known, _)| *known < block);
+            file.targets.insert(at, (block, target));
+        }
+    }
+}
+
+/// S4 describes G71 in the main program only (FLW-2).
+fn warn_of_inner_call(context: &mut Context<'_, '_>, resolved: &mut Resolved, unit: Unit, written: Written) {
+    if !matches!(unit.kind, UnitKind::Subprogram(_)) || resolved.subprogram_call_warned {
+        return;
+    }
+    if let Some(parsed) = resolved.file(unit.file) {
+        let finding = Finding::SubprogramCallsSubprogram { l: l_number(written.l) };
+        context.findings.add(Diagnostic::new(finding, parsed.word_place(written.g)));
+        resolved.subprogram_call_warned = true;
+    }
+}
+
+fn call_subprogram(
+    context: &mut Context<'_, '_>,
+    resolved: &Resolved,
+    unit: Unit,
+    written: Written,
+    l: u32,
+) -> Option<Target> {
+    let from_macrocycle = matches!(unit.kind, UnitKind::Macrocycle(_));
+    if let (Some(id), false) = (resolved.subprogram(l), from_macrocycle) {
+        return Some(Target::Unit(id));
+    }
+    let finding = Finding::UnknownSubprogram {
+        l,
+        near: resolved.nearest_subprogram(l),
+        macrocycle: context.library.find(l).is_ok(),
+        from_macrocycle,
+    };
+    report(context, resolved, unit, written, finding);
+    None
+}
+
+fn call_macrocycle(
+    context: &mut Context<'_, '_>,
+    resolved: &mut Resolved,
+    unit: Unit,
+    written: Written,
+    l: u32,
+) -> Option<Target> {
+    match context.macrocycle(resolved, l) {
+        Ok(id) => Some(Target::Unit(id)),
+        Err(fault) => {
+            let subprogram = resolved.subprogram(l).is_some();
+            report(context, resolved, unit, written, macrocycle_finding(fault, l, subprogram));
+            None
+        }
+    }
+}
+
+/// The finding at a call whose macrocycle is not to be had.
+pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool) -> Finding {
+    match fault {
+        MacrocycleFault::Missing { searched } => Finding::UnknownMacrocycle { l, searched, subprogram },
+        MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
+        MacrocycleFault::Unreadable(problem) => Finding::UnreadableFile { problem },
+    }
+}
+
+fn jump(context: &mut Context<'_, '_>, resolved: &Resolved, unit: Unit, written: Written, l: u32) -> Option<Target> {
+    match resolved.numbered(unit.file, l) {
+        Some(block) if unit.contains(block) => Some(Target::Block(block)),
+        Some(block) => {
+            if let Some(parsed) = resolved.file(unit.file) {
+                let diagnostic = Diagnostic::new(Finding::JumpOutOfUnit { l }, parsed.value_place(written.l));
+                let label = LabelText::BlockHere { block: l };
+                context.findings.add(diagnostic.with_label(parsed.n_place(block), label));
+            }
+            None
+        }
+        None => {
+            let finding = Finding::UnknownJumpTarget { l, near: resolved.nearest_block(&unit, l) };
+            report(context, resolved, unit, written, finding);
+            None
+        }
+    }
+}
+
+/// Reports at the number of the L word.
+fn report(context: &mut Context<'_, '_>, resolved: &Resolved, unit: Unit, written: Written, finding: Finding) {
+    if let Some(parsed) = resolved.file(unit.file) {
+        context.findings.add(Diagnostic::new(finding, parsed.value_place(written.l)));
+    }
+}
+
+/// Warns of subprograms that no G71 names, unless one takes its L from a parameter (PRG-4).
+pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
+    let Some(parsed) = resolved.file(FileIndex(0)) else { return };
+    let mut named = std::collections::BTreeSet::new();
+    for block in parsed.block_ids() {
+        if parsed.flags(block).has(BlockFlags::RICH) && has_parametric_call(parsed.words(block)) {
+            return;
+        }
+        if let Some(call) = written(resolved, FileIndex(0), block).filter(|call| call.code == GCode::G71) {
+            named.extend(l_number(call.l));
+        }
+    }
+    for (&l, &UnitId(id)) in &resolved.subprograms {
+        if let Some(unit) = resolved.units.get(id as usize).filter(|_| !named.contains(&l)) {
+            context.findings.add(Diagnostic::new(Finding::UnusedSubprogram { l }, unit.entry));
+        }
+    }
+}
+
+/// Whether the block may call a subprogram whose number is not written.
+fn has_parametric_call(words: &[Word]) -> bool {
+    let is_parametric = |word: &Word| matches!(word.value(), Value::Parameter { .. });
+    let calls = words
+        .iter()
+        .any(|word| g_code(*word) == Some(GCode::G71) || (word.address == Address::G && is_parametric(word)));
+    calls && words.iter().any(|word| word.address == Address::L && (is_parametric(word) || word.is_void()))
+}

@@ -1,0 +1,78 @@
+//! Whether a value fits its address (§2, ADR-1, ADR-2, TEC-1). The same rules for values written out and for those that
+//! parameters give.
+
+use crate::config::Machine;
+use crate::dict::{Address, Decimal, GCode, ValueForm};
+
+/// How a value does not fit.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum FormFault {
+    /// It has a fraction where the address takes whole numbers.
+    Fraction,
+    /// `&` takes four digits, each 0, 1 or 2.
+    Digits,
+    /// Outside the range, which is given for the message.
+    Range(String),
+}
+
+/// The range of F that counts: by the G6 function in force, or both when that is not known (TEC-1).
+pub fn feed_range(machine: &Machine, mode: Option<GCode>) -> (Decimal, Decimal) {
+    let per_revolution = (Decimal::from_thousandths(1), Decimal::from_thousandths(99_999));
+    let per_minute = (Decimal::whole(1), machine.limits.feed);
+    match mode {
+        Some(GCode::G95 | GCode::G97) => per_revolution,
+        Some(_) => per_minute,
+        None => (per_revolution.0, per_revolution.1.max(per_minute.1)),
+    }
+}
+
+/// Checks `value` for `address`; `dwell`: Q is a dwell time; `feed`: the range that F must keep, none: not yet known.
+///
+/// # Errors
+/// The first way in which it does not fit.
+pub fn check_form(
+    machine: &Machine,
+    address: Address,
+    value: Decimal,
+    dwell: bool,
+    feed: Option<GCode>,
+) -> Result<(), FormFault> {
+    let form = address.row().form;
+    if !form.takes_point(machine.dialect) && !value.is_whole() {
+        return Err(FormFault::Fraction);
+    }
+    let within = |min: Decimal, max: Decimal, unit: &str| {
+        if min <= value && value <= max { Ok(()) } else { Err(FormFault::Range(format!("{min}–{max}{unit}"))) }
+    };
+    let dimension = || {
+        if value.abs() <= Decimal::DIMENSION_MAX { Ok(()) } else { Err(FormFault::Range("±69999.999".to_owned())) }
+    };
+    match form {
+        ValueForm::None => Ok(()),
+        ValueForm::Whole { max, .. } if dwell && address == Address::Q => {
+            within(Decimal::ZERO, Decimal::whole(max), "")
+        }
+        ValueForm::Whole { min, max } => within(Decimal::whole(min), Decimal::whole(max), ""),
+        ValueForm::Dimension => dimension(),
+        ValueForm::Auxiliary if form.takes_point(machine.dialect) => dimension(),
+        ValueForm::Auxiliary => within(Decimal::whole(1), Decimal::whole(99), ""),
+        ValueForm::Technological => within(Decimal::ZERO, Decimal::whole(i64::from(machine.dialect.highest_m())), ""),
+        ValueForm::Parameter if value.fits_parameter() => Ok(()),
+        ValueForm::Parameter => Err(FormFault::Range("±69999.999, ±99999999".to_owned())),
+        ValueForm::Feed => {
+            let (min, max) = feed_range(machine, feed);
+            let unit = match feed {
+                Some(GCode::G95 | GCode::G97) => " mm/rev",
+                Some(_) => " mm/min",
+                None => "",
+            };
+            within(min, max, unit)
+        }
+        ValueForm::CorrectionDigits => {
+            let digits = value.as_whole().unwrap_or(-1);
+            let fits =
+                (0..10_000).contains(&digits) && [1, 10, 100, 1000].into_iter().all(|unit| (digits / unit) % 10 <= 2);
+            if fits { Ok(()) } else { Err(FormFault::Digits) }
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! The macrocycles that programs may call: files named `L` and their number, on the search path (PRG-6).
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::diag::Problem;
+use crate::text::Loader;
+
+/// Why a macrocycle cannot be called.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum MacrocycleFault {
+    /// No file of that number; where was searched.
+    Missing {
+        /// The folders, for the message.
+        searched: String,
+    },
+    /// Two files of that number.
+    Ambiguous {
+        /// One.
+        first: String,
+        /// The other.
+        second: String,
+    },
+    /// The file cannot be read.
+    Unreadable(Problem),
+}
+
+/// Finds macrocycle files; each folder is listed once.
+pub struct Library<'a> {
+    loader: &'a dyn Loader,
+    folders: Vec<PathBuf>,
+    index: Option<BTreeMap<u32, Vec<PathBuf>>>,
+}
+
+impl<'a> Library<'a> {
+    /// Searches `folders`, or the folder of `program` when there are none.
+    pub fn new(loader: &'a dyn Loader, folders: &[PathBuf], program: &Path) -> Self {
+        let folders = if folders.is_empty() {
+            vec![program.parent().map(Path::to_path_buf).unwrap_or_default()]
+        } else {
+            folders.to_vec()
+        };
+        Self { loader, folders, index: None }
+    }
+
+    /// The number of the macrocycle that a file of that name holds: `L` and digits, with no extension or `.NC`, `.NCP`,
+    /// `.MRC`, `.TXT`, in either case.
+    pub fn number(path: &Path) -> Option<u32> {
+        let name = path.file_name()?.to_str()?.to_ascii_uppercase();
+        let digits = name.strip_prefix('L')?;
+        let digits = [".NC", ".NCP", ".MRC", ".TXT"]
+            .into_iter()
+            .find_map(|extension| digits.strip_suffix(extension))
+            .unwrap_or(digits);
+        if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+            return None;
+        }
+        digits.trim_start_matches('0').parse().ok().filter(|number| (1..=9999).contains(number))
+    }
+
+    /// The file of macrocycle `l`.
+    ///
+    /// # Errors
+    /// [`MacrocycleFault::Missing`] or [`MacrocycleFault::Ambiguous`].
+    pub fn find(&mut self, l: u32) -> Result<PathBuf, MacrocycleFault> {
+        let loader = self.loader;
+        let folders = &self.folders;
+        let index = self.index.get_or_insert_with(|| {
+            let mut index: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
+            for path in folders.iter().flat_map(|folder| loader.list(folder)) {
+                if let Some(number) = Self::number(&path) {
+                    let files = index.entry(number).or_default();
+                    // One file reached by two names is not two files.
+                    if !files.iter().any(|known| loader.canonical(known) == loader.canonical(&path)) {
+                        files.push(path);
+                    }
+                }
+            }
+            index
+        });
+        match index.get(&l).map(Vec::as_slice) {
+            None | Some([]) => {
+                let name = |folder: &PathBuf| match folder.to_string_lossy() {
+                    name if name.is_empty() => ".".to_owned(),
+                    name => name.into_owned(),
+                };
+                Err(MacrocycleFault::Missing { searched: folders.iter().map(name).collect::<Vec<_>>().join(", ") })
+            }
+            Some([only]) => Ok(only.clone()),
+            Some([first, second, ..]) => Err(MacrocycleFault::Ambiguous {
+                first: first.to_string_lossy().into_owned(),
+                second: second.to_string_lossy().into_owned(),
+            }),
+        }
+    }
+
+    /// The bytes of a macrocycle file.
+    ///
+    /// # Errors
+    /// [`MacrocycleFault::Unreadable`].
+    pub fn read(&self, path: &Path) -> Result<Vec<u8>, MacrocycleFault> {
+        self.loader.read(path).map_err(|error| MacrocycleFault::Unreadable(Problem::from_io(&error)))
+    }
+}
+
+impl std::fmt::Debug for Library<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Library").field("folders", &self.folders).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::MemoryLoader;
+
+    /// PRG-6: case, leading zeros and four extensions.
+    #[test]
+    fn names() {
+        for name in ["L9001", "l9001", "L09001", "L9001.NC", "l9001.mrc", "dir/L9001.Txt"] {
+            assert_eq!(Library::number(Path::new(name)), Some(9001), "{name}");
+        }
+        for name in ["L", "L9001.toml", "LX1", "9001", "L10000", "L0"] {
+            assert_eq!(Library::number(Path::new(name)), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn two_files_of_one_number() {
+        let loader = MemoryLoader::new().with("m/L1", "").with("m/L01.NC", "").with("m/L2", "");
+        let mut library = Library::new(&loader, &[PathBuf::from("m")], Path::new("p.nc"));
+        assert!(matches!(library.find(1), Err(MacrocycleFault::Ambiguous { .. })));
+        assert_eq!(library.find(2), Ok(PathBuf::from("m/L2")));
+        assert_eq!(library.find(3), Err(MacrocycleFault::Missing { searched: "m".to_owned() }));
+    }
+}

@@ -1,0 +1,18 @@
+//! From the trees of files to units with checked blocks and known targets.
+//!
+//! Everything that the written values tell is found here, whether a block is ever executed or not: structure, forms,
+//! ranges, groups, targets, rings. What depends on values and modal state is found by `expand`.
+
+mod blocks;
+mod flow;
+mod forms;
+mod library;
+mod program;
+mod rings;
+mod structure;
+
+pub use flow::macrocycle_finding;
+pub use forms::{FormFault, check_form, feed_range};
+pub use library::{Library, MacrocycleFault};
+pub use program::{FileIndex, Resolved, Target, Unit, UnitId, UnitKind};
+pub use structure::{ControlWord, control_word, resolve_macrocycle, resolve_program};

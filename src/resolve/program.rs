@@ -1,0 +1,157 @@
+//! A resolved program: its files, its units, and where its calls and jumps lead.
+
+use std::collections::BTreeMap;
+
+use crate::syntax::{BlockId, ParsedFile};
+use crate::text::Location;
+
+/// Index of a file among those of a resolved program.
+#[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub struct FileIndex(pub u32);
+
+/// Index of a unit of a resolved program.
+#[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub struct UnitId(pub u32);
+
+/// What a unit is.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum UnitKind {
+    /// The main program.
+    Main,
+    /// A subprogram; its L unless that is missing or malformed.
+    Subprogram(Option<u32>),
+    /// A macrocycle, by the number of its file.
+    Macrocycle(u32),
+}
+
+/// A program unit: consecutive blocks of one file that jumps do not leave.
+#[derive(Clone, Copy, Debug)]
+pub struct Unit {
+    /// What it is.
+    pub kind: UnitKind,
+    /// In which file.
+    pub file: FileIndex,
+    /// Its first block.
+    pub first: BlockId,
+    /// One past its last block.
+    pub end: BlockId,
+    /// The G79 word, or the first `N`, or `%`: where a missing end is reported.
+    pub entry: Location,
+}
+
+impl Unit {
+    /// Whether a block of the same file belongs to it.
+    pub fn contains(&self, block: BlockId) -> bool {
+        self.first <= block && block < self.end
+    }
+
+    /// `main`, `L100`.
+    pub fn name(&self) -> String {
+        match self.kind {
+            UnitKind::Main => "%".to_owned(),
+            UnitKind::Subprogram(Some(l)) | UnitKind::Macrocycle(l) => format!("L{l}"),
+            UnitKind::Subprogram(None) => "L?".to_owned(),
+        }
+    }
+}
+
+/// Where a call or jump that is written with digits leads.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Target {
+    /// A subprogram or macrocycle.
+    Unit(UnitId),
+    /// A block of the same unit.
+    Block(BlockId),
+}
+
+/// One file with what was found out of it.
+#[derive(Debug)]
+pub(super) struct ResolvedFile {
+    pub(super) parsed: ParsedFile,
+    /// Calls and jumps written with digits, by block.
+    pub(super) targets: Vec<(BlockId, Target)>,
+    /// The first block of each number that a jump can reach (FLW-5: L has four digits).
+    pub(super) numbered: BTreeMap<u32, BlockId>,
+}
+
+/// A program or macrocycle with everything that its written calls lead to.
+#[derive(Debug, Default)]
+pub struct Resolved {
+    pub(super) files: Vec<ResolvedFile>,
+    pub(super) units: Vec<Unit>,
+    pub(super) subprograms: BTreeMap<u32, UnitId>,
+    pub(super) subprogram_call_warned: bool,
+    /// How many units have had their calls followed.
+    pub(super) followed: usize,
+}
+
+impl Resolved {
+    /// A file; `None` for an index of another program.
+    #[inline]
+    pub fn file(&self, index: FileIndex) -> Option<&ParsedFile> {
+        self.files.get(index.0 as usize).map(|file| &file.parsed)
+    }
+
+    /// A unit; `None` for an index of another program.
+    #[inline]
+    pub fn unit(&self, id: UnitId) -> Option<&Unit> {
+        self.units.get(id.0 as usize)
+    }
+
+    /// All units, the main program first.
+    pub fn units(&self) -> impl Iterator<Item = (UnitId, &Unit)> {
+        (0..).map(UnitId).zip(&self.units)
+    }
+
+    /// The main program; `None` when a macrocycle was resolved, or the file has no `%`.
+    pub fn main(&self) -> Option<UnitId> {
+        self.units().find(|(_, unit)| unit.kind == UnitKind::Main).map(|(id, _)| id)
+    }
+
+    /// The subprogram of that number.
+    pub fn subprogram(&self, l: u32) -> Option<UnitId> {
+        self.subprograms.get(&l).copied()
+    }
+
+    /// The number of a subprogram that is nearest to `l`.
+    pub fn nearest_subprogram(&self, l: u32) -> Option<u32> {
+        self.subprograms.keys().copied().min_by_key(|number| number.abs_diff(l))
+    }
+
+    /// Where the call or jump of a block leads, when it is written with digits and exists.
+    pub fn target(&self, file: FileIndex, block: BlockId) -> Option<Target> {
+        let targets = &self.files.get(file.0 as usize)?.targets;
+        targets
+            .binary_search_by_key(&block, |(block, _)| *block)
+            .ok()
+            .and_then(|at| targets.get(at))
+            .map(|found| found.1)
+    }
+
+    /// The first block of a file with that number.
+    pub fn numbered(&self, file: FileIndex, number: u32) -> Option<BlockId> {
+        self.files.get(file.0 as usize)?.numbered.get(&number).copied()
+    }
+
+    /// The number of a block of the unit that is nearest to `number`.
+    pub fn nearest_block(&self, unit: &Unit, number: u32) -> Option<u32> {
+        let file = self.files.get(unit.file.0 as usize)?;
+        file.numbered
+            .iter()
+            .filter(|(_, block)| unit.contains(**block))
+            .map(|(found, _)| *found)
+            .min_by_key(|found| found.abs_diff(number))
+    }
+
+    pub(super) fn add_unit(&mut self, unit: Unit) -> UnitId {
+        let id = UnitId(u32::try_from(self.units.len()).unwrap_or(u32::MAX));
+        self.units.push(unit);
+        id
+    }
+
+    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: BTreeMap<u32, BlockId>) -> FileIndex {
+        let index = FileIndex(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
+        self.files.push(ResolvedFile { parsed, targets: Vec::new(), numbered });
+        index
+    }
+}

@@ -1,0 +1,90 @@
+//! Calls that lead back to a unit that is still running (FLW-2).
+
+use super::structure::Context;
+use super::{Resolved, Target, UnitId};
+use crate::diag::{Diagnostic, Finding};
+use crate::dict::Address;
+use crate::syntax::BlockId;
+
+/// How far the search has come in a unit.
+#[derive(Clone, Copy, Eq, PartialEq)]
+enum Visit {
+    New,
+    Open,
+    Done,
+}
+
+/// Reports each written call that closes a ring: depth first from the main program, then from every unit not yet reached.
+pub(super) fn check(context: &mut Context<'_, '_>, resolved: &Resolved) {
+    let mut visits = vec![Visit::New; resolved.units.len()];
+    for (root, _) in resolved.units() {
+        walk(context, resolved, root, &mut visits);
+    }
+}
+
+/// The calls of a unit to other units, in the order of the text.
+fn calls(resolved: &Resolved, id: UnitId) -> Vec<(BlockId, UnitId)> {
+    let Some(unit) = resolved.unit(id) else { return Vec::new() };
+    let Some(file) = resolved.files.get(unit.file.0 as usize) else { return Vec::new() };
+    file.targets
+        .iter()
+        .filter(|(block, _)| unit.contains(*block))
+        .filter_map(|(block, target)| match target {
+            Target::Unit(called) => Some((*block, *called)),
+            Target::Block(_) => None,
+        })
+        .collect()
+}
+
+/// Depth-first search with a stack of its own: macrocycles may call one another by the thousand.
+fn walk(context: &mut Context<'_, '_>, resolved: &Resolved, root: UnitId, visits: &mut [Visit]) {
+    if visits.get(root.0 as usize) != Some(&Visit::New) {
+        return;
+    }
+    let mut path = vec![(root, calls(resolved, root), 0_usize)];
+    mark(visits, root, Visit::Open);
+    while let Some((unit, unit_calls, next)) = path.last_mut() {
+        let Some(&(block, called)) = unit_calls.get(*next) else {
+            mark(visits, *unit, Visit::Done);
+            path.pop();
+            continue;
+        };
+        *next += 1;
+        let caller = *unit;
+        match visits.get(called.0 as usize) {
+            Some(Visit::New) => {
+                mark(visits, called, Visit::Open);
+                path.push((called, calls(resolved, called), 0));
+            }
+            Some(Visit::Open) => {
+                let ring: Vec<UnitId> =
+                    path.iter().map(|(unit, ..)| *unit).skip_while(|unit| *unit != called).collect();
+                report(context, resolved, caller, block, called, &ring);
+            }
+            Some(Visit::Done) | None => {}
+        }
+    }
+}
+
+fn mark(visits: &mut [Visit], unit: UnitId, visit: Visit) {
+    if let Some(slot) = visits.get_mut(unit.0 as usize) {
+        *slot = visit;
+    }
+}
+
+fn report(
+    context: &mut Context<'_, '_>,
+    resolved: &Resolved,
+    caller: UnitId,
+    block: BlockId,
+    called: UnitId,
+    ring: &[UnitId],
+) {
+    let parsed = resolved.unit(caller).and_then(|unit| resolved.file(unit.file));
+    let Some(parsed) = parsed else { return };
+    let Some(&l) = parsed.words(block).iter().find(|word| word.address == Address::L) else { return };
+    let names: Vec<String> =
+        ring.iter().chain([&called]).filter_map(|unit| resolved.unit(*unit)).map(super::Unit::name).collect();
+    let finding = Finding::RecursiveCall { ring: names.join(" → ") };
+    context.findings.add(Diagnostic::new(finding, parsed.word_place(l)));
+}

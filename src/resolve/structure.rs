@@ -1,0 +1,382 @@
+//! Splits files into units: the main program, its subprograms, a macrocycle (§5).
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::blocks::{BlockChecker, g_code};
+use super::{FileIndex, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
+use crate::config::{Machine, Settings};
+use crate::diag::{Diagnostic, Finding, Findings, LabelText, Problem};
+use crate::dict::{Address, Decimal, GCode};
+use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
+use crate::text::{DecodeError, Location, SourceText, Sources, Span};
+
+/// Most subprograms of a file (PRG-4).
+const SUBPROGRAMS: usize = 99;
+/// Jumps and calls reach numbers of four digits (FLW-5).
+const REACHABLE: u32 = 9999;
+
+/// What resolving works with.
+pub(super) struct Context<'a, 'l> {
+    pub(super) settings: &'a Settings,
+    pub(super) library: &'a mut Library<'l>,
+    pub(super) sources: &'a mut Sources,
+    pub(super) findings: &'a mut Findings,
+}
+
+/// Resolves the program in `source`, and the macrocycles that its written calls lead to.
+pub fn resolve_program(
+    source: &Arc<SourceText>,
+    settings: &Settings,
+    library: &mut Library<'_>,
+    sources: &mut Sources,
+    findings: &mut Findings,
+) -> Resolved {
+    let file = sources.add(Arc::clone(source));
+    let parsed = parse(file, source, Form::Program, findings);
+    let mut resolved = Resolved::default();
+    let mut context = Context { settings, library, sources, findings };
+    if let Some(word) = parsed.program {
+        let mut checker = BlockChecker { settings, file: &parsed, findings: context.findings };
+        checker.check_program_word(word);
+        context.add_program(&mut resolved, parsed);
+        flow::follow_calls(&mut context, &mut resolved);
+        flow::check_unused(&mut context, &resolved);
+        rings::check(&mut context, &resolved);
+    }
+    resolved
+}
+
+/// Resolves the macrocycle in `source`, whose file is named after number `l`, and those that it calls.
+pub fn resolve_macrocycle(
+    source: &Arc<SourceText>,
+    l: u32,
+    settings: &Settings,
+    library: &mut Library<'_>,
+    sources: &mut Sources,
+    findings: &mut Findings,
+) -> Resolved {
+    let file = sources.add(Arc::clone(source));
+    let parsed = parse(file, source, Form::Macrocycle, findings);
+    let mut resolved = Resolved::default();
+    let mut context = Context { settings, library, sources, findings };
+    context.add_macrocycle(&mut resolved, parsed, l);
+    flow::follow_calls(&mut context, &mut resolved);
+    rings::check(&mut context, &resolved);
+    resolved
+}
+
+impl Resolved {
+    /// The unit of macrocycle `l`, loaded and resolved when it was not before: for calls whose number comes from a
+    /// parameter or the cycle map.
+    ///
+    /// # Errors
+    /// Why there is no such macrocycle.
+    pub fn load_macrocycle(
+        &mut self,
+        l: u32,
+        settings: &Settings,
+        library: &mut Library<'_>,
+        sources: &mut Sources,
+        findings: &mut Findings,
+    ) -> Result<UnitId, MacrocycleFault> {
+        let mut context = Context { settings, library, sources, findings };
+        let known = self.units.len();
+        let unit = context.macrocycle(self, l)?;
+        if self.units.len() > known {
+            flow::follow_calls(&mut context, self);
+        }
+        Ok(unit)
+    }
+}
+
+impl Context<'_, '_> {
+    /// The unit of macrocycle `l`; its own calls are not followed yet.
+    pub(super) fn macrocycle(&mut self, resolved: &mut Resolved, l: u32) -> Result<UnitId, MacrocycleFault> {
+        if let Some((id, _)) = resolved.units().find(|(_, unit)| unit.kind == UnitKind::Macrocycle(l)) {
+            return Ok(id);
+        }
+        let path = self.library.find(l)?;
+        let bytes = self.library.read(&path)?;
+        let source = SourceText::decode(display_name(&path), bytes, self.settings.encoding)
+            .map_err(|DecodeError::TooLarge| MacrocycleFault::Unreadable(Problem::TooLarge))?;
+        let source = Arc::new(source);
+        let file = self.sources.add(Arc::clone(&source));
+        let parsed = parse(file, &source, Form::Macrocycle, self.findings);
+        Ok(self.add_macrocycle(resolved, parsed, l))
+    }
+
+    fn report(&mut self, at: Location, finding: Finding) {
+        self.findings.add(Diagnostic::new(finding, at));
+    }
+
+    /// Splits a program into its main program and subprograms, and checks every block (PRG-2…PRG-5).
+    fn add_program(&mut self, resolved: &mut Resolved, parsed: ParsedFile) {
+        let program = parsed.program.map_or(Location::default(), |word| parsed.word_place(word));
+        let file = FileIndex(0);
+        let main_end = parsed
+            .block_ids()
+            .find_map(|block| match parsed.flags(block) {
+                flags if flags.has(BlockFlags::ENTRY) => Some((block, false)),
+                flags if flags.has(BlockFlags::END) => Some((block.next(), true)),
+                _ => None,
+            })
+            .unwrap_or((BlockId(parsed.block_count()), false));
+        let (end, ended) = main_end;
+        let first = BlockId(0);
+        resolved.add_unit(Unit { kind: UnitKind::Main, file, first, end, entry: program });
+        if !ended {
+            let place = if end == first { program } else { parsed.n_place(BlockId(end.0 - 1)) };
+            self.report(place, Finding::MissingProgramEnd { skipped: false });
+        }
+        self.add_subprograms(resolved, &parsed, end);
+        self.check_blocks(resolved, &parsed, 0);
+        self.check_ends_in_main(&parsed, first, end);
+        let numbered = self.number_blocks(&parsed);
+        resolved.add_file(parsed, numbered);
+    }
+
+    fn add_subprograms(&mut self, resolved: &mut Resolved, parsed: &ParsedFile, from: BlockId) {
+        let mut block = from;
+        let mut stray = false;
+        let mut count = 0;
+        let mut first_of: BTreeMap<u32, Word> = BTreeMap::new();
+        while block.0 < parsed.block_count() {
+            if !parsed.flags(block).has(BlockFlags::ENTRY) {
+                if !stray {
+                    let finding = Finding::BlockAfterProgramEnd { block: parsed.shown_number(block) };
+                    self.report(parsed.n_place(block), finding);
+                }
+                stray = true;
+                block = block.next();
+                continue;
+            }
+            stray = false;
+            count += 1;
+            let entry = entry_place(parsed, block);
+            let (end, ended) = unit_end(parsed, block);
+            if !ended {
+                self.report(entry, Finding::UnterminatedSubprogram { macrocycle: false, skipped: false });
+            }
+            if count == SUBPROGRAMS + 1 {
+                self.report(entry, Finding::TooManySubprograms {});
+            }
+            self.check_entry(parsed, block);
+            let l_word = entry_l(parsed, block);
+            let l = l_word.and_then(l_number);
+            let kind = UnitKind::Subprogram(l);
+            let id = resolved.add_unit(Unit { kind, file: FileIndex(0), first: block, end, entry });
+            if let (Some(word), Some(l)) = (l_word, l) {
+                match first_of.get(&l) {
+                    None => {
+                        first_of.insert(l, word);
+                        resolved.subprograms.insert(l, id);
+                    }
+                    Some(first) => {
+                        let diagnostic = Diagnostic::new(Finding::DuplicateSubprogram { l }, parsed.word_place(word));
+                        let label = parsed.word_place(*first);
+                        self.findings.add(diagnostic.with_label(label, LabelText::First));
+                    }
+                }
+            }
+            block = end;
+        }
+    }
+
+    /// A macrocycle file has the form of one subprogram (PRG-7).
+    fn add_macrocycle(&mut self, resolved: &mut Resolved, parsed: ParsedFile, l: u32) -> UnitId {
+        let first = BlockId(0);
+        let begins = parsed.flags(first).has(BlockFlags::ENTRY);
+        let empty = parsed.block_count() == 0;
+        let entry = if begins {
+            entry_place(&parsed, first)
+        } else if empty {
+            parsed.at(Span::empty(parsed.start))
+        } else {
+            parsed.n_place(first)
+        };
+        let (end, ended) = unit_end(&parsed, first);
+        let name = parsed.source.name().to_owned();
+        if begins {
+            self.check_entry(&parsed, first);
+            if let Some(word) = entry_l(&parsed, first)
+                && let Some(found) = l_number(word).filter(|found| *found != l)
+            {
+                let finding = Finding::MacrocycleNumberMismatch { file: name, expected: l, found: Some(found) };
+                self.report(parsed.value_place(word), finding);
+            }
+        } else if !empty {
+            let finding = Finding::MacrocycleNumberMismatch { file: name, expected: l, found: None };
+            self.report(entry, finding);
+        }
+        if !ended && (begins || empty) {
+            self.report(entry, Finding::UnterminatedSubprogram { macrocycle: true, skipped: false });
+        }
+        if end.0 < parsed.block_count() {
+            let finding = Finding::BlockAfterMacrocycleEnd { block: parsed.shown_number(end) };
+            self.report(parsed.n_place(end), finding);
+        }
+        let file = FileIndex(u32::try_from(resolved.files.len()).unwrap_or(u32::MAX));
+        let known = resolved.units.len();
+        let id = resolved.add_unit(Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry });
+        self.check_blocks(resolved, &parsed, known);
+        let numbered = self.number_blocks(&parsed);
+        resolved.add_file(parsed, numbered);
+        id
+    }
+
+    /// Checks every block of a file whose units begin at index `from`, also those of no unit.
+    fn check_blocks(&mut self, resolved: &Resolved, parsed: &ParsedFile, from: usize) {
+        let mut units = resolved.units.get(from..).unwrap_or_default().iter().peekable();
+        let mut checker = BlockChecker { settings: self.settings, file: parsed, findings: self.findings };
+        for block in parsed.block_ids() {
+            while units.next_if(|unit| unit.end <= block).is_some() {}
+            let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
+            checker.check(block, unit);
+        }
+    }
+
+    /// G70 ends subprograms only (PRG-5).
+    fn check_ends_in_main(&mut self, parsed: &ParsedFile, first: BlockId, end: BlockId) {
+        for block in (first.0..end.0).map(BlockId) {
+            if parsed.flags(block).has(BlockFlags::RETURN)
+                && let Some(&word) = parsed.words(block).iter().find(|word| g_code(**word) == Some(GCode::G70))
+            {
+                self.report(parsed.word_place(word), Finding::EndOutsideSubprogram {});
+            }
+        }
+    }
+
+    /// Nothing but `N`, G79 and L stands in the block that begins a unit (PRG-3).
+    fn check_entry(&mut self, parsed: &ParsedFile, block: BlockId) {
+        let mut seen_g79 = false;
+        for &word in parsed.words(block) {
+            let expected = match word.address {
+                Address::G if !seen_g79 && g_code(word) == Some(GCode::G79) => {
+                    seen_g79 = true;
+                    true
+                }
+                // A function of the same group, or a second L, is a finding of its own already.
+                Address::G => g_code(word).is_some_and(|code| code.group() == GCode::G79.group()),
+                Address::L => true,
+                _ => word.is_faulty(),
+            };
+            if !expected {
+                let place = parsed.word_place(word);
+                let shown = crate::diag::shown(parsed.source.slice(place.span));
+                self.report(place, Finding::CrowdedSubprogramStart { word: shown });
+                return;
+            }
+        }
+    }
+
+    /// Block numbers are unique in a file (BLK-7); gives the blocks that jumps can reach.
+    fn number_blocks(&mut self, parsed: &ParsedFile) -> BTreeMap<u32, BlockId> {
+        let mut numbered = BTreeMap::new();
+        let mut rising = true;
+        let mut last = 0;
+        for block in parsed.block_ids() {
+            let Some(number) = parsed.number(block) else { continue };
+            rising &= number > last;
+            last = number;
+            if number <= REACHABLE {
+                numbered.entry(number).or_insert(block);
+            }
+        }
+        if rising {
+            return numbered;
+        }
+        let mut all: Vec<(u32, BlockId)> =
+            parsed.block_ids().filter_map(|block| Some((parsed.number(block)?, block))).collect();
+        all.sort_unstable();
+        let mut first: Option<(u32, BlockId)> = None;
+        for (number, block) in all {
+            match first {
+                Some((known, first)) if known == number => {
+                    let finding = Finding::DuplicateBlockNumber { block: number };
+                    let diagnostic = Diagnostic::new(finding, parsed.n_place(block));
+                    self.findings.add(diagnostic.with_label(parsed.n_place(first), LabelText::First));
+                }
+                _ => first = Some((number, block)),
+            }
+        }
+        numbered
+    }
+}
+
+/// Where a unit that begins at `first` ends: after its first G70, before the next G79, or with the file; and whether it
+/// has its G70.
+fn unit_end(parsed: &ParsedFile, first: BlockId) -> (BlockId, bool) {
+    for block in (first.0..parsed.block_count()).map(BlockId) {
+        let flags = parsed.flags(block);
+        if block != first && flags.has(BlockFlags::ENTRY) {
+            return (block, false);
+        }
+        if flags.has(BlockFlags::RETURN) {
+            return (block.next(), true);
+        }
+    }
+    (BlockId(parsed.block_count()), false)
+}
+
+fn entry_place(parsed: &ParsedFile, block: BlockId) -> Location {
+    parsed
+        .words(block)
+        .iter()
+        .find(|word| g_code(**word) == Some(GCode::G79))
+        .map_or_else(|| parsed.n_place(block), |word| parsed.word_place(*word))
+}
+
+fn entry_l(parsed: &ParsedFile, block: BlockId) -> Option<Word> {
+    parsed.words(block).iter().copied().find(|word| word.address == Address::L)
+}
+
+/// The number that an L word writes out, when it is in range.
+pub(super) fn l_number(word: Word) -> Option<u32> {
+    let number = word.whole().and_then(|number| u32::try_from(number).ok())?;
+    (1..=REACHABLE).contains(&number).then_some(number)
+}
+
+fn display_name(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// A control word taken apart (PAR-8).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct ControlWord {
+    /// The operation.
+    pub operation: crate::dict::Operation,
+    /// The parameter that is the first operand.
+    pub first: u8,
+    /// The one that is the second, when the operation has two.
+    pub second: Option<u8>,
+    /// The one that takes the result.
+    pub result: u8,
+    /// `-`: whole-number arithmetic.
+    pub whole: bool,
+}
+
+/// Takes a control word apart (PAR-8, PAR-9).
+///
+/// # Errors
+/// What is wrong with it: its form, its operation, its fields, in this order.
+pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Finding> {
+    let whole = value.as_whole().filter(|whole| whole.abs() <= 99_999_999);
+    let Some(whole) = whole else { return Err(Finding::MalformedControlWord { field: None }) };
+    let digits = whole.abs();
+    let operation_code = digits / 1_000_000;
+    let operation = u8::try_from(operation_code).ok().and_then(|code| machine.operations.get(&code)).copied();
+    let Some(operation) = operation else { return Err(Finding::UnknownOperation { operation: operation_code }) };
+    let field = |unit: i64| {
+        let field = (digits / unit) % 100;
+        match u8::try_from(field) {
+            Ok(parameter) if parameter <= 95 => Ok(parameter),
+            _ => Err(Finding::MalformedControlWord { field: Some(field) }),
+        }
+    };
+    let first = field(10_000)?;
+    let second = if operation.takes_two() { Some(field(100)?) } else { None };
+    let result = field(1)?;
+    Ok(ControlWord { operation, first, second, result, whole: whole < 0 })
+}

@@ -1,0 +1,133 @@
+//! The grammar of what stands between two `N`: chumsky parsers over the tokens of one block.
+//!
+//! It accepts every sequence of tokens: what is malformed has productions of its own, so that one mistake becomes one
+//! item and the words around it stay what they are. `grammar/part-program.ebnf` shows the well-formed part.
+
+use chumsky::extra;
+use chumsky::input::MapExtra;
+use chumsky::inspector::SimpleState;
+use chumsky::prelude::*;
+
+use super::lower::Lowering;
+use super::{Kind, Token};
+
+/// One thing in a block, as the tokens it is made of.
+#[derive(Clone, Debug)]
+pub(super) enum Item {
+    /// An address and its number; more numbers after blanks are its pieces.
+    Word { word: Token, pieces: Vec<Token> },
+    /// An address, and a parameter in place of its number (PAR-2).
+    Parametric { address: Token, parameter: Token, pieces: Vec<Token> },
+    /// `R11=R10`, `R11=-R10` (PAR-1).
+    Copy { target: Token, sign: Option<Token>, source: Token, pieces: Vec<Token> },
+    /// `R10=25.5`, `R10 25.5` (PAR-1).
+    Assignment { target: Token, sign: Option<Token>, number: Token, pieces: Vec<Token> },
+    /// An address with a sign, blanks, and a number.
+    SplitSign { address: Token, number: Token, pieces: Vec<Token> },
+    /// An address with `=` and a number.
+    ForeignAssignment { address: Token, number: Token },
+    /// An address or R word without a value; a number that stands beyond a line end or comment was meant for it.
+    Valueless { address: Token, end: Token, comments: Vec<Token> },
+    /// `/`
+    Skip(Token),
+    /// A comment.
+    Comment(Token),
+    /// A line end.
+    LineEnd,
+    /// Numbers, signs or `=` that belong to nothing.
+    Stray { first: Token, last: Token },
+    /// Characters or text that mean nothing.
+    Debris(Token),
+}
+
+type Extra<'x, 'l> = extra::Full<EmptyErr, SimpleState<&'l mut Lowering<'x>>, ()>;
+
+/// The parser of one block's tokens. Each item goes to the [`Lowering`] as it is recognised; nothing is kept.
+pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<'x, 'l>> {
+    let one = |kind: Kind| any().filter(move |token: &Token| token.kind == kind);
+    let number = any().filter(|token: &Token| matches!(token.kind, Kind::Number | Kind::LooseNumber));
+    let parameter = any().filter(|token: &Token| matches!(token.kind, Kind::Parameter | Kind::LooseParameter));
+    let address = any().filter(|token: &Token| matches!(token.kind, Kind::Letter | Kind::SignedLetter));
+    let pieces = number.repeated().collect::<Vec<Token>>();
+    // A number beyond a line end or a comment: the value that an address lacks.
+    let beyond = any()
+        .filter(|token: &Token| matches!(token.kind, Kind::LineEnd | Kind::Comment))
+        .repeated()
+        .collect::<Vec<Token>>()
+        .then_ignore(number)
+        .or_not()
+        .map(|comments: Option<Vec<Token>>| {
+            comments.unwrap_or_default().into_iter().filter(|token| token.kind == Kind::Comment).collect()
+        });
+
+    let word = any()
+        .filter(|token: &Token| matches!(token.kind, Kind::Word | Kind::LooseWord))
+        .then(pieces.clone())
+        .map(|(word, pieces)| Item::Word { word, pieces });
+    let comment =
+        any().filter(|token: &Token| matches!(token.kind, Kind::Comment | Kind::TypographicComment)).map(Item::Comment);
+    let assigned = parameter.then_ignore(one(Kind::Equals)).then(one(Kind::Sign).or_not());
+    let copy = assigned.then(parameter).then(pieces.clone()).map(|(((target, sign), source), pieces)| Item::Copy {
+        target,
+        sign,
+        source,
+        pieces,
+    });
+    let assignment = assigned
+        .then(number)
+        .then(pieces.clone())
+        .map(|(((target, sign), number), pieces)| Item::Assignment { target, sign, number, pieces });
+    let short_assignment = parameter
+        .then(one(Kind::Sign).or_not())
+        .then(number)
+        .then(pieces.clone())
+        .map(|(((target, sign), number), pieces)| Item::Assignment { target, sign, number, pieces });
+    let parametric = address
+        .then(parameter)
+        .then(pieces.clone())
+        .map(|((address, parameter), pieces)| Item::Parametric { address, parameter, pieces });
+    let split_sign = one(Kind::SignedLetter)
+        .then(number)
+        .then(pieces)
+        .map(|((address, number), pieces)| Item::SplitSign { address, number, pieces });
+    let foreign = any()
+        .filter(|token: &Token| matches!(token.kind, Kind::Letter | Kind::SignedLetter | Kind::BareR))
+        .then_ignore(one(Kind::Equals))
+        .then(number)
+        .map(|(address, number)| Item::ForeignAssignment { address, number });
+    let valueless = address
+        .or(one(Kind::BareR))
+        .map(|address| (address, address))
+        .or(parameter
+            .then(one(Kind::Equals).or_not())
+            .then_ignore(one(Kind::Sign).or_not())
+            .map(|(parameter, equals): (Token, Option<Token>)| (parameter, equals.unwrap_or(parameter))))
+        .then(beyond)
+        .map(|((address, end), comments)| Item::Valueless { address, end, comments });
+    let stray_token = any()
+        .filter(|token: &Token| matches!(token.kind, Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals));
+    let stray = stray_token
+        .map(|token| (token, token))
+        .foldl(stray_token.repeated(), |(first, _), last| (first, last))
+        .map(|(first, last)| Item::Stray { first, last });
+
+    let item = choice((
+        word,
+        one(Kind::LineEnd).to(Item::LineEnd),
+        comment,
+        copy,
+        assignment,
+        short_assignment,
+        parametric,
+        split_sign,
+        foreign,
+        valueless,
+        one(Kind::Skip).map(Item::Skip),
+        stray,
+        any().map(Item::Debris),
+    ));
+    // A fold, because a bare `repeated()` would not make the items at all.
+    empty().foldl_with(item.repeated(), |(), item, extra: &mut MapExtra<'t, '_, &'t [Token], Extra<'x, 'l>>| {
+        extra.state().0.accept(item);
+    })
+}

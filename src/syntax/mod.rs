@@ -1,0 +1,18 @@
+//! From text to the tree of one file: logos tokens, the chumsky grammar of a block, words in one arena.
+//!
+//! Nothing here knows a machine. Parsing never fails: every fault becomes a finding, and its block's other words and the
+//! other blocks stay unharmed. Comments and layout survive: each word and comment knows its span.
+
+mod file;
+mod grammar;
+mod layout;
+mod lower;
+mod number;
+mod parse;
+mod token;
+mod word;
+
+pub use file::{Block, BlockFlags, BlockId, ParsedFile};
+pub use parse::{Form, parse};
+pub use token::{Kind, Token, tokens};
+pub use word::{Value, Word, WordParts};

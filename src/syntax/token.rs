@@ -1,0 +1,204 @@
+//! The tokens of a part program: whole words wherever they are well formed (LEX-2…LEX-6).
+
+use logos::Logos;
+
+use crate::text::Span;
+
+/// What a token is.
+#[derive(Clone, Copy, Debug, Eq, Logos, PartialEq)]
+#[logos(skip r"[ \t]+")]
+pub enum Kind {
+    /// An address other than R with a well-formed number: `X-12.5`.
+    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)", priority = 40)]
+    Word,
+    /// R and the number of a parameter: `R10`.
+    #[regex(r"[Rr][ \t]*[0-9]+", priority = 40)]
+    Parameter,
+    /// `"` to the next one or the end of the line.
+    #[regex("\"[^\"\r\n]*\"?", priority = 40)]
+    Comment,
+    /// The end of a line.
+    #[regex(r"\r\n|\n|\r", priority = 40)]
+    LineEnd,
+    /// A number without an address.
+    #[regex(r"[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)", priority = 30)]
+    Number,
+    /// `=`
+    #[token("=")]
+    Equals,
+    /// `/` and the digits that are read with it (LEX-10).
+    #[regex(r"/([ \t]*[0-9]+)?", priority = 40)]
+    Skip,
+    /// `*`
+    #[token("*")]
+    End,
+    /// An address other than R alone.
+    #[regex(r"[A-QS-Za-qs-z&%]", priority = 5)]
+    Letter,
+    /// R alone.
+    #[regex(r"[Rr]", priority = 5)]
+    BareR,
+    /// An address other than R with a sign and no number: `X-`.
+    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-]", priority = 35)]
+    SignedLetter,
+    /// A sign alone.
+    #[regex(r"[+\-]", priority = 35)]
+    Sign,
+    /// An address other than R with something like a number: `X1,5`, `X1O0`, `X--5`, `Xl0`, `X.`.
+    #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[Ool])[+\-.,0-9Oo]*", priority = 20)]
+    LooseWord,
+    /// R with something like a number: `R1O`, `R1.5`.
+    #[regex(r"[Rr]([ \t]*[0-9]+[.,Oo]|[Ool])[.,0-9Oo]*", priority = 20)]
+    LooseParameter,
+    /// Something like a number without an address: `1,5`, `--5`.
+    #[regex(r"[+\-.,0-9][+\-.,0-9Oo]*", priority = 10)]
+    LooseNumber,
+    /// A comment whose border is a typographic quote (LEX-12).
+    #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", priority = 40)]
+    TypographicComment,
+    /// A comment as other controls write it.
+    #[regex(r"\([^)\r\n]*\)|;[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž][^\r\n]*", priority = 40, allow_greedy = true)]
+    ForeignComment,
+    /// Three letters or more in a row.
+    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž][A-Za-zÀ-ž]+", priority = 8)]
+    Text,
+    /// Characters that the control does not know.
+    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„]+", priority = 2)]
+    Unknown,
+}
+
+/// A token and its place.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Token {
+    /// What it is.
+    pub kind: Kind,
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+impl Token {
+    /// Its place.
+    pub const fn span(self) -> Span {
+        Span::new(self.start, self.end)
+    }
+}
+
+/// The tokens of `text` from `start` up to `end`.
+pub fn tokens(text: &str, start: u32, end: u32) -> impl Iterator<Item = Token> + '_ {
+    Tokens { text: text.get(..end as usize).unwrap_or(text), lexer: lexer_at(text, start, end), pending: None }
+}
+
+fn lexer_at(text: &str, start: u32, end: u32) -> logos::Lexer<'_, Kind> {
+    let mut lexer = Kind::lexer(text.get(..end as usize).unwrap_or(text));
+    lexer.bump(start as usize);
+    lexer
+}
+
+struct Tokens<'t> {
+    text: &'t str,
+    lexer: logos::Lexer<'t, Kind>,
+    pending: Option<Token>,
+}
+
+impl Iterator for Tokens<'_> {
+    type Item = Token;
+
+    #[inline]
+    fn next(&mut self) -> Option<Token> {
+        if let Some(token) = self.pending.take() {
+            return Some(token);
+        }
+        let kind = self.lexer.next()?.unwrap_or(Kind::Unknown);
+        let span = self.lexer.span();
+        let token = Token { kind, start: offset(span.start), end: offset(span.end) };
+        if kind == Kind::Text { Some(self.text_token(token)) } else { Some(token) }
+    }
+}
+
+impl Tokens<'_> {
+    /// A run of letters is text, but its last letter may be the address of a word (`XYZ5`), and letters O after the first
+    /// may stand for digits (`GOOX10`).
+    fn text_token(&mut self, token: Token) -> Token {
+        let bytes = self.text.as_bytes();
+        let run = bytes.get(token.span().range()).unwrap_or_default();
+        let rest = bytes.get(token.end as usize..).unwrap_or_default();
+        let follows = rest.iter().find(|byte| !matches!(byte, b' ' | b'\t'));
+        let is_address = run.last().is_some_and(u8::is_ascii_alphabetic)
+            && follows.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'='))
+            && (rest.first() == follows || run.len() == 3);
+        if !is_address {
+            return token;
+        }
+        let kept = Token { end: token.end - 1, ..token };
+        let zeros = run.get(1..run.len() - 1).is_some_and(|run| run.iter().all(|byte| matches!(byte, b'o' | b'O')));
+        let first_is_address = run.first().is_some_and(u8::is_ascii_alphabetic);
+        if first_is_address && zeros {
+            self.restart(kept.end);
+            return Token { kind: Kind::LooseWord, ..kept };
+        }
+        if kept.end - kept.start >= 3 {
+            self.restart(kept.end);
+            return kept;
+        }
+        // Two letters without values, then a word.
+        self.restart(kept.end);
+        let second = Token { kind: letter_kind(bytes, kept.start + 1), start: kept.start + 1, end: kept.end };
+        self.pending = Some(second);
+        Token { kind: letter_kind(bytes, kept.start), start: kept.start, end: kept.start + 1 }
+    }
+
+    fn restart(&mut self, at: u32) {
+        self.lexer = lexer_at(self.text, at, offset(self.text.len()));
+    }
+}
+
+fn letter_kind(bytes: &[u8], at: u32) -> Kind {
+    match bytes.get(at as usize) {
+        Some(b'R' | b'r') => Kind::BareR,
+        Some(byte) if byte.is_ascii() => Kind::Letter,
+        _ => Kind::Unknown,
+    }
+}
+
+/// Offsets fit because texts are below 4 GiB.
+fn offset(at: usize) -> u32 {
+    u32::try_from(at).unwrap_or(u32::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kinds(text: &str) -> Vec<(Kind, &str)> {
+        let end = u32::try_from(text.len()).unwrap();
+        tokens(text, 0, end).map(|token| (token.kind, &text[token.span().range()])).collect()
+    }
+
+    #[test]
+    fn well_formed_words() {
+        let expected = [(Kind::Word, "N10"), (Kind::Word, "X  -36.12"), (Kind::Parameter, "R 5"), (Kind::Equals, "=")];
+        assert_eq!(kinds("N10X  -36.12\tR 5 ="), expected);
+        assert_eq!(kinds("g71l100"), [(Kind::Word, "g71"), (Kind::Word, "l100")]);
+        assert_eq!(kinds("GL5"), [(Kind::Letter, "G"), (Kind::Word, "L5")]);
+    }
+
+    #[test]
+    fn faulty_words_stay_whole() {
+        for text in ["X1,5", "X1O0", "XO", "Xl0", "X--5", "X1.2.3", "X.", "GOO"] {
+            assert_eq!(kinds(text), [(Kind::LooseWord, text)]);
+        }
+        assert_eq!(kinds("GOOX1"), [(Kind::LooseWord, "GOO"), (Kind::Word, "X1")]);
+        assert_eq!(kinds("X-R1"), [(Kind::SignedLetter, "X-"), (Kind::Parameter, "R1")]);
+        assert_eq!(kinds("R10-5"), [(Kind::Parameter, "R10"), (Kind::Number, "-5")]);
+    }
+
+    #[test]
+    fn text_and_comments() {
+        assert_eq!(kinds("KONTURA X5"), [(Kind::Text, "KONTURA"), (Kind::Word, "X5")]);
+        assert_eq!(kinds("\"a\nN1"), [(Kind::Comment, "\"a"), (Kind::LineEnd, "\n"), (Kind::Word, "N1")]);
+        assert_eq!(kinds("„a“"), [(Kind::TypographicComment, "„a“")]);
+        assert_eq!(kinds("XYZ5"), [(Kind::Letter, "X"), (Kind::Letter, "Y"), (Kind::Word, "Z5")]);
+    }
+}

@@ -1,0 +1,247 @@
+//! One word of a block, in sixteen bytes.
+
+use super::number::Number;
+use crate::dict::{Address, Decimal};
+use crate::text::Span;
+
+/// A word: an address and its value. Where its parts stand is read again from the text when a finding needs it.
+#[derive(Clone, Copy, Debug)]
+pub struct Word {
+    start: u32,
+    raw: i32,
+    len: u16,
+    flags: u16,
+    /// The address.
+    pub address: Address,
+    index: u8,
+}
+
+/// What the value of a word is.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Value {
+    /// Nothing: `/`, or a word so malformed that no fix gives it a value.
+    None,
+    /// A number.
+    Number(Decimal),
+    /// What a parameter holds (PAR-2), or its negation.
+    Parameter {
+        /// Its number.
+        index: u8,
+        /// `-` stands before it.
+        negated: bool,
+    },
+}
+
+const POINT: u16 = 1;
+const PLUS: u16 = 1 << 1;
+const MINUS: u16 = 1 << 2;
+const ROUNDED: u16 = 1 << 3;
+/// `raw` counts ones, not thousandths.
+const WHOLE: u16 = 1 << 4;
+/// The value is outside what 32 bits hold in either unit.
+const HUGE: u16 = 1 << 5;
+const PARAMETER: u16 = 1 << 6;
+const FAULTY: u16 = 1 << 7;
+const VOID: u16 = 1 << 8;
+
+impl Word {
+    /// A word without a value.
+    pub fn bare(address: Address, span: Span) -> Self {
+        let len = u16::try_from(span.len()).unwrap_or(u16::MAX);
+        Self { start: span.start, raw: 0, len, flags: VOID, address, index: 0 }
+    }
+
+    /// A word with a number.
+    pub fn with_number(address: Address, span: Span, number: Number) -> Self {
+        let mut word = Self::bare(address, span);
+        word.flags = 0;
+        for (set, flag) in
+            [(number.point, POINT), (number.plus, PLUS), (number.minus, MINUS), (number.rounded, ROUNDED)]
+        {
+            if set {
+                word.flags |= flag;
+            }
+        }
+        let thousandths = number.value.thousandths();
+        if let Ok(raw) = i32::try_from(thousandths) {
+            word.raw = raw;
+        } else if let Some(Ok(raw)) = number.value.as_whole().map(i32::try_from) {
+            word.raw = raw;
+            word.flags |= WHOLE;
+        } else {
+            word.raw = if thousandths < 0 { i32::MIN } else { i32::MAX };
+            word.flags |= WHOLE | HUGE;
+        }
+        word
+    }
+
+    /// A word whose value is a parameter.
+    pub fn with_parameter(address: Address, span: Span, source: u8, sign: Option<u8>) -> Self {
+        let mut word = Self::bare(address, span);
+        word.flags = PARAMETER
+            | match sign {
+                Some(b'-') => MINUS,
+                Some(_) => PLUS,
+                None => 0,
+            };
+        word.raw = i32::from(source);
+        word
+    }
+
+    /// The same word as an assignment to parameter `target`.
+    #[must_use]
+    pub fn assigning(mut self, target: u8) -> Self {
+        self.index = target;
+        self
+    }
+
+    /// The same word, marked as one that has its finding already: its form is not judged again.
+    #[must_use]
+    pub fn faulty(mut self) -> Self {
+        self.flags |= FAULTY;
+        self
+    }
+
+    /// Its value.
+    #[inline]
+    pub fn value(self) -> Value {
+        if self.flags & (VOID | PARAMETER | WHOLE) == 0 {
+            Value::Number(Decimal::from_thousandths(i64::from(self.raw)))
+        } else if self.flags & VOID != 0 {
+            Value::None
+        } else if self.flags & PARAMETER != 0 {
+            let index = u8::try_from(self.raw).unwrap_or(u8::MAX);
+            Value::Parameter { index, negated: self.flags & MINUS != 0 }
+        } else {
+            Value::Number(Decimal::whole(i64::from(self.raw)))
+        }
+    }
+
+    /// Its value when it is a number written out.
+    #[inline]
+    pub fn number(self) -> Option<Decimal> {
+        match self.value() {
+            Value::Number(number) => Some(number),
+            Value::None | Value::Parameter { .. } => None,
+        }
+    }
+
+    /// Its value when it is a whole number written out.
+    #[inline]
+    pub fn whole(self) -> Option<i64> {
+        self.number().and_then(Decimal::as_whole)
+    }
+
+    /// The parameter that an R word assigns.
+    pub const fn target(self) -> u8 {
+        self.index
+    }
+
+    /// Whether a decimal point is written.
+    pub const fn has_point(self) -> bool {
+        self.flags & POINT != 0
+    }
+
+    /// Whether a sign is written.
+    pub const fn has_sign(self) -> bool {
+        self.flags & (PLUS | MINUS) != 0
+    }
+
+    /// Whether rounding to 0.001 changed the value (ADR-2).
+    pub const fn is_rounded(self) -> bool {
+        self.flags & ROUNDED != 0
+    }
+
+    /// Whether the word has a finding about its form already.
+    pub const fn is_faulty(self) -> bool {
+        self.flags & FAULTY != 0
+    }
+
+    /// Whether it has no value that could be used.
+    pub const fn is_void(self) -> bool {
+        self.flags & VOID != 0
+    }
+
+    /// Whether its value is a parameter.
+    pub const fn is_parametric(self) -> bool {
+        self.flags & PARAMETER != 0
+    }
+
+    /// Whether nothing but a plain number is here: no finding, no parameter, no missing value.
+    #[inline]
+    pub const fn is_plain(self) -> bool {
+        self.flags & (PARAMETER | FAULTY | VOID) == 0
+    }
+
+    /// First byte.
+    pub const fn start(self) -> u32 {
+        self.start
+    }
+
+    /// Where the whole word stands in `text`.
+    pub fn span(self, text: &str) -> Span {
+        if self.len < u16::MAX {
+            return Span::new(self.start, self.start + u32::from(self.len));
+        }
+        // Longer than 16 bits tell: a word with a very long run of blanks or digits.
+        let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
+        let mut end_of_word = self.start;
+        for (count, token) in super::tokens(text, self.start, end).take(4).enumerate() {
+            let belongs = count == 0
+                || matches!(
+                    token.kind,
+                    super::Kind::Number | super::Kind::LooseNumber | super::Kind::Equals | super::Kind::Parameter
+                );
+            if !belongs {
+                break;
+            }
+            end_of_word = token.end;
+        }
+        Span::new(self.start, end_of_word)
+    }
+
+    /// Where its parts stand in `text`.
+    pub fn parts(self, text: &str) -> WordParts {
+        let span = self.span(text);
+        let bytes = text.as_bytes().get(span.range()).unwrap_or_default();
+        let mut at = 1;
+        let skip = |at: &mut usize, wanted: fn(&u8) -> bool| {
+            while bytes.get(*at).is_some_and(wanted) {
+                *at += 1;
+            }
+        };
+        let blank: fn(&u8) -> bool = |byte| matches!(byte, b' ' | b'\t');
+        skip(&mut at, blank);
+        let mut target = None;
+        if self.address == Address::R {
+            let from = at;
+            skip(&mut at, |byte| byte.is_ascii_digit() || matches!(byte, b'o' | b'O' | b'l'));
+            target = Some(sub(span, from, at));
+            skip(&mut at, blank);
+            if bytes.get(at) == Some(&b'=') {
+                at += 1;
+                skip(&mut at, blank);
+            }
+        }
+        let value = sub(span, at.min(bytes.len()), bytes.len());
+        WordParts { word: span, target, value: if value.is_empty() { span } else { value } }
+    }
+}
+
+fn sub(span: Span, from: usize, to: usize) -> Span {
+    let place = |at: usize| span.start + u32::try_from(at).unwrap_or(0);
+    Span::new(place(from), place(to))
+}
+
+/// Where the parts of a word stand.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct WordParts {
+    /// All of it.
+    pub word: Span,
+    /// The number of the parameter that an R word assigns.
+    pub target: Option<Span>,
+    /// Its value with its sign; the whole word when there is none.
+    pub value: Span,
+}
+
+const _: () = assert!(size_of::<Word>() == 16, "words lie in one arena by the million");
