@@ -136,13 +136,8 @@ impl Executor<'_, '_> {
 
     /// GRP-8: what G05–G08 do is not modelled; said once of each.
     fn warn_unmodelled(&mut self, code: GCode, word: Word) {
-        let place = match code {
-            GCode::G05 => 0,
-            GCode::G06 => 1,
-            GCode::G07 => 2,
-            GCode::G08 => 3,
-            _ => return,
-        };
+        let unmodelled = [GCode::G05, GCode::G06, GCode::G07, GCode::G08];
+        let Some(place) = unmodelled.iter().position(|function| *function == code) else { return };
         if let Some(warned @ false) = self.unmodelled_warned.get_mut(place) {
             *warned = true;
             self.report(Diagnostic::new(Finding::FunctionNotModelled { function: code }, self.word_place(word)));

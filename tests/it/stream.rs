@@ -1214,6 +1214,41 @@ fn places() {
     assert_eq!(shown(Case { program: bytes, ..Case::default() }.blocks()), expected);
 }
 
+/// Columns of blocks that follow, or go back, within one line that is not ASCII.
+#[test]
+fn columns_within_a_line() {
+    let found = blocks("%1\nN1 \"ž\" N10 M99\"ř\nN20 \"řeřicha\" N30 \"ů\" N40 G73 L30 N50 G73 L20 \"ě\" N60 M30");
+    assert_eq!(column(&found, "n"), json!([1, 10, 20, 30, 40, 30, 40, 50, 20, 30, 40, 30, 40, 50, 60]));
+    assert_eq!(column(&found, "column"), json!([1, 8, 1, 15, 23, 15, 23, 35, 1, 15, 23, 15, 23, 35, 51]));
+    assert_eq!(column(&found, "line"), json!([2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3]));
+}
+
+/// Sizes that a quadratic step anywhere would make unbearable: blocks of one line, calls, jumps, unknown targets, rings.
+#[test]
+fn large_programs() {
+    let of = |count: u32, line: &dyn Fn(u32) -> String| (1..=count).map(line).collect::<String>();
+    let one_line = format!("%1 N1 {} N999999 M30", of(20_000, &|n| format!("N{n}0 X1 ")));
+    assert_eq!(case(&one_line).whole().end()["blocks"], 20_002);
+    let jumps = format!("%1\n{}N9999 M30", of(2000, &|n| format!("N{n} G73 L{n} Q2\n")));
+    assert_eq!(case(&jumps).whole().end()["blocks"], 6001);
+    let unknown = format!(
+        "%1\n{}{}N999999 M30",
+        of(5000, &|n| format!("N{n} M05\n")),
+        of(20_000, &|n| format!("N{} G73 L{}\n", n + 10_000, 6000 + n % 3000))
+    );
+    assert_eq!(case(&unknown).run().errors.len(), 10_000);
+    let mut macrocycles = case(&format!("%1\n{}N999999 M30", of(6000, &|n| format!("N{n} G72 L{}\n", n % 2000 + 1))));
+    for n in 1..=2000 {
+        macrocycles = macrocycles.with(&format!("L{n}"), &format!("N1 G79 L{n}\nN2 G70"));
+    }
+    assert_eq!(macrocycles.whole().end()["blocks"], 18_001);
+    let mut ring = case("%1\nN1 G72 L1\nN2 M30");
+    for n in 1..=2000 {
+        ring = ring.with(&format!("L{n}"), &format!("N1 G79 L{n}\nN2 G72 L{}\nN3 G72 L1\nN4 G70", n % 2000 + 1));
+    }
+    assert_eq!(ring.run().errors.len(), 2001);
+}
+
 /// Block skip, on and off (BLK-6).
 #[test]
 fn block_skip() {
