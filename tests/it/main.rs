@@ -8,3 +8,4 @@ mod cli_compile;
 mod cli_fix;
 mod disk;
 mod markers;
+mod stream;
