@@ -6,3 +6,4 @@ mod disk;
 mod explain;
 mod markers;
 mod run;
+mod samples;

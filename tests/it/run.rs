@@ -45,9 +45,9 @@ impl Run {
     }
 }
 
-/// Checks or compiles `file`, which stands in the loader's folder, with the project file of that folder.
+/// Checks or compiles `file` of the loader's folder, with the project file of that folder.
 pub fn run(loader: &dyn Loader, file: &str, request: &Request) -> Run {
-    let project = find_project(Path::new(file).parent().unwrap(), loader);
+    let project = find_project(Path::new(""), loader);
     let (mut sources, mut findings) = (Sources::new(), Findings::new());
     let settings = configure(project.as_deref(), &request.overrides, loader, &mut sources, &mut findings);
     let mut run = Run::default();
