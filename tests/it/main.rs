@@ -5,5 +5,8 @@
 mod disk;
 mod explain;
 mod markers;
+mod rules;
 mod run;
 mod samples;
+mod tidy;
+mod traps;

@@ -219,9 +219,8 @@ fn no_orphaned_snapshots() {
     for path in files(&folder) {
         let name = path.strip_prefix(&folder).unwrap().to_str().unwrap().replace('\\', "/");
         let stem = path.file_stem().unwrap().to_str().unwrap();
-        let named = !name.starts_with("streams/")
-            && !name.starts_with("findings/")
-            && tests.contains(&format!("\"{stem}\""));
+        let named =
+            !name.starts_with("streams/") && !name.starts_with("findings/") && tests.contains(&format!("\"{stem}\""));
         assert!(known.contains(&name) || named, "snapshots/{name} is written by no test: delete it");
         found.insert(name);
     }
