@@ -5,6 +5,7 @@
 mod disk;
 mod explain;
 mod markers;
+mod properties;
 mod rules;
 mod run;
 mod samples;
