@@ -45,6 +45,8 @@ impl Problem {
             std::io::ErrorKind::NotFound => Self::NotFound,
             std::io::ErrorKind::PermissionDenied => Self::Denied,
             std::io::ErrorKind::IsADirectory => Self::Directory,
+            // What the disk loader says of pipes and devices.
+            std::io::ErrorKind::Unsupported => Self::NotAFile,
             std::io::ErrorKind::FileTooLarge => Self::TooLarge,
             _ => Self::Other { reason: error.to_string() },
         }

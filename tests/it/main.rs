@@ -2,5 +2,9 @@
 #![expect(clippy::disallowed_methods, reason = "tests read files")]
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
+mod cli;
+mod cli_check;
+mod cli_compile;
+mod cli_fix;
 mod disk;
 mod markers;

@@ -1,0 +1,207 @@
+//! The command line as a structure. What its help says stands in [`help`](super::help), in both languages.
+
+use std::path::PathBuf;
+
+use clap::{Arg, ArgAction, ArgMatches, Args, Command as ClapCommand, FromArgMatches, Parser, Subcommand, ValueEnum};
+
+use crate::config::Level;
+use crate::diag::Format;
+use crate::dict::{Dialect, Lang};
+use crate::text::Encoding;
+
+/// The whole command line.
+#[derive(Debug, Parser)]
+#[command(
+    name = "cnc872c",
+    version,
+    disable_help_flag = true,
+    disable_version_flag = true,
+    disable_help_subcommand = true,
+    subcommand_required = true,
+    arg_required_else_help = true
+)]
+pub(super) struct CommandLine {
+    #[command(subcommand)]
+    pub command: Command,
+    #[command(flatten)]
+    pub global: GlobalArgs,
+}
+
+/// Options of every command.
+#[derive(Debug, Args)]
+pub(super) struct GlobalArgs {
+    #[arg(long, global = true, value_name = "WHEN", default_value = "auto")]
+    pub color: ColorWhen,
+    #[arg(long, global = true, value_name = "LANG")]
+    pub lang: Option<Lang>,
+    #[arg(long, short, global = true, action = ArgAction::Help)]
+    help: Option<bool>,
+    #[arg(long, short = 'V', action = ArgAction::Version)]
+    version: Option<bool>,
+}
+
+/// When output is coloured.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+pub(super) enum ColorWhen {
+    #[default]
+    Auto,
+    Always,
+    Never,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    Check(CheckArgs),
+    Compile(CompileArgs),
+    Explain(ExplainArgs),
+    Schema(SchemaArgs),
+    Completions(CompletionsArgs),
+    Man(ManArgs),
+    Help(HelpArgs),
+}
+
+/// `check`.
+#[derive(Debug, Args)]
+pub(super) struct CheckArgs {
+    #[arg(value_name = "PATH", required = true)]
+    pub paths: Vec<PathBuf>,
+    #[arg(long)]
+    pub fix: bool,
+    #[arg(long)]
+    pub deny_warnings: bool,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// `compile`.
+#[derive(Debug, Args)]
+pub(super) struct CompileArgs {
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[arg(long, value_name = "SEQ", default_value_t = 0)]
+    pub from: u64,
+    #[arg(long, value_name = "N")]
+    pub limit: Option<u64>,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// What `check` and `compile` have in common: how to show findings, how to read and execute a program, and what to say.
+#[derive(Debug, Args)]
+pub(super) struct CommonArgs {
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: Format,
+    #[arg(long, value_name = "DIALECT")]
+    pub dialect: Option<Dialect>,
+    #[arg(long, value_name = "FILE")]
+    pub config: Option<PathBuf>,
+    #[arg(long, value_name = "FILE")]
+    pub channel_config: Option<PathBuf>,
+    #[arg(short = 'L', value_name = "DIR")]
+    pub macrocycles: Vec<PathBuf>,
+    #[arg(long, value_name = "R10=5")]
+    pub param: Vec<String>,
+    #[arg(long)]
+    pub block_skip: bool,
+    #[arg(long)]
+    pub optional_stop: bool,
+    #[arg(long, value_name = "ENCODING")]
+    pub encoding: Option<Encoding>,
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub max_blocks: Option<u64>,
+    #[command(flatten)]
+    pub levels: LevelArgs,
+}
+
+/// `-D`, `-W` and `-A`, in the order of the line.
+#[derive(Debug, Default)]
+pub(super) struct LevelArgs(pub Vec<LevelArg>);
+
+/// One of `-D`, `-W`, `-A`, with what it names.
+#[derive(Debug)]
+pub(super) struct LevelArg {
+    pub option: &'static str,
+    pub level: Level,
+    pub name: String,
+}
+
+/// The three options: identifier, letter, level.
+const LEVELS: [(&str, char, &str, Level); 3] =
+    [("deny", 'D', "-D", Level::Deny), ("warn", 'W', "-W", Level::Warn), ("allow", 'A', "-A", Level::Allow)];
+
+impl Args for LevelArgs {
+    fn augment_args(command: ClapCommand) -> ClapCommand {
+        command.args(
+            LEVELS.map(|(id, letter, ..)| Arg::new(id).short(letter).value_name("NAME").action(ArgAction::Append)),
+        )
+    }
+
+    fn augment_args_for_update(command: ClapCommand) -> ClapCommand {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for LevelArgs {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let mut found = Vec::new();
+        for (id, _, option, level) in LEVELS {
+            let names = matches.get_many::<String>(id).into_iter().flatten();
+            let places = matches.indices_of(id).into_iter().flatten();
+            found.extend(places.zip(names).map(|(at, name)| (at, LevelArg { option, level, name: name.clone() })));
+        }
+        found.sort_by_key(|(at, _)| *at);
+        Ok(Self(found.into_iter().map(|(_, level)| level).collect()))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// `explain`.
+#[derive(Debug, Args)]
+pub(super) struct ExplainArgs {
+    #[arg(value_name = "CODE")]
+    pub names: Vec<String>,
+}
+
+/// `schema`.
+#[derive(Debug, Args)]
+pub(super) struct SchemaArgs {
+    #[arg(value_name = "SCHEMA", default_value = "blocks")]
+    pub schema: SchemaName,
+}
+
+/// Which schema.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+pub(super) enum SchemaName {
+    #[default]
+    Blocks,
+    Diagnostics,
+    Config,
+}
+
+/// `completions`.
+#[derive(Debug, Args)]
+pub(super) struct CompletionsArgs {
+    #[arg(value_name = "SHELL")]
+    pub shell: clap_complete::Shell,
+}
+
+/// `man`.
+#[derive(Debug, Args)]
+pub(super) struct ManArgs {
+    #[arg(value_name = "COMMAND")]
+    pub command: Option<String>,
+}
+
+/// `help`.
+#[derive(Debug, Args)]
+pub(super) struct HelpArgs {
+    #[arg(value_name = "COMMAND")]
+    pub command: Option<String>,
+}

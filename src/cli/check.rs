@@ -1,0 +1,120 @@
+//! `check`: every finding of every program.
+
+use std::io::{self, BufWriter, IsTerminal, Write};
+
+use rayon::prelude::*;
+
+use super::args::CheckArgs;
+use super::common::{Projects, overrides};
+use super::disk::DiskLoader;
+use super::fix::fix_all;
+use super::locale::Locale;
+use super::progress::{Counted, Progress};
+use super::status::{Failure, Status, tell};
+use super::walk::{Target, targets};
+use super::words::Words;
+use crate::config::Settings;
+use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, render};
+use crate::session::{Outcome, Session};
+use crate::text::{Location, SourceText, Sources};
+
+/// How many programs are checked before their findings are put in order: bounds what is kept of them.
+const AT_ONCE: usize = 1024;
+
+pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
+    let overrides = overrides(&args.common, locale.lang)?;
+    let (targets, barren) = targets(&args.paths);
+    let loader = DiskLoader::new(targets.iter().map(|target| target.path.as_path()));
+    if let Some(stream) = targets.iter().find(|target| args.fix && loader.is_stream(&target.path)) {
+        return Err(Words::FixNeedsFile { file: stream.name() }.into());
+    }
+    for folder in barren {
+        tell(&Words::NoPrograms { folder: folder.to_string_lossy().into_owned() }, locale.lang);
+    }
+    let mut projects = Projects::configure(&targets, args.common.config.as_deref(), &overrides, &loader)?;
+    let mut report = projects.report();
+    let mut unusable = report.errors() > 0;
+    if !unusable {
+        if args.fix {
+            unusable = fix_all(&targets, &projects, &loader, locale.lang);
+        }
+        unusable |= check_all(&targets, &projects, &loader, locale, &mut report);
+    }
+    print(args.common.format, &report, locale)?;
+    Ok(match report.errors() > 0 || (args.deny_warnings && report.warnings() > 0) {
+        _ if unusable => Status::Unusable,
+        true => Status::Faulty,
+        false => Status::Fine,
+    })
+}
+
+/// Checks the programs on all cores, and adds what is found in their order. Whether one could not be read.
+fn check_all(
+    targets: &[Target],
+    projects: &Projects,
+    loader: &DiskLoader,
+    locale: Locale,
+    report: &mut Report,
+) -> bool {
+    let counted = match targets {
+        [_] => Counted::Blocks,
+        _ => Counted::Files(targets.len() as u64),
+    };
+    let progress = Progress::start(counted, false, locale.lang);
+    let blocks = |blocks: u64| {
+        if matches!(counted, Counted::Blocks) {
+            progress.set(blocks);
+        }
+        true
+    };
+    let check = |target: &Target| {
+        let settings = projects.settings(target)?;
+        let outcome = check_one(target, &Session { loader, settings, progress: Some(&blocks) });
+        if matches!(counted, Counted::Files(_)) {
+            progress.advance();
+        }
+        Some((outcome, settings))
+    };
+    let mut unusable = false;
+    let mut add = |(outcome, settings): (Outcome, &Settings)| {
+        unusable |= outcome.unusable;
+        report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
+    };
+    if let [only] = targets {
+        // The threads of the pool are not started for one program.
+        check(only).into_iter().for_each(&mut add);
+    } else {
+        for some in targets.chunks(AT_ONCE) {
+            let outcomes: Vec<_> = some.par_iter().filter_map(check).collect();
+            outcomes.into_iter().for_each(&mut add);
+        }
+    }
+    unusable
+}
+
+fn check_one(target: &Target, session: &Session<'_>) -> Outcome {
+    if let Some(error) = &target.problem {
+        return unreadable(&target.name(), error);
+    }
+    let outcome = session.check(&target.path, &target.name());
+    if outcome.findings.is_empty() { Outcome { sources: Sources::new(), ..outcome } } else { outcome }
+}
+
+/// E0112 for what cannot be read, shown as an empty file.
+pub(super) fn unreadable(name: &str, error: &io::Error) -> Outcome {
+    let mut sources = Sources::new();
+    let file = sources.add(SourceText::from_text(name, ""));
+    let mut findings = Findings::new();
+    let at = Location { file, ..Location::default() };
+    findings.add(Diagnostic::new(Finding::UnreadableFile { problem: Problem::from_io(error) }, at));
+    Outcome { sources, findings, unusable: true, ..Outcome::default() }
+}
+
+/// Writes the findings to standard output.
+fn print(format: Format, report: &Report, locale: Locale) -> Result<(), Failure> {
+    let colors = locale.colors(io::stdout().is_terminal());
+    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    render(format, report, locale.lang, colors, &mut out)?;
+    out.flush()?;
+    Ok(())
+}

@@ -1,0 +1,136 @@
+//! `compile`: the block stream of a program.
+
+use std::fs::OpenOptions;
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::Path;
+
+use super::args::CompileArgs;
+use super::common::{Projects, overrides};
+use super::disk::{DiskLoader, canonical, is_stdin};
+use super::locale::Locale;
+use super::progress::{Counted, Progress};
+use super::replace::{Replacement, clean_up_when_interrupted};
+use super::status::{Failure, Status};
+use super::walk::Target;
+use super::words::{Words, reason};
+use crate::diag::{Format, Report, render};
+use crate::dict::Lang;
+use crate::session::{Part, Session};
+
+/// Records are short, writes to the system are long.
+const BUFFER: usize = 1 << 18;
+
+pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure> {
+    let overrides = overrides(&args.common, locale.lang)?;
+    let target = Target { path: args.file.clone(), problem: None };
+    let targets = [target];
+    let [target] = &targets;
+    let loader = DiskLoader::new([target.path.as_path()]);
+    let output = args.output.as_deref().filter(|output| !is_stdin(output));
+    if let Some(output) = output
+        && canonical(output) == canonical(&target.path)
+    {
+        return Err(Words::OutputIsProgram { file: output.to_string_lossy().into_owned() }.into());
+    }
+    let mut projects = Projects::configure(&targets, args.common.config.as_deref(), &overrides, &loader)?;
+    let mut report = projects.report();
+    let settings = projects.settings(target).filter(|_| report.errors() == 0);
+    let Some(settings) = settings else {
+        print(args.common.format, &report, locale);
+        return Ok(Status::Unusable);
+    };
+    let mut stream = Stream::open(output, locale.lang)?;
+    let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
+    let count = |blocks: u64| {
+        progress.set(blocks);
+        true
+    };
+    let session = Session { loader: &loader, settings, progress: Some(&count) };
+    let part = Part { from: args.from, limit: args.limit };
+    let written = session.compile(&target.path, &target.name(), part, &mut stream);
+    let outcome = written.and_then(|outcome| stream.flush().map(|()| outcome));
+    drop(progress);
+    let outcome = outcome.map_err(|error| cannot_write(error, output, locale.lang))?;
+    report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
+    let status = match report.errors() > 0 {
+        _ if outcome.unusable => Status::Unusable,
+        true => Status::Faulty,
+        false => Status::Fine,
+    };
+    if status == Status::Fine {
+        stream.commit().map_err(|error| cannot_write(error, output, locale.lang))?;
+    }
+    print(args.common.format, &report, locale);
+    Ok(status)
+}
+
+/// Writes the findings to standard error: the stream may be on standard output. People need no word about none.
+fn print(format: Format, report: &Report, locale: Locale) {
+    if report.items().len() == 0 && format == Format::Human {
+        return;
+    }
+    let colors = locale.colors(io::stderr().is_terminal());
+    let mut out = BufWriter::new(io::stderr().lock());
+    // Nobody can be told that stderr is gone.
+    let _ = render(format, report, locale.lang, colors, &mut out).and_then(|()| out.flush());
+}
+
+fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {
+    match output {
+        // Also a pipe after -o may be closed by its reader.
+        Some(output) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Words::CannotWrite { file: output.to_string_lossy().into_owned(), reason: reason(&error, lang) }.into()
+        }
+        _ => Failure::Stdout(error),
+    }
+}
+
+/// Where the stream goes.
+enum Stream {
+    Stdout(BufWriter<io::StdoutLock<'static>>),
+    /// A pipe or a device, which cannot be replaced.
+    Direct(BufWriter<std::fs::File>),
+    File(BufWriter<Box<Replacement>>),
+}
+
+impl Stream {
+    fn open(output: Option<&Path>, lang: Lang) -> Result<Self, Failure> {
+        let Some(output) = output else {
+            return Ok(Self::Stdout(BufWriter::with_capacity(BUFFER, io::stdout().lock())));
+        };
+        let special = std::fs::metadata(output).is_ok_and(|data| !data.is_file() && !data.is_dir());
+        let opened = if special {
+            OpenOptions::new().write(true).open(output).map(|file| Self::Direct(BufWriter::with_capacity(BUFFER, file)))
+        } else {
+            clean_up_when_interrupted(lang);
+            Replacement::begin(output).map(|file| Self::File(BufWriter::with_capacity(BUFFER, Box::new(file))))
+        };
+        opened.map_err(|error| cannot_write(error, Some(output), lang))
+    }
+
+    /// Puts a complete file in place.
+    fn commit(self) -> io::Result<()> {
+        match self {
+            Self::Stdout(_) | Self::Direct(_) => Ok(()),
+            Self::File(file) => file.into_inner().map_err(io::IntoInnerError::into_error)?.commit(),
+        }
+    }
+}
+
+impl Write for Stream {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Self::Stdout(out) => out.write(bytes),
+            Self::Direct(out) => out.write(bytes),
+            Self::File(out) => out.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Stdout(out) => out.flush(),
+            Self::Direct(out) => out.flush(),
+            Self::File(out) => out.flush(),
+        }
+    }
+}

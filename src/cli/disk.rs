@@ -1,0 +1,145 @@
+//! Files of the disk, and standard input.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+use crate::text::Loader;
+
+/// The name of standard input among programs.
+pub const STDIN: &str = "-";
+
+/// Spans hold 32 bits.
+const LIMIT: u64 = u32::MAX as u64;
+
+/// Reads regular files, and of other kinds of files only those that the user named as programs: standard input and pipes
+/// (`check <(generate)`). What it refuses comes as these kinds of error: [`io::ErrorKind::IsADirectory`], `Unsupported`
+/// for what is no regular file, `FileTooLarge` for 4 GiB and more.
+#[derive(Debug, Default)]
+pub struct DiskLoader {
+    /// Programs that may be pipes. A pipe can be read once, a program may be wanted twice: what it gave is kept.
+    named: Vec<(PathBuf, OnceLock<Arc<[u8]>>)>,
+}
+
+impl DiskLoader {
+    /// With the programs that the user named, of which those that are pipes may be read.
+    pub fn new<'a>(named: impl IntoIterator<Item = &'a Path>) -> Self {
+        let is_stream = |path: &&Path| is_stdin(path) || fs::metadata(path).is_ok_and(|data| is_pipe(data.file_type()));
+        Self { named: named.into_iter().filter(is_stream).map(|path| (path.to_path_buf(), OnceLock::new())).collect() }
+    }
+
+    /// Whether that program is standard input or a pipe.
+    pub fn is_stream(&self, path: &Path) -> bool {
+        self.named.iter().any(|(named, _)| named == path)
+    }
+}
+
+impl Loader for DiskLoader {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if let Some((_, kept)) = self.named.iter().find(|(named, _)| named == path) {
+            if let Some(bytes) = kept.get() {
+                return Ok(bytes.to_vec());
+            }
+            let bytes =
+                if is_stdin(path) { read_bounded(io::stdin().lock(), 0)? } else { read_bounded(open(path)?, 0)? };
+            let _ = kept.set(bytes.as_slice().into());
+            return Ok(bytes);
+        }
+        let data = fs::metadata(path)?;
+        if data.is_dir() {
+            return Err(io::ErrorKind::IsADirectory.into());
+        }
+        if !data.is_file() {
+            return Err(io::ErrorKind::Unsupported.into());
+        }
+        read_bounded(open(path)?, data.len())
+    }
+
+    fn list(&self, folder: &Path) -> Vec<PathBuf> {
+        let entries = entries(folder).unwrap_or_default();
+        entries.into_iter().filter(|path| !path.is_dir()).collect()
+    }
+
+    fn canonical(&self, path: &Path) -> PathBuf {
+        if is_stdin(path) { path.to_path_buf() } else { canonical(path) }
+    }
+}
+
+/// One name for each file, by whatever path it is reached.
+pub fn canonical(path: &Path) -> PathBuf {
+    fs::canonicalize(here(path)).unwrap_or_else(|_| path.to_path_buf())
+}
+
+/// Whether the program is standard input.
+pub fn is_stdin(path: &Path) -> bool {
+    path.as_os_str() == STDIN
+}
+
+/// What a folder holds, sorted.
+///
+/// # Errors
+/// When it cannot be read.
+#[expect(clippy::disallowed_methods, reason = "this is the disk loader")]
+pub fn entries(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(here(folder))? {
+        paths.push(folder.join(entry?.file_name()));
+    }
+    paths.sort();
+    Ok(paths)
+}
+
+/// Whether the file holds that byte, read piece by piece.
+///
+/// # Errors
+/// When it cannot be read.
+pub fn holds_byte(path: &Path, byte: u8) -> io::Result<bool> {
+    let mut file = open(path)?;
+    let mut piece = vec![0; 1 << 16];
+    loop {
+        let length = match file.read(&mut piece) {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            read => read?,
+        };
+        let read = piece.get(..length).unwrap_or_default();
+        if read.is_empty() || memchr::memchr(byte, read).is_some() {
+            return Ok(!read.is_empty());
+        }
+    }
+}
+
+#[expect(clippy::disallowed_methods, reason = "this is the disk loader")]
+fn open(path: &Path) -> io::Result<File> {
+    File::open(path)
+}
+
+/// Reads to the end, but not 4 GiB.
+fn read_bounded(source: impl Read, expected: u64) -> io::Result<Vec<u8>> {
+    if expected > LIMIT {
+        return Err(io::ErrorKind::FileTooLarge.into());
+    }
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(usize::try_from(expected).unwrap_or(0)).map_err(|_| io::ErrorKind::OutOfMemory)?;
+    source.take(LIMIT + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LIMIT {
+        return Err(io::ErrorKind::FileTooLarge.into());
+    }
+    Ok(bytes)
+}
+
+/// The folder of a bare file name is the current one.
+fn here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() { Path::new(".") } else { path }
+}
+
+#[cfg(unix)]
+fn is_pipe(kind: fs::FileType) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+    kind.is_fifo()
+}
+
+#[cfg(not(unix))]
+fn is_pipe(_: fs::FileType) -> bool {
+    false
+}

@@ -1,0 +1,74 @@
+//! The command line: one file a command. Data goes to stdout, words to stderr; nothing else in the program prints.
+
+mod args;
+mod check;
+mod common;
+mod compile;
+mod disk;
+mod explain;
+mod fix;
+mod help;
+mod locale;
+mod progress;
+mod replace;
+mod schema;
+mod shell;
+mod status;
+mod topic;
+mod usage;
+mod walk;
+mod words;
+
+use std::ffi::OsString;
+use std::io::{self, IsTerminal, Write};
+use std::process::ExitCode;
+
+use clap::FromArgMatches;
+use clap::error::ErrorKind;
+
+use args::{Command, CommandLine};
+pub use disk::DiskLoader;
+use locale::Locale;
+use status::{Failure, Status, exit_code};
+
+/// Runs the command line `arguments`, the name of the program first. The exit status: 0 no errors, 1 the programs have
+/// errors, 2 it could not run.
+pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let locale = Locale::find(&arguments);
+    let matches = help::command(locale.lang).color(locale.clap_color()).try_get_matches_from(arguments);
+    let end = match matches.and_then(|matches| CommandLine::from_arg_matches(&matches)) {
+        Ok(line) => run(&line.command, locale),
+        Err(error) => answer(&error, locale),
+    };
+    exit_code(end, locale.lang)
+}
+
+fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
+    match command {
+        Command::Check(args) => check::run(args, locale),
+        Command::Compile(args) => compile::run(args, locale),
+        Command::Explain(args) => explain::run(args, locale),
+        Command::Schema(args) => schema::run(args),
+        Command::Completions(args) => shell::completions(args, locale),
+        Command::Man(args) => shell::man(args, locale),
+        Command::Help(args) => shell::help(args, locale),
+    }
+}
+
+/// Help and version that were asked for go to stdout; what is wrong with the command line goes to stderr.
+fn answer(error: &clap::Error, locale: Locale) -> Result<Status, Failure> {
+    if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        error.print()?;
+        io::stdout().flush()?;
+        return Ok(Status::Fine);
+    }
+    // Nobody can be told that stderr is gone.
+    let _ = if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        error.print()
+    } else {
+        let colors = locale.colors(io::stderr().is_terminal());
+        io::stderr().lock().write_all(usage::message(error, locale.lang, colors).as_bytes())
+    };
+    Ok(Status::Unusable)
+}

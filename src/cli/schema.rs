@@ -1,0 +1,19 @@
+//! `schema`: what other programs check the data against.
+
+use std::io::{self, Write};
+
+use super::args::{SchemaArgs, SchemaName};
+use super::status::{Failure, Status};
+use crate::{config, diag, ir};
+
+pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
+    let schema = match args.schema {
+        SchemaName::Blocks => ir::schema(),
+        SchemaName::Diagnostics => diag::schema(),
+        SchemaName::Config => config::schema(),
+    };
+    let mut out = io::stdout().lock();
+    out.write_all(format!("{schema:#}\n").as_bytes())?;
+    out.flush()?;
+    Ok(Status::Fine)
+}

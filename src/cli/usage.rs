@@ -1,0 +1,131 @@
+//! Wrong usage, in both languages. clap's own words are English, and repeat arguments as they came, control characters
+//! included.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+use super::words::error_prefix;
+use crate::diag::shown_path_list;
+use crate::dict::Lang;
+
+/// What clap found wrong, for stderr, with the usage of the command.
+pub(super) fn message(error: &clap::Error, lang: Lang, colors: bool) -> String {
+    let (on, off) = if colors { ("\u{1b}[1;31m", "\u{1b}[0m") } else { ("", "") };
+    let mut text = format!("{on}{}:{off} {}\n", error_prefix(lang), shown_path_list(&what(error, lang)));
+    let (tip, usage, more) = match lang {
+        Lang::En => ("perhaps this is meant", "Usage", "Help: --help"),
+        Lang::Cs => ("možná mělo být", "Použití", "Nápověda: --help"),
+    };
+    for kind in [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue] {
+        // The best one comes last.
+        let near = match error.get(kind) {
+            Some(ContextValue::Strings(texts)) => texts.last().cloned().unwrap_or_default(),
+            _ => context(error, kind),
+        };
+        if !near.is_empty() {
+            text.push_str(&format!("  {tip}: {}\n", shown_path_list(&near)));
+        }
+    }
+    let line = context(error, ContextKind::Usage);
+    let line = line.trim_start_matches("Usage: ").trim();
+    if line.is_empty() {
+        text.push_str(&format!("\n{more}\n"));
+    } else {
+        text.push_str(&format!("\n{usage}: {line}\n{more}\n"));
+    }
+    text
+}
+
+#[expect(clippy::wildcard_enum_match_arm, reason = "clap may add kinds of errors")]
+fn what(error: &clap::Error, lang: Lang) -> String {
+    let argument = context(error, ContextKind::InvalidArg);
+    let value = context(error, ContextKind::InvalidValue);
+    let choices = context(error, ContextKind::ValidValue);
+    let text = |en: String, cs: String| match lang {
+        Lang::En => en,
+        Lang::Cs => cs,
+    };
+    match error.kind() {
+        ErrorKind::InvalidValue if value.is_empty() => text(
+            format!("{argument} lacks its value{}", list(&choices)),
+            format!("za {argument} chybí hodnota{}", list(&choices)),
+        ),
+        ErrorKind::InvalidValue => text(
+            format!("{argument} does not take `{value}`{}", list(&choices)),
+            format!("za {argument} nemůže být „{value}“{}", list(&choices)),
+        ),
+        ErrorKind::ValueValidation => {
+            let why = std::error::Error::source(error).map(|why| format!(": {why}")).unwrap_or_default();
+            text(format!("{argument} does not take `{value}`{why}"), format!("za {argument} nemůže být „{value}“{why}"))
+        }
+        ErrorKind::UnknownArgument => {
+            text(format!("there is no argument `{argument}` here"), format!("argument „{argument}“ zde není"))
+        }
+        ErrorKind::InvalidSubcommand => {
+            let command = context(error, ContextKind::InvalidSubcommand);
+            text(format!("there is no command `{command}`"), format!("příkaz „{command}“ není"))
+        }
+        ErrorKind::MissingRequiredArgument => text(format!("{argument} is missing"), format!("chybí {argument}")),
+        ErrorKind::MissingSubcommand => text("the command is missing".to_owned(), "chybí příkaz".to_owned()),
+        ErrorKind::ArgumentConflict => {
+            let other = context(error, ContextKind::PriorArg);
+            if other == argument || other.is_empty() {
+                text(format!("{argument} is given more than once"), format!("{argument} je zadáno vícekrát"))
+            } else {
+                text(format!("{argument} does not go with {other}"), format!("{argument} nelze použít s {other}"))
+            }
+        }
+        ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues => {
+            text(format!("{argument} takes another number of values"), format!("{argument} má jiný počet hodnot"))
+        }
+        ErrorKind::InvalidUtf8 => text("an argument is not UTF-8".to_owned(), "argument není v UTF-8".to_owned()),
+        _ => error.kind().as_str().unwrap_or("wrong usage").to_owned(),
+    }
+}
+
+fn list(choices: &str) -> String {
+    if choices.is_empty() { String::new() } else { format!(" [{choices}]") }
+}
+
+fn context(error: &clap::Error, kind: ContextKind) -> String {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::Strings(texts)) => texts.join(", "),
+        Some(ContextValue::StyledStr(text)) => text.to_string(),
+        Some(ContextValue::StyledStrs(texts)) => texts.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
+        Some(ContextValue::Number(number)) => number.to_string(),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::help;
+
+    fn said(lang: Lang, line: &[&str]) -> String {
+        let error = help::command(lang).try_get_matches_from(line).unwrap_err();
+        message(&error, lang, false)
+    }
+
+    #[test]
+    fn in_both_languages() {
+        let wrong = ["cnc872c", "compile", "a.nc", "--dialect", "cnc827"];
+        assert_eq!(
+            said(Lang::En, &wrong),
+            "error: --dialect <DIALECT> does not take `cnc827` [cnc8x6, cnc8x9, cnc872]\n  perhaps this is meant: \
+             cnc872\n\nHelp: --help\n"
+        );
+        assert!(said(Lang::Cs, &wrong).starts_with("chyba: za --dialect <SYSTÉM> nemůže být „cnc827“"));
+        assert!(said(Lang::Cs, &["cnc872c", "check"]).contains("chybí <CESTA>"));
+        assert!(said(Lang::Cs, &["cnc872c", "check"]).contains("Použití: cnc872c check"));
+        assert!(said(Lang::En, &["cnc872c", "chekc"]).contains("perhaps this is meant: check"));
+        assert!(said(Lang::En, &["cnc872c", "check", "a", "--fux"]).contains("--fix"));
+    }
+
+    #[test]
+    fn control_characters_do_not_reach_the_terminal() {
+        for line in [["cnc872c", "\u{1b}[2J", "x"], ["cnc872c", "check", "--\u{1b}[2J"]] {
+            assert!(!said(Lang::En, &line).contains('\u{1b}'));
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! What the command line says in its own name, on stderr, in both languages.
+
+use std::io;
+
+use crate::diag::{Problem, shown_path_list};
+use crate::dict::{Bilingual, Lang};
+
+macro_rules! words {
+    ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug, Eq, PartialEq)]
+        #[allow(missing_docs, reason = "the texts say it")]
+        pub enum $name {
+            $(#[doc = $en] $variant $({ $($field: $ty),* })?,)*
+        }
+
+        impl $name {
+            /// The text in `lang`, with no character that a terminal might act on.
+            pub fn text(&self, lang: Lang) -> String {
+                let text = match (self, lang) {
+                    $(
+                        (Self::$variant $({ $($field),* })?, Lang::En) => format!($en),
+                        (Self::$variant $({ $($field),* })?, Lang::Cs) => format!($cs),
+                    )*
+                };
+                shown_path_list(&text)
+            }
+        }
+    };
+}
+
+words! {
+    /// One thing to say.
+    Words {
+        CannotWrite { file: String, reason: String }
+            "cannot write {file}: {reason}",
+            "nelze zapsat {file}: {reason}";
+        CannotWriteStdout { reason: String }
+            "cannot write to standard output: {reason}",
+            "nelze zapisovat na standardní výstup: {reason}";
+        OutputIsProgram { file: String }
+            "{file} is the program itself: the stream needs a file of its own after -o",
+            "{file} je sám program: za -o patří jiný soubor";
+        Interrupted
+            "interrupted; no file is left half written",
+            "přerušeno; žádný soubor nezůstal zapsaný napůl";
+        NoPrograms { folder: String }
+            "no program found in {folder}; programs are files .nc .ncp .mpf .txt with %, and macrocycles L…",
+            "ve složce {folder} není žádný program; hledají se soubory .nc .ncp .mpf .txt se znakem % a makrocykly L…";
+        FixedOne { file: String }
+            "{file}: 1 fix applied",
+            "{file}: provedena 1 oprava";
+        Fixed { file: String, count: usize }
+            "{file}: {count} fixes applied",
+            "{file}: provedeno oprav: {count}";
+        FixElsewhere { file: String, count: usize }
+            "{file}: not fixed, because it is not among the files to check; fixes offered: {count}",
+            "{file}: neopraveno, není mezi kontrolovanými soubory; nabízených oprav: {count}";
+        FixChanged { file: String }
+            "{file}: not fixed, because it changed meanwhile",
+            "{file}: neopraveno, protože se soubor mezitím změnil";
+        FixNeedsFile { file: String }
+            "--fix changes files, and {file} is not one: give a regular file",
+            "--fix mění soubory a {file} souborem není: zadat obyčejný soubor";
+        ChannelConfigDialect { dialect: String }
+            "--channel-config does not go with {dialect}: only cnc872 has a ChannelConfig",
+            "--channel-config nelze použít s {dialect}: ChannelConfig má jen cnc872";
+        LevelUnknown { option: String, name: String }
+            "{option} {name}: no diagnostic has this code or name; `cnc872c explain` lists them all",
+            "{option} {name}: žádné hlášení nemá tento kód ani název; všechna vypíše „cnc872c explain“";
+        LevelUnknownNear { option: String, name: String, near: String }
+            "{option} {name}: no diagnostic has this code or name; perhaps {near} is meant",
+            "{option} {name}: žádné hlášení nemá tento kód ani název; možná mělo být {near}";
+        LevelOfError { option: String, name: String }
+            "{option} {name}: it is an error and stays one; only warnings and E0109 have a level",
+            "{option} {name}: je to chyba a zůstává jí; úroveň mají jen varování a E0109";
+        Parameter { text: String, fault: String }
+            "--param {text}: {fault}",
+            "--param {text}: {fault}";
+        NothingToExplain { name: String }
+            "{name}: there is no such diagnostic, function or address; `cnc872c explain` lists the diagnostics",
+            "{name}: takové hlášení, funkce ani adresa není; hlášení vypíše „cnc872c explain“";
+        NothingToExplainNear { name: String, near: String }
+            "{name}: there is no such diagnostic, function or address; perhaps {near} is meant",
+            "{name}: takové hlášení, funkce ani adresa není; možná mělo být {near}";
+        Foreign { text: String }
+            "{text}",
+            "{text}";
+        NoMFunction { number: u32 }
+            "M{number} is no function of any of the controls: M functions are M00 to M99, on CNC872 M100 too",
+            "M{number} není funkcí žádného ze systémů: M funkce jsou M00 až M99, na CNC872 také M100";
+        NoCommand { name: String }
+            "there is no command {name}; `cnc872c help` lists them",
+            "příkaz {name} není; všechny vypíše „cnc872c help“";
+        CheckingFiles
+            "checking",
+            "kontrola";
+        Blocks
+            "blocks",
+            "bloků";
+    }
+}
+
+/// How a line to the user begins.
+pub const fn error_prefix(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "error",
+        Lang::Cs => "chyba",
+    }
+}
+
+/// Why writing or reading failed, in the user's language where there is a text for it.
+pub fn reason(error: &io::Error, lang: Lang) -> String {
+    const TEXTS: [(io::ErrorKind, Bilingual); 4] = [
+        (io::ErrorKind::StorageFull, Bilingual { en: "the disk is full", cs: "disk je plný" }),
+        (io::ErrorKind::QuotaExceeded, Bilingual { en: "the disk quota is used up", cs: "disková kvóta je vyčerpána" }),
+        (io::ErrorKind::ReadOnlyFilesystem, Bilingual { en: "the disk is read-only", cs: "disk je jen pro čtení" }),
+        (io::ErrorKind::FileTooLarge, Bilingual { en: "it is too large", cs: "soubor je příliš velký" }),
+    ];
+    let text = TEXTS.iter().find(|(kind, _)| *kind == error.kind());
+    text.map_or_else(|| Problem::from_io(error).text(lang), |(_, text)| text.get(lang).to_owned())
+}

@@ -1,0 +1,154 @@
+//! Applies fixes to the bytes of a file. All that no fix touches stays as it was, byte by byte, in whatever encoding and
+//! with whatever line ends.
+
+use std::collections::BTreeMap;
+
+use super::{Edit, Fix};
+use crate::text::{FileId, SourceText, Span};
+
+/// A file after some of its fixes.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct Fixed {
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+    /// How many fixes were applied. Those that overlap others wait for a next round.
+    pub count: usize,
+}
+
+/// Applies `fixes` to `bytes`, of which `source` is the text and `file` its number in the places. A fix is applied as a
+/// whole or not at all: not when one of its edits is in another file, overlaps one that was taken before, or is not
+/// ASCII.
+pub fn apply_fixes<'a>(
+    source: &SourceText,
+    file: FileId,
+    bytes: &[u8],
+    fixes: impl IntoIterator<Item = &'a Fix>,
+) -> Fixed {
+    let mut taken = Taken::default();
+    let count = fixes.into_iter().filter(|fix| taken.take(source, file, &fix.edits)).count();
+    Fixed { bytes: splice(source, bytes, &taken.edits), count }
+}
+
+/// Edits that do not overlap, by where they begin: where they end, and the text.
+#[derive(Default)]
+struct Taken<'a> {
+    edits: BTreeMap<u32, (u32, &'a str)>,
+}
+
+impl<'a> Taken<'a> {
+    /// Takes the edits, when all of them can be taken.
+    fn take(&mut self, source: &SourceText, file: FileId, edits: &'a [Edit]) -> bool {
+        let usable = |edit: &Edit| {
+            let Span { start, end } = edit.at.span;
+            let boundary = |offset: u32| source.text().is_char_boundary(offset as usize);
+            edit.at.file == file && start <= end && boundary(start) && boundary(end) && edit.text.is_ascii()
+        };
+        if edits.is_empty() || !edits.iter().all(usable) {
+            return false;
+        }
+        let mut added = Vec::with_capacity(edits.len());
+        for edit in edits {
+            if !self.is_free(edit.at.span) {
+                for start in added {
+                    self.edits.remove(&start);
+                }
+                return false;
+            }
+            added.push(edit.at.span.start);
+            self.edits.insert(edit.at.span.start, (edit.at.span.end, &edit.text));
+        }
+        true
+    }
+
+    /// Whether no edit covers a part of the span, nor begins or inserts where it does.
+    fn is_free(&self, span: Span) -> bool {
+        let before = self.edits.range(..=span.start).next_back();
+        let after = self.edits.range(span.start..).next();
+        before.is_none_or(|(&start, &(end, _))| start < span.start && end <= span.start)
+            && after.is_none_or(|(&start, _)| span.end <= start && start != span.start)
+    }
+}
+
+/// Puts the edits into the bytes. Offsets in the bytes are counted along: [`SourceText::byte_offset`] begins at the start
+/// of the file each time.
+fn splice(source: &SourceText, bytes: &[u8], edits: &BTreeMap<u32, (u32, &str)>) -> Vec<u8> {
+    let single_byte = source.encoding().is_single_byte();
+    let length = |span: Span| {
+        if single_byte { source.slice(span).chars().count() } else { span.len() as usize }
+    };
+    let mut result = Vec::with_capacity(bytes.len() + edits.len());
+    let (mut text_at, mut byte_at) = (0, 0);
+    for (&start, &(end, text)) in edits {
+        let edit_at = byte_at + length(Span::new(text_at, start));
+        result.extend_from_slice(bytes.get(byte_at..edit_at).unwrap_or_default());
+        result.extend_from_slice(text.as_bytes());
+        byte_at = edit_at + length(Span::new(start, end));
+        text_at = end;
+    }
+    result.extend_from_slice(bytes.get(byte_at..).unwrap_or_default());
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::FixTitle;
+    use crate::text::{Encoding, Location};
+
+    fn edit(start: usize, end: usize, text: &str) -> Edit {
+        let span = Span::new(u32::try_from(start).unwrap(), u32::try_from(end).unwrap());
+        Edit { at: Location { file: FileId(0), span }, text: text.to_owned() }
+    }
+
+    fn fix(edits: impl Into<Vec<Edit>>) -> Fix {
+        Fix { title: FixTitle::UpperCase, edits: edits.into() }
+    }
+
+    fn applied(bytes: &[u8], fixes: &[Fix]) -> (Vec<u8>, usize) {
+        let source = SourceText::decode("a.nc", bytes.to_vec(), Encoding::Cp852).unwrap();
+        let fixed = apply_fixes(&source, FileId(0), bytes, fixes);
+        (fixed.bytes, fixed.count)
+    }
+
+    /// LEX-13: what stands around a fix keeps its bytes, in UTF-8 and in a code page.
+    #[test]
+    fn encodings_and_line_ends_are_kept() {
+        let dos = b"%1 \"p\xfd\xa1ruba\"\r\nn10 \"\xfd\" x5\r\n\x1a";
+        let source = SourceText::decode("a.nc", dos.to_vec(), Encoding::Cp852).unwrap();
+        let at = |text: &str| source.text().find(text).unwrap();
+        let fixes = [fix([edit(at("n10"), at("n10") + 1, "N"), edit(at("x5"), at("x5") + 1, "X")])];
+        assert_eq!(applied(dos, &fixes), (b"%1 \"p\xfd\xa1ruba\"\r\nN10 \"\xfd\" X5\r\n\x1a".to_vec(), 1));
+
+        let utf8 = "\u{feff}%1 \"ř\" n10\r";
+        let at = utf8.find("n10").unwrap();
+        let fixed = applied(utf8.as_bytes(), &[fix([edit(at, at + 1, "N")])]);
+        assert_eq!(fixed, ("\u{feff}%1 \"ř\" N10\r".as_bytes().to_vec(), 1));
+    }
+
+    #[test]
+    fn overlapping_fixes_wait() {
+        let whole = fix([edit(0, 4, "wxyz")]);
+        let inner = fix([edit(4, 5, "E"), edit(1, 2, "B")]);
+        let behind = fix([edit(4, 6, "")]);
+        assert_eq!(applied(b"abcdef", &[whole.clone(), inner.clone(), behind.clone()]), (b"wxyz".to_vec(), 2));
+        assert_eq!(applied(b"abcdef", &[inner, whole, behind]), (b"aBcdEf".to_vec(), 1));
+    }
+
+    #[test]
+    fn insertions_at_one_place_wait() {
+        let insert = |text| fix([edit(2, 2, text)]);
+        assert_eq!(applied(b"abcd", &[insert("1"), insert("2")]), (b"ab1cd".to_vec(), 1));
+        assert_eq!(applied(b"abcd", &[insert("1"), fix([edit(2, 3, "C")])]), (b"ab1cd".to_vec(), 1));
+        assert_eq!(applied(b"abcd", &[fix([edit(1, 3, "-")]), insert("1")]), (b"a-d".to_vec(), 1));
+        assert_eq!(applied(b"abcd", &[fix([edit(0, 2, "-")]), insert("1")]), (b"-1cd".to_vec(), 2));
+    }
+
+    #[test]
+    fn edits_that_cannot_be_made_are_left() {
+        let mut elsewhere = edit(0, 1, "x");
+        elsewhere.at.file = FileId(1);
+        let fixes = [fix([elsewhere, edit(1, 2, "y")]), fix([edit(1, 2, "ř")]), fix([edit(3, 9, "")]), fix([])];
+        assert_eq!(applied(b"abcd", &fixes), (b"abcd".to_vec(), 0));
+        assert_eq!(applied("ář".as_bytes(), &[fix([edit(1, 2, "x")])]), ("ář".as_bytes().to_vec(), 0));
+    }
+}

@@ -1,0 +1,203 @@
+//! `check` on the real binary.
+
+use serde_json::Value;
+
+use crate::cli::{BAD, GOOD, Place, closed_pipe};
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
+
+/// The codes and files of `--format json`.
+fn found(text: &str) -> Vec<(String, String)> {
+    let object = json(text);
+    let findings = object["diagnostics"].as_array().unwrap();
+    let text = |value: &Value| value.as_str().unwrap().to_owned();
+    findings.iter().map(|finding| (text(&finding["code"]), text(&finding["file"]))).collect()
+}
+
+#[test]
+fn levels_that_make_no_sense_are_wrong_usage() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
+    place.run(&["check", "a.nc", "-D", "empty-blok"]).ends(2).says("perhaps empty-block is meant");
+    place.run(&["check", "a.nc", "-A", "E0306"]).ends(2).says("-A E0306: it is an error and stays one");
+    place.run(&["check", "a.nc", "-W", "duplicate-address"]).ends(2).says("stays one");
+    place.run(&["check", "a.nc", "-A", "E0109", "-A", "line-too-long"]).ends(0);
+}
+
+#[test]
+fn parameters_that_make_no_sense_are_wrong_usage() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
+    place.run(&["check", "a.nc", "--param", "R96=5"]).ends(2).says("R0 to R95");
+    place.run(&["check", "a.nc", "--param", "10=5"]).ends(2).says("R10=5");
+    place.run(&["check", "a.nc", "--param", "R10=5", "--param", "r11=-2.5"]).ends(0);
+}
+
+/// §13: `--channel-config` with CNC8x6 or CNC8x9 is wrong usage, also when the project file chooses the control.
+#[test]
+fn a_channel_config_needs_a_cnc872() {
+    let place = Place::with(&[
+        ("a.nc", GOOD.as_bytes()),
+        ("Channel.xml", b"<ChannelConfig><MFunctions/></ChannelConfig>"),
+        ("old/b.nc", GOOD.as_bytes()),
+        ("old/cnc872c.toml", b"dialect = \"cnc8x9\"\n"),
+    ]);
+    let option = ["--channel-config", "Channel.xml"];
+    place.run(&[&["check", "a.nc", "--dialect", "cnc8x6"], &option[..]].concat()).ends(2).says("cnc8x6");
+    place.run(&[&["check", "old"], &option[..]].concat()).ends(2).says("cnc8x9");
+    place.run(&[&["compile", "old/b.nc"], &option[..]].concat()).ends(2).says("cnc8x9");
+    place.run(&[&["check", "a.nc"], &option[..]].concat()).ends(0);
+    place.run(&[&["check", "old", "--dialect", "cnc872"], &option[..]].concat()).ends(0);
+}
+
+/// §13: a wrong configuration ends the run before any program is read, and is still shown as findings.
+#[test]
+fn a_wrong_configuration_ends_with_status_2() {
+    let place = Place::with(&[("a.nc", BAD.as_bytes()), ("cnc872c.toml", b"block-skip = 7\n")]);
+    let run = place.run(&["check", "a.nc", "--format", "json"]).ends(2);
+    assert_eq!(found(&run.stdout), [("E0702".to_owned(), "cnc872c.toml".to_owned())]);
+    let run = place.run(&["compile", "a.nc", "-o", "a.jsonl", "--format", "json"]).ends(2);
+    assert_eq!(found(&run.stderr), [("E0702".to_owned(), "cnc872c.toml".to_owned())]);
+    assert_eq!(place.list(), ["a.nc", "cnc872c.toml"]);
+    place.put("other.toml", "");
+    place.run(&["check", "--config", "missing.toml", "a.nc"]).ends(2);
+}
+
+#[test]
+fn each_program_has_the_nearest_project_file() {
+    let place = Place::with(&[
+        ("one/a.nc", GOOD.as_bytes()),
+        ("one/deep/b.nc", GOOD.as_bytes()),
+        ("one/cnc872c.toml", b"wrong = 1\n"),
+        ("two/c.nc", GOOD.as_bytes()),
+        ("two/cnc872c.toml", b"[lints]\nnonsense = \"deny\"\n"),
+    ]);
+    let run = place.run(&["check", ".", "--format", "json"]).ends(0);
+    let warning = |file: &str| ("W0705".to_owned(), file.to_owned());
+    let found = found(&run.stdout);
+    assert_eq!(found.len(), 2, "each file is read once: {found:?}");
+    assert!(found[0].1.ends_with("one/cnc872c.toml") && found[1].1.ends_with("two/cnc872c.toml"), "{found:?}");
+    assert_eq!(warning("x").0, found[0].0);
+    place.run(&["check", "one", "-A", "unknown-configuration-key", "--deny-warnings"]).ends(0);
+    place.run(&["check", "one", "--deny-warnings"]).ends(1);
+    place.run(&["check", "one", "-D", "W0705"]).ends(2);
+    // The last one on the line counts.
+    place.run(&["check", "one", "-D", "W0705", "-A", "W0705", "--deny-warnings"]).ends(0);
+    place.run(&["check", "one", "-A", "W0705", "-W", "W0705", "--deny-warnings"]).ends(1);
+}
+
+#[test]
+fn a_folder_without_programs_is_told() {
+    let place = Place::with(&[("notes.txt", b"oil the spindle")]);
+    let run = place.run(&["check", "."]).ends(0);
+    assert!(run.stderr.contains("no program found in ."), "{run:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn pipes_in_a_folder_are_passed_by() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
+    crate::cli::make_fifo(&place.path("b.nc"));
+    crate::cli::make_fifo(&place.path("c.txt"));
+    crate::cli::make_fifo(&place.path("L5"));
+    place.run(&["check", "."]).ends(0);
+}
+
+#[test]
+fn errors_give_status_1_and_warnings_only_when_denied() {
+    let place = Place::with(&[
+        ("good.nc", GOOD.as_bytes()),
+        ("bad.nc", BAD.as_bytes()),
+        ("warn.nc", b"%1\nN10 G0 G90 X0\nN15\nN20 M30\n"),
+    ]);
+    place.run(&["check", "good.nc"]).ends(0);
+    place.run(&["check", "bad.nc", "good.nc"]).ends(1);
+    place.run(&["check", "warn.nc"]).ends(0);
+    place.run(&["check", "warn.nc", "--deny-warnings"]).ends(1);
+    place.run(&["check", "warn.nc", "-D", "empty-block"]).ends(1);
+    let allowed = place.run(&["check", "warn.nc", "-A", "W0214", "--deny-warnings", "--format", "short"]).ends(0);
+    assert_eq!(allowed.stdout, "");
+}
+
+#[test]
+fn a_folder_is_checked_in_a_fixed_order() {
+    let place = Place::with(&[
+        ("b/z.nc", BAD.as_bytes()),
+        ("b/L9001", b"N1 G79 L9001 N2 X1 X2 N3 G70"),
+        ("c.MPF", BAD.as_bytes()),
+    ]);
+    for number in 0..40 {
+        place.put(&format!("a/{number:02}.nc"), BAD);
+    }
+    let first = place.run(&["check", ".", "--format", "json"]).ends(1).stdout;
+    let files: Vec<String> = found(&first).into_iter().map(|(_, file)| file.replace('\\', "/")).collect();
+    let mut expected: Vec<String> = (0..40).map(|number| format!("a/{number:02}.nc")).collect();
+    expected.extend(["b/L9001", "b/z.nc", "c.MPF"].map(str::to_owned));
+    assert_eq!(files, expected);
+    for _ in 0..3 {
+        assert_eq!(place.run(&["check", ".", "--format", "json"]).stdout, first);
+    }
+}
+
+#[test]
+fn standard_input_is_a_program() {
+    let place = Place::with(&[]);
+    place.run_with_stdin(&["check", "-"], GOOD.as_bytes()).ends(0);
+    let run = place.run_with_stdin(&["check", "-", "--format", "json"], BAD.as_bytes()).ends(1);
+    assert_eq!(found(&run.stdout), [("E0306".to_owned(), "-".to_owned())]);
+}
+
+#[test]
+fn what_cannot_be_read_is_a_finding_with_status_2() {
+    let place = Place::with(&[("good.nc", GOOD.as_bytes()), ("bad.nc", BAD.as_bytes())]);
+    let run = place.run(&["check", "missing.nc", "bad.nc", "--format", "json"]).ends(2);
+    let codes: Vec<String> = found(&run.stdout).into_iter().map(|(code, _)| code).collect();
+    assert_eq!(codes, ["E0112", "E0306"]);
+    let run = place.run(&["check", "missing\u{1b}[2J.nc"]).ends(2);
+    assert!(!run.stdout.contains('\u{1b}') && !run.stderr.contains('\u{1b}'), "{run:?}");
+    #[cfg(unix)]
+    {
+        let device = place.run(&["check", "/dev/null", "--lang", "cs"]).ends(2);
+        assert!(device.stdout.contains("není to obyčejný soubor"), "{device:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_that_is_named_is_read() {
+    let place = Place::with(&[]);
+    let pipe = place.path("pipe");
+    crate::cli::make_fifo(&pipe);
+    let writer = std::thread::spawn(move || std::fs::write(pipe, BAD).unwrap());
+    let run = place.run(&["check", "pipe", "--format", "json"]).ends(1);
+    writer.join().unwrap();
+    assert_eq!(found(&run.stdout), [("E0306".to_owned(), "pipe".to_owned())]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_macrocycle_that_cannot_be_read_is_told_and_a_pipe_does_not_hang() {
+    let program = b"%1\nN10 G72 L9001\nN20 M30\n";
+    let place = Place::with(&[("a.nc", program)]);
+    crate::cli::make_fifo(&place.path("L9001"));
+    let run = place.run(&["check", "a.nc", "--format", "json"]);
+    assert!(matches!(run.code, Some(1 | 2)), "{run:?}");
+    assert!(!found(&run.stdout).is_empty());
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let place = Place::with(&[("bad.nc", BAD.as_bytes())]);
+    for format in ["human", "short", "json", "sarif", "github"] {
+        let run = place.run_into(&["check", "bad.nc", "--format", format], closed_pipe()).ends(0);
+        assert_eq!(run.stderr, "", "{format}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told() {
+    let place = Place::with(&[("bad.nc", BAD.as_bytes())]);
+    let full = crate::cli::open_for_writing("/dev/full");
+    place.run_into(&["check", "bad.nc"], full).ends(2).says("the disk is full");
+}
