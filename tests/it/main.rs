@@ -7,4 +7,5 @@ mod cli_check;
 mod cli_compile;
 mod cli_fix;
 mod disk;
+mod docs;
 mod markers;
