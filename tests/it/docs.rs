@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 use std::sync::Arc;
 
 use cnc872c::config::Settings;
@@ -195,4 +196,105 @@ fn markdown() -> Vec<PathBuf> {
         found.extend(files(&root().join(folder)).into_iter().filter(|path| path.extension().is_some_and(|e| e == "md")));
     }
     found
+}
+
+/// What the documents show on a terminal is what the program says: each `$ cnc872c …` in a fence `console`, run in a folder
+/// with the samples and the examples of the guide. A line `…` stands for any lines. `DOCS=write cargo test` writes the
+/// output anew.
+#[test]
+fn terminal_sessions() {
+    let mut different = Vec::new();
+    let mut sessions = 0;
+    for path in markdown() {
+        let text = fs::read_to_string(&path).unwrap();
+        let place = tempfile::tempdir().unwrap();
+        copy(&root().join("samples"), &place.path().join("samples"));
+        copy(&root().join("docs/guide/examples"), place.path());
+        let mut written = String::new();
+        let mut rest = text.as_str();
+        while let Some((before, session)) = rest.split_once("```console\n") {
+            let (session, after) = session.split_once("```\n").expect("the end of a fence");
+            let now = run_session(session, place.path());
+            if now != session {
+                different.push(format!("{}:\n{now}", path.display()));
+            }
+            written += &format!("{before}```console\n{now}```\n");
+            rest = after;
+            sessions += 1;
+        }
+        written += rest;
+        if written != text && std::env::var_os("DOCS").is_some_and(|value| value == "write") {
+            fs::write(&path, written).unwrap();
+        }
+    }
+    assert!(different.is_empty(), "{}mend with `DOCS=write cargo test --test it docs`", different.join("\n"));
+    assert!(sessions > 10, "the sessions are not found");
+}
+
+fn copy(from: &Path, to: &Path) {
+    for file in files(from) {
+        let to = to.join(file.strip_prefix(from).unwrap());
+        fs::create_dir_all(to.parent().unwrap()).unwrap();
+        fs::copy(&file, to).unwrap();
+    }
+}
+
+/// The session with the output that its commands give now.
+fn run_session(session: &str, folder: &Path) -> String {
+    let mut now = String::new();
+    let mut commands = session.split("$ ").skip(1).peekable();
+    assert!(commands.peek().is_some(), "a session without a command: {session}");
+    for command in commands {
+        let (line, shown) = command.split_once('\n').expect("a line");
+        let output = run(line, folder);
+        now += &format!("$ {line}\n{}", if matches(shown, &output) { shown } else { &output });
+    }
+    now
+}
+
+fn run(line: &str, folder: &Path) -> String {
+    let line = line.strip_prefix("cargo run --release -- ").or_else(|| line.strip_prefix("cnc872c ")).expect(line);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_cnc872c"));
+    command.current_dir(folder).stdin(Stdio::null());
+    command.args(line.split_whitespace().map(|argument| argument.trim_matches('\'')));
+    for variable in ["LC_ALL", "LC_MESSAGES", "LANG", "NO_COLOR", "TERM", "CLICOLOR", "CLICOLOR_FORCE", "COLUMNS"] {
+        command.env_remove(variable);
+    }
+    let output = command.output().expect("the program runs");
+    String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap()
+}
+
+/// Whether `output` is what is shown, where a line `…` stands for any lines.
+fn matches(shown: &str, output: &str) -> bool {
+    let mut rest = output;
+    let mut parts = shown.split("…\n");
+    let first = parts.next().unwrap_or_default();
+    let Some(after) = rest.strip_prefix(first) else { return false };
+    rest = after;
+    let mut last = first;
+    for part in parts {
+        let Some(at) = rest.find(part) else { return false };
+        rest = rest.get(at + part.len()..).unwrap_or_default();
+        last = part;
+    }
+    rest.is_empty() || (last.is_empty() && shown.ends_with("…\n"))
+}
+
+/// The records shown in the guide are those that `compile` writes.
+#[test]
+fn records_of_the_guide() {
+    let guide = read("docs/guide/stream.md");
+    let mut shown = 0;
+    for part in guide.split("<!-- record ").skip(1) {
+        let (head, rest) = part.split_once(" -->\n```json\n").expect("a record");
+        let (number, program) = head.split_once(" of ").expect("which record");
+        let (text, _) = rest.split_once("```\n").expect("the end of a fence");
+        let stream = run(&format!("cnc872c compile {program}"), &root().join("docs/guide/examples"));
+        let line = stream.lines().nth(number.parse::<usize>().unwrap() - 1).expect("a record");
+        let [shown_now, written]: [serde_json::Value; 2] =
+            [text, line].map(|json| serde_json::from_str(json).expect("JSON"));
+        assert_eq!(shown_now, written);
+        shown += 1;
+    }
+    assert!(shown > 2);
 }
