@@ -8,7 +8,7 @@ use crate::config::{Purpose, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, Problem, Severity};
 use crate::expand::{Executor, Stop};
 use crate::ir::{
-    AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA, write_block,
+    AxisRecord, BlockWriter, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA,
     write_end, write_file, write_program,
 };
 use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program};
@@ -131,14 +131,14 @@ impl Session<'_> {
 
     /// Writes records until the program ends or has an error.
     fn write_blocks(&self, executor: &mut Executor<'_, '_>, stream: &mut Stream<'_>) -> io::Result<()> {
-        let axes = executor.axes().to_vec();
+        let mut writer = BlockWriter::new(executor.axes());
         let mut known_files = vec![FileIndex(0)];
         loop {
             let Some(record) = executor.step() else { return Ok(()) };
             stream.totals.add(record.motion.as_ref());
             let place = stream.buffer.len();
             if stream.part.contains(record.seq) {
-                write_block(&mut stream.buffer, record, &axes);
+                writer.write(&mut stream.buffer, record);
             }
             if executor.found_errors() || executor.read_unassigned() {
                 stream.buffer.truncate(place);

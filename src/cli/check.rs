@@ -1,6 +1,7 @@
 //! `check`: every finding of every program.
 
 use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::PathBuf;
 
 use rayon::prelude::*;
 
@@ -24,7 +25,7 @@ const AT_ONCE: usize = 1024;
 pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
     let (targets, barren) = targets(&args.paths);
-    let loader = DiskLoader::new(targets.iter().map(|target| target.path.as_path()));
+    let loader = DiskLoader::new(args.paths.iter().map(PathBuf::as_path));
     if let Some(stream) = targets.iter().find(|target| args.fix && loader.is_stream(&target.path)) {
         return Err(Words::FixNeedsFile { file: stream.name() }.into());
     }

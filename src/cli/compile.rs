@@ -27,10 +27,11 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let [target] = &targets;
     let loader = DiskLoader::new([target.path.as_path()]);
     let output = args.output.as_deref().filter(|output| !is_stdin(output));
+    let refuse = |output: &Path| Words::OutputIsProgram { file: output.to_string_lossy().into_owned() };
     if let Some(output) = output
         && canonical(output) == canonical(&target.path)
     {
-        return Err(Words::OutputIsProgram { file: output.to_string_lossy().into_owned() }.into());
+        return Err(refuse(output).into());
     }
     let mut projects = Projects::configure(&targets, args.common.config.as_deref(), &overrides, &loader)?;
     let mut report = projects.report();
@@ -57,6 +58,11 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
         true => Status::Faulty,
         false => Status::Fine,
     };
+    if let Some(output) = output
+        && outcome.sources.iter().any(|(_, source)| canonical(Path::new(source.name())) == canonical(output))
+    {
+        return Err(refuse(output).into());
+    }
     if status == Status::Fine {
         stream.commit().map_err(|error| cannot_write(error, output, locale.lang))?;
     }

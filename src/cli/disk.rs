@@ -1,6 +1,6 @@
 //! Files of the disk, and standard input.
 
-use std::fs::{self, File};
+use std::fs::{self, File, FileType};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -58,7 +58,7 @@ impl Loader for DiskLoader {
 
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         let entries = entries(folder).unwrap_or_default();
-        entries.into_iter().filter(|path| !path.is_dir()).collect()
+        entries.into_iter().filter(|entry| !entry.is_folder()).map(|entry| entry.path).collect()
     }
 
     fn canonical(&self, path: &Path) -> PathBuf {
@@ -76,18 +76,46 @@ pub fn is_stdin(path: &Path) -> bool {
     path.as_os_str() == STDIN
 }
 
+/// One thing in a folder.
+#[derive(Debug)]
+pub struct Entry {
+    /// Its path, through the folder.
+    pub path: PathBuf,
+    /// What the folder says it is; `None` where only a look behind a link tells.
+    kind: Option<FileType>,
+}
+
+impl Entry {
+    /// Whether it is a folder, behind links.
+    pub fn is_folder(&self) -> bool {
+        self.kind.map_or_else(|| self.path.is_dir(), |kind| kind.is_dir())
+    }
+
+    /// Whether it is a regular file, behind links.
+    pub fn is_file(&self) -> bool {
+        self.kind.map_or_else(|| self.path.is_file(), |kind| kind.is_file())
+    }
+
+    /// Whether it is a symbolic link, or may be one.
+    pub const fn is_link(&self) -> bool {
+        self.kind.is_none()
+    }
+}
+
 /// What a folder holds, sorted.
 ///
 /// # Errors
 /// When it cannot be read.
 #[expect(clippy::disallowed_methods, reason = "this is the disk loader")]
-pub fn entries(folder: &Path) -> io::Result<Vec<PathBuf>> {
-    let mut paths = Vec::new();
+pub fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
+    let mut found = Vec::new();
     for entry in fs::read_dir(here(folder))? {
-        paths.push(folder.join(entry?.file_name()));
+        let entry = entry?;
+        let kind = entry.file_type().ok().filter(|kind| !kind.is_symlink());
+        found.push(Entry { path: folder.join(entry.file_name()), kind });
     }
-    paths.sort();
-    Ok(paths)
+    found.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(found)
 }
 
 /// Whether the file holds that byte, read piece by piece.
@@ -134,12 +162,12 @@ fn here(path: &Path) -> &Path {
 }
 
 #[cfg(unix)]
-fn is_pipe(kind: fs::FileType) -> bool {
+fn is_pipe(kind: FileType) -> bool {
     use std::os::unix::fs::FileTypeExt;
     kind.is_fifo()
 }
 
 #[cfg(not(unix))]
-fn is_pipe(_: fs::FileType) -> bool {
+fn is_pipe(_: FileType) -> bool {
     false
 }

@@ -169,3 +169,22 @@ impl Loader for InMemory<'_> {
         self.disk.canonical(path)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[expect(clippy::disallowed_methods, reason = "a test makes the file and looks at it")]
+    fn a_file_that_changed_meanwhile_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.nc");
+        let disk = DiskLoader::default();
+        std::fs::write(&path, "theirs").unwrap();
+        assert!(!write(&path, &disk, b"ours before", b"ours after").unwrap());
+        assert_eq!(std::fs::read(&path).unwrap(), b"theirs");
+        assert!(write(&path, &disk, b"theirs", b"fixed").unwrap());
+        assert_eq!(std::fs::read(&path).unwrap(), b"fixed");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+}

@@ -24,13 +24,15 @@ impl Locale {
 
     /// Whether to colour a stream.
     pub fn colors(self, is_terminal: bool) -> bool {
+        self.colors_in(is_terminal, environment)
+    }
+
+    fn colors_in(self, is_terminal: bool, variable: impl Fn(&str) -> Option<OsString>) -> bool {
         match self.color {
             ColorWhen::Always => true,
             ColorWhen::Never => false,
             ColorWhen::Auto => {
-                is_terminal
-                    && environment("NO_COLOR").is_none()
-                    && environment("TERM").is_none_or(|term| term != "dumb")
+                is_terminal && variable("NO_COLOR").is_none() && variable("TERM").is_none_or(|term| term != "dumb")
             }
         }
     }
@@ -78,8 +80,25 @@ fn option(arguments: &[OsString], name: &str) -> Option<String> {
 mod tests {
     use super::*;
 
+    fn get(set: &[(&str, &str)], name: &str) -> Option<OsString> {
+        set.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).into())
+    }
+
     fn lang(set: &[(&str, &str)]) -> Lang {
-        from_environment(|name| set.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).into()))
+        from_environment(|name| get(set, name))
+    }
+
+    #[test]
+    fn colours_are_for_terminals_that_want_them() {
+        let colors = |color, is_terminal, set: &[(&str, &str)]| {
+            Locale { lang: Lang::En, color }.colors_in(is_terminal, |name| get(set, name))
+        };
+        assert!(colors(ColorWhen::Auto, true, &[("TERM", "xterm")]));
+        assert!(!colors(ColorWhen::Auto, true, &[("TERM", "xterm"), ("NO_COLOR", "1")]));
+        assert!(!colors(ColorWhen::Auto, true, &[("TERM", "dumb")]));
+        assert!(!colors(ColorWhen::Auto, false, &[]));
+        assert!(colors(ColorWhen::Always, false, &[("NO_COLOR", "1")]));
+        assert!(!colors(ColorWhen::Never, true, &[]));
     }
 
     #[test]

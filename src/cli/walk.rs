@@ -64,8 +64,13 @@ struct Search {
 }
 
 impl Search {
+    /// Adds a program that the user named.
     fn add(&mut self, path: PathBuf) {
         let identity = if is_stdin(&path) { path.clone() } else { canonical(&path) };
+        self.add_once(path, identity);
+    }
+
+    fn add_once(&mut self, path: PathBuf, identity: PathBuf) {
         if self.files.insert(identity) {
             self.found.push(Target { path, problem: None });
         } else {
@@ -78,30 +83,37 @@ impl Search {
     fn folder(&mut self, root: &Path) {
         self.met_again = false;
         let mut open = vec![root.to_path_buf()];
-        let mut paths = Vec::new();
+        let mut found = Vec::new();
         while let Some(folder) = open.pop() {
-            if !self.folders.insert(canonical(&folder)) {
+            let identity = canonical(&folder);
+            if !self.folders.insert(identity.clone()) {
                 self.met_again = true;
                 continue;
             }
-            match entries(&folder) {
-                Ok(entries) => {
-                    for path in entries.into_iter().filter(|path| !is_hidden(path)) {
-                        if path.is_dir() {
-                            open.push(path);
-                        } else if is_program_name(&path) && path.is_file() && !is_mere_text(&path) {
-                            paths.push((path, None));
-                        }
-                    }
+            let entries = match entries(&folder) {
+                Ok(entries) => entries,
+                Err(error) => {
+                    found.push((folder, Err(error)));
+                    continue;
                 }
-                Err(error) => paths.push((folder, Some(error))),
+            };
+            for entry in entries.into_iter().filter(|entry| !is_hidden(&entry.path)) {
+                if entry.is_folder() {
+                    open.push(entry.path);
+                } else if is_program_name(&entry.path) && entry.is_file() && !is_mere_text(&entry.path) {
+                    let identity = match entry.path.file_name() {
+                        Some(name) if !entry.is_link() => identity.join(name),
+                        _ => canonical(&entry.path),
+                    };
+                    found.push((entry.path, Ok(identity)));
+                }
             }
         }
-        paths.sort_by(|(a, _), (b, _)| a.cmp(b));
-        for (path, problem) in paths {
-            match problem {
-                None => self.add(path),
-                Some(_) => self.found.push(Target { path, problem }),
+        found.sort_by(|(a, _), (b, _)| a.cmp(b));
+        for (path, identity) in found {
+            match identity {
+                Ok(identity) => self.add_once(path, identity),
+                Err(error) => self.found.push(Target { path, problem: Some(error) }),
             }
         }
     }

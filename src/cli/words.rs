@@ -39,8 +39,8 @@ words! {
             "cannot write to standard output: {reason}",
             "nelze zapisovat na standardní výstup: {reason}";
         OutputIsProgram { file: String }
-            "{file} is the program itself: the stream needs a file of its own after -o",
-            "{file} je sám program: za -o patří jiný soubor";
+            "{file} is the program itself, or a macrocycle of it: the stream needs a file of its own after -o",
+            "{file} je sám program nebo jeho makrocyklus: za -o patří jiný soubor";
         Interrupted
             "interrupted; no file is left half written",
             "přerušeno; žádný soubor nezůstal zapsaný napůl";

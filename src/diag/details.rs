@@ -41,15 +41,17 @@ details! {
 impl Problem {
     /// What an error of the operating system says.
     pub fn from_io(error: &std::io::Error) -> Self {
-        match error.kind() {
-            std::io::ErrorKind::NotFound => Self::NotFound,
-            std::io::ErrorKind::PermissionDenied => Self::Denied,
-            std::io::ErrorKind::IsADirectory => Self::Directory,
+        [
+            (std::io::ErrorKind::NotFound, Self::NotFound),
+            (std::io::ErrorKind::PermissionDenied, Self::Denied),
+            (std::io::ErrorKind::IsADirectory, Self::Directory),
             // What the disk loader says of pipes and devices.
-            std::io::ErrorKind::Unsupported => Self::NotAFile,
-            std::io::ErrorKind::FileTooLarge => Self::TooLarge,
-            _ => Self::Other { reason: error.to_string() },
-        }
+            (std::io::ErrorKind::Unsupported, Self::NotAFile),
+            (std::io::ErrorKind::FileTooLarge, Self::TooLarge),
+        ]
+        .into_iter()
+        .find(|(kind, _)| *kind == error.kind())
+        .map_or_else(|| Self::Other { reason: error.to_string() }, |(_, problem)| problem)
     }
 }
 

@@ -222,6 +222,11 @@ impl GCode {
         }
     }
 
+    /// Whether records show what it does; copying and dragging they do not (GRP-8).
+    pub const fn is_modelled(self) -> bool {
+        !matches!(self, Self::G05 | Self::G06 | Self::G07 | Self::G08)
+    }
+
     /// Whether it calls or jumps: G71, G72, G73.
     pub const fn is_flow(self) -> bool {
         matches!(self, Self::G71 | Self::G72 | Self::G73)

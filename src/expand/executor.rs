@@ -43,7 +43,7 @@ pub struct Executor<'a, 'l> {
     pub(super) feed_warned: bool,
     pub(super) speed_warned: bool,
     pub(super) incremental_warned: [bool; 9],
-    pub(super) unmodelled_warned: [bool; 4],
+    pub(super) unmodelled_warned: Vec<GCode>,
     pub(super) unassigned_warned: [bool; 96],
     pub(super) unassigned_read: bool,
     /// A macrocycle that execution loaded has errors: it cannot be executed.
@@ -87,7 +87,7 @@ impl<'a, 'l> Executor<'a, 'l> {
             feed_warned: false,
             speed_warned: false,
             incremental_warned: [false; 9],
-            unmodelled_warned: [false; 4],
+            unmodelled_warned: Vec::new(),
             unassigned_warned: [false; 96],
             unassigned_read: false,
             broken_macrocycle: false,

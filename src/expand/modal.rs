@@ -136,15 +136,8 @@ impl Executor<'_, '_> {
 
     /// GRP-8: what G05–G08 do is not modelled; said once of each.
     fn warn_unmodelled(&mut self, code: GCode, word: Word) {
-        let place = match code {
-            GCode::G05 => 0,
-            GCode::G06 => 1,
-            GCode::G07 => 2,
-            GCode::G08 => 3,
-            _ => return,
-        };
-        if let Some(warned @ false) = self.unmodelled_warned.get_mut(place) {
-            *warned = true;
+        if !code.is_modelled() && !self.unmodelled_warned.contains(&code) {
+            self.unmodelled_warned.push(code);
             self.report(Diagnostic::new(Finding::FunctionNotModelled { function: code }, self.word_place(word)));
         }
     }

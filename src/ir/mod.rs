@@ -11,4 +11,4 @@ pub use records::{
     Motion, MotionType, ProgramRecord, SCHEMA,
 };
 pub use schema::schema;
-pub use write::{write_block, write_end, write_file, write_program};
+pub use write::{BlockWriter, write_end, write_file, write_program};

@@ -95,12 +95,10 @@ impl BlockChecker<'_> {
     #[inline]
     fn check_plain_words(&mut self, words: &[Word]) {
         let mut seen = 0_u32;
+        let mut repeated = false;
         for &word in words {
             let bit = 1_u32 << (word.address as u8);
-            if seen & bit != 0 {
-                self.check_repeated(words);
-                seen = 0;
-            }
+            repeated |= seen & bit != 0;
             seen |= bit;
             let in_range = word.number().is_some_and(|number| number.abs() <= Decimal::DIMENSION_MAX);
             let simple = in_range
@@ -111,6 +109,9 @@ impl BlockChecker<'_> {
             if !simple {
                 self.check_word(word, &Functions::default());
             }
+        }
+        if repeated {
+            self.check_repeated(words);
         }
     }
 
@@ -275,20 +276,21 @@ impl BlockChecker<'_> {
         let mut addresses: [Option<Word>; Address::ALL.len()] = [None; Address::ALL.len()];
         let mut parameters: [Option<Word>; 96] = [None; 96];
         for &word in words {
-            let slot = match word.address {
-                Address::G | Address::M => continue,
-                Address::R => parameters.get_mut(usize::from(word.target())),
-                other => addresses.get_mut(other as usize),
+            if matches!(word.address, Address::G | Address::M) {
+                continue;
+            }
+            let is_parameter = word.address == Address::R;
+            let slot = if is_parameter {
+                parameters.get_mut(usize::from(word.target()))
+            } else {
+                addresses.get_mut(word.address as usize)
             };
             let usable = !word.is_void() || word.address == Address::Skip;
             let Some(slot) = slot.filter(|_| usable) else { continue };
             match *slot {
                 None => *slot = Some(word),
                 Some(first) => {
-                    let address = match word.address {
-                        Address::R => format!("R{}", word.target()),
-                        other => other.to_string(),
-                    };
+                    let address = if is_parameter { format!("R{}", word.target()) } else { word.address.to_string() };
                     self.report_with_first(word, Finding::DuplicateAddress { address }, first);
                 }
             }
@@ -338,7 +340,7 @@ impl BlockChecker<'_> {
             && functions.dwell().is_none()
             && !functions.unknown_g
             && !q.is_faulty()
-            && !functions.of(GGroup::G7).is_some_and(|(code, _)| code == GCode::G79)
+            && functions.of(GGroup::G7).is_none_or(|(code, _)| code != GCode::G79)
         {
             self.report(q, Finding::UnusedRepeat {});
         }
@@ -425,24 +427,20 @@ impl BlockChecker<'_> {
         {
             self.report(skip, Finding::SkippableStructure { function });
         }
-        for &skip in words.iter().filter(|word| word.address == Address::Skip) {
-            self.check_skip_place(block, words, skip);
+        for (place, _) in words.iter().enumerate().filter(|(_, word)| word.address == Address::Skip) {
+            self.check_skip_place(block, words, place);
         }
     }
 
     /// Warns of a `/` that begins its line or stands directly before an `N` on the same line (BLK-6).
-    fn check_skip_place(&mut self, block: BlockId, words: &[Word], skip: Word) {
+    fn check_skip_place(&mut self, block: BlockId, words: &[Word], place: usize) {
+        let Some(&skip) = words.get(place) else { return };
         let source = &self.file.source;
         let line = source.line_span(source.lines().line_at(skip.start()));
+        let before = place.checked_sub(1).and_then(|before| words.get(before).copied()).or(self.file.n_word(block));
+        let begins_line = before.is_none_or(|word| word.span(source.text()).end <= line.start);
+        let is_last = place + 1 == words.len();
         let on_line = |at: u32| line.start <= at && at < line.end;
-        let begins_line = self
-            .file
-            .n_word(block)
-            .into_iter()
-            .chain(words.iter().copied())
-            .filter(|word| word.start() < skip.start())
-            .all(|word| word.span(source.text()).end <= line.start);
-        let is_last = words.iter().all(|word| word.start() <= skip.start());
         let next = self.file.n_word(block.next()).filter(|next| is_last && on_line(next.start()));
         if !begins_line && next.is_none() {
             return;

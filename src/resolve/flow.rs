@@ -35,6 +35,9 @@ fn written(resolved: &Resolved, file: FileIndex, block: BlockId) -> Option<Writt
     Some(Written { code, g, l })
 }
 
+/// Finds where a call or jump to a number leads.
+type Follow = fn(&mut Context<'_, '_>, &mut Resolved, Unit, Written, u32) -> Option<Target>;
+
 fn follow_unit(context: &mut Context<'_, '_>, resolved: &mut Resolved, unit: Unit) {
     for block in (unit.first.0..unit.end.0).map(BlockId) {
         let Some(written) = written(resolved, unit.file, block) else { continue };
@@ -42,11 +45,15 @@ fn follow_unit(context: &mut Context<'_, '_>, resolved: &mut Resolved, unit: Uni
             warn_of_inner_call(context, resolved, unit, written);
         }
         let Some(l) = l_number(written.l) else { continue };
-        let target = match written.code {
-            GCode::G71 => call_subprogram(context, resolved, unit, written, l),
-            GCode::G72 => call_macrocycle(context, resolved, unit, written, l),
-            _ => jump(context, resolved, unit, written, l),
-        };
+        let follow = [
+            (GCode::G71, call_subprogram as Follow),
+            (GCode::G72, call_macrocycle as Follow),
+            (GCode::G73, jump as Follow),
+        ];
+        let target = follow
+            .into_iter()
+            .find(|(code, _)| *code == written.code)
+            .and_then(|(_, follow)| follow(context, resolved, unit, written, l));
         if let (Some(target), Some(file)) = (target, resolved.files.get_mut(unit.file.0 as usize)) {
             let at = file.targets.partition_point(|(known, _)| *known < block);
             file.targets.insert(at, (block, target));
@@ -68,7 +75,7 @@ fn warn_of_inner_call(context: &mut Context<'_, '_>, resolved: &mut Resolved, un
 
 fn call_subprogram(
     context: &mut Context<'_, '_>,
-    resolved: &Resolved,
+    resolved: &mut Resolved,
     unit: Unit,
     written: Written,
     l: u32,
@@ -113,7 +120,13 @@ pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool) -> F
     }
 }
 
-fn jump(context: &mut Context<'_, '_>, resolved: &Resolved, unit: Unit, written: Written, l: u32) -> Option<Target> {
+fn jump(
+    context: &mut Context<'_, '_>,
+    resolved: &mut Resolved,
+    unit: Unit,
+    written: Written,
+    l: u32,
+) -> Option<Target> {
     match resolved.numbered(unit.file, l) {
         Some(block) if unit.contains(block) => Some(Target::Block(block)),
         Some(block) => {

@@ -250,19 +250,10 @@ impl Context<'_, '_> {
 
     /// Nothing but `N`, G79 and L stands in the block that begins a unit (PRG-3).
     fn check_entry(&mut self, parsed: &ParsedFile, block: BlockId) {
-        let mut seen_g79 = false;
         for &word in parsed.words(block) {
-            let expected = match word.address {
-                Address::G if !seen_g79 && g_code(word) == Some(GCode::G79) => {
-                    seen_g79 = true;
-                    true
-                }
-                // A function of the same group, or a second L, is a finding of its own already.
-                Address::G => g_code(word).is_some_and(|code| code.group() == GCode::G79.group()),
-                Address::L => true,
-                _ => word.is_faulty(),
-            };
-            if !expected {
+            // A function of the same group, or a second L, is a finding of its own already.
+            let of_group = g_code(word).is_some_and(|code| code.group() == GCode::G79.group());
+            if !of_group && word.address != Address::L && !word.is_faulty() {
                 let place = parsed.word_place(word);
                 let shown = crate::diag::shown(parsed.source.slice(place.span));
                 self.report(place, Finding::CrowdedSubprogramStart { word: shown });

@@ -62,30 +62,33 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
 
     let word = any()
         .filter(|token: &Token| matches!(token.kind, Kind::Word | Kind::LooseWord))
-        .then(pieces.clone())
+        .then(pieces)
         .map(|(word, pieces)| Item::Word { word, pieces });
     let comment =
         any().filter(|token: &Token| matches!(token.kind, Kind::Comment | Kind::TypographicComment)).map(Item::Comment);
     let assigned = parameter.then_ignore(one(Kind::Equals)).then(one(Kind::Sign).or_not());
-    let copy = assigned.then(parameter).then(pieces.clone()).map(|(((target, sign), source), pieces)| Item::Copy {
+    let copy = assigned.then(parameter).then(pieces).map(|(((target, sign), source), pieces)| Item::Copy {
         target,
         sign,
         source,
         pieces,
     });
-    let assignment = assigned
-        .then(number)
-        .then(pieces.clone())
-        .map(|(((target, sign), number), pieces)| Item::Assignment { target, sign, number, pieces });
+    let assignment = assigned.then(number).then(pieces).map(|(((target, sign), number), pieces)| Item::Assignment {
+        target,
+        sign,
+        number,
+        pieces,
+    });
     let short_assignment = parameter
         .then(one(Kind::Sign).or_not())
         .then(number)
-        .then(pieces.clone())
+        .then(pieces)
         .map(|(((target, sign), number), pieces)| Item::Assignment { target, sign, number, pieces });
-    let parametric = address
-        .then(parameter)
-        .then(pieces.clone())
-        .map(|((address, parameter), pieces)| Item::Parametric { address, parameter, pieces });
+    let parametric = address.then(parameter).then(pieces).map(|((address, parameter), pieces)| Item::Parametric {
+        address,
+        parameter,
+        pieces,
+    });
     let split_sign = one(Kind::SignedLetter)
         .then(number)
         .then(pieces)

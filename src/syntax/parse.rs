@@ -91,33 +91,29 @@ impl Reader<'_> {
         let mut program_seen = false;
         let mut end_of_program = end;
         for token in tokens(text, start, end) {
-            match token.kind {
-                Kind::End => {
-                    end_of_program = token.end;
-                    layout::check_after_end(self.lowering.file, text, token.end, end, &mut self.lowering.findings);
-                    break;
-                }
-                Kind::Word | Kind::LooseWord | Kind::Letter | Kind::SignedLetter => {
-                    match bytes.get(token.start as usize) {
-                        Some(b'N' | b'n') => {
-                            if batch.len() >= BATCH {
-                                self.parse_batch(&batch, &cuts);
-                                batch.clear();
-                                cuts.clear();
-                            }
-                            cuts.push(batch.len());
-                        }
-                        Some(b'%') if program_seen || (self.form == Form::Macrocycle && !self.before_blocks(&cuts)) => {
-                            self.second_program_start(token);
-                            continue;
-                        }
-                        Some(b'%') => program_seen = true,
-                        _ => {}
-                    }
-                    batch.push(token);
-                }
-                _ => batch.push(token),
+            if token.kind == Kind::End {
+                end_of_program = token.end;
+                layout::check_after_end(self.lowering.file, text, token.end, end, &mut self.lowering.findings);
+                break;
             }
+            let with_address = matches!(token.kind, Kind::Word | Kind::LooseWord | Kind::Letter | Kind::SignedLetter);
+            match bytes.get(token.start as usize).filter(|_| with_address) {
+                Some(b'N' | b'n') => {
+                    if batch.len() >= BATCH {
+                        self.parse_batch(&batch, &cuts);
+                        batch.clear();
+                        cuts.clear();
+                    }
+                    cuts.push(batch.len());
+                }
+                Some(b'%') if program_seen || (self.form == Form::Macrocycle && !self.before_blocks(&cuts)) => {
+                    self.second_program_start(token);
+                    continue;
+                }
+                Some(b'%') => program_seen = true,
+                _ => {}
+            }
+            batch.push(token);
         }
         self.parse_batch(&batch, &cuts);
         if self.header.is_none() {

@@ -89,3 +89,32 @@ fn permissions_and_links_are_kept_and_a_read_only_file_stays() {
     assert!(run.stderr.contains("cannot write locked.nc: permission denied"), "{run:?}");
     assert_eq!(place.read("locked.nc"), DOS);
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interruption_leaves_the_file_as_it_was() {
+    use std::process::{Command, Stdio};
+    use std::time::{Duration, Instant};
+    // The fix is in the first round; each round executes some hundred million blocks.
+    let program = b"%1\nN10 g0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
+    let place = Place::with(&[("a.nc", program)]);
+    let mut command = place.command(&["check", "--fix", "a.nc", "--max-blocks", "1000000000"]);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    // Wait until the signal is caught: bit 1 stands for SIGINT.
+    let catches = || {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+        let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap().trim().to_owned();
+        u64::from_str_radix(&caught, 16).unwrap() & 2 != 0
+    };
+    let start = Instant::now();
+    while !catches() && start.elapsed() < Duration::from_secs(20) {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let kill = Command::new("sh").args(["-c", &format!("kill -INT {}", child.id())]).status().unwrap();
+    assert!(kill.success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("interrupted"));
+    assert_eq!(place.read("a.nc"), program);
+    assert_eq!(place.list(), ["a.nc"]);
+}

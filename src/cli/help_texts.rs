@@ -1,0 +1,366 @@
+//! The words of `--help`, in both languages: the one table of them.
+
+use crate::dict::Bilingual;
+
+/// Under which heading the help shows an argument.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Heading {
+    Arguments,
+    Options,
+    Machine,
+    Levels,
+    Everywhere,
+}
+
+impl Heading {
+    /// The heading.
+    pub const fn text(self) -> Bilingual {
+        match self {
+            Self::Arguments => Bilingual { en: "Arguments", cs: "Argumenty" },
+            Self::Options => Bilingual { en: "Options", cs: "Volby" },
+            Self::Machine => Bilingual { en: "Machine and execution", cs: "Stroj a provádění" },
+            Self::Levels => Bilingual { en: "Levels of findings", cs: "Úrovně hlášení" },
+            Self::Everywhere => Bilingual { en: "Options of every command", cs: "Volby všech příkazů" },
+        }
+    }
+}
+
+/// What the help of a command says.
+pub(super) struct CommandText {
+    pub name: &'static str,
+    pub about: Bilingual,
+    /// What stands below the options.
+    pub examples: Bilingual,
+}
+
+const fn about(name: &'static str, en: &'static str, cs: &'static str, examples: Bilingual) -> CommandText {
+    CommandText { name, about: Bilingual { en, cs }, examples }
+}
+
+/// The program itself, and every command.
+pub(super) const COMMANDS: &[CommandText] = &[
+    about(
+        "cnc872c",
+        "Checks and compiles part programs of the CNC8x6, CNC8x9 and CNC872 controls",
+        "Kontroluje a překládá partprogramy řídicích systémů CNC8x6, CNC8x9 a CNC872",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c check flange.nc                    every mistake, at its place
+  cnc872c compile flange.nc -o flange.jsonl  the blocks as the control executes them
+  cnc872c explain E0306                      what a finding means
+  cnc872c explain G73                        what a function does
+
+Exit status: 0 no errors, 1 the programs have errors, 2 it could not run.",
+            cs: "\
+Příklady:
+  cnc872c check priruba.nc                     všechny chyby, každá na svém místě
+  cnc872c compile priruba.nc -o priruba.jsonl  bloky tak, jak je systém provede
+  cnc872c explain E0306                        co hlášení znamená
+  cnc872c explain G73                          co funkce dělá
+
+Návratový kód: 0 bez chyb, 1 programy mají chyby, 2 nebylo možné pracovat.",
+        },
+    ),
+    about(
+        "check",
+        "Checks programs and macrocycles",
+        "Zkontroluje programy a makrocykly",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c check flange.nc               one program
+  cnc872c check .                       all programs in this folder and the folders in it
+  cnc872c check --fix flange.nc         also mends what has one clear fix
+  cnc872c check -L macros flange.nc     macrocycles L… are in the folder macros
+  cnc872c check --param R10=25.5 a.nc   R10 comes from the machine's table
+  cnc872c check -A empty-block -D W0414 a.nc
+  cnc872c check --format json . > findings.json
+  postprocessor | cnc872c check -       from standard input
+
+Findings go to standard output. Exit status: 0 no errors, 1 errors found (or warnings, with
+--deny-warnings), 2 a file cannot be read, or the configuration or the command line is wrong.",
+            cs: "\
+Příklady:
+  cnc872c check priruba.nc              jeden program
+  cnc872c check .                       všechny programy v této složce a ve složkách v ní
+  cnc872c check --fix priruba.nc        a také opraví, co má jedinou jasnou opravu
+  cnc872c check -L makra priruba.nc     makrocykly L… jsou ve složce makra
+  cnc872c check --param R10=25.5 a.nc   R10 má hodnotu z tabulky stroje
+  cnc872c check -A empty-block -D W0414 a.nc
+  cnc872c check --format json . > hlaseni.json
+  postprocesor | cnc872c check -        ze standardního vstupu
+
+Hlášení jdou na standardní výstup. Návratový kód: 0 bez chyb, 1 nalezeny chyby (s --deny-warnings
+i varování), 2 soubor nelze přečíst, nebo je chyba v konfiguraci či na příkazovém řádku.",
+        },
+    ),
+    about(
+        "compile",
+        "Writes the block stream of a program: each executed block, in order, as a line of JSON",
+        "Zapíše proud bloků programu: každý provedený blok v pořadí jako řádek JSON",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c compile flange.nc                          to standard output
+  cnc872c compile flange.nc -o flange.jsonl          to a file: complete, or not at all
+  cnc872c compile flange.nc --from 1000 --limit 20   blocks 1000 to 1019 only
+  cnc872c compile flange.nc --param R10=25.5         R10 comes from the machine's table
+  cnc872c compile flange.nc | jq 'select(.kind == \"block\") | .position'
+
+Findings go to standard error. A stream is complete when its last record is `end`. Exit status:
+0 complete, 1 the program has errors, 2 it could not run; then FILE stays as it was.",
+            cs: "\
+Příklady:
+  cnc872c compile priruba.nc                          na standardní výstup
+  cnc872c compile priruba.nc -o priruba.jsonl         do souboru: celý, nebo vůbec
+  cnc872c compile priruba.nc --from 1000 --limit 20   jen bloky 1000 až 1019
+  cnc872c compile priruba.nc --param R10=25.5         R10 má hodnotu z tabulky stroje
+  cnc872c compile priruba.nc | jq 'select(.kind == \"block\") | .position'
+
+Hlášení jdou na standardní chybový výstup. Proud je úplný, když končí záznamem „end“. Návratový
+kód: 0 úplný, 1 program má chyby, 2 nebylo možné pracovat; SOUBOR pak zůstane, jak byl.",
+        },
+    ),
+    about(
+        "explain",
+        "Explains findings, functions and addresses",
+        "Vysvětlí hlášení, funkce a adresy",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c explain                     the list of all findings
+  cnc872c explain E0306               a finding by its code
+  cnc872c explain duplicate-address   or by its name
+  cnc872c explain G73 M19             functions
+  cnc872c explain '&' X               addresses",
+            cs: "\
+Příklady:
+  cnc872c explain                     seznam všech hlášení
+  cnc872c explain E0306               hlášení podle kódu
+  cnc872c explain duplicate-address   nebo podle názvu
+  cnc872c explain G73 M19             funkce
+  cnc872c explain '&' X               adresy",
+        },
+    ),
+    about(
+        "schema",
+        "Prints the JSON Schema of what the other commands write and read",
+        "Vypíše JSON Schema toho, co ostatní příkazy zapisují a čtou",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c schema              of a line of the block stream (compile)
+  cnc872c schema diagnostics  of check --format json
+  cnc872c schema config       of cnc872c.toml, for editors that complete it",
+            cs: "\
+Příklady:
+  cnc872c schema              řádku proudu bloků (compile)
+  cnc872c schema diagnostics  výstupu check --format json
+  cnc872c schema config       souboru cnc872c.toml, pro napovídání v editoru",
+        },
+    ),
+    about(
+        "completions",
+        "Prints a script that lets a shell complete this command line",
+        "Vypíše skript, se kterým shell doplňuje tento příkazový řádek",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c completions bash > ~/.local/share/bash-completion/completions/cnc872c
+  cnc872c completions fish > ~/.config/fish/completions/cnc872c.fish",
+            cs: "\
+Příklady:
+  cnc872c completions bash > ~/.local/share/bash-completion/completions/cnc872c
+  cnc872c completions fish > ~/.config/fish/completions/cnc872c.fish",
+        },
+    ),
+    about(
+        "man",
+        "Prints the manual page of the program, or of a command",
+        "Vypíše manuálovou stránku programu, nebo příkazu",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c man > cnc872c.1
+  cnc872c man check > cnc872c-check.1",
+            cs: "\
+Příklady:
+  cnc872c man > cnc872c.1
+  cnc872c man check > cnc872c-check.1",
+        },
+    ),
+    about(
+        "help",
+        "Prints this help, or that of a command",
+        "Vypíše tuto nápovědu, nebo nápovědu k příkazu",
+        Bilingual { en: "", cs: "" },
+    ),
+];
+
+/// What the help says of an argument or option.
+pub(super) struct ArgumentText {
+    /// Empty: of every command that has it.
+    pub command: &'static str,
+    pub id: &'static str,
+    pub heading: Heading,
+    pub help: Bilingual,
+}
+
+const fn arg(
+    command: &'static str,
+    id: &'static str,
+    heading: Heading,
+    en: &'static str,
+    cs: &'static str,
+) -> ArgumentText {
+    ArgumentText { command, id, heading, help: Bilingual { en, cs } }
+}
+
+use Heading::{Arguments, Everywhere, Levels, Machine, Options};
+
+/// Every argument and option.
+pub(super) const ARGUMENTS: &[ArgumentText] = &[
+    arg(
+        "check",
+        "paths",
+        Arguments,
+        "Programs, macrocycles, folders to search for them, or - for standard input. A folder is searched with the \
+         folders in it for .nc .ncp .mpf .txt and macrocycles L…, hidden files left out",
+        "Programy, makrocykly, složky k prohledání, nebo - pro standardní vstup. Ve složce a ve složkách v ní se \
+         hledají soubory .nc .ncp .mpf .txt a makrocykly L…, skryté soubory se vynechají",
+    ),
+    arg(
+        "compile",
+        "file",
+        Arguments,
+        "The program, or - for standard input. A macrocycle is compiled with the program that calls it",
+        "Program, nebo - pro standardní vstup. Makrocyklus se překládá s programem, který ho volá",
+    ),
+    arg(
+        "explain",
+        "names",
+        Arguments,
+        "Codes or names of findings, functions, addresses. None: the list of all findings",
+        "Kódy nebo názvy hlášení, funkce, adresy. Nic: seznam všech hlášení",
+    ),
+    arg("schema", "schema", Arguments, "Of what", "Čeho"),
+    arg("completions", "shell", Arguments, "For which shell", "Pro který shell"),
+    arg("", "command", Arguments, "Of which command", "Ke kterému příkazu"),
+    arg(
+        "check",
+        "fix",
+        Options,
+        "Change the files where a finding has one clear fix, then report what is left. Encoding and line ends stay",
+        "Upravit soubory tam, kde má hlášení jedinou jasnou opravu, a vypsat, co zbývá. Kódování a konce řádků zůstanou",
+    ),
+    arg(
+        "check",
+        "deny_warnings",
+        Options,
+        "Exit with status 1 when there are warnings",
+        "Skončit kódem 1 i při varováních",
+    ),
+    arg(
+        "compile",
+        "output",
+        Options,
+        "Write to this file. It is replaced when the stream is complete, and left as it was otherwise",
+        "Zapsat do tohoto souboru. Nahradí se, až když je proud úplný, jinak zůstane, jak byl",
+    ),
+    arg("compile", "from", Options, "Leave out the blocks before this seq", "Vynechat bloky před tímto seq"),
+    arg("compile", "limit", Options, "Write at most so many blocks", "Zapsat nejvýše tolik bloků"),
+    arg("", "format", Options, "How findings are shown", "Jak se hlášení vypíšou"),
+    arg(
+        "",
+        "dialect",
+        Machine,
+        "The control, else `dialect` of the project file, else cnc872",
+        "Řídicí systém; jinak dialect z projektu, jinak cnc872",
+    ),
+    arg(
+        "",
+        "config",
+        Machine,
+        "The project file, else cnc872c.toml in the program's folder or the nearest folder above it",
+        "Soubor projektu; jinak cnc872c.toml ve složce programu nebo v nejbližší nad ní",
+    ),
+    arg(
+        "",
+        "channel_config",
+        Machine,
+        "The ChannelConfig XML whose MFunctions the machine has (cnc872)",
+        "ChannelConfig (XML), jehož MFunctions stroj má (cnc872)",
+    ),
+    arg(
+        "",
+        "macrocycles",
+        Machine,
+        "A folder with macrocycles; may be given again, searched in this order. Else the program's folder",
+        "Složka s makrocykly; lze opakovat, hledá se v tomto pořadí. Jinak složka programu",
+    ),
+    arg(
+        "",
+        "param",
+        Machine,
+        "The value of a parameter at program start; may be given again",
+        "Hodnota parametru na začátku programu; lze opakovat",
+    ),
+    arg("", "block_skip", Machine, "Leave out the blocks with /", "Vynechat bloky s /"),
+    arg("", "optional_stop", Machine, "M01 stops", "M01 zastavuje"),
+    arg(
+        "",
+        "encoding",
+        Machine,
+        "Code page of files that are not UTF-8; cp852 unless configured",
+        "Kódová stránka souborů, které nejsou v UTF-8; není-li nastavena, cp852",
+    ),
+    arg(
+        "",
+        "max_blocks",
+        Machine,
+        "Most blocks that a program may execute; 10000000 unless configured",
+        "Kolik bloků smí program nejvýše provést; není-li nastaveno, 10000000",
+    ),
+    arg(
+        "",
+        "deny",
+        Levels,
+        "Make this warning an error, by code or name; of several about one the last counts",
+        "Z tohoto varování udělat chybu, podle kódu nebo názvu; při opakování platí poslední",
+    ),
+    arg("", "warn", Levels, "Make it a warning", "Udělat z něj varování"),
+    arg("", "allow", Levels, "Do not show it", "Nevypisovat ho"),
+    arg(
+        "",
+        "color",
+        Everywhere,
+        "Colours; auto: on a terminal, unless NO_COLOR is set",
+        "Barvy; auto: na terminálu, není-li nastaveno NO_COLOR",
+    ),
+    arg(
+        "",
+        "lang",
+        Everywhere,
+        "Language of texts, else by LC_ALL, LC_MESSAGES, LANG",
+        "Jazyk textů; jinak podle LC_ALL, LC_MESSAGES, LANG",
+    ),
+    arg("", "help", Everywhere, "Print help", "Vypsat nápovědu"),
+    arg("", "version", Everywhere, "Print the version", "Vypsat verzi"),
+];
+
+/// What stands for a value, in both languages. Those not listed are the same in both.
+pub(super) const VALUES: &[Bilingual] = &[
+    Bilingual { en: "PATH", cs: "CESTA" },
+    Bilingual { en: "FILE", cs: "SOUBOR" },
+    Bilingual { en: "DIR", cs: "SLOŽKA" },
+    Bilingual { en: "NAME", cs: "NÁZEV" },
+    Bilingual { en: "CODE", cs: "KÓD" },
+    Bilingual { en: "COMMAND", cs: "PŘÍKAZ" },
+    Bilingual { en: "FORMAT", cs: "FORMÁT" },
+    Bilingual { en: "DIALECT", cs: "SYSTÉM" },
+    Bilingual { en: "ENCODING", cs: "KÓDOVÁNÍ" },
+    Bilingual { en: "WHEN", cs: "KDY" },
+    Bilingual { en: "LANG", cs: "JAZYK" },
+    Bilingual { en: "SCHEMA", cs: "SCHÉMA" },
+];

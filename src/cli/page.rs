@@ -1,0 +1,288 @@
+//! Pages about functions and addresses, made from the dictionary.
+
+use std::fmt::Write as _;
+
+use crate::diag::Code;
+use crate::dict::{
+    Address, Bilingual, Dialect, GCode, GGroup, Lang, Lasting, M_GROUPS, MRow, ValueForm, standard_m_functions,
+};
+
+/// Headings bold, without the signs that make them headings in Markdown.
+pub(super) fn painted(page: &str, colors: bool) -> String {
+    let (on, off) = if colors { ("\u{1b}[1m", "\u{1b}[0m") } else { ("", "") };
+    let line = |line: &str| match line.trim_start_matches('#').strip_prefix(' ') {
+        Some(heading) if line.starts_with('#') => format!("{on}{heading}{off}\n"),
+        _ => format!("{line}\n"),
+    };
+    page.lines().map(line).collect()
+}
+
+fn pick(lang: Lang, en: &'static str, cs: &'static str) -> &'static str {
+    Bilingual { en, cs }.get(lang)
+}
+
+pub(super) fn g_page(code: GCode, lang: Lang) -> String {
+    let group = code.group();
+    let members: Vec<String> = GCode::ALL
+        .iter()
+        .filter(|other| other.group() == group)
+        .map(|other| format!("{other}{}", mark(other.lasting())))
+        .collect();
+    let mut page = format!("# {code}: {}\n\n", code.meaning().get(lang));
+    let word = pick(lang, "Group", "Skupina");
+    let _ = writeln!(page, "- {word} {group}, {}: {}", g_group(group).get(lang), members.join(", "));
+    let _ = writeln!(page, "- {}", lasts(code.lasting(), lang));
+    let once = pick(lang, "One function of the group in a block", "Z jedné skupiny smí být v bloku jediná funkce");
+    let _ = writeln!(page, "- {once}");
+    add_findings(&mut page, &code.to_string(), lang);
+    page
+}
+
+pub(super) fn m_page(number: u8, lang: Lang) -> String {
+    let row = |dialect| standard_m_functions(dialect).find(|row| row.number == number);
+    let alike = |a: Option<&MRow>, b: Option<&MRow>| match (a, b) {
+        (Some(a), Some(b)) => a.meaning == b.meaning && a.group == b.group && a.lasting == b.lasting,
+        (None, None) => true,
+        _ => false,
+    };
+    let mut parts: Vec<(Vec<&str>, Option<&MRow>)> = Vec::new();
+    for dialect in Dialect::ALL.into_iter().filter(|dialect| number <= dialect.highest_m()) {
+        match parts.iter_mut().find(|(_, other)| alike(*other, row(dialect))) {
+            Some((dialects, _)) => dialects.push(display_name(dialect)),
+            None => parts.push((vec![display_name(dialect)], row(dialect))),
+        }
+    }
+    let free = pick(lang, "by the machine builder", "podle výrobce stroje");
+    let mut page = match parts.as_slice() {
+        [(_, only)] => format!("# M{number:02}: {}\n", only.map_or(free, |row| row.meaning.get(lang))),
+        _ => format!("# M{number:02}\n"),
+    };
+    for (dialects, row) in &parts {
+        let _ = writeln!(page, "\n## {}\n", dialects.join(", "));
+        match row {
+            Some(row) => {
+                if parts.len() > 1 {
+                    let _ = writeln!(page, "- {}", capitalized(row.meaning.get(lang)));
+                }
+                let dialect = Dialect::ALL.into_iter().find(|&dialect| dialects.contains(&display_name(dialect)));
+                let mut members: Vec<String> = dialect
+                    .into_iter()
+                    .flat_map(standard_m_functions)
+                    .filter(|other| other.group == row.group)
+                    .map(|other| format!("M{:02}{}", other.number, mark(other.lasting)))
+                    .collect();
+                members.sort();
+                let group = match lang {
+                    Lang::En => format!("M group {}", row.group),
+                    Lang::Cs => format!("{}. skupina M funkcí", row.group),
+                };
+                let _ = writeln!(page, "- {group}: {}", members.join(", "));
+                let _ = writeln!(page, "- {}", lasts(row.lasting, lang));
+            }
+            None => {
+                let (rest, old) = (M_GROUPS - 1, dialects.contains(&display_name(Dialect::Cnc8x6)));
+                let text = match (lang, old) {
+                    (Lang::En, true) => format!(
+                        "No standard function: what it does is up to the machine builder. M group {rest}, or by machine \
+                         constants R56–R59 a group from 10 to 13"
+                    ),
+                    (Lang::Cs, true) => format!(
+                        "Není to pevná funkce: co dělá, určuje výrobce stroje. {rest}. skupina M funkcí, nebo podle \
+                         strojních konstant R56–R59 skupina 10 až 13"
+                    ),
+                    (Lang::En, false) => format!(
+                        "No standard function: what it does is up to the machine builder. M group {rest}, or what \
+                         MFunctions of the ChannelConfig say"
+                    ),
+                    (Lang::Cs, false) => format!(
+                        "Není to pevná funkce: co dělá, určuje výrobce stroje. {rest}. skupina M funkcí, nebo jak říká \
+                         MFunctions v ChannelConfig"
+                    ),
+                };
+                let _ = writeln!(page, "- {text}");
+            }
+        }
+    }
+    add_findings(&mut page, &format!("M{number:02}"), lang);
+    page
+}
+
+pub(super) fn address_page(address: Address, lang: Lang) -> String {
+    let row = address.row();
+    let mut page = format!("# {}: {}\n\n", row.letter, row.meaning.get(lang));
+    let _ = writeln!(page, "- {}", value(address, lang));
+    if row.form != ValueForm::None {
+        let sign = pick(lang, "A sign", "Znaménko");
+        let point = pick(lang, "A decimal point", "Desetinná tečka");
+        let _ = writeln!(page, "- {sign}: {}", allowed(|dialect| address.takes_sign(dialect), lang));
+        let _ = writeln!(page, "- {point}: {}", allowed(|dialect| row.form.takes_point(dialect), lang));
+    }
+    let grouped = matches!(address, Address::G | Address::M);
+    let lasting = if grouped {
+        pick(lang, "How long it holds depends on its group", "Jak dlouho platí, závisí na skupině")
+    } else if row.lasts_until_changed {
+        pick(lang, "Holds until changed", "Platí do změny")
+    } else {
+        pick(lang, "Holds in its own block", "Platí ve svém bloku")
+    };
+    let times = if grouped {
+        pick(lang, "One of each group in a block", "V bloku jedna z každé skupiny")
+    } else if address == Address::R {
+        pick(lang, "Each parameter once in a block", "V bloku každý parametr jednou")
+    } else {
+        pick(lang, "Once in a block", "V bloku jednou")
+    };
+    if !matches!(address, Address::Program | Address::N) {
+        let _ = write!(page, "- {lasting}\n- {times}\n");
+    }
+    add_findings(&mut page, &format!("`{}`", row.letter), lang);
+    page
+}
+
+fn value(address: Address, lang: Lang) -> String {
+    let whole = |min: i64, max: i64| match lang {
+        Lang::En => format!("A whole number from {min} to {max}"),
+        Lang::Cs => format!("Celé číslo od {min} do {max}"),
+    };
+    let text = match address.row().form {
+        ValueForm::Whole { max, .. } if address == Address::Q => {
+            let dwell = pick(lang, "as the dwell of G04", "jako prodleva G04");
+            return format!("{}; {dwell} 0–{max}", whole(1, max));
+        }
+        ValueForm::Whole { min, max } => return whole(min, max),
+        ValueForm::None => pick(
+            lang,
+            "Has no value; digits after it are read and not evaluated",
+            "Nemá hodnotu; číslice za ní se přečtou, ale nevyhodnocují",
+        ),
+        ValueForm::Dimension => pick(
+            lang,
+            "A number, ±69999.999, in mm or degrees; without a point whole units: X3620 is 3620 mm",
+            "Číslo ±69999.999, v mm nebo ve stupních; bez tečky celé jednotky: X3620 je 3620 mm",
+        ),
+        ValueForm::Parameter => pick(
+            lang,
+            "The number of the parameter, 0 to 95, and its value: ±69999.999, or a whole number of up to eight digits. \
+             R10=25.5 assigns, XR10 uses",
+            "Číslo parametru 0 až 95 a hodnota: ±69999.999, nebo celé číslo nejvýše o osmi číslicích. R10=25.5 přiřadí, \
+             XR10 použije",
+        ),
+        ValueForm::Feed => pick(
+            lang,
+            "Under G94 and G96 from 1 to 24000 mm/min, on CNC872 to 99999; under G95 and G97 from 0.001 to 99.999 mm/rev",
+            "Při G94 a G96 od 1 do 24000 mm/min, na CNC872 do 99999; při G95 a G97 od 0.001 do 99.999 mm/ot",
+        ),
+        ValueForm::Auxiliary => pick(
+            lang,
+            "A whole number from 1 to 99; on CNC872 a number, ±69999.999",
+            "Celé číslo od 1 do 99; na CNC872 číslo ±69999.999",
+        ),
+        ValueForm::CorrectionDigits => pick(
+            lang,
+            "Four digits, one for each axis: 0 no correction, 1 or 2 its direction",
+            "Čtyři číslice, každé ose jedna: 0 bez korekce, 1 nebo 2 směr",
+        ),
+        ValueForm::Technological => {
+            pick(lang, "A whole number from 0 to 99, on CNC872 to 100", "Celé číslo od 0 do 99, na CNC872 do 100")
+        }
+    };
+    text.to_owned()
+}
+
+/// On which controls something is allowed.
+fn allowed(on: impl Fn(Dialect) -> bool, lang: Lang) -> String {
+    let dialects: Vec<&str> = Dialect::ALL.into_iter().filter(|&dialect| on(dialect)).map(display_name).collect();
+    match dialects.len() {
+        0 => pick(lang, "no", "ne").to_owned(),
+        count if count == Dialect::ALL.len() => pick(lang, "yes", "ano").to_owned(),
+        _ => format!("{} {}", pick(lang, "on", "na"), dialects.join(", ")),
+    }
+}
+
+/// As people write it.
+const fn display_name(dialect: Dialect) -> &'static str {
+    match dialect {
+        Dialect::Cnc8x6 => "CNC8x6",
+        Dialect::Cnc8x9 => "CNC8x9",
+        Dialect::Cnc872 => "CNC872",
+    }
+}
+
+/// As in the manual's tables.
+const fn mark(lasting: Lasting) -> &'static str {
+    match lasting {
+        Lasting::Modal => "",
+        Lasting::Default => "+",
+        Lasting::Block => "x",
+    }
+}
+
+fn lasts(lasting: Lasting, lang: Lang) -> &'static str {
+    match lasting {
+        Lasting::Modal => pick(lang, "Holds until another of its group", "Platí do další funkce skupiny"),
+        Lasting::Default => pick(
+            lang,
+            "Holds until another of its group, and (+) after power-up, M02 and M30",
+            "Platí do další funkce skupiny a (+) po zapnutí, M02 a M30",
+        ),
+        Lasting::Block => pick(
+            lang,
+            "Holds in its own block only (x); what was in force before holds again after it",
+            "Platí jen ve svém bloku (x); co platilo před ním, platí zase po něm",
+        ),
+    }
+}
+
+const fn g_group(group: GGroup) -> Bilingual {
+    let (en, cs) = match group {
+        GGroup::G0 => ("interpolation", "interpolace"),
+        GGroup::G1 => ("plane", "rovina"),
+        GGroup::G2 => ("joining of blocks, copying, helix", "napojování bloků, kopírování, šroubovice"),
+        GGroup::G3 => ("radius correction", "korekce na poloměr"),
+        GGroup::G4 => ("parameter arithmetic", "aritmetika parametrů"),
+        GGroup::G5 => ("zero offsets", "posunutí nulového bodu"),
+        GGroup::G6 => ("unit of feed", "jednotka posuvu"),
+        GGroup::G7 => ("calls and jumps", "volání a skoky"),
+        GGroup::G8 => ("fixed cycles", "pevné cykly"),
+        GGroup::G9 => ("absolute or incremental", "absolutně nebo přírůstkově"),
+        GGroup::G10 => ("dwell, tables, diameters", "prodleva, tabulky, průměry"),
+        GGroup::G11 => ("conversions of coordinates", "přepočty souřadnic"),
+    };
+    Bilingual { en, cs }
+}
+
+/// Adds the diagnostics whose pages speak of that word.
+fn add_findings(page: &mut String, word: &str, lang: Lang) {
+    let about: Vec<String> = Code::ALL
+        .iter()
+        .filter(|code| prose(code.page(lang)).any(|line| holds_word(line, word)))
+        .map(|code| format!("- {code} {}", code.name()))
+        .collect();
+    if !about.is_empty() {
+        let title = pick(lang, "Findings that speak of it", "Hlášení, která o ní mluví");
+        let _ = write!(page, "\n## {title}\n\n{}\n", about.join("\n"));
+    }
+}
+
+/// The lines of a page outside its examples.
+fn prose(page: &str) -> impl Iterator<Item = &str> {
+    page.lines().scan(false, |inside, line| {
+        let fence = line.starts_with("```");
+        *inside ^= fence;
+        Some(if fence || *inside { "" } else { line })
+    })
+}
+
+fn holds_word(line: &str, word: &str) -> bool {
+    line.match_indices(word).any(|(at, _)| {
+        let before = line.get(..at).and_then(|text| text.chars().next_back());
+        let after = line.get(at + word.len()..).and_then(|text| text.chars().next());
+        let joined = |character: Option<char>| character.is_some_and(|character| character.is_ascii_alphanumeric());
+        !joined(before) && !joined(after)
+    })
+}
+
+fn capitalized(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+}
