@@ -164,14 +164,12 @@ fn g_functions(lang: Lang) -> String {
         " Of each group one function stands in a block (GRP-1).\n\n",
         " Z každé skupiny smí být v bloku jedna funkce (GRP-1).\n\n",
     ));
-    let columns = [text(lang, "group", "skupina"), text(lang, "function", "funkce"), "", text(lang, "meaning", "význam")];
+    let columns =
+        [text(lang, "group", "skupina"), text(lang, "function", "funkce"), "", text(lang, "meaning", "význam")];
     head(&mut page, &columns);
     for group in GGroup::ALL {
         for code in GCode::ALL.iter().filter(|code| code.group() == group) {
-            row(
-                &mut page,
-                &[&group.to_string(), &code.to_string(), mark(code.lasting()), code.meaning().get(lang)],
-            );
+            row(&mut page, &[&group.to_string(), &code.to_string(), mark(code.lasting()), code.meaning().get(lang)]);
         }
     }
     page
@@ -185,7 +183,8 @@ fn m_functions(lang: Lang) -> String {
         " Of each group one function stands in a block (MFN-1).\n",
         " Z každé skupiny smí být v bloku jedna funkce (MFN-1).\n",
     ));
-    let columns = [text(lang, "group", "skupina"), text(lang, "function", "funkce"), "", text(lang, "meaning", "význam")];
+    let columns =
+        [text(lang, "group", "skupina"), text(lang, "function", "funkce"), "", text(lang, "meaning", "význam")];
     for dialect in Dialect::ALL {
         let _ = write!(page, "\n## {}\n\n", dialect_name(dialect));
         head(&mut page, &columns);

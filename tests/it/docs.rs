@@ -159,8 +159,10 @@ fn codes_exist() {
     for path in markdown() {
         let text = fs::read_to_string(&path).unwrap();
         let words = text.split(|c: char| !c.is_ascii_alphanumeric());
-        let codes = words.filter(|word| word.len() == 5 && word.starts_with(['E', 'W']) && word[1..].parse::<u32>().is_ok());
-        unknown.extend(codes.filter(|code| Code::find(code).is_none()).map(|code| format!("{}: {code}", path.display())));
+        let codes =
+            words.filter(|word| word.len() == 5 && word.starts_with(['E', 'W']) && word[1..].parse::<u32>().is_ok());
+        unknown
+            .extend(codes.filter(|code| Code::find(code).is_none()).map(|code| format!("{}: {code}", path.display())));
     }
     assert!(unknown.is_empty(), "{unknown:#?}");
     let reference = read("docs/reference/language.md");
@@ -193,7 +195,8 @@ fn markdown() -> Vec<PathBuf> {
         ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| root().join(name)).to_vec();
     found.push(root().join("samples/README.md"));
     for folder in ["docs/guide", "docs/reference", "docs/decisions"] {
-        found.extend(files(&root().join(folder)).into_iter().filter(|path| path.extension().is_some_and(|e| e == "md")));
+        found
+            .extend(files(&root().join(folder)).into_iter().filter(|path| path.extension().is_some_and(|e| e == "md")));
     }
     found
 }
@@ -280,21 +283,22 @@ fn matches(shown: &str, output: &str) -> bool {
     rest.is_empty() || (last.is_empty() && shown.ends_with("…\n"))
 }
 
-/// The records shown in the guide are those that `compile` writes.
+/// The records shown in the documents are those that `compile` writes.
 #[test]
-fn records_of_the_guide() {
-    let guide = read("docs/guide/stream.md");
+fn records_shown() {
     let mut shown = 0;
-    for part in guide.split("<!-- record ").skip(1) {
-        let (head, rest) = part.split_once(" -->\n```json\n").expect("a record");
-        let (number, program) = head.split_once(" of ").expect("which record");
-        let (text, _) = rest.split_once("```\n").expect("the end of a fence");
-        let stream = run(&format!("cnc872c compile {program}"), &root().join("docs/guide/examples"));
-        let line = stream.lines().nth(number.parse::<usize>().unwrap() - 1).expect("a record");
-        let [shown_now, written]: [serde_json::Value; 2] =
-            [text, line].map(|json| serde_json::from_str(json).expect("JSON"));
-        assert_eq!(shown_now, written);
-        shown += 1;
+    for (document, folder) in [("docs/guide/stream.md", "docs/guide/examples"), ("README.md", "")] {
+        for part in read(document).split("<!-- record ").skip(1) {
+            let (head, rest) = part.split_once(" -->\n```json\n").expect("a record");
+            let (number, program) = head.split_once(" of ").expect("which record");
+            let (text, _) = rest.split_once("```\n").expect("the end of a fence");
+            let stream = run(&format!("cnc872c compile {program}"), &root().join(folder));
+            let line = stream.lines().nth(number.parse::<usize>().unwrap() - 1).expect("a record");
+            let [shown_now, written]: [serde_json::Value; 2] =
+                [text, line].map(|json| serde_json::from_str(json).expect("JSON"));
+            assert_eq!(shown_now, written);
+            shown += 1;
+        }
     }
     assert!(shown > 2);
 }
