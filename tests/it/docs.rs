@@ -302,3 +302,18 @@ fn records_shown() {
     }
     assert!(shown > 2);
 }
+
+/// The picture in the README shows what the program says about the program of the guide, once its slips are mended.
+#[test]
+fn picture() {
+    let place = tempfile::tempdir().unwrap();
+    let program = read("docs/guide/examples/plate.nc").replace("Z-4,2", "Z-4.2").replace(" X0 Z100", " X0");
+    fs::write(place.path().join("plate.nc"), program).unwrap();
+    let line = "cnc872c check plate.nc";
+    let shown = format!("$ {line}\n{}", run(line, place.path()));
+    let picture = read("docs/images/check.svg");
+    let (_, text) = picture.split_once("<g ").expect("the text");
+    let drawn: String = text.split('<').filter_map(|part| part.split_once('>')).map(|(_, text)| text).collect();
+    let dense = |text: &str| text.split_whitespace().collect::<String>();
+    assert_eq!(dense(&drawn), dense(&shown));
+}
