@@ -89,15 +89,20 @@ fn addresses(lang: Lang) -> String {
     );
     for address in Address::ALL.iter().copied() {
         let dictionary = address.row();
-        let holds = match address {
-            Address::G | Address::M => text(lang, "by its group", "podle skupiny"),
-            Address::N | Address::Program => "–",
-            _ if dictionary.lasts_until_changed => text(lang, "until changed", "do změny"),
-            _ => text(lang, "in its block", "v bloku"),
+        let holds = if matches!(address, Address::G | Address::M) {
+            text(lang, "by its group", "podle skupiny")
+        } else if matches!(address, Address::N | Address::Program) {
+            "–"
+        } else if dictionary.lasts_until_changed {
+            text(lang, "until changed", "do změny")
+        } else {
+            text(lang, "in its block", "v bloku")
         };
-        let (point, sign) = match dictionary.form {
-            ValueForm::None => ("–".to_owned(), "–".to_owned()),
-            form => (on(|dialect| form.takes_point(dialect), lang), on(|dialect| address.takes_sign(dialect), lang)),
+        let (point, sign) = if dictionary.form == ValueForm::None {
+            ("–".to_owned(), "–".to_owned())
+        } else {
+            let point = on(|dialect| dictionary.form.takes_point(dialect), lang);
+            (point, on(|dialect| address.takes_sign(dialect), lang))
         };
         let letter = format!("`{}`", dictionary.letter);
         row(&mut page, &[&letter, dictionary.meaning.get(lang), &value(address, lang), &point, &sign, holds]);
@@ -232,7 +237,7 @@ fn diagnostics(lang: Lang, folder: &str) -> String {
         };
         let link = format!("[{code}](../../../explain/{folder}/{code}.md)");
         // A line is code, name, level, and what it is about.
-        let about = line.splitn(2, code.name()).nth(1).unwrap_or_default().trim_start();
+        let about = line.split_once(code.name()).map_or("", |(_, rest)| rest.trim_start());
         let about = about.split_once(' ').map_or("", |(_, about)| about.trim());
         row(&mut page, &[&link, code.name(), level, about, &rule(code, lang)]);
     }

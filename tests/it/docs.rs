@@ -307,7 +307,7 @@ fn records_shown() {
 #[test]
 fn picture() {
     let place = tempfile::tempdir().unwrap();
-    let program = read("docs/guide/examples/plate.nc").replace("Z-4,2", "Z-4.2").replace(" X0 Z100", " X0");
+    let program = read("docs/guide/examples/plate.nc").replace("Z-4,2", "Z-4.2").replace("GO", "G0");
     fs::write(place.path().join("plate.nc"), program).unwrap();
     let line = "cnc872c check plate.nc";
     let shown = format!("$ {line}\n{}", run(line, place.path()));
