@@ -7,6 +7,7 @@ mod cli_check;
 mod cli_compile;
 mod cli_fix;
 mod disk;
+mod docs;
 mod explain;
 mod markers;
 mod properties;
