@@ -1431,20 +1431,23 @@ fn deterministic() {
     assert_eq!(program.run().text, program.run().text);
 }
 
-/// A block of words that the language has, with values that may or may not fit.
+/// A block of words that the language has, each address once, with values that may or may not fit.
 fn any_block() -> impl Strategy<Value = String> {
-    let word = prop_oneof![
-        8 => "(G0[0-3]|G9[01]|G17|G18|G19|G7[45]|G2[34]|G09)",
-        2 => "(G04 Q[0-9]|G30|G33|G10|G8[012]|G5[3489]|G3[1456]|G9[23]|G9[4567]|G2[67] R5=0[1-9]010203)",
-        2 => "(G71 L100|G72 L9|G73 L[1-6]0|G73 L[1-6]0 Q[1-3]|G1[4-6])",
-        6 => "[XYZAU]-?[0-9]{1,2}(\\.5)?",
-        3 => "[IJK]-?[0-9]{1,2}",
-        3 => "R[1-5]=-?[0-9](\\.[0-9]{3})?",
-        3 => "[XYZIJFSTDPH]R[1-5]",
-        2 => "(M0[013-9]|M19|M4[0-4]|M99|F100|S200|T5|D[1-3]|&1000|&0|/)",
-        1 => Just("\"ř\"".to_owned()),
+    let path = "((G0[01] )?(X-?[0-9]{1,2}(\\.5)? )?(Y-?[0-9]{1,2} )?(Z[0-9] )?(A-?[0-9]{1,3} )?|XR[1-5] )";
+    let arc = "(G0[23] X1 Y1 I1 |G02 I[1-9] |G03 X4 Y-?2 Z1 I2 J-?1 |G91 G03 X0 Y0 J3 |G19 G02 X0 Z2 J1 )";
+    let table = "(G92 G54 X[1-9] |G93 X5 Y-?2 |G3[1-9] Z2 |G30 X0 |G33 Z[1-9] K1 |G23 I[1-4] )";
+    let first = prop_oneof![6 => path, 2 => arc, 1 => table];
+    let modal = prop_oneof![
+        4 => Just(String::new()),
+        1 => "(G9[01]|G7[45]|G24|G09|G10|G8[0-3]|G5[3489]|G34|G9[4567]|G1[789])",
     ];
-    proptest::collection::vec(word, 0..6).prop_map(|words| words.join(" "))
+    let flow = prop_oneof![
+        8 => Just(String::new()),
+        1 => "( G04 Q[0-9]| G71 L100( Q2)?| G72 L9| G73 L[1-6]0( Q[1-3])?)",
+    ];
+    let rest =
+        "( M0[03-9]| M19| M4[0-4])?( F100)?( T5)?( D[1-3])?( &1000)?( R[1-3]=-?[0-9](\\.[0-9]{3})?)?( R4=R[123])?( /)?";
+    (first, modal, flow, rest).prop_map(|(first, modal, flow, rest)| format!("{first}{modal}{flow}{rest}"))
 }
 
 proptest! {
