@@ -8,6 +8,7 @@ use cnc872c::config::{configure, find_project};
 use cnc872c::diag::{Findings, Severity};
 use cnc872c::session::{Part, Session};
 use cnc872c::text::{MemoryLoader, Sources};
+use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use crate::markers::options;
@@ -474,6 +475,44 @@ fn counters_of_a_pass() {
     assert_eq!(jumps(&found), expected);
     let passes: Value = found.iter().map(|block| block["calls"][0]["pass"].clone()).collect();
     assert_eq!(passes, json!([null, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, null]));
+}
+
+/// A loop that is left by another jump keeps its counter (FLW-4).
+#[test]
+fn counter_of_a_loop_that_was_left() {
+    let found = blocks("%1\nN10\nN20 G73 L40 Q1\nN30 G73 L10 Q3\nN40 G73 L20 Q1\nN50 M30");
+    let ns: Vec<u64> = jumps(&found).iter().map(|(n, _)| *n).collect();
+    // N20 jumps, N40 goes back, N20 falls through, N30 goes back with 2 left; N20 jumps anew, N40 falls through.
+    assert_eq!(ns, [10, 20, 40, 20, 30, 10, 20, 40, 50]);
+    assert_eq!(found[4]["jump"], json!({"to": 10, "left": 2}));
+}
+
+/// What a parameter gives obeys the rules of forms and groups (PAR-3, BLK-10).
+#[test]
+fn unusable_parameters() {
+    let errors = |line: &str| {
+        case(&format!("%1\nN10 R1=2.5 R2=2 R3=-1 R4=0 R5=70\nN20 {line}\nN30 M30\nN40 G79 L2\nN50 G70")).run().errors
+    };
+    for (line, code) in [
+        ("G71 LR1", "E0510"),
+        ("G73 LR4", "E0510"),
+        ("G04 QR1", "E0510"),
+        ("G04 QR3", "E0510"),
+        ("MR2", "E0510"),
+        ("GR5", "E0510"),
+        ("G03 GR2 X1 I1", "E0307"),
+        ("GR1", "E0510"),
+        ("SR3", "E0510"),
+        ("TR1", "E0510"),
+        ("&R5", "E0510"),
+        ("FR4", "E0510"),
+        ("M05 MR6 R6=3", "W0503"),
+    ] {
+        assert_eq!(errors(line), [code], "{line}");
+    }
+    assert!(errors("G71 LR2 QR2").is_empty());
+    assert!(errors("G04 QR4").is_empty());
+    assert!(errors("HR1 PR2 DR2").is_empty());
 }
 
 /// Q is read when the counter is armed, L at every arrival (§13 Parameters).
@@ -1145,6 +1184,24 @@ fn cycles_inside_cycles() {
     assert_eq!(found[42]["g"][8], 81);
 }
 
+/// A G70 block that calls a cycle ends one pass of its unit, a macrocycle too.
+#[test]
+fn cycle_in_the_last_block_of_a_pass() {
+    let found = case("%1\nN10 G81\nN20 G72 L9 Q2\nN30 M30")
+        .config(CYCLES)
+        .with("L9", "N1 G79 L9\nN2 G91 X1 G70")
+        .with("L8100", "N1 G79 L8100\nN3 G73 L3\nN4 G70")
+        .blocks();
+    let pass = [1, 2, 1, 3, 3, 4];
+    let expected: Vec<u32> = [10, 20].into_iter().chain(pass).chain(pass).chain([30]).collect();
+    assert_eq!(column(&found, "n"), json!(expected));
+    let depth: Vec<usize> = found.iter().map(|block| block["calls"].as_array().map_or(0, Vec::len)).collect();
+    assert_eq!(depth, [0, 0, 1, 1, 2, 2, 2, 2, 1, 1, 2, 2, 2, 2, 0]);
+    let passes: Value = found.iter().map(|block| block["calls"][0]["pass"].clone()).collect();
+    assert_eq!(passes, json!([null, null, 1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2, null]));
+    assert_eq!(found[14]["g"][8], 81);
+}
+
 /// A cycle that nobody mapped calls nothing (GRP-6).
 #[test]
 fn unmapped_cycle() {
@@ -1198,6 +1255,14 @@ fn comments() {
         "%1 \"title\"\n\"before\"\nN10 \"  one\t\" X1 \"\" \"two\" \" \"\n\"three\nN20\n\"řez \\ 'x'\"\nN30 M30 \"end\"\n* \"after\"",
     );
     assert_eq!(column(&found, "comments"), json!([["one", "two", "three"], ["řez \\ 'x'"], ["end"]]));
+}
+
+/// Typographic quotes within a comment are text, also at its end when the line ends it (LEX-6, LEX-12).
+#[test]
+fn quotes_in_comments() {
+    let stream = case("%1 \"Díl „A”\nN10 \"„díra”\nN20 \"„b“\" M30 \"").whole();
+    assert_eq!(stream.records[0]["title"], "Díl „A”");
+    assert_eq!(column(&stream.blocks(), "comments"), json!([["„díra”"], ["„b“"]]));
 }
 
 /// Line and column of the `N`, in characters, in any encoding (block-stream.md, LEX-13).
@@ -1364,4 +1429,67 @@ fn deterministic() {
         .config(GEARS)
         .with("L1", "N1 G79 L1\nN2 G70");
     assert_eq!(program.run().text, program.run().text);
+}
+
+/// A block of words that the language has, each address once, with values that may or may not fit.
+fn any_block() -> impl Strategy<Value = String> {
+    let path = "((G0[01] )?(X-?[0-9]{1,2}(\\.5)? )?(Y-?[0-9]{1,2} )?(Z[0-9] )?(A-?[0-9]{1,3} )?|XR[1-5] )";
+    let arc = "(G0[23] X1 Y1 I1 |G02 I[1-9] |G03 X4 Y-?2 Z1 I2 J-?1 |G91 G03 X0 Y0 J3 |G19 G02 X0 Z2 J1 )";
+    let table = "(G92 G54 X[1-9] |G93 X5 Y-?2 |G3[1-9] Z2 |G30 X0 |G33 Z[1-9] K1 |G23 I[1-4] )";
+    let first = prop_oneof![6 => path, 2 => arc, 1 => table];
+    let modal = prop_oneof![
+        4 => Just(String::new()),
+        1 => "(G9[01]|G7[45]|G24|G09|G10|G8[0-3]|G5[3489]|G34|G9[4567]|G1[789])",
+    ];
+    let flow = prop_oneof![
+        8 => Just(String::new()),
+        1 => "( G04 Q[0-9]| G71 L100( Q2)?| G72 L9| G73 L[1-6]0( Q[1-3])?)",
+    ];
+    let rest =
+        "( M0[03-9]| M19| M4[0-4])?( F100)?( T5)?( D[1-3])?( &1000)?( R[1-3]=-?[0-9](\\.[0-9]{3})?)?( R4=R[123])?( /)?";
+    (first, modal, flow, rest).prop_map(|(first, modal, flow, rest)| format!("{first}{modal}{flow}{rest}"))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Whatever the blocks: no panic; records of the schema, counted without a gap, of known positions that follow from
+    /// one another; an end exactly when there is no error (block-stream.md).
+    #[test]
+    fn any_program(lines in proptest::collection::vec(any_block(), 6..14), sub in any_block(), cycle in any_block()) {
+        let mut text = "%1 N1 F10 S10 R1=1 R2=2 R3=3 R4=4 R5=5".to_owned();
+        for (line, n) in lines.iter().zip(1..) {
+            text += &format!("\nN{n}0 {line}");
+        }
+        text += &format!("\nN999 M30\nN1000 G79 L100\nN1010 {sub}\nN1020 G70");
+        let stream = case(&text)
+            .config(&format!("{OPERATIONS}{CYCLES}"))
+            .args("--max-blocks=300")
+            .with("L9", &format!("N1 G79 L9\nN2 {sub}\nN3 G70"))
+            .with("L8100", &format!("N1 G79 L8100\nN10 {cycle}\nN20 G70"))
+            .with("L8200", "N1 G79 L8200\nN2 G91 Z1\nN3 G70")
+            .run();
+        let found = stream.blocks();
+        for (block, seq) in found.iter().zip(0_u64..) {
+            prop_assert_eq!(&block["seq"], seq);
+        }
+        let ended = stream.records.last().is_some_and(|record| record["kind"] == "end");
+        prop_assert_eq!(ended, stream.errors.is_empty() && !stream.records.is_empty());
+        for pair in found.windows(2) {
+            let (before, after) = (&pair[0], &pair[1]);
+            let moved: Vec<&str> =
+                after["motion"]["axes"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
+            for letter in ["X", "Y", "Z", "A", "U"] {
+                let set = moved.contains(&letter) || after["data"]["g"] == 93 || after["change_pos"] == true;
+                if !set {
+                    prop_assert_eq!(&before["position"][letter], &after["position"][letter]);
+                }
+            }
+            if let Some(sweep) = after["motion"]["sweep_deg"].as_f64() {
+                prop_assert!(sweep > 0.0 && sweep <= 360.0);
+            }
+        }
+        let negative_zero = [":-0,", ":-0}"].iter().any(|zero| stream.text.contains(zero));
+        prop_assert!(!negative_zero);
+    }
 }
