@@ -5,9 +5,11 @@
 mod disk;
 mod explain;
 mod markers;
+mod model;
 mod properties;
 mod rules;
 mod run;
 mod samples;
 mod tidy;
 mod traps;
+mod valid;
