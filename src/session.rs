@@ -132,9 +132,10 @@ impl Session<'_> {
     /// Writes records until the program ends or has an error.
     fn write_blocks(&self, executor: &mut Executor<'_, '_>, stream: &mut Stream<'_>) -> io::Result<()> {
         let mut writer = BlockWriter::new(executor.axes());
-        let mut known_files = vec![FileIndex(0)];
+        let mut next_file = 1;
         loop {
             let Some(record) = executor.step() else { return Ok(()) };
+            let file = record.file;
             stream.totals.add(record.motion.as_ref());
             let place = stream.buffer.len();
             if stream.part.contains(record.seq) {
@@ -150,12 +151,11 @@ impl Session<'_> {
                 }
                 return Ok(());
             }
-            let current = executor.current_file();
-            if !known_files.contains(&current) {
-                known_files.push(current);
-                let name = executor.source_name(current).unwrap_or_default().to_owned();
+            if file == next_file {
+                next_file += 1;
+                let name = executor.source_name().unwrap_or_default().to_owned();
                 let mut record = Vec::new();
-                write_file(&mut record, &FileRecord { index: current.0, name });
+                write_file(&mut record, &FileRecord { index: file, name });
                 stream.buffer.splice(place..place, record);
             }
             if stream.buffer.len() >= PIECE {

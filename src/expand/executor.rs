@@ -1,5 +1,7 @@
 //! The executor: one step is one executed block.
 
+use std::collections::BTreeMap;
+
 use super::block::BlockWords;
 use super::flow::Next;
 use super::frames::Frame;
@@ -49,6 +51,8 @@ pub struct Executor<'a, 'l> {
     /// A macrocycle that execution loaded has errors: it cannot be executed.
     pub(super) broken_macrocycle: bool,
     lines: Lines,
+    /// The index that records show for a file: files are counted as their first records come.
+    shown_files: BTreeMap<FileIndex, u32>,
     letters: Vec<AxisLetter>,
     executed: u64,
     errors_before: usize,
@@ -92,6 +96,7 @@ impl<'a, 'l> Executor<'a, 'l> {
             unassigned_read: false,
             broken_macrocycle: false,
             lines: Lines::default(),
+            shown_files: BTreeMap::new(),
             letters: settings.machine.axes.iter().map(|axis| axis.letter).collect(),
             executed: 0,
             errors_before,
@@ -135,14 +140,9 @@ impl<'a, 'l> Executor<'a, 'l> {
         self.findings.error_count() > self.errors_before
     }
 
-    /// The file whose index a record holds.
-    pub fn source_name(&self, file: FileIndex) -> Option<&str> {
-        self.resolved.file(file).map(|file| file.source.name())
-    }
-
-    /// The file of the block in hand.
-    pub const fn current_file(&self) -> FileIndex {
-        self.file
+    /// The name of the file of the block in hand.
+    pub fn source_name(&self) -> Option<&str> {
+        self.resolved.file(self.file).map(|file| file.source.name())
     }
 
     /// The axes in machine order.
@@ -209,11 +209,13 @@ impl<'a, 'l> Executor<'a, 'l> {
             return;
         }
         let Some(file) = self.resolved.file(self.file) else { return };
+        let files = u32::try_from(self.shown_files.len()).unwrap_or(u32::MAX);
+        let shown_file = *self.shown_files.entry(self.file).or_insert(files);
         let place = self.lines.of(self.file, file, block);
         let record = &mut self.record;
         record.seq = self.executed;
         record.n = file.shown_number(block);
-        record.file = self.file.0;
+        record.file = shown_file;
         record.line = place.line;
         record.column = place.column;
         record.first_block = self.executed == 0;
@@ -230,7 +232,8 @@ impl<'a, 'l> Executor<'a, 'l> {
             record.calls.extend(self.frames.iter().filter_map(|frame| frame.call).map(|call| Call {
                 by: call.by.name(),
                 l: call.l,
-                file: call.file.0,
+                // The calling block was executed, and so its file has a number.
+                file: self.shown_files.get(&call.file).copied().unwrap_or(0),
                 n: call.n,
                 pass: call.pass,
                 of: call.of,

@@ -6,7 +6,7 @@ use super::motion::Moved;
 use crate::diag::{CallKind, Diagnostic, Finding, LabelText};
 use crate::dict::{GCode, GGroup};
 use crate::ir::Jump;
-use crate::resolve::{MacrocycleFault, Target, UnitId, UnitKind, macrocycle_finding};
+use crate::resolve::{MacrocycleFault, Target, UnitId, UnitKind, macrocycle_finding, ring_text};
 use crate::syntax::{BlockId, Word};
 use crate::text::Location;
 
@@ -218,9 +218,8 @@ impl Executor<'_, '_> {
     /// The units from `unit` on to it again, when it still runs.
     fn ring(&self, unit: UnitId) -> Option<String> {
         let from = self.frames.iter().position(|frame| frame.id == unit)?;
-        let mut names: Vec<String> = self.frames.iter().skip(from).map(|frame: &Frame| frame.unit.name()).collect();
-        names.extend(self.resolved.unit(unit).map(crate::resolve::Unit::name));
-        Some(names.join(" → "))
+        let units: Vec<UnitId> = self.frames.iter().skip(from).map(|frame| frame.id).chain([unit]).collect();
+        Some(ring_text(self.resolved, &units))
     }
 
     /// G73 (FLW-3, FLW-4).

@@ -30,10 +30,12 @@ pub(super) struct BlockChecker<'a> {
 #[derive(Default)]
 struct Functions {
     g: [Option<(GCode, Word)>; 12],
+    /// Groups of which two functions are written (E0307): which of them was meant is not known.
+    clash: [bool; 12],
     m: [Option<(u8, Word)>; M_GROUPS],
     l: Option<Word>,
     q: Option<Word>,
-    /// Some G word takes its number from a parameter, or has none: what L and Q are for is not known.
+    /// Some G word takes its number from a parameter, has none, or clashes with another: what L and Q are for is not known.
     unknown_g: bool,
     g_words: usize,
     m_words: usize,
@@ -41,8 +43,10 @@ struct Functions {
 }
 
 impl Functions {
+    /// The one function of that group.
     fn of(&self, group: GGroup) -> Option<(GCode, Word)> {
-        self.g.get(group.index()).copied().flatten()
+        let clash = self.clash.get(group.index()).copied().unwrap_or(false);
+        self.g.get(group.index()).copied().flatten().filter(|_| !clash)
     }
 
     fn flow(&self) -> Option<(GCode, Word)> {
@@ -172,6 +176,10 @@ impl BlockChecker<'_> {
                 let (first, first_word) = (*first, *first_word);
                 let finding = Finding::ConflictingG { first, second: code, group: code.group() };
                 self.report_with_first(word, finding, first_word);
+                functions.unknown_g = true;
+                if let Some(clash) = functions.clash.get_mut(code.group().index()) {
+                    *clash = true;
+                }
             }
             Some(slot) => *slot = Some((code, word)),
             None => {}

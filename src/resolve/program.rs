@@ -80,6 +80,7 @@ pub struct Resolved {
     pub(super) files: Vec<ResolvedFile>,
     pub(super) units: Vec<Unit>,
     pub(super) subprograms: BTreeMap<u32, UnitId>,
+    pub(super) macrocycles: BTreeMap<u32, UnitId>,
     pub(super) subprogram_call_warned: bool,
     /// How many units have had their calls followed.
     pub(super) followed: usize,
@@ -136,11 +137,10 @@ impl Resolved {
     /// The number of a block of the unit that is nearest to `number`.
     pub fn nearest_block(&self, unit: &Unit, number: u32) -> Option<u32> {
         let file = self.files.get(unit.file.0 as usize)?;
-        file.numbered
-            .iter()
-            .filter(|(_, block)| unit.contains(**block))
-            .map(|(found, _)| *found)
-            .min_by_key(|found| found.abs_diff(number))
+        let inside = |(_, block): &(&u32, &BlockId)| unit.contains(**block);
+        let below = file.numbered.range(..=number).rev().find(inside);
+        let above = file.numbered.range(number..).find(inside);
+        below.into_iter().chain(above).map(|(found, _)| *found).min_by_key(|found| found.abs_diff(number))
     }
 
     pub(super) fn add_unit(&mut self, unit: Unit) -> UnitId {

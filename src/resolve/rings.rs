@@ -26,9 +26,11 @@ pub(super) fn check(context: &mut Context<'_, '_>, resolved: &Resolved) {
 fn calls(resolved: &Resolved, id: UnitId) -> Vec<(BlockId, UnitId)> {
     let Some(unit) = resolved.unit(id) else { return Vec::new() };
     let Some(file) = resolved.files.get(unit.file.0 as usize) else { return Vec::new() };
+    let from = file.targets.partition_point(|(block, _)| *block < unit.first);
     file.targets
         .iter()
-        .filter(|(block, _)| unit.contains(*block))
+        .skip(from)
+        .take_while(|(block, _)| unit.contains(*block))
         .filter_map(|(block, target)| match target {
             Target::Unit(called) => Some((*block, *called)),
             Target::Block(_) => None,
@@ -57,9 +59,10 @@ fn walk(context: &mut Context<'_, '_>, resolved: &Resolved, root: UnitId, visits
                 path.push((called, calls(resolved, called), 0));
             }
             Some(Visit::Open) => {
-                let ring: Vec<UnitId> =
-                    path.iter().map(|(unit, ..)| *unit).skip_while(|unit| *unit != called).collect();
-                report(context, resolved, caller, block, called, &ring);
+                let from = path.iter().position(|(unit, ..)| *unit == called).unwrap_or(0);
+                let units = path.iter().skip(from).map(|(unit, ..)| *unit).chain([called]);
+                let ring = ring_text(resolved, &units.collect::<Vec<_>>());
+                report(context, resolved, caller, block, ring);
             }
             Some(Visit::Done) | None => {}
         }
@@ -72,19 +75,23 @@ fn mark(visits: &mut [Visit], unit: UnitId, visit: Visit) {
     }
 }
 
-fn report(
-    context: &mut Context<'_, '_>,
-    resolved: &Resolved,
-    caller: UnitId,
-    block: BlockId,
-    called: UnitId,
-    ring: &[UnitId],
-) {
+/// The units of a ring, the last one being the first again. Of a long ring the middle is left out.
+pub fn ring_text(resolved: &Resolved, ring: &[UnitId]) -> String {
+    const SHOWN: usize = 12;
+    let name = |unit: &UnitId| resolved.unit(*unit).map(super::Unit::name);
+    let names: Vec<String> = if ring.len() <= SHOWN {
+        ring.iter().filter_map(name).collect()
+    } else {
+        let (begin, end) = (ring.iter().take(SHOWN / 2), ring.iter().skip(ring.len() - SHOWN / 2));
+        begin.filter_map(name).chain(["…".to_owned()]).chain(end.filter_map(name)).collect()
+    };
+    names.join(" → ")
+}
+
+/// At the L of the call that closes the ring.
+fn report(context: &mut Context<'_, '_>, resolved: &Resolved, caller: UnitId, block: BlockId, ring: String) {
     let parsed = resolved.unit(caller).and_then(|unit| resolved.file(unit.file));
     let Some(parsed) = parsed else { return };
     let Some(&l) = parsed.words(block).iter().find(|word| word.address == Address::L) else { return };
-    let names: Vec<String> =
-        ring.iter().chain([&called]).filter_map(|unit| resolved.unit(*unit)).map(super::Unit::name).collect();
-    let finding = Finding::RecursiveCall { ring: names.join(" → ") };
-    context.findings.add(Diagnostic::new(finding, parsed.word_place(l)));
+    context.findings.add(Diagnostic::new(Finding::RecursiveCall { ring }, parsed.word_place(l)));
 }

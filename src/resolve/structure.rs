@@ -94,7 +94,7 @@ impl Resolved {
 impl Context<'_, '_> {
     /// The unit of macrocycle `l`; its own calls are not followed yet.
     pub(super) fn macrocycle(&mut self, resolved: &mut Resolved, l: u32) -> Result<UnitId, MacrocycleFault> {
-        if let Some((id, _)) = resolved.units().find(|(_, unit)| unit.kind == UnitKind::Macrocycle(l)) {
+        if let Some(&id) = resolved.macrocycles.get(&l) {
             return Ok(id);
         }
         let path = self.library.find(l)?;
@@ -220,6 +220,7 @@ impl Context<'_, '_> {
         let file = FileIndex(u32::try_from(resolved.files.len()).unwrap_or(u32::MAX));
         let known = resolved.units.len();
         let id = resolved.add_unit(Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry });
+        resolved.macrocycles.insert(l, id);
         self.check_blocks(resolved, &parsed, known);
         let numbered = self.number_blocks(&parsed);
         resolved.add_file(parsed, numbered);

@@ -62,6 +62,18 @@ pub struct Block {
     pub(super) flags: BlockFlags,
 }
 
+impl Block {
+    /// The same block when its file's arenas begin with `words` words and `comments` comments more.
+    pub(super) fn shifted(self, words: usize, comments: usize) -> Self {
+        let plus = |index: u32, more: usize| index.saturating_add(u32::try_from(more).unwrap_or(u32::MAX));
+        Self {
+            first_word: plus(self.first_word, words),
+            first_comment: plus(self.first_comment, comments),
+            flags: self.flags,
+        }
+    }
+}
+
 /// A parsed file: what stands before its first block, and its blocks.
 #[derive(Debug)]
 pub struct ParsedFile {

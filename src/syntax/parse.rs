@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use chumsky::Parser;
 use chumsky::inspector::SimpleState;
+use rayon::prelude::*;
 
 use super::file::Block;
 use super::lower::Lowering;
@@ -26,6 +27,14 @@ const BATCH: usize = 1 << 15;
 
 /// Parses a file. What is wrong with its form goes to `findings`; the tree holds all that could be read.
 pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
+    let pieces = if source.len() < PIECE { 1 } else { rayon::current_num_threads() };
+    parse_in(pieces, file, source, form, findings)
+}
+
+/// Texts below this many bytes are read in one piece: two threads would not be done sooner.
+const PIECE: u32 = 1 << 20;
+
+fn parse_in(pieces: usize, file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
     let text = source.text();
     let end = layout::end_of_text(text);
     let at = |span: Span| Location { file, span };
@@ -50,17 +59,31 @@ pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut 
         comments: Vec::new(),
         blocks: Vec::new(),
     };
-    let mut reader = Reader { lowering: Lowering::new(text, file), blocks: Vec::new(), header: None, form };
-    parsed.end = reader.read(parsed.start, end);
-    let Reader { lowering, blocks, header, .. } = reader;
-    let header = header.unwrap_or_default();
-    parsed.program = header.program;
-    parsed.title = header.title;
-    parsed.words = lowering.words;
-    parsed.comments = lowering.comments;
-    parsed.blocks = blocks;
-    findings.append(lowering.findings);
-    if lowering.lowercase {
+    let mut lowercase = false;
+    for piece in read_pieces(pieces, file, source, form, (parsed.start, end)) {
+        lowercase |= piece.lowering.lowercase;
+        findings.append(piece.lowering.findings);
+        let (words, comments) = (parsed.words.len(), parsed.comments.len());
+        if parsed.blocks.is_empty() {
+            (parsed.words, parsed.comments, parsed.blocks) =
+                (piece.lowering.words, piece.lowering.comments, piece.blocks);
+        } else {
+            parsed.words.extend(piece.lowering.words);
+            parsed.comments.extend(piece.lowering.comments);
+            parsed.blocks.extend(piece.blocks.into_iter().map(|block| block.shifted(words, comments)));
+        }
+        if let Some(header) = piece.header {
+            parsed.program = header.program;
+            parsed.title = header.title;
+        }
+        if let Some(after) = piece.end {
+            // What follows `*` is no program, whatever the pieces after this one hold.
+            layout::check_after_end(file, text, after, end, findings);
+            parsed.end = after;
+            break;
+        }
+    }
+    if lowercase {
         layout::check_case(file, text, parsed.start, parsed.end, findings);
     }
     layout::check_lines(file, source, parsed.start, parsed.end, findings);
@@ -74,26 +97,80 @@ struct Header {
     title: Option<Span>,
 }
 
+/// Reads the text from `start` to `end`, a long one in pieces side by side: a block begins wherever a line begins with `N`,
+/// whatever stands before it.
+fn read_pieces<'t>(
+    count: usize,
+    file: FileId,
+    source: &'t SourceText,
+    form: Form,
+    (start, end): (u32, u32),
+) -> Vec<Reader<'t>> {
+    let text = source.text();
+    let read = |(from, to): (u32, u32)| {
+        let mut reader = Reader::new(text, file, form, from == start, (end - from) as usize);
+        reader.read(from, to);
+        reader
+    };
+    if count < 2 {
+        return vec![read((start, end))];
+    }
+    let bounds = piece_bounds(text, start, end, count);
+    // The lines are wanted by what follows; finding them fits beside the reading.
+    let (pieces, _) = rayon::join(|| bounds.into_par_iter().map(read).collect(), || source.lines());
+    pieces
+}
+
+/// Splits a text at lines that begin with `N` into at most `count` pieces of about the same length.
+fn piece_bounds(text: &str, start: u32, end: u32, count: usize) -> Vec<(u32, u32)> {
+    let bytes = text.as_bytes();
+    let count = u32::try_from(count).unwrap_or(1).max(1);
+    let mut bounds = Vec::new();
+    let mut from = start;
+    for piece in 1..count {
+        let about = (start + (end - start) / count * piece).max(from) as usize;
+        let next = memchr::memchr2_iter(b'\n', b'\r', bytes.get(about..end as usize).unwrap_or_default())
+            .map(|at| about + at + 1)
+            .find(|at| matches!(bytes.get(*at), Some(b'N')));
+        let Some(next) = next.and_then(|next| u32::try_from(next).ok()).filter(|next| *next < end) else { break };
+        bounds.push((from, next));
+        from = next;
+    }
+    bounds.push((from, end));
+    bounds
+}
+
+/// Reads one piece of a text.
 struct Reader<'t> {
     lowering: Lowering<'t>,
     blocks: Vec<Block>,
-    header: Option<Header>,
     form: Form,
+    /// The piece begins the file.
+    first: bool,
+    header: Option<Header>,
+    /// Where `*` ends the program, when it stands in this piece.
+    end: Option<u32>,
 }
 
-impl Reader<'_> {
-    /// Reads the tokens from `start` to `end`, and returns where the part that counts ends.
-    fn read(&mut self, start: u32, end: u32) -> u32 {
+impl<'t> Reader<'t> {
+    /// `length`: of all that may be appended to this piece, in bytes.
+    fn new(text: &'t str, file: FileId, form: Form, first: bool, length: usize) -> Self {
+        let mut lowering = Lowering::new(text, file);
+        // A word has eight characters or so; pages that are not filled cost nothing.
+        lowering.words.reserve(length / 8);
+        Self { lowering, blocks: Vec::new(), form, first, header: None, end: None }
+    }
+
+    /// Reads the tokens from `start` to `end`.
+    fn read(&mut self, start: u32, end: u32) {
         let text = self.lowering.text;
         let bytes = text.as_bytes();
-        let mut batch: Vec<Token> = Vec::with_capacity(BATCH + 64);
+        let mut batch: Vec<Token> = Vec::with_capacity(BATCH.min((end - start) as usize / 2 + 64));
         let mut cuts: Vec<usize> = Vec::new();
-        let mut program_seen = false;
-        let mut end_of_program = end;
+        let mut program_seen = !self.first;
         for token in tokens(text, start, end) {
             if token.kind == Kind::End {
-                end_of_program = token.end;
-                layout::check_after_end(self.lowering.file, text, token.end, end, &mut self.lowering.findings);
+                self.end = Some(token.end);
                 break;
             }
             let with_address = matches!(token.kind, Kind::Word | Kind::LooseWord | Kind::Letter | Kind::SignedLetter);
@@ -116,10 +193,6 @@ impl Reader<'_> {
             batch.push(token);
         }
         self.parse_batch(&batch, &cuts);
-        if self.header.is_none() {
-            self.header = Some(Header::default());
-        }
-        end_of_program
     }
 
     fn before_blocks(&self, cuts: &[usize]) -> bool {
@@ -134,7 +207,7 @@ impl Reader<'_> {
     /// Parses the blocks of a batch: each begins at a cut. What stands before the first cut of the file is its header.
     fn parse_batch(&mut self, batch: &[Token], cuts: &[usize]) {
         let first = cuts.first().copied().unwrap_or(batch.len());
-        if self.header.is_none() {
+        if self.first && self.header.is_none() {
             self.parse_header(batch.get(..first).unwrap_or_default());
         }
         let parser = grammar::block();
@@ -238,6 +311,29 @@ mod tests {
         one("N10 ř X5", "E0101", "ř");
         one("N10 XR96", "E0501", "96");
         one("NR1 X5", "E0511", "NR1");
+    }
+
+    /// Reading side by side gives what reading in one piece gives.
+    #[test]
+    fn pieces_are_equal_to_the_whole() {
+        let block = |n: u32| format!("N{n} X{n}.5 Y,5 \"c\"\nZ{n} R1=2\r\nN{} G1 %3 F5 #\rn{} x1\n", n + 1, n + 2);
+        let body: String = (0..40).map(|n| block(10 * n + 1)).collect();
+        for end in ["", "*\nN5 M30", "* \"c\"\n"] {
+            for form in [Form::Program, Form::Macrocycle] {
+                let text = format!("%1 \"title\"\n{body}{end}\n{body}");
+                let source = Arc::new(SourceText::from_text("t.nc", text));
+                let show = |pieces: usize| {
+                    let mut findings = Findings::new();
+                    let parsed = parse_in(pieces, FileId(0), &source, form, &mut findings);
+                    let found: Vec<String> = findings.into_sorted().iter().map(|found| format!("{found:?}")).collect();
+                    (format!("{parsed:?}"), found)
+                };
+                let whole = show(1);
+                for pieces in [2, 3, 7, 100] {
+                    assert_eq!(show(pieces), whole, "{pieces} pieces, {form:?}, {end:?}");
+                }
+            }
+        }
     }
 
     #[test]

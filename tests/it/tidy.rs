@@ -1,0 +1,241 @@
+//! The architecture, as rules over the text of the sources.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use crate::markers::files;
+use crate::samples::root;
+
+/// Longest source file, in lines.
+const LONGEST: usize = 800;
+
+/// Which top-level modules each may use.
+const LAYERS: [(&str, &[&str]); 11] = [
+    ("text", &[]),
+    ("dict", &[]),
+    ("diag", &["text", "dict"]),
+    ("syntax", &["text", "dict", "diag"]),
+    ("config", &["text", "dict", "diag"]),
+    ("resolve", &["text", "dict", "diag", "syntax", "config"]),
+    ("ir", &["text", "dict"]),
+    ("expand", &["text", "dict", "diag", "syntax", "config", "resolve", "ir"]),
+    ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "expand"]),
+    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "expand", "session"]),
+    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "expand", "session", "lsp"]),
+];
+
+struct Source {
+    /// Relative to the project, with slashes.
+    name: String,
+    text: String,
+}
+
+fn sources(folder: &str) -> Vec<Source> {
+    files(&root().join(folder))
+        .into_iter()
+        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
+        .map(|path| Source { name: relative(&path), text: fs::read_to_string(&path).unwrap() })
+        .collect()
+}
+
+fn relative(path: &std::path::Path) -> String {
+    path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/")
+}
+
+fn fail_with(wrong: &[String]) {
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The top-level module that a source belongs to; none for `lib.rs` and `main.rs`.
+fn module(name: &str) -> Option<&str> {
+    let inner = name.strip_prefix("src/")?;
+    let module = inner.split(['/', '.']).next()?;
+    (!matches!(module, "lib" | "main")).then_some(module)
+}
+
+/// The names that stand after `crate::`, those within braces included.
+fn used(text: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let code: String = code.flat_map(|line| [line, "\n"]).collect();
+    for (at, _) in code.match_indices("crate::") {
+        // `$crate::` and `othercrate::` end in the same letters.
+        if code[..at].ends_with(|before: char| before.is_alphanumeric() || before == '_') {
+            continue;
+        }
+        let rest = &code[at + "crate::".len()..];
+        let first = |text: &str| text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+        match rest.strip_prefix('{') {
+            None => names.push(first(rest)),
+            Some(list) => {
+                let mut depth = 0;
+                let mut item = String::new();
+                for character in list.chars() {
+                    match character {
+                        '{' => depth += 1,
+                        '}' if depth == 0 => break,
+                        '}' => depth -= 1,
+                        ',' if depth == 0 => names.push(first(std::mem::take(&mut item).trim())),
+                        _ if depth == 0 => item.push(character),
+                        _ => {}
+                    }
+                }
+                names.push(first(item.trim()));
+            }
+        }
+    }
+    names.retain(|name| !name.is_empty());
+    names
+}
+
+#[test]
+fn names_after_crate() {
+    let text = "use crate::diag::{A, B};\n// crate::no\nuse crate::{text::{Span, X}, dict};\n$crate::ir::x";
+    assert_eq!(used(text), ["diag", "text", "dict", "ir"]);
+}
+
+/// Layers: a module uses itself and those below it.
+#[test]
+fn layers() {
+    let layers: BTreeMap<&str, &[&str]> = LAYERS.into();
+    let mut wrong = Vec::new();
+    for source in sources("src") {
+        let Some(module) = module(&source.name) else { continue };
+        let Some(allowed) = layers.get(module) else {
+            wrong.push(format!("{}: module {module} has no layer", source.name));
+            continue;
+        };
+        for name in used(&source.text) {
+            if name != module && layers.contains_key(name.as_str()) && !allowed.contains(&name.as_str()) {
+                wrong.push(format!("{}: {module} may not use {name}", source.name));
+            }
+        }
+    }
+    fail_with(&wrong);
+}
+
+/// The core is used by the command line only through the library: `main.rs` is short.
+#[test]
+fn main_is_short() {
+    let lines = fs::read_to_string(root().join("src/main.rs")).unwrap().lines().count();
+    assert!(lines <= 60, "src/main.rs has {lines} lines");
+}
+
+/// One concept, one file; each opens with what it is for.
+#[test]
+fn every_file_is_short_and_says_what_it_is_for() {
+    let mut wrong = Vec::new();
+    for source in sources("src").into_iter().chain(sources("tests")).chain(sources("examples")) {
+        let lines = source.text.lines().count();
+        if lines > LONGEST {
+            wrong.push(format!("{}: {lines} lines, at most {LONGEST}", source.name));
+        }
+        if !source.text.starts_with("//! ") {
+            wrong.push(format!("{}: does not open with `//!`", source.name));
+        }
+        if source.name.matches('/').count() > 3 {
+            wrong.push(format!("{}: more than two levels of folders", source.name));
+        }
+    }
+    fail_with(&wrong);
+}
+
+/// No code that is unsafe or unfinished, and no silenced lint without its reason.
+#[test]
+fn no_unfinished_code() {
+    // Put together so that this file does not contain them.
+    let words =
+        [["uns", "afe "], ["uns", "afe{"], ["tod", "o!("], ["unimple", "mented!("], ["FIX", "ME"], ["XX", "X:"]];
+    let mut wrong = Vec::new();
+    for source in sources("src").into_iter().chain(sources("tests")).chain(sources("examples")) {
+        for word in &words {
+            let word = word.concat();
+            let code = source.text.lines().filter(|line| !line.trim_start().starts_with("//"));
+            for line in code.filter(|line| line.contains(&word)) {
+                wrong.push(format!("{}: {}", source.name, line.trim()));
+            }
+        }
+        for opening in ["#[allow(", "#[expect(", "#![allow(", "#![expect("] {
+            for (at, _) in source.text.match_indices(opening) {
+                if source.text[..at].ends_with('"') {
+                    continue;
+                }
+                let attribute = source.text[at..].split(")]").next().unwrap();
+                if source.name.starts_with("src/") && !attribute.contains("reason = ") {
+                    wrong.push(format!("{}: {attribute})] gives no reason", source.name));
+                }
+            }
+        }
+    }
+    fail_with(&wrong);
+}
+
+/// Only the records and the findings as JSON are serialised by derive.
+#[test]
+fn what_is_serialised() {
+    let wrong: Vec<String> = sources("src")
+        .into_iter()
+        .filter(|source| !source.name.starts_with("src/ir/") && source.name != "src/diag/render/json.rs")
+        .filter(|source| {
+            let derives = source.text.split("derive(").skip(1).filter_map(|rest| rest.split(')').next());
+            derives.flat_map(|list| list.split(',')).any(|name| name.trim().ends_with("Serialize"))
+        })
+        .map(|source| format!("{}: derives Serialize", source.name))
+        .collect();
+    fail_with(&wrong);
+}
+
+/// Only the command line prints.
+#[test]
+fn what_prints() {
+    let mut wrong = Vec::new();
+    for source in sources("src") {
+        if matches!(module(&source.name), Some("cli") | None) {
+            continue;
+        }
+        for word in [["print", "ln!("], ["print", "!("], ["io::std", "out()"], ["io::std", "err()"]] {
+            let word = word.concat();
+            if source.text.contains(&word) {
+                wrong.push(format!("{}: {word}", source.name));
+            }
+        }
+    }
+    fail_with(&wrong);
+}
+
+/// No text names a place that only one machine has.
+#[test]
+fn no_paths_of_one_machine() {
+    let mut tracked: Vec<PathBuf> = Vec::new();
+    for entry in fs::read_dir(root()).unwrap().map(|entry| entry.unwrap().path()) {
+        let name = entry.file_name().unwrap().to_str().unwrap().to_owned();
+        if (name.starts_with('.') && name != ".ci") || name == "target" {
+            continue;
+        } else if entry.is_file() {
+            tracked.push(entry);
+        } else {
+            tracked.extend(files(&entry));
+        }
+    }
+    let homes = [
+        ["/ho", "me/"],
+        ["/ro", "ot/"],
+        ["/Us", "ers/"],
+        ["/wo", "rk/main"],
+        ["/wo", "rk/shared"],
+        ["/tmp/", "wt"],
+        ["C:\\Us", "ers"],
+    ];
+    let mut wrong = Vec::new();
+    for path in tracked {
+        let text = String::from_utf8_lossy(&fs::read(&path).unwrap()).into_owned();
+        for home in &homes {
+            let home = home.concat();
+            for line in text.lines().filter(|line| line.contains(&home)) {
+                wrong.push(format!("{}: {}", relative(&path), line.chars().take(100).collect::<String>()));
+            }
+        }
+    }
+    fail_with(&wrong);
+}
