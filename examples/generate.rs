@@ -131,7 +131,7 @@ fn surface(out: &mut impl Write) -> io::Result<()> {
 }
 
 /// Points of three axes, all words in every block.
-fn cam(out: &mut impl Write, blocks: u32) -> io::Result<()> {
+pub fn cam(out: &mut impl Write, blocks: u32) -> io::Result<()> {
     writeln!(out, "%1000 \"CAM, {blocks} BLOKU\"")?;
     writeln!(out, "N1 G54 G17 G90 G94 G40 G23 S9900 M03")?;
     for number in 2..=blocks - 2 {
@@ -183,7 +183,7 @@ fn on_circle(steps: usize) -> (i64, i64) {
 }
 
 /// Lines and arcs in turn; radii from 1 to 8.75 mm, now and then a full circle.
-fn arcs(out: &mut impl Write, blocks: u32) -> io::Result<()> {
+pub fn arcs(out: &mut impl Write, blocks: u32) -> io::Result<()> {
     writeln!(out, "%2000 \"OBLOUKY, {blocks} BLOKU\"")?;
     writeln!(out, "N1 G54 G17 G90 G94 G40 S6000 M03")?;
     writeln!(out, "N2 G00 X0.000 Y0.000 Z2.000")?;
@@ -220,7 +220,7 @@ fn arcs(out: &mut impl Write, blocks: u32) -> io::Result<()> {
 }
 
 /// Programs as people write them: many kinds of words, comments, parameters.
-fn rich(out: &mut impl Write, blocks: u32) -> io::Result<()> {
+pub fn rich(out: &mut impl Write, blocks: u32) -> io::Result<()> {
     const KINDS: u32 = 16;
     writeln!(out, "%3000 \"RŮZNÉ BLOKY, {blocks} BLOKŮ\"")?;
     writeln!(out, "N1 G54 G17 G90 G94 G40 G80 M40 M48")?;
@@ -256,7 +256,7 @@ fn rich(out: &mut impl Write, blocks: u32) -> io::Result<()> {
 }
 
 /// One hundred lines with nested jumps and calls: 9760269 executed blocks.
-fn loops(out: &mut impl Write) -> io::Result<()> {
+pub fn loops(out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "%4000 \"VNORENE SKOKY A VOLANI\"")?;
     writeln!(out, "\" Kazdy podprogram ma dva skoky v sobe: 2 + 10 x (10 x 5 + 4) = 542 bloku.\"")?;
     writeln!(out, "\" Vnitrni skok hlavniho programu: 20 x (6 x (1 + 5 x 542) + 1) bloku,\"")?;

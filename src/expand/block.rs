@@ -41,13 +41,38 @@ pub(super) struct BlockWords {
 }
 
 impl BlockWords {
+    /// Forgets the block before, touching as little memory as that takes: it is done for every block.
     pub(super) fn clear(&mut self) {
-        let (mut g, mut m, mut r) =
-            (std::mem::take(&mut self.g), std::mem::take(&mut self.m), std::mem::take(&mut self.r));
+        let Self {
+            axes,
+            axis_count,
+            i,
+            j,
+            k,
+            f,
+            s,
+            t,
+            h,
+            p,
+            d,
+            correction,
+            l,
+            q,
+            g,
+            m,
+            r,
+            unknown_g,
+            parametric_g,
+            skippable,
+        } = self;
+        for word in axes.iter_mut().chain([i, j, k, f, s, t, h, p, d, correction, l, q]) {
+            *word = None;
+        }
+        *axis_count = 0;
         g.clear();
         m.clear();
         r.clear();
-        *self = Self { g, m, r, ..Self::default() };
+        (*unknown_g, *parametric_g, *skippable) = (false, false, false);
     }
 
     /// The function of a group written in this block.

@@ -1,0 +1,81 @@
+//! How fast the stages are, on the programs of `examples/generate.rs`, in bytes or blocks a second. Compare ratios: machines
+//! differ, and the same one differs from hour to hour.
+#![allow(missing_docs, reason = "criterion's macros make items without docs")]
+#![expect(clippy::expect_used, reason = "a benchmark that cannot run has nothing to say")]
+
+use std::hint::black_box;
+use std::io;
+use std::path::Path;
+use std::sync::Arc;
+
+use cnc872c::config::Settings;
+use cnc872c::diag::Findings;
+use cnc872c::session::{Part, Session};
+use cnc872c::syntax::{Form, parse, tokens};
+use cnc872c::text::{FileId, MemoryLoader, SourceText};
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
+
+#[path = "../examples/generate.rs"]
+#[expect(dead_code, reason = "the example's command line is not used here")]
+mod generate;
+
+/// Blocks of the programs that can have any number of them: a tenth of a large file.
+const BLOCKS: u32 = 100_000;
+
+/// The name of every program in memory.
+const NAME: &str = "bench.nc";
+
+fn program(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> Vec<u8> {
+    let mut text = Vec::new();
+    write(&mut text).expect("memory");
+    text
+}
+
+/// Runs `check` or `compile` on one program; gives the number of executed blocks.
+fn run(loader: &MemoryLoader, compile: bool) -> u64 {
+    let settings = Settings::default();
+    let session = Session { loader, settings: &settings, progress: None };
+    let path = Path::new(NAME);
+    let outcome = if compile {
+        session.compile(path, NAME, Part::default(), &mut io::sink()).expect("a sink")
+    } else {
+        session.check(path, NAME)
+    };
+    assert!(outcome.findings.is_empty(), "the program has findings");
+    outcome.executed
+}
+
+fn whole(group: &mut BenchmarkGroup<'_, criterion::measurement::WallTime>, name: &str, text: Vec<u8>) {
+    let loader = MemoryLoader::new().with(NAME, text);
+    group.throughput(Throughput::Elements(run(&loader, false)));
+    group.bench_function(format!("check {name}"), |bencher| bencher.iter(|| run(&loader, false)));
+    group.bench_function(format!("compile {name}"), |bencher| bencher.iter(|| run(&loader, true)));
+}
+
+/// `check` and `compile` of whole programs, in executed blocks a second.
+fn programs(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("blocks");
+    group.sample_size(10);
+    whole(&mut group, "cam", program(|out| generate::cam(out, BLOCKS)));
+    whole(&mut group, "arcs", program(|out| generate::arcs(out, BLOCKS)));
+    whole(&mut group, "rich", program(|out| generate::rich(out, BLOCKS)));
+    group.finish();
+}
+
+/// Reading alone, in bytes a second.
+fn stages(criterion: &mut Criterion) {
+    let text = String::from_utf8(program(|out| generate::cam(out, BLOCKS))).expect("ASCII");
+    let source = Arc::new(SourceText::from_text(NAME, text));
+    let mut group = criterion.benchmark_group("bytes");
+    group.throughput(Throughput::Bytes(u64::from(source.len())));
+    group.bench_function("lex cam", |bencher| {
+        bencher.iter(|| tokens(black_box(source.text()), 0, source.len()).count());
+    });
+    group.bench_function("parse cam", |bencher| {
+        bencher.iter(|| parse(FileId(0), &source, Form::Program, &mut Findings::new()).block_count());
+    });
+    group.finish();
+}
+
+criterion_group!(benches, programs, stages);
+criterion_main!(benches);
