@@ -4,6 +4,7 @@
 
 mod disk;
 mod explain;
+mod faults;
 mod markers;
 mod model;
 mod properties;
