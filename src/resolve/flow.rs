@@ -4,10 +4,10 @@ use super::blocks::g_code;
 use super::structure::{Context, l_number};
 use super::{FileIndex, MacrocycleFault, Resolved, Target, Unit, UnitId, UnitKind};
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Address, GCode};
+use crate::dict::{Address, GCode, GGroup};
 use crate::syntax::{BlockFlags, BlockId, Value, Word};
 
-/// A call or jump as written.
+/// A call or jump as written, the only function of its group in the block.
 #[derive(Clone, Copy, Debug)]
 struct Written {
     code: GCode,
@@ -29,8 +29,15 @@ fn written(resolved: &Resolved, file: FileIndex, block: BlockId) -> Option<Writt
         return None;
     }
     let words = parsed.words(block);
-    let (code, g) =
-        words.iter().find_map(|word| g_code(*word).filter(|code| code.is_flow()).map(|code| (code, *word)))?;
+    let mut functions = words.iter().filter_map(|word| {
+        let code = g_code(*word).filter(|code| code.group() == GGroup::G7)?;
+        Some((code, *word))
+    });
+    let (code, g) = functions.next().filter(|(code, _)| code.is_flow())?;
+    // Of two that clash (E0307) it is not known which was meant, and so not what L names.
+    if functions.next().is_some() {
+        return None;
+    }
     let l = words.iter().copied().find(|word| word.address == Address::L)?;
     Some(Written { code, g, l })
 }
@@ -157,11 +164,17 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
     let Some(parsed) = resolved.file(FileIndex(0)) else { return };
     let mut named = std::collections::BTreeSet::new();
     for block in parsed.block_ids() {
-        if parsed.flags(block).has(BlockFlags::RICH) && has_parametric_call(parsed.words(block)) {
+        if !parsed.flags(block).has(BlockFlags::RICH) {
+            continue;
+        }
+        let words = parsed.words(block);
+        if has_parametric_call(words) {
             return;
         }
-        if let Some(call) = written(resolved, FileIndex(0), block).filter(|call| call.code == GCode::G71) {
-            named.extend(l_number(call.l));
+        // A G71 that clashes with another function of its group names it too.
+        if words.iter().any(|word| g_code(*word) == Some(GCode::G71)) {
+            let l = words.iter().copied().find(|word| word.address == Address::L);
+            named.extend(l.and_then(l_number));
         }
     }
     for (&l, &UnitId(id)) in &resolved.subprograms {

@@ -9,6 +9,7 @@ mod cli_fix;
 mod disk;
 mod docs;
 mod explain;
+mod faults;
 mod markers;
 mod model;
 mod properties;

@@ -162,7 +162,9 @@ impl Block {
         let gap = [" ", "", "\t", "\n  "][usize::from(self.style >> 2) % 4];
         let mut text = format!("N{zeros}{} {}", number(unit, index), self.words(unit).join(gap));
         if self.comment || (self.words(unit).is_empty()) {
-            text += " \"poznamka";
+            // On a line of its own where the other would be too long (LEX-7).
+            let line = text.lines().last().map_or(0, str::len);
+            text += if line > 70 { "\n\"poznamka" } else { " \"poznamka" };
         }
         // Some blocks share a line; not where a `/` would stand before an `N` (BLK-6).
         text += if self.style & 16 != 0 && !text.contains('"') && !text.ends_with('/') { " " } else { "\n" };
