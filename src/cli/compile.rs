@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::Path;
 
 use super::args::CompileArgs;
+use super::background::Background;
 use super::common::{Projects, overrides};
 use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
@@ -16,9 +17,6 @@ use super::words::{Words, reason};
 use crate::diag::{Format, Report, render};
 use crate::dict::Lang;
 use crate::session::{Part, Session};
-
-/// Records are short, writes to the system are long.
-const BUFFER: usize = 1 << 18;
 
 pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
@@ -40,8 +38,9 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
         print(args.common.format, &report, locale);
         return Ok(Status::Unusable);
     };
-    let mut stream = Stream::open(output, locale.lang)?;
+    let stream = Stream::open(output, locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
+    let mut stream = Background::start(stream).map_err(|error| cannot_write(error, output, locale.lang))?;
     let count = |blocks: u64| {
         progress.set(blocks);
         true
@@ -49,9 +48,9 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let session = Session { loader: &loader, settings, progress: Some(&count) };
     let part = Part { from: args.from, limit: args.limit };
     let written = session.compile(&target.path, &target.name(), part, &mut stream);
-    let outcome = written.and_then(|outcome| stream.flush().map(|()| outcome));
+    let written = written.and_then(|outcome| stream.finish().map(|stream| (outcome, stream)));
     drop(progress);
-    let outcome = outcome.map_err(|error| cannot_write(error, output, locale.lang))?;
+    let (outcome, stream) = written.map_err(|error| cannot_write(error, output, locale.lang))?;
     report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
     let status = match report.errors() > 0 {
         _ if outcome.unusable => Status::Unusable,
@@ -93,23 +92,23 @@ fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure 
 
 /// Where the stream goes.
 enum Stream {
-    Stdout(BufWriter<io::StdoutLock<'static>>),
+    Stdout(io::Stdout),
     /// A pipe or a device, which cannot be replaced.
-    Direct(BufWriter<std::fs::File>),
-    File(BufWriter<Box<Replacement>>),
+    Direct(std::fs::File),
+    File(Box<Replacement>),
 }
 
 impl Stream {
     fn open(output: Option<&Path>, lang: Lang) -> Result<Self, Failure> {
         let Some(output) = output else {
-            return Ok(Self::Stdout(BufWriter::with_capacity(BUFFER, io::stdout().lock())));
+            return Ok(Self::Stdout(io::stdout()));
         };
         let special = std::fs::metadata(output).is_ok_and(|data| !data.is_file() && !data.is_dir());
         let opened = if special {
-            OpenOptions::new().write(true).open(output).map(|file| Self::Direct(BufWriter::with_capacity(BUFFER, file)))
+            OpenOptions::new().write(true).open(output).map(Self::Direct)
         } else {
             clean_up_when_interrupted(lang);
-            Replacement::begin(output).map(|file| Self::File(BufWriter::with_capacity(BUFFER, Box::new(file))))
+            Replacement::begin(output).map(|file| Self::File(Box::new(file)))
         };
         opened.map_err(|error| cannot_write(error, Some(output), lang))
     }
@@ -118,7 +117,7 @@ impl Stream {
     fn commit(self) -> io::Result<()> {
         match self {
             Self::Stdout(_) | Self::Direct(_) => Ok(()),
-            Self::File(file) => file.into_inner().map_err(io::IntoInnerError::into_error)?.commit(),
+            Self::File(file) => file.commit(),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The command line: one file a command. Data goes to stdout, words to stderr; nothing else in the program prints.
 
 mod args;
+mod background;
 mod check;
 mod common;
 mod compile;

@@ -150,7 +150,7 @@ impl Executor<'_, '_> {
             }
         }
         if self.wants_records {
-            let d = self.words.d.filter(|_| table).and_then(|valued| valued.value);
+            let d = self.words.d.and_then(|valued| valued.value);
             let origin_written = self.words.written(GGroup::G5).is_some();
             let corrections_only = self.words.has(GCode::G92).is_some() && self.words.d.is_some() && !origin_written;
             let origin = self.in_force(GGroup::G5).filter(|_| table && !corrections_only).map(GCode::number);

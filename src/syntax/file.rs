@@ -193,7 +193,13 @@ impl ParsedFile {
 /// What a comment token says: without its quotes, trimmed of blanks and tabs.
 pub(super) fn comment_text(token: &str) -> &str {
     let quote = |character: char| matches!(character, '"' | '“' | '”' | '„');
-    let inner = token.strip_prefix(quote).unwrap_or(token);
-    let inner = inner.strip_suffix(quote).unwrap_or(inner);
+    // A comment that begins with `"` ends with `"` only: other quotes in it are text (LEX-6).
+    let inner = match token.strip_prefix('"') {
+        Some(inner) => inner.strip_suffix('"').unwrap_or(inner),
+        None => {
+            let inner = token.strip_prefix(quote).unwrap_or(token);
+            inner.strip_suffix(quote).unwrap_or(inner)
+        }
+    };
     inner.trim_matches([' ', '\t'])
 }
