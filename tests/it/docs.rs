@@ -243,7 +243,7 @@ fn run_session(session: &str, folder: &Path) -> String {
 }
 
 fn run(line: &str, folder: &Path) -> String {
-    let line = line.strip_prefix("cargo run --release -- ").or_else(|| line.strip_prefix("cnc872c ")).expect(line);
+    let line = line.strip_prefix("cnc872c ").expect(line);
     let mut command = Command::new(env!("CARGO_BIN_EXE_cnc872c"));
     command.current_dir(folder).stdin(Stdio::null());
     command.args(line.split_whitespace().map(|argument| argument.trim_matches('\'')));
