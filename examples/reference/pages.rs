@@ -174,7 +174,8 @@ fn g_functions(lang: Lang) -> String {
     head(&mut page, &columns);
     for group in GGroup::ALL {
         for code in GCode::ALL.iter().filter(|code| code.group() == group) {
-            row(&mut page, &[&group.to_string(), &code.to_string(), mark(code.lasting()), code.meaning().get(lang)]);
+            let name = format!("{group} {}", group.meaning().get(lang));
+            row(&mut page, &[&name, &code.to_string(), mark(code.lasting()), code.meaning().get(lang)]);
         }
     }
     page

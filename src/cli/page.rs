@@ -3,9 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::diag::Code;
-use crate::dict::{
-    Address, Bilingual, Dialect, GCode, GGroup, Lang, Lasting, M_GROUPS, MRow, ValueForm, standard_m_functions,
-};
+use crate::dict::{Address, Bilingual, Dialect, GCode, Lang, Lasting, M_GROUPS, MRow, ValueForm, standard_m_functions};
 
 /// Headings bold, without the signs that make them headings in Markdown.
 pub(super) fn painted(page: &str, colors: bool) -> String {
@@ -30,7 +28,7 @@ pub(super) fn g_page(code: GCode, lang: Lang) -> String {
         .collect();
     let mut page = format!("# {code}: {}\n\n", code.meaning().get(lang));
     let word = pick(lang, "Group", "Skupina");
-    let _ = writeln!(page, "- {word} {group}, {}: {}", g_group(group).get(lang), members.join(", "));
+    let _ = writeln!(page, "- {word} {group}, {}: {}", group.meaning().get(lang), members.join(", "));
     let _ = writeln!(page, "- {}", lasts(code.lasting(), lang));
     let once = pick(lang, "One function of the group in a block", "Z jedné skupiny smí být v bloku jediná funkce");
     let _ = writeln!(page, "- {once}");
@@ -231,24 +229,6 @@ fn lasts(lasting: Lasting, lang: Lang) -> &'static str {
             "Platí jen ve svém bloku (x); co platilo před ním, platí zase po něm",
         ),
     }
-}
-
-const fn g_group(group: GGroup) -> Bilingual {
-    let (en, cs) = match group {
-        GGroup::G0 => ("interpolation", "interpolace"),
-        GGroup::G1 => ("plane", "rovina"),
-        GGroup::G2 => ("joining of blocks, copying, helix", "napojování bloků, kopírování, šroubovice"),
-        GGroup::G3 => ("radius correction", "korekce na poloměr"),
-        GGroup::G4 => ("parameter arithmetic", "aritmetika parametrů"),
-        GGroup::G5 => ("zero offsets", "posunutí nulového bodu"),
-        GGroup::G6 => ("unit of feed", "jednotka posuvu"),
-        GGroup::G7 => ("calls and jumps", "volání a skoky"),
-        GGroup::G8 => ("fixed cycles", "pevné cykly"),
-        GGroup::G9 => ("absolute or incremental", "absolutně nebo přírůstkově"),
-        GGroup::G10 => ("dwell, tables, diameters", "prodleva, tabulky, průměry"),
-        GGroup::G11 => ("conversions of coordinates", "přepočty souřadnic"),
-    };
-    Bilingual { en, cs }
 }
 
 /// Adds the diagnostics whose pages speak of that word.

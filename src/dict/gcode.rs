@@ -65,6 +65,25 @@ impl GGroup {
     pub const fn index(self) -> usize {
         self as usize
     }
+
+    /// What its functions have in common.
+    pub const fn meaning(self) -> Bilingual {
+        let (en, cs) = match self {
+            Self::G0 => ("interpolation", "interpolace"),
+            Self::G1 => ("plane", "rovina"),
+            Self::G2 => ("joining of blocks, copying, helix", "napojování bloků, kopírování, šroubovice"),
+            Self::G3 => ("radius correction", "korekce na poloměr"),
+            Self::G4 => ("parameter arithmetic", "aritmetika parametrů"),
+            Self::G5 => ("zero offsets", "posunutí nulového bodu"),
+            Self::G6 => ("unit of feed", "jednotka posuvu"),
+            Self::G7 => ("calls and jumps", "volání a skoky"),
+            Self::G8 => ("fixed cycles", "pevné cykly"),
+            Self::G9 => ("absolute or incremental", "absolutně nebo přírůstkově"),
+            Self::G10 => ("dwell, tables, diameters", "prodleva, tabulky, průměry"),
+            Self::G11 => ("conversions of coordinates", "přepočty souřadnic"),
+        };
+        Bilingual { en, cs }
+    }
 }
 
 impl fmt::Display for GGroup {
