@@ -23,6 +23,29 @@ pub(super) enum Moved {
     WithoutCycle,
 }
 
+/// The motion that a function of group G0 makes; the other functions make none.
+const fn motion_type(code: GCode) -> Option<MotionType> {
+    match code {
+        GCode::G00 => Some(MotionType::Rapid),
+        GCode::G01 => Some(MotionType::Linear),
+        GCode::G02 => Some(MotionType::ArcCw),
+        GCode::G03 => Some(MotionType::ArcCcw),
+        GCode::G30 => Some(MotionType::Reference),
+        GCode::G33 => Some(MotionType::Thread),
+        GCode::G17 | GCode::G18 | GCode::G19 | GCode::G14 | GCode::G15 | GCode::G16 => None,
+        GCode::G05 | GCode::G06 | GCode::G07 | GCode::G08 | GCode::G09 | GCode::G10 => None,
+        GCode::G23 | GCode::G24 | GCode::G98 | GCode::G40 | GCode::G41 | GCode::G42 => None,
+        GCode::G26 | GCode::G27 | GCode::G28 | GCode::G29 => None,
+        GCode::G53 | GCode::G54 | GCode::G55 | GCode::G56 | GCode::G57 | GCode::G58 | GCode::G59 => None,
+        GCode::G94 | GCode::G95 | GCode::G96 | GCode::G97 => None,
+        GCode::G70 | GCode::G71 | GCode::G72 | GCode::G73 | GCode::G79 => None,
+        GCode::G80 | GCode::G81 | GCode::G82 | GCode::G83 | GCode::G84 => None,
+        GCode::G85 | GCode::G86 | GCode::G87 | GCode::G88 | GCode::G89 => None,
+        GCode::G90 | GCode::G91 | GCode::G04 | GCode::G92 | GCode::G93 | GCode::G74 | GCode::G75 => None,
+        GCode::G34 | GCode::G35 | GCode::G36 | GCode::G37 | GCode::G38 | GCode::G39 | GCode::G31 => None,
+    }
+}
+
 /// How one axis moves.
 #[derive(Clone, Copy, Debug)]
 struct Travel {
@@ -55,14 +78,7 @@ impl Executor<'_, '_> {
             self.run_data(function);
             return Moved::No;
         }
-        let kind = match self.in_force(GGroup::G0) {
-            Some(GCode::G00) | None => MotionType::Rapid,
-            Some(GCode::G02) => MotionType::ArcCw,
-            Some(GCode::G03) => MotionType::ArcCcw,
-            Some(GCode::G30) => MotionType::Reference,
-            Some(GCode::G33) => MotionType::Thread,
-            Some(_) => MotionType::Linear,
-        };
+        let kind = self.in_force(GGroup::G0).and_then(motion_type).unwrap_or(MotionType::Rapid);
         let circular = matches!(kind, MotionType::ArcCw | MotionType::ArcCcw);
         let centered = self.words.i.is_some() || self.words.j.is_some();
         let full_circle = circular && self.words.axis_count == 0 && centered && self.words.has(GCode::G23).is_none();
