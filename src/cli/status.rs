@@ -60,10 +60,10 @@ pub(super) fn exit_code(end: Result<Status, Failure>, lang: Lang) -> ExitCode {
 /// Says what went wrong, on stderr.
 pub(super) fn complain(words: &Words, lang: Lang) {
     // Nobody can be told that stderr is gone.
-    let _ = writeln!(io::stderr().lock(), "{}: {}", error_prefix(lang), words.text(lang));
+    let _ = writeln!(io::stderr().lock(), "{}: {}", error_prefix(lang), words.shown(lang));
 }
 
 /// Says what was done, on stderr.
 pub(super) fn tell(words: &Words, lang: Lang) {
-    let _ = writeln!(io::stderr().lock(), "{}", words.text(lang));
+    let _ = writeln!(io::stderr().lock(), "{}", words.shown(lang));
 }

@@ -3,33 +3,9 @@
 use std::io;
 
 use crate::diag::{Problem, shown_path_list};
-use crate::dict::{Bilingual, Lang};
+use crate::dict::{Bilingual, Lang, bilingual};
 
-macro_rules! words {
-    ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Debug, Eq, PartialEq)]
-        #[allow(missing_docs, reason = "the texts say it")]
-        pub enum $name {
-            $(#[doc = $en] $variant $({ $($field: $ty),* })?,)*
-        }
-
-        impl $name {
-            /// The text in `lang`, with no character that a terminal might act on.
-            pub fn text(&self, lang: Lang) -> String {
-                let text = match (self, lang) {
-                    $(
-                        (Self::$variant $({ $($field),* })?, Lang::En) => format!($en),
-                        (Self::$variant $({ $($field),* })?, Lang::Cs) => format!($cs),
-                    )*
-                };
-                shown_path_list(&text)
-            }
-        }
-    };
-}
-
-words! {
+bilingual! {
     /// One thing to say.
     Words {
         CannotWrite { file: String, reason: String }
@@ -98,6 +74,13 @@ words! {
         Blocks
             "blocks",
             "bloků";
+    }
+}
+
+impl Words {
+    /// The text in `lang`, with no character that a terminal might act on.
+    pub fn shown(&self, lang: Lang) -> String {
+        shown_path_list(&self.text(lang))
     }
 }
 

@@ -59,7 +59,7 @@ mod tests {
         }
 
         fn canonical(&self, path: &Path) -> PathBuf {
-            Path::new("/work").join(path).components().collect()
+            Path::new("/shop").join(path).components().collect()
         }
     }
 
@@ -70,13 +70,13 @@ mod tests {
     #[test]
     fn in_the_folder_or_above() {
         for (start, project, expected) in [
-            ("", "/work/cnc872c.toml", "cnc872c.toml"),
-            ("samples", "/work/samples/cnc872c.toml", "samples/cnc872c.toml"),
-            ("samples/err", "/work/samples/cnc872c.toml", "samples/cnc872c.toml"),
-            ("samples/err", "/work/cnc872c.toml", "cnc872c.toml"),
+            ("", "/shop/cnc872c.toml", "cnc872c.toml"),
+            ("samples", "/shop/samples/cnc872c.toml", "samples/cnc872c.toml"),
+            ("samples/err", "/shop/samples/cnc872c.toml", "samples/cnc872c.toml"),
+            ("samples/err", "/shop/cnc872c.toml", "cnc872c.toml"),
             ("samples", "/cnc872c.toml", "/cnc872c.toml"),
             ("", "/cnc872c.toml", "/cnc872c.toml"),
-            ("/work/a", "/work/cnc872c.toml", "/work/cnc872c.toml"),
+            ("/shop/a", "/shop/cnc872c.toml", "/shop/cnc872c.toml"),
             ("/locked/a", "/nothing", "/locked/a/cnc872c.toml"),
         ] {
             assert_eq!(found(start, project), Some(PathBuf::from(expected)), "{start} {project}");
@@ -85,13 +85,13 @@ mod tests {
 
     #[test]
     fn none_beside_or_below() {
-        assert_eq!(found("samples", "/work/other/cnc872c.toml"), None);
-        assert_eq!(found("", "/work/samples/cnc872c.toml"), None);
+        assert_eq!(found("samples", "/shop/other/cnc872c.toml"), None);
+        assert_eq!(found("", "/shop/samples/cnc872c.toml"), None);
     }
 
     #[test]
     fn the_nearest_counts() {
-        let files = MemoryLoader::new().with("/cnc872c.toml", "").with("/work/a/cnc872c.toml", "");
+        let files = MemoryLoader::new().with("/cnc872c.toml", "").with("/shop/a/cnc872c.toml", "");
         let found = find_project(Path::new("a/b/c"), &From { files });
         assert_eq!(found, Some(PathBuf::from("a/cnc872c.toml")));
     }

@@ -1,31 +1,8 @@
 //! Closed sets of reasons that the texts of some diagnostics name, in both languages.
 
-use crate::dict::{Address, Lang};
+use crate::dict::{Address, Lang, bilingual};
 
-macro_rules! details {
-    ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Debug, Eq, PartialEq)]
-        #[allow(missing_docs, reason = "the texts say it")]
-        pub enum $name {
-            $(#[doc = $en] $variant $({ $($field: $ty),* })?,)*
-        }
-
-        impl $name {
-            /// The text in `lang`.
-            pub fn text(&self, lang: Lang) -> String {
-                match (self, lang) {
-                    $(
-                        (Self::$variant $({ $($field),* })?, Lang::En) => format!($en),
-                        (Self::$variant $({ $($field),* })?, Lang::Cs) => format!($cs),
-                    )*
-                }
-            }
-        }
-    };
-}
-
-details! {
+bilingual! {
     /// Why a file cannot be read.
     Problem {
         NotFound "no such file", "soubor neexistuje";
@@ -55,7 +32,7 @@ impl Problem {
     }
 }
 
-details! {
+bilingual! {
     /// What went wrong in parameter arithmetic (PAR-10).
     ArithmeticFault {
         DivisionByZero "a division by zero", "dělení nulou";
@@ -66,7 +43,7 @@ details! {
     }
 }
 
-details! {
+bilingual! {
     /// Why a word I, J or K has no use in its block (MOT-3, GRP-4, GRP-7, GRP-8).
     CenterPlace {
         ThirdInArc "an arc has its centre in I and J", "střed oblouku udávají I a J";
@@ -75,7 +52,7 @@ details! {
     }
 }
 
-details! {
+bilingual! {
     /// Why a configuration file cannot be read at all.
     ConfigProblem {
         Malformed { what: String } "{what}", "{what}";
@@ -120,7 +97,7 @@ details! {
     }
 }
 
-details! {
+bilingual! {
     /// What a configured value must be.
     ConfigNeed {
         Text "takes a text", "musí být text";
@@ -144,7 +121,7 @@ details! {
     }
 }
 
-details! {
+bilingual! {
     /// What is wrong with one of R56–R59 (MFN-5).
     ConstantProblem {
         Digits "has at most eight digits: four functions of two", "má nejvýše osm číslic: čtyři funkce po dvou";

@@ -1,31 +1,8 @@
 //! The texts of secondary places and of fixes, in both languages.
 
-use crate::dict::Lang;
+use crate::dict::bilingual;
 
-macro_rules! texts {
-    ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
-        $(#[$doc])*
-        #[derive(Clone, Debug, Eq, PartialEq)]
-        #[allow(missing_docs, reason = "the texts say it")]
-        pub enum $name {
-            $(#[doc = $en] $variant $({ $($field: $ty),* })?,)*
-        }
-
-        impl $name {
-            /// The text in `lang`.
-            pub fn text(&self, lang: Lang) -> String {
-                match (self, lang) {
-                    $(
-                        (Self::$variant $({ $($field),* })?, Lang::En) => format!($en),
-                        (Self::$variant $({ $($field),* })?, Lang::Cs) => format!($cs),
-                    )*
-                }
-            }
-        }
-    };
-}
-
-texts! {
+bilingual! {
     /// What a secondary place shows.
     LabelText {
         First "the first one is here", "první je zde";
@@ -46,7 +23,7 @@ texts! {
     }
 }
 
-texts! {
+bilingual! {
     /// What a fix does.
     FixTitle {
         Write { text: String } "write `{text}`", "napsat „{text}“";

@@ -28,3 +28,29 @@ impl Bilingual {
         }
     }
 }
+
+/// Declares a closed set of texts: an enum whose rows are a name, fields, and the text in English and Czech, both format
+/// strings with the fields by name.
+macro_rules! bilingual {
+    ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug, Eq, PartialEq)]
+        #[allow(missing_docs, reason = "the texts say it")]
+        pub enum $name {
+            $(#[doc = $en] $variant $({ $($field: $ty),* })?,)*
+        }
+
+        impl $name {
+            /// The text in `lang`.
+            pub fn text(&self, lang: $crate::dict::Lang) -> String {
+                match (self, lang) {
+                    $(
+                        (Self::$variant $({ $($field),* })?, $crate::dict::Lang::En) => format!($en),
+                        (Self::$variant $({ $($field),* })?, $crate::dict::Lang::Cs) => format!($cs),
+                    )*
+                }
+            }
+        }
+    };
+}
+pub(crate) use bilingual;

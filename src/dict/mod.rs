@@ -16,5 +16,6 @@ pub use arithmetic::Operation;
 pub use decimal::Decimal;
 pub use dialect::Dialect;
 pub use gcode::{GCode, GGroup, Lasting};
+pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
 pub use mcode::{M_GROUPS, MRow, PROGRAM_ENDS, standard_m_functions};

@@ -154,47 +154,31 @@ impl<'t> Lowering<'t> {
     /// Adds a word to the block, noting what later stages ask of every block.
     #[inline]
     fn push(&mut self, word: Word) {
-        match word.address {
-            Address::G | Address::M => {
-                self.flags.set(BlockFlags::RICH);
-                let number = word.whole().and_then(|number| u8::try_from(number).ok());
-                if let Some(number) = number {
-                    if word.address == Address::M {
-                        if PROGRAM_ENDS.contains(&number) {
-                            self.flags.set(BlockFlags::END);
-                        }
-                    } else if number == GCode::G70.number() {
-                        self.flags.set(BlockFlags::RETURN);
-                    } else if number == GCode::G79.number() {
-                        self.flags.set(BlockFlags::ENTRY);
-                    }
+        let speaks_of_flow = matches!(
+            word.address,
+            Address::G
+                | Address::M
+                | Address::L
+                | Address::Q
+                | Address::R
+                | Address::Correction
+                | Address::Skip
+                | Address::Program
+        );
+        if speaks_of_flow || !word.is_plain() {
+            self.flags.set(BlockFlags::RICH);
+        }
+        if matches!(word.address, Address::G | Address::M)
+            && let Some(number) = word.whole().and_then(|number| u8::try_from(number).ok())
+        {
+            if word.address == Address::M {
+                if PROGRAM_ENDS.contains(&number) {
+                    self.flags.set(BlockFlags::END);
                 }
-            }
-            Address::L | Address::Q | Address::R | Address::Correction | Address::Skip | Address::Program => {
-                self.flags.set(BlockFlags::RICH);
-            }
-            Address::N
-            | Address::X
-            | Address::Y
-            | Address::Z
-            | Address::A
-            | Address::B
-            | Address::C
-            | Address::U
-            | Address::V
-            | Address::W
-            | Address::I
-            | Address::J
-            | Address::K
-            | Address::D
-            | Address::F
-            | Address::S
-            | Address::H
-            | Address::P
-            | Address::T => {
-                if !word.is_plain() {
-                    self.flags.set(BlockFlags::RICH);
-                }
+            } else if number == GCode::G70.number() {
+                self.flags.set(BlockFlags::RETURN);
+            } else if number == GCode::G79.number() {
+                self.flags.set(BlockFlags::ENTRY);
             }
         }
         self.words.push(word);
