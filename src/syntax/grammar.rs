@@ -24,7 +24,7 @@ pub(super) enum Item {
     Assignment { target: Token, sign: Option<Token>, number: Token, pieces: Vec<Token> },
     /// An address with a sign, blanks, and a number.
     SplitSign { address: Token, number: Token, pieces: Vec<Token> },
-    /// An address with `=` and a number.
+    /// An address with `=` and a number, or a parameter with several `=`.
     ForeignAssignment { address: Token, number: Token },
     /// An address or R word without a value; a number beyond a line end or comments (then they are `Some`) was meant
     /// for it.
@@ -101,6 +101,10 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .then_ignore(one(Kind::Equals))
         .then(number)
         .map(|(address, number)| Item::ForeignAssignment { address, number });
+    let double = parameter
+        .then_ignore(one(Kind::Equals).repeated().at_least(2))
+        .then(number)
+        .map(|(address, number)| Item::ForeignAssignment { address, number });
     let valueless = address
         .or(one(Kind::BareR))
         .map(|address| (address, address))
@@ -134,6 +138,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         parametric,
         split_sign,
         foreign,
+        double,
         valueless,
         one(Kind::Skip).map(Item::Skip),
         stray,
