@@ -57,6 +57,10 @@ fn what(error: &clap::Error, lang: Lang) -> String {
             let why = std::error::Error::source(error).map(|why| format!(": {why}")).unwrap_or_default();
             text(format!("{argument} does not take `{value}`{why}"), format!("za {argument} nemůže být „{value}“{why}"))
         }
+        ErrorKind::UnknownArgument if argument.len() == 2 && argument.ends_with(char::is_alphabetic) => text(
+            format!("there is no argument `{argument}` here; a file whose name begins with `-` is given as `./-…`"),
+            format!("argument „{argument}“ zde není; soubor, jehož název začíná pomlčkou, se zadává jako „./-…“"),
+        ),
         ErrorKind::UnknownArgument => {
             text(format!("there is no argument `{argument}` here"), format!("argument „{argument}“ zde není"))
         }
@@ -118,6 +122,8 @@ mod tests {
         assert!(said(Lang::Cs, &wrong).starts_with("chyba: za --dialect <SYSTÉM> nemůže být „cnc827“"));
         assert!(said(Lang::Cs, &["cnc872c", "check"]).contains("chybí <CESTA>"));
         assert!(said(Lang::Cs, &["cnc872c", "check"]).contains("Použití: cnc872c check"));
+        assert!(said(Lang::En, &["cnc872c", "check", "-x.nc"]).contains("given as `./-…`"));
+        assert!(said(Lang::Cs, &["cnc872c", "check", "-x.nc"]).contains("zadává jako „./-…“"));
         assert!(said(Lang::En, &["cnc872c", "chekc"]).contains("perhaps this is meant: check"));
         assert!(said(Lang::En, &["cnc872c", "check", "a", "--fux"]).contains("--fix"));
     }

@@ -44,6 +44,50 @@ bilingual! {
 }
 
 bilingual! {
+    /// What was probably meant by characters that the control does not know.
+    Meant {
+        Nothing "delete it; text for people stands in a comment between quotes: `\"comment\"`", "vymazat; text pro člověka patří do komentáře v uvozovkách: \"komentář\"";
+        Without { characters: String } "write the word without `{characters}`", "napsat slovo bez „{characters}“";
+        Comment "comments stand between quotes: `\"comment\"`", "komentář se píše do uvozovek: \"komentář\"";
+        Minus "write the plain minus of the keyboard: `-`", "napsat obyčejné minus z klávesnice: „-“";
+        Blank { code: String } "write a plain blank; this one is {code}", "napsat obyčejnou mezeru; toto je {code}";
+        LookAlike { code: String } "write it anew in plain letters and digits; this character is {code}", "napsat znovu obyčejnými písmeny a číslicemi; tento znak je {code}";
+        Expression "there are no variables `#` and no expressions; write a parameter, as in `XR10`; G26 to G29 compute", "proměnné # ani výrazy zde nejsou; napsat parametr, například „XR10“; počítají G26 až G29";
+    }
+}
+
+impl Meant {
+    /// What those characters suggest.
+    pub fn of(text: &str) -> Self {
+        let code = |character: char| format!("U+{:04X}", u32::from(character));
+        if text.contains(['−', '–', '—', '‐', '‑']) {
+            Self::Minus
+        } else if text.contains(['#', '[', ']']) {
+            Self::Expression
+        } else if let Some(blank) = text.chars().find(|character| !character.is_ascii() && character.is_whitespace()) {
+            Self::Blank { code: code(blank) }
+        } else if let Some(letter) =
+            text.chars().find(|character| character.is_alphanumeric() && *character > '\u{24f}')
+        {
+            Self::LookAlike { code: code(letter) }
+        } else {
+            Self::Nothing
+        }
+    }
+
+    /// What they suggest between an address and its number.
+    pub fn inside(text: &str) -> Self {
+        let meant = Self::of(text);
+        if meant != Self::Nothing {
+            return meant;
+        }
+        let belongs = |character: &char| character.is_ascii_digit() || " \t+-.,=".contains(*character);
+        let characters: String = text.chars().filter(|character| !belongs(character)).collect();
+        Self::Without { characters: super::shown(&characters) }
+    }
+}
+
+bilingual! {
     /// Why a word I, J or K has no use in its block (MOT-3, GRP-4, GRP-7, GRP-8).
     CenterPlace {
         ThirdInArc "an arc has its centre in I and J", "střed oblouku udávají I a J";

@@ -14,7 +14,9 @@ mod render;
 mod report;
 mod shown;
 
-pub use details::{ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, ParameterNeed, Problem};
+pub use details::{
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, Meant, ParameterNeed, Problem,
+};
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};
 pub use fix::{Fixed, apply_fixes};

@@ -5,7 +5,7 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
-use super::{ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, ParameterNeed};
+use super::{ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, Meant, ParameterNeed};
 use crate::dict::{Address, GCode, GGroup, Lang};
 
 /// How serious a finding is, unless configured.
@@ -167,11 +167,10 @@ fn nearest<T: std::fmt::Display>(candidate: Option<&T>, before: &str, after: &st
 }
 
 diagnostics! {
-    [E0101] UnknownCharacter "unknown-character" Error { text: String, parenthesis: bool }
+    [E0101] UnknownCharacter "unknown-character" Error { text: String, meant: Meant }
         en "`{text}` means nothing to the control"
-        cs "znaky „{text}“ řídicí systém nezná"
-        help (if *parenthesis { "comments stand between quotes: `\"comment\"`" } else { "delete it; text for people stands in a comment between quotes: `\"comment\"`" })
-           | (if *parenthesis { "komentář se píše do uvozovek: \"komentář\"" } else { "znaky vymazat; text pro člověka patří do komentáře v uvozovkách: \"komentář\"" })
+        cs ({ let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") })
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0102] SplitNumber "split-number" Error { joined: String }
         en "a blank stands inside a number"
         cs "mezera uvnitř čísla"
@@ -179,13 +178,12 @@ diagnostics! {
            | "napsat „{joined}“, nebo druhému číslu doplnit adresu"
         note "blanks may stand between the address and its number, never inside the number or after its sign"
            | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
-    [E0103] MissingValue "missing-value" Error { address: String }
+    [E0103] MissingValue "missing-value" Error { address: String, beyond: bool }
         en "`{address}` has no value"
         cs "adresa {address} nemá hodnotu"
-        help (if address == "R" { "write the number of the parameter: `R10`".to_owned() } else if address.starts_with('R') { format!("write its value: `{address}=0`") } else if address == "N" || address == "%" || address == "G" || address == "M" { format!("write a number right after it: `{address}1`") } else { format!("write its number on the same line: `{address}0` when zero is meant") })
-           | (if address == "R" { "doplnit číslo parametru: „R10“".to_owned() } else if address.starts_with('R') { format!("doplnit hodnotu: „{address}=0“") } else if address == "N" || address == "%" || address == "G" || address == "M" { format!("napsat hned za ni číslo: „{address}1“") } else { format!("napsat číslo na tentýž řádek; je-li míněna nula: „{address}0“") })
-        note "a line end or a comment between an address and its number leaves the address without a value"
-           | "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty"
+        help (value_wanted(address, Lang::En)) | (value_wanted(address, Lang::Cs))
+        note (if *beyond { "a line end or a comment between an address and its number leaves the address without a value" } else if address.starts_with('R') { "R is a parameter on this control, never a radius or a height; the centre of an arc is given by I and J" } else { "" })
+           | (if *beyond { "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty" } else if address.starts_with('R') { "R je v tomto systému parametr, nikdy poloměr ani výška; střed oblouku udávají I a J" } else { "" })
     [E0104] DecimalComma "decimal-comma" Error { fixed: String }
         en "a decimal comma"
         cs "desetinná čárka"
@@ -200,8 +198,7 @@ diagnostics! {
     [E0106] MalformedNumber "malformed-number" Error { text: String }
         en "`{text}` is not a number of a word"
         cs "„{text}“ není číslo slova"
-        help "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own address"
-           | "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou adresou"
+        help (number_form(text, Lang::En)) | (number_form(text, Lang::Cs))
     [E0107] LetterForDigit "letter-for-digit" Error { fixed: String }
         en "a letter stands where a digit is meant"
         cs "místo číslice je písmeno"
@@ -232,11 +229,11 @@ diagnostics! {
         en "no `%`: the control would ignore the whole file"
         cs "chybí %: systém by celý soubor přeskočil"
         help "begin the program with `%` and its number: `%1`" | "začít program znakem % a číslem: „%1“"
-    [E0202] SecondProgramStart "second-program-start" Error {}
+    [E0202] SecondProgramStart "second-program-start" Error { bare: bool }
         en "a second `%` in one file"
         cs "druhé % v jednom souboru"
-        help "one file holds one program; put the second into a file of its own, or write `%` in a comment only"
-           | "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v komentáři"
+        help (if *bare { "delete it: a program ends with M30 or M02, and the file with `*` or with nothing" } else { "one file holds one program; put the second into a file of its own, or write `%` in a comment only" })
+           | (if *bare { "vymazat ho: program končí M30 nebo M02, soubor hvězdičkou nebo ničím" } else { "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v komentáři" })
     [E0203] WordOutsideBlock "word-outside-block" Error { word: String }
         en "`{word}` stands before the first block"
         cs "slovo {word} stojí před prvním blokem"
@@ -325,7 +322,8 @@ diagnostics! {
            | (if *letter == 'O' { "čísla programů se píší s %; číslice nula je „0“" } else { "slovo vymazat, nebo napsat adresu, která byla míněna" })
     [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String }
         en "{address} takes {range}"
-        cs "{address} má rozsah {range}"
+        cs ({ let range = range.replace("/rev", "/ot"); format!("{address} má rozsah {range}") })
+        help (other_range(*address, range, Lang::En)) | (other_range(*address, range, Lang::Cs))
     [W0303] FinerThanResolution "finer-than-resolution" Warning { rounded: String }
         en "finer than the control resolves: taken as {rounded}"
         cs "jemnější, než systém rozliší: platí {rounded}"
@@ -463,8 +461,10 @@ diagnostics! {
     [E0505] MissingControlWord "missing-control-word" Error { function: GCode, missing: String }
         en "{function} needs {missing} in its block"
         cs "{function} potřebuje v bloku {missing}"
-        help "write the control word in the same block: `{missing}=oo aa bb rr` as one number of eight digits"
-           | "řídicí slovo napsat do téhož bloku: {missing}= a osm číslic oo aa bb rr bez mezer"
+        help ({ let first = missing.split(',').next().unwrap_or_default(); format!("write each control word in the same block, its eight digits oo aa bb rr together: `{first}=…`") })
+           | ({ let first = missing.split(',').next().unwrap_or_default(); format!("každé řídicí slovo napsat do téhož bloku, osm číslic oo aa bb rr bez mezer: „{first}=…“") })
+        note (if *function == GCode::G28 { "G26 to G29 compute with parameters; the reference point is approached by G30" } else { "" })
+           | (if *function == GCode::G28 { "G26 až G29 počítají s parametry; do reference se najíždí funkcí G30" } else { "" })
     [W0506] SuperfluousControlWord "superfluous-control-word" Warning { function: GCode, parameter: u8 }
         en "{function} does not use R{parameter}"
         cs "{function} R{parameter} nepoužije"
@@ -571,6 +571,95 @@ diagnostics! {
     [E0706] MachineConstant "machine-constant" Error { constant: String, problem: ConstantProblem }
         en ({ let what = problem.text(Lang::En); format!("machine constant {constant} {what}") })
         cs ({ let what = problem.text(Lang::Cs); format!("strojní konstanta {constant} {what}") })
+}
+
+/// What to write after an address without a value.
+fn value_wanted(address: &str, lang: Lang) -> String {
+    let (en, cs) = ("write its number on the same line", "napsat číslo na tentýž řádek");
+    let example = match address {
+        "L" => "100",
+        "Q" => "2",
+        "F" => "200",
+        "&" => "0010",
+        "N" | "%" | "G" | "M" | "D" | "H" | "P" => "1",
+        "R" => {
+            return match lang {
+                Lang::En => "write the number of the parameter: `R10`".to_owned(),
+                Lang::Cs => "doplnit číslo parametru: „R10“".to_owned(),
+            };
+        }
+        parameter if parameter.starts_with('R') => {
+            return match lang {
+                Lang::En => format!("write the value that the parameter shall have: `{parameter}=0`"),
+                Lang::Cs => format!("doplnit hodnotu, kterou má parametr dostat: „{parameter}=0“"),
+            };
+        }
+        _ => {
+            return match lang {
+                Lang::En => format!("{en}: `{address}0` when zero is meant"),
+                Lang::Cs => format!("{cs}; je-li míněna nula: „{address}0“"),
+            };
+        }
+    };
+    match lang {
+        Lang::En => format!("{en}, for example `{address}{example}`"),
+        Lang::Cs => format!("{cs}, například „{address}{example}“"),
+    }
+}
+
+/// What a number looks like, told to whoever wrote `text`.
+fn number_form(text: &str, lang: Lang) -> &'static str {
+    let after_digit = |pair: (char, char)| pair.0.is_ascii_digit() && matches!(pair.1, '+' | '-');
+    let dense = || text.chars().filter(|character| !matches!(character, ' ' | '\t'));
+    let sum = dense().zip(dense().skip(1)).any(after_digit);
+    let (en, cs) = if sum && text.contains(['R', 'r']) {
+        (
+            "there are no expressions; G26 to G29 compute with parameters",
+            "výrazy se psát nedají; s parametry počítají G26 až G29",
+        )
+    } else if text.contains('=') {
+        (
+            "one `=` may stand between a parameter and its value: `R10=5`; other words have none: `X45`",
+            "jedno = smí stát mezi parametrem a jeho hodnotou: „R10=5“; ostatní slova se píší bez něj: „X45“",
+        )
+    } else {
+        (
+            "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own \
+             address",
+            "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou \
+             adresou",
+        )
+    };
+    match lang {
+        Lang::En => en,
+        Lang::Cs => cs,
+    }
+}
+
+/// What was probably meant by a value that the address does not take.
+fn other_range(address: Address, range: &str, lang: Lang) -> &'static str {
+    let (en, cs) = if address == Address::P {
+        (
+            "P is an auxiliary function here; a call takes `L`, the dwell of G04 is `Q`",
+            "P je zde pomocná funkce; volání má „L“, prodlevu G04 udává „Q“",
+        )
+    } else if address == Address::F && range.ends_with("/rev") {
+        (
+            "under G95 and G97 the feed is in mm per revolution: a quarter of a millimetre is `F0.25`",
+            "při G95 a G97 je posuv v mm na otáčku: čtvrt milimetru je „F0.25“",
+        )
+    } else if address == Address::F && range.ends_with("/min") {
+        (
+            "under G94 and G96 the feed is in mm per minute; G95 takes it per revolution",
+            "při G94 a G96 je posuv v mm za minutu; na otáčku se zadává při G95",
+        )
+    } else {
+        ("", "")
+    };
+    match lang {
+        Lang::En => en,
+        Lang::Cs => cs,
+    }
 }
 
 /// What a G number of other controls is called here, as far as it can be told.

@@ -91,6 +91,10 @@ fn call_subprogram(
     if let (Some(id), false) = (resolved.subprogram(l), from_macrocycle) {
         return Some(Target::Unit(id));
     }
+    if !from_macrocycle && resolved.units.iter().any(|unit| unit.kind == UnitKind::Subprogram(None)) {
+        // It may be the one whose L is missing or malformed: that has its finding.
+        return None;
+    }
     let finding = Finding::UnknownSubprogram {
         l,
         near: resolved.nearest_subprogram(l),

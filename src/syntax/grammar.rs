@@ -24,10 +24,11 @@ pub(super) enum Item {
     Assignment { target: Token, sign: Option<Token>, number: Token, pieces: Vec<Token> },
     /// An address with a sign, blanks, and a number.
     SplitSign { address: Token, number: Token, pieces: Vec<Token> },
-    /// An address with `=` and a number.
+    /// An address with `=` and a number, or a parameter with several `=`.
     ForeignAssignment { address: Token, number: Token },
-    /// An address or R word without a value; a number that stands beyond a line end or comment was meant for it.
-    Valueless { address: Token, end: Token, comments: Vec<Token> },
+    /// An address or R word without a value; a number beyond a line end or comments (then they are `Some`) was meant
+    /// for it.
+    Valueless { address: Token, end: Token, comments: Option<Vec<Token>> },
     /// `/`
     Skip(Token),
     /// A comment.
@@ -36,7 +37,9 @@ pub(super) enum Item {
     LineEnd,
     /// Numbers, signs or `=` that belong to nothing.
     Stray { first: Token, last: Token },
-    /// Characters or text that mean nothing.
+    /// Text that is no comment, with the numbers in it.
+    Text { first: Token, last: Token },
+    /// Characters that mean nothing.
     Debris(Token),
 }
 
@@ -56,8 +59,8 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .collect::<Vec<Token>>()
         .then_ignore(number)
         .or_not()
-        .map(|comments: Option<Vec<Token>>| {
-            comments.unwrap_or_default().into_iter().filter(|token| token.kind == Kind::Comment).collect()
+        .map(|tokens: Option<Vec<Token>>| {
+            tokens.map(|tokens| tokens.into_iter().filter(|token| token.kind == Kind::Comment).collect::<Vec<_>>())
         });
 
     let word = any()
@@ -98,6 +101,10 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .then_ignore(one(Kind::Equals))
         .then(number)
         .map(|(address, number)| Item::ForeignAssignment { address, number });
+    let double = parameter
+        .then_ignore(one(Kind::Equals).repeated().at_least(2))
+        .then(number)
+        .map(|(address, number)| Item::ForeignAssignment { address, number });
     let valueless = address
         .or(one(Kind::BareR))
         .map(|address| (address, address))
@@ -114,6 +121,13 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .foldl(stray_token.repeated(), |(first, _), last| (first, last))
         .map(|(first, last)| Item::Stray { first, last });
 
+    let text_token = any()
+        .filter(|token: &Token| matches!(token.kind, Kind::Text | Kind::Number | Kind::LooseNumber | Kind::Unknown));
+    let text = one(Kind::Text)
+        .map(|token| (token, token))
+        .foldl(text_token.repeated(), |(first, _), last| (first, last))
+        .map(|(first, last)| Item::Text { first, last });
+
     let item = choice((
         word,
         one(Kind::LineEnd).to(Item::LineEnd),
@@ -124,9 +138,11 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         parametric,
         split_sign,
         foreign,
+        double,
         valueless,
         one(Kind::Skip).map(Item::Skip),
         stray,
+        text,
         any().map(Item::Debris),
     ));
     // A fold, because a bare `repeated()` would not make the items at all.

@@ -3,7 +3,7 @@
 use super::grammar::Item;
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word};
-use crate::diag::{Diagnostic, Finding, Findings, FixTitle, shown};
+use crate::diag::{Diagnostic, Finding, Findings, FixTitle, Meant, shown};
 use crate::dict::{Address, GCode, PROGRAM_ENDS};
 use crate::text::{FileId, Location, Span};
 
@@ -57,9 +57,10 @@ impl<'t> Lowering<'t> {
             Item::Valueless { address, end, comments } => {
                 let name = self.slice(address.span()).to_ascii_uppercase();
                 let name: String =
-                    name.chars().filter(|character| !matches!(character, ' ' | '\t' | '+' | '-')).collect();
-                self.void_word(address, address.span().to(end.span()), |_| Finding::MissingValue { address: name });
-                for comment in comments {
+                    name.chars().filter(|character| !matches!(character, ' ' | '\t' | '+' | '-' | '.' | ',')).collect();
+                let finding = Finding::MissingValue { address: name, beyond: comments.is_some() };
+                self.void_word(address, address.span().to(end.span()), |_| finding);
+                for comment in comments.unwrap_or_default() {
                     self.comment(comment);
                 }
             }
@@ -74,15 +75,26 @@ impl<'t> Lowering<'t> {
                 let text = shown(self.slice(span));
                 self.debris(span, Finding::MalformedNumber { text });
             }
-            Item::Debris(token) => {
-                let text = self.slice(token.span());
-                let finding = if token.kind == Kind::Text && text.is_ascii() {
+            Item::Text { first, last } => {
+                let span = first.span().to(last.span());
+                let text = self.slice(span);
+                let finding = if text.is_ascii() {
                     Finding::StrayText { text: shown(text) }
                 } else {
-                    let parenthesis = token.kind == Kind::ForeignComment;
-                    Finding::UnknownCharacter { text: shown(text), parenthesis }
+                    Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment }
                 };
-                self.debris(token.span(), finding);
+                self.debris(span, finding);
+            }
+            Item::Debris(token) if token.kind == Kind::GarbledWord => {
+                let text = self.slice(token.span());
+                let meant = Meant::inside(text.get(1..).unwrap_or_default());
+                self.void_word(token, token.span(), |text| Finding::UnknownCharacter { text, meant });
+            }
+            Item::Debris(token) => {
+                let text = self.slice(token.span());
+                let foreign = token.kind == Kind::ForeignComment;
+                let meant = if foreign { Meant::Comment } else { Meant::of(text) };
+                self.debris(token.span(), Finding::UnknownCharacter { text: shown(text), meant });
             }
         }
     }
@@ -228,7 +240,7 @@ impl<'t> Lowering<'t> {
                 Finding::MalformedNumber { text: shown(self.slice(span)) }
             }
             None if joined.len() > 2 => Finding::MalformedNumber { text: shown(self.slice(span)) },
-            None => Finding::MissingValue { address: prefix.trim_end_matches('=').to_owned() },
+            None => Finding::MissingValue { address: prefix.trim_end_matches('=').to_owned(), beyond: false },
         };
         let mended = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
@@ -292,7 +304,7 @@ impl<'t> Lowering<'t> {
         let sign = (token.kind == Kind::SignedLetter).then(|| self.byte(token.end - 1));
         let gap = sign.is_some() && token.end != parameter.start;
         if !faulty && (gap || !pieces.is_empty()) {
-            self.split_parameter(span, gap && pieces.is_empty(), Span::new(token.end, parameter.start));
+            self.split_parameter(span, pieces, gap && pieces.is_empty(), Span::new(token.end, parameter.start));
             faulty = true;
         }
         let word = Word::with_parameter(address, span, source, sign);
@@ -300,7 +312,11 @@ impl<'t> Lowering<'t> {
     }
 
     /// A blank after the sign of a parameter, or a number after a parameter that stands for one.
-    fn split_parameter(&mut self, span: Span, gap: bool, blanks: Span) {
+    fn split_parameter(&mut self, span: Span, pieces: &[Token], gap: bool, blanks: Span) {
+        if pieces.iter().any(|piece| matches!(self.byte(piece.start), b'+' | b'-')) {
+            self.report(span, Finding::MalformedNumber { text: shown(self.slice(span)) });
+            return;
+        }
         let joined: String = self.slice(span).chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
         let mut diagnostic = Diagnostic::new(Finding::SplitNumber { joined: joined.clone() }, self.at(span));
         if gap {
@@ -321,7 +337,7 @@ impl<'t> Lowering<'t> {
         let gap = sign.is_some_and(|sign| sign.end != source.start);
         if !faulty && (gap || !pieces.is_empty()) {
             let blanks = Span::new(sign.map_or(source.start, |sign| sign.end), source.start);
-            self.split_parameter(span, gap && pieces.is_empty(), blanks);
+            self.split_parameter(span, pieces, gap && pieces.is_empty(), blanks);
             faulty = true;
         }
         let sign = sign.map(|sign| self.byte(sign.start));

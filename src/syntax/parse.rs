@@ -173,7 +173,10 @@ impl<'t> Reader<'t> {
                 self.end = Some(token.end);
                 break;
             }
-            let with_address = matches!(token.kind, Kind::Word | Kind::LooseWord | Kind::Letter | Kind::SignedLetter);
+            let with_address = matches!(
+                token.kind,
+                Kind::Word | Kind::LooseWord | Kind::Letter | Kind::SignedLetter | Kind::GarbledWord
+            );
             match bytes.get(token.start as usize).filter(|_| with_address) {
                 Some(b'N' | b'n') => {
                     if batch.len() >= BATCH {
@@ -201,7 +204,9 @@ impl<'t> Reader<'t> {
 
     fn second_program_start(&mut self, token: Token) {
         let place = Location { file: self.lowering.file, span: token.span() };
-        self.lowering.findings.add(Diagnostic::new(Finding::SecondProgramStart {}, place));
+        self.lowering
+            .findings
+            .add(Diagnostic::new(Finding::SecondProgramStart { bare: token.kind == Kind::Letter }, place));
     }
 
     /// Parses the blocks of a batch: each begins at a cut. What stands before the first cut of the file is its header.

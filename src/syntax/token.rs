@@ -56,14 +56,21 @@ pub enum Kind {
     /// A comment whose border is a typographic quote (LEX-12).
     #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", priority = 40)]
     TypographicComment,
+    /// A word with characters in it that the control does not know: `X#1`, `X−5`, `X[R1+5]`.
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„();'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„();'`\[\]]+|[ \t]*\[[^\]"\r\n]*\])"#, priority = 15)]
+    GarbledWord,
     /// A comment as other controls write it.
-    #[regex(r"\([^)\r\n]*\)|;[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž][^\r\n]*", priority = 40, allow_greedy = true)]
+    #[regex(
+        r"\([^)\r\n]*\)|'[^'\r\n]*'|`[^`\r\n]*`|;[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž][^\r\n]*",
+        priority = 40,
+        allow_greedy = true
+    )]
     ForeignComment,
     /// Three letters or more in a row.
     #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž][A-Za-zÀ-ž]+", priority = 8)]
     Text,
     /// Characters that the control does not know.
-    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„]+", priority = 2)]
+    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„]+([+\\-.,]*[0-9]+)*", priority = 2)]
     Unknown,
 }
 
