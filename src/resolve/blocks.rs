@@ -456,7 +456,7 @@ impl BlockChecker<'_> {
         let place = self.file.word_place(skip);
         let finding = Finding::SkipBeforeBlockNumber { block: self.file.shown_number(block) };
         let mut diagnostic = Diagnostic::new(finding, place);
-        if let Some(next) = next {
+        if let Some(next) = next.filter(|_| self.takes_skip(block.next(), line)) {
             let text = source.slice(place.span);
             let behind = Span::empty(next.span(source.text()).end);
             diagnostic = diagnostic.with_fix(
@@ -474,6 +474,30 @@ impl BlockChecker<'_> {
             }
         }
         self.findings.add(diagnostic);
+    }
+
+    /// Whether a `/` can move into the block, which is on that line: the block has none, or one that moves on itself, and
+    /// the `/` will not stand before the next `N` again.
+    fn takes_skip(&self, mut block: BlockId, line: Span) -> bool {
+        /// Blocks looked at: more in one line are no program.
+        const MOST: usize = 16;
+        for _ in 0..MOST {
+            let words = self.file.words(block);
+            let followed = self.file.n_word(block.next()).is_some_and(|next| next.start() < line.end);
+            let is_skip = |word: &Word| word.address == Address::Skip;
+            let Some((last, others)) = words.split_last() else { return !followed };
+            if others.iter().any(is_skip) {
+                return false;
+            }
+            if !is_skip(last) {
+                return true;
+            }
+            if !followed || others.is_empty() {
+                return false;
+            }
+            block = block.next();
+        }
+        true
     }
 
     /// M02 and M30 in a subprogram or macrocycle (PRG-5).

@@ -201,6 +201,19 @@ mod tests {
         assert_eq!(kinds("R10-5"), [(Kind::Parameter, "R10"), (Kind::Number, "-5")]);
     }
 
+    /// LEX-13: the stack does not grow with a token; builds without optimisation have no tail calls.
+    #[test]
+    fn long_tokens() {
+        let length = 1 << 20;
+        for (text, kind) in [("€", Kind::Unknown), ("Á", Kind::Text), ("1", Kind::Number), ("+", Kind::LooseNumber)]
+        {
+            let text = text.repeat(length);
+            assert_eq!(kinds(&text), [(kind, text.as_str())]);
+        }
+        let comment = format!("\"{}\"", "é".repeat(length));
+        assert_eq!(kinds(&comment), [(Kind::Comment, comment.as_str())]);
+    }
+
     #[test]
     fn text_and_comments() {
         assert_eq!(kinds("KONTURA X5"), [(Kind::Text, "KONTURA"), (Kind::Word, "X5")]);

@@ -72,6 +72,25 @@ fn a_folder_is_fixed_with_its_macrocycles() {
     assert_eq!(place.read("L5"), b"N1 G79 L5\nN2 G0 G90 X1\nN3 G70\n");
 }
 
+/// BLK-6: a `/` moves once, and only to a block that takes it.
+#[test]
+fn skips_move_once() {
+    let cases: [(&[u8], &[u8]); 5] = [
+        (b"N1 X1 / N2 X2 / N3 X3\n", b"N1 X1 N2 / X2 N3 / X3\n"),
+        (b"N1 X1 / N2 X2 / N3 X3 /\n", b"N1 X1 / N2 X2 / N3 X3 /\n"),
+        (b"N1 X1 / N2 / X2\n", b"N1 X1 / N2 / X2\n"),
+        (b"N1 X1 / N2 N3 X3\n", b"N1 X1 / N2 N3 X3\n"),
+        (b"N1 X1 //// N2 X2\n", b"N1 X1 ///N2 / X2\n"),
+    ];
+    for (before, after) in cases {
+        let [before, after] = [before, after].map(|text| [b"%1\n".as_slice(), text, b"N9 M30\n"].concat());
+        let place = Place::with(&[("a.nc", &before)]);
+        place.run(&["check", "--fix", "a.nc"]);
+        let shown = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+        assert_eq!(shown(place.read("a.nc")), shown(after));
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn permissions_and_links_are_kept_and_a_read_only_file_stays() {
