@@ -27,7 +27,7 @@ bilingual! {
     /// What a fix does.
     FixTitle {
         Write { text: String } "write `{text}`", "napsat „{text}“";
-        PlainQuote "write the plain quote `\"`", "napsat obyčejné uvozovky „\"“";
+        PlainQuote "write the plain quote `\"`", "napsat obyčejné uvozovky \"";
         UpperCase "write addresses in upper case", "psát adresy velkými písmeny";
         MoveSkip { block: u32 } "move `/` behind N{block}", "přesunout „/“ za N{block}";
     }
