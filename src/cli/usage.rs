@@ -4,13 +4,13 @@
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::words::error_prefix;
-use crate::diag::shown_path_list;
+use crate::diag::terminal_safe;
 use crate::dict::Lang;
 
 /// What clap found wrong, for stderr, with the usage of the command.
 pub(super) fn message(error: &clap::Error, lang: Lang, colors: bool) -> String {
     let (on, off) = if colors { ("\u{1b}[1;31m", "\u{1b}[0m") } else { ("", "") };
-    let mut text = format!("{on}{}:{off} {}\n", error_prefix(lang), shown_path_list(&what(error, lang)));
+    let mut text = format!("{on}{}:{off} {}\n", error_prefix(lang), terminal_safe(&what(error, lang)));
     let (tip, usage, more) = match lang {
         Lang::En => ("perhaps this is meant", "Usage", "Help: --help"),
         Lang::Cs => ("možná mělo být", "Použití", "Nápověda: --help"),
@@ -22,7 +22,7 @@ pub(super) fn message(error: &clap::Error, lang: Lang, colors: bool) -> String {
             _ => context(error, kind),
         };
         if !near.is_empty() {
-            text.push_str(&format!("  {tip}: {}\n", shown_path_list(&near)));
+            text.push_str(&format!("  {tip}: {}\n", terminal_safe(&near)));
         }
     }
     let line = context(error, ContextKind::Usage);

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::diag::{Problem, shown_path_list};
+use crate::diag::{Problem, terminal_safe};
 use crate::dict::{Bilingual, Lang, bilingual};
 
 bilingual! {
@@ -80,7 +80,7 @@ bilingual! {
 impl Words {
     /// The text in `lang`, with no character that a terminal might act on.
     pub fn shown(&self, lang: Lang) -> String {
-        shown_path_list(&self.text(lang))
+        terminal_safe(&self.text(lang)).into_owned()
     }
 }
 

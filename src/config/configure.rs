@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use super::project::Project;
 use super::reader::Setting;
 use super::{Axes, MFunctions, Machine, Overrides, Settings, channel, constants};
-use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, shown_path_list};
+use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::Dialect;
 use crate::text::{Encoding, FileId, Loader, Location, SourceText, Sources, Span};
 
@@ -199,7 +199,7 @@ impl Files<'_> {
 
 /// Why the file of that name cannot be read.
 fn unread(name: &str, error: &io::Error) -> ConfigProblem {
-    let name = shown_path_list(name);
+    let name = terminal_safe(name).into_owned();
     let kind = error.kind();
     if matches!(kind, ErrorKind::NotFound | ErrorKind::NotADirectory) {
         ConfigProblem::NotFound { name }
@@ -208,7 +208,7 @@ fn unread(name: &str, error: &io::Error) -> ConfigProblem {
     } else if kind == ErrorKind::IsADirectory {
         ConfigProblem::Directory { name }
     } else {
-        ConfigProblem::File { problem: format!("{name}: {}", shown_path_list(&error.to_string())) }
+        ConfigProblem::File { problem: format!("{name}: {}", terminal_safe(&error.to_string())) }
     }
 }
 

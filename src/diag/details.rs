@@ -99,7 +99,6 @@ bilingual! {
 bilingual! {
     /// Why a configuration file cannot be read at all.
     ConfigProblem {
-        Malformed { what: String } "{what}", "{what}";
         File { problem: String } "{problem}", "{problem}";
         TooDeep "its elements are nested too deeply", "elementy jsou do sebe vnořeny příliš hluboko";
         NotFound { name: String } "there is no file `{name}`", "soubor {name} neexistuje";

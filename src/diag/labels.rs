@@ -6,19 +6,13 @@ bilingual! {
     /// What a secondary place shows.
     LabelText {
         First "the first one is here", "první je zde";
-        FirstProgramStart "the program begins here", "program začíná zde";
         ParameterValue { parameter: u8, value: String } "R{parameter} got the value {value} here", "zde dostal R{parameter} hodnotu {value}";
         ParameterGiven { parameter: u8, value: String } "R{parameter} is {value} by the configuration or the command line", "R{parameter} má hodnotu {value} z konfigurace nebo z příkazového řádku";
         AssignedHere { parameter: u8 } "R{parameter} is assigned here", "zde se do R{parameter} přiřazuje";
-        NeedsIt { function: String } "{function} needs it", "vyžaduje to {function}";
         InForce { function: String } "{function} is in force", "platí {function}";
         BlockHere { block: u32 } "block N{block} is here", "blok N{block} je zde";
-        ProgramEnd "the program ends here", "zde program končí";
         UnitBegins { l: u32 } "L{l} begins here", "L{l} začíná zde";
         MacrocycleFile { name: String } "one of them: {name}", "jeden z nich: {name}";
-        ClosesRing { unit: String } "this calls {unit}", "zde se volá {unit}";
-        Repeats { count: u32 } "this repeats {count} times", "toto se opakuje {count}×";
-        GivesLetter { address: String } "for {address}", "pro {address}";
         GearHere { m: u8 } "M{m} is programmed here", "zde je programováno M{m}";
     }
 }

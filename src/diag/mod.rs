@@ -25,4 +25,4 @@ pub use registry::{Code, Finding, Severity};
 pub use render::{Format, render, schema};
 pub use report::{Report, Reported};
 pub(crate) use shown::is_unsafe;
-pub use shown::{one_of, shown, shown_path_list, terminal_safe};
+pub use shown::{shown, terminal_safe};

@@ -393,7 +393,7 @@ diagnostics! {
         cs "makrocyklus L{l} na cestě hledání není"
         help (if *subprogram { format!("L{l} is a subprogram of this file: call it with `G71 L{l}`") } else { "name its folder with `-L` or under `macrocycles` in cnc872c.toml".to_owned() })
            | (if *subprogram { format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“") } else { "uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml".to_owned() })
-        note ({ let searched = crate::diag::shown_path_list(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::shown_path_list(searched); format!("hledalo se v: {searched}") })
+        note ({ let searched = crate::diag::terminal_safe(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::terminal_safe(searched); format!("hledalo se v: {searched}") })
     [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32> }
         en "there is no block N{l} to jump to"
         cs "blok N{l}, na který se má skočit, neexistuje"

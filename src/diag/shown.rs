@@ -48,20 +48,6 @@ pub fn shown(text: &str) -> String {
     result
 }
 
-/// A list of paths for a message: as [`shown`], but not shortened.
-pub fn shown_path_list(paths: &str) -> String {
-    terminal_safe(paths).into_owned()
-}
-
-/// A list as in prose: `a, b or c` with the given last joint.
-pub fn one_of(items: &[String], joint: &str) -> String {
-    match items {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} {joint} {last}", first.join(", ")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
