@@ -1,8 +1,8 @@
 //! What the server says it can do.
 
 use gen_lsp_types::{
-    DiagnosticOptions, DiagnosticProvider, HoverProvider, PositionEncodingKind, ServerCapabilities, TextDocumentSync,
-    TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
+    CodeLensOptions, DiagnosticOptions, DiagnosticProvider, HoverProvider, PositionEncodingKind, ServerCapabilities,
+    TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
 };
 use serde_json::{Value, json};
 
@@ -24,6 +24,8 @@ pub(super) fn capabilities(client: &Client) -> Value {
             save: Some(true.into()),
             ..TextDocumentSyncOptions::default()
         })),
+        code_lens_provider: Some(CodeLensOptions::default()),
+        inlay_hint_provider: Some(true.into()),
         hover_provider: Some(HoverProvider::Bool(true)),
         diagnostic_provider: Some(DiagnosticProvider::DiagnosticOptions(DiagnosticOptions {
             identifier: Some("cnc872c".to_owned()),

@@ -10,7 +10,7 @@ use super::analysis::{Analysis, Found};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
-use super::{explain, hover};
+use super::{code_lens, explain, hover, inlay_hints};
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
 #[derive(Clone, Debug)]
@@ -74,6 +74,8 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
         "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Analysis, hover::hover),
+        "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Analysis, code_lens::code_lens),
+        "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Analysis, inlay_hints::inlay_hint),
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
         }
