@@ -10,7 +10,7 @@ use super::analysis::{Analysis, Found};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
-use super::{explain, hover};
+use super::{completion, explain, hover, on_type};
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
 #[derive(Clone, Debug)]
@@ -74,6 +74,10 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
         "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Analysis, hover::hover),
+        "textDocument/completion" => document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
+        "textDocument/onTypeFormatting" => {
+            document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
+        }
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
         }
