@@ -56,6 +56,10 @@ impl Loader for DiskLoader {
         read_bounded(open(path)?, data.len())
     }
 
+    fn size(&self, path: &Path) -> Option<u64> {
+        fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|data| data.len())
+    }
+
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         let entries = entries(folder).unwrap_or_default();
         entries.into_iter().filter(|entry| !entry.is_folder()).map(|entry| entry.path).collect()

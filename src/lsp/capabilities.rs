@@ -1,12 +1,14 @@
 //! What the server says it can do.
 
 use gen_lsp_types::{
-    CodeLensOptions, DiagnosticOptions, DiagnosticProvider, HoverProvider, PositionEncodingKind, ServerCapabilities,
-    TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
+    CodeLensOptions, CompletionOptions, DiagnosticOptions, DiagnosticProvider, DocumentOnTypeFormattingOptions,
+    HoverProvider, PositionEncodingKind, ServerCapabilities, TextDocumentSync, TextDocumentSyncKind,
+    TextDocumentSyncOptions, WorkDoneProgressOptions,
 };
 use serde_json::{Value, json};
 
 use super::client::Client;
+use super::completion::TRIGGERS;
 use super::findings::SCHEME;
 use crate::text::ColumnUnit;
 
@@ -26,6 +28,14 @@ pub(super) fn capabilities(client: &Client) -> Value {
         })),
         code_lens_provider: Some(CodeLensOptions::default()),
         inlay_hint_provider: Some(true.into()),
+        completion_provider: Some(CompletionOptions {
+            trigger_characters: Some(TRIGGERS.map(str::to_owned).to_vec()),
+            ..CompletionOptions::default()
+        }),
+        document_on_type_formatting_provider: Some(DocumentOnTypeFormattingOptions {
+            first_trigger_character: "\n".to_owned(),
+            more_trigger_character: None,
+        }),
         hover_provider: Some(HoverProvider::Bool(true)),
         diagnostic_provider: Some(DiagnosticProvider::DiagnosticOptions(DiagnosticOptions {
             identifier: Some("cnc872c".to_owned()),

@@ -94,6 +94,13 @@ impl Loader for EditorFiles {
         }
     }
 
+    fn size(&self, path: &Path) -> Option<u64> {
+        match self.buffer(path) {
+            Some(document) => Some(u64::from(document.source.len())),
+            None => self.disk.size(path),
+        }
+    }
+
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         let mut files = self.disk.list(folder);
         let canonical = self.disk.canonical(folder);

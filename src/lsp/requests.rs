@@ -10,7 +10,7 @@ use super::analysis::{Analysis, Found};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
-use super::{code_lens, explain, hover, inlay_hints};
+use super::{code_lens, completion, explain, hover, inlay_hints, on_type};
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
 #[derive(Clone, Debug)]
@@ -76,6 +76,10 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
         "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Analysis, hover::hover),
         "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Analysis, code_lens::code_lens),
         "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Analysis, inlay_hints::inlay_hint),
+        "textDocument/completion" => document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
+        "textDocument/onTypeFormatting" => {
+            document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
+        }
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
         }

@@ -12,6 +12,7 @@ mod rings;
 mod structure;
 mod window;
 
+pub use blocks::{g_code, m_number};
 pub use flow::macrocycle_finding;
 pub use forms::{FormFault, check_form, feed_range};
 pub use library::{Library, MacrocycleFault};

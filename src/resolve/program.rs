@@ -131,6 +131,11 @@ impl Resolved {
             .map(|found| found.1)
     }
 
+    /// All calls and jumps of a file that are written with digits and lead somewhere, by block.
+    pub fn targets(&self, file: FileIndex) -> impl Iterator<Item = (BlockId, Target)> + '_ {
+        self.files.get(file.0 as usize).into_iter().flat_map(|file| file.targets.iter().copied())
+    }
+
     /// The first block of a file with that number.
     pub fn numbered(&self, file: FileIndex, number: u32) -> Option<BlockId> {
         self.files.get(file.0 as usize)?.numbered.get(&number).copied()

@@ -26,6 +26,11 @@ pub trait Loader: Sync {
         Ok(Arc::new(source))
     }
 
+    /// How many bytes a file has; `None` when it cannot be read.
+    fn size(&self, path: &Path) -> Option<u64> {
+        self.read(path).ok().map(|bytes| bytes.len() as u64)
+    }
+
     /// The files of a folder (not of folders in it), sorted; none when the folder cannot be read.
     fn list(&self, folder: &Path) -> Vec<PathBuf>;
 

@@ -1,6 +1,7 @@
 //! The language server as clients meet it: the real program, over standard input and output.
 
 mod client;
+mod completion;
 mod life;
 mod scenario;
 mod typing;
