@@ -11,6 +11,7 @@ mod program;
 mod rings;
 mod structure;
 
+pub use blocks::g_code;
 pub use flow::macrocycle_finding;
 pub use forms::{FormFault, check_form, feed_range};
 pub use library::{Library, MacrocycleFault};
