@@ -1,15 +1,19 @@
 //! What the server says it can do.
 
 use gen_lsp_types::{
-    CodeLensOptions, CompletionOptions, DiagnosticOptions, DiagnosticProvider, DocumentOnTypeFormattingOptions,
-    HoverProvider, PositionEncodingKind, ServerCapabilities, TextDocumentSync, TextDocumentSyncKind,
-    TextDocumentSyncOptions, WorkDoneProgressOptions,
+    CodeActionKind, CodeActionOptions, CodeActionProvider, CodeLensOptions, CompletionOptions, DiagnosticOptions,
+    DiagnosticProvider, DocumentOnTypeFormattingOptions, ExecuteCommandOptions, HoverProvider, PositionEncodingKind,
+    SemanticTokensProvider, ServerCapabilities, TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions,
+    WorkDoneProgressOptions,
 };
 use serde_json::{Value, json};
 
 use super::client::Client;
+use super::code_actions::{FIX_ALL, RENUMBER};
+use super::commands::STREAM;
 use super::completion::TRIGGERS;
 use super::findings::SCHEME;
+use super::semantic_tokens;
 use crate::text::ColumnUnit;
 
 /// The capabilities for that client.
@@ -37,6 +41,24 @@ pub(super) fn capabilities(client: &Client) -> Value {
             more_trigger_character: None,
         }),
         hover_provider: Some(HoverProvider::Bool(true)),
+        document_symbol_provider: Some(true.into()),
+        workspace_symbol_provider: Some(true.into()),
+        folding_range_provider: Some(true.into()),
+        selection_range_provider: Some(true.into()),
+        code_action_provider: Some(CodeActionProvider::CodeActionOptions(CodeActionOptions {
+            code_action_kinds: Some(vec![
+                CodeActionKind::QuickFix,
+                CodeActionKind::Custom(FIX_ALL.into()),
+                CodeActionKind::Custom(RENUMBER.into()),
+            ]),
+            resolve_provider: Some(true),
+            ..CodeActionOptions::default()
+        })),
+        semantic_tokens_provider: Some(SemanticTokensProvider::SemanticTokensOptions(semantic_tokens::options())),
+        execute_command_provider: Some(ExecuteCommandOptions {
+            commands: vec![STREAM.to_owned()],
+            ..ExecuteCommandOptions::default()
+        }),
         diagnostic_provider: Some(DiagnosticProvider::DiagnosticOptions(DiagnosticOptions {
             identifier: Some("cnc872c".to_owned()),
             inter_file_dependencies: true,

@@ -113,6 +113,20 @@ impl Loader for EditorFiles {
         files
     }
 
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        self.disk.folders(folder)
+    }
+
+    fn head(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>> {
+        match self.buffer(path) {
+            Some(document) => {
+                let bytes = document.source.text().as_bytes();
+                Ok(bytes.get(..limit).unwrap_or(bytes).to_vec())
+            }
+            None => self.disk.head(path, limit),
+        }
+    }
+
     fn canonical(&self, path: &Path) -> PathBuf {
         self.disk.canonical(path)
     }

@@ -10,7 +10,10 @@ use super::analysis::{Analysis, Found};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
-use super::{code_lens, completion, explain, hover, inlay_hints, on_type};
+use super::{
+    code_actions, code_lens, commands, completion, explain, folding, hover, inlay_hints, on_type, outline, selection,
+    semantic_tokens, workspace_symbols,
+};
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
 #[derive(Clone, Debug)]
@@ -80,6 +83,25 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
         "textDocument/onTypeFormatting" => {
             document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
         }
+        "textDocument/documentSymbol" => {
+            document::<lsp::DocumentSymbolRequest>(Needs::Analysis, outline::document_symbol)
+        }
+        "textDocument/foldingRange" => document::<lsp::FoldingRangeRequest>(Needs::Analysis, folding::folding_range),
+        "textDocument/selectionRange" => {
+            document::<lsp::SelectionRangeRequest>(Needs::Analysis, selection::selection_range)
+        }
+        "textDocument/codeAction" => document::<lsp::CodeActionRequest>(Needs::Findings, code_actions::code_action),
+        "codeAction/resolve" => document::<lsp::CodeActionResolveRequest>(Needs::Analysis, code_actions::resolve),
+        "textDocument/semanticTokens/full" => {
+            document::<lsp::SemanticTokensRequest>(Needs::Analysis, semantic_tokens::full)
+        }
+        "textDocument/semanticTokens/range" => {
+            document::<lsp::SemanticTokensRangeRequest>(Needs::Analysis, semantic_tokens::range)
+        }
+        "workspace/symbol" => {
+            workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
+        }
+        "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
         }

@@ -321,7 +321,9 @@ impl Server {
             self.start(waiting, None);
             return;
         }
-        let uri = ["/textDocument/uri", "/item/uri"].into_iter().find_map(|at| waiting.params.pointer(at)?.as_str());
+        let uri = ["/textDocument/uri", "/item/uri", "/data/uri"]
+            .into_iter()
+            .find_map(|at| waiting.params.pointer(at)?.as_str());
         let path = uri.and_then(|uri| gen_lsp_types::Uri::parse(uri).ok()).map(|uri| self.files.path_of(&uri));
         match path.filter(|path| self.roots.contains_key(path)) {
             Some(path) => {

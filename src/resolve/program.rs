@@ -131,9 +131,9 @@ impl Resolved {
             .map(|found| found.1)
     }
 
-    /// All calls and jumps of a file that are written with digits and lead somewhere, by block.
-    pub fn targets(&self, file: FileIndex) -> impl Iterator<Item = (BlockId, Target)> + '_ {
-        self.files.get(file.0 as usize).into_iter().flat_map(|file| file.targets.iter().copied())
+    /// The calls and jumps of a file that are written with digits, by block, and where they lead.
+    pub fn targets(&self, file: FileIndex) -> &[(BlockId, Target)] {
+        self.files.get(file.0 as usize).map_or(&[], |file| &file.targets)
     }
 
     /// The first block of a file with that number.

@@ -63,7 +63,7 @@ impl Offer<'_, '_, '_, '_> {
         let Source { analysis, lang, .. } = *self.source;
         let own = self.context.block.and_then(|block| unit_of(analysis, block)).map(|(id, _)| id);
         let mut calls: BTreeMap<u32, usize> = BTreeMap::new();
-        for (_, target) in analysis.resolved.targets(DOCUMENT) {
+        for (_, target) in analysis.resolved.targets(DOCUMENT).iter().copied() {
             if let Target::Unit(unit) = target {
                 *calls.entry(unit.0).or_default() += 1;
             }
