@@ -1,8 +1,10 @@
 //! What the server says it can do.
 
 use gen_lsp_types::{
-    DiagnosticOptions, DiagnosticProvider, HoverProvider, PositionEncodingKind, ServerCapabilities, TextDocumentSync,
-    TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
+    CallHierarchyProvider, DeclarationProvider, DefinitionProvider, DiagnosticOptions, DiagnosticProvider,
+    DocumentHighlightProvider, DocumentLinkOptions, HoverProvider, PositionEncodingKind, ReferencesProvider,
+    RenameOptions, RenameProvider, ServerCapabilities, TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions,
+    WorkDoneProgressOptions,
 };
 use serde_json::{Value, json};
 
@@ -25,6 +27,20 @@ pub(super) fn capabilities(client: &Client) -> Value {
             ..TextDocumentSyncOptions::default()
         })),
         hover_provider: Some(HoverProvider::Bool(true)),
+        definition_provider: Some(DefinitionProvider::Bool(true)),
+        declaration_provider: Some(DeclarationProvider::Bool(true)),
+        references_provider: Some(ReferencesProvider::Bool(true)),
+        document_highlight_provider: Some(DocumentHighlightProvider::Bool(true)),
+        rename_provider: Some(if client.has("/textDocument/rename/prepareSupport") {
+            RenameProvider::RenameOptions(RenameOptions {
+                prepare_provider: Some(true),
+                work_done_progress_options: WorkDoneProgressOptions::default(),
+            })
+        } else {
+            RenameProvider::Bool(true)
+        }),
+        call_hierarchy_provider: Some(CallHierarchyProvider::Bool(true)),
+        document_link_provider: Some(DocumentLinkOptions::default()),
         diagnostic_provider: Some(DiagnosticProvider::DiagnosticOptions(DiagnosticOptions {
             identifier: Some("cnc872c".to_owned()),
             inter_file_dependencies: true,

@@ -10,7 +10,7 @@ use super::analysis::{Analysis, Found};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
-use super::{explain, hover};
+use super::{definition, explain, hierarchy, hover, links, references, rename};
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
 #[derive(Clone, Debug)]
@@ -74,6 +74,24 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
         "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Analysis, hover::hover),
+        "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Analysis, definition::definition),
+        "textDocument/declaration" => document::<lsp::DeclarationRequest>(Needs::Analysis, definition::declaration),
+        "textDocument/references" => document::<lsp::ReferencesRequest>(Needs::Analysis, references::references),
+        "textDocument/documentHighlight" => {
+            document::<lsp::DocumentHighlightRequest>(Needs::Analysis, references::highlight)
+        }
+        "textDocument/prepareRename" => document::<lsp::PrepareRenameRequest>(Needs::Findings, rename::prepare),
+        "textDocument/rename" => document::<lsp::RenameRequest>(Needs::Findings, rename::rename),
+        "textDocument/documentLink" => document::<lsp::DocumentLinkRequest>(Needs::Analysis, links::document_links),
+        "textDocument/prepareCallHierarchy" => {
+            document::<lsp::CallHierarchyPrepareRequest>(Needs::Analysis, hierarchy::prepare)
+        }
+        "callHierarchy/incomingCalls" => {
+            workspace::<lsp::CallHierarchyIncomingCallsRequest>(Needs::Analysis, hierarchy::incoming)
+        }
+        "callHierarchy/outgoingCalls" => {
+            workspace::<lsp::CallHierarchyOutgoingCallsRequest>(Needs::Analysis, hierarchy::outgoing)
+        }
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
         }

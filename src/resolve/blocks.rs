@@ -521,7 +521,7 @@ fn point_help(address: Address, value: Decimal, dwell: bool) -> String {
 }
 
 /// The G function that a word writes out.
-pub(super) fn g_code(word: Word) -> Option<GCode> {
+pub fn g_code(word: Word) -> Option<GCode> {
     if word.address != Address::G {
         return None;
     }
