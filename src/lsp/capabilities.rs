@@ -1,10 +1,11 @@
 //! What the server says it can do.
 
 use gen_lsp_types::{
-    CodeActionKind, CodeActionOptions, CodeActionProvider, CodeLensOptions, CompletionOptions, DiagnosticOptions,
-    DiagnosticProvider, DocumentOnTypeFormattingOptions, ExecuteCommandOptions, HoverProvider, PositionEncodingKind,
-    SemanticTokensProvider, ServerCapabilities, TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions,
-    WorkDoneProgressOptions,
+    CallHierarchyProvider, CodeActionKind, CodeActionOptions, CodeActionProvider, CodeLensOptions, CompletionOptions,
+    DeclarationProvider, DefinitionProvider, DiagnosticOptions, DiagnosticProvider, DocumentHighlightProvider,
+    DocumentLinkOptions, DocumentOnTypeFormattingOptions, ExecuteCommandOptions, HoverProvider, PositionEncodingKind,
+    ReferencesProvider, RenameOptions, RenameProvider, SemanticTokensProvider, ServerCapabilities, TextDocumentSync,
+    TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
 };
 use serde_json::{Value, json};
 
@@ -59,6 +60,20 @@ pub(super) fn capabilities(client: &Client) -> Value {
             commands: vec![STREAM.to_owned()],
             ..ExecuteCommandOptions::default()
         }),
+        definition_provider: Some(DefinitionProvider::Bool(true)),
+        declaration_provider: Some(DeclarationProvider::Bool(true)),
+        references_provider: Some(ReferencesProvider::Bool(true)),
+        document_highlight_provider: Some(DocumentHighlightProvider::Bool(true)),
+        rename_provider: Some(if client.has("/textDocument/rename/prepareSupport") {
+            RenameProvider::RenameOptions(RenameOptions {
+                prepare_provider: Some(true),
+                work_done_progress_options: WorkDoneProgressOptions::default(),
+            })
+        } else {
+            RenameProvider::Bool(true)
+        }),
+        call_hierarchy_provider: Some(CallHierarchyProvider::Bool(true)),
+        document_link_provider: Some(DocumentLinkOptions::default()),
         diagnostic_provider: Some(DiagnosticProvider::DiagnosticOptions(DiagnosticOptions {
             identifier: Some("cnc872c".to_owned()),
             inter_file_dependencies: true,

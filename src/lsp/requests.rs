@@ -11,8 +11,8 @@ use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
 use super::{
-    code_actions, code_lens, commands, completion, explain, folding, hover, inlay_hints, on_type, outline, selection,
-    semantic_tokens, workspace_symbols,
+    code_actions, code_lens, commands, completion, definition, explain, folding, hierarchy, hover, inlay_hints, links,
+    on_type, outline, references, rename, selection, semantic_tokens, workspace_symbols,
 };
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
@@ -102,6 +102,24 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
             workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
         }
         "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
+        "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Analysis, definition::definition),
+        "textDocument/declaration" => document::<lsp::DeclarationRequest>(Needs::Analysis, definition::declaration),
+        "textDocument/references" => document::<lsp::ReferencesRequest>(Needs::Analysis, references::references),
+        "textDocument/documentHighlight" => {
+            document::<lsp::DocumentHighlightRequest>(Needs::Analysis, references::highlight)
+        }
+        "textDocument/prepareRename" => document::<lsp::PrepareRenameRequest>(Needs::Findings, rename::prepare),
+        "textDocument/rename" => document::<lsp::RenameRequest>(Needs::Findings, rename::rename),
+        "textDocument/documentLink" => document::<lsp::DocumentLinkRequest>(Needs::Analysis, links::document_links),
+        "textDocument/prepareCallHierarchy" => {
+            document::<lsp::CallHierarchyPrepareRequest>(Needs::Analysis, hierarchy::prepare)
+        }
+        "callHierarchy/incomingCalls" => {
+            workspace::<lsp::CallHierarchyIncomingCallsRequest>(Needs::Analysis, hierarchy::incoming)
+        }
+        "callHierarchy/outgoingCalls" => {
+            workspace::<lsp::CallHierarchyOutgoingCallsRequest>(Needs::Analysis, hierarchy::outgoing)
+        }
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
         }
