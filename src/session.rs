@@ -117,14 +117,8 @@ impl Session<'_> {
     ) {
         let (mut resolved, mut sources, mut findings) = (resolved.clone(), sources.clone(), Findings::new());
         let mut library = self.library(path);
-        let mut executor = Executor::new(
-            &mut resolved,
-            self.settings,
-            &mut library,
-            &mut sources,
-            &mut findings,
-            Purpose::Compile,
-        );
+        let mut executor =
+            Executor::new(&mut resolved, self.settings, &mut library, &mut sources, &mut findings, Purpose::Compile);
         while executor.step().is_some() {
             if look(&executor).is_break() || self.is_cancelled(executor.executed()) {
                 break;
