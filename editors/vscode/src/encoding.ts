@@ -17,3 +17,8 @@ const LOOKED_AT = 1_000_000;
 export function isDamaged(text: string): boolean {
   return text.slice(0, LOOKED_AT).includes('\uFFFD');
 }
+
+/** The encoding to read a damaged file again in without asking: the configured one, when it was not the one used. */
+export function again(configured: string | undefined, used: string): string | undefined {
+  return CODE_PAGES.some((page) => page.id === configured) && configured !== used ? configured : undefined;
+}

@@ -2,27 +2,50 @@
 
 import * as vscode from 'vscode';
 
-import { CODE_PAGES, isDamaged } from './encoding';
+import { CODE_PAGES, again, isDamaged } from './encoding';
 
-/** Looks at each program when it is opened, and offers to read it again. */
+/**
+ * Looks at each program when it is opened. One that the editor took for UTF-8, because its name did not say that it is a
+ * program or because the editor was still starting, is read again as the settings say; else the user is asked.
+ */
 export function guardEncodings(): vscode.Disposable {
-  const asked = new Set<string>();
+  const seen = new Set<string>();
   const look = (document: vscode.TextDocument) => {
     const key = document.uri.toString();
-    const concerns = document.languageId === 'cnc872' && document.uri.scheme === 'file' && !asked.has(key);
+    const concerns = document.languageId === 'cnc872' && document.uri.scheme === 'file' && !seen.has(key);
     if (concerns && isDamaged(document.getText())) {
-      asked.add(key);
-      void ask(document);
+      seen.add(key);
+      void mend(document);
     }
   };
   vscode.workspace.textDocuments.forEach(look);
   return vscode.Disposable.from(
     vscode.workspace.onDidOpenTextDocument(look),
-    vscode.workspace.onDidCloseTextDocument((document) => asked.delete(document.uri.toString())),
+    vscode.workspace.onDidCloseTextDocument((document) => {
+      // A document that only changes its language is closed and opened again.
+      if (document.isClosed) {
+        seen.delete(document.uri.toString());
+      }
+    }),
   );
 }
 
-async function ask(document: vscode.TextDocument): Promise<void> {
+async function mend(document: vscode.TextDocument): Promise<void> {
+  const scope = { uri: document.uri, languageId: document.languageId };
+  const configured = vscode.workspace.getConfiguration('files', scope).get<string>('encoding');
+  const encoding = again(configured, document.encoding) ?? (await ask(document));
+  if (encoding === undefined) {
+    return;
+  }
+  try {
+    await vscode.workspace.openTextDocument(document.uri, { encoding });
+  } catch (error) {
+    // A program with unsaved changes cannot be read again.
+    void vscode.window.showErrorMessage(error instanceof Error ? error.message : String(error));
+  }
+}
+
+async function ask(document: vscode.TextDocument): Promise<string | undefined> {
   const others = CODE_PAGES.filter((page) => page.id !== document.encoding);
   const chosen = await vscode.window.showWarningMessage(
     vscode.l10n.t(
@@ -32,14 +55,5 @@ async function ask(document: vscode.TextDocument): Promise<void> {
     ),
     ...others.map((page) => page.label),
   );
-  const page = others.find(({ label }) => label === chosen);
-  if (page === undefined) {
-    return;
-  }
-  try {
-    await vscode.workspace.openTextDocument(document.uri, { encoding: page.id });
-  } catch (error) {
-    // A program with unsaved changes cannot be read again.
-    void vscode.window.showErrorMessage(error instanceof Error ? error.message : String(error));
-  }
+  return others.find(({ label }) => label === chosen)?.id;
 }

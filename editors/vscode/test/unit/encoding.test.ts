@@ -10,7 +10,7 @@ import * as iconv from '@vscode/iconv-lite-umd';
 import * as jschardet from 'jschardet';
 
 import manifest from '../../package.json';
-import { CODE_PAGES, isDamaged } from '../../src/encoding';
+import { CODE_PAGES, again, isDamaged } from '../../src/encoding';
 
 const defaults = manifest.contributes.configurationDefaults['[cnc872]'];
 const samples = path.resolve('../../samples');
@@ -84,4 +84,12 @@ test('a program of another code page that was read as UTF-8 is damaged', () => {
     assert.ok(isDamaged(iconv.decode(iconv.encode('"kůň"', id), 'utf8')), id);
   }
   assert.ok(!isDamaged('%1 "kůň"'));
+});
+
+test('what is read again without asking', () => {
+  assert.equal(again(defaults['files.encoding'], 'utf8'), 'cp852');
+  assert.equal(again('windows1250', 'utf8'), 'windows1250');
+  assert.equal(again('cp852', 'cp852'), undefined);
+  assert.equal(again('utf8', 'utf8'), undefined);
+  assert.equal(again(undefined, 'utf8'), undefined);
 });
