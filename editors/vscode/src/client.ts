@@ -155,9 +155,6 @@ export class Server implements vscode.Disposable {
               return item?.section === SECTION ? settings(item.scopeUri) : answer;
             });
           },
-          didChangeConfiguration: async (_sections, next) => {
-            await next([SECTION]);
-          },
         },
         provideInlayHints: (document, range, token, next) =>
           vscode.workspace.getConfiguration(SECTION).get('inlayHints', true) ? next(document, range, token) : [],

@@ -55,7 +55,7 @@ async function answers(url, process) {
 }
 
 /** An editor with a folder: `files` names what of the project is copied there, by its name in the folder. */
-export async function openEditor({ files, settings }) {
+export async function openEditor({ files, settings, options = [], locale = 'en-US' }) {
   const place = mkdtempSync(path.join(tmpdir(), 'cnc872c-browser-'));
   const [data, extensions, folder, profile] = ['data', 'extensions', 'programs', 'profile'].map((name) =>
     path.join(place, name),
@@ -82,6 +82,7 @@ export async function openEditor({ files, settings }) {
     'editor.cursorBlinking': 'solid',
     'workbench.colorTheme': 'Default Light Modern',
     'git.enabled': false,
+    'files.autoSave': 'off',
   };
   writeFileSync(path.join(data, 'User/settings.json'), JSON.stringify({ ...quiet, ...settings }, null, 2));
   const vsix = readdirSync(extension).find((file) => /^cnc872c-.*\.vsix$/.test(file));
@@ -99,7 +100,7 @@ export async function openEditor({ files, settings }) {
   const quietly = ['--disable-telemetry', '--disable-update-check', '--disable-workspace-trust', '--disable-getting-started-override'];
   const server = spawn(
     process.execPath,
-    [entry, ...common, '--auth', 'none', '--bind-addr', `127.0.0.1:${port}`, ...quietly],
+    [entry, ...common, '--auth', 'none', '--bind-addr', `127.0.0.1:${port}`, ...quietly, ...options],
     { stdio: 'ignore', detached: true, env: { ...process.env, VSCODE_PROXY_URI: '' } },
   );
   const url = `http://127.0.0.1:${port}`;
@@ -128,7 +129,7 @@ export async function openEditor({ files, settings }) {
         '--disable-sync',
       ],
       viewport: { width: 1200, height: 760 },
-      locale: 'en-US',
+      locale,
     });
     const page = browser.pages()[0] ?? (await browser.newPage());
     await page.goto(`${url}/?folder=${encodeURIComponent(folder)}`);
