@@ -54,8 +54,11 @@ async function answers(url, process) {
   throw new Error('code-server does not answer');
 }
 
-/** An editor with a folder: `files` names what of the project is copied there, by its name in the folder. */
-export async function openEditor({ files, settings, options = [], locale = 'en-US' }) {
+/**
+ * An editor with a folder: `files` names what of the project is copied there, by its name in the folder;
+ * `language` is that of the extension's texts.
+ */
+export async function openEditor({ files, settings, language }) {
   const place = mkdtempSync(path.join(tmpdir(), 'cnc872c-browser-'));
   const [data, extensions, folder, profile] = ['data', 'extensions', 'programs', 'profile'].map((name) =>
     path.join(place, name),
@@ -100,7 +103,7 @@ export async function openEditor({ files, settings, options = [], locale = 'en-U
   const quietly = ['--disable-telemetry', '--disable-update-check', '--disable-workspace-trust', '--disable-getting-started-override'];
   const server = spawn(
     process.execPath,
-    [entry, ...common, '--auth', 'none', '--bind-addr', `127.0.0.1:${port}`, ...quietly, ...options],
+    [entry, ...common, '--auth', 'none', '--bind-addr', `127.0.0.1:${port}`, ...quietly],
     { stdio: 'ignore', detached: true, env: { ...process.env, VSCODE_PROXY_URI: '' } },
   );
   const url = `http://127.0.0.1:${port}`;
@@ -129,9 +132,15 @@ export async function openEditor({ files, settings, options = [], locale = 'en-U
         '--disable-sync',
       ],
       viewport: { width: 1200, height: 760 },
-      locale,
+      locale: 'en-US',
     });
     const page = browser.pages()[0] ?? (await browser.newPage());
+    if (language !== undefined) {
+      // What a language pack would set: the extension's own texts are then in that language, the editor's stay English.
+      await page.addInitScript((value) => {
+        Object.defineProperty(globalThis, '_VSCODE_NLS_LANGUAGE', { get: () => value, set: () => {} });
+      }, language);
+    }
     await page.goto(`${url}/?folder=${encodeURIComponent(folder)}`);
     await page.waitForSelector('.monaco-workbench .part.editor', { timeout: 60_000 });
     return { page, folder, close, editor: new Editor(page) };

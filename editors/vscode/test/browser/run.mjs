@@ -150,6 +150,19 @@ try {
     await editor.command('View: Close All Editors');
   });
 
+  await step('link', 'diagnosticProvider', async () => {
+    await editor.openFile('plate.nc');
+    await squiggles().nth(1).waitFor({ timeout: 30_000 });
+    await page.keyboard.press('Control+Shift+KeyM');
+    await page.locator('.markers-panel a', { hasText: 'E0104' }).first().click({ modifiers: ['Control'] });
+    // The page is shown as a page, not as its source.
+    await page.waitForSelector('.tab[aria-label*="E0104"]', { timeout: 20_000 });
+    await page.locator('iframe.webview').first().waitFor({ timeout: 20_000 });
+    await page.waitForTimeout(2000);
+    await editor.picture('link');
+    await editor.command('View: Close All Editors');
+  });
+
   await step('hover', 'hoverProvider', async () => {
     await editor.openFile('flange.nc');
     await editor.goTo(15, 8);
@@ -224,16 +237,24 @@ try {
   await open.close();
 }
 
-await step('no-server', undefined, async () => {
-  await start({ files, settings: { 'cnc872c.server.path': '/nowhere/cnc872c' } });
-  try {
-    await editor.openFile('flange.nc');
-    await says('.notifications-toasts', '/nowhere/cnc872c', 'cnc872c.server.path');
-    await editor.picture('no-server');
-  } finally {
-    await open.close();
-  }
-});
+for (const [name, language, word, title] of [
+  ['no-server', undefined, 'cannot be run', 'Renumber Blocks'],
+  ['no-server-czech', 'cs', 'nelze spustit', 'Přečíslovat bloky'],
+]) {
+  await step(name, undefined, async () => {
+    await start({ files, settings: { 'cnc872c.server.path': '/nowhere/cnc872c' }, language });
+    try {
+      await editor.openFile('flange.nc');
+      await says('.notifications-toasts', '/nowhere/cnc872c', 'cnc872c.server.path', word);
+      await page.keyboard.press('F1');
+      await page.locator('.quick-input-widget:visible input.input').fill('>CNC872');
+      await says('.quick-input-list', title);
+      await editor.picture(name);
+    } finally {
+      await open.close();
+    }
+  });
+}
 
 console.log(`${results.passed} passed, ${results.failed} failed, ${results.skipped} skipped`);
 process.exit(results.failed === 0 ? 0 : 1);
