@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use super::baseline::{Baseline, Marker};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
@@ -49,6 +50,8 @@ pub(super) struct Found {
     pub(super) read: Vec<PathBuf>,
     /// Whether the configuration has errors, so that the program was not judged.
     pub(super) misconfigured: bool,
+    /// For quick looks at later changes, when the program is long and nothing is wrong with it.
+    pub(super) baseline: Option<Baseline>,
 }
 
 /// What a run gives on its way.
@@ -91,7 +94,7 @@ pub(super) fn run(
     let mut read = paths(files, &config_sources);
     read.extend(settings.macrocycles.iter().map(|folder| files.canonical(folder)));
     if is_configuration(path) {
-        return Some(Found { report, read, misconfigured });
+        return Some(Found { report, read, misconfigured, baseline: None });
     }
 
     let begun = Instant::now();
@@ -125,23 +128,26 @@ pub(super) fn run(
         },
         read_by_program,
     );
+    let mut baseline = None;
     if executable {
         if let Ok(mut interim) = interim.lock() {
             let (mut report, findings) = (configured(), outcome.findings.clone());
             report.add_program(&outcome.sources, findings, |code| settings.severity_for(code, outcome.purpose));
-            *interim = Some(Found { report, read: read.clone(), misconfigured });
+            *interim = Some(Found { report, read: read.clone(), misconfigured, baseline: None });
         }
-        session.execute(path, &mut resolved, &mut outcome);
+        let mut marker = Marker::new(&resolved);
+        session.execute(path, &mut resolved, &mut outcome, |executor| marker.look(executor));
         if cancel.is_cancelled() {
             return None;
         }
+        baseline = marker.finish(&resolved, &settings, &outcome);
     }
     read.extend(paths(files, &outcome.sources));
     if !misconfigured {
         let Outcome { sources, findings, purpose, .. } = outcome;
         report.add_program(&sources, findings, |code| settings.severity_for(code, purpose));
     }
-    Some(Found { report, read, misconfigured })
+    Some(Found { report, read, misconfigured, baseline })
 }
 
 fn paths(files: &EditorFiles, sources: &Sources) -> Vec<PathBuf> {

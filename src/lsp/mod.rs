@@ -5,6 +5,7 @@
 //! answered in threads of their own ([`requests`]); each kind has its file.
 
 mod analysis;
+mod baseline;
 mod cancel;
 mod capabilities;
 mod client;

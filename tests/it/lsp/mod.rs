@@ -4,6 +4,7 @@ mod client;
 mod life;
 mod scenario;
 mod typing;
+mod windows;
 
 use client::Client;
 
