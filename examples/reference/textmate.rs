@@ -145,10 +145,12 @@ const fn group_scope(group: GGroup) -> &'static str {
 
 /// The scope of a function: that of its group, unless it is of another kind than its fellows.
 const fn g_scope(code: GCode) -> &'static str {
-    match code {
-        GCode::G04 => "support.function.dwell",
-        GCode::G74 | GCode::G75 => "support.type.diameter",
-        _ => group_scope(code.group()),
+    if matches!(code, GCode::G04) {
+        "support.function.dwell"
+    } else if matches!(code, GCode::G74 | GCode::G75) {
+        "support.type.diameter"
+    } else {
+        group_scope(code.group())
     }
 }
 

@@ -39,7 +39,7 @@ fn sources(folder: &str) -> Vec<Source> {
         .collect()
 }
 
-fn relative(path: &std::path::Path) -> String {
+fn relative(path: &Path) -> String {
     path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/")
 }
 
