@@ -11,6 +11,7 @@ mod docs;
 mod editors;
 mod explain;
 mod faults;
+mod lsp;
 mod markers;
 mod model;
 mod properties;
