@@ -3,7 +3,6 @@
 use std::fmt::Write;
 use std::fs;
 
-use tree_sitter::{Node, TreeCursor};
 use tree_sitter_cnc872_check::parse;
 
 const HEAD: &str = "==================";
@@ -33,9 +32,8 @@ fn corpus() {
             let tree = parse(case.text);
             // A case that shows a mistake says so in its title.
             assert_eq!(tree.root_node().has_error(), case.title.starts_with("Error"), "{}", case.title);
-            let mut shown = String::new();
-            show(&mut tree.walk(), 0, &mut shown);
-            let _ = write!(now, "{HEAD}\n{}\n{HEAD}\n\n{}\n---\n\n{}\n\n", case.title, case.text, shown.trim_end());
+            let shown = show(&tree.root_node().to_sexp());
+            let _ = write!(now, "{HEAD}\n{}\n{HEAD}\n\n{}\n---\n\n{}\n\n", case.title, case.text, shown);
             count += 1;
         }
         crate::compare(&path, &format!("{}\n", now.trim_end()));
@@ -43,28 +41,30 @@ fn corpus() {
     assert!(count > 20, "only {count}");
 }
 
-/// The tree as `tree-sitter` writes it: a node on each line.
-fn show(cursor: &mut TreeCursor<'_>, depth: usize, text: &mut String) {
-    let node: Node<'_> = cursor.node();
-    if node.is_named() || node.is_missing() {
-        let field = cursor.field_name().map(|name| format!("{name}: ")).unwrap_or_default();
-        let name = match node.is_missing() {
-            true => format!("MISSING {}", node.kind()),
-            false => node.kind().to_owned(),
+/// The tree with each node on a line of its own, as `tree-sitter` writes it.
+fn show(tree: &str) -> String {
+    let mut shown = String::new();
+    let mut depth: usize = 0;
+    let mut rest = tree;
+    while let Some(character) = rest.chars().next() {
+        // The character shown may be a bracket or a blank.
+        let taken = match rest.strip_prefix("(UNEXPECTED '") {
+            Some(unexpected) => rest.len() - unexpected.len() + unexpected.find("')").expect("a quote") + 1,
+            None => character.len_utf8(),
         };
-        let _ = write!(text, "\n{}{field}({name}", "  ".repeat(depth));
-        if cursor.goto_first_child() {
-            loop {
-                show(cursor, depth + 1, text);
-                if !cursor.goto_next_sibling() {
-                    break;
-                }
-            }
-            cursor.goto_parent();
+        let next = &rest[taken..];
+        match character {
+            '(' => depth += 1,
+            ')' => depth -= 1,
+            _ => {}
         }
-        text.push(')');
+        let name = next.split([' ', '(', ')']).next().unwrap_or_default();
+        if character == ' ' && (next.starts_with('(') || name.ends_with(':')) && !shown.ends_with(':') {
+            let _ = write!(shown, "\n{}", "  ".repeat(depth));
+        } else {
+            shown.push_str(&rest[..taken]);
+        }
+        rest = next;
     }
-    if depth == 0 {
-        *text = text.trim_start().to_owned();
-    }
+    shown
 }
