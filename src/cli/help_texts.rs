@@ -149,9 +149,9 @@ Příklady:
         "Slouží editoru: nálezy při psaní, významy, skoky (jazykový server na stdin a stdout)",
         Bilingual {
             en: "\
-Editors start it themselves; docs/guide/editors.md says how they are set up.",
+Editors start it themselves; docs/guide/editors.en.md says how they are set up.",
             cs: "\
-Editory jej spouštějí samy; jak je nastavit, popisuje docs/guide/editors.md.",
+Editory jej spouštějí samy; jak je nastavit, popisuje docs/guide/editors.cs.md.",
         },
     ),
     about(

@@ -119,6 +119,12 @@ impl Client {
         }
     }
 
+    /// The server's process, for what the operating system knows of it.
+    #[allow(dead_code, reason = "for the benchmark")]
+    pub fn process_id(&self) -> u32 {
+        self.process.id()
+    }
+
     /// Ends the server as clients do; its exit status.
     pub fn end(mut self) -> i32 {
         self.request("shutdown", Value::Null);

@@ -3,6 +3,7 @@
 mod client;
 mod life;
 mod scenario;
+mod typing;
 
 use client::Client;
 
