@@ -142,7 +142,7 @@ function M.config()
   return {
     name = NAME,
     cmd = M.options.cmd,
-    filetypes = { 'cnc872' },
+    filetypes = { 'cnc872', 'toml' },
     init_options = settings,
     settings = { [NAME] = settings },
     capabilities = capabilities(),
@@ -150,13 +150,19 @@ function M.config()
   }
 end
 
+-- Whether the server looks after a buffer: one with a part program, or the project file.
+local function is_ours(buffer)
+  local path = vim.api.nvim_buf_get_name(buffer)
+  local project = vim.fn.fnamemodify(path, ':t') == 'cnc872c.toml'
+  return path ~= '' and vim.bo[buffer].buftype == '' and (project or vim.bo[buffer].filetype == 'cnc872')
+end
+
 -- Before 0.11: starts the server of a buffer, or takes the one that its root has.
 local function attach(buffer)
-  local path = vim.api.nvim_buf_get_name(buffer)
-  if path == '' or vim.bo[buffer].buftype ~= '' then
+  if not is_ours(buffer) then
     return
   end
-  local root = M.root(path)
+  local root = M.root(vim.api.nvim_buf_get_name(buffer))
   local running = clients(function(client)
     return client.config.root_dir == root
   end)[1]
@@ -309,14 +315,16 @@ function M.setup(options)
   if vim.lsp.config and vim.lsp.enable then
     local config = M.config()
     config.root_dir = function(buffer, done)
-      done(M.root(vim.api.nvim_buf_get_name(buffer)))
+      if is_ours(buffer) then
+        done(M.root(vim.api.nvim_buf_get_name(buffer)))
+      end
     end
     vim.lsp.config(NAME, config)
     vim.lsp.enable(NAME)
   else
     vim.api.nvim_create_autocmd('FileType', {
       group = group,
-      pattern = 'cnc872',
+      pattern = { 'cnc872', 'toml' },
       callback = function(args)
         attach(args.buf)
       end,
