@@ -388,7 +388,7 @@ mod tests {
     #[test]
     fn borders() {
         assert_eq!(painted("%1\nN1 \"a*", None).join("|"), "namespace %1|label N1|comment \"a*");
-        assert_eq!(painted("no program", None), Vec::<String>::new());
+        assert_eq!(painted("no program", None), ["comment no program"]);
         assert_eq!(painted("%1*\r\nx", None).join("|"), "namespace %1|keyword *|comment x");
     }
 }

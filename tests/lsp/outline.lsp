@@ -182,6 +182,30 @@ N2010 G70
     "children": [
       {
         "kind": 15,
+        "name": "uvnitr",
+        "range": {
+          "end": {
+            "character": 8,
+            "line": 20
+          },
+          "start": {
+            "character": 0,
+            "line": 19
+          }
+        },
+        "selectionRange": {
+          "end": {
+            "character": 8,
+            "line": 19
+          },
+          "start": {
+            "character": 0,
+            "line": 19
+          }
+        }
+      },
+      {
+        "kind": 15,
         "name": "Dokonceni",
         "range": {
           "end": {
@@ -206,7 +230,7 @@ N2010 G70
       }
     ],
     "kind": 12,
-    "name": "L100 uvnitr",
+    "name": "L100 jedna vrstva",
     "range": {
       "end": {
         "character": 9,

@@ -264,7 +264,7 @@ N2 M30
 ]
 === text part.nc
 %20
-N1 G73 L7
+N1 X1
 N1 GR1 L5
 N2 M30
 === request textDocument/codeAction part.nc@1..1
@@ -273,7 +273,7 @@ N2 M30
 [
   {
     "disabled": {
-      "reason": "it is not clear where the jump in line 2 leads"
+      "reason": "where the jump in line 3 leads depends on a parameter"
     },
     "kind": "source.renumber.cnc872c",
     "title": "renumber the blocks 10 by 10"
