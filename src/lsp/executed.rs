@@ -156,12 +156,13 @@ impl Subject<'_> {
         ];
         let rows = rows.into_iter().filter(|(_, values, _)| values.is_known());
         let mut shown: Vec<String> = rows
-            .map(|(letter, values, unit)| {
-                format!("{letter} {} {unit}", values.list(|value| value)).trim_end().to_owned()
+            .map(|(letter, values, unit)| match (values.list(|value| value), unit) {
+                (values, "") => format!("{letter}{values}"),
+                (values, unit) => format!("{letter} {values} {unit}"),
             })
             .collect();
         if observed.correction.is_known() {
-            shown.push(format!("& {}", observed.correction.list(|digits| format!("{digits:04}"))));
+            shown.push(format!("&{}", observed.correction.list(|digits| format!("{digits:04}"))));
         }
         shown
     }

@@ -121,18 +121,18 @@ impl Hinter<'_> {
     fn jump(&self, block: BlockId, flow: &Flow, observed: &Observed) -> Option<Hint> {
         let to = flow.jump()?;
         let counted = to <= block || flow.q.is_some() || flow.dwell;
-        if !counted || !observed.passes.is_known() {
+        if !counted || !observed.taken.is_known() {
             return None;
         }
         let number = |block| self.file.shown_number(block);
         let jumps = self.least(observed.jumps);
         let (values, tooltip) = if to <= block {
-            let passes = observed.passes.list(count);
-            (observed.passes.clone(), Said::HintStretch { from: number(to), to: number(block), passes, jumps })
+            let runs = observed.taken.map(|jumps| jumps.saturating_add(1));
+            let passes = runs.list(count);
+            (runs, Said::HintStretch { from: number(to), to: number(block), passes, jumps })
         } else {
-            let taken = observed.passes.map(|passes| passes.saturating_sub(1));
-            let times = taken.list(count);
-            (taken, Said::HintForward { times, jumps })
+            let times = observed.taken.list(count);
+            (observed.taken.clone(), Said::HintForward { times, jumps })
         };
         let label = format!("×{}", values.brief(SHOWN, count));
         Some(Hint { at: flow.end(self.file.source.text()), label, tooltip: tooltip.text(self.lang) })

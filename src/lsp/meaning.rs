@@ -9,6 +9,7 @@ use super::observe::{FeedUnit, Observed, control_of, g_functions};
 use super::page::Page;
 use super::shown;
 use crate::dict::{Address, GCode, Lang, Lasting, standard_m_functions};
+use crate::ir::Micro;
 use crate::resolve::Target;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::Span;
@@ -85,37 +86,34 @@ impl Subject<'_> {
 
     /// What there is to say of an address that is neither G nor M.
     fn address(&self, page: &mut Page, block: BlockId, word: Word) {
-        let machine = &self.analysis.settings.machine;
         let mut said = Vec::new();
-        match word.address {
-            Address::R => match (word.target(), control_of(machine, self.file, block, word)) {
-                (_, Some(control)) => {
-                    said.push(Said::Control { formula: page.code(&shown::formula(control)) });
-                    if control.whole {
-                        said.push(Said::InWholes);
-                    }
-                }
-                (95, None) => said.push(Said::Reserved),
-                (5..=8, None) => said.push(Said::MayControl),
-                (_, None) => {}
-            },
-            Address::I if self.writes(block, |code| code == GCode::G23) => said.push(Said::DynamicSet),
-            Address::Q if self.writes(block, |code| code == GCode::G04) => {
-                if let Some(number) = word.number() {
-                    let seconds = crate::ir::Micro::from_millionths(number.thousandths().saturating_mul(10));
-                    said.push(Said::Dwell { s: shown::exact(seconds) });
-                }
-            }
-            address => {
-                if let Some(axis) = machine.axes.index_of(address).and_then(|axis| machine.axes.get(axis)) {
-                    said.push(if axis.rotary { Said::RotaryAxis } else { Said::LinearAxis });
-                }
-            }
+        if word.address == Address::R {
+            self.parameter(page, block, word, &mut said);
+        } else if word.address == Address::I && self.writes(block, |code| code == GCode::G23) {
+            said.push(Said::DynamicSet);
+        } else if word.address == Address::Q && self.writes(block, |code| code == GCode::G04) {
+            let seconds = word.number().map(|number| Micro::from_millionths(number.thousandths().saturating_mul(10)));
+            said.extend(seconds.map(|seconds| Said::Dwell { s: shown::exact(seconds) }));
+        } else {
+            said.extend(self.axis(word).map(|rotary| if rotary { Said::RotaryAxis } else { Said::LinearAxis }));
         }
         if word.address.row().lasts_until_changed {
             said.push(Said::UntilChanged);
         }
         self.lines(page, said);
+    }
+
+    /// What a parameter is for.
+    fn parameter(&self, page: &Page, block: BlockId, word: Word, said: &mut Vec<Said>) {
+        match (word.target(), control_of(&self.analysis.settings.machine, self.file, block, word)) {
+            (_, Some(control)) => {
+                said.push(Said::Control { formula: page.code(&shown::formula(control)) });
+                said.extend(control.whole.then_some(Said::InWholes));
+            }
+            (95, None) => said.push(Said::Reserved),
+            (5..=8, None) => said.push(Said::MayControl),
+            (_, None) => {}
+        }
     }
 
     fn writes(&self, block: BlockId, wanted: impl Fn(GCode) -> bool) -> bool {
@@ -124,29 +122,36 @@ impl Subject<'_> {
 
     /// The unit of a word's value; empty when there is none, or it is not known.
     fn unit_of_word(&self, block: BlockId, word: Word, observed: Option<&Observed>) -> &'static str {
-        let machine = &self.analysis.settings.machine;
-        // Factors, angles and the like.
-        let transforms = |code| matches!(code, GCode::G31 | GCode::G35 | GCode::G36 | GCode::G38 | GCode::G39);
-        match word.address {
-            Address::S => shown::speed_unit(self.lang),
-            Address::F => {
-                let seen = observed.and_then(|observed| observed.feed_unit.only());
-                let writes = |a, b| self.writes(block, |code| code == a || code == b);
-                let written = if writes(GCode::G94, GCode::G96) {
-                    Some(FeedUnit::PerMinute)
-                } else {
-                    writes(GCode::G95, GCode::G97).then_some(FeedUnit::PerRevolution)
-                };
-                seen.or(written).map_or("", |unit| shown::feed_unit(unit, self.lang))
-            }
-            _ if self.writes(block, transforms) => "",
-            Address::I | Address::J if !self.writes(block, |code| code == GCode::G23) => "mm",
-            address => match machine.axes.index_of(address).and_then(|axis| machine.axes.get(axis)) {
-                Some(axis) if axis.rotary => "°",
-                Some(_) => "mm",
-                None => "",
-            },
+        let writes = |wanted: &[GCode]| self.writes(block, |code| wanted.contains(&code));
+        if word.address == Address::S {
+            return shown::speed_unit(self.lang);
         }
+        if word.address == Address::F {
+            let seen = observed.and_then(|observed| observed.feed_unit.only());
+            let written = if writes(&[GCode::G94, GCode::G96]) {
+                Some(FeedUnit::PerMinute)
+            } else {
+                writes(&[GCode::G95, GCode::G97]).then_some(FeedUnit::PerRevolution)
+            };
+            return seen.or(written).map_or("", |unit| shown::feed_unit(unit, self.lang));
+        }
+        // Factors, angles and the like.
+        if writes(&[GCode::G31, GCode::G35, GCode::G36, GCode::G38, GCode::G39]) {
+            return "";
+        }
+        let distance = matches!(word.address, Address::I | Address::J) && !writes(&[GCode::G23]);
+        match self.axis(word) {
+            Some(true) => "°",
+            Some(false) => "mm",
+            None if distance => "mm",
+            None => "",
+        }
+    }
+
+    /// Whether the axis that a word is turns; `None`: it is no axis of the machine.
+    fn axis(&self, word: Word) -> Option<bool> {
+        let axes = &self.analysis.settings.machine.axes;
+        axes.index_of(word.address).and_then(|axis| axes.get(axis)).map(|axis| axis.rotary)
     }
 
     /// What a block calls, enters or jumps to.

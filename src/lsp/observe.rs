@@ -40,9 +40,9 @@ pub(super) struct Observed {
     pub(super) runs: u64,
     /// How often its jump was taken.
     pub(super) jumps: u64,
-    /// How often it was reached for each time that its counter was armed: with a backward jump, how often the stretch ran.
-    pub(super) passes: Values<u64>,
-    /// Arrivals since the counter was armed, and what it held after the last; `None`: it is not armed.
+    /// How often the jump was taken each time that its counter was armed (FLW-4).
+    pub(super) taken: Values<u64>,
+    /// Jumps since the counter was armed, and what it held after the last; `None`: it is not armed.
     armed: Option<(u64, u32)>,
     /// After the block, by letter.
     pub(super) positions: [Values<Micro>; AxisLetter::ALL.len()],
@@ -265,33 +265,32 @@ impl Observed {
         }
     }
 
-    /// Follows the counter (FLW-4): armed at an arrival, lowered at each, disarmed where execution falls through.
+    /// Follows the counter: armed at an arrival, lowered at each, disarmed where execution falls through.
     fn take_jump(&mut self, record: &BlockRecord) {
         self.jumps += u64::from(record.jump.is_some());
         let left = record.jump.and_then(|jump| jump.left);
-        let arrivals = match (self.armed, left) {
+        match (self.armed, left) {
             // Lowered by one since the last arrival: the same counter.
-            (Some((arrivals, before)), Some(left)) if left.checked_add(1) == Some(before) => arrivals + 1,
-            (Some((arrivals, 0)), None) => arrivals + 1,
-            // Its unit was left with the counter armed.
-            (Some(_), _) => {
-                self.disarm();
-                1
+            (Some((jumps, before)), Some(left)) if left.checked_add(1) == Some(before) => {
+                self.armed = Some((jumps + 1, left));
             }
-            (None, _) => 1,
-        };
-        match left {
-            Some(left) => self.armed = Some((arrivals, left)),
-            None => {
-                self.armed = None;
-                self.passes.add(Some(arrivals));
+            // Armed; before that, the unit may have been left with the counter armed.
+            (_, Some(left)) => {
+                self.disarm();
+                self.armed = Some((1, left));
+            }
+            (Some((_, 0)), None) => self.disarm(),
+            // Armed with nothing to count, and disarmed.
+            (_, None) => {
+                self.disarm();
+                self.taken.add(Some(0));
             }
         }
     }
 
     fn disarm(&mut self) {
-        if let Some((arrivals, _)) = self.armed.take() {
-            self.passes.add(Some(arrivals));
+        if let Some((jumps, _)) = self.armed.take() {
+            self.taken.add(Some(jumps));
         }
     }
 }
@@ -331,4 +330,32 @@ fn control_words<'a>(
     block: BlockId,
 ) -> impl Iterator<Item = ControlWord> + 'a {
     file.words(block).iter().filter_map(move |word| control_of(machine, file, block, *word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::Jump;
+
+    fn taken(arrivals: &[Option<u32>]) -> String {
+        let mut observed = Observed::default();
+        for left in arrivals {
+            let jump = left.map(|left| Jump { to: 1, left: Some(left) });
+            observed.take_jump(&BlockRecord { jump, ..BlockRecord::default() });
+        }
+        observed.disarm();
+        observed.taken.list(|value| value)
+    }
+
+    /// FLW-4: one row of jumps for each time that the counter is armed.
+    #[test]
+    fn counters() {
+        assert_eq!(taken(&[Some(2), Some(1), Some(0), None]), "3");
+        assert_eq!(taken(&[Some(0), None, Some(1), Some(0), None]), "1, 2");
+        // Left by another jump, then reached anew.
+        assert_eq!(taken(&[Some(2), Some(1), Some(2), Some(1), Some(0), None]), "2, 3");
+        // Forward: not reached again.
+        assert_eq!(taken(&[Some(0)]), "1");
+        assert_eq!(taken(&[None]), "0");
+    }
 }

@@ -417,6 +417,16 @@ impl Server {
         self.ask("workspace/diagnostic/refresh", Value::Null, Asked::Nothing);
     }
 
+    /// Asks the client to ask again for what is shown between the lines.
+    pub(super) fn ask_to_refresh(&mut self) {
+        for (what, method) in [("inlayHint", "workspace/inlayHint/refresh"), ("codeLens", "workspace/codeLens/refresh")]
+        {
+            if self.client.has(&format!("/workspace/{what}/refreshSupport")) {
+                self.ask(method, Value::Null, Asked::Nothing);
+            }
+        }
+    }
+
     pub(super) fn notify(&self, method: &str, params: Value) {
         self.send(Notification { method: method.to_owned(), params });
     }

@@ -74,10 +74,12 @@ pub(super) fn word(word: Word, unit: &str) -> String {
             _ => number.to_string(),
         },
     };
-    match word.address {
-        Address::R => format!("R{} = {value}", word.target()),
-        _ if unit.is_empty() || word.is_parametric() => format!("{letter} {value}"),
-        _ => format!("{letter} {value} {unit}"),
+    if word.address == Address::R {
+        format!("R{} = {value}", word.target())
+    } else if unit.is_empty() || word.is_parametric() {
+        format!("{letter} {value}")
+    } else {
+        format!("{letter} {value} {unit}")
     }
 }
 

@@ -48,7 +48,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`M06`** výměna nástroje\n\nskupina 9 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N10 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T 7"
+    "value": "**`M06`** výměna nástroje\n\nskupina 9 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N10 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
   },
   "range": {
     "end": {
@@ -66,7 +66,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**blok N10 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T 7"
+    "value": "**blok N10 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
   }
 }
 === request textDocument/hover part.nc@S
@@ -74,7 +74,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`S 2000 ot/min`** otáčky vřetena za minutu\n\nplatí do změny\n\n---\n\n**blok N20 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: S 2000 ot/min; T 7"
+    "value": "**`S 2000 ot/min`** otáčky vřetena za minutu\n\nplatí do změny\n\n---\n\n**blok N20 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -92,7 +92,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`N50`** číslo bloku\n\n---\n\n**blok N50 se provede 12×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00/G01 G17 G98 G40 G54 G94 G71 G80 G90/G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120, 150, ? mm/min; S 2000 ot/min; T 7"
+    "value": "**`N50`** číslo bloku\n\n---\n\n**blok N50 se provede 12×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00/G01 G17 G98 G40 G54 G94 G71 G80 G90/G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120, 150, ? mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -110,7 +110,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`L10`** číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče\n\nvolá podprogram L10\n\n- cíl: `N500 G79 L10` „jeden dulek“\n\n---\n\n**blok N50 se provede 12×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00/G01 G17 G98 G40 G54 G94 G71 G80 G90/G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120, 150, ? mm/min; S 2000 ot/min; T 7"
+    "value": "**`L10`** číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče\n\nvolá podprogram L10\n\n- cíl: `N500 G79 L10` „jeden dulek“\n\n---\n\n**blok N50 se provede 12×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00/G01 G17 G98 G40 G54 G94 G71 G80 G90/G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120, 150, ? mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -128,7 +128,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`X -R10`** 1. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem, jak jej čtou jeho slova: 5, 8, 11\n- hodnota slova: -5, -8, -11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T 7"
+    "value": "**`X -R10`** 1. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem, jak jej čtou jeho slova: 5, 8, 11\n- hodnota slova: -5, -8, -11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -146,7 +146,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`G73`** skok na blok téhož programového celku\n\nskupina G7: volání a skoky; platí jen ve svém bloku\n\nskok na blok N50; bloky N50–N60 se provedou 4× za sebou\n\n- cíl: `N50 G71 L10`\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem, jak jej čtou jeho slova: 5, 8, 11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T 7"
+    "value": "**`G73`** skok na blok téhož programového celku\n\nskupina G7: volání a skoky; platí jen ve svém bloku\n\nskok na blok N50; bloky N50–N60 se provedou 4× za sebou\n\n- cíl: `N50 G71 L10`\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem, jak jej čtou jeho slova: 5, 8, 11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -164,7 +164,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`R5 = 1101110`** parametr R0–R95\n\nřídicí slovo: `R10 = R10 + R11`; platí do změny\n\n---\n\n**blok N65 se provede 3×**\n\n- R5 po bloku: 1101110\n- R10 po bloku: 8, 11, 14\n- poloha po bloku: X -20, -32, -44 mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00 G17 G98 G40 G26 G54 G94 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T 7"
+    "value": "**`R5 = 1101110`** parametr R0–R95\n\nřídicí slovo: `R10 = R10 + R11`; platí do změny\n\n---\n\n**blok N65 se provede 3×**\n\n- R5 po bloku: 1101110\n- R10 po bloku: 8, 11, 14\n- poloha po bloku: X -20, -32, -44 mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00 G17 G98 G40 G26 G54 G94 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -182,7 +182,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`Q50`** počet opakování volání nebo skoku; s G04 časová prodleva po 10 ms\n\nčasová prodleva 0.5 s\n\n---\n\n**blok N70 se provede 3×**\n\n- poloha po bloku: X -20, -32, -44 mm; Y 12.5 mm; Z 5 mm; C 0 °\n- délka pohybu: 12.5 mm\n- prodleva: 0.5 s\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G91 G04 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T 7"
+    "value": "**`Q50`** počet opakování volání nebo skoku; s G04 časová prodleva po 10 ms\n\nčasová prodleva 0.5 s\n\n---\n\n**blok N70 se provede 3×**\n\n- poloha po bloku: X -20, -32, -44 mm; Y 12.5 mm; Z 5 mm; C 0 °\n- délka pohybu: 12.5 mm\n- prodleva: 0.5 s\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G91 G04 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -200,7 +200,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`F 150 mm/min`** posuv: při G94 a G96 v mm/min, při G95 a G97 v mm/ot\n\nplatí do změny\n\n---\n\n**blok N90 se provede 3×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 23.585, 34.355, 45.741 mm\n- skok se provede: 2×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T 7"
+    "value": "**`F 150 mm/min`** posuv: při G94 a G96 v mm/min, při G95 a G97 v mm/ot\n\nplatí do změny\n\n---\n\n**blok N90 se provede 3×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 23.585, 34.355, 45.741 mm\n- skok se provede: 2×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -218,7 +218,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`Q2`** počet opakování volání nebo skoku; s G04 časová prodleva po 10 ms\n\nskok na blok N50; bloky N50–N90 se provedou 3× za sebou\n\n- cíl: `N50 G71 L10`\n\n---\n\n**blok N90 se provede 3×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 23.585, 34.355, 45.741 mm\n- skok se provede: 2×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T 7"
+    "value": "**`Q2`** počet opakování volání nebo skoku; s G04 časová prodleva po 10 ms\n\nskok na blok N50; bloky N50–N90 se provedou 3× za sebou\n\n- cíl: `N50 G71 L10`\n\n---\n\n**blok N90 se provede 3×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 23.585, 34.355, 45.741 mm\n- skok se provede: 2×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -236,7 +236,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`C -90.5 °`** 4. až 6. osa, podle výrobce stroje\n\nrotační osa; platí do změny\n\n---\n\n**blok N100 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- délka pohybu: 90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 °/min; S 2000 ot/min; T 7"
+    "value": "**`C -90.5 °`** 4. až 6. osa, podle výrobce stroje\n\nrotační osa; platí do změny\n\n---\n\n**blok N100 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- délka pohybu: 90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 °/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -254,7 +254,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`L130`** číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče\n\nskok na blok N130; provede se vždy\n\n- cíl: `N130 M30`\n\n---\n\n**blok N110 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- skok se provede: 1×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T 7"
+    "value": "**`L130`** číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče\n\nskok na blok N130; provede se vždy\n\n- cíl: `N130 M30`\n\n---\n\n**blok N110 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- skok se provede: 1×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -272,7 +272,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`M30`** konec partprogramu\n\nskupina 1 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N130 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M30 M05 M40 M36 M09 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T 7"
+    "value": "**`M30`** konec partprogramu\n\nskupina 1 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N130 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M30 M05 M40 M36 M09 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -290,7 +290,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`Z -0.8 mm`** 3. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N510 se provede 24×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z -0.8 mm; C 0 °\n- délka pohybu: 5.8, 1.8 mm\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T 7"
+    "value": "**`Z -0.8 mm`** 3. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N510 se provede 24×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z -0.8 mm; C 0 °\n- délka pohybu: 5.8, 1.8 mm\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {

@@ -1,7 +1,9 @@
 # How often stretches run and units are called, and what parameters hold where they are read.
+=== client
+{ "capabilities": { "workspace": { "inlayHint": { "refreshSupport": true } } } }
 === open L9001
 ‹1›N1 G79 L9001 "groove"
-N2 G91 G01 XR1 F1000 R1=R2
+N2 G91 G01 X‹a›R1‹b› F1000 R1=R2
 N3 G70
 ‹2›
 === open part.nc
@@ -23,6 +25,8 @@ N530 Z5 G70
 N600 G79 L20
 N610 G70
 ‹3›
+=== said workspace/inlayHint/refresh
+null
 === findings part.nc
 9:4-9:8 W0503 R50 is read before the program gives it a value | note: its value comes from the machine's parameter table, and what depends on it is not checked | help: assign it first: `R50=…`, or give the machine's value with `--param R50=…`
 15:5-15:8 W0211 no G71 calls subprogram L20 | help: call it with `G71 L20`, or delete it
@@ -66,13 +70,13 @@ N610 G70
     "tooltip": "N20–N50 run 3× in a row each time they are reached: Q counts the jumps, not the runs. In the whole program the jump is taken 2×."
   },
   {
-    "label": "×0",
+    "label": "×1",
     "paddingLeft": true,
     "position": {
       "character": 14,
       "line": 6
     },
-    "tooltip": "Taken 0× before execution goes on with the next block. In the whole program it is taken 1×."
+    "tooltip": "Taken 1× before execution goes on with the next block. In the whole program it is taken 1×."
   }
 ]
 === request textDocument/inlayHint part.nc@2..3
@@ -137,3 +141,10 @@ N610 G70
     "tooltip": "R2 before the block: 7.5"
   }
 ]
+=== replace L9001 a b
+-R1
+=== said workspace/inlayHint/refresh
+null
+=== request textDocument/inlayHint L9001@1..2
+=== answer
+null
