@@ -173,8 +173,7 @@ pub(super) struct ExplainArgs {
 /// `lsp`.
 #[derive(Debug, Args)]
 pub(super) struct LspArgs {
-    /// The only transport; clients that know several say so.
-    #[arg(long, hide = true)]
+    #[arg(long)]
     pub stdio: bool,
 }
 

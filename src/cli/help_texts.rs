@@ -255,6 +255,13 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Codes or names of findings, functions, addresses. None: the list of all findings",
         "Kódy nebo názvy hlášení, funkce, adresy. Nic: seznam všech hlášení",
     ),
+    arg(
+        "lsp",
+        "stdio",
+        Options,
+        "Over standard input and output: the only way there is; for clients that say so",
+        "Po standardním vstupu a výstupu: jiný způsob není; pro klienty, kteří to uvádějí",
+    ),
     arg("schema", "schema", Arguments, "Of what", "Čeho"),
     arg("completions", "shell", Arguments, "For which shell", "Pro který shell"),
     arg("", "command", Arguments, "Of which command", "Ke kterému příkazu"),
