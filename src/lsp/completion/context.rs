@@ -59,7 +59,12 @@ impl<'a> Context<'a> {
         let lead_start = at - offset(lead.len());
         let before: Vec<Token> = tokens(text, start, at).collect();
         let named = lead.chars().count() > 1 && lead.chars().all(char::is_alphabetic);
-        let (wanted, from) = if named { (Wanted::Name, lead_start) } else { wanted(text, &before, at)? };
+        let (wanted, from) = match wanted(text, &before, at) {
+            // `XR` may be the begin of `XR10`.
+            Some((wanted @ Wanted::Value { .. }, from)) => (wanted, from),
+            _ if named => (Wanted::Name, lead_start),
+            found => found?,
+        };
         let block = block_at(file, from);
         let rest = text.get(at as usize..)?;
         let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
@@ -251,6 +256,7 @@ mod tests {
         for text in ["XR|", "X R|", "X-R|"] {
             assert_eq!(in_block(text), some(Wanted::Value { target: None }, "R"), "{text}");
         }
+        assert_eq!(at("%1\nN10 X1\nXR|").map(|found| found.0), Some(Wanted::Value { target: None }));
         assert_eq!(in_block("R11=R1|"), some(Wanted::Value { target: Some(11) }, "R1"));
         assert_eq!(in_block("R 5 = |"), some(Wanted::Value { target: Some(5) }, ""));
         assert_eq!(in_block("R5=-|"), some(Wanted::Value { target: Some(5) }, ""));

@@ -142,11 +142,9 @@ fn meaning(source: &Source<'_>, function: MFunction, row: Option<&MRow>) -> Stri
 
 fn m_documentation(source: &Source<'_>, function: MFunction, row: Option<&MRow>) -> String {
     let lang = source.lang;
-    let mut lines = vec![
-        format!("**M{:02}** – {}", function.number, meaning(source, function, row)),
-        ItemText::MGroup { group: function.group }.text(lang),
-    ];
+    let mut lines = vec![format!("**M{:02}** – {}", function.number, meaning(source, function, row))];
     if let Some(row) = row {
+        lines.push(ItemText::MGroup { group: function.group }.text(lang));
         lines.push(lasting(row.lasting).text(lang));
         if row.lasting == Lasting::Default {
             lines.push(ItemText::PowerUp.text(lang));

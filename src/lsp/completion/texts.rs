@@ -34,7 +34,7 @@ bilingual! {
         FourDigits "four digits, each 0, 1 or 2", "čtyři číslice, každá 0, 1 nebo 2";
         ParameterRange "0–95, then `=` and a number or parameter", "0–95, pak `=` a číslo nebo parametr";
         UntilChanged "Holds until changed.", "Platí do změny.";
-        Called { count: usize } "called {count}×", "voláno {count}×";
+        Called { count: usize } "called {count}×", "volán {count}×";
         NotCalled "not called", "není volán";
         NextSubprogram "next free number of a subprogram", "další volné číslo podprogramu";
         Missing "called, but not there yet", "volán, ale zatím chybí";
