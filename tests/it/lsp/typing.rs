@@ -104,7 +104,7 @@ fn ask_everything(client: &mut Client, uri: &str, at: &Value) {
     ] {
         let params = json!({
             "textDocument": { "uri": uri }, "position": at, "positions": [at], "range": lines,
-            "context": { "includeDeclaration": true, "diagnostics": [] }, "newName": "77", "ch": "\n",
+            "context": { "includeDeclaration": true, "diagnostics": [], "triggerKind": 1 }, "newName": "77", "ch": "\n",
             "options": { "tabSize": 4, "insertSpaces": true },
         });
         let answer = client.request(method, params);
