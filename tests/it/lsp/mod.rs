@@ -2,6 +2,7 @@
 
 mod client;
 mod life;
+mod rename;
 mod scenario;
 
 use client::Client;
