@@ -211,7 +211,19 @@ impl Names<'_> {
     fn of_word(&self, name: Name, usage: Usage, word: Word, function: Option<Word>) -> Naming {
         let parts = word.parts(self.file.source.text());
         let function = function.map(|word| self.span(word));
-        Naming { name, usage, number: parts.value, written: true, around: parts.word, function }
+        Naming { name, usage, number: self.digits(parts.value), written: true, around: parts.word, function }
+    }
+
+    /// The digits of a whole number, without what its address does not take; all of a number that is malformed.
+    fn digits(&self, value: Span) -> Span {
+        let text = self.file.source.slice(value);
+        let unsigned = text.trim_start_matches(['+', '-']);
+        let behind = unsigned.trim_start_matches(|character: char| character.is_ascii_digit());
+        if behind.trim_matches(['.', '0']).is_empty() && behind.len() < unsigned.len() {
+            part(value, text.len() - unsigned.len(), text.len() - behind.len())
+        } else {
+            value
+        }
     }
 
     fn of_target(&self, name: Name, word: Word) -> Naming {

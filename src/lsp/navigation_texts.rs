@@ -22,7 +22,7 @@ bilingual! {
         CallByParameter { n: u32, r: u8 } "block N{n} takes the number of a subprogram from R{r}: it may call this one", "blok N{n} bere číslo podprogramu z R{r}: může volat tento";
         MacrocycleFile { l: u32 } "the file of macrocycle L{l} is named by its number, and programs that are not open may call it", "soubor makrocyklu L{l} se jmenuje podle jeho čísla a volat ho mohou i programy, které nejsou otevřené";
         Reserved { r: u8 } "R{r} is reserved for control functions", "R{r} je vyhrazen pro řídicí funkce";
-        ControlParameter { r: u8 } "R{r} holds the control word of G26–G29", "R{r} nese řídicí slovo funkcí G26–G29";
+        ControlParameter "R5–R8 hold the control words of G26–G29, which the program uses", "R5–R8 nesou řídicí slova funkcí G26–G29, které program používá";
         Configured { r: u8 } "the configuration gives R{r} a value", "parametru R{r} dává hodnotu konfigurace";
         UsedInMacrocycle { r: u8, l: u32 } "macrocycle L{l} uses R{r} too, and programs that are not open may call it", "R{r} používá i makrocyklus L{l}, který mohou volat i programy, které nejsou otevřené";
         UnknownMacrocycle { n: u32 } "block N{n} may call a macrocycle that is known only when the program runs, and that may use the parameter", "blok N{n} může volat makrocyklus, který je znám až za běhu programu a může parametr používat";

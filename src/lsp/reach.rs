@@ -7,7 +7,7 @@ use gen_lsp_types::Uri;
 
 use super::analysis::Analysis;
 use super::cancel::Cancel;
-use super::cursor::{DOCUMENT, block_at};
+use super::cursor::{DOCUMENT, word_at};
 use super::names::{Name, Names, Naming};
 use crate::diag::Findings;
 use crate::dict::GGroup;
@@ -122,28 +122,17 @@ impl<'a> Reach<'a> {
     /// What the word of the document at `offset` names.
     pub(super) fn naming_at(&self, offset: u32) -> Option<Naming> {
         let names = self.names(DOCUMENT)?;
-        let block = block_at(names.file, offset)?;
-        let touches = |span: Span| span.start <= offset && offset <= span.end;
-        // At the border of two words, the one that begins is meant.
-        let before = block.0.checked_sub(1).map(BlockId);
-        let found = [before, Some(block)].into_iter().flatten().flat_map(|block| names.of_block(block, |_| true));
-        let placed = found.flat_map(|naming| {
-            [Some(naming.around), naming.function].into_iter().flatten().map(move |place| (place, naming))
-        });
+        let at = word_at(names.file, offset)?;
+        let touches = |span: Span| span.start <= offset && offset <= span.end && at.span.start <= span.start;
         let mut best: Option<(Span, Naming)> = None;
-        for (place, naming) in placed.filter(|(place, _)| touches(*place)) {
-            if best.is_none_or(|(known, _)| known.start < place.start) {
+        for naming in names.of_block(at.block?, |_| true) {
+            let place = [Some(naming.around), naming.function].into_iter().flatten().find(|place| touches(*place));
+            // Of the parts of a word, as of two words, the one that begins at a border is meant.
+            if let Some(place) = place.filter(|place| best.is_none_or(|(known, _)| known.start < place.start)) {
                 best = Some((place, naming));
             }
         }
-        best.filter(|(place, _)| self.begins_nothing_later(block, place.start, offset)).map(|(_, naming)| naming)
-    }
-
-    /// Whether no word of the block that begins behind `start` covers `offset`: one that names nothing.
-    fn begins_nothing_later(&self, block: BlockId, start: u32, offset: u32) -> bool {
-        let Some(file) = self.resolved.file(DOCUMENT) else { return true };
-        let mut words = file.n_word(block).into_iter().chain(file.words(block).iter().copied());
-        !words.any(|word| word.start() > start && word.start() <= offset && offset < word.span(file.source.text()).end)
+        best.map(|(_, naming)| naming)
     }
 
     /// Every place in a file that names `name`, in the order of the text. Those found until nobody wants them any more.

@@ -5,9 +5,10 @@ use super::names::{Name, Naming, Taker, Usage, arithmetic, control_words, flow, 
 use super::navigation_texts::NavigationText;
 use super::reach::Reach;
 use super::requests::Snapshot;
-use crate::diag::{Code, Finding};
+use crate::diag::{Code, Diagnostic, Finding};
 use crate::dict::{Address, GCode};
 use crate::resolve::{UnitId, UnitKind, control_word, l_number};
+use crate::session::Session;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
 /// Reserved for control functions.
@@ -121,7 +122,7 @@ impl Doubts<'_> {
         } else if configured {
             Some(NavigationText::Configured { r })
         } else if CONTROL.contains(&r) && self.everywhere(calculates) {
-            Some(NavigationText::ControlParameter { r })
+            Some(NavigationText::ControlParameter)
         } else {
             None
         }
@@ -163,12 +164,18 @@ impl Doubts<'_> {
         }
     }
 
-    /// What execution found (PAR-5).
+    /// What execution found (PAR-5); when nobody wants to know that, what it would find.
     fn read_before_assigned(&self, r: u8) -> bool {
-        self.snapshot.found.iter().flat_map(|found| found.report.items()).any(|item| {
-            item.diagnostic.code() == Code::W0503
-                && matches!(item.diagnostic.finding, Finding::UnassignedParameter { parameter } if parameter == r)
-        })
+        let analysis = self.reach.analysis;
+        let is_it = |diagnostic: &Diagnostic| matches!(diagnostic.finding, Finding::UnassignedParameter { parameter } if parameter == r);
+        if analysis.settings.severity(Code::W0503).is_some() {
+            let found = self.snapshot.found.iter().flat_map(|found| found.report.items());
+            return found.into_iter().any(|item| is_it(&item.diagnostic));
+        }
+        let goes_on = |_| !self.snapshot.cancel.is_cancelled();
+        let session = Session { progress: Some(&goes_on), ..analysis.session() };
+        let outcome = session.check(&analysis.path, "");
+        outcome.findings.items().iter().any(is_it)
     }
 
     /// Uses of parameters that cannot be seen: in macrocycles that are not known, and by control words.

@@ -188,3 +188,51 @@ N60 M30
   "code": -32803,
   "message": "R95 je vyhrazen pro řídicí funkce"
 }
+=== open sharing.nc
+%308
+N10 R2=1 R20=2
+N20 G00 XR‹shared›2 YR20
+N‹second›20 G72 L9001
+N30 G73 L20 Q1
+N40 M30
+=== request textDocument/prepareRename sharing.nc@shared
+=== answer
+{
+  "code": -32803,
+  "message": "R2 používá i makrocyklus L9001, který mohou volat i programy, které nejsou otevřené"
+}
+=== open errors.nc
+%309
+N10 R20=1
+N20 XR‹with errors›20
+N‹second›20 Y1 M3O
+N30 G73 L20 Q1
+N40 M30
+=== request textDocument/prepareRename errors.nc@with errors
+=== answer
+{
+  "code": -32803,
+  "message": "program obsahuje chyby: jaké hodnoty mají parametry, není známo"
+}
+=== request textDocument/rename errors.nc@second
+{ "newName": "25" }
+=== answer
+{
+  "changes": {
+    "DIR/errors.nc": [
+      {
+        "newText": "25",
+        "range": {
+          "end": {
+            "character": 3,
+            "line": 3
+          },
+          "start": {
+            "character": 1,
+            "line": 3
+          }
+        }
+      }
+    ]
+  }
+}

@@ -121,7 +121,7 @@ N120 G70
 === answer
 {
   "code": -32803,
-  "message": "R7 holds the control word of G26–G29"
+  "message": "R5–R8 hold the control words of G26–G29, which the program uses"
 }
 === request textDocument/rename part.nc@r
 { "newName": "R3" }

@@ -4,6 +4,7 @@ mod changes;
 mod client;
 mod completion;
 mod life;
+mod rename;
 mod scenario;
 mod typing;
 mod windows;
