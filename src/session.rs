@@ -7,16 +7,19 @@ use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, Problem, Severity};
-use crate::expand::{Executor, Stop};
+use crate::expand::{Checkpoint, Executor, Stop};
 use crate::ir::{
     AxisRecord, BlockWriter, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA,
     write_end, write_file, write_program,
 };
-use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program};
+use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
+use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 
 /// Blocks between two reports of progress.
 const PROGRESS: u64 = 1 << 16;
+/// Blocks between two looks at a checked program; [`PROGRESS`] is a multiple of it.
+pub const STRIDE: u64 = 1 << 13;
 /// Records are handed on in pieces of about this many bytes.
 const PIECE: usize = 1 << 18;
 
@@ -70,7 +73,7 @@ impl Session<'_> {
     pub fn check(&self, path: &Path, name: &str) -> Outcome {
         let (mut outcome, mut resolved) = self.resolve(path, name);
         if self.can_execute(&resolved, &outcome) {
-            self.execute(path, &mut resolved, &mut outcome);
+            self.execute(path, &mut resolved, &mut outcome, |_| {});
         }
         outcome
     }
@@ -93,17 +96,57 @@ impl Session<'_> {
         resolved.main().is_some() && !self.has_errors(&outcome.findings, Purpose::Check)
     }
 
-    /// The second half of [`Self::check`]: what execution finds joins the outcome.
-    pub fn execute(&self, path: &Path, resolved: &mut Resolved, outcome: &mut Outcome) {
+    /// The second half of [`Self::check`]: what execution finds joins the outcome. `look` sees the executor before the first
+    /// block and after every [`STRIDE`] blocks.
+    pub fn execute(
+        &self,
+        path: &Path,
+        resolved: &mut Resolved,
+        outcome: &mut Outcome,
+        mut look: impl FnMut(&Executor<'_, '_>),
+    ) {
         let mut library = self.library(path);
         let Outcome { sources, findings, executed, .. } = outcome;
         let mut executor = Executor::new(resolved, self.settings, &mut library, sources, findings, Purpose::Check);
+        look(&executor);
         while executor.step().is_some() {
-            if self.is_cancelled(executor.executed()) {
-                break;
+            if executor.executed().is_multiple_of(STRIDE) {
+                look(&executor);
+                if self.is_cancelled(executor.executed()) {
+                    break;
+                }
             }
         }
         *executed = executor.executed();
+    }
+
+    /// Checks a piece of a long straight program alone: `source` is the text from one block up to another, whose numbers
+    /// `between` stand around it, `from` is known before it and `to` after it. The findings, with places in the piece, are
+    /// those of the whole program, when that has none outside of the piece. `None` when the piece cannot be judged alone, or
+    /// leads to something else than `to`.
+    pub fn check_window(
+        &self,
+        source: &Arc<SourceText>,
+        between: (u32, u32),
+        from: &Checkpoint,
+        to: &Checkpoint,
+    ) -> Option<Outcome> {
+        let mut outcome = Outcome::default();
+        let Outcome { sources, findings, executed, .. } = &mut outcome;
+        let mut resolved = resolve_window(source, between, self.settings, sources, findings)?;
+        if self.has_errors(findings, Purpose::Check) {
+            return Some(outcome);
+        }
+        let blocks = resolved.file(FileIndex(0)).map_or(0, ParsedFile::block_count);
+        let mut library = self.library(Path::new(source.name()));
+        let mut executor = Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
+        executor.resume(from);
+        for _ in 0..blocks {
+            executor.step()?;
+        }
+        *executed = executor.executed();
+        let converged = executor.checkpoint() == *to;
+        converged.then_some(outcome)
     }
 
     /// Executes a program that has no errors and shows every executed block to `look`, until that breaks, or the

@@ -150,6 +150,11 @@ impl<'a, 'l> Executor<'a, 'l> {
         (self.file, self.block)
     }
 
+    /// The program.
+    pub const fn resolved(&self) -> &Resolved {
+        self.resolved
+    }
+
     /// What R`index` holds after the block in hand; `None` when it is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
         self.state.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)

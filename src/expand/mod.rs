@@ -4,6 +4,7 @@
 mod arc;
 mod arithmetic;
 mod block;
+mod checkpoint;
 mod executor;
 mod flow;
 mod frames;
@@ -14,4 +15,5 @@ mod parameters;
 mod state;
 mod technology;
 
+pub use checkpoint::Checkpoint;
 pub use executor::{Executor, Stop};

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use super::baseline::{Baseline, Marker};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
@@ -49,6 +50,8 @@ pub(super) struct Found {
     pub(super) read: Vec<PathBuf>,
     /// Whether the configuration has errors, so that the program was not judged.
     pub(super) misconfigured: bool,
+    /// For quick looks at later changes, when the program is long and nothing is wrong with it.
+    pub(super) baseline: Option<Baseline>,
 }
 
 /// What a run gives on its way.
@@ -65,6 +68,16 @@ pub(super) fn is_configuration(path: &Path) -> bool {
         || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"))
 }
 
+/// The configuration of the programs in the folder of `path`: the settings of the client over those of the project file;
+/// and what was found in which files.
+pub(super) fn configuration(path: &Path, files: &EditorFiles, client: &Client) -> (Settings, Sources, Findings) {
+    let project = find_project(path.parent().unwrap_or(Path::new("")), files);
+    let (mut sources, mut findings) = (Sources::new(), Findings::new());
+    let overrides = &client.settings.overrides;
+    let settings = configure(project.as_deref(), overrides, files, &mut sources, &mut findings);
+    (settings, sources, findings)
+}
+
 /// Runs over the document at `path`. `None` when that was cancelled.
 pub(super) fn run(
     path: &Path,
@@ -76,11 +89,7 @@ pub(super) fn run(
     if cancel.is_cancelled() {
         return None;
     }
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let project = find_project(folder, files);
-    let (mut config_sources, mut config_findings) = (Sources::new(), Findings::new());
-    let overrides = &client.settings.overrides;
-    let settings = configure(project.as_deref(), overrides, files, &mut config_sources, &mut config_findings);
+    let (settings, config_sources, config_findings) = configuration(path, files, client);
     let configured = || {
         let mut report = Report::new();
         report.add(&config_sources, config_findings.clone(), |code| settings.severity(code));
@@ -91,7 +100,7 @@ pub(super) fn run(
     let mut read = paths(files, &config_sources);
     read.extend(settings.macrocycles.iter().map(|folder| files.canonical(folder)));
     if is_configuration(path) {
-        return Some(Found { report, read, misconfigured });
+        return Some(Found { report, read, misconfigured, baseline: None });
     }
 
     let begun = Instant::now();
@@ -125,23 +134,26 @@ pub(super) fn run(
         },
         read_by_program,
     );
+    let mut baseline = None;
     if executable {
         if let Ok(mut interim) = interim.lock() {
             let (mut report, findings) = (configured(), outcome.findings.clone());
             report.add_program(&outcome.sources, findings, |code| settings.severity_for(code, outcome.purpose));
-            *interim = Some(Found { report, read: read.clone(), misconfigured });
+            *interim = Some(Found { report, read: read.clone(), misconfigured, baseline: None });
         }
-        session.execute(path, &mut resolved, &mut outcome);
+        let mut marker = Marker::new(&resolved);
+        session.execute(path, &mut resolved, &mut outcome, |executor| marker.look(executor));
         if cancel.is_cancelled() {
             return None;
         }
+        baseline = marker.finish(&resolved, &settings, &outcome);
     }
     read.extend(paths(files, &outcome.sources));
     if !misconfigured {
         let Outcome { sources, findings, purpose, .. } = outcome;
         report.add_program(&sources, findings, |code| settings.severity_for(code, purpose));
     }
-    Some(Found { report, read, misconfigured })
+    Some(Found { report, read, misconfigured, baseline })
 }
 
 fn paths(files: &EditorFiles, sources: &Sources) -> Vec<PathBuf> {

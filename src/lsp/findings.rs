@@ -5,14 +5,16 @@ use std::path::Path;
 
 use gen_lsp_types::{
     Code as LspCode, CodeDescription, Diagnostic as LspDiagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
-    DiagnosticTag, Location as LspLocation, Message, Uri,
+    DiagnosticTag, Location as LspLocation, Message, Range, Uri,
 };
 
+use super::baseline::Seen;
 use super::files::EditorFiles;
 use super::places::{Places, location};
 use super::texts::Text;
-use crate::diag::{Code, Diagnostic, Report, Severity};
+use crate::diag::{Code, Diagnostic, Report, Reported, Severity};
 use crate::dict::Lang;
+use crate::session::Outcome;
 use crate::text::{ColumnUnit, FileId};
 
 /// The scheme of the server's own documents: `cnc872c:/explain/cs/E0307.md`.
@@ -37,21 +39,47 @@ pub(super) fn by_file(
         }
         let Some((_, uri, places)) = &mut current else { continue };
         let converter = Converter { report, files, unit, lang };
-        let diagnostic = converter.diagnostic(&item.diagnostic, item.severity, places);
-        found.entry(uri.clone()).or_default().push(diagnostic);
+        found.entry(uri.clone()).or_default().push(converter.diagnostic(item, places));
     }
     found
 }
 
-struct Converter<'a> {
-    report: &'a Report,
-    files: &'a EditorFiles,
+/// The findings of a quick look, at their places in the whole document.
+pub(super) fn in_piece(
+    seen: &Seen,
+    files: &EditorFiles,
     unit: ColumnUnit,
     lang: Lang,
+) -> BTreeMap<Uri, Vec<LspDiagnostic>> {
+    let mut report = Report::new();
+    let Outcome { sources, findings, purpose, .. } = &seen.outcome;
+    report.add_program(sources, findings.clone(), |code| seen.settings.severity_for(code, *purpose));
+    let mut found = by_file(&report, files, unit, lang);
+    let lines = u32::try_from(seen.line).unwrap_or(u32::MAX);
+    let down = |range: &mut Range| {
+        range.start.line = range.start.line.saturating_add(lines);
+        range.end.line = range.end.line.saturating_add(lines);
+    };
+    for diagnostic in found.values_mut().flatten() {
+        down(&mut diagnostic.range);
+        diagnostic.related_information.iter_mut().flatten().for_each(|related| down(&mut related.location.range));
+    }
+    found
+}
+
+/// Makes findings of a report what the client shows.
+#[derive(Clone, Copy)]
+pub(super) struct Converter<'a> {
+    pub(super) report: &'a Report,
+    pub(super) files: &'a EditorFiles,
+    pub(super) unit: ColumnUnit,
+    pub(super) lang: Lang,
 }
 
 impl Converter<'_> {
-    fn diagnostic(&self, diagnostic: &Diagnostic, severity: Severity, places: &mut Places<'_>) -> LspDiagnostic {
+    /// One finding; `places` are those of its file.
+    pub(super) fn diagnostic(&self, item: &Reported, places: &mut Places<'_>) -> LspDiagnostic {
+        let Reported { severity, diagnostic } = item;
         let code = diagnostic.code();
         LspDiagnostic {
             range: places.range(diagnostic.at.span),

@@ -11,16 +11,17 @@ use lsp_server::{ErrorCode, RequestId, ResponseError};
 use serde_json::{Value, json};
 
 use super::analysis::{self, Analysis, Found, Progress, is_configuration};
+use super::baseline::Baseline;
 use super::cancel::Cancel;
 use super::files::Document;
-use super::findings::by_file;
+use super::findings::{by_file, in_piece};
 use super::places::span;
 use super::requests::Needs;
 use super::server::{Server, Waiting};
 use super::texts::Text;
 use super::workers::guarded;
 use crate::session::Session;
-use crate::text::SourceText;
+use crate::text::{SourceText, Span};
 
 /// What threads report.
 #[derive(Debug)]
@@ -80,6 +81,10 @@ pub(super) struct Root {
     pub(super) found: Option<Arc<Found>>,
     /// The run of the newest generation failed.
     failed: bool,
+    /// For quick looks at changes of a long program.
+    baseline: Option<Baseline>,
+    /// A quick look gave the findings; the run over the whole waits for a rest, or for a request.
+    looked: bool,
     /// The files of the last run.
     read: Vec<PathBuf>,
     pub(super) waiting: Vec<Waiting>,
@@ -87,6 +92,10 @@ pub(super) struct Root {
 
 impl Root {
     fn touch(&mut self, unasked: bool) {
+        if unasked {
+            self.baseline = None;
+        }
+        self.looked = false;
         self.generation += 1;
         self.dirty = true;
         self.unasked |= unasked;
@@ -96,12 +105,33 @@ impl Root {
         self.failed = false;
     }
 
+    /// The findings of a quick look are shown: the run over the whole can wait.
+    fn rest(&mut self) {
+        self.looked = true;
+        self.dirty = false;
+    }
+
+    /// Whether a run over the whole waits for a rest.
+    pub(super) const fn rests(&self) -> bool {
+        self.looked && self.analysis.is_none() && !self.dirty
+    }
+
+    /// Ends the rest.
+    pub(super) fn rouse(&mut self) {
+        if self.rests() {
+            self.dirty = true;
+            self.looked = false;
+        }
+    }
+
     /// Takes the requests that have what they need.
     pub(super) fn take_ready(&mut self) -> Vec<Waiting> {
         let (ready, waiting) = std::mem::take(&mut self.waiting).into_iter().partition(|waiting| match waiting.needs {
             Needs::Nothing => true,
             Needs::Analysis => self.analysis.is_some() || self.found.is_some() || self.failed,
-            Needs::Findings => self.found.is_some() || self.failed,
+            Needs::Findings => {
+                self.found.is_some() || self.failed || (self.looked && waiting.method == "textDocument/diagnostic")
+            }
         });
         self.waiting = waiting;
         ready
@@ -141,20 +171,10 @@ impl Server {
         let params: DidChangeTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
         let path = self.files.path_of(&params.text_document.text_document_identifier.uri);
         let unit = self.client.unit;
-        let Some(document) = self.files.open_mut().get_mut(&path) else { return Err("not open".to_owned()) };
-        document.version = params.text_document.version;
-        let source = Arc::make_mut(&mut document.source);
-        for change in params.content_changes {
-            let (replaced, text) = match change {
-                TextDocumentContentChangeEvent::TextDocumentContentChangePartial(change) => {
-                    (span(source, change.range, unit), change.text)
-                }
-                TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(change) => {
-                    (crate::text::Span::new(0, source.len()), change.text)
-                }
-            };
-            source.replace(replaced, &text);
+        if self.files.buffer(&path).is_none() {
+            return Err("not open".to_owned());
         }
+        // What is known of the old text goes before the text is changed: nobody else has it then, and it is not copied.
         if let Some(root) = self.roots.get_mut(&path) {
             root.touch(false);
             let outdated = std::mem::take(&mut root.waiting);
@@ -162,8 +182,39 @@ impl Server {
                 self.outdated(waiting);
             }
         }
+        let Some(document) = self.files.open_mut().get_mut(&path) else { return Err("not open".to_owned()) };
+        document.version = params.text_document.version;
+        let source = Arc::make_mut(&mut document.source);
+        let mut changes = Vec::new();
+        for change in params.content_changes {
+            let (replaced, text) = match change {
+                TextDocumentContentChangeEvent::TextDocumentContentChangePartial(change) => {
+                    (span(source, change.range, unit), change.text)
+                }
+                TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(change) => {
+                    (Span::new(0, source.len()), change.text)
+                }
+            };
+            if source.replace(replaced, &text) {
+                changes.push((replaced, text.len()));
+            }
+        }
         self.changed(&path, false);
+        self.look(&path, &changes);
         Ok(())
+    }
+
+    /// Looks at changes of a long program alone, when that tells all.
+    fn look(&mut self, path: &Path, changes: &[(Span, usize)]) {
+        let (Some(root), Some(document)) = (self.roots.get_mut(path), self.files.open().get(path)) else { return };
+        let Some(mut baseline) = root.baseline.take() else { return };
+        let Some(seen) = baseline.look(changes, &document.source, &self.files) else { return };
+        root.baseline = Some(baseline);
+        root.rest();
+        let uri = document.uri.clone();
+        let found = in_piece(&seen, &self.files, self.client.unit, self.client.lang()).remove(&uri);
+        self.publisher.set_own(path, &uri, found.unwrap_or_default());
+        self.publish(vec![uri]);
     }
 
     /// Answers a request whose positions are those of a text that is no more.
@@ -263,7 +314,9 @@ impl Server {
         let Some(root) = self.newest(run) else { return };
         match found {
             Ok(None) => {}
-            Ok(Some(found)) => {
+            Ok(Some(mut found)) => {
+                // With findings there is no new one; the one before still tells what a change of the same piece makes.
+                root.baseline = found.baseline.take().or(root.baseline.take());
                 let found = Arc::new(found);
                 root.read.clone_from(&found.read);
                 root.found = Some(Arc::clone(&found));

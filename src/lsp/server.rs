@@ -5,8 +5,9 @@ use std::io::{self, BufRead, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread;
+use std::time::Duration;
 
-use crossbeam_channel::{Receiver, Sender, bounded, select, unbounded};
+use crossbeam_channel::{Receiver, Sender, after, bounded, never, select, unbounded};
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response, ResponseError};
 use serde_json::{Value, json};
 
@@ -26,6 +27,9 @@ use crate::dict::Lang;
 const QUEUE: usize = 64;
 /// Threads for analyses, and as many for requests: a long analysis keeps no request waiting.
 const THREADS: usize = 2;
+
+/// A long program is looked at as a whole when nothing came for so long.
+const REST: Duration = Duration::from_millis(500);
 
 /// How the server ended.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -145,6 +149,7 @@ impl Server {
     fn run(mut self, incoming: &Receiver<Incoming>) -> Ended {
         let finished = self.finished.clone();
         loop {
+            let rest = if self.roots.values().any(Root::rests) { after(REST) } else { never() };
             let step = select! {
                 recv(incoming) -> message => match message {
                     Ok(Incoming::Message(Message::Notification(note))) if note.method == "exit" => {
@@ -157,6 +162,10 @@ impl Server {
                     Ok(event) => guarded(|| self.finish(event)),
                     Err(_) => return Ended::Abruptly,
                 },
+                recv(rest) -> _ => {
+                    self.roots.values_mut().for_each(Root::rouse);
+                    Ok(())
+                }
             };
             if let Err(panic) = step {
                 self.log(&panic);
@@ -312,7 +321,9 @@ impl Server {
             self.start(waiting, None);
             return;
         }
-        let uri = ["/textDocument/uri", "/item/uri"].into_iter().find_map(|at| waiting.params.pointer(at)?.as_str());
+        let uri = ["/textDocument/uri", "/item/uri", "/data/uri"]
+            .into_iter()
+            .find_map(|at| waiting.params.pointer(at)?.as_str());
         let path = uri.and_then(|uri| gen_lsp_types::Uri::parse(uri).ok()).map(|uri| self.files.path_of(&uri));
         match path.filter(|path| self.roots.contains_key(path)) {
             Some(path) => {
@@ -331,6 +342,9 @@ impl Server {
     pub(super) fn serve_waiting(&mut self, path: &PathBuf) {
         let Some(root) = self.roots.get_mut(path) else { return };
         let ready = root.take_ready();
+        if !root.waiting.is_empty() {
+            root.rouse();
+        }
         for waiting in ready {
             if waiting.method == "textDocument/diagnostic" {
                 let result = self.pulled(path, &waiting.params);

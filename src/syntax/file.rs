@@ -146,6 +146,12 @@ impl ParsedFile {
         self.comments.get(start..end).unwrap_or_default()
     }
 
+    /// The comments before the first block, quotes included.
+    pub fn comments_before_blocks(&self) -> &[Span] {
+        let end = self.blocks.first().map_or(self.comments.len(), |first| first.first_comment as usize);
+        self.comments.get(..end).unwrap_or_default()
+    }
+
     /// What is known of a block.
     #[inline]
     pub fn flags(&self, block: BlockId) -> BlockFlags {

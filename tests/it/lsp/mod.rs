@@ -1,9 +1,12 @@
 //! The language server as clients meet it: the real program, over standard input and output.
 
+mod changes;
 mod client;
+mod completion;
 mod life;
 mod scenario;
 mod typing;
+mod windows;
 
 use client::Client;
 
