@@ -113,12 +113,14 @@ end
 
 -- Asks the server and waits for its answer; nil, and a message, when there is none.
 function M.request(name, params, buffer)
+  -- Not 0: by the number of the buffer changes are found that the server was not told yet.
+  buffer = buffer or vim.api.nvim_get_current_buf()
   local client = M.client(buffer)
   if not client then
     vim.notify('cnc872c: no server looks after this buffer', vim.log.levels.WARN)
     return nil
   end
-  local answer, problem = method(client, 'request_sync', name, params, 10000, buffer or 0)
+  local answer, problem = method(client, 'request_sync', name, params, 10000, buffer)
   problem = problem or (answer and answer.err and answer.err.message)
   if problem then
     vim.notify('cnc872c: ' .. problem, vim.log.levels.ERROR)
