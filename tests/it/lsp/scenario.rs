@@ -305,7 +305,6 @@ impl Scenario {
 
 /// Changes a text as the protocol says, columns in UTF-16 (texts of scenarios have the same columns in UTF-8 where that counts).
 pub(super) fn apply(text: &mut String, changes: &[Value]) {
-pub fn apply(text: &mut String, changes: &[Value]) {
     for change in changes {
         let new = change["text"].as_str().unwrap();
         let Some(range) = change.get("range") else {
