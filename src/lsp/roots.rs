@@ -295,9 +295,9 @@ impl Server {
                 if let Some(root) = self.newest(&run) {
                     root.analysis = Some(analysis);
                     root.read = read;
-                    let unasked = root.unasked;
+                    let changed_by_others = root.unasked && root.generation > 1;
                     self.serve_waiting(&run.path);
-                    if unasked || concerns {
+                    if changed_by_others || concerns {
                         self.ask_to_refresh();
                     }
                 }

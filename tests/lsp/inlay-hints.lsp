@@ -147,4 +147,32 @@ null
 null
 === request textDocument/inlayHint L9001@1..2
 === answer
-null
+[
+  {
+    "label": "called 2×",
+    "paddingLeft": true,
+    "position": {
+      "character": 12,
+      "line": 0
+    },
+    "tooltip": "How often it is executed in the whole program; every repeat by Q counts."
+  },
+  {
+    "label": "= -5, -7.5",
+    "paddingLeft": true,
+    "position": {
+      "character": 15,
+      "line": 1
+    },
+    "tooltip": "R1 before the block: 5, 7.5"
+  },
+  {
+    "label": "= 7.5",
+    "paddingLeft": true,
+    "position": {
+      "character": 27,
+      "line": 1
+    },
+    "tooltip": "R2 before the block: 7.5"
+  }
+]
