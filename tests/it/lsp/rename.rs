@@ -45,6 +45,10 @@ impl Loader for Edited<'_> {
         disk().list(folder)
     }
 
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        disk().folders(folder)
+    }
+
     fn canonical(&self, path: &Path) -> PathBuf {
         disk().canonical(path)
     }
