@@ -11,6 +11,7 @@ mod lines;
 mod modal;
 mod motion;
 mod parameters;
+mod points;
 mod state;
 mod technology;
 
