@@ -59,6 +59,24 @@ pub(super) struct Travel {
     word: Option<Word>,
 }
 
+/// How the values of axis words are read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reading {
+    /// G91.
+    incremental: bool,
+    /// The axis whose values are diameters: X under G74 (MOT-1).
+    diameter: Option<usize>,
+}
+
+impl Reading {
+    /// A programmed value as a coordinate.
+    #[inline]
+    fn coordinate(self, axis: usize, value: Decimal) -> Micro {
+        let value = Micro::from(value);
+        if self.diameter == Some(axis) { value.half() } else { value }
+    }
+}
+
 impl Executor<'_, '_> {
     /// Executes the motion or the data words of the block.
     pub(super) fn run_motion(&mut self) -> Moved {
@@ -159,11 +177,12 @@ impl Executor<'_, '_> {
             }
         }
         if self.words.has(GCode::G93).is_some() {
+            let reading = self.reading();
             for axis in 0..9 {
                 if let Some(valued) = self.words.axes.get(axis).copied().flatten() {
                     let position = valued
                         .value
-                        .map_or(Position::Undetermined, |value| Position::Known(self.programmed(axis, value)));
+                        .map_or(Position::Undetermined, |value| Position::Known(reading.coordinate(axis, value)));
                     self.state.set_position(axis, position);
                 }
             }
@@ -178,21 +197,21 @@ impl Executor<'_, '_> {
         self.state.origin_changed = true;
     }
 
-    /// A programmed value as a coordinate: X under G74 is a diameter (MOT-1).
-    fn programmed(&self, axis: usize, value: Decimal) -> Micro {
-        let value = Micro::from(value);
+    /// How the values of axes are read in this block.
+    pub(super) fn reading(&self) -> Reading {
+        let incremental = self.in_force(GGroup::G9) == Some(GCode::G91);
         let diameters = self.state.modal(GGroup::G10) == Some(GCode::G74);
-        let is_x = self.settings.machine.axes.get(axis).is_some_and(|axis| axis.letter == AxisLetter::X);
-        if diameters && is_x { value.half() } else { value }
+        let diameter = if diameters { self.settings.machine.axes.index(AxisLetter::X) } else { None };
+        Reading { incremental, diameter }
     }
 
     /// How an axis word moves its axis (MOT-1, MOT-2).
     #[inline]
-    pub(super) fn travel(&self, axis: usize, valued: Valued) -> Option<Travel> {
+    pub(super) fn travel(&self, axis: usize, valued: Valued, reading: Reading) -> Option<Travel> {
         let definition = self.settings.machine.axes.get(axis)?;
         let before = self.state.position(axis);
-        let incremental = self.in_force(GGroup::G9) == Some(GCode::G91);
-        let value = valued.value.map(|value| self.programmed(axis, value));
+        let incremental = reading.incremental;
+        let value = valued.value.map(|value| reading.coordinate(axis, value));
         let (after, distance) = match (incremental, value, before) {
             (false, Some(target), Position::Known(start)) => (Position::Known(target), Some(target.minus(start))),
             (false, Some(target), _) => (Position::Known(target), None),
@@ -205,8 +224,9 @@ impl Executor<'_, '_> {
 
     /// The motions of the axes written in the block, in machine order.
     fn find_travels(&self, travels: &mut Vec<Travel>) {
+        let reading = self.reading();
         travels.clear();
-        travels.extend(self.words.axis_words().filter_map(|(axis, valued)| self.travel(axis, valued)));
+        travels.extend(self.words.axis_words().filter_map(|(axis, valued)| self.travel(axis, valued, reading)));
     }
 
     /// The axis that is the spindle at the moment (MFN-10).

@@ -3,7 +3,7 @@
 
 use super::block::Valued;
 use super::executor::Executor;
-use super::motion::{Travel, motion_type};
+use super::motion::{Reading, Travel, motion_type};
 use super::state::{Held, Position};
 use crate::dict::{GCode, GGroup};
 use crate::ir::MotionType;
@@ -18,7 +18,7 @@ pub(super) enum Run {
     /// More than move straight.
     Involved,
     /// They move straight, and nothing but positions changes.
-    Straight(MotionType),
+    Straight(MotionType, Reading),
 }
 
 impl Executor<'_, '_> {
@@ -29,9 +29,9 @@ impl Executor<'_, '_> {
         if matches!(self.run, Run::Unknown) {
             self.settle();
         }
-        let Run::Straight(kind) = self.run else { return false };
+        let Run::Straight(kind, reading) = self.run else { return false };
         let mut travels = std::mem::take(&mut self.travels);
-        let straight = self.read_point(block, &mut travels);
+        let straight = self.read_point(block, reading, &mut travels);
         if straight {
             self.begin_record(block);
             let stale = std::mem::take(&mut self.state.origin_changed);
@@ -48,19 +48,24 @@ impl Executor<'_, '_> {
 
     /// The motions of a block's words. `false`: there is another word, or something to be said of one.
     #[inline]
-    fn read_point(&self, block: BlockId, travels: &mut Vec<Travel>) -> bool {
+    fn read_point(&self, block: BlockId, reading: Reading, travels: &mut Vec<Travel>) -> bool {
         travels.clear();
         let Some(file) = self.resolved.file(self.file) else { return false };
         for &word in file.words(block) {
             let Some(axis) = self.settings.machine.axes.index_of(word.address) else { return false };
-            let Some(travel) = self.travel(axis, Valued { word, value: word.number() }) else { return false };
+            let Some(travel) = self.travel(axis, Valued { word, value: word.number() }, reading) else { return false };
             if travel.incremental && travel.before == Position::Unknown {
                 return false;
             }
             // In machine order; of words for the same axis the last one counts.
-            match travels.iter_mut().rfind(|known| known.axis <= axis) {
+            if travels.last().is_none_or(|last| last.axis < axis) {
+                travels.push(travel);
+                continue;
+            }
+            let at = travels.partition_point(|known| known.axis < axis);
+            match travels.get_mut(at) {
                 Some(known) if known.axis == axis => *known = travel,
-                _ => travels.insert(travels.partition_point(|known| known.axis < axis), travel),
+                _ => travels.insert(at, travel),
             }
         }
         !travels.is_empty()
@@ -83,7 +88,7 @@ impl Executor<'_, '_> {
             MotionType::ArcCw | MotionType::ArcCcw | MotionType::Reference => false,
         };
         let cycle = self.in_force(GGroup::G8).is_some_and(GCode::is_cycle);
-        self.run = if straight && !cycle { Run::Straight(kind) } else { Run::Involved };
+        self.run = if straight && !cycle { Run::Straight(kind, self.reading()) } else { Run::Involved };
     }
 
     /// Whether a working motion may have something to say about F and S (TEC-2, TEC-3).

@@ -289,7 +289,7 @@ fn call<'r>(line: Line<'r>, call: &Call) -> Line<'r> {
 #[inline]
 fn motion<'r>(mut line: Line<'r>, motion: &Motion, order: &[AxisLetter]) -> Line<'r> {
     let Motion { kind, axes, delta, length_mm, length_deg, plane, center, radius_mm, sweep_deg, spindle_axis } = motion;
-    line = line.put(br#","motion":{"type":"#).string(kind.name());
+    line = line.put(br#","motion":{"type":""#).put_all(kind.name().as_bytes()).put(b"\"");
     let mut open = false;
     for axis in axes.iter() {
         line = if open { line.put(b",") } else { line.put(br#","axes":["#) };
@@ -340,15 +340,20 @@ fn byte(letter: char) -> u8 {
 const EIGHT: u64 = 100_000_000;
 /// Eight characters `0`.
 const ZEROS: u64 = 0x3030_3030_3030_3030;
+/// Four of them.
+const FOUR_ZEROS: u32 = 0x3030_3030;
+
+/// The digits of a number below 10000, a byte each, the first one in the lowest byte.
+#[inline]
+const fn four_digits(value: u32) -> u32 {
+    let (high, low) = (value / 100, value % 100);
+    (high / 10) | ((high % 10) << 8) | ((low / 10) << 16) | ((low % 10) << 24)
+}
 
 /// The eight digits of a number below [`EIGHT`], a byte each, the first one in the lowest byte.
 #[inline]
 const fn digits(value: u32) -> u64 {
-    const fn four(value: u32) -> u32 {
-        let (high, low) = (value / 100, value % 100);
-        (high / 10) | ((high % 10) << 8) | ((low / 10) << 16) | ((low % 10) << 24)
-    }
-    four(value / 10_000) as u64 | ((four(value % 10_000) as u64) << 32)
+    four_digits(value / 10_000) as u64 | ((four_digits(value % 10_000) as u64) << 32)
 }
 
 /// A line being written. It is handed on by value, so that its end stays in a register: there are sixty things to write in
@@ -413,12 +418,18 @@ impl<'r> Line<'r> {
     }
 
     fn long_int(self, value: u64) -> Self {
+        // All digits are put down, without those before the first that counts, and the end is then taken back: a copy of
+        // fixed length is quicker than one that fits.
+        if let Some(value) = u32::try_from(value).ok().filter(|value| *value < 10_000) {
+            let digits = four_digits(value);
+            let unused = (digits.trailing_zeros() / 8).min(3);
+            let line = self.put(&((digits | FOUR_ZEROS) >> (8 * unused)).to_le_bytes());
+            return Self { at: line.at - unused as usize, ..line };
+        }
         let (high, low) = (value / EIGHT, u32::try_from(value % EIGHT).unwrap_or(0));
         if high > 0 {
             return self.int(high).put(&(digits(low) | ZEROS).to_le_bytes());
         }
-        // All eight are put down, without those before the first that counts, and the end is then taken back: a copy of
-        // fixed length is quicker than one that fits.
         let digits = digits(low);
         let unused = (digits.trailing_zeros() / 8).min(7);
         let line = self.put(&((digits | ZEROS) >> (8 * unused)).to_le_bytes());
@@ -439,6 +450,13 @@ impl<'r> Line<'r> {
         let fraction = u32::try_from(magnitude % 1_000_000).unwrap_or(0);
         if fraction == 0 {
             return line;
+        }
+        if fraction.is_multiple_of(1000) {
+            // As programmed.
+            let digits = four_digits(fraction / 100);
+            let unused = digits.leading_zeros() / 8;
+            let line = line.put(b".").put(&(digits | FOUR_ZEROS).to_le_bytes());
+            return Self { at: line.at - unused as usize, ..line };
         }
         let digits = digits(fraction * 100);
         let unused = digits.leading_zeros() / 8;
