@@ -146,14 +146,10 @@ pub(super) fn long_word(text: &str, start: u32) -> Span {
     let mut parameters = 0;
     let mut item: Vec<Token> = Vec::new();
     for token in tokens(text, start, end) {
-        let goes_on = match token.kind {
-            Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals => true,
-            Kind::Parameter | Kind::LooseParameter => {
-                parameters += 1;
-                parameters <= 2
-            }
-            _ => false,
-        };
+        let parameter = matches!(token.kind, Kind::Parameter | Kind::LooseParameter);
+        parameters += u32::from(parameter);
+        let goes_on = matches!(token.kind, Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals)
+            || (parameter && parameters <= 2);
         if !goes_on && !item.is_empty() {
             break;
         }
