@@ -6,6 +6,7 @@ pub mod diag;
 pub mod dict;
 pub mod expand;
 pub mod ir;
+pub mod lsp;
 pub mod resolve;
 pub mod session;
 pub mod syntax;

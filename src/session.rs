@@ -1,21 +1,25 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, Problem, Severity};
-use crate::expand::{Executor, Stop};
+use crate::expand::{Checkpoint, Executor, Stop};
 use crate::ir::{
     AxisRecord, BlockWriter, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA,
     write_end, write_file, write_program,
 };
-use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program};
-use crate::text::{DecodeError, FileId, Loader, Location, SourceText, Sources, Span};
+use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
+use crate::syntax::ParsedFile;
+use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 
 /// Blocks between two reports of progress.
 const PROGRESS: u64 = 1 << 16;
+/// Blocks between two looks at a checked program; [`PROGRESS`] is a multiple of it.
+pub const STRIDE: u64 = 1 << 13;
 /// Records are handed on in pieces of about this many bytes.
 const PIECE: usize = 1 << 18;
 
@@ -67,26 +71,107 @@ pub struct Session<'a> {
 impl Session<'_> {
     /// Checks the program or macrocycle at `path`, which the user calls `name`: everything that `check` finds.
     pub fn check(&self, path: &Path, name: &str) -> Outcome {
+        let (mut outcome, mut resolved) = self.resolve(path, name);
+        if self.can_execute(&resolved, &outcome) {
+            self.execute(path, &mut resolved, &mut outcome, |_| {});
+        }
+        outcome
+    }
+
+    /// The first half of [`Self::check`]: what is found without executing the program.
+    pub fn resolve(&self, path: &Path, name: &str) -> (Outcome, Resolved) {
         let mut outcome = Outcome::default();
-        let Some(source) = self.read(path, name, &mut outcome) else { return outcome };
-        let mut library = Library::new(self.loader, &self.settings.macrocycles, path);
-        let Outcome { sources, findings, executed, .. } = &mut outcome;
-        if let Some(l) = Library::number(path) {
-            resolve_macrocycle(&source, l, self.settings, &mut library, sources, findings);
-            return outcome;
-        }
-        let mut resolved = resolve_program(&source, self.settings, &mut library, sources, findings);
-        if self.has_errors(findings, Purpose::Check) {
-            return outcome;
-        }
-        let mut executor = Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
+        let Some(source) = self.read(path, name, &mut outcome) else { return (outcome, Resolved::default()) };
+        let mut library = self.library(path);
+        let Outcome { sources, findings, .. } = &mut outcome;
+        let resolved = match Library::number(path) {
+            Some(l) => resolve_macrocycle(&source, l, self.settings, &mut library, sources, findings),
+            None => resolve_program(&source, self.settings, &mut library, sources, findings),
+        };
+        (outcome, resolved)
+    }
+
+    /// Whether the second half of [`Self::check`] follows: it is a program, and nothing written in it is wrong.
+    pub fn can_execute(&self, resolved: &Resolved, outcome: &Outcome) -> bool {
+        resolved.main().is_some() && !self.has_errors(&outcome.findings, Purpose::Check)
+    }
+
+    /// The second half of [`Self::check`]: what execution finds joins the outcome. `look` sees the executor before the first
+    /// block and after every [`STRIDE`] blocks.
+    pub fn execute(
+        &self,
+        path: &Path,
+        resolved: &mut Resolved,
+        outcome: &mut Outcome,
+        mut look: impl FnMut(&Executor<'_, '_>),
+    ) {
+        let mut library = self.library(path);
+        let Outcome { sources, findings, executed, .. } = outcome;
+        let mut executor = Executor::new(resolved, self.settings, &mut library, sources, findings, Purpose::Check);
+        look(&executor);
         while executor.step().is_some() {
-            if self.is_cancelled(executor.executed()) {
-                break;
+            if executor.executed().is_multiple_of(STRIDE) {
+                look(&executor);
+                if self.is_cancelled(executor.executed()) {
+                    break;
+                }
             }
         }
         *executed = executor.executed();
-        outcome
+    }
+
+    /// Checks a piece of a long straight program alone: `source` is the text from one block up to another, whose numbers
+    /// `between` stand around it, `from` is known before it and `to` after it. The findings, with places in the piece, are
+    /// those of the whole program, when that has none outside of the piece. `None` when the piece cannot be judged alone, or
+    /// leads to something else than `to`.
+    pub fn check_window(
+        &self,
+        source: &Arc<SourceText>,
+        between: (u32, u32),
+        from: &Checkpoint,
+        to: &Checkpoint,
+    ) -> Option<Outcome> {
+        let mut outcome = Outcome::default();
+        let Outcome { sources, findings, executed, .. } = &mut outcome;
+        let mut resolved = resolve_window(source, between, self.settings, sources, findings)?;
+        if self.has_errors(findings, Purpose::Check) {
+            return Some(outcome);
+        }
+        let blocks = resolved.file(FileIndex(0)).map_or(0, ParsedFile::block_count);
+        let mut library = self.library(Path::new(source.name()));
+        let mut executor = Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
+        executor.resume(from);
+        for _ in 0..blocks {
+            executor.step()?;
+        }
+        *executed = executor.executed();
+        let converged = executor.checkpoint() == *to;
+        converged.then_some(outcome)
+    }
+
+    /// Executes a program that has no errors and shows every executed block to `look`, until that breaks, or the
+    /// program ends. Nothing is reported.
+    pub fn observe(
+        &self,
+        path: &Path,
+        resolved: &Resolved,
+        sources: &Sources,
+        mut look: impl FnMut(&Executor<'_, '_>) -> ControlFlow<()>,
+    ) {
+        let (mut resolved, mut sources, mut findings) = (resolved.clone(), sources.clone(), Findings::new());
+        let mut library = self.library(path);
+        let mut executor =
+            Executor::new(&mut resolved, self.settings, &mut library, &mut sources, &mut findings, Purpose::Compile);
+        while executor.step().is_some() {
+            if look(&executor).is_break() || self.is_cancelled(executor.executed()) {
+                break;
+            }
+        }
+    }
+
+    /// The macrocycles that the program at `path` may call.
+    pub fn library(&self, path: &Path) -> Library<'_> {
+        Library::new(self.loader, &self.settings.macrocycles, path)
     }
 
     /// Compiles the program at `path` to `out`. When the outcome has errors, the stream has no `end` record.
@@ -100,7 +185,7 @@ impl Session<'_> {
             return Ok(outcome);
         }
         let Some(source) = self.read(path, name, &mut outcome) else { return Ok(outcome) };
-        let mut library = Library::new(self.loader, &self.settings.macrocycles, path);
+        let mut library = self.library(path);
         let Outcome { sources, findings, executed, .. } = &mut outcome;
         let mut resolved = resolve_program(&source, self.settings, &mut library, sources, findings);
         if self.has_errors(findings, Purpose::Compile) {
@@ -185,17 +270,10 @@ impl Session<'_> {
     }
 
     fn read(&self, path: &Path, name: &str, outcome: &mut Outcome) -> Option<Arc<SourceText>> {
-        let bytes = match self.loader.read(path) {
-            Ok(bytes) => bytes,
+        match self.loader.load(path, name, self.settings.encoding) {
+            Ok(source) => Some(source),
             Err(error) => {
                 self.refuse(name, Problem::from_io(&error), outcome);
-                return None;
-            }
-        };
-        match SourceText::decode(name, bytes, self.settings.encoding) {
-            Ok(source) => Some(Arc::new(source)),
-            Err(DecodeError::TooLarge) => {
-                self.refuse(name, Problem::TooLarge, outcome);
                 None
             }
         }

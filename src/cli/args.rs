@@ -55,6 +55,7 @@ pub(super) enum Command {
     Check(CheckArgs),
     Compile(CompileArgs),
     Explain(ExplainArgs),
+    Lsp(LspArgs),
     Schema(SchemaArgs),
     Completions(CompletionsArgs),
     Man(ManArgs),
@@ -167,6 +168,14 @@ impl FromArgMatches for LevelArgs {
 pub(super) struct ExplainArgs {
     #[arg(value_name = "CODE")]
     pub names: Vec<String>,
+}
+
+/// `lsp`.
+#[derive(Debug, Args)]
+pub(super) struct LspArgs {
+    /// The only transport; clients that know several say so.
+    #[arg(long, hide = true)]
+    pub stdio: bool,
 }
 
 /// `schema`.

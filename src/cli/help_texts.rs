@@ -144,6 +144,17 @@ Příklady:
         },
     ),
     about(
+        "lsp",
+        "Serves an editor: findings while typing, meanings, jumps (language server on stdin and stdout)",
+        "Slouží editoru: nálezy při psaní, významy, skoky (jazykový server na stdin a stdout)",
+        Bilingual {
+            en: "\
+Editors start it themselves; docs/guide/editors.en.md says how they are set up.",
+            cs: "\
+Editory jej spouštějí samy; jak je nastavit, popisuje docs/guide/editors.cs.md.",
+        },
+    ),
+    about(
         "schema",
         "Prints the JSON Schema of what the other commands write and read",
         "Vypíše JSON Schema toho, co ostatní příkazy zapisují a čtou",

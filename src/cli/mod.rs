@@ -11,6 +11,7 @@ mod fix;
 mod help;
 mod help_texts;
 mod locale;
+mod lsp;
 mod page;
 mod progress;
 mod replace;
@@ -52,6 +53,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
         Command::Check(args) => check::run(args, locale),
         Command::Compile(args) => compile::run(args, locale),
         Command::Explain(args) => explain::run(args, locale),
+        Command::Lsp(_) => lsp::run(locale),
         Command::Schema(args) => schema::run(args),
         Command::Completions(args) => shell::completions(args, locale),
         Command::Man(args) => shell::man(args, locale),

@@ -38,6 +38,9 @@ bilingual! {
         FixNeedsFile { file: String }
             "--fix changes files, and {file} is not one: give a regular file",
             "--fix mění soubory a {file} souborem není: zadat obyčejný soubor";
+        ServerOfEditors
+            "this is the language server: it waits for an editor's messages on standard input; Ctrl-D ends it",
+            "toto je jazykový server: čeká na zprávy editoru na standardním vstupu; ukončí jej Ctrl-D";
         ChannelConfigDialect { dialect: String }
             "--channel-config does not go with {dialect}: only cnc872 has a ChannelConfig",
             "--channel-config nelze použít s {dialect}: ChannelConfig má jen cnc872";

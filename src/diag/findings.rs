@@ -9,7 +9,7 @@ use crate::text::Location;
 pub const LIMIT_PER_SEVERITY: usize = 10_000;
 
 /// Collects findings: each code once at a place, a bounded number of each severity, the rest counted.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Findings {
     items: Vec<Diagnostic>,
     seen: HashSet<(Code, Location)>,

@@ -9,7 +9,7 @@ use super::points::Run;
 use super::state::{Position, State};
 use crate::config::{Purpose, Settings};
 use crate::diag::{CallSite, Diagnostic, Finding, Findings};
-use crate::dict::{Address, AxisLetter, GCode};
+use crate::dict::{Address, AxisLetter, Decimal, GCode};
 use crate::ir::{AxisMap, BlockRecord, Call};
 use crate::resolve::{FileIndex, Library, Resolved, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, Word};
@@ -151,6 +151,26 @@ impl<'a, 'l> Executor<'a, 'l> {
     /// Whether execution found an error.
     pub fn found_errors(&self) -> bool {
         self.findings.error_count() > self.errors_before
+    }
+
+    /// The record of the block in hand: of the last step, complete when the purpose is to compile.
+    pub const fn record(&self) -> &BlockRecord {
+        &self.record
+    }
+
+    /// Where the block in hand stands.
+    pub const fn place(&self) -> (FileIndex, BlockId) {
+        (self.file, self.block)
+    }
+
+    /// The program.
+    pub const fn resolved(&self) -> &Resolved {
+        self.resolved
+    }
+
+    /// What R`index` holds after the block in hand; `None` when it is not known (PAR-5).
+    pub fn parameter(&self, index: u8) -> Option<Decimal> {
+        self.state.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
     }
 
     /// The name of the file of the block in hand.

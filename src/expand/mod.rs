@@ -4,6 +4,7 @@
 mod arc;
 mod arithmetic;
 mod block;
+mod checkpoint;
 mod executor;
 mod flow;
 mod frames;
@@ -15,4 +16,5 @@ mod points;
 mod state;
 mod technology;
 
+pub use checkpoint::Checkpoint;
 pub use executor::{Executor, Stop};

@@ -27,7 +27,7 @@ impl Position {
 }
 
 /// Where a parameter got its value.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Origin {
     /// Nowhere: the machine's table has it.
     Machine,
@@ -38,7 +38,7 @@ pub(super) enum Origin {
 }
 
 /// A parameter.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Parameter {
     /// `None`: not known (PAR-5).
     pub(super) value: Option<Decimal>,
@@ -71,7 +71,7 @@ impl Held {
 }
 
 /// What is in force.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct State {
     /// Lasting G functions, by group.
     pub(super) g: [Option<GCode>; 12],

@@ -1,5 +1,7 @@
 //! Where the calls and jumps that are written with digits lead (§6).
 
+use std::sync::Arc;
+
 use super::blocks::g_code;
 use super::structure::{Context, l_number};
 use super::{FileIndex, MacrocycleFault, Resolved, Target, Unit, UnitId, UnitKind};
@@ -61,7 +63,8 @@ fn follow_unit(context: &mut Context<'_, '_>, resolved: &mut Resolved, unit: Uni
             .into_iter()
             .find(|(code, _)| *code == written.code)
             .and_then(|(_, follow)| follow(context, resolved, unit, written, l));
-        if let (Some(target), Some(file)) = (target, resolved.files.get_mut(unit.file.0 as usize)) {
+        let file = resolved.files.get_mut(unit.file.0 as usize).and_then(Arc::get_mut);
+        if let (Some(target), Some(file)) = (target, file) {
             let at = file.targets.partition_point(|(known, _)| *known < block);
             file.targets.insert(at, (block, target));
         }

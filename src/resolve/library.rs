@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::diag::Problem;
-use crate::text::Loader;
+use crate::text::{Encoding, Loader, SourceText};
 
 /// Why a macrocycle cannot be called.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -63,9 +64,26 @@ impl<'a> Library<'a> {
     /// # Errors
     /// [`MacrocycleFault::Missing`] or [`MacrocycleFault::Ambiguous`].
     pub fn find(&mut self, l: u32) -> Result<PathBuf, MacrocycleFault> {
+        match self.index().get(&l).map(Vec::as_slice) {
+            None | Some([]) => {
+                let name = |folder: &PathBuf| match folder.to_string_lossy() {
+                    name if name.is_empty() => ".".to_owned(),
+                    name => name.into_owned(),
+                };
+                Err(MacrocycleFault::Missing { searched: self.folders.iter().map(name).collect::<Vec<_>>().join(", ") })
+            }
+            Some([only]) => Ok(only.clone()),
+            Some([first, second, ..]) => Err(MacrocycleFault::Ambiguous {
+                first: first.to_string_lossy().into_owned(),
+                second: second.to_string_lossy().into_owned(),
+            }),
+        }
+    }
+
+    fn index(&mut self) -> &BTreeMap<u32, Vec<PathBuf>> {
         let loader = self.loader;
         let folders = &self.folders;
-        let index = self.index.get_or_insert_with(|| {
+        self.index.get_or_insert_with(|| {
             let mut index: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
             for path in folders.iter().flat_map(|folder| loader.list(folder)) {
                 if let Some(number) = Self::number(&path) {
@@ -77,29 +95,21 @@ impl<'a> Library<'a> {
                 }
             }
             index
-        });
-        match index.get(&l).map(Vec::as_slice) {
-            None | Some([]) => {
-                let name = |folder: &PathBuf| match folder.to_string_lossy() {
-                    name if name.is_empty() => ".".to_owned(),
-                    name => name.into_owned(),
-                };
-                Err(MacrocycleFault::Missing { searched: folders.iter().map(name).collect::<Vec<_>>().join(", ") })
-            }
-            Some([only]) => Ok(only.clone()),
-            Some([first, second, ..]) => Err(MacrocycleFault::Ambiguous {
-                first: first.to_string_lossy().into_owned(),
-                second: second.to_string_lossy().into_owned(),
-            }),
-        }
+        })
     }
 
-    /// The bytes of a macrocycle file.
+    /// The text of a macrocycle file, called `name`.
     ///
     /// # Errors
     /// [`MacrocycleFault::Unreadable`].
-    pub fn read(&self, path: &Path) -> Result<Vec<u8>, MacrocycleFault> {
-        self.loader.read(path).map_err(|error| MacrocycleFault::Unreadable(Problem::from_io(&error)))
+    pub fn load(&self, path: &Path, name: &str, fallback: Encoding) -> Result<Arc<SourceText>, MacrocycleFault> {
+        let unreadable = |error| MacrocycleFault::Unreadable(Problem::from_io(&error));
+        self.loader.load(path, name, fallback).map_err(unreadable)
+    }
+
+    /// The macrocycles that can be called, by number; of two files of one number the first.
+    pub fn all(&mut self) -> impl Iterator<Item = (u32, &Path)> {
+        self.index().iter().filter_map(|(number, paths)| Some((*number, paths.first()?.as_path())))
     }
 }
 

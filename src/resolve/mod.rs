@@ -10,6 +10,7 @@ mod library;
 mod program;
 mod rings;
 mod structure;
+mod window;
 
 pub use flow::macrocycle_finding;
 pub use forms::{FormFault, check_form, feed_range};
@@ -17,3 +18,4 @@ pub use library::{Library, MacrocycleFault};
 pub use program::{FileIndex, Resolved, Target, Unit, UnitId, UnitKind};
 pub use rings::ring_text;
 pub use structure::{ControlWord, control_word, resolve_macrocycle, resolve_program};
+pub use window::resolve_window;

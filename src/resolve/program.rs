@@ -1,6 +1,7 @@
 //! A resolved program: its files, its units, and where its calls and jumps lead.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::Location;
@@ -74,10 +75,11 @@ pub(super) struct ResolvedFile {
     pub(super) numbered: BTreeMap<u32, BlockId>,
 }
 
-/// A program or macrocycle with everything that its written calls lead to.
-#[derive(Debug, Default)]
+/// A program or macrocycle with everything that its written calls lead to. A copy shares the files.
+#[derive(Clone, Debug, Default)]
 pub struct Resolved {
-    pub(super) files: Vec<ResolvedFile>,
+    /// Shared between copies; the targets of a file are set while it has one owner, before its program is resolved.
+    pub(super) files: Vec<Arc<ResolvedFile>>,
     pub(super) units: Vec<Unit>,
     pub(super) subprograms: BTreeMap<u32, UnitId>,
     pub(super) macrocycles: BTreeMap<u32, UnitId>,
@@ -151,7 +153,7 @@ impl Resolved {
 
     pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: BTreeMap<u32, BlockId>) -> FileIndex {
         let index = FileIndex(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
-        self.files.push(ResolvedFile { parsed, targets: Vec::new(), numbered });
+        self.files.push(Arc::new(ResolvedFile { parsed, targets: Vec::new(), numbered }));
         index
     }
 }

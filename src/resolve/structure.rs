@@ -10,10 +10,10 @@ use rayon::prelude::*;
 use super::blocks::{BlockChecker, g_code};
 use super::{FileIndex, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
-use crate::diag::{Diagnostic, Finding, Findings, LabelText, Problem};
+use crate::diag::{Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
-use crate::text::{DecodeError, Location, SourceText, Sources, Span};
+use crate::text::{Location, SourceText, Sources, Span};
 
 /// Most subprograms of a file (PRG-4).
 const SUBPROGRAMS: usize = 99;
@@ -103,10 +103,7 @@ impl Context<'_, '_> {
             return Ok(id);
         }
         let path = self.library.find(l)?;
-        let bytes = self.library.read(&path)?;
-        let source = SourceText::decode(display_name(&path), bytes, self.settings.encoding)
-            .map_err(|DecodeError::TooLarge| MacrocycleFault::Unreadable(Problem::TooLarge))?;
-        let source = Arc::new(source);
+        let source = self.library.load(&path, &display_name(&path), self.settings.encoding)?;
         let file = self.sources.add(Arc::clone(&source));
         let parsed = parse(file, &source, Form::Macrocycle, self.findings);
         Ok(self.add_macrocycle(resolved, parsed, l))

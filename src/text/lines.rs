@@ -10,7 +10,7 @@ pub struct LineColumn {
 }
 
 /// The offsets at which lines begin.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct LineIndex {
     starts: Vec<u32>,
 }
@@ -27,6 +27,28 @@ impl LineIndex {
             }
         }
         Self { starts }
+    }
+
+    /// Follows a change: of `text`, the bytes from `from` to `inserted_end` stand where before stood those from `from` to
+    /// `removed_end`.
+    pub(super) fn replaced(&mut self, text: &str, from: u32, removed_end: u32, inserted_end: u32) {
+        // The byte before the change may be the CR of a CR LF that comes to be or is no more, and so may the one behind.
+        let window = self.line_at(from.saturating_sub(1));
+        let kept_to = self.starts.partition_point(|&start| start <= removed_end.saturating_add(1));
+        let behind = self.starts.split_off(kept_to);
+        self.starts.truncate(window + 1);
+        let begin = self.starts.last().copied().unwrap_or(0);
+        let end = (inserted_end as usize + 1).min(text.len());
+        let bytes = text.as_bytes();
+        for at in memchr::memchr2_iter(b'\n', b'\r', bytes.get(begin as usize..end).unwrap_or_default()) {
+            let at = begin as usize + at;
+            if !(bytes.get(at) == Some(&b'\r') && bytes.get(at + 1) == Some(&b'\n')) {
+                self.starts.push(u32::try_from(at + 1).unwrap_or(u32::MAX));
+            }
+        }
+        let last = self.starts.last().copied().unwrap_or(0);
+        let moved = behind.into_iter().map(|start| (start - removed_end).saturating_add(inserted_end));
+        self.starts.extend(moved.filter(|&start| start > last));
     }
 
     /// Index from 0 of the line that holds `offset`.
@@ -62,7 +84,24 @@ impl LineIndex {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+
+    proptest! {
+        /// A changed index is the index of the changed text, whatever happens to CR LF at the borders.
+        #[test]
+        fn follows_changes(text in "[a\r\n]{0,12}", inserted in "[b\r\n]{0,4}", from in 0_usize..13, length in 0_usize..5) {
+            let from = from.min(text.len());
+            let to = (from + length).min(text.len());
+            let mut index = LineIndex::new(&text, 0);
+            let mut changed = text.clone();
+            changed.replace_range(from..to, &inserted);
+            let place = |at: usize| u32::try_from(at).unwrap();
+            index.replaced(&changed, place(from), place(to), place(from + inserted.len()));
+            prop_assert_eq!(index.starts, LineIndex::new(&changed, 0).starts);
+        }
+    }
 
     /// LEX-8: only CR and LF end lines; VT, FF, NEL and U+2028 do not.
     #[test]

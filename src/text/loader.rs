@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::{Encoding, SourceText};
 
 /// Where bytes come from. The core reads files through this and in no other way.
 pub trait Loader: Sync {
@@ -11,6 +14,17 @@ pub trait Loader: Sync {
     /// # Errors
     /// What the operating system says; [`io::ErrorKind::NotFound`] when there is no such file.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
+
+    /// The text of a program or macrocycle, called `name`; `fallback` decodes what is not UTF-8 (LEX-13). A loader that
+    /// has the text decoded already, as an editor's buffer is, gives that.
+    ///
+    /// # Errors
+    /// Those of [`Self::read`], and [`io::ErrorKind::FileTooLarge`] from 4 GiB on.
+    fn load(&self, path: &Path, name: &str, fallback: Encoding) -> io::Result<Arc<SourceText>> {
+        let bytes = self.read(path)?;
+        let source = SourceText::decode(name, bytes, fallback).map_err(|_| io::ErrorKind::FileTooLarge)?;
+        Ok(Arc::new(source))
+    }
 
     /// The files of a folder (not of folders in it), sorted; none when the folder cannot be read.
     fn list(&self, folder: &Path) -> Vec<PathBuf>;

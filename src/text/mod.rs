@@ -3,6 +3,7 @@
 //! Every later stage works on UTF-8 text and [`Span`]s of it. Lines, columns and offsets in the file's own bytes are
 //! worked out only for what is shown.
 
+mod columns;
 mod encoding;
 mod lines;
 mod loader;
@@ -10,6 +11,7 @@ mod source;
 mod sources;
 mod span;
 
+pub use columns::ColumnUnit;
 pub use encoding::Encoding;
 pub use lines::{LineColumn, LineIndex};
 pub use loader::{Loader, MemoryLoader};

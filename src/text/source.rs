@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::{Encoding, LineColumn, LineIndex, Span};
+use super::{ColumnUnit, Encoding, LineColumn, LineIndex, Span};
 
 /// Index of a file among the sources of one run; the program is 0.
 #[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -25,7 +25,7 @@ pub enum DecodeError {
 }
 
 /// The text of one file, decoded, with the way back to its bytes.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct SourceText {
     name: String,
     text: String,
@@ -123,6 +123,63 @@ impl SourceText {
         }
     }
 
+    /// Replaces the text of `span`, as an editor does; a span that is none of this text, or a text that would reach 4 GiB,
+    /// changes nothing, and `false` comes back.
+    pub fn replace(&mut self, span: Span, with: &str) -> bool {
+        let grown = u32::try_from(self.text.len() + with.len()).is_ok();
+        if !grown || self.text.get(span.range()).is_none() {
+            return false;
+        }
+        self.text.replace_range(span.range(), with);
+        let bom = self.text.starts_with('\u{feff}');
+        let first = self.first_offset();
+        match self.lines.get_mut() {
+            // Behind a byte-order mark the first line begins elsewhere.
+            Some(lines) if bom == self.bom && span.start >= first => {
+                lines.replaced(&self.text, span.start, span.end, span.start + saturate(with.len()));
+            }
+            _ => self.lines = OnceLock::new(),
+        }
+        self.bom = bom;
+        true
+    }
+
+    /// The offset of column `column` (from 0, in `unit`s) of line `line` (from 0), both counted from the very start of the
+    /// text. Places behind the end of a line are its end, lines behind the last are the end of the text, and a column
+    /// inside a character is the begin of it.
+    pub fn offset_at(&self, line: usize, column: u32, unit: ColumnUnit) -> u32 {
+        if line >= self.lines().count() {
+            return self.len();
+        }
+        let span = self.editor_line(line);
+        let text = self.slice(span);
+        if unit == ColumnUnit::Bytes || text.is_ascii() {
+            let at = span.start.saturating_add(column).min(span.end);
+            return (span.start..=at).rev().find(|&at| self.text.is_char_boundary(at as usize)).unwrap_or(span.start);
+        }
+        let mut passed = 0;
+        for (at, character) in text.char_indices() {
+            passed += unit.width(character);
+            if passed > column {
+                return span.start + saturate(at);
+            }
+        }
+        span.end
+    }
+
+    /// A line as an editor counts it: the first one with its byte-order mark.
+    fn editor_line(&self, line: usize) -> Span {
+        let span = self.line_span(line);
+        if line == 0 { Span::new(0, span.end) } else { span }
+    }
+
+    /// Line and column (both from 0, the column in `unit`s) of `offset`, as [`Self::offset_at`] takes them.
+    pub fn position_of(&self, offset: u32, unit: ColumnUnit) -> (usize, u32) {
+        let line = self.lines().line_at(offset);
+        let start = self.editor_line(line).start;
+        (line, unit.count(self.slice(Span::new(start, offset.max(start)))))
+    }
+
     /// The span of line `line` (from 0), its line end excluded.
     pub fn line_span(&self, line: usize) -> Span {
         let lines = self.lines();
@@ -152,6 +209,35 @@ mod tests {
         assert_eq!(utf8.line_column(x), LineColumn { line: 1, column: 9 });
         assert_eq!(dos.line_column(x), LineColumn { line: 1, column: 9 });
         assert_eq!((utf8.byte_offset(x), dos.byte_offset(x)), (9, 8));
+    }
+
+    /// Editors count in bytes, UTF-16 or characters; every place leads back to itself.
+    #[test]
+    fn editor_positions() {
+        let source = SourceText::from_text("a", "\u{feff}%1\r\nN1 \"ř😀\" X5\nN2");
+        let offset = |text: &str| u32::try_from(source.text().find(text).unwrap()).unwrap();
+        for (unit, column) in [(ColumnUnit::Bytes, 12), (ColumnUnit::Utf16, 9), (ColumnUnit::Characters, 8)] {
+            assert_eq!(source.position_of(offset("X5"), unit), (1, column), "{unit:?}");
+            assert_eq!(source.offset_at(1, column, unit), offset("X5"), "{unit:?}");
+            assert_eq!(source.offset_at(1, 99, unit), offset("\nN2"), "{unit:?}");
+            assert_eq!(source.offset_at(7, 0, unit), source.len(), "{unit:?}");
+            assert_eq!(source.offset_at(2, 1, unit), offset("N2") + 1, "{unit:?}");
+        }
+        assert_eq!(source.offset_at(1, 6, ColumnUnit::Utf16), offset("😀"), "inside a surrogate pair");
+        assert_eq!(source.offset_at(0, 1, ColumnUnit::Utf16), 3, "behind the byte-order mark");
+    }
+
+    /// A replaced text is as a new one.
+    #[test]
+    fn replacements() {
+        let mut source = SourceText::from_text("a", "%1\nN1 X5\nN2");
+        assert_eq!(source.lines().count(), 3);
+        assert!(source.replace(Span::new(3, 8), "N1 X5\nN15"));
+        assert_eq!((source.text(), source.lines().count()), ("%1\nN1 X5\nN15\nN2", 4));
+        assert!(source.replace(Span::new(0, 0), "\u{feff}"));
+        assert_eq!((source.first_offset(), source.lines().start(0)), (3, Some(3)));
+        assert!(!source.replace(Span::new(1, 2), ""), "inside a character");
+        assert!(!source.replace(Span::new(0, 99), ""), "behind the end");
     }
 
     /// LEX-8: a byte-order mark takes no column.

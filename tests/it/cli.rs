@@ -151,7 +151,7 @@ fn wrong_usage_goes_to_stderr_with_status_2() {
     place.run(&["check", "a.nc", "--nope"]).ends(2).says("--nope");
     place.run(&["check", "a.nc", "--dialect", "fanuc"]).ends(2).says("[cnc8x6, cnc8x9, cnc872]");
     place.run(&["compile", "a.nc", "b.nc"]).ends(2).says("b.nc");
-    place.run(&["help", "lsp"]).ends(2).says("no command lsp");
+    place.run(&["help", "plot"]).ends(2).says("no command plot");
     place.run(&["--lang", "cs", "check"]).ends(2).says("chyba: chybí <CESTA>...");
 }
 

@@ -10,6 +10,7 @@ mod disk;
 mod docs;
 mod explain;
 mod faults;
+mod lsp;
 mod markers;
 mod model;
 mod properties;

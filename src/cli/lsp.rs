@@ -1,0 +1,22 @@
+//! `lsp`: the language server, for editors.
+
+use std::io::{self, BufReader, BufWriter, IsTerminal};
+use std::sync::Arc;
+
+use super::disk::DiskLoader;
+use super::locale::Locale;
+use super::status::{Failure, Status, tell};
+use super::words::Words;
+use crate::lsp::{Ended, serve};
+
+pub(super) fn run(locale: Locale) -> Result<Status, Failure> {
+    if io::stdin().is_terminal() {
+        tell(&Words::ServerOfEditors, locale.lang);
+    }
+    let input = BufReader::with_capacity(1 << 16, io::stdin());
+    let output = BufWriter::with_capacity(1 << 16, io::stdout());
+    Ok(match serve(Arc::new(DiskLoader::default()), locale.lang, input, output)? {
+        Ended::Orderly => Status::Fine,
+        Ended::Abruptly => Status::Faulty,
+    })
+}

@@ -1,0 +1,155 @@
+//! The run over one open document: what requests are answered from, and what is found.
+
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::time::{Duration, Instant};
+
+use super::baseline::{Baseline, Marker};
+use super::cancel::Cancel;
+use super::client::Client;
+use super::files::EditorFiles;
+use crate::config::{PROJECT_FILE, Settings, configure, find_project};
+use crate::diag::{Findings, Report};
+use crate::resolve::Resolved;
+use crate::session::{Outcome, Session};
+use crate::text::{Loader, Sources};
+
+/// Findings that need no execution are shown after this time, when execution takes longer.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// What is known of a program or macrocycle before it is executed. The document itself is file 0.
+#[derive(Debug)]
+pub(super) struct Analysis {
+    /// Canonical.
+    pub(super) path: PathBuf,
+    /// The files as they were.
+    pub(super) files: EditorFiles,
+    /// The configuration.
+    pub(super) settings: Settings,
+    /// The texts.
+    pub(super) sources: Sources,
+    /// Units, targets, blocks, words.
+    pub(super) resolved: Resolved,
+    /// Whether the program can be executed, so that positions and values are known.
+    pub(super) executable: bool,
+}
+
+impl Analysis {
+    /// A session over the same files.
+    pub(super) fn session(&self) -> Session<'_> {
+        Session { loader: &self.files, settings: &self.settings, progress: None }
+    }
+}
+
+/// What was found, and where was looked for it.
+#[derive(Debug)]
+pub(super) struct Found {
+    /// The findings of the configuration, the program and what it leads to.
+    pub(super) report: Report,
+    /// Every file that was read: a change of one of them makes the findings old.
+    pub(super) read: Vec<PathBuf>,
+    /// Whether the configuration has errors, so that the program was not judged.
+    pub(super) misconfigured: bool,
+    /// For quick looks at later changes, when the program is long and nothing is wrong with it.
+    pub(super) baseline: Option<Baseline>,
+}
+
+/// What a run gives on its way.
+pub(super) trait Progress: Sync {
+    /// The document is resolved; not called for configuration files.
+    fn analysed(&self, analysis: Analysis, read: Vec<PathBuf>);
+    /// Execution takes long; what is found so far.
+    fn found_so_far(&self, found: Found);
+}
+
+/// Whether the document is one that configures, no program.
+pub(super) fn is_configuration(path: &Path) -> bool {
+    path.file_name().is_some_and(|name| name == PROJECT_FILE)
+        || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"))
+}
+
+/// Runs over the document at `path`. `None` when that was cancelled.
+pub(super) fn run(
+    path: &Path,
+    files: &EditorFiles,
+    client: &Client,
+    cancel: &Cancel,
+    progress: &dyn Progress,
+) -> Option<Found> {
+    if cancel.is_cancelled() {
+        return None;
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let project = find_project(folder, files);
+    let (mut config_sources, mut config_findings) = (Sources::new(), Findings::new());
+    let overrides = &client.settings.overrides;
+    let settings = configure(project.as_deref(), overrides, files, &mut config_sources, &mut config_findings);
+    let configured = || {
+        let mut report = Report::new();
+        report.add(&config_sources, config_findings.clone(), |code| settings.severity(code));
+        report
+    };
+    let mut report = configured();
+    let misconfigured = report.errors() > 0;
+    let mut read = paths(files, &config_sources);
+    read.extend(settings.macrocycles.iter().map(|folder| files.canonical(folder)));
+    if is_configuration(path) {
+        return Some(Found { report, read, misconfigured, baseline: None });
+    }
+
+    let begun = Instant::now();
+    let name = path.to_string_lossy().into_owned();
+    let interim = Mutex::new(None);
+    let goes_on = |_| {
+        if begun.elapsed() > PATIENCE
+            && let Ok(mut interim) = interim.lock()
+            && let Some(found) = interim.take()
+        {
+            progress.found_so_far(found);
+        }
+        !cancel.is_cancelled()
+    };
+    let session = Session { loader: files, settings: &settings, progress: Some(&goes_on) };
+    let (mut outcome, mut resolved) = session.resolve(path, &name);
+    let executable = !misconfigured && session.can_execute(&resolved, &outcome);
+    if cancel.is_cancelled() {
+        return None;
+    }
+    let mut read_by_program = read.clone();
+    read_by_program.extend(paths(files, &outcome.sources));
+    progress.analysed(
+        Analysis {
+            path: path.to_path_buf(),
+            files: files.clone(),
+            settings: settings.clone(),
+            sources: outcome.sources.clone(),
+            resolved: resolved.clone(),
+            executable,
+        },
+        read_by_program,
+    );
+    let mut baseline = None;
+    if executable {
+        if let Ok(mut interim) = interim.lock() {
+            let (mut report, findings) = (configured(), outcome.findings.clone());
+            report.add_program(&outcome.sources, findings, |code| settings.severity_for(code, outcome.purpose));
+            *interim = Some(Found { report, read: read.clone(), misconfigured, baseline: None });
+        }
+        let mut marker = Marker::new(&resolved);
+        session.execute(path, &mut resolved, &mut outcome, |executor| marker.look(executor));
+        if cancel.is_cancelled() {
+            return None;
+        }
+        baseline = marker.finish(&resolved, &settings, &outcome);
+    }
+    read.extend(paths(files, &outcome.sources));
+    if !misconfigured {
+        let Outcome { sources, findings, purpose, .. } = outcome;
+        report.add_program(&sources, findings, |code| settings.severity_for(code, purpose));
+    }
+    Some(Found { report, read, misconfigured, baseline })
+}
+
+fn paths(files: &EditorFiles, sources: &Sources) -> Vec<PathBuf> {
+    sources.iter().map(|(_, source)| files.canonical(Path::new(source.name()))).collect()
+}

@@ -1,0 +1,54 @@
+//! What stands at a place of the text.
+
+use super::analysis::Analysis;
+use crate::resolve::{FileIndex, Unit, UnitId};
+use crate::syntax::{BlockId, ParsedFile, Word};
+use crate::text::Span;
+
+/// The document of an analysis: file 0.
+pub(super) const DOCUMENT: FileIndex = FileIndex(0);
+
+/// A word with the block it is in.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct WordAt {
+    /// `None`: the `%` word.
+    pub(super) block: Option<BlockId>,
+    pub(super) word: Word,
+    /// All of it.
+    pub(super) span: Span,
+}
+
+/// The block that a place is in: from its `N` up to the next one.
+pub(super) fn block_at(file: &ParsedFile, offset: u32) -> Option<BlockId> {
+    let (mut low, mut high) = (0, file.block_count());
+    while low < high {
+        let middle = low + (high - low) / 2;
+        if file.n_word(BlockId(middle)).is_some_and(|word| word.start() <= offset) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    low.checked_sub(1).map(BlockId)
+}
+
+/// The word that covers a place, or ends there: at the border of two words the one that begins.
+pub(super) fn word_at(file: &ParsedFile, offset: u32) -> Option<WordAt> {
+    let text = file.source.text();
+    let block = block_at(file, offset);
+    let of_block = block.into_iter().flat_map(|block| {
+        let words = file.n_word(block).into_iter().chain(file.words(block).iter().copied());
+        words.map(move |word| (Some(block), word))
+    });
+    let program = file.program.map(|word| (None, word));
+    let touching = program.into_iter().chain(of_block).filter_map(|(block, word)| {
+        let span = word.span(text);
+        (span.start <= offset && offset <= span.end).then_some(WordAt { block, word, span })
+    });
+    touching.max_by_key(|found| found.span.start)
+}
+
+/// The unit that a block of the document belongs to.
+pub(super) fn unit_of(analysis: &Analysis, block: BlockId) -> Option<(UnitId, &Unit)> {
+    analysis.resolved.units().find(|(_, unit)| unit.file == DOCUMENT && unit.contains(block))
+}

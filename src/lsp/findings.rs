@@ -1,0 +1,143 @@
+//! Findings as the client shows them.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use gen_lsp_types::{
+    Code as LspCode, CodeDescription, Diagnostic as LspDiagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
+    DiagnosticTag, Location as LspLocation, Message, Range, Uri,
+};
+
+use super::baseline::Seen;
+use super::files::EditorFiles;
+use super::places::{Places, location};
+use super::texts::Text;
+use crate::diag::{Code, Diagnostic, Report, Severity};
+use crate::dict::Lang;
+use crate::session::Outcome;
+use crate::text::{ColumnUnit, FileId};
+
+/// The scheme of the server's own documents: `cnc872c:/explain/cs/E0307.md`.
+pub(super) const SCHEME: &str = "cnc872c";
+
+/// The findings of a report by the files they are in.
+pub(super) fn by_file(
+    report: &Report,
+    files: &EditorFiles,
+    unit: ColumnUnit,
+    lang: Lang,
+) -> BTreeMap<Uri, Vec<LspDiagnostic>> {
+    let mut found: BTreeMap<Uri, Vec<LspDiagnostic>> = BTreeMap::new();
+    let mut current: Option<(FileId, Uri, Places<'_>)> = None;
+    for item in report.items() {
+        let file = item.diagnostic.file();
+        if current.as_ref().is_none_or(|(known, ..)| *known != file) {
+            current = report.sources().get(file).and_then(|source| {
+                let uri = files.uri_of(Path::new(source.name()))?;
+                Some((file, uri, Places::new(source, unit)))
+            });
+        }
+        let Some((_, uri, places)) = &mut current else { continue };
+        let converter = Converter { report, files, unit, lang };
+        let diagnostic = converter.diagnostic(&item.diagnostic, item.severity, places);
+        found.entry(uri.clone()).or_default().push(diagnostic);
+    }
+    found
+}
+
+/// The findings of a quick look, at their places in the whole document.
+pub(super) fn in_piece(
+    seen: &Seen,
+    files: &EditorFiles,
+    unit: ColumnUnit,
+    lang: Lang,
+) -> BTreeMap<Uri, Vec<LspDiagnostic>> {
+    let mut report = Report::new();
+    let Outcome { sources, findings, purpose, .. } = &seen.outcome;
+    report.add_program(sources, findings.clone(), |code| seen.settings.severity_for(code, *purpose));
+    let mut found = by_file(&report, files, unit, lang);
+    let lines = u32::try_from(seen.line).unwrap_or(u32::MAX);
+    let down = |range: &mut Range| {
+        range.start.line = range.start.line.saturating_add(lines);
+        range.end.line = range.end.line.saturating_add(lines);
+    };
+    for diagnostic in found.values_mut().flatten() {
+        down(&mut diagnostic.range);
+        diagnostic.related_information.iter_mut().flatten().for_each(|related| down(&mut related.location.range));
+    }
+    found
+}
+
+struct Converter<'a> {
+    report: &'a Report,
+    files: &'a EditorFiles,
+    unit: ColumnUnit,
+    lang: Lang,
+}
+
+impl Converter<'_> {
+    fn diagnostic(&self, diagnostic: &Diagnostic, severity: Severity, places: &mut Places<'_>) -> LspDiagnostic {
+        let code = diagnostic.code();
+        LspDiagnostic {
+            range: places.range(diagnostic.at.span),
+            severity: Some(match severity {
+                Severity::Error => DiagnosticSeverity::Error,
+                Severity::Warning => DiagnosticSeverity::Warning,
+            }),
+            code: Some(LspCode::String(code.as_str().to_owned())),
+            code_description: page(code, self.lang).map(|href| CodeDescription { href }),
+            source: Some("cnc872c".to_owned()),
+            message: Message::String(message(diagnostic, self.lang)),
+            tags: tag(code).map(|tag| vec![tag]),
+            related_information: Some(self.related(diagnostic)).filter(|related| !related.is_empty()),
+            data: None,
+        }
+    }
+
+    fn related(&self, diagnostic: &Diagnostic) -> Vec<DiagnosticRelatedInformation> {
+        let labels = diagnostic.labels.iter().map(|label| (label.at, label.text.text(self.lang)));
+        let calls = diagnostic.calls.iter().rev().map(|call| {
+            let (n, by, l) = (call.n, call.by.name(), call.l);
+            (call.at, Text::CalledBy { n, by, l }.text(self.lang))
+        });
+        labels
+            .chain(calls)
+            .filter_map(|(at, message)| {
+                let location: LspLocation = location(self.files, self.report.sources(), at, self.unit)?;
+                Some(DiagnosticRelatedInformation { location, message })
+            })
+            .collect()
+    }
+}
+
+/// What is wrong, why, and what to write instead.
+fn message(diagnostic: &Diagnostic, lang: Lang) -> String {
+    let mut message = diagnostic.finding.message(lang);
+    let remarks = [
+        diagnostic.finding.note(lang).map(|note| Text::Note { note }.text(lang)),
+        diagnostic.finding.help(lang).map(|help| Text::Help { help }.text(lang)),
+    ];
+    for remark in remarks.into_iter().flatten() {
+        message.push('\n');
+        message.push_str(&remark);
+    }
+    message
+}
+
+/// Where the page of a code is: a document that the server gives (`workspace/textDocumentContent`).
+pub(super) fn page(code: Code, lang: Lang) -> Option<Uri> {
+    let lang = match lang {
+        Lang::En => "en",
+        Lang::Cs => "cs",
+    };
+    Uri::parse(&format!("{SCHEME}:/explain/{lang}/{code}.md")).ok()
+}
+
+/// Findings about what has no effect are shown faded, and a form that is only tolerated, struck through.
+fn tag(code: Code) -> Option<DiagnosticTag> {
+    const UNNECESSARY: [Code; 8] =
+        [Code::W0110, Code::E0206, Code::W0211, Code::W0214, Code::E0218, Code::W0402, Code::W0403, Code::W0506];
+    const DEPRECATED: Code = Code::W0213;
+    let unnecessary = UNNECESSARY.contains(&code).then_some(DiagnosticTag::Unnecessary);
+    unnecessary.or((code == DEPRECATED).then_some(DiagnosticTag::Deprecated))
+}

@@ -1,0 +1,109 @@
+//! Which request is answered by what, and what it needs to be known first.
+
+use std::sync::Arc;
+
+use gen_lsp_types::Request;
+use lsp_server::{ErrorCode, ResponseError};
+use serde_json::Value;
+
+use super::analysis::{Analysis, Found};
+use super::cancel::Cancel;
+use super::client::Client;
+use super::files::EditorFiles;
+use super::{explain, hover};
+
+/// What the server knows at the moment of a request. Handlers work on it in threads of their own.
+#[derive(Clone, Debug)]
+pub(super) struct Snapshot {
+    pub(super) client: Arc<Client>,
+    pub(super) files: EditorFiles,
+    /// Of the request's document; `None` when it is no program.
+    pub(super) analysis: Option<Arc<Analysis>>,
+    /// Of the request's document, when the request needs it.
+    pub(super) found: Option<Arc<Found>>,
+    /// Of all open documents.
+    pub(super) analyses: Vec<Arc<Analysis>>,
+    /// Raised when the client wants no answer any more.
+    pub(super) cancel: Cancel,
+}
+
+/// Why a request gets no result.
+#[derive(Debug)]
+pub(super) struct Refusal {
+    pub(super) code: ErrorCode,
+    pub(super) message: String,
+}
+
+impl Refusal {
+    /// What is asked for cannot be done; the client shows `message` to the user.
+    pub(super) fn new(message: impl Into<String>) -> Self {
+        Self { code: ErrorCode::RequestFailed, message: message.into() }
+    }
+}
+
+impl From<Refusal> for ResponseError {
+    fn from(refusal: Refusal) -> Self {
+        Self { code: refusal.code as i32, message: refusal.message, data: None }
+    }
+}
+
+/// What must be known before a request is answered.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Needs {
+    /// Nothing of a document.
+    Nothing,
+    /// Its analysis.
+    Analysis,
+    /// Its findings, too.
+    Findings,
+}
+
+/// Makes the result of a request from its parameters.
+type Run = Box<dyn Fn(&Snapshot, Value) -> Answer<Value> + Send>;
+/// A result, or why there is none.
+pub(super) type Answer<T> = Result<T, Refusal>;
+
+/// How a request is answered.
+pub(super) struct Handler {
+    pub(super) needs: Needs,
+    pub(super) run: Run,
+}
+
+/// The handler of a request; `None` for what the server does not know.
+pub(super) fn handler(method: &str) -> Option<Handler> {
+    use gen_lsp_types as lsp;
+    Some(match method {
+        "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Analysis, hover::hover),
+        "workspace/textDocumentContent" => {
+            workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
+        }
+        _ => return None,
+    })
+}
+
+/// A request about one program or macrocycle. In other documents its result is null.
+fn document<R: Request>(needs: Needs, answer: fn(&Snapshot, &Analysis, R::Params) -> Answer<R::Result>) -> Handler {
+    let run = move |snapshot: &Snapshot, params: Value| {
+        let params = parameters::<R>(params)?;
+        match &snapshot.analysis {
+            Some(analysis) => result::<R>(answer(snapshot, analysis, params)?),
+            None => Ok(Value::Null),
+        }
+    };
+    Handler { needs, run: Box::new(run) }
+}
+
+/// A request about everything.
+fn workspace<R: Request>(needs: Needs, answer: fn(&Snapshot, R::Params) -> Answer<R::Result>) -> Handler {
+    let run = move |snapshot: &Snapshot, params: Value| result::<R>(answer(snapshot, parameters::<R>(params)?)?);
+    Handler { needs, run: Box::new(run) }
+}
+
+fn parameters<R: Request>(params: Value) -> Answer<R::Params> {
+    serde_json::from_value(params)
+        .map_err(|error| Refusal { code: ErrorCode::InvalidParams, message: error.to_string() })
+}
+
+fn result<R: Request>(result: R::Result) -> Answer<Value> {
+    serde_json::to_value(result).map_err(|error| Refusal { code: ErrorCode::InternalError, message: error.to_string() })
+}

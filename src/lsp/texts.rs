@@ -1,0 +1,14 @@
+//! What the server says in its own words, in both languages.
+
+use crate::dict::bilingual;
+
+bilingual! {
+    /// A text for the client.
+    Text {
+        Note { note: String } "note: {note}", "poznámka: {note}";
+        Help { help: String } "help: {help}", "nápověda: {help}";
+        CalledBy { n: u32, by: &'static str, l: u32 } "called by N{n} {by} L{l}", "voláno z bloku N{n} {by} L{l}";
+        Misconfigured "the configuration has errors; programs are checked when they are mended", "konfigurace obsahuje chyby; programy se zkontrolují, až budou opraveny";
+        Settings { wrong: String } "these settings cannot be used: {wrong}", "tato nastavení nelze použít: {wrong}";
+    }
+}

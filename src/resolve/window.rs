@@ -1,0 +1,77 @@
+//! Some blocks of a long straight program, judged alone.
+
+use std::sync::Arc;
+
+use super::blocks::{BlockChecker, g_code};
+use super::{FileIndex, Resolved, Unit, UnitKind};
+use crate::config::Settings;
+use crate::diag::Findings;
+use crate::dict::Address;
+use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, parse};
+use crate::text::{SourceText, Sources};
+
+/// Resolves `source`, a piece of a program from the `N` of one block up to that of another, as a main program without its
+/// begin and end. Its findings are those that the piece has in the whole program, when that has no calls, jumps or
+/// subprograms, and block numbers rise.
+///
+/// `between` are the numbers of the blocks before and after the piece. `None` when the piece says anything that concerns
+/// other blocks: numbers that do not rise between those, calls, jumps, ends, skips, parameters, `%`, `*`.
+pub fn resolve_window(
+    source: &Arc<SourceText>,
+    between: (u32, u32),
+    settings: &Settings,
+    sources: &mut Sources,
+    findings: &mut Findings,
+) -> Option<Resolved> {
+    let text = source.text();
+    let begins = text.starts_with(['N', 'n']);
+    let ends = text.ends_with(['\n', '\r']);
+    if !begins || !ends || memchr::memchr3(b'%', b'*', 0x1a, text.as_bytes()).is_some() || text.contains('\0') {
+        return None;
+    }
+    let file = sources.add(Arc::clone(source));
+    let parsed = parse(file, source, Form::Macrocycle, findings);
+    if !concerns_itself_only(&parsed, between) {
+        return None;
+    }
+    let mut resolved = Resolved::default();
+    let (first, end) = (BlockId(0), BlockId(parsed.block_count()));
+    let entry = parsed.n_place(first);
+    resolved.add_unit(Unit { kind: UnitKind::Main, file: FileIndex(0), first, end, entry });
+    let mut checker = BlockChecker { settings, file: &parsed, findings };
+    for block in parsed.block_ids() {
+        checker.check(block, Some(UnitKind::Main));
+    }
+    resolved.add_file(parsed, std::collections::BTreeMap::new());
+    Some(resolved)
+}
+
+/// Whether nothing in the file leads out of it.
+fn concerns_itself_only(parsed: &ParsedFile, (before, after): (u32, u32)) -> bool {
+    let mut last = before;
+    for block in parsed.block_ids() {
+        if let Some(number) = parsed.number(block) {
+            if number <= last || number >= after {
+                return false;
+            }
+            last = number;
+        }
+        let flags = parsed.flags(block);
+        let leads_out = [BlockFlags::SKIP, BlockFlags::END, BlockFlags::RETURN, BlockFlags::ENTRY];
+        if leads_out.into_iter().any(|flag| flags.has(flag)) {
+            return false;
+        }
+        if !flags.has(BlockFlags::RICH) {
+            continue;
+        }
+        let alone = parsed.words(block).iter().all(|word| match word.address {
+            Address::G => g_code(*word).is_some_and(|code| !code.is_flow() && !code.is_cycle()),
+            Address::R | Address::L | Address::Q => false,
+            _ => !word.is_parametric(),
+        });
+        if !alone {
+            return false;
+        }
+    }
+    true
+}

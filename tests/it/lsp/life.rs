@@ -1,0 +1,114 @@
+//! The life of a server: how it begins, what it makes of nonsense, how it ends.
+
+use serde_json::{Value, json};
+
+use super::Client;
+
+fn open(client: &mut Client, text: &str) {
+    let document = json!({ "uri": "file:///p.nc", "languageId": "cnc872", "version": 1, "text": text });
+    client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+}
+
+fn hover() -> Value {
+    json!({ "textDocument": { "uri": "file:///p.nc" }, "position": { "line": 1, "character": 5 } })
+}
+
+#[test]
+fn an_orderly_life() {
+    let (client, _) = Client::initialized(json!({ "capabilities": {} }));
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_client_that_is_gone() {
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    assert_eq!(client.exit_status(), 1);
+    let mut client = Client::start();
+    client.notify("exit", Value::Null);
+    assert_eq!(client.exit_status(), 1);
+}
+
+#[test]
+fn requests_out_of_turn() {
+    let mut client = Client::start();
+    assert_eq!(client.request("textDocument/hover", hover())["error"]["code"], -32002);
+    client.request("initialize", json!({ "capabilities": {} }));
+    assert_eq!(client.request("initialize", json!({}))["error"]["code"], -32600);
+    assert_eq!(client.request("textDocument/nonsense", json!({}))["error"]["code"], -32601);
+    assert_eq!(client.request("textDocument/hover", json!({ "textDocument": 7 }))["error"]["code"], -32602);
+    assert_eq!(client.request("textDocument/hover", hover())["error"]["code"], -32602, "not open");
+    client.request("shutdown", Value::Null);
+    assert_eq!(client.request("textDocument/hover", hover())["error"]["code"], -32600);
+}
+
+/// A message that makes no sense is answered, or named in the log, and the next one works.
+#[test]
+fn nonsense() {
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    client.write(b"Content-Length: 5\r\n\r\n{\"a\":");
+    assert_eq!(
+        client.wait("a refusal", |message| message["id"].is_null() && message["error"].is_object())["error"]["code"],
+        -32700
+    );
+    client.send(&json!({ "jsonrpc": "2.0", "id": { "a": 1 }, "method": "textDocument/hover" }));
+    assert_eq!(client.wait("a refusal", |message| message["id"] == json!({ "a": 1 }))["error"]["code"], -32600);
+    client.notify(
+        "textDocument/didChange",
+        json!({ "textDocument": { "uri": "file:///none", "version": 1 }, "contentChanges": [] }),
+    );
+    assert!(client.said("window/logMessage")["params"]["message"].as_str().unwrap().contains("not open"));
+    client.notify("textDocument/didOpen", json!({ "textDocument": 1 }));
+    client.said("window/logMessage");
+    client.notify("$/unknown", json!({}));
+    open(&mut client, "%1\nN10 G00\nN20 M30\n");
+    assert_eq!(client.findings("file:///p.nc", Some(1)), json!([]));
+    assert!(client.request("textDocument/hover", hover())["result"].is_object());
+    assert_eq!(client.end(), 0);
+}
+
+/// Ranges that no text has change what is nearest, or nothing.
+#[test]
+fn changes_out_of_range() {
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    open(&mut client, "%1\nN10 G00\n");
+    let at = |line: u32, character: u32| json!({ "line": line, "character": character });
+    let changes = [
+        json!({ "range": { "start": at(9, 9), "end": at(99, 1) }, "text": "N20 M30\n" }),
+        json!({ "range": { "start": at(1, 99), "end": at(1, 0) }, "text": "" }),
+        json!({ "range": { "start": at(4_000_000_000, 4_000_000_000u32), "end": at(0, 0) }, "text": "" }),
+    ];
+    let document = json!({ "uri": "file:///p.nc", "version": 2 });
+    client.notify("textDocument/didChange", json!({ "textDocument": document, "contentChanges": changes }));
+    assert_eq!(client.findings("file:///p.nc", Some(2)), json!([]));
+}
+
+/// A cancelled request is answered at once, and once.
+#[test]
+fn cancelled() {
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    let long = "%1\nN10 G01 F100 X1\n".to_owned() + &"N20 G91 X1\n".repeat(200_000) + "N30 M30\n";
+    open(&mut client, &long);
+    let id = client.ask("textDocument/hover", hover());
+    client.notify("$/cancelRequest", json!({ "id": id }));
+    let answer = client.answer(id);
+    assert!(answer["error"]["code"] == -32800 || answer["result"].is_object(), "{answer}");
+    client.notify("$/cancelRequest", json!({ "id": id }));
+    client.notify("$/cancelRequest", json!({ "id": "never" }));
+    assert_eq!(client.end(), 0);
+}
+
+/// While one document takes long, another is answered.
+#[test]
+fn nothing_blocks() {
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    // Nested jumps: a hundred million blocks.
+    let loops = "%2\nN1 G01 F100 X1\nN2 G73 L1 Q9999\nN3 G73 L1 Q9999\nN4 M30\n";
+    let document = json!({ "uri": "file:///long.nc", "languageId": "cnc872", "version": 1, "text": loops });
+    client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+    open(&mut client, "%1\nN10 G00 X1\nN20 M30\n");
+    assert!(client.request("textDocument/hover", hover())["result"].is_object());
+    assert_eq!(client.findings("file:///p.nc", Some(1)), json!([]));
+    let of_the_long =
+        json!({ "textDocument": { "uri": "file:///long.nc" }, "position": { "line": 1, "character": 1 } });
+    assert!(client.request("textDocument/hover", of_the_long)["result"].is_object(), "needs no execution");
+}

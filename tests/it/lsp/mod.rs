@@ -1,0 +1,14 @@
+//! The language server as clients meet it: the real program, over standard input and output.
+
+mod client;
+mod life;
+mod scenario;
+mod typing;
+mod windows;
+
+use client::Client;
+
+#[test]
+fn scenarios() {
+    scenario::run_all();
+}
