@@ -56,9 +56,27 @@ impl Loader for DiskLoader {
         read_bounded(open(path)?, data.len())
     }
 
+    fn size(&self, path: &Path) -> Option<u64> {
+        fs::metadata(path).ok().filter(fs::Metadata::is_file).map(|data| data.len())
+    }
+
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         let entries = entries(folder).unwrap_or_default();
         entries.into_iter().filter(|entry| !entry.is_folder()).map(|entry| entry.path).collect()
+    }
+
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        let entries = entries(folder).unwrap_or_default();
+        entries.into_iter().filter(|entry| entry.is_folder() && !entry.is_link()).map(|entry| entry.path).collect()
+    }
+
+    fn head(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>> {
+        if !fs::metadata(path)?.is_file() {
+            return Err(io::ErrorKind::Unsupported.into());
+        }
+        let mut bytes = Vec::new();
+        open(path)?.take(limit as u64).read_to_end(&mut bytes)?;
+        Ok(bytes)
     }
 
     fn canonical(&self, path: &Path) -> PathBuf {

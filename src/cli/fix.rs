@@ -165,6 +165,10 @@ impl Loader for InMemory<'_> {
         self.disk.list(folder)
     }
 
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        self.disk.folders(folder)
+    }
+
     fn canonical(&self, path: &Path) -> PathBuf {
         self.disk.canonical(path)
     }

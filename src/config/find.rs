@@ -58,6 +58,10 @@ mod tests {
             self.files.list(folder)
         }
 
+        fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+            self.files.folders(folder)
+        }
+
         fn canonical(&self, path: &Path) -> PathBuf {
             Path::new("/shop").join(path).components().collect()
         }

@@ -24,9 +24,29 @@ pub fn apply_fixes<'a>(
     bytes: &[u8],
     fixes: impl IntoIterator<Item = &'a Fix>,
 ) -> Fixed {
+    let (edits, count) = take(source, file, fixes);
+    Fixed { bytes: splice(source, bytes, &edits), count }
+}
+
+/// The edits that [`apply_fixes`] would make, in the order of the text.
+pub fn compatible_edits<'a>(
+    source: &SourceText,
+    file: FileId,
+    fixes: impl IntoIterator<Item = &'a Fix>,
+) -> impl Iterator<Item = (Span, &'a str)> {
+    let (edits, _) = take(source, file, fixes);
+    edits.into_iter().map(|(start, (end, text))| (Span::new(start, end), text))
+}
+
+/// The edits of those fixes that can be applied together, by where they begin, and how many fixes these are.
+fn take<'a>(
+    source: &SourceText,
+    file: FileId,
+    fixes: impl IntoIterator<Item = &'a Fix>,
+) -> (BTreeMap<u32, (u32, &'a str)>, usize) {
     let mut taken = Taken::default();
     let count = fixes.into_iter().filter(|fix| taken.take(source, file, &fix.edits)).count();
-    Fixed { bytes: splice(source, bytes, &taken.edits), count }
+    (taken.edits, count)
 }
 
 /// Edits that do not overlap, by where they begin: where they end, and the text.

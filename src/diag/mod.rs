@@ -19,7 +19,7 @@ pub use details::{
 };
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};
-pub use fix::{Fixed, apply_fixes};
+pub use fix::{Fixed, apply_fixes, compatible_edits};
 pub use labels::{FixTitle, LabelText};
 pub use registry::{Code, Finding, Severity};
 pub use render::{Format, render, schema};

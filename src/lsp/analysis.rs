@@ -68,6 +68,16 @@ pub(super) fn is_configuration(path: &Path) -> bool {
         || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"))
 }
 
+/// The configuration of the programs in the folder of `path`: the settings of the client over those of the project file;
+/// and what was found in which files.
+pub(super) fn configuration(path: &Path, files: &EditorFiles, client: &Client) -> (Settings, Sources, Findings) {
+    let project = find_project(path.parent().unwrap_or(Path::new("")), files);
+    let (mut sources, mut findings) = (Sources::new(), Findings::new());
+    let overrides = &client.settings.overrides;
+    let settings = configure(project.as_deref(), overrides, files, &mut sources, &mut findings);
+    (settings, sources, findings)
+}
+
 /// Runs over the document at `path`. `None` when that was cancelled.
 pub(super) fn run(
     path: &Path,
@@ -79,11 +89,7 @@ pub(super) fn run(
     if cancel.is_cancelled() {
         return None;
     }
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let project = find_project(folder, files);
-    let (mut config_sources, mut config_findings) = (Sources::new(), Findings::new());
-    let overrides = &client.settings.overrides;
-    let settings = configure(project.as_deref(), overrides, files, &mut config_sources, &mut config_findings);
+    let (settings, config_sources, config_findings) = configuration(path, files, client);
     let configured = || {
         let mut report = Report::new();
         report.add(&config_sources, config_findings.clone(), |code| settings.severity(code));

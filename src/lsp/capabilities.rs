@@ -1,13 +1,20 @@
 //! What the server says it can do.
 
 use gen_lsp_types::{
-    DiagnosticOptions, DiagnosticProvider, HoverProvider, PositionEncodingKind, ServerCapabilities, TextDocumentSync,
+    CallHierarchyProvider, CodeActionKind, CodeActionOptions, CodeActionProvider, CodeLensOptions, CompletionOptions,
+    DeclarationProvider, DefinitionProvider, DiagnosticOptions, DiagnosticProvider, DocumentHighlightProvider,
+    DocumentLinkOptions, DocumentOnTypeFormattingOptions, ExecuteCommandOptions, HoverProvider, PositionEncodingKind,
+    ReferencesProvider, RenameOptions, RenameProvider, SemanticTokensProvider, ServerCapabilities, TextDocumentSync,
     TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
 };
 use serde_json::{Value, json};
 
 use super::client::Client;
+use super::code_actions::{FIX_ALL, RENUMBER};
+use super::commands::STREAM;
+use super::completion::TRIGGERS;
 use super::findings::SCHEME;
+use super::semantic_tokens;
 use crate::text::ColumnUnit;
 
 /// The capabilities for that client.
@@ -24,7 +31,49 @@ pub(super) fn capabilities(client: &Client) -> Value {
             save: Some(true.into()),
             ..TextDocumentSyncOptions::default()
         })),
+        code_lens_provider: Some(CodeLensOptions::default()),
+        inlay_hint_provider: Some(true.into()),
+        completion_provider: Some(CompletionOptions {
+            trigger_characters: Some(TRIGGERS.map(str::to_owned).to_vec()),
+            ..CompletionOptions::default()
+        }),
+        document_on_type_formatting_provider: Some(DocumentOnTypeFormattingOptions {
+            first_trigger_character: "\n".to_owned(),
+            more_trigger_character: None,
+        }),
         hover_provider: Some(HoverProvider::Bool(true)),
+        document_symbol_provider: Some(true.into()),
+        workspace_symbol_provider: Some(true.into()),
+        folding_range_provider: Some(true.into()),
+        selection_range_provider: Some(true.into()),
+        code_action_provider: Some(CodeActionProvider::CodeActionOptions(CodeActionOptions {
+            code_action_kinds: Some(vec![
+                CodeActionKind::QuickFix,
+                CodeActionKind::Custom(FIX_ALL.into()),
+                CodeActionKind::Custom(RENUMBER.into()),
+            ]),
+            resolve_provider: Some(true),
+            ..CodeActionOptions::default()
+        })),
+        semantic_tokens_provider: Some(SemanticTokensProvider::SemanticTokensOptions(semantic_tokens::options())),
+        execute_command_provider: Some(ExecuteCommandOptions {
+            commands: vec![STREAM.to_owned()],
+            ..ExecuteCommandOptions::default()
+        }),
+        definition_provider: Some(DefinitionProvider::Bool(true)),
+        declaration_provider: Some(DeclarationProvider::Bool(true)),
+        references_provider: Some(ReferencesProvider::Bool(true)),
+        document_highlight_provider: Some(DocumentHighlightProvider::Bool(true)),
+        rename_provider: Some(if client.has("/textDocument/rename/prepareSupport") {
+            RenameProvider::RenameOptions(RenameOptions {
+                prepare_provider: Some(true),
+                work_done_progress_options: WorkDoneProgressOptions::default(),
+            })
+        } else {
+            RenameProvider::Bool(true)
+        }),
+        call_hierarchy_provider: Some(CallHierarchyProvider::Bool(true)),
+        document_link_provider: Some(DocumentLinkOptions::default()),
         diagnostic_provider: Some(DiagnosticProvider::DiagnosticOptions(DiagnosticOptions {
             identifier: Some("cnc872c".to_owned()),
             inter_file_dependencies: true,

@@ -52,6 +52,11 @@ impl Client {
         }
     }
 
+    /// The first of the names that the client lists at that path.
+    pub(super) fn first(&self, capability: &str) -> Option<&str> {
+        self.capabilities.pointer(capability)?.as_array()?.first()?.as_str()
+    }
+
     /// Whether the client asks for findings itself, so that they are not sent for open documents: it must also be told
     /// when to ask again, because a file may get findings by a change of another.
     pub(super) fn pulls(&self) -> bool {

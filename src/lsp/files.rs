@@ -94,6 +94,13 @@ impl Loader for EditorFiles {
         }
     }
 
+    fn size(&self, path: &Path) -> Option<u64> {
+        match self.buffer(path) {
+            Some(document) => Some(u64::from(document.source.len())),
+            None => self.disk.size(path),
+        }
+    }
+
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         let mut files = self.disk.list(folder);
         let canonical = self.disk.canonical(folder);
@@ -104,6 +111,20 @@ impl Loader for EditorFiles {
         }
         files.sort();
         files
+    }
+
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        self.disk.folders(folder)
+    }
+
+    fn head(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>> {
+        match self.buffer(path) {
+            Some(document) => {
+                let bytes = document.source.text().as_bytes();
+                Ok(bytes.get(..limit).unwrap_or(bytes).to_vec())
+            }
+            None => self.disk.head(path, limit),
+        }
     }
 
     fn canonical(&self, path: &Path) -> PathBuf {

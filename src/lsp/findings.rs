@@ -12,7 +12,7 @@ use super::baseline::Seen;
 use super::files::EditorFiles;
 use super::places::{Places, location};
 use super::texts::Text;
-use crate::diag::{Code, Diagnostic, Report, Severity};
+use crate::diag::{Code, Diagnostic, Report, Reported, Severity};
 use crate::dict::Lang;
 use crate::session::Outcome;
 use crate::text::{ColumnUnit, FileId};
@@ -39,8 +39,7 @@ pub(super) fn by_file(
         }
         let Some((_, uri, places)) = &mut current else { continue };
         let converter = Converter { report, files, unit, lang };
-        let diagnostic = converter.diagnostic(&item.diagnostic, item.severity, places);
-        found.entry(uri.clone()).or_default().push(diagnostic);
+        found.entry(uri.clone()).or_default().push(converter.diagnostic(item, places));
     }
     found
 }
@@ -68,15 +67,19 @@ pub(super) fn in_piece(
     found
 }
 
-struct Converter<'a> {
-    report: &'a Report,
-    files: &'a EditorFiles,
-    unit: ColumnUnit,
-    lang: Lang,
+/// Makes findings of a report what the client shows.
+#[derive(Clone, Copy)]
+pub(super) struct Converter<'a> {
+    pub(super) report: &'a Report,
+    pub(super) files: &'a EditorFiles,
+    pub(super) unit: ColumnUnit,
+    pub(super) lang: Lang,
 }
 
 impl Converter<'_> {
-    fn diagnostic(&self, diagnostic: &Diagnostic, severity: Severity, places: &mut Places<'_>) -> LspDiagnostic {
+    /// One finding; `places` are those of its file.
+    pub(super) fn diagnostic(&self, item: &Reported, places: &mut Places<'_>) -> LspDiagnostic {
+        let Reported { severity, diagnostic } = item;
         let code = diagnostic.code();
         LspDiagnostic {
             range: places.range(diagnostic.at.span),

@@ -1,21 +1,56 @@
 //! What a word means, and what execution makes of its block.
 
-use gen_lsp_types::{Contents, Hover, HoverParams, MarkupContent, MarkupKind};
+use gen_lsp_types::{Contents, Hover, HoverParams};
 
 use super::analysis::Analysis;
-use super::cursor::{DOCUMENT, word_at};
+use super::cursor::{DOCUMENT, block_at, word_at};
+use super::meaning::Subject;
+use super::observe::{executing, observe};
+use super::page::Page;
 use super::places::{Places, offset};
 use super::requests::{Answer, Snapshot};
 
-/// `textDocument/hover`.
+/// `textDocument/hover`. At a comment or a blank: the execution of the block; before the first block: the program.
 pub(super) fn hover(snapshot: &Snapshot, analysis: &Analysis, params: HoverParams) -> Answer<Option<Hover>> {
     let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
-    let unit = snapshot.client.unit;
-    let place = offset(&file.source, params.text_document_position_params.position, unit);
-    let Some(found) = word_at(file, place) else { return Ok(None) };
-    let meaning = found.word.address.row().meaning.get(snapshot.client.lang());
+    let client = &snapshot.client;
+    let place = offset(&file.source, params.text_document_position_params.position, client.unit);
+    if place < file.start || place > file.end {
+        return Ok(None);
+    }
+    let found = word_at(file, place);
+    let block = found.map_or_else(|| block_at(file, place), |found| found.block);
+    let program = executing(snapshot, analysis);
+    let observation = match program {
+        Some(program) => match observe(snapshot, program, analysis, block) {
+            Some(observation) => Some((program, observation)),
+            None => return Ok(None),
+        },
+        None => None,
+    };
+    let subject = Subject { analysis, file, lang: client.lang() };
+    let mut page = Page::new(client);
+    match (block, file.program) {
+        (Some(block), _) => {
+            let observed = observation.as_ref().and_then(|(_, observation)| observation.of(block));
+            if let Some(found) = found {
+                subject.word(&mut page, block, found.word, observed);
+                page.rule();
+            }
+            match &observation {
+                Some((program, observation)) => {
+                    subject.execution(&mut page, program, observation, block, found.map(|found| found.word));
+                }
+                None => subject.no_execution(&mut page),
+            }
+        }
+        (None, Some(word)) => {
+            subject.program(&mut page, word, observation.as_ref().map(|(_, observation)| observation));
+        }
+        (None, None) => return Ok(None),
+    }
     Ok(Some(Hover {
-        contents: Contents::MarkupContent(MarkupContent { kind: MarkupKind::Markdown, value: meaning.to_owned() }),
-        range: Some(Places::new(&file.source, unit).range(found.span)),
+        contents: Contents::MarkupContent(page.content()),
+        range: found.map(|found| Places::new(&file.source, client.unit).range(found.span)),
     }))
 }

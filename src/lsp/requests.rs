@@ -10,7 +10,10 @@ use super::analysis::{Analysis, Found};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
-use super::{explain, hover};
+use super::{
+    code_actions, code_lens, commands, completion, definition, explain, folding, hierarchy, hover, inlay_hints, links,
+    on_type, outline, references, rename, selection, semantic_tokens, workspace_symbols,
+};
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
 #[derive(Clone, Debug)]
@@ -74,6 +77,49 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
         "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Analysis, hover::hover),
+        "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Analysis, code_lens::code_lens),
+        "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Analysis, inlay_hints::inlay_hint),
+        "textDocument/completion" => document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
+        "textDocument/onTypeFormatting" => {
+            document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
+        }
+        "textDocument/documentSymbol" => {
+            document::<lsp::DocumentSymbolRequest>(Needs::Analysis, outline::document_symbol)
+        }
+        "textDocument/foldingRange" => document::<lsp::FoldingRangeRequest>(Needs::Analysis, folding::folding_range),
+        "textDocument/selectionRange" => {
+            document::<lsp::SelectionRangeRequest>(Needs::Analysis, selection::selection_range)
+        }
+        "textDocument/codeAction" => document::<lsp::CodeActionRequest>(Needs::Findings, code_actions::code_action),
+        "codeAction/resolve" => document::<lsp::CodeActionResolveRequest>(Needs::Analysis, code_actions::resolve),
+        "textDocument/semanticTokens/full" => {
+            document::<lsp::SemanticTokensRequest>(Needs::Analysis, semantic_tokens::full)
+        }
+        "textDocument/semanticTokens/range" => {
+            document::<lsp::SemanticTokensRangeRequest>(Needs::Analysis, semantic_tokens::range)
+        }
+        "workspace/symbol" => {
+            workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
+        }
+        "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
+        "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Analysis, definition::definition),
+        "textDocument/declaration" => document::<lsp::DeclarationRequest>(Needs::Analysis, definition::declaration),
+        "textDocument/references" => document::<lsp::ReferencesRequest>(Needs::Analysis, references::references),
+        "textDocument/documentHighlight" => {
+            document::<lsp::DocumentHighlightRequest>(Needs::Analysis, references::highlight)
+        }
+        "textDocument/prepareRename" => document::<lsp::PrepareRenameRequest>(Needs::Findings, rename::prepare),
+        "textDocument/rename" => document::<lsp::RenameRequest>(Needs::Findings, rename::rename),
+        "textDocument/documentLink" => document::<lsp::DocumentLinkRequest>(Needs::Analysis, links::document_links),
+        "textDocument/prepareCallHierarchy" => {
+            document::<lsp::CallHierarchyPrepareRequest>(Needs::Analysis, hierarchy::prepare)
+        }
+        "callHierarchy/incomingCalls" => {
+            workspace::<lsp::CallHierarchyIncomingCallsRequest>(Needs::Analysis, hierarchy::incoming)
+        }
+        "callHierarchy/outgoingCalls" => {
+            workspace::<lsp::CallHierarchyOutgoingCallsRequest>(Needs::Analysis, hierarchy::outgoing)
+        }
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
         }

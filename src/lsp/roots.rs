@@ -290,10 +290,16 @@ impl Server {
         match event {
             Event::Answered { id, result } => self.answered(id, result),
             Event::Analysed { run, analysis, read } => {
+                // Open macrocycles show how this program executes them.
+                let concerns = read.iter().any(|file| *file != run.path && self.roots.contains_key(file));
                 if let Some(root) = self.newest(&run) {
                     root.analysis = Some(analysis);
                     root.read = read;
+                    let unasked = root.unasked;
                     self.serve_waiting(&run.path);
+                    if unasked || concerns {
+                        self.ask_to_refresh();
+                    }
                 }
             }
             Event::FoundSoFar { run, found } => {

@@ -321,7 +321,9 @@ impl Server {
             self.start(waiting, None);
             return;
         }
-        let uri = ["/textDocument/uri", "/item/uri"].into_iter().find_map(|at| waiting.params.pointer(at)?.as_str());
+        let uri = ["/textDocument/uri", "/item/uri", "/data/uri"]
+            .into_iter()
+            .find_map(|at| waiting.params.pointer(at)?.as_str());
         let path = uri.and_then(|uri| gen_lsp_types::Uri::parse(uri).ok()).map(|uri| self.files.path_of(&uri));
         match path.filter(|path| self.roots.contains_key(path)) {
             Some(path) => {
@@ -413,6 +415,16 @@ impl Server {
     /// Asks the client to ask for findings again.
     pub(super) fn ask_to_pull(&mut self) {
         self.ask("workspace/diagnostic/refresh", Value::Null, Asked::Nothing);
+    }
+
+    /// Asks the client to ask again for what is shown between the lines.
+    pub(super) fn ask_to_refresh(&mut self) {
+        for (what, method) in [("inlayHint", "workspace/inlayHint/refresh"), ("codeLens", "workspace/codeLens/refresh")]
+        {
+            if self.client.has(&format!("/workspace/{what}/refreshSupport")) {
+                self.ask(method, Value::Null, Asked::Nothing);
+            }
+        }
     }
 
     pub(super) fn notify(&self, method: &str, params: Value) {

@@ -523,7 +523,7 @@ fn point_help(address: Address, value: Decimal, dwell: bool) -> String {
 }
 
 /// The G function that a word writes out.
-pub(super) fn g_code(word: Word) -> Option<GCode> {
+pub fn g_code(word: Word) -> Option<GCode> {
     if word.address != Address::G {
         return None;
     }
@@ -531,7 +531,7 @@ pub(super) fn g_code(word: Word) -> Option<GCode> {
 }
 
 /// The number of the M function that a word writes out, when the dialect has it.
-pub(super) fn m_number(word: Word, settings: &Settings) -> Option<u8> {
+pub fn m_number(word: Word, settings: &Settings) -> Option<u8> {
     if word.address != Address::M {
         return None;
     }

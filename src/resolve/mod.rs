@@ -12,10 +12,11 @@ mod rings;
 mod structure;
 mod window;
 
+pub use blocks::{g_code, m_number};
 pub use flow::macrocycle_finding;
 pub use forms::{FormFault, check_form, feed_range};
 pub use library::{Library, MacrocycleFault};
 pub use program::{FileIndex, Resolved, Target, Unit, UnitId, UnitKind};
 pub use rings::ring_text;
-pub use structure::{ControlWord, control_word, resolve_macrocycle, resolve_program};
+pub use structure::{ControlWord, control_word, l_number, resolve_macrocycle, resolve_program};
 pub use window::resolve_window;

@@ -131,6 +131,11 @@ impl Resolved {
             .map(|found| found.1)
     }
 
+    /// The calls and jumps of a file that are written with digits, by block, and where they lead.
+    pub fn targets(&self, file: FileIndex) -> &[(BlockId, Target)] {
+        self.files.get(file.0 as usize).map_or(&[], |file| &file.targets)
+    }
+
     /// The first block of a file with that number.
     pub fn numbered(&self, file: FileIndex, number: u32) -> Option<BlockId> {
         self.files.get(file.0 as usize)?.numbered.get(&number).copied()

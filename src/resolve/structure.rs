@@ -344,7 +344,7 @@ fn entry_l(parsed: &ParsedFile, block: BlockId) -> Option<Word> {
 }
 
 /// The number that an L word writes out, when it is in range.
-pub(super) fn l_number(word: Word) -> Option<u32> {
+pub fn l_number(word: Word) -> Option<u32> {
     let number = word.whole().and_then(|number| u32::try_from(number).ok())?;
     (1..=REACHABLE).contains(&number).then_some(number)
 }

@@ -64,10 +64,10 @@ fn concerns_itself_only(parsed: &ParsedFile, (before, after): (u32, u32)) -> boo
         if !flags.has(BlockFlags::RICH) {
             continue;
         }
-        let alone = parsed.words(block).iter().all(|word| match word.address {
-            Address::G => g_code(*word).is_some_and(|code| !code.is_flow() && !code.is_cycle()),
-            Address::R | Address::L | Address::Q => false,
-            _ => !word.is_parametric(),
+        let leads = |address| matches!(address, Address::R | Address::L | Address::Q);
+        let alone = parsed.words(block).iter().all(|word| {
+            let function = g_code(*word).is_some_and(|code| !code.is_flow() && !code.is_cycle());
+            !leads(word.address) && !word.is_parametric() && (word.address != Address::G || function)
         });
         if !alone {
             return false;

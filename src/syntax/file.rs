@@ -136,13 +136,21 @@ impl ParsedFile {
 
     /// The comments of a block, quotes included (BLK-9).
     pub fn comments(&self, block: BlockId) -> &[Span] {
-        // Comments are few: what they belong to is told by their places.
-        let behind = |block: BlockId| {
-            let n = self.n_word(block)?.start();
-            Some(self.comments.partition_point(|comment| comment.start < n))
-        };
-        let end = behind(block.next()).unwrap_or(self.comments.len());
-        behind(block).and_then(|start| self.comments.get(start..end)).unwrap_or_default()
+        let start = self.comments_before(block);
+        let end = self.comments_before(block.next());
+        self.comments.get(start..end).unwrap_or_default()
+    }
+
+    /// How many comments stand before a block; all of them when there is no such block. Comments are few: what they belong to
+    /// is told by their places.
+    fn comments_before(&self, block: BlockId) -> usize {
+        let before = |n: Word| self.comments.partition_point(|comment| comment.start < n.start());
+        self.n_word(block).map_or(self.comments.len(), before)
+    }
+
+    /// The comments before the first block, quotes included.
+    pub fn comments_before_blocks(&self) -> &[Span] {
+        self.comments.get(..self.comments_before(BlockId(0))).unwrap_or_default()
     }
 
     /// What is known of a block.

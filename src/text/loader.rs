@@ -26,8 +26,26 @@ pub trait Loader: Sync {
         Ok(Arc::new(source))
     }
 
+    /// How many bytes a file has; `None` when it cannot be read.
+    fn size(&self, path: &Path) -> Option<u64> {
+        self.read(path).ok().map(|bytes| bytes.len() as u64)
+    }
+
     /// The files of a folder (not of folders in it), sorted; none when the folder cannot be read.
     fn list(&self, folder: &Path) -> Vec<PathBuf>;
+
+    /// The folders in a folder, sorted; links to folders are left out. None when the folder cannot be read.
+    fn folders(&self, folder: &Path) -> Vec<PathBuf>;
+
+    /// The first bytes of a file, at most `limit`.
+    ///
+    /// # Errors
+    /// Those of [`Self::read`].
+    fn head(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>> {
+        let mut bytes = self.read(path)?;
+        bytes.truncate(limit);
+        Ok(bytes)
+    }
 
     /// One name for each file, by whatever path it is reached.
     fn canonical(&self, path: &Path) -> PathBuf;
@@ -62,7 +80,31 @@ impl Loader for MemoryLoader {
         self.files.keys().filter(|path| path.parent() == Some(folder)).cloned().collect()
     }
 
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        let inner = |path: &PathBuf| {
+            let within = path.ancestors().skip(1).find(|above| above.parent() == Some(folder))?;
+            Some(within.to_path_buf())
+        };
+        let mut found: Vec<PathBuf> = self.files.keys().filter_map(inner).collect();
+        found.dedup();
+        found
+    }
+
     fn canonical(&self, path: &Path) -> PathBuf {
         path.to_path_buf()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_in_memory() {
+        let files = ["/w/a.nc", "/w/b/c.nc", "/w/b/d/e.nc", "/w/f/g/h.nc", "/x/y.nc"];
+        let loader = files.into_iter().fold(MemoryLoader::new(), |loader, path| loader.with(path, "%1 N1"));
+        assert_eq!(loader.folders(Path::new("/w")), [PathBuf::from("/w/b"), PathBuf::from("/w/f")]);
+        assert_eq!(loader.folders(Path::new("/x")), Vec::<PathBuf>::new());
+        assert_eq!(loader.head(Path::new("/w/a.nc"), 2).unwrap(), b"%1");
     }
 }

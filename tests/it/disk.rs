@@ -28,6 +28,19 @@ impl Loader for TestDisk {
         found
     }
 
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        let mut found: Vec<PathBuf> = std::fs::read_dir(self.root.join(folder))
+            .into_iter()
+            .flatten()
+            .flatten()
+            .map(|entry| entry.path())
+            .filter(|path| path.is_dir())
+            .filter_map(|path| path.strip_prefix(&self.root).ok().map(Path::to_path_buf))
+            .collect();
+        found.sort();
+        found
+    }
+
     fn canonical(&self, path: &Path) -> PathBuf {
         let whole = self.root.join(path);
         let whole = std::fs::canonicalize(&whole).unwrap_or(whole);

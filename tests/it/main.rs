@@ -8,6 +8,8 @@ mod cli_compile;
 mod cli_fix;
 mod disk;
 mod docs;
+mod editor_queries;
+mod editors;
 mod explain;
 mod faults;
 mod lsp;

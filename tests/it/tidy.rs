@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::markers::files;
 use crate::samples::root;
@@ -39,7 +39,7 @@ fn sources(folder: &str) -> Vec<Source> {
         .collect()
 }
 
-fn relative(path: &std::path::Path) -> String {
+fn relative(path: &Path) -> String {
     path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/")
 }
 
@@ -216,6 +216,11 @@ fn no_paths_of_one_machine() {
             // Its inputs and builds are not of the project.
             let made = ["target", "corpus", "artifacts", "coverage"].map(|name| entry.join(name));
             tracked.extend(files(&entry).into_iter().filter(|path| !made.iter().any(|made| path.starts_with(made))));
+        } else if name == "editors" {
+            // What npm installs and what its scripts make is not of the project.
+            let made = ["node_modules", "dist", "out", "run", "server"];
+            let is_made = |path: &Path| path.iter().any(|part| made.iter().any(|made| part == *made));
+            tracked.extend(files(&entry).into_iter().filter(|path| !is_made(path)));
         } else if entry.is_file() {
             tracked.push(entry);
         } else {

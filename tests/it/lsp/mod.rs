@@ -1,6 +1,8 @@
 //! The language server as clients meet it: the real program, over standard input and output.
 
+mod changes;
 mod client;
+mod completion;
 mod life;
 mod scenario;
 mod typing;

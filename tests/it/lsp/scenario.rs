@@ -15,7 +15,7 @@
 //! | `findings NAME` | waits for the findings of the newest version, or of a file that is not open | a line each |
 //! | `request METHOD [NAME[@MARK[..MARK]]]` | sends a request about a document, a place, a range | more parameters |
 //! | `answer` | | the answer |
-//! | `edited` | applies the `WorkspaceEdit` or `TextEdit`s of the last answer to the open texts | the text of each document |
+//! | `edited` | applies the `WorkspaceEdit`, `TextEdit`s or first code action of the last answer to the open texts | the text of each document |
 //! | `said METHOD` | waits for a message of the server | its parameters |
 //!
 //! A mark is `‹1›`; it is taken out of the text, also of `file`s, and names a place: in the text as it was opened. `DIR/` in JSON
@@ -278,7 +278,8 @@ impl Scenario {
     /// The open texts after the edits of the last answer.
     fn edited(&self) -> String {
         let mut result = String::new();
-        let edit = self.last.pointer("/edit").unwrap_or(&self.last);
+        let of_action = self.last.pointer("/edit").or_else(|| self.last.pointer("/0/edit"));
+        let edit = of_action.unwrap_or(&self.last);
         for (name, (_, text)) in &self.open {
             let uri = self.uri(name);
             let by_document = edit["documentChanges"].as_array().into_iter().flatten();
@@ -303,7 +304,7 @@ impl Scenario {
 }
 
 /// Changes a text as the protocol says, columns in UTF-16 (texts of scenarios have the same columns in UTF-8 where that counts).
-fn apply(text: &mut String, changes: &[Value]) {
+pub(super) fn apply(text: &mut String, changes: &[Value]) {
     for change in changes {
         let new = change["text"].as_str().unwrap();
         let Some(range) = change.get("range") else {

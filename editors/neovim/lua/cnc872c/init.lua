@@ -1,0 +1,335 @@
+-- The language server of cnc872c in Neovim 0.7 and newer: require('cnc872c').setup{}
+
+local M = {}
+
+local NAME = 'cnc872c'
+
+M.defaults = {
+  -- How the server is started.
+  cmd = { 'cnc872c', 'lsp' },
+  -- Values that win over the project file, named as in it.
+  settings = { language = 'auto' },
+  -- Called with client and buffer when the server looks after a buffer.
+  on_attach = nil,
+  -- What another plugin adds to the capabilities, for instance one for completion.
+  capabilities = nil,
+}
+
+M.options = vim.deepcopy(M.defaults)
+
+-- Names of code pages: those of the project file, and what Neovim calls them. Neovim does not know the Kamenický code:
+-- its letters are shown as others, and every byte stays what it is.
+local CODE_PAGES = {
+  ['cp852'] = 'cp852',
+  ['windows-1250'] = 'cp1250',
+  ['iso-8859-2'] = 'iso-8859-2',
+  ['kamenicky'] = 'latin1',
+}
+
+---- Files and their folders ----
+
+local function parent(path)
+  return vim.fn.fnamemodify(path, ':p:h')
+end
+
+-- The file `name` in a folder or above it; nil when there is none.
+local function above(name, folder)
+  local found = vim.fn.findfile(name, vim.fn.fnameescape(folder) .. ';')
+  return found ~= '' and vim.fn.fnamemodify(found, ':p') or nil
+end
+
+-- The root of a file: where its project file is, else its repository, else its folder.
+function M.root(path)
+  local folder = parent(path)
+  local project = above('cnc872c.toml', folder)
+  if project then
+    return parent(project)
+  end
+  local repository = vim.fn.finddir('.git', vim.fn.fnameescape(folder) .. ';')
+  if repository ~= '' then
+    return vim.fn.fnamemodify(repository, ':p:h:h')
+  end
+  return folder
+end
+
+-- The code page of a file that is not UTF-8: by the settings, else by the project file, else CP852.
+function M.encoding(path)
+  local name = M.options.settings.encoding
+  local project = not name and above('cnc872c.toml', parent(path))
+  if project then
+    for _, line in ipairs(vim.fn.readfile(project)) do
+      name = name or line:match('^%s*encoding%s*=%s*["\']([%w%-]+)["\']')
+    end
+  end
+  return CODE_PAGES[(name or ''):lower()] or 'cp852'
+end
+
+-- 'fileencodings' is one for all buffers: it is ours while a part program is read.
+local function encodings(group)
+  local pattern = { '*.nc', '*.NC', '*.ncp', '*.NCP', '*.mrc', '*.MRC', '[lL][0-9]*' }
+  local before
+  vim.api.nvim_create_autocmd('BufReadPre', {
+    group = group,
+    pattern = pattern,
+    callback = function(args)
+      before = before or vim.o.fileencodings
+      vim.o.fileencodings = 'ucs-bom,utf-8,' .. M.encoding(args.match)
+    end,
+  })
+  vim.api.nvim_create_autocmd('BufReadPost', {
+    group = group,
+    pattern = pattern,
+    callback = function()
+      vim.o.fileencodings, before = before or vim.o.fileencodings, nil
+    end,
+  })
+end
+
+---- The client, in old and new Neovim ----
+
+-- Methods of clients took no `self` before 0.11.
+local function method(client, name, ...)
+  if vim.fn.has('nvim-0.11') == 1 then
+    return client[name](client, ...)
+  end
+  return client[name](...)
+end
+
+local function clients(filter)
+  local all = (vim.lsp.get_clients or vim.lsp.get_active_clients)()
+  return vim.tbl_filter(function(client)
+    return client.name == NAME and (not filter or filter(client))
+  end, all)
+end
+
+-- The server of a buffer; any one when the buffer has none.
+function M.client(buffer)
+  buffer = buffer or vim.api.nvim_get_current_buf()
+  local own = clients(function(client)
+    return vim.lsp.buf_is_attached(buffer, client.id)
+  end)
+  return own[1] or clients()[1]
+end
+
+-- Asks the server and waits for its answer; nil, and a message, when there is none.
+function M.request(name, params, buffer)
+  local client = M.client(buffer)
+  if not client then
+    vim.notify('cnc872c: no server looks after this buffer', vim.log.levels.WARN)
+    return nil
+  end
+  local answer, problem = method(client, 'request_sync', name, params, 10000, buffer or 0)
+  problem = problem or (answer and answer.err and answer.err.message)
+  if problem then
+    vim.notify('cnc872c: ' .. problem, vim.log.levels.ERROR)
+    return nil
+  end
+  return answer and answer.result, client
+end
+
+local function capabilities()
+  local own = vim.lsp.protocol.make_client_capabilities()
+  own = vim.tbl_deep_extend('force', own, M.options.capabilities or {})
+  return vim.tbl_deep_extend('force', own, {
+    workspace = { textDocumentContent = { dynamicRegistration = false } },
+    experimental = { commands = { commands = { 'cnc872c.showReferences' } } },
+  })
+end
+
+-- What both kinds of configuration say.
+function M.config()
+  local settings = M.options.settings
+  return {
+    name = NAME,
+    cmd = M.options.cmd,
+    filetypes = { 'cnc872', 'toml' },
+    init_options = settings,
+    settings = { [NAME] = settings },
+    capabilities = capabilities(),
+    on_attach = M.options.on_attach,
+  }
+end
+
+-- Whether the server looks after a buffer: one with a part program, or the project file.
+local function is_ours(buffer)
+  local path = vim.api.nvim_buf_get_name(buffer)
+  local project = vim.fn.fnamemodify(path, ':t') == 'cnc872c.toml'
+  return path ~= '' and vim.bo[buffer].buftype == '' and (project or vim.bo[buffer].filetype == 'cnc872')
+end
+
+-- Before 0.11: starts the server of a buffer, or takes the one that its root has.
+local function attach(buffer)
+  if not is_ours(buffer) then
+    return
+  end
+  local root = M.root(vim.api.nvim_buf_get_name(buffer))
+  local running = clients(function(client)
+    return client.config.root_dir == root
+  end)[1]
+  local id = running and running.id
+  if not id then
+    local config = M.config()
+    config.root_dir = root
+    config.workspace_folders = { { uri = vim.uri_from_fname(root), name = root } }
+    id = vim.lsp.start_client(config)
+  end
+  if id then
+    vim.lsp.buf_attach_client(buffer, id)
+  end
+end
+
+---- Pages of findings ----
+
+-- The finding under the cursor, else the first one of the line.
+local function finding()
+  local place = vim.api.nvim_win_get_cursor(0)
+  local found = vim.diagnostic.get(0, { lnum = place[1] - 1 })
+  table.sort(found, function(a, b)
+    return a.col < b.col
+  end)
+  for _, diagnostic in ipairs(found) do
+    if diagnostic.col <= place[2] and place[2] < math.max(diagnostic.end_col or 0, diagnostic.col + 1) then
+      return diagnostic
+    end
+  end
+  return found[1]
+end
+
+local function language()
+  local own = M.options.settings.language
+  if own == 'cs' or own == 'en' then
+    return own
+  end
+  return (vim.v.lang or ''):match('^cs') and 'cs' or 'en'
+end
+
+-- Shows the page of a finding: of `code`, else of the finding under the cursor.
+function M.explain(code)
+  local uri
+  if not code or code == '' then
+    local diagnostic = finding()
+    if not diagnostic then
+      vim.notify('cnc872c: no finding in this line', vim.log.levels.INFO)
+      return
+    end
+    local lsp = diagnostic.user_data and diagnostic.user_data.lsp or {}
+    code = diagnostic.code or lsp.code
+    uri = lsp.codeDescription and lsp.codeDescription.href
+  end
+  vim.cmd('split ' .. vim.fn.fnameescape(uri or ('cnc872c:/explain/%s/%s.md'):format(language(), code:upper())))
+end
+
+-- Fills the current buffer, whose name is the URI of a document of the server's.
+local function read_document(args)
+  local buffer = args.buf
+  -- Some Neovims take the URI for a path, and put the current folder before it.
+  local uri = args.match:match('cnc872c:/.*$')
+  local result = M.request('workspace/textDocumentContent', { uri = uri }, buffer)
+  vim.api.nvim_buf_set_lines(buffer, 0, -1, false, vim.split(result and result.text or '', '\n'))
+  vim.bo[buffer].buftype = 'nofile'
+  vim.bo[buffer].bufhidden = 'wipe'
+  vim.bo[buffer].swapfile = false
+  vim.bo[buffer].modifiable = false
+  vim.bo[buffer].filetype = 'markdown'
+end
+
+---- Other commands ----
+
+-- Applies the first action of that kind for the whole buffer.
+function M.act(kind)
+  local buffer = vim.api.nvim_get_current_buf()
+  local last = vim.api.nvim_buf_line_count(buffer)
+  local document = vim.lsp.util.make_text_document_params(buffer)
+  local actions, client = M.request('textDocument/codeAction', {
+    textDocument = document,
+    range = { start = { line = 0, character = 0 }, ['end'] = { line = last, character = 0 } },
+    context = { diagnostics = {}, only = { kind } },
+  }, buffer)
+  local action = actions and actions[1]
+  if not action then
+    vim.notify('cnc872c: nothing to do', vim.log.levels.INFO)
+    return
+  end
+  if not action.edit and action.data then
+    action = M.request('codeAction/resolve', action, buffer) or action
+  end
+  if action.edit then
+    vim.lsp.util.apply_workspace_edit(action.edit, client.offset_encoding)
+  end
+  local command = type(action.command) == 'table' and action.command or nil
+  if command then
+    M.request('workspace/executeCommand', { command = command.command, arguments = command.arguments }, buffer)
+  end
+end
+
+-- Shows the block stream of the program in a buffer of its own, one record a line.
+function M.stream()
+  local uri = vim.uri_from_bufnr(0)
+  local result = M.request('workspace/executeCommand', { command = 'cnc872c.stream', arguments = { uri } })
+  if type(result) ~= 'table' then
+    return
+  end
+  vim.cmd('new')
+  local buffer = vim.api.nvim_get_current_buf()
+  vim.bo[buffer].buftype = 'nofile'
+  vim.bo[buffer].bufhidden = 'wipe'
+  vim.bo[buffer].swapfile = false
+  vim.api.nvim_buf_set_lines(buffer, 0, -1, false, vim.split((result.text:gsub('\n$', '')), '\n'))
+  vim.bo[buffer].modifiable = false
+  vim.bo[buffer].filetype = 'json'
+  if result.truncated then
+    vim.notify('cnc872c: only the beginning of the stream is shown', vim.log.levels.INFO)
+  end
+end
+
+-- What a lens above a subprogram asks for: its calls, in the quickfix list.
+function M.show_references(command, context)
+  local _, _, locations = unpack(command.arguments)
+  local client = vim.lsp.get_client_by_id(context.client_id)
+  local items = vim.lsp.util.locations_to_items(locations, client.offset_encoding)
+  vim.fn.setqflist({}, ' ', { title = command.title or NAME, items = items })
+  vim.cmd('botright copen')
+end
+
+---- Set-up ----
+
+function M.setup(options)
+  M.options = vim.tbl_deep_extend('force', vim.deepcopy(M.defaults), options or {})
+  local group = vim.api.nvim_create_augroup(NAME, { clear = true })
+  encodings(group)
+  vim.lsp.commands['cnc872c.showReferences'] = M.show_references
+  vim.api.nvim_create_autocmd('BufReadCmd', { group = group, pattern = 'cnc872c:/*', callback = read_document })
+
+  local command = vim.api.nvim_create_user_command
+  command('CncExplain', function(arguments)
+    M.explain(arguments.args)
+  end, { nargs = '?', desc = 'The page of a finding' })
+  command('CncRenumber', function()
+    M.act('source.renumber.cnc872c')
+  end, { desc = 'Number the blocks anew' })
+  command('CncFixAll', function()
+    M.act('source.fixAll.cnc872c')
+  end, { desc = 'Mend what can be mended' })
+  command('CncStream', M.stream, { desc = 'The block stream of the program' })
+
+  if vim.lsp.config and vim.lsp.enable then
+    local config = M.config()
+    config.root_dir = function(buffer, done)
+      if is_ours(buffer) then
+        done(M.root(vim.api.nvim_buf_get_name(buffer)))
+      end
+    end
+    vim.lsp.config(NAME, config)
+    vim.lsp.enable(NAME)
+  else
+    vim.api.nvim_create_autocmd('FileType', {
+      group = group,
+      pattern = { 'cnc872', 'toml' },
+      callback = function(args)
+        attach(args.buf)
+      end,
+    })
+  end
+end
+
+return M

@@ -1,0 +1,113 @@
+// The commands of the palette, and the one that code lenses use.
+
+import * as vscode from 'vscode';
+
+import { type Server, SHOW_REFERENCES } from './client';
+import { asCode, choices, codeOf, pageOf } from './findings';
+import { language } from './settings';
+import type { StreamView } from './view';
+
+/** Registers every command of package.json, and that of code lenses. */
+export function registerCommands(context: vscode.ExtensionContext, server: Server, streams: StreamView): void {
+  const commands: Record<string, (...values: unknown[]) => unknown> = {
+    'cnc872c.restart': () => server.restart(),
+    'cnc872c.showOutput': () => server.output.show(),
+    'cnc872c.showStream': () => {
+      const program = activeProgram();
+      return program && streams.show(program.document.uri);
+    },
+    'cnc872c.explain': (code) => explain(typeof code === 'string' ? code : undefined),
+    'cnc872c.fixAll': () => apply('source.fixAll.cnc872c'),
+    'cnc872c.renumber': () => apply('source.renumber.cnc872c'),
+    [SHOW_REFERENCES]: (...values) => showReferences(server, values),
+  };
+  for (const [name, run] of Object.entries(commands)) {
+    context.subscriptions.push(vscode.commands.registerCommand(name, run));
+  }
+}
+
+function activeProgram(): vscode.TextEditor | undefined {
+  const editor = vscode.window.activeTextEditor;
+  if (editor?.document.languageId === 'cnc872') {
+    return editor;
+  }
+  void vscode.window.showInformationMessage(vscode.l10n.t('No part program is open'));
+  return undefined;
+}
+
+/** Lets the editor ask the server for the source action of that kind, and applies it. */
+async function apply(kind: string): Promise<void> {
+  if (activeProgram() !== undefined) {
+    await vscode.commands.executeCommand('editor.action.sourceAction', { kind, apply: 'first' });
+  }
+}
+
+/** `[uri, position, locations]` as LSP writes them. */
+async function showReferences(server: Server, [uri, position, locations]: unknown[]): Promise<void> {
+  const convert = server.client?.protocol2CodeConverter;
+  if (convert === undefined || typeof uri !== 'string' || !Array.isArray(locations)) {
+    return;
+  }
+  await vscode.commands.executeCommand(
+    'editor.action.showReferences',
+    convert.asUri(uri),
+    convert.asPosition(position as Parameters<typeof convert.asPosition>[0]),
+    locations.map((location) => convert.asLocation(location as Parameters<typeof convert.asLocation>[0])),
+  );
+}
+
+interface Entry extends vscode.QuickPickItem {
+  readonly code?: string;
+}
+
+async function explain(given: string | undefined): Promise<void> {
+  const editor = vscode.window.activeTextEditor;
+  const findings = editor === undefined ? [] : vscode.languages.getDiagnostics(editor.document.uri);
+  const code = given === undefined ? await choose(editor, findings) : asCode(given);
+  if (code === undefined) {
+    return;
+  }
+  const target = findings.find((finding) => codeOf(finding) === code)?.code;
+  const setting = vscode.workspace.getConfiguration('cnc872c').get('language');
+  const page =
+    typeof target === 'object' && target.target.scheme === 'cnc872c'
+      ? target.target
+      : vscode.Uri.parse(pageOf(code, language(setting, vscode.env.language)));
+  try {
+    // The page is asked for first: the preview would show its absence as an empty page.
+    await vscode.workspace.openTextDocument(page);
+  } catch {
+    void vscode.window.showWarningMessage(vscode.l10n.t('There is no page about {0}', code));
+    return;
+  }
+  await vscode.commands.executeCommand('markdown.showPreviewToSide', page);
+}
+
+/** The code of a finding of this program, or one that is typed. */
+async function choose(
+  editor: vscode.TextEditor | undefined,
+  findings: readonly vscode.Diagnostic[],
+): Promise<string | undefined> {
+  const known = choices(findings, editor?.selection.active ?? new vscode.Position(0, 0));
+  const here = known.filter((choice) => choice.here);
+  const only = here[0];
+  if (here.length === 1 && only !== undefined) {
+    return only.code;
+  }
+  if (known.length > 0) {
+    const other: Entry = { label: vscode.l10n.t('Another code…') };
+    const entries: Entry[] = known.map(({ code, message }) => ({ label: code, description: message, code }));
+    const placeHolder = vscode.l10n.t('Which finding?');
+    const chosen = await vscode.window.showQuickPick([...entries, other], { placeHolder, matchOnDescription: true });
+    if (chosen !== other) {
+      return chosen?.code;
+    }
+  }
+  const typed = await vscode.window.showInputBox({
+    prompt: vscode.l10n.t('Code of a finding'),
+    placeHolder: 'E0306',
+    validateInput: (text) =>
+      text === '' || asCode(text) !== undefined ? undefined : vscode.l10n.t('A code is E or W and four digits'),
+  });
+  return typed === undefined ? undefined : asCode(typed);
+}

@@ -1,0 +1,260 @@
+// The packaged extension in VS Code in a browser, against the real server. Each step says what it holds and takes a
+// picture, run/STEP.png. What the server does not offer yet is skipped, and said.
+//
+//   ./prepare                         once
+//   npm run package                   in the extension's folder
+//   cargo build                       in the project's
+//   npm test [STEP…]
+
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+
+import { openEditor, serverProgram } from './editor.mjs';
+
+const program = serverProgram();
+const wanted = process.argv.slice(2);
+const results = { passed: 0, failed: 0, skipped: 0 };
+
+/** What the server answers to `initialize`. */
+function capabilities() {
+  return new Promise((resolve, reject) => {
+    const server = spawn(program, ['lsp'], { stdio: ['pipe', 'pipe', 'ignore'] });
+    const params = { processId: null, rootUri: null, capabilities: { textDocument: { codeAction: { codeActionLiteralSupport: { codeActionKind: { valueSet: [] } } } } } };
+    const message = JSON.stringify({ jsonrpc: '2.0', id: 1, method: 'initialize', params });
+    let answer = '';
+    server.on('error', reject);
+    server.stdout.setEncoding('utf8');
+    server.stdout.on('data', (part) => {
+      answer += part;
+      const [head, body] = answer.split('\r\n\r\n');
+      const length = Number(/Content-Length: (\d+)/i.exec(head)?.[1]);
+      if (body !== undefined && Buffer.byteLength(body) >= length) {
+        server.kill();
+        resolve(JSON.parse(Buffer.from(body).subarray(0, length).toString()).result.capabilities);
+      }
+    });
+    server.stdin.write(`Content-Length: ${Buffer.byteLength(message)}\r\n\r\n${message}`);
+  });
+}
+
+const offered = await capabilities();
+
+async function step(name, needs, run) {
+  if (wanted.length > 0 && !wanted.includes(name)) {
+    return;
+  }
+  if (needs !== undefined && !offered[needs]) {
+    console.log(`skipped: ${name}: the server has no ${needs}`);
+    results.skipped += 1;
+    return;
+  }
+  try {
+    await run();
+    console.log(`passed: ${name}`);
+    results.passed += 1;
+  } catch (error) {
+    console.log(`FAILED: ${name}: ${error.stack ?? error}`);
+    results.failed += 1;
+    await editor?.picture(`${name}-failed`).catch(() => {});
+  }
+}
+
+let open;
+let editor;
+let page;
+
+async function start(options) {
+  open = await openEditor(options);
+  ({ editor, page } = open);
+}
+
+const files = {
+  'plate.nc': 'docs/guide/examples/plate.nc',
+  'deska.nc': 'docs/guide/examples/deska.nc',
+  'flange.nc': 'samples/ok/flange.nc',
+  'rezani.nc': 'samples/ok/rezani-cp852.nc',
+  'rezani.mpf': 'samples/ok/rezani-cp852.nc',
+  'cnc872c.toml': 'samples/projects/drilling/cnc872c.toml',
+  'row-and-grid.nc': 'samples/projects/drilling/row-and-grid.nc',
+  macros: 'samples/projects/drilling/macros',
+};
+
+const squiggles = () => page.locator('.squiggly-error');
+const text = (locator) => locator.innerText({ timeout: 20_000 });
+
+/** Waits until the text of the first such element holds all the words. */
+async function says(selector, ...words) {
+  const found = page.locator(selector).first();
+  await found.waitFor({ timeout: 20_000 });
+  let now = '';
+  for (let tries = 0; tries < 80; tries += 1) {
+    now = (await text(found)).replaceAll('\u00a0', ' ');
+    if (words.every((word) => now.includes(word))) {
+      return now;
+    }
+    await page.waitForTimeout(250);
+  }
+  throw new assert.AssertionError({ message: `${selector} says ${JSON.stringify(now)}, not ${words}` });
+}
+
+await start({ files, settings: { 'cnc872c.server.path': program } });
+try {
+  await step('colours', undefined, async () => {
+    await editor.openFile('flange.nc');
+    await says('#status\\.editor\\.mode', 'CNC872 part program');
+    // A comment and a motion have colours of their own.
+    const coloured = () => {
+      const parts = document.querySelectorAll('.view-line span span');
+      return new Set([...parts].map((part) => part.className)).size > 5;
+    };
+    await page.waitForFunction(coloured, undefined, { timeout: 20_000 });
+    await editor.picture('colours');
+  });
+
+  await step('findings', 'diagnosticProvider', async () => {
+    await editor.openFile('plate.nc');
+    await squiggles().nth(1).waitFor({ timeout: 30_000 });
+    await page.keyboard.press('Control+Shift+KeyM');
+    await says('.markers-panel', 'a decimal comma', 'a letter stands where a digit is meant', 'E0104', 'E0107');
+    await editor.picture('findings');
+  });
+
+  await step('unsaved', 'diagnosticProvider', async () => {
+    await editor.openFile('plate.nc');
+    await squiggles().nth(1).waitFor({ timeout: 30_000 });
+    await editor.goTo(5, 12);
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.type('.');
+    await editor.goTo(7, 6);
+    await page.keyboard.press('Shift+ArrowRight');
+    await page.keyboard.type('0');
+    // Only now is the program executed, and the arc found.
+    await page.keyboard.press('Control+Shift+KeyM');
+    await says('.markers-panel', 'the radius is 15 at the start of the arc', 'E0603');
+    await editor.picture('unsaved');
+    await page.locator('.tab.active').click();
+    await editor.command('File: Revert File');
+    await squiggles().nth(1).waitFor({ timeout: 30_000 });
+  });
+
+  await step('explanation', 'diagnosticProvider', async () => {
+    await editor.openFile('plate.nc');
+    await squiggles().nth(1).waitFor({ timeout: 30_000 });
+    await editor.goTo(7, 6);
+    await editor.command('CNC872: Explain a Finding');
+    await page.waitForSelector('.tab[data-resource-name*="E0107"], .tab[aria-label*="E0107"]', { timeout: 20_000 });
+    await page.waitForTimeout(3000);
+    await editor.picture('explanation');
+    await editor.command('View: Close All Editors');
+  });
+
+  await step('link', 'diagnosticProvider', async () => {
+    await editor.openFile('plate.nc');
+    await squiggles().nth(1).waitFor({ timeout: 30_000 });
+    await page.keyboard.press('Control+Shift+KeyM');
+    await page.locator('.markers-panel a', { hasText: 'E0104' }).first().click({ modifiers: ['Control'] });
+    // The page is shown as a page, not as its source.
+    await page.waitForSelector('.tab[aria-label*="E0104"]', { timeout: 20_000 });
+    await page.locator('iframe.webview').first().waitFor({ timeout: 20_000 });
+    await page.waitForTimeout(2000);
+    await editor.picture('link');
+    await editor.command('View: Close All Editors');
+  });
+
+  await step('hover', 'hoverProvider', async () => {
+    await editor.openFile('flange.nc');
+    await editor.goTo(15, 8);
+    await editor.command('Show or Focus Hover');
+    await page.locator('.monaco-hover:visible .hover-contents').first().waitFor({ timeout: 20_000 });
+    await editor.picture('hover');
+    await page.keyboard.press('Escape');
+  });
+
+  await step('outline', 'documentSymbolProvider', async () => {
+    await editor.openFile('flange.nc');
+    await page.locator('.pane-header', { hasText: 'Outline' }).click();
+    await says('.outline-tree', 'L100', 'L300');
+    await editor.picture('outline');
+    await page.locator('.pane-header', { hasText: 'Outline' }).click();
+  });
+
+  await step('completion', 'completionProvider', async () => {
+    await editor.openFile('flange.nc');
+    await editor.goTo(11, 9);
+    await page.keyboard.type(' G');
+    await page.keyboard.press('Control+Space');
+    await says('.suggest-widget.visible', 'G00');
+    await editor.picture('completion');
+    await page.keyboard.press('Escape');
+    await editor.command('File: Revert File');
+  });
+
+  await step('stream', 'executeCommandProvider', async () => {
+    await editor.openFile('flange.nc');
+    await editor.command('CNC872: Show Block Stream');
+    await page.waitForSelector('.tab[data-resource-name="flange.nc.jsonl"]', { timeout: 20_000 });
+    await page.waitForTimeout(1500);
+    await editor.picture('stream');
+    await editor.command('View: Close All Editors');
+  });
+
+  await step('code-page', undefined, async () => {
+    const file = path.join(open.folder, 'rezani.nc');
+    const before = readFileSync(file);
+    await editor.openFile('rezani.nc');
+    await says('#status\\.editor\\.encoding', 'CP 852');
+    await editor.goTo(10, 1);
+    await page.keyboard.type('N45 "ř"');
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('Control+KeyS');
+    await page.waitForSelector('.tab.active:not(.dirty)');
+    await page.waitForTimeout(500);
+    const at = before.indexOf('N50 ');
+    const line = Buffer.from([...Buffer.from('N45 "'), 0xfd, ...Buffer.from('"\r\n')]);
+    assert.deepEqual(readFileSync(file), Buffer.concat([before.subarray(0, at), line, before.subarray(at)]));
+    await editor.picture('code-page');
+  });
+
+  await step('read-again', undefined, async () => {
+    await editor.openFile('rezani.mpf');
+    await says('#status\\.editor\\.mode', 'CNC872 part program');
+    await says('#status\\.editor\\.encoding', 'CP 852');
+    await says('.editor-instance .view-lines', 'ŘEZÁNÍ');
+    await editor.picture('read-again');
+  });
+
+  await step('czech', 'diagnosticProvider', async () => {
+    mkdirSync(path.join(open.folder, '.vscode'));
+    writeFileSync(path.join(open.folder, '.vscode/settings.json'), '{ "cnc872c.language": "cs" }\n');
+    await editor.openFile('deska.nc');
+    await page.keyboard.press('Control+Shift+KeyM');
+    await says('.markers-panel', 'desetinná čárka', 'místo číslice je písmeno');
+    await editor.picture('czech');
+  });
+} finally {
+  await open.close();
+}
+
+for (const [name, language, word, title] of [
+  ['no-server', undefined, 'cannot be run', 'Renumber Blocks'],
+  ['no-server-czech', 'cs', 'nelze spustit', 'Přečíslovat bloky'],
+]) {
+  await step(name, undefined, async () => {
+    await start({ files, settings: { 'cnc872c.server.path': '/nowhere/cnc872c' }, language });
+    try {
+      await editor.openFile('flange.nc');
+      await says('.notifications-toasts', '/nowhere/cnc872c', 'cnc872c.server.path', word);
+      await page.keyboard.press('F1');
+      await page.locator('.quick-input-widget:visible input.input').fill('>CNC872');
+      await says('.quick-input-list', title);
+      await editor.picture(name);
+    } finally {
+      await open.close();
+    }
+  });
+}
+
+console.log(`${results.passed} passed, ${results.failed} failed, ${results.skipped} skipped`);
+process.exit(results.failed === 0 ? 0 : 1);

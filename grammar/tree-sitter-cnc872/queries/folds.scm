@@ -1,0 +1,2 @@
+; A block that goes on over several lines.
+(block) @fold

@@ -1,0 +1,181 @@
+//! What the editor may do for the user: fix findings, one or all, and renumber the blocks.
+
+use gen_lsp_types::{
+    CodeAction, CodeActionContext, CodeActionDisabled, CodeActionKind, CodeActionParams, CodeActionResponse,
+    CodeActionTriggerKind,
+};
+use lsp_server::ErrorCode;
+use serde_json::{Value, json};
+
+use super::analysis::{Analysis, Found};
+use super::edit_texts::EditText;
+use super::edits::document_edit;
+use super::findings::Converter;
+use super::places::{Places, span};
+use super::renumber::renumber;
+use super::requests::{Answer, Refusal, Snapshot};
+use crate::diag::{Reported, compatible_edits};
+use crate::text::{FileId, SourceText, Span};
+
+/// The fixes of a file together.
+pub(super) const FIX_ALL: &str = "source.fixAll.cnc872c";
+/// New numbers for the blocks.
+pub(super) const RENUMBER: &str = "source.renumber.cnc872c";
+
+/// `textDocument/codeAction`. What concerns the whole file is offered when the user asks, not with every move of the
+/// cursor.
+pub(super) fn code_action(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    params: CodeActionParams,
+) -> Answer<Option<Vec<CodeActionResponse>>> {
+    if !snapshot.client.has("/textDocument/codeAction/codeActionLiteralSupport") {
+        // Such a client takes commands only.
+        return Ok(None);
+    }
+    let Some(source) = analysis.sources.get(FileId(0)) else { return Ok(None) };
+    let wanted = Wanted(&params.context);
+    let mut actions = Vec::new();
+    if let Some(found) = &snapshot.found {
+        let fixes = OfDocument::new(snapshot, analysis, source, found);
+        if wanted.kind(CodeActionKind::QuickFix.as_str()) {
+            let range = span(source, params.range, snapshot.client.unit);
+            actions.extend(fixes.quick_fixes(range));
+        }
+        if wanted.for_the_file(FIX_ALL) {
+            actions.extend(fixes.fix_all());
+        }
+    }
+    if wanted.for_the_file(RENUMBER) {
+        actions.extend(renumber_action(snapshot, analysis, source));
+    }
+    Ok(Some(actions.into_iter().map(Into::into).collect()))
+}
+
+/// `codeAction/resolve`: the edits of an action that was offered without.
+pub(super) fn resolve(snapshot: &Snapshot, analysis: &Analysis, mut action: CodeAction) -> Answer<CodeAction> {
+    let version = snapshot.files.buffer(&analysis.path).map(|document| document.version);
+    let of_version = action.data.as_ref().and_then(|data| data.get("version")).and_then(Value::as_i64);
+    if of_version != version.map(i64::from) {
+        return Err(Refusal { code: ErrorCode::ContentModified, message: "the document has changed".to_owned() });
+    }
+    if action.kind == Some(CodeActionKind::Custom(RENUMBER.into())) && action.edit.is_none() {
+        let renumbering = renumber(analysis).map_err(|why| Refusal::new(why.text(snapshot.client.lang())))?;
+        if let Some(source) = analysis.sources.get(FileId(0)) {
+            let edits = renumbering.edits.iter().map(|(span, text)| (*span, text.as_str()));
+            action.edit = document_edit(snapshot, analysis, source, edits);
+        }
+    }
+    Ok(action)
+}
+
+/// What the client asks for.
+struct Wanted<'a>(&'a CodeActionContext);
+
+impl Wanted<'_> {
+    /// Whether it wants actions of that kind: `source` means `source.fixAll` too.
+    fn kind(&self, kind: &str) -> bool {
+        let covers = |wanted: &CodeActionKind| {
+            let rest = kind.strip_prefix(wanted.as_str());
+            wanted.as_str().is_empty() || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        self.0.only.as_ref().is_none_or(|only| only.iter().any(covers))
+    }
+
+    fn for_the_file(&self, kind: &str) -> bool {
+        let by_itself = self.0.trigger_kind == Some(CodeActionTriggerKind::Automatic);
+        self.kind(kind) && (self.0.only.is_some() || !by_itself)
+    }
+}
+
+/// The fixable findings of the document.
+struct OfDocument<'a> {
+    snapshot: &'a Snapshot,
+    analysis: &'a Analysis,
+    source: &'a SourceText,
+    found: &'a Found,
+    /// The document in the report.
+    file: Option<FileId>,
+}
+
+impl<'a> OfDocument<'a> {
+    fn new(snapshot: &'a Snapshot, analysis: &'a Analysis, source: &'a SourceText, found: &'a Found) -> Self {
+        let file = found.report.sources().find(source.name());
+        Self { snapshot, analysis, source, found, file }
+    }
+
+    fn items(&self) -> impl Iterator<Item = &'a Reported> {
+        let file = self.file;
+        let of_document = move |item: &&Reported| Some(item.diagnostic.file()) == file;
+        self.found.report.items().filter(of_document).filter(|item| !item.diagnostic.fixes.is_empty())
+    }
+
+    /// The fixes of the findings that touch a range.
+    fn quick_fixes(&self, range: Span) -> Vec<CodeAction> {
+        let Snapshot { client, files, .. } = self.snapshot;
+        let converter = Converter { report: &self.found.report, files, unit: client.unit, lang: client.lang() };
+        let mut places = Places::new(self.source, client.unit);
+        let mut actions = Vec::new();
+        for item in self.items() {
+            let at = item.diagnostic.at.span;
+            if at.end < range.start || range.end < at.start {
+                continue;
+            }
+            let fixes = &item.diagnostic.fixes;
+            for fix in fixes {
+                let mut edits: Vec<(Span, &str)> =
+                    fix.edits.iter().map(|edit| (edit.at.span, edit.text.as_str())).collect();
+                edits.sort_by_key(|(span, _)| *span);
+                let edit = document_edit(self.snapshot, self.analysis, self.source, edits.into_iter());
+                actions.push(CodeAction {
+                    title: fix.title.text(client.lang()),
+                    kind: Some(CodeActionKind::QuickFix),
+                    diagnostics: Some(vec![converter.diagnostic(item, &mut places)]),
+                    is_preferred: (fixes.len() == 1).then_some(true),
+                    edit,
+                    ..CodeAction::default()
+                });
+            }
+        }
+        actions
+    }
+
+    /// All fixes that can be applied together, of several of one finding the first.
+    fn fix_all(&self) -> Option<CodeAction> {
+        let fixes = self.items().filter_map(|item| item.diagnostic.fixes.first());
+        let edits: Vec<(Span, &str)> = compatible_edits(self.source, self.file?, fixes).collect();
+        if edits.is_empty() {
+            return None;
+        }
+        Some(CodeAction {
+            title: EditText::FixAll.text(self.snapshot.client.lang()),
+            kind: Some(CodeActionKind::Custom(FIX_ALL.into())),
+            edit: document_edit(self.snapshot, self.analysis, self.source, edits.into_iter()),
+            ..CodeAction::default()
+        })
+    }
+}
+
+/// Renumbering, or why it cannot be done.
+fn renumber_action(snapshot: &Snapshot, analysis: &Analysis, source: &SourceText) -> Option<CodeAction> {
+    let client = &snapshot.client;
+    let kind = Some(CodeActionKind::Custom(RENUMBER.into()));
+    let title = |step| EditText::Renumber { step }.text(client.lang());
+    let renumbering = match renumber(analysis) {
+        Ok(renumbering) => renumbering,
+        Err(why) => {
+            let disabled = Some(CodeActionDisabled { reason: why.text(client.lang()) });
+            let action = CodeAction { title: title(10), kind, disabled, ..CodeAction::default() };
+            return client.has("/textDocument/codeAction/disabledSupport").then_some(action);
+        }
+    };
+    let action = CodeAction { title: title(renumbering.step), kind, ..CodeAction::default() };
+    let later = ["resolveSupport", "dataSupport"].map(|part| format!("/textDocument/codeAction/{part}"));
+    if later.iter().all(|capability| client.has(capability)) {
+        let document = snapshot.files.buffer(&analysis.path)?;
+        let data = json!({ "uri": document.uri, "version": document.version });
+        return Some(CodeAction { data: Some(data), ..action });
+    }
+    let edits = renumbering.edits.iter().map(|(span, text)| (*span, text.as_str()));
+    Some(CodeAction { edit: document_edit(snapshot, analysis, source, edits), ..action })
+}

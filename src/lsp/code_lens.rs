@@ -1,0 +1,110 @@
+//! Above a unit: which blocks call it. Above a program: how long it is.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use gen_lsp_types::{CodeLens, CodeLensParams, Command, Location as LspLocation, Uri};
+use serde_json::{Value, json};
+
+use super::analysis::Analysis;
+use super::cursor::DOCUMENT;
+use super::hover_texts::Said;
+use super::observe::observe;
+use super::places::{Places, location};
+use super::requests::{Answer, Snapshot};
+use super::shown::{count, rounded};
+use crate::resolve::{FileIndex, Target, UnitId, UnitKind};
+use crate::session::Session;
+use crate::syntax::BlockFlags;
+use crate::text::Loader;
+
+/// The command that shows a list of places: a URI, a position, locations; the client has it.
+const SHOW_REFERENCES: &str = "cnc872c.showReferences";
+
+/// `textDocument/codeLens`.
+pub(super) fn code_lens(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    params: CodeLensParams,
+) -> Answer<Option<Vec<CodeLens>>> {
+    let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
+    let uri = params.text_document.uri;
+    let mut places = Places::new(&file.source, snapshot.client.unit);
+    let mut lenses = Vec::new();
+    if let Some((word, totals)) = file.program.zip(totals(snapshot, analysis)) {
+        let range = places.range(word.span(file.source.text()));
+        lenses.push(lens(range, totals, "", None));
+    }
+    let mut called = if Session::is_macrocycle_name(&analysis.path) {
+        callers_of_macrocycle(snapshot, analysis)
+    } else {
+        callers(snapshot, analysis)
+    };
+    let units = analysis.resolved.units().filter(|(_, unit)| unit.file == DOCUMENT && unit.kind != UnitKind::Main);
+    for (id, unit) in units {
+        let callers = called.remove(&id).unwrap_or_default();
+        let title = match callers.len() {
+            1 => Said::OneCall,
+            count => Said::Calls { count },
+        };
+        let range = places.range(unit.entry.span);
+        let arguments = json_list(&uri, &range.start, &callers);
+        lenses.push(lens(range, title.text(snapshot.client.lang()), SHOW_REFERENCES, Some(arguments)));
+    }
+    Ok(Some(lenses))
+}
+
+fn lens(range: gen_lsp_types::Range, title: String, command: &str, arguments: Option<Vec<Value>>) -> CodeLens {
+    let command = Command { title, tooltip: None, command: command.to_owned(), arguments };
+    CodeLens { range, command: Some(command), data: None }
+}
+
+fn json_list(uri: &Uri, position: &gen_lsp_types::Position, places: &[LspLocation]) -> Vec<Value> {
+    vec![json!(uri), json!(position), json!(places)]
+}
+
+/// Blocks executed and the path; `None` for programs that are not executed, or not to their end.
+fn totals(snapshot: &Snapshot, analysis: &Analysis) -> Option<String> {
+    let program = analysis.executable.then_some(analysis)?;
+    let observation = observe(snapshot, program, analysis, [])?;
+    observation.end?;
+    let (blocks, path) = (count(observation.executed), rounded(observation.path));
+    Some(Said::Totals { blocks, path }.text(snapshot.client.lang()))
+}
+
+/// The same of a document that is a macrocycle: its calls in all open programs and what they lead to.
+fn callers_of_macrocycle(snapshot: &Snapshot, analysis: &Analysis) -> BTreeMap<UnitId, Vec<LspLocation>> {
+    let mut found: Vec<LspLocation> = Vec::new();
+    for program in &snapshot.analyses {
+        let is_here = |unit: UnitId| {
+            let file = program.resolved.unit(unit).and_then(|unit| program.resolved.file(unit.file));
+            file.is_some_and(|file| program.files.canonical(Path::new(file.source.name())) == analysis.path)
+        };
+        found.extend(callers(snapshot, program).into_iter().filter(|(unit, _)| is_here(*unit)).flat_map(|(_, at)| at));
+    }
+    // Several programs may lead to the same macrocycles.
+    found.sort_by_key(|place| (place.uri.clone(), place.range.start.line, place.range.start.character));
+    found.dedup();
+    let own = analysis.resolved.units().map(|(id, _)| id).next();
+    own.map(|own| (own, found)).into_iter().collect()
+}
+
+/// The blocks of a program and its macrocycles that call units, by unit, in the order of the text.
+fn callers(snapshot: &Snapshot, program: &Analysis) -> BTreeMap<UnitId, Vec<LspLocation>> {
+    let mut found: BTreeMap<UnitId, Vec<LspLocation>> = BTreeMap::new();
+    let files = (0..).map(FileIndex).map_while(|index| Some((index, program.resolved.file(index)?)));
+    for (index, file) in files {
+        for block in file.block_ids() {
+            if block.0.is_multiple_of(1 << 16) && snapshot.cancel.is_cancelled() {
+                return found;
+            }
+            if file.flags(block).has(BlockFlags::RICH)
+                && let Some(Target::Unit(unit)) = program.resolved.target(index, block)
+            {
+                let place = location(&snapshot.files, &program.sources, file.n_place(block), snapshot.client.unit);
+                found.entry(unit).or_default().extend(place);
+            }
+        }
+    }
+    found
+}

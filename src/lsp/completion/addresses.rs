@@ -1,0 +1,127 @@
+//! Addresses: what can still stand in the block.
+
+use gen_lsp_types::CompletionItemKind;
+
+use super::items::{Entry, Items, Section};
+use super::texts::ItemText;
+use super::{Context, Source};
+use crate::dict::{Address, GCode, ValueForm};
+use crate::resolve::g_code;
+
+/// In the order of use; G, M and N have items of their own.
+const ORDER: [Address; 24] = [
+    Address::X,
+    Address::Y,
+    Address::Z,
+    Address::A,
+    Address::B,
+    Address::C,
+    Address::U,
+    Address::V,
+    Address::W,
+    Address::I,
+    Address::J,
+    Address::K,
+    Address::F,
+    Address::S,
+    Address::T,
+    Address::L,
+    Address::Q,
+    Address::R,
+    Address::D,
+    Address::H,
+    Address::P,
+    Address::Correction,
+    Address::Skip,
+    Address::Program,
+];
+
+/// The addresses that the block may still have.
+pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
+    let codes: Vec<GCode> = context.words().filter_map(g_code).collect();
+    let flow = codes.iter().any(|code| code.is_flow());
+    for address in ORDER {
+        let of_other_block = match address {
+            Address::L => !flow,
+            Address::Q => !flow && !codes.contains(&GCode::G04),
+            Address::Program => true,
+            Address::N
+            | Address::Skip
+            | Address::G
+            | Address::X
+            | Address::Y
+            | Address::Z
+            | Address::A
+            | Address::B
+            | Address::C
+            | Address::U
+            | Address::V
+            | Address::W
+            | Address::I
+            | Address::J
+            | Address::K
+            | Address::R
+            | Address::Correction
+            | Address::D
+            | Address::F
+            | Address::S
+            | Address::H
+            | Address::P
+            | Address::T
+            | Address::M => false,
+        };
+        let there = address != Address::R && context.words().any(|word| word.address == address);
+        if !of_other_block && !there {
+            address_item(source, address, address.letter(), items);
+        }
+    }
+}
+
+/// One address, for what it means; none when the machine has no such axis.
+pub(super) fn address_item(source: &Source<'_>, address: Address, filter: &str, items: &mut Items<'_>) {
+    let machine = &source.settings.machine;
+    if address.axis().is_some() && machine.axes.index_of(address).is_none() {
+        return;
+    }
+    let order = ORDER.iter().position(|known| *known == address).unwrap_or(ORDER.len());
+    let meaning = address.row().meaning.get(source.lang);
+    items.add(Entry {
+        label: address.letter().to_owned(),
+        kind: CompletionItemKind::Field,
+        detail: meaning.to_owned(),
+        documentation: Some(documentation(source, address)),
+        section: Section::Addresses,
+        order: u32::try_from(order).unwrap_or(u32::MAX),
+        filter: filter.to_owned(),
+        text: address.letter().to_owned(),
+        snippet: None,
+    });
+}
+
+fn documentation(source: &Source<'_>, address: Address) -> String {
+    let lang = source.lang;
+    let machine = &source.settings.machine;
+    let row = address.row();
+    let axis = machine.axes.index_of(address).and_then(|index| machine.axes.get(index));
+    let mut lines = vec![format!("**{address}** – {}", row.meaning.get(lang))];
+    if let Some(axis) = axis {
+        lines.push(if axis.rotary { ItemText::Rotary } else { ItemText::Linear }.text(lang));
+    }
+    let unit = if axis.is_some_and(|axis| axis.rotary) { "°" } else { " mm" };
+    let range = match row.form {
+        ValueForm::None => None,
+        ValueForm::Whole { min, max } => Some(format!("{min}–{max}")),
+        ValueForm::Dimension => Some(format!("±69999.999{unit}")),
+        ValueForm::Parameter => Some(ItemText::ParameterRange.text(lang)),
+        ValueForm::Feed => Some(ItemText::FeedRange { feed: machine.limits.feed.to_string() }.text(lang)),
+        ValueForm::Auxiliary if row.form.takes_point(machine.dialect) => Some("±69999.999".to_owned()),
+        ValueForm::Auxiliary => Some("1–99".to_owned()),
+        ValueForm::CorrectionDigits => Some(ItemText::FourDigits.text(lang)),
+        ValueForm::Technological => Some(format!("0–{}", machine.dialect.highest_m())),
+    };
+    lines.extend(range.map(|range| ItemText::Range { range }.text(lang)));
+    if row.lasts_until_changed {
+        lines.push(ItemText::UntilChanged.text(lang));
+    }
+    lines.join("\n\n")
+}

@@ -1,0 +1,68 @@
+//! What a block calls, enters or jumps to, as it is written.
+
+use super::analysis::Analysis;
+use super::cursor::DOCUMENT;
+use super::observe::g_functions;
+use crate::dict::{Address, GCode};
+use crate::resolve::{FileIndex, Target};
+use crate::syntax::{BlockId, ParsedFile, Word};
+
+/// The call, jump or entry of a block, its function written out.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Flow {
+    /// G71, G72, G73 or G79.
+    pub(super) code: GCode,
+    pub(super) word: Word,
+    pub(super) l: Option<Word>,
+    pub(super) q: Option<Word>,
+    /// With G04, Q is a dwell (FLW-6).
+    pub(super) dwell: bool,
+    /// Where it leads, when that is written with digits and exists; none for an entry.
+    pub(super) target: Option<Target>,
+}
+
+impl Flow {
+    /// Of a block of the document.
+    pub(super) fn of(analysis: &Analysis, file: &ParsedFile, block: BlockId) -> Option<Self> {
+        let (code, word) = g_functions(file, block).find(|(code, _)| code.is_flow() || *code == GCode::G79)?;
+        let find = |address| file.words(block).iter().copied().find(|word: &Word| word.address == address);
+        Some(Self {
+            code,
+            word,
+            l: find(Address::L),
+            q: find(Address::Q),
+            dwell: g_functions(file, block).any(|(code, _)| code == GCode::G04),
+            target: analysis.resolved.target(DOCUMENT, block),
+        })
+    }
+
+    /// How often it calls or jumps; `None` when Q is no number written out. A jump without Q counts one.
+    pub(super) fn times(&self) -> Option<i64> {
+        match self.q {
+            Some(q) if !self.dwell => q.whole(),
+            Some(_) | None => Some(1),
+        }
+    }
+
+    /// The block that it jumps to.
+    pub(super) const fn jump(&self) -> Option<BlockId> {
+        match self.target {
+            Some(Target::Block(block)) => Some(block),
+            Some(Target::Unit(_)) | None => None,
+        }
+    }
+
+    /// The file and block that it leads to.
+    pub(super) fn place(&self, analysis: &Analysis) -> Option<(FileIndex, BlockId)> {
+        match self.target? {
+            Target::Block(block) => Some((DOCUMENT, block)),
+            Target::Unit(unit) => analysis.resolved.unit(unit).map(|unit| (unit.file, unit.first)),
+        }
+    }
+
+    /// Where its last word ends.
+    pub(super) fn end(&self, text: &str) -> u32 {
+        let words = [Some(self.word), self.l, self.q.filter(|_| !self.dwell)];
+        words.into_iter().flatten().map(|word| word.span(text).end).max().unwrap_or(0)
+    }
+}

@@ -1,0 +1,90 @@
+//! What can be folded: units, loops, comments of several lines.
+
+use gen_lsp_types::{FoldingRange, FoldingRangeKind, FoldingRangeParams};
+
+use super::analysis::Analysis;
+use super::cursor::DOCUMENT;
+use super::extents::{adjoin, loops, stands_alone, words_span};
+use super::requests::{Answer, Snapshot};
+use crate::resolve::{Unit, UnitKind};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile};
+use crate::text::Span;
+
+/// Most ranges of a document, and of them most loops; editors take no more.
+const MOST: usize = 5_000;
+
+/// `textDocument/foldingRange`, by lines, the longer first where two begin in one line. Ranges that cross others, as loops
+/// may, are left out: editors cannot fold them.
+pub(super) fn folding_range(
+    _: &Snapshot,
+    analysis: &Analysis,
+    _: FoldingRangeParams,
+) -> Answer<Option<Vec<FoldingRange>>> {
+    let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
+    let lines = file.source.lines();
+    let line = |offset: u32| u32::try_from(lines.line_at(offset)).unwrap_or(u32::MAX);
+    let units = analysis.resolved.units().filter(|(_, unit)| unit.file == DOCUMENT);
+    let units = units.map(|(_, unit)| (unit_words(file, unit), FoldingRangeKind::Region));
+    let of_loop = |(first, jump)| Span::new(words_span(file, first).start, words_span(file, jump).end);
+    let loops = loops(analysis).map(|blocks| (of_loop(blocks), FoldingRangeKind::Region));
+    let comments = comment_runs(file).map(|run| (run, FoldingRangeKind::Comment));
+    let all = units.chain(loops).chain(comments);
+    let folded = all.map(|(span, kind)| (line(span.start), line(span.end), kind));
+    let mut folded: Vec<_> = folded.filter(|(start, end, _)| start < end).take(MOST).collect();
+    folded.sort_by_key(|(start, end, _)| (*start, std::cmp::Reverse(*end)));
+    Ok(Some(nested(folded)))
+}
+
+/// A unit from its beginning to its last word.
+fn unit_words(file: &ParsedFile, unit: &Unit) -> Span {
+    let start = match unit.kind {
+        UnitKind::Main => file.start,
+        UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => words_span(file, unit.first).start,
+    };
+    let last = unit.end.0.checked_sub(1).map(BlockId);
+    Span::new(start, last.map_or(start, |last| words_span(file, last).end).max(start))
+}
+
+/// Comments in lines that follow each other, two at least.
+fn comment_runs(file: &ParsedFile) -> impl Iterator<Item = Span> + '_ {
+    let text = file.source.text();
+    let commented = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::COMMENT));
+    let of_blocks = commented.flat_map(|block| file.comments(block));
+    let mut lines =
+        file.comments_before_blocks().iter().chain(of_blocks).filter(|c| stands_alone(text, **c)).peekable();
+    std::iter::from_fn(move || {
+        let mut run = *lines.next()?;
+        while let Some(next) = lines.next_if(|next| adjoin(text, run.end, next.start)) {
+            run.end = next.end;
+        }
+        Some(run)
+    })
+}
+
+/// Those of sorted ranges that lie within or beside all others.
+fn nested(sorted: Vec<(u32, u32, FoldingRangeKind)>) -> Vec<FoldingRange> {
+    let mut open: Vec<u32> = Vec::new();
+    let mut result = Vec::new();
+    for (start_line, end_line, kind) in sorted {
+        while open.pop_if(|end| *end < start_line).is_some() {}
+        if open.last().is_some_and(|end| *end < end_line) {
+            continue;
+        }
+        open.push(end_line);
+        result.push(FoldingRange { start_line, end_line, kind: Some(kind), ..FoldingRange::default() });
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn crossing_ranges_are_left_out() {
+        let all = [(0, 9), (1, 5), (2, 3), (4, 7), (6, 8), (6, 7), (7, 8)];
+        let all = all.map(|(start, end)| (start, end, FoldingRangeKind::Region)).to_vec();
+        let lines: Vec<_> = nested(all).iter().map(|range| (range.start_line, range.end_line)).collect();
+        assert_eq!(lines, [(0, 9), (1, 5), (2, 3), (6, 8), (6, 7)]);
+    }
+}

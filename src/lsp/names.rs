@@ -1,0 +1,265 @@
+//! What the words of a block name: blocks, subprograms, macrocycles, parameters.
+
+use crate::config::Machine;
+use crate::dict::{Address, GCode, GGroup};
+use crate::resolve::{control_word, g_code, l_number};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
+use crate::text::Span;
+
+/// The parameter of the first control word (PAR-7).
+const FIRST_CONTROL: u8 = 5;
+
+/// What a number names.
+#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+pub(super) enum Name {
+    /// A block of the file; its number stands once there (BLK-7).
+    Block(u32),
+    /// A subprogram of the file.
+    Subprogram(u32),
+    /// A macrocycle.
+    Macrocycle(u32),
+    /// A parameter.
+    Parameter(u8),
+}
+
+/// What happens to what is named.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Usage {
+    /// It is here: `N10`, the L of a G79.
+    Definition,
+    /// It is called or jumped to.
+    Call,
+    /// A parameter gets a value.
+    Write,
+    /// The value of a parameter is taken.
+    Read,
+}
+
+/// One place that names something.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Naming {
+    pub(super) name: Name,
+    pub(super) usage: Usage,
+    /// The number; where none is written, the word that stands for it.
+    pub(super) number: Span,
+    /// Whether another number can be written in place of `number`.
+    pub(super) written: bool,
+    /// Where a cursor means it: the word, of a word with parameters its part.
+    pub(super) around: Span,
+    /// The G word that makes a number of L a name: a cursor there means it, too.
+    pub(super) function: Option<Span>,
+}
+
+/// What takes the L of a block.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Taker {
+    Nothing,
+    /// G71, G72, G73 or G79.
+    One(GCode, Word),
+    /// Two functions clash, or a G word takes its number from a parameter.
+    Unclear,
+}
+
+impl Taker {
+    pub(super) fn may_be(self, code: GCode) -> bool {
+        match self {
+            Self::Nothing => false,
+            Self::One(one, _) => one == code,
+            Self::Unclear => true,
+        }
+    }
+}
+
+/// The L of a block, the first when there are two, and what takes it.
+pub(super) fn flow(words: &[Word]) -> (Taker, Option<Word>) {
+    let mut taker = Taker::Nothing;
+    let (mut count, mut unknown, mut l) = (0, false, None);
+    for &word in words {
+        if word.address == Address::L {
+            l = l.or(Some(word));
+        }
+        match g_code(word).filter(|code| code.group() == GGroup::G7) {
+            Some(code) => {
+                count += 1;
+                taker = if code == GCode::G70 { Taker::Nothing } else { Taker::One(code, word) };
+            }
+            None => unknown |= is_unknown(word),
+        }
+    }
+    let unclear = count > 1 || (unknown && matches!(taker, Taker::Nothing));
+    (if unclear { Taker::Unclear } else { taker }, l)
+}
+
+/// Whether it is not known before execution which function a G word is.
+pub(super) fn is_unknown(word: Word) -> bool {
+    word.address == Address::G && (word.is_parametric() || word.is_void())
+}
+
+/// The function G26–G29 of a block.
+pub(super) fn arithmetic(words: &[Word]) -> Option<GCode> {
+    words.iter().find_map(|word| g_code(*word).filter(|code| code.group() == GGroup::G4))
+}
+
+/// The control words of a block with that function: the first R word of each (PAR-7).
+pub(super) fn control_words(words: &[Word], function: GCode) -> impl Iterator<Item = Word> + '_ {
+    (FIRST_CONTROL..).take(function.operations()).filter_map(|parameter| {
+        words.iter().copied().find(|word| word.address == Address::R && !word.is_void() && word.target() == parameter)
+    })
+}
+
+/// Reads what the blocks of one file name.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Names<'a> {
+    pub(super) machine: &'a Machine,
+    pub(super) file: &'a ParsedFile,
+    /// The number of the macrocycle that the file holds; `None`: a program.
+    pub(super) macrocycle: Option<u32>,
+}
+
+impl Names<'_> {
+    /// Every place in a block that names something that is wanted, N first.
+    pub(super) fn of_block(&self, block: BlockId, wanted: impl Fn(Name) -> bool) -> Vec<Naming> {
+        let mut found = Vec::new();
+        let mut add = |name: Name, naming: &dyn Fn() -> Naming| {
+            if wanted(name) {
+                found.push(naming());
+            }
+        };
+        if let (Some(number), Some(word)) = (self.file.number(block), self.file.n_word(block)) {
+            let name = Name::Block(number);
+            add(name, &|| self.of_word(name, Usage::Definition, word, None));
+        }
+        if !self.file.flags(block).has(BlockFlags::RICH) {
+            return found;
+        }
+        let words = self.file.words(block);
+        if let (Taker::One(code, g), Some(l)) = flow(words)
+            && let Some(number) = l_number(l)
+            && let Some((name, usage)) = self.named_by(code, number, block)
+        {
+            add(name, &|| self.of_word(name, usage, l, Some(g)));
+        }
+        for &word in words {
+            if let Some(l) = self.mapped(word) {
+                let span = self.span(word);
+                let name = Name::Macrocycle(l);
+                add(name, &|| Naming {
+                    name,
+                    usage: Usage::Call,
+                    number: span,
+                    written: false,
+                    around: span,
+                    function: None,
+                });
+            }
+            if word.address == Address::R
+                && let Some(index) = self.target(word)
+            {
+                let name = Name::Parameter(index);
+                add(name, &|| self.of_target(name, word));
+            }
+            if let Value::Parameter { index, .. } = word.value() {
+                let name = Name::Parameter(index);
+                add(name, &|| self.of_source(name, word));
+            }
+        }
+        if let Some(function) = arithmetic(words) {
+            for word in control_words(words, function) {
+                for (name, usage, place) in self.fields(word) {
+                    add(name, &|| self.of_field(name, usage, word, place));
+                }
+            }
+        }
+        found
+    }
+
+    fn span(&self, word: Word) -> Span {
+        word.span(self.file.source.text())
+    }
+
+    /// What an L with that function names.
+    fn named_by(&self, code: GCode, l: u32, block: BlockId) -> Option<(Name, Usage)> {
+        let called = [
+            (GCode::G71, Name::Subprogram(l), self.macrocycle.is_none()),
+            (GCode::G72, Name::Macrocycle(l), true),
+            (GCode::G73, Name::Block(l), true),
+        ];
+        if let Some((_, name, is_known)) = called.into_iter().find(|(of, ..)| *of == code) {
+            return is_known.then_some((name, Usage::Call));
+        }
+        match self.macrocycle {
+            None => Some((Name::Subprogram(l), Usage::Definition)),
+            Some(own) => (own == l && block == BlockId(0)).then_some((Name::Macrocycle(l), Usage::Definition)),
+        }
+    }
+
+    /// The macrocycle that the cycle map gives for a G word (GRP-6).
+    pub(super) fn mapped(&self, word: Word) -> Option<u32> {
+        let cycle = g_code(word).filter(|code| code.is_cycle())?;
+        self.machine.cycles.get(&cycle.number()).copied()
+    }
+
+    /// The parameter that an R word assigns; also of one without a value.
+    fn target(&self, word: Word) -> Option<u8> {
+        if !word.is_void() {
+            return Some(word.target());
+        }
+        let digits = self.file.source.slice(word.parts(self.file.source.text()).target?);
+        digits.parse().ok().filter(|index| *index <= 95)
+    }
+
+    fn of_word(&self, name: Name, usage: Usage, word: Word, function: Option<Word>) -> Naming {
+        let parts = word.parts(self.file.source.text());
+        let function = function.map(|word| self.span(word));
+        Naming { name, usage, number: parts.value, written: true, around: parts.word, function }
+    }
+
+    fn of_target(&self, name: Name, word: Word) -> Naming {
+        let parts = word.parts(self.file.source.text());
+        let number = parts.target.unwrap_or(parts.word);
+        let around = Span::new(parts.word.start, number.end);
+        Naming { name, usage: Usage::Write, number, written: parts.target.is_some(), around, function: None }
+    }
+
+    /// `R10`, `-R10`: the number behind the R.
+    fn of_source(&self, name: Name, word: Word) -> Naming {
+        let around = word.parts(self.file.source.text()).value;
+        let text = self.file.source.slice(around);
+        let from = text.rfind(['R', 'r']).map_or(0, |at| at + 1);
+        let behind = text.get(from..).unwrap_or_default();
+        let number = behind.trim_start_matches([' ', '\t']);
+        let length = number.find(|character: char| !character.is_ascii_alphanumeric()).unwrap_or(number.len());
+        let start = from + behind.len() - number.len();
+        let number = part(around, start, start + length);
+        Naming { name, usage: Usage::Read, number, written: !number.is_empty(), around, function: None }
+    }
+
+    /// The parameters that a control word `oo aa bb rr` names, each with its place from the right (PAR-8).
+    fn fields(&self, word: Word) -> Vec<(Name, Usage, usize)> {
+        let control = word.number().filter(|_| !word.is_faulty()).map(|value| control_word(self.machine, value));
+        let Some(Ok(control)) = control else { return Vec::new() };
+        let first = (Name::Parameter(control.first), Usage::Read, 2);
+        let second = control.second.map(|second| (Name::Parameter(second), Usage::Read, 1));
+        let result = (Name::Parameter(control.result), Usage::Write, 0);
+        [Some(first), second, Some(result)].into_iter().flatten().collect()
+    }
+
+    /// Two digits of a control word; leading zeros may be left out.
+    fn of_field(&self, name: Name, usage: Usage, word: Word, place: usize) -> Naming {
+        let value = word.parts(self.file.source.text()).value;
+        let text = self.file.source.slice(value);
+        let begin = text.find(|character: char| character.is_ascii_digit()).unwrap_or(0);
+        let end = text.find('.').unwrap_or(text.len());
+        let to = end.saturating_sub(2 * place).max(begin);
+        let from = to.saturating_sub(2).max(begin);
+        let written = from < to;
+        let number = if written { part(value, from, to) } else { value };
+        Naming { name, usage, number, written, around: number, function: None }
+    }
+}
+
+/// A part of a span, by bytes from its start.
+fn part(span: Span, from: usize, to: usize) -> Span {
+    let place = |at: usize| span.start.saturating_add(u32::try_from(at).unwrap_or(0)).min(span.end);
+    Span::new(place(from), place(to))
+}

@@ -1,0 +1,361 @@
+//! What execution makes of some blocks: how often they run, and what holds after them.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use super::analysis::Analysis;
+use super::cursor::DOCUMENT;
+use super::requests::Snapshot;
+use super::values::Values;
+use crate::config::Machine;
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS};
+use crate::expand::{Executor, Stop};
+use crate::ir::{BlockRecord, Micro, MotionType};
+use crate::resolve::{ControlWord, FileIndex, control_word};
+use crate::session::Session;
+use crate::syntax::{BlockId, ParsedFile, Value, Word};
+use crate::text::Loader;
+
+/// Most blocks that are executed to answer a request.
+pub(super) const MOST: u64 = 2_000_000;
+/// Executed blocks between two looks at whether the answer is still wanted.
+const PERIOD: u64 = 1 << 12;
+
+/// What F counts.
+#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+pub(super) enum FeedUnit {
+    /// mm/min.
+    PerMinute,
+    /// mm/rev.
+    PerRevolution,
+    /// Degrees per minute: rotary axes or the spindle only move.
+    Degrees,
+}
+
+/// What was seen of one block.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Observed {
+    /// How often it was executed.
+    pub(super) runs: u64,
+    /// How often its jump was taken.
+    pub(super) jumps: u64,
+    /// How often the jump was taken each time that its counter was armed (FLW-4).
+    pub(super) taken: Values<u64>,
+    /// Jumps since the counter was armed, and what it held after the last; `None`: it is not armed.
+    armed: Option<(u64, u32)>,
+    /// After the block, by letter.
+    pub(super) positions: [Values<Micro>; AxisLetter::ALL.len()],
+    /// In the block, by group.
+    pub(super) g: [Values<u8>; GGroup::ALL.len()],
+    /// After the block, by group.
+    pub(super) m: [Values<u8>; M_GROUPS],
+    /// Of its motions; unknown ones too.
+    pub(super) length_mm: Values<Micro>,
+    /// Of motions of rotary axes only.
+    pub(super) length_deg: Values<Micro>,
+    pub(super) feed: Values<Decimal>,
+    pub(super) feed_unit: Values<FeedUnit>,
+    pub(super) speed: Values<Decimal>,
+    pub(super) tool: Values<Decimal>,
+    pub(super) h: Values<Decimal>,
+    pub(super) p: Values<Decimal>,
+    pub(super) d: Values<Decimal>,
+    pub(super) correction: Values<u16>,
+    pub(super) dwell_s: Values<Micro>,
+    /// What the block reads of parameters: the values from before it.
+    pub(super) reads: BTreeMap<u8, Values<Decimal>>,
+    /// What it writes: the values after it.
+    pub(super) writes: BTreeMap<u8, Values<Decimal>>,
+}
+
+/// One execution, with what was seen of some blocks.
+#[derive(Debug, Default)]
+pub(super) struct Observation {
+    blocks: BTreeMap<BlockId, Observed>,
+    /// Blocks executed.
+    pub(super) executed: u64,
+    /// The sum of the lengths.
+    pub(super) path: Micro,
+    /// M02 or M30, when that was reached.
+    pub(super) end: Option<u8>,
+    /// The number of the last executed block.
+    pub(super) last: u32,
+}
+
+impl Observation {
+    /// What was seen of a block; `None` unless it was asked for.
+    pub(super) fn of(&self, block: BlockId) -> Option<&Observed> {
+        self.blocks.get(&block)
+    }
+
+    /// Whether the program was not executed further because it is long.
+    pub(super) const fn is_cut(&self) -> bool {
+        self.end.is_none() && self.executed >= MOST
+    }
+}
+
+/// The program that shows what a document does when executed: the document itself, or, for a macrocycle, the first open
+/// program that leads to it.
+pub(super) fn executing<'a>(snapshot: &'a Snapshot, analysis: &'a Analysis) -> Option<&'a Analysis> {
+    if analysis.executable {
+        return Some(analysis);
+    }
+    if !Session::is_macrocycle_name(&analysis.path) {
+        return None;
+    }
+    let others = snapshot.analyses.iter().map(AsRef::as_ref);
+    others.filter(|other| other.executable && other.path != analysis.path).find(|other| {
+        let source = other.sources.iter().find(|(_, source)| is(other, source.name(), analysis));
+        source.is_some_and(|(_, source)| {
+            analysis.resolved.file(DOCUMENT).is_some_and(|file| file.source.text() == source.text())
+        })
+    })
+}
+
+/// Whether `name`, in the program of an analysis, is the document.
+fn is(other: &Analysis, name: &str, document: &Analysis) -> bool {
+    other.files.canonical(Path::new(name)) == document.path
+}
+
+/// Executes `program` and looks at `blocks` of the document. `None` when the answer is not wanted any more.
+pub(super) fn observe(
+    snapshot: &Snapshot,
+    program: &Analysis,
+    document: &Analysis,
+    blocks: impl IntoIterator<Item = BlockId>,
+) -> Option<Observation> {
+    let mut observer = Observer::new(program, document, blocks);
+    program.session().observe(&program.path, &program.resolved, &program.sources, |executor| {
+        observer.look(executor);
+        let executed = executor.executed();
+        if executed >= MOST || (executed.is_multiple_of(PERIOD) && snapshot.cancel.is_cancelled()) {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    });
+    if snapshot.cancel.is_cancelled() {
+        return None;
+    }
+    let Observer { mut observation, .. } = observer;
+    if !observation.is_cut() {
+        observation.blocks.values_mut().for_each(Observed::disarm);
+    }
+    Some(observation)
+}
+
+/// Looks at every executed block.
+struct Observer<'a> {
+    program: &'a Analysis,
+    document: &'a Analysis,
+    machine: &'a Machine,
+    observation: Observation,
+    /// The parameters that the blocks read, with their values before the next block.
+    before: Vec<(u8, Option<Decimal>)>,
+    /// Whether a file of the program is the document, as far as asked.
+    files: Vec<Option<bool>>,
+}
+
+impl<'a> Observer<'a> {
+    fn new(program: &'a Analysis, document: &'a Analysis, blocks: impl IntoIterator<Item = BlockId>) -> Self {
+        let machine = &program.settings.machine;
+        let mut observation = Observation::default();
+        let mut before: BTreeMap<u8, Option<Decimal>> = BTreeMap::new();
+        if let Some(file) = document.resolved.file(DOCUMENT) {
+            for block in blocks {
+                let mut observed = Observed::default();
+                for &word in file.words(block) {
+                    if let Value::Parameter { index, .. } = word.value() {
+                        observed.reads.insert(index, Values::default());
+                    }
+                    if word.address == Address::R {
+                        observed.writes.insert(word.target(), Values::default());
+                    }
+                }
+                for control in control_words(machine, file, block) {
+                    observed.writes.insert(control.result, Values::default());
+                }
+                for &index in observed.reads.keys() {
+                    before.insert(index, machine.parameters.get(&index).copied());
+                }
+                observation.blocks.insert(block, observed);
+            }
+        }
+        Self { program, document, machine, observation, before: before.into_iter().collect(), files: Vec::new() }
+    }
+
+    fn look(&mut self, executor: &Executor<'_, '_>) {
+        let record = executor.record();
+        self.observation.executed = executor.executed();
+        self.observation.last = record.n;
+        if let Some(Stop::End(end)) = executor.end() {
+            self.observation.end = Some(end);
+        }
+        if let Some(length) = record.motion.as_ref().and_then(|motion| motion.length_mm) {
+            self.observation.path = self.observation.path.plus(length);
+        }
+        let (file, block) = executor.place();
+        if self.is_document(file, executor)
+            && let Some(observed) = self.observation.blocks.get_mut(&block)
+        {
+            for (index, value) in &self.before {
+                if let Some(values) = observed.reads.get_mut(index) {
+                    values.add(*value);
+                }
+            }
+            for (index, values) in &mut observed.writes {
+                values.add(executor.parameter(*index));
+            }
+            observed.take(record, self.machine);
+        }
+        for (index, value) in &mut self.before {
+            *value = executor.parameter(*index);
+        }
+    }
+
+    fn is_document(&mut self, file: FileIndex, executor: &Executor<'_, '_>) -> bool {
+        let place = file.0 as usize;
+        if let Some(Some(known)) = self.files.get(place) {
+            return *known;
+        }
+        let name = executor.source_name().unwrap_or_default();
+        let answer = is(self.program, name, self.document);
+        if self.files.len() <= place {
+            self.files.resize(place + 1, None);
+        }
+        if let Some(slot) = self.files.get_mut(place) {
+            *slot = Some(answer);
+        }
+        answer
+    }
+}
+
+impl Observed {
+    fn take(&mut self, record: &BlockRecord, machine: &Machine) {
+        self.runs += 1;
+        self.take_jump(record);
+        for (letter, values) in AxisLetter::ALL.into_iter().zip(&mut self.positions) {
+            if machine.axes.index(letter).is_some() {
+                values.add(record.position.get(letter));
+            }
+        }
+        for (values, number) in self.g.iter_mut().zip(record.g) {
+            values.add(number);
+        }
+        for (values, number) in self.m.iter_mut().zip(record.m) {
+            values.add(number);
+        }
+        if let Some(motion) = &record.motion {
+            match motion.length_deg {
+                Some(length) => self.length_deg.add(Some(length)),
+                None if motion.kind == MotionType::Reference => {}
+                None => self.length_mm.add(motion.length_mm),
+            }
+        }
+        self.feed_unit.add(Some(feed_unit(record, machine)));
+        self.feed.add(record.feed);
+        self.speed.add(record.s);
+        self.tool.add(record.t);
+        self.h.add(record.h);
+        self.p.add(record.p);
+        self.d.add(record.d);
+        self.correction.add(record.length_correction);
+        if record.dwell_s.is_some() {
+            self.dwell_s.add(record.dwell_s);
+        }
+    }
+
+    /// Follows the counter: armed at an arrival, lowered at each, disarmed where execution falls through.
+    fn take_jump(&mut self, record: &BlockRecord) {
+        self.jumps += u64::from(record.jump.is_some());
+        let left = record.jump.and_then(|jump| jump.left);
+        match (self.armed, left) {
+            // Lowered by one since the last arrival: the same counter.
+            (Some((jumps, before)), Some(left)) if left.checked_add(1) == Some(before) => {
+                self.armed = Some((jumps + 1, left));
+            }
+            // Armed; before that, the unit may have been left with the counter armed.
+            (_, Some(left)) => {
+                self.disarm();
+                self.armed = Some((1, left));
+            }
+            (Some((_, 0)), None) => self.disarm(),
+            // Armed with nothing to count, and disarmed.
+            (_, None) => {
+                self.disarm();
+                self.taken.add(Some(0));
+            }
+        }
+    }
+
+    fn disarm(&mut self) {
+        if let Some((jumps, _)) = self.armed.take() {
+            self.taken.add(Some(jumps));
+        }
+    }
+}
+
+fn feed_unit(record: &BlockRecord, machine: &Machine) -> FeedUnit {
+    let rotary = |letter| machine.axes.index(letter).and_then(|axis| machine.axes.get(axis)).is_some_and(|a| a.rotary);
+    match &record.motion {
+        _ if record.rev_feed => FeedUnit::PerRevolution,
+        Some(motion) if motion.axes.iter().all(|letter| rotary(letter) || motion.spindle_axis == Some(letter)) => {
+            FeedUnit::Degrees
+        }
+        Some(_) | None => FeedUnit::PerMinute,
+    }
+}
+
+/// The G functions that a block writes out.
+pub(super) fn g_functions(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = (GCode, Word)> + '_ {
+    file.words(block).iter().filter(|word| word.address == Address::G).filter_map(|word| {
+        let number = word.whole().and_then(|number| u8::try_from(number).ok())?;
+        Some((GCode::from_number(number)?, *word))
+    })
+}
+
+/// The control word that an R word of a block is (PAR-7), when G26–G29 and the word are written out.
+pub(super) fn control_of(machine: &Machine, file: &ParsedFile, block: BlockId, word: Word) -> Option<ControlWord> {
+    let operations = g_functions(file, block).map(|(code, _)| code.operations()).max()?;
+    let place = word.target().checked_sub(5).filter(|_| word.address == Address::R)?;
+    if usize::from(place) >= operations {
+        return None;
+    }
+    control_word(machine, word.number()?).ok()
+}
+
+fn control_words<'a>(
+    machine: &'a Machine,
+    file: &'a ParsedFile,
+    block: BlockId,
+) -> impl Iterator<Item = ControlWord> + 'a {
+    file.words(block).iter().filter_map(move |word| control_of(machine, file, block, *word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::Jump;
+
+    fn taken(arrivals: &[Option<u32>]) -> String {
+        let mut observed = Observed::default();
+        for left in arrivals {
+            let jump = left.map(|left| Jump { to: 1, left: Some(left) });
+            observed.take_jump(&BlockRecord { jump, ..BlockRecord::default() });
+        }
+        observed.disarm();
+        observed.taken.list(|value| value)
+    }
+
+    /// FLW-4: one row of jumps for each time that the counter is armed.
+    #[test]
+    fn counters() {
+        assert_eq!(taken(&[Some(2), Some(1), Some(0), None]), "3");
+        assert_eq!(taken(&[Some(0), None, Some(1), Some(0), None]), "1, 2");
+        // Left by another jump, then reached anew.
+        assert_eq!(taken(&[Some(2), Some(1), Some(2), Some(1), Some(0), None]), "2, 3");
+        // Forward: not reached again.
+        assert_eq!(taken(&[Some(0)]), "1");
+        assert_eq!(taken(&[None]), "0");
+    }
+}

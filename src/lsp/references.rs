@@ -1,0 +1,114 @@
+//! Every place that names the same block, subprogram, macrocycle or parameter.
+
+use std::path::Path;
+
+use gen_lsp_types::{DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, Location, ReferenceParams};
+
+use super::analysis::Analysis;
+use super::cursor::DOCUMENT;
+use super::names::{Name, Usage};
+use super::places::{Places, offset};
+use super::reach::Reach;
+use super::requests::{Answer, Snapshot};
+use crate::resolve::FileIndex;
+
+/// `textDocument/references`.
+pub(super) fn references(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    params: ReferenceParams,
+) -> Answer<Option<Vec<Location>>> {
+    let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
+    let place = offset(&file.source, params.text_document_position_params.position, snapshot.client.unit);
+    let Some(naming) = Reach::of(analysis).naming_at(place) else { return Ok(None) };
+    let definitions = params.context.include_declaration;
+    let wanted = |usage| definitions || usage != Usage::Definition;
+    Ok(Some(everywhere(snapshot, analysis, naming.name, wanted)))
+}
+
+/// `textDocument/documentHighlight`.
+pub(super) fn highlight(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    params: DocumentHighlightParams,
+) -> Answer<Option<Vec<DocumentHighlight>>> {
+    let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
+    let unit = snapshot.client.unit;
+    let place = offset(&file.source, params.text_document_position_params.position, unit);
+    let reach = Reach::of(analysis);
+    let Some(naming) = reach.naming_at(place) else { return Ok(None) };
+    let mut places = Places::new(&file.source, unit);
+    let found = reach.occurrences(DOCUMENT, naming.name, &snapshot.cancel).into_iter();
+    let highlights = found.map(|naming| DocumentHighlight {
+        range: places.range(naming.number),
+        kind: Some(match naming.usage {
+            Usage::Definition | Usage::Write => DocumentHighlightKind::Write,
+            Usage::Call | Usage::Read => DocumentHighlightKind::Read,
+        }),
+    });
+    Ok(Some(highlights.collect()))
+}
+
+/// The places, in all that is open and what it leads to, that name what `name` names in the document of `analysis`.
+pub(super) fn everywhere(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    name: Name,
+    wanted: impl Fn(Usage) -> bool,
+) -> Vec<Location> {
+    let mut own = Reach::of(analysis);
+    let macrocycle = match name {
+        Name::Block(_) | Name::Subprogram(_) => {
+            return in_files(snapshot, &own, name, &wanted, &mut [DOCUMENT].into_iter());
+        }
+        Name::Macrocycle(l) => {
+            let unit = own.macrocycle(l).and_then(|id| own.resolved().unit(id));
+            unit.map(|unit| unit.file).and_then(|file| own.path(file)).map(|path| (l, path))
+        }
+        Name::Parameter(_) => None,
+    };
+    let mut found = in_files(snapshot, &own, name, &wanted, &mut own.files());
+    for other in snapshot.analyses.iter().filter(|other| other.path != analysis.path) {
+        let mut reach = Reach::of(other);
+        let shares = match (name, &macrocycle) {
+            // Of two machines each has its own L9001.
+            (Name::Macrocycle(_), Some((l, path))) => calls_file(&mut reach, *l, path),
+            (Name::Macrocycle(_), None) => false,
+            (Name::Parameter(_) | Name::Block(_) | Name::Subprogram(_), _) => reach.file_at(&analysis.path).is_some(),
+        };
+        if shares {
+            let files: Vec<FileIndex> = reach.files().collect();
+            found.extend(in_files(snapshot, &reach, name, &wanted, &mut files.into_iter()));
+        }
+    }
+    // Documents that lead to the same file both have what is in it.
+    let mut seen = std::collections::BTreeSet::new();
+    found.retain(|at| seen.insert((at.uri.to_string(), at.range)));
+    found
+}
+
+/// Whether macrocycle `l` is the file at `path` for a program that leads to it.
+fn calls_file(reach: &mut Reach<'_>, l: u32, path: &Path) -> bool {
+    let known = reach.file_at(path);
+    known.is_some() && reach.macrocycle(l).and_then(|id| reach.resolved().unit(id)).map(|unit| unit.file) == known
+}
+
+fn in_files(
+    snapshot: &Snapshot,
+    reach: &Reach<'_>,
+    name: Name,
+    wanted: &impl Fn(Usage) -> bool,
+    files: &mut dyn Iterator<Item = FileIndex>,
+) -> Vec<Location> {
+    let mut found = Vec::new();
+    for file in files {
+        let (Some(parsed), Some(uri)) = (reach.resolved().file(file), reach.uri(file)) else { continue };
+        let mut places = Places::new(&parsed.source, snapshot.client.unit);
+        for naming in reach.occurrences(file, name, &snapshot.cancel) {
+            if wanted(naming.usage) {
+                found.push(Location { uri: uri.clone(), range: places.range(naming.number) });
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,160 @@
+//! Another number for a block, a subprogram or a parameter, everywhere at once, where everywhere is known.
+
+use std::collections::HashMap;
+
+use gen_lsp_types::{
+    DocumentChange, Edit, OptionalVersionedTextDocumentIdentifier, PrepareRenameParams, PrepareRenamePlaceholder,
+    PrepareRenameResult, RenameParams, TextDocumentEdit, TextDocumentIdentifier, TextEdit, WorkspaceEdit,
+};
+
+use super::analysis::Analysis;
+use super::cursor::DOCUMENT;
+use super::names::{Name, Naming, Usage};
+use super::navigation_texts::NavigationText;
+use super::places::{Places, offset};
+use super::reach::Reach;
+use super::rename_doubts::Doubts;
+use super::requests::{Answer, Refusal, Snapshot};
+
+/// `textDocument/prepareRename`: the number, or why it cannot be changed.
+pub(super) fn prepare(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    params: PrepareRenameParams,
+) -> Answer<Option<PrepareRenameResult>> {
+    let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
+    let unit = snapshot.client.unit;
+    let place = offset(&file.source, params.text_document_position_params.position, unit);
+    let reach = Reach::of(analysis);
+    let Some(naming) = reach.naming_at(place).filter(|naming| is_number(naming, place)) else { return Ok(None) };
+    let refused = Doubts { snapshot, reach: &reach, name: naming.name }.against_any();
+    if let Some(reason) = refused {
+        return Err(Refusal::new(reason.text(snapshot.client.lang())));
+    }
+    Ok(Some(PrepareRenameResult::PrepareRenamePlaceholder(PrepareRenamePlaceholder {
+        range: Places::new(&file.source, unit).range(naming.number),
+        placeholder: file.source.slice(naming.number).to_owned(),
+    })))
+}
+
+/// `textDocument/rename`.
+pub(super) fn rename(snapshot: &Snapshot, analysis: &Analysis, params: RenameParams) -> Answer<Option<WorkspaceEdit>> {
+    edits(snapshot, analysis, &params)
+        .map(|edits| Some(workspace_edit(snapshot, analysis, edits)))
+        .map_err(|reason| Refusal::new(reason.text(snapshot.client.lang())))
+}
+
+/// Whether the number itself is meant, or its address, and not a function that takes it.
+fn is_number(naming: &Naming, offset: u32) -> bool {
+    naming.written && naming.around.start <= offset && offset <= naming.around.end
+}
+
+fn edits(snapshot: &Snapshot, analysis: &Analysis, params: &RenameParams) -> Result<Vec<TextEdit>, NavigationText> {
+    let nothing = NavigationText::NothingToRename;
+    let Some(file) = analysis.resolved.file(DOCUMENT) else { return Err(nothing) };
+    let unit = snapshot.client.unit;
+    let place = offset(&file.source, params.text_document_position_params.position, unit);
+    let reach = Reach::of(analysis);
+    let Some(naming) = reach.naming_at(place).filter(|naming| is_number(naming, place)) else { return Err(nothing) };
+    let digits = number_of(&params.new_name, naming.name)?;
+    let doubts = Doubts { snapshot, reach: &reach, name: naming.name };
+    if let Some(reason) = doubts.against_any() {
+        return Err(reason);
+    }
+    let meant = meant(reach.occurrences(DOCUMENT, naming.name, &snapshot.cancel), &naming);
+    if let Some(new) = renamed(naming.name, &digits)
+        && new != naming.name
+        && let Some(reason) = doubts.against(new, &meant)
+    {
+        return Err(reason);
+    }
+    let mut places = Places::new(&file.source, unit);
+    let written = |naming: &Naming| match naming.name {
+        // In a control word each parameter has two digits.
+        Name::Parameter(_) if digits.len() == 1 && in_control_word(naming) => format!("0{digits}"),
+        Name::Parameter(_) | Name::Block(_) | Name::Subprogram(_) | Name::Macrocycle(_) => digits.clone(),
+    };
+    let edits = meant.iter().map(|naming| TextEdit { range: places.range(naming.number), new_text: written(naming) });
+    Ok(edits.collect())
+}
+
+/// A control word names parameters by nothing but digits.
+fn in_control_word(naming: &Naming) -> bool {
+    matches!(naming.name, Name::Parameter(_)) && naming.around == naming.number
+}
+
+/// Those that follow when one place gets another number: of two blocks of one number, only the first has jumps.
+fn meant(all: Vec<Naming>, chosen: &Naming) -> Vec<Naming> {
+    let mut definitions = all.iter().filter(|naming| naming.usage == Usage::Definition).map(|naming| naming.number);
+    let first = definitions.next();
+    if chosen.usage == Usage::Definition && first != Some(chosen.number) {
+        return vec![*chosen];
+    }
+    let stays = |naming: &Naming| naming.usage == Usage::Definition && Some(naming.number) != first;
+    all.into_iter().filter(|naming| !stays(naming)).collect()
+}
+
+/// The digits that are to be written: of a block or subprogram as they were typed, with or without its letter.
+fn number_of(typed: &str, name: Name) -> Result<String, NavigationText> {
+    let (letter, most, reason) = match name {
+        Name::Block(_) => ('N', 99_999_999, NavigationText::BlockNumber),
+        Name::Subprogram(_) | Name::Macrocycle(_) => ('L', 9999, NavigationText::SubprogramNumber),
+        Name::Parameter(_) => ('R', 95, NavigationText::ParameterNumber),
+    };
+    let typed = typed.trim();
+    let digits = typed.strip_prefix([letter, letter.to_ascii_lowercase()]).unwrap_or(typed);
+    let number = digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse::<u32>().ok()).flatten();
+    let is_parameter = matches!(name, Name::Parameter(_));
+    match number.filter(|number| *number <= most && (is_parameter || *number > 0)) {
+        Some(number) if is_parameter => Ok(number.to_string()),
+        Some(_) if digits.len() <= 8 => Ok(digits.to_owned()),
+        Some(number) => Ok(number.to_string()),
+        None => Err(reason),
+    }
+}
+
+/// The name with those digits.
+fn renamed(name: Name, digits: &str) -> Option<Name> {
+    match name {
+        Name::Block(_) => digits.parse().ok().map(Name::Block),
+        Name::Subprogram(_) => digits.parse().ok().map(Name::Subprogram),
+        Name::Macrocycle(_) => digits.parse().ok().map(Name::Macrocycle),
+        Name::Parameter(_) => digits.parse().ok().map(Name::Parameter),
+    }
+}
+
+/// What is changed is in the document alone.
+fn workspace_edit(snapshot: &Snapshot, analysis: &Analysis, edits: Vec<TextEdit>) -> WorkspaceEdit {
+    let Some(document) = analysis.files.buffer(&analysis.path) else { return WorkspaceEdit::default() };
+    let uri = document.uri.clone();
+    if snapshot.client.has("/workspace/workspaceEdit/documentChanges") {
+        let text_document = OptionalVersionedTextDocumentIdentifier {
+            version: Some(document.version),
+            text_document_identifier: TextDocumentIdentifier { uri },
+        };
+        let edits = edits.into_iter().map(Edit::TextEdit).collect();
+        let change = DocumentChange::TextDocumentEdit(TextDocumentEdit { text_document, edits });
+        return WorkspaceEdit { document_changes: Some(vec![change]), ..WorkspaceEdit::default() };
+    }
+    WorkspaceEdit { changes: Some(HashMap::from([(uri, edits)])), ..WorkspaceEdit::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_as_they_are_typed() {
+        let number = |typed, name| number_of(typed, name).ok();
+        assert_eq!(number(" n0020 ", Name::Block(1)).as_deref(), Some("0020"));
+        assert_eq!(number("L07", Name::Subprogram(1)).as_deref(), Some("07"));
+        assert_eq!(number("R07", Name::Parameter(1)).as_deref(), Some("7"));
+        assert_eq!(number("0000000020", Name::Block(1)).as_deref(), Some("20"));
+        for typed in ["", "N", "0", "-1", "+1", "1.5", "L5", "100000000", "X"] {
+            assert_eq!(number(typed, Name::Block(1)), None, "{typed}");
+        }
+        assert_eq!(number("10000", Name::Subprogram(1)), None);
+        assert_eq!(number("0", Name::Parameter(1)).as_deref(), Some("0"));
+        assert_eq!(number("96", Name::Parameter(1)), None);
+    }
+}

@@ -1,0 +1,243 @@
+//! Why a number cannot get another: what the text does not show may mean it, too.
+
+use super::cursor::{DOCUMENT, block_at};
+use super::names::{Name, Naming, Taker, Usage, arithmetic, control_words, flow, is_unknown};
+use super::navigation_texts::NavigationText;
+use super::reach::Reach;
+use super::requests::Snapshot;
+use crate::diag::{Code, Finding};
+use crate::dict::{Address, GCode};
+use crate::resolve::{UnitId, UnitKind, control_word, l_number};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
+
+/// Reserved for control functions.
+const RESERVED: u8 = 95;
+/// The parameters of control words (PAR-7).
+const CONTROL: std::ops::RangeInclusive<u8> = 5..=8;
+
+/// Looks for reasons against another number in place of `name`.
+pub(super) struct Doubts<'a> {
+    pub(super) snapshot: &'a Snapshot,
+    pub(super) reach: &'a Reach<'a>,
+    pub(super) name: Name,
+}
+
+impl Doubts<'_> {
+    /// Why it cannot get any other.
+    pub(super) fn against_any(&self) -> Option<NavigationText> {
+        match self.name {
+            Name::Block(number) => {
+                let unit = self.unit_of_block(number)?;
+                self.parametric(GCode::G73, Some(unit)).or_else(|| self.unclear(GCode::G73, number))
+            }
+            Name::Subprogram(l) => self.parametric(GCode::G71, None).or_else(|| self.unclear(GCode::G71, l)),
+            Name::Macrocycle(l) => Some(NavigationText::MacrocycleFile { l }),
+            Name::Parameter(r) => self.parameter(r),
+        }
+    }
+
+    /// Why it cannot be `new`, when the places in `meant` change.
+    pub(super) fn against(&self, new: Name, meant: &[Naming]) -> Option<NavigationText> {
+        let known = self.reach.occurrences(DOCUMENT, new, &self.snapshot.cancel);
+        let exists = known.iter().any(|naming| naming.usage == Usage::Definition);
+        let dangling = known.first().map(|naming| self.would_lead_here(naming));
+        match new {
+            Name::Block(n) => {
+                let jumps = meant.iter().any(|naming| naming.usage == Usage::Call);
+                let (Name::Block(old), false) = (self.name, exists) else {
+                    return Some(NavigationText::BlockExists { n });
+                };
+                let unreachable = (jumps && n > 9999).then_some(NavigationText::ReachableBlock { n: old });
+                dangling.or(unreachable).or_else(|| self.unclear(GCode::G73, n))
+            }
+            Name::Subprogram(l) if exists => Some(NavigationText::SubprogramExists { l }),
+            Name::Subprogram(l) => dangling.or_else(|| self.unclear(GCode::G71, l)),
+            Name::Macrocycle(l) => Some(NavigationText::MacrocycleFile { l }),
+            Name::Parameter(r) => self.special(r).or_else(|| {
+                let used = |file| !self.reach.occurrences(file, new, &self.snapshot.cancel).is_empty();
+                self.reach.files().any(used).then_some(NavigationText::ParameterUsed { r })
+            }),
+        }
+    }
+
+    fn document(&self) -> Option<&ParsedFile> {
+        self.reach.resolved().file(DOCUMENT)
+    }
+
+    fn unit_of_block(&self, number: u32) -> Option<UnitId> {
+        let file = self.document()?;
+        let first = || file.block_ids().find(|block| file.number(*block) == Some(number));
+        let block = self.reach.resolved().numbered(DOCUMENT, number).or_else(first)?;
+        self.reach.unit_of(DOCUMENT, block).map(|(id, _)| id)
+    }
+
+    fn would_lead_here(&self, naming: &Naming) -> NavigationText {
+        let slice = |span| self.document().map(|file| file.source.slice(span).to_owned()).unwrap_or_default();
+        let function = naming.function.map(slice).unwrap_or_default();
+        NavigationText::WouldLeadHere { call: format!("{function} {}", slice(naming.around)) }
+    }
+
+    /// The blocks of the document, or of one of its units, that have words worth a look, with what takes their L.
+    fn flows(&self, unit: Option<UnitId>) -> impl Iterator<Item = (BlockId, Taker, Word)> + '_ {
+        let unit = unit.and_then(|id| self.reach.resolved().unit(id));
+        let inside = move |block: &BlockId| unit.is_none_or(|unit| unit.contains(*block));
+        rich_blocks(self.document()).filter(move |(block, _)| inside(block)).filter_map(|(block, words)| {
+            let (taker, l) = flow(words);
+            Some((block, taker, l?))
+        })
+    }
+
+    fn shown(&self, block: BlockId) -> u32 {
+        self.document().map_or(0, |file| file.shown_number(block))
+    }
+
+    /// A jump or call whose number comes from a parameter may lead there.
+    fn parametric(&self, code: GCode, unit: Option<UnitId>) -> Option<NavigationText> {
+        self.flows(unit).filter(|(_, taker, _)| taker.may_be(code)).find_map(|(block, _, l)| {
+            let Value::Parameter { index: r, .. } = l.value() else { return None };
+            let n = self.shown(block);
+            Some(if code == GCode::G73 {
+                NavigationText::JumpByParameter { n, r }
+            } else {
+                NavigationText::CallByParameter { n, r }
+            })
+        })
+    }
+
+    /// A number may or may not be that of a jump or call.
+    fn unclear(&self, code: GCode, number: u32) -> Option<NavigationText> {
+        let mut flows = self.flows(None);
+        let unclear = flows.find(|(_, taker, l)| {
+            matches!(taker, Taker::Unclear) && taker.may_be(code) && l_number(*l) == Some(number)
+        });
+        unclear.map(|(block, ..)| NavigationText::Unclear { n: self.shown(block), l: number })
+    }
+
+    /// Parameters that something else than the program's words uses.
+    fn special(&self, r: u8) -> Option<NavigationText> {
+        let configured = self.reach.analysis.settings.machine.parameters.contains_key(&r);
+        if r == RESERVED {
+            Some(NavigationText::Reserved { r })
+        } else if configured {
+            Some(NavigationText::Configured { r })
+        } else if CONTROL.contains(&r) && self.everywhere(calculates) {
+            Some(NavigationText::ControlParameter { r })
+        } else {
+            None
+        }
+    }
+
+    fn everywhere(&self, is: fn(&[Word]) -> bool) -> bool {
+        self.reach.files().any(|file| rich_blocks(self.reach.resolved().file(file)).any(|(_, words)| is(words)))
+    }
+
+    fn parameter(&self, r: u8) -> Option<NavigationText> {
+        self.special(r).or_else(|| self.hidden_uses()).or_else(|| self.uses(r))
+    }
+
+    /// What the program does with the parameter: only what it assigns and reads itself is its own.
+    fn uses(&self, r: u8) -> Option<NavigationText> {
+        let (mut assigned, mut read) = (false, false);
+        for file in self.reach.files() {
+            let found = self.reach.occurrences(file, Name::Parameter(r), &self.snapshot.cancel);
+            let macrocycle = self.reach.names(file).and_then(|names| names.macrocycle);
+            if let (Some(l), false) = (macrocycle, found.is_empty()) {
+                return Some(NavigationText::UsedInMacrocycle { r, l });
+            }
+            assigned |= found.iter().any(|naming| naming.usage == Usage::Write);
+            read |= found.iter().any(|naming| naming.usage == Usage::Read);
+            // A control word whose leading zeros are left out has no digits for it.
+            if let Some(naming) = found.iter().find(|naming| !naming.written) {
+                let block = block_at(self.document()?, naming.number.start);
+                return Some(NavigationText::UnknownControlWord { n: block.map_or(0, |block| self.shown(block)) });
+            }
+        }
+        if !self.reach.analysis.executable {
+            Some(NavigationText::NotExecuted)
+        } else if !assigned {
+            Some(NavigationText::NeverAssigned { r })
+        } else if !read {
+            Some(NavigationText::NeverRead { r })
+        } else {
+            self.read_before_assigned(r).then_some(NavigationText::ReadBeforeAssigned { r })
+        }
+    }
+
+    /// What execution found (PAR-5).
+    fn read_before_assigned(&self, r: u8) -> bool {
+        self.snapshot.found.iter().flat_map(|found| found.report.items()).any(|item| {
+            item.diagnostic.code() == Code::W0503
+                && matches!(item.diagnostic.finding, Finding::UnassignedParameter { parameter } if parameter == r)
+        })
+    }
+
+    /// Uses of parameters that cannot be seen: in macrocycles that are not known, and by control words.
+    fn hidden_uses(&self) -> Option<NavigationText> {
+        if self.reach.misses {
+            return Some(NavigationText::MissingMacrocycle);
+        }
+        for file in self.reach.files() {
+            let Some(parsed) = self.reach.resolved().file(file) else { continue };
+            for (block, words) in rich_blocks(Some(parsed)) {
+                let n = parsed.shown_number(block);
+                if self.calls_unknown(words) {
+                    return Some(NavigationText::UnknownMacrocycle { n });
+                }
+                if self.calls_missing(words) {
+                    return Some(NavigationText::MissingMacrocycle);
+                }
+                if self.calculates_unknown(words) {
+                    return Some(NavigationText::UnknownControlWord { n });
+                }
+            }
+        }
+        None
+    }
+
+    /// Whether a block may call a macrocycle of a number that is not written, or that may be no call.
+    fn calls_unknown(&self, words: &[Word]) -> bool {
+        let (taker, l) = flow(words);
+        let cycles = !self.reach.analysis.settings.machine.cycles.is_empty();
+        let by_l = match (taker, l) {
+            (Taker::Unclear, Some(_)) => true,
+            (Taker::One(code, _), Some(l)) => code == GCode::G72 && l_number(l).is_none(),
+            (Taker::Nothing, _) | (_, None) => false,
+        };
+        by_l || (cycles && words.iter().any(|word| is_unknown(*word)))
+    }
+
+    fn calls_missing(&self, words: &[Word]) -> bool {
+        let (Taker::One(GCode::G72, _), Some(l)) = flow(words) else { return false };
+        l_number(l).is_some_and(|l| {
+            let mut units = self.reach.resolved().units();
+            !units.any(|(_, unit)| unit.kind == UnitKind::Macrocycle(l))
+        })
+    }
+
+    /// Whether a block computes with parameters that its control words do not tell.
+    fn calculates_unknown(&self, words: &[Word]) -> bool {
+        let machine = &self.reach.analysis.settings.machine;
+        let known = |word: Word| {
+            let value = word.number().filter(|_| !word.is_faulty());
+            value.is_some_and(|value| control_word(machine, value).is_ok())
+        };
+        match arithmetic(words) {
+            Some(function) => control_words(words, function).any(|word| !known(word)),
+            None => calculates(words),
+        }
+    }
+}
+
+/// Whether a block uses R5–R8 as control words, or may.
+fn calculates(words: &[Word]) -> bool {
+    let control = |word: &Word| word.address == Address::R && CONTROL.contains(&word.target());
+    arithmetic(words).is_some() || (words.iter().any(|word| is_unknown(*word)) && words.iter().any(control))
+}
+
+/// The blocks that have more than axis words and the like.
+fn rich_blocks(file: Option<&ParsedFile>) -> impl Iterator<Item = (BlockId, &[Word])> + '_ {
+    file.into_iter().flat_map(|file| {
+        let blocks = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::RICH));
+        blocks.map(|block| (block, file.words(block)))
+    })
+}

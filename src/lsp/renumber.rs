@@ -1,0 +1,172 @@
+//! New numbers for the blocks of a file: N10, N20, and so on through all its units, with the jumps rewritten.
+//!
+//! `%` and the L of calls and subprograms stay. When ten by ten gives a jump a target that it cannot reach (FLW-5), or a
+//! line that is too long (LEX-7), a smaller step is taken. Duplicate numbers are mended, unless a jump leads to one.
+
+use std::collections::BTreeMap;
+
+use super::analysis::Analysis;
+use super::cursor::DOCUMENT;
+use super::edit_texts::EditText;
+use crate::dict::{Address, GCode, GGroup};
+use crate::resolve::{Target, g_code};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
+use crate::text::Span;
+
+/// Distances of numbers, the usual one first.
+const STEPS: [u32; 4] = [10, 5, 2, 1];
+/// The highest number that a jump reaches (FLW-5).
+const REACHABLE: u32 = 9999;
+/// The highest number of a block.
+const HIGHEST: u32 = 99_999_999;
+/// The longest line (LEX-7), in characters.
+const LINE: u32 = 80;
+
+/// The new numbers of a file.
+#[derive(Debug)]
+pub(super) struct Renumbering {
+    pub(super) step: u32,
+    /// What is replaced, in the order of the text.
+    pub(super) edits: Vec<(Span, String)>,
+}
+
+/// The L word of a jump and the block that it leads to, by the block of the jump.
+type Jumps = BTreeMap<BlockId, (Word, BlockId)>;
+
+/// Renumbers the document.
+///
+/// # Errors
+/// Why that cannot be done.
+pub(super) fn renumber(analysis: &Analysis) -> Result<Renumbering, EditText> {
+    let Some(file) = analysis.resolved.file(DOCUMENT).filter(|file| file.block_count() > 0) else {
+        return Err(EditText::NoBlocks);
+    };
+    if let Some(block) = file.block_ids().find(|block| unreadable(file, *block)) {
+        return Err(EditText::UnreadableNumber { line: line_of(file, block) });
+    }
+    let jumps = jumps(analysis, file)?;
+    unambiguous(file, &jumps)?;
+    let mut obstacle = EditText::NumberedAlready;
+    for step in STEPS {
+        match numbered(file, &jumps, step) {
+            Ok(edits) if edits.is_empty() => return Err(EditText::NumberedAlready),
+            Ok(edits) => return Ok(Renumbering { step, edits }),
+            Err(why) => obstacle = why,
+        }
+    }
+    Err(obstacle)
+}
+
+fn unreadable(file: &ParsedFile, block: BlockId) -> bool {
+    file.number(block).is_none() || file.n_word(block).is_none_or(|word| !word.is_plain())
+}
+
+fn line_of(file: &ParsedFile, block: BlockId) -> u32 {
+    file.source.line_column(file.n_place(block).span.start).line
+}
+
+/// Every jump, with where it leads: all of that must be known.
+fn jumps(analysis: &Analysis, file: &ParsedFile) -> Result<Jumps, EditText> {
+    let mut jumps = Jumps::new();
+    for block in file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::RICH)) {
+        let words = file.words(block);
+        let mut numbers = words.iter().filter(|word| word.address == Address::L);
+        let Some(&l) = numbers.next() else { continue };
+        let functions = || words.iter().filter(|word| word.address == Address::G);
+        let jumps_by =
+            |which: fn(&Word) -> bool| functions().any(which) && !functions().any(|word| is_other_flow(*word));
+        // A G whose number is not written may turn out to be a jump.
+        let may_jump = jumps_by(|word| word.is_parametric());
+        let unclear = jumps_by(|word| word.is_faulty());
+        let jump = functions().any(|word| g_code(*word) == Some(GCode::G73));
+        if may_jump || (jump && l.is_parametric()) {
+            return Err(EditText::JumpByParameter { line: line_of(file, block) });
+        }
+        match analysis.resolved.target(DOCUMENT, block) {
+            _ if !jump && !unclear => {}
+            Some(Target::Block(target)) if l.is_plain() && !unclear && numbers.next().is_none() => {
+                jumps.insert(block, (l, target));
+            }
+            Some(_) | None => return Err(EditText::UnclearJump { line: line_of(file, block) }),
+        }
+    }
+    Ok(jumps)
+}
+
+/// Whether the word makes its block a call, an entry or a return: no other function of the group may stand there.
+fn is_other_flow(word: Word) -> bool {
+    g_code(word).is_some_and(|code| code.group() == GGroup::G7 && code != GCode::G73)
+}
+
+/// That no two blocks have the number of a jump's target.
+fn unambiguous(file: &ParsedFile, jumps: &Jumps) -> Result<(), EditText> {
+    let numbers = jumps.values().filter_map(|(_, target)| Some((file.number(*target)?, 0_u32)));
+    let mut counts: BTreeMap<u32, u32> = numbers.collect();
+    if counts.is_empty() {
+        return Ok(());
+    }
+    for number in file.block_ids().filter_map(|block| file.number(block)) {
+        if let Some(count) = counts.get_mut(&number) {
+            *count += 1;
+            if *count > 1 {
+                return Err(EditText::DuplicateTarget { number });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The edits that give the blocks numbers of that distance.
+fn numbered(file: &ParsedFile, jumps: &Jumps, step: u32) -> Result<Vec<(Span, String)>, EditText> {
+    let number = |block: BlockId| block.0.checked_add(1)?.checked_mul(step).filter(|number| *number <= HIGHEST);
+    if number(BlockId(file.block_count() - 1)).is_none() {
+        return Err(EditText::TooManyBlocks);
+    }
+    let text = file.source.text();
+    let mut edits = Vec::new();
+    let mut replace = |word: Word, number: u32| {
+        let (span, number) = (word.parts(text).value, number.to_string());
+        if file.source.slice(span) != number {
+            edits.push((span, number));
+        }
+    };
+    for block in file.block_ids() {
+        let (Some(word), Some(new)) = (file.n_word(block), number(block)) else { return Err(EditText::TooManyBlocks) };
+        replace(word, new);
+        if let Some((l, target)) = jumps.get(&block) {
+            let Some(target) = number(*target).filter(|target| *target <= REACHABLE) else {
+                return Err(EditText::TargetTooHigh);
+            };
+            replace(*l, target);
+        }
+    }
+    short_lines(file, &edits)?;
+    Ok(edits)
+}
+
+/// That no line gets too long. A line that is so already has its finding.
+fn short_lines(file: &ParsedFile, edits: &[(Span, String)]) -> Result<(), EditText> {
+    let lines = file.source.lines();
+    let mut hint = 0;
+    let with_lines = edits.iter().map(|(span, new)| {
+        hint = lines.line_near(span.start, hint);
+        let grown = i64::try_from(new.len()).unwrap_or(0) - i64::from(span.len());
+        (hint, grown)
+    });
+    let mut with_lines = with_lines.peekable();
+    while let Some((line, mut grown)) = with_lines.next() {
+        while let Some((_, more)) = with_lines.next_if(|(next, _)| *next == line) {
+            grown += more;
+        }
+        let Ok(grown @ 1..) = u32::try_from(grown) else { continue };
+        let span = file.source.line_span(line);
+        if span.len() + grown <= LINE {
+            continue;
+        }
+        let length = u32::try_from(file.source.slice(span).chars().count()).unwrap_or(u32::MAX);
+        if length <= LINE && length + grown > LINE {
+            return Err(EditText::LineTooLong { line: u32::try_from(line + 1).unwrap_or(u32::MAX) });
+        }
+    }
+    Ok(())
+}
