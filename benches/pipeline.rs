@@ -8,11 +8,13 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use cnc872c::config::Settings;
+use cnc872c::config::{Purpose, Settings};
 use cnc872c::diag::Findings;
+use cnc872c::expand::Executor;
+use cnc872c::resolve::{Library, resolve_program};
 use cnc872c::session::{Part, Session};
 use cnc872c::syntax::{Form, parse, tokens};
-use cnc872c::text::{FileId, MemoryLoader, SourceText};
+use cnc872c::text::{FileId, MemoryLoader, SourceText, Sources};
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 
 #[path = "../examples/generate.rs"]
@@ -62,6 +64,38 @@ fn programs(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Execution alone, in executed blocks a second: with what `check` asks of it, and with the records of `compile`, which are
+/// not written.
+fn expansion(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("expansion");
+    group.sample_size(10);
+    for (name, text) in [
+        ("cam", program(|out| generate::cam(out, BLOCKS))),
+        ("arcs", program(|out| generate::arcs(out, BLOCKS))),
+        ("rich", program(|out| generate::rich(out, BLOCKS))),
+        ("loops", program(generate::loops)),
+    ] {
+        let settings = Settings::default();
+        let loader = MemoryLoader::new();
+        let source = Arc::new(SourceText::from_text(NAME, String::from_utf8(text).expect("UTF-8")));
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        let mut library = Library::new(&loader, &settings.macrocycles, Path::new(NAME));
+        let mut resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+        let mut execute = |purpose: Purpose| {
+            let mut executor =
+                Executor::new(&mut resolved, &settings, &mut library, &mut sources, &mut findings, purpose);
+            while let Some(record) = executor.step() {
+                black_box(record);
+            }
+            executor.executed()
+        };
+        group.throughput(Throughput::Elements(execute(Purpose::Check)));
+        group.bench_function(format!("{name}, no records"), |bencher| bencher.iter(|| execute(Purpose::Check)));
+        group.bench_function(format!("{name}, records"), |bencher| bencher.iter(|| execute(Purpose::Compile)));
+    }
+    group.finish();
+}
+
 /// Reading alone, in bytes a second.
 fn stages(criterion: &mut Criterion) {
     let text = String::from_utf8(program(|out| generate::cam(out, BLOCKS))).expect("ASCII");
@@ -77,5 +111,5 @@ fn stages(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, programs, stages);
+criterion_group!(benches, programs, stages, expansion);
 criterion_main!(benches);

@@ -25,6 +25,7 @@ Kinds:
   surface       a milled surface of twenty thousand short blocks in G23
   cam BLOCKS    points N X Y Z with three decimals, as CAM systems write them;
                 a rapid and a feed block every 50000 blocks
+  big           the same with thirty million blocks: a gigabyte
   arcs BLOCKS   every other block an arc G02 or G03 with I and J
   rich BLOCKS   comments, parameters, M functions and many words in a block
   loops         a hundred lines that execute nearly ten million blocks
@@ -34,6 +35,9 @@ underscores may group its digits.";
 
 /// The smallest number of blocks that leaves room for the start and the end of a program.
 const MIN_BLOCKS: u32 = 10;
+
+/// Blocks of the program that is called big.
+const BIG: u32 = 30_000_000;
 
 /// The largest block number that the control knows.
 const MAX_BLOCKS: u32 = 99_999_999;
@@ -323,11 +327,14 @@ fn arguments(words: &[String]) -> Result<Option<Kind>, String> {
         ["-h" | "--help" | "help"] => Ok(None),
         ["surface"] => Ok(Some(Kind::Surface)),
         ["loops"] => Ok(Some(Kind::Loops)),
+        ["big"] => Ok(Some(Kind::Cam(BIG))),
         ["cam", count] => Ok(Some(Kind::Cam(block_count(count)?))),
         ["arcs", count] => Ok(Some(Kind::Arcs(block_count(count)?))),
         ["rich", count] => Ok(Some(Kind::Rich(block_count(count)?))),
         [kind @ ("cam" | "arcs" | "rich")] => Err(format!("'{kind}' needs the number of blocks")),
-        [kind @ ("surface" | "loops" | "cam" | "arcs" | "rich"), ..] => Err(format!("too many arguments for '{kind}'")),
+        [kind @ ("surface" | "loops" | "big" | "cam" | "arcs" | "rich"), ..] => {
+            Err(format!("too many arguments for '{kind}'"))
+        }
         [] => Err("no kind of program given".to_owned()),
         [other, ..] => Err(format!("unknown kind of program '{other}'")),
     }

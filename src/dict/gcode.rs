@@ -96,8 +96,9 @@ macro_rules! g_functions {
     ($($variant:ident $number:literal $group:ident $lasting:ident $en:literal, $cs:literal;)*) => {
         /// A preparatory function of the control.
         #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+        #[repr(u8)]
         pub enum GCode {
-            $(#[doc = $en] $variant,)*
+            $(#[doc = $en] $variant = $number,)*
         }
 
         impl GCode {
@@ -114,7 +115,7 @@ macro_rules! g_functions {
 
             /// Its number.
             pub const fn number(self) -> u8 {
-                match self { $(Self::$variant => $number,)* }
+                self as u8
             }
 
             /// Its group.

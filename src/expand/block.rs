@@ -65,10 +65,11 @@ impl BlockWords {
             parametric_g,
             skippable,
         } = self;
-        for word in axes.iter_mut().chain([i, j, k, f, s, t, h, p, d, correction, l, q]) {
-            *word = None;
+        if *axis_count > 0 {
+            axes.fill(None);
         }
-        *axis_count = 0;
+        (*axis_count, *i, *j, *k) = (0, None, None, None);
+        (*f, *s, *t, *h, *p, *d, *correction, *l, *q) = (None, None, None, None, None, None, None, None, None);
         g.clear();
         m.clear();
         r.clear();

@@ -1,11 +1,11 @@
 //! The executor: one step is one executed block.
 
-use std::collections::BTreeMap;
-
 use super::block::BlockWords;
 use super::flow::Next;
 use super::frames::Frame;
 use super::lines::Lines;
+use super::motion::Travel;
+use super::points::Run;
 use super::state::{Position, State};
 use crate::config::{Purpose, Settings};
 use crate::diag::{CallSite, Diagnostic, Finding, Findings};
@@ -35,6 +35,13 @@ pub struct Executor<'a, 'l> {
     pub(super) state: State,
     pub(super) frames: Vec<Frame>,
     pub(super) words: BlockWords,
+    /// Room for the words of the block in hand.
+    pub(super) written: Vec<Word>,
+    /// Room for the motions of its axes.
+    pub(super) travels: Vec<Travel>,
+    pub(super) run: Run,
+    /// The block before had no M word: M functions and their part of the record stay as they are in the next such block.
+    pub(super) m_settled: bool,
     pub(super) record: BlockRecord,
     /// G functions of the block in hand, x functions included.
     pub(super) in_force: [Option<GCode>; 12],
@@ -51,8 +58,9 @@ pub struct Executor<'a, 'l> {
     /// A macrocycle that execution loaded has errors: it cannot be executed.
     pub(super) broken_macrocycle: bool,
     lines: Lines,
-    /// The index that records show for a file: files are counted as their first records come.
-    shown_files: BTreeMap<FileIndex, u32>,
+    /// The index that records show for each file: files are counted as their first records come.
+    shown_files: Vec<Option<u32>>,
+    files_shown: u32,
     letters: Vec<AxisLetter>,
     executed: u64,
     errors_before: usize,
@@ -82,6 +90,10 @@ impl<'a, 'l> Executor<'a, 'l> {
             stop: main.is_none().then_some(Stop::Halted),
             frames: main.into_iter().collect(),
             words: BlockWords::default(),
+            written: Vec::new(),
+            travels: Vec::new(),
+            run: Run::Unknown,
+            m_settled: false,
             record: BlockRecord::default(),
             in_force: [None; 12],
             file: FileIndex(0),
@@ -96,7 +108,8 @@ impl<'a, 'l> Executor<'a, 'l> {
             unassigned_read: false,
             broken_macrocycle: false,
             lines: Lines::default(),
-            shown_files: BTreeMap::new(),
+            shown_files: Vec::new(),
+            files_shown: 0,
             letters: settings.machine.axes.iter().map(|axis| axis.letter).collect(),
             executed: 0,
             errors_before,
@@ -195,7 +208,22 @@ impl<'a, 'l> Executor<'a, 'l> {
     }
 
     fn execute(&mut self, block: BlockId, flags: BlockFlags) -> Result<bool, Stop> {
-        self.begin_record(block, flags);
+        let plain = !flags.has(BlockFlags::RICH);
+        if plain && self.run_point(block) {
+            self.executed += 1;
+            if let Some(frame) = self.frames.last_mut() {
+                frame.next = block.next();
+            }
+            return Ok(true);
+        }
+        let executed = self.execute_any(block, flags);
+        self.unsettle(plain);
+        executed
+    }
+
+    /// Executes a block by all the rules.
+    fn execute_any(&mut self, block: BlockId, flags: BlockFlags) -> Result<bool, Stop> {
+        self.begin_record(block);
         self.collect(block);
         self.apply_g();
         self.track_origin();
@@ -223,14 +251,20 @@ impl<'a, 'l> Executor<'a, 'l> {
         }
     }
 
-    fn begin_record(&mut self, block: BlockId, flags: BlockFlags) {
+    /// What a record shows of the block as written, and of the way to it.
+    #[inline]
+    pub(super) fn begin_record(&mut self, block: BlockId) {
         self.record.jump = None;
         if !self.wants_records {
             return;
         }
         let Some(file) = self.resolved.file(self.file) else { return };
-        let files = u32::try_from(self.shown_files.len()).unwrap_or(u32::MAX);
-        let shown_file = *self.shown_files.entry(self.file).or_insert(files);
+        let flags = file.flags(block);
+        let at = self.file.0 as usize;
+        let shown_file = match self.shown_files.get(at) {
+            Some(Some(shown)) => *shown,
+            _ => show_file(&mut self.shown_files, &mut self.files_shown, at),
+        };
         let place = self.lines.of(self.file, file, block);
         let record = &mut self.record;
         record.seq = self.executed;
@@ -253,7 +287,7 @@ impl<'a, 'l> Executor<'a, 'l> {
                 by: call.by.name(),
                 l: call.l,
                 // The calling block was executed, and so its file has a number.
-                file: self.shown_files.get(&call.file).copied().unwrap_or(0),
+                file: self.shown_files.get(call.file.0 as usize).copied().flatten().unwrap_or(0),
                 n: call.n,
                 pass: call.pass,
                 of: call.of,
@@ -261,7 +295,7 @@ impl<'a, 'l> Executor<'a, 'l> {
         }
     }
 
-    fn finish_record(&mut self, ends: bool) {
+    pub(super) fn finish_record(&mut self, ends: bool) {
         if !self.wants_records {
             return;
         }
@@ -346,6 +380,20 @@ impl<'a, 'l> Executor<'a, 'l> {
             .collect();
         self.findings.add(diagnostic);
     }
+}
+
+/// Gives a file the next index that records show.
+#[cold]
+fn show_file(shown_files: &mut Vec<Option<u32>>, files_shown: &mut u32, file: usize) -> u32 {
+    let shown = *files_shown;
+    *files_shown += 1;
+    if shown_files.len() <= file {
+        shown_files.resize(file + 1, None);
+    }
+    if let Some(slot) = shown_files.get_mut(file) {
+        *slot = Some(shown);
+    }
+    shown
 }
 
 impl std::fmt::Debug for Executor<'_, '_> {

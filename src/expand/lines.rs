@@ -1,7 +1,5 @@
 //! Lines and columns of blocks for records, quick because execution mostly moves on.
 
-use std::collections::BTreeMap;
-
 use crate::resolve::FileIndex;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{LineColumn, Span};
@@ -17,14 +15,18 @@ struct Last {
 /// from its begin for each of them takes long.
 #[derive(Debug, Default)]
 pub(super) struct Lines {
-    last: BTreeMap<FileIndex, Last>,
+    /// By file.
+    last: Vec<Option<Last>>,
 }
 
 impl Lines {
     /// Where the `N` of a block stands.
     pub(super) fn of(&mut self, index: FileIndex, file: &ParsedFile, block: BlockId) -> LineColumn {
         let offset = file.n_word(block).map_or(0, |word| word.start());
-        let last = self.last.get(&index).copied();
+        if self.last.len() <= index.0 as usize {
+            self.last.resize(index.0 as usize + 1, None);
+        }
+        let last = self.last.get(index.0 as usize).copied().flatten();
         let hint = last.map_or(0, |last| last.place.line.saturating_sub(1) as usize);
         let lines = file.source.lines();
         let line = lines.line_near(offset, hint);
@@ -43,7 +45,9 @@ impl Lines {
             }
             None => file.source.column_in(line, offset),
         };
-        self.last.insert(index, Last { offset, place });
+        if let Some(slot) = self.last.get_mut(index.0 as usize) {
+            *slot = Some(Last { offset, place });
+        }
         place
     }
 }

@@ -12,6 +12,7 @@ mod lines;
 mod modal;
 mod motion;
 mod parameters;
+mod points;
 mod state;
 mod technology;
 

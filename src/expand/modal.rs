@@ -11,12 +11,11 @@ impl Executor<'_, '_> {
     pub(super) fn collect(&mut self, block: BlockId) {
         self.words.clear();
         let Some(file) = self.resolved.file(self.file) else { return };
-        let count = file.words(block).len();
-        let mut late = Vec::new();
-        for place in 0..count {
-            let Some(&word) = self.resolved.file(self.file).and_then(|file| file.words(block).get(place)) else {
-                break;
-            };
+        let mut written = std::mem::take(&mut self.written);
+        written.clear();
+        written.extend_from_slice(file.words(block));
+        let mut late = false;
+        for &word in &written {
             if let Some(axis) = self.settings.machine.axes.index_of(word.address) {
                 let valued = self.evaluate_form(word, false, None);
                 if let Some(slot) = self.words.axes.get_mut(axis) {
@@ -31,7 +30,7 @@ impl Executor<'_, '_> {
                 Address::R => self.words.r.push(word),
                 Address::Skip => self.words.skippable = true,
                 // What F and Q mean follows from G words that may come later.
-                Address::F | Address::Q => late.push(word),
+                Address::F | Address::Q => late = true,
                 Address::I => self.words.i = Some(self.evaluate_form(word, false, None)),
                 Address::J => self.words.j = Some(self.evaluate_form(word, false, None)),
                 Address::K => self.words.k = Some(self.evaluate_form(word, false, None)),
@@ -55,9 +54,12 @@ impl Executor<'_, '_> {
                 | Address::Program => {}
             }
         }
-        for word in late {
-            self.collect_late(word);
+        if late {
+            for &word in written.iter().filter(|word| matches!(word.address, Address::F | Address::Q)) {
+                self.collect_late(word);
+            }
         }
+        self.written = written;
     }
 
     fn collect_late(&mut self, word: Word) {
@@ -115,21 +117,25 @@ impl Executor<'_, '_> {
             }
             self.warn_unmodelled(code, word);
         }
-        let mut in_force = self.state.g;
-        for (code, _) in &self.words.g {
-            if let Some(slot) = in_force.get_mut(code.group().index()) {
-                *slot = Some(*code);
+        let Self { in_force, state, record, words, .. } = self;
+        // Hardly any of them changes from one block to the next.
+        for ((slot, shown), held) in in_force.iter_mut().zip(&mut record.g).zip(state.g) {
+            if *slot != held {
+                (*slot, *shown) = (held, held.map(GCode::number));
             }
         }
-        self.in_force = in_force;
-        if self.wants_records {
-            self.record.g = in_force.map(|code| code.map(GCode::number));
-            self.record.g_set.clear();
-            self.record.g_set.extend(self.words.g.iter().map(|(code, _)| code.number()));
+        record.g_set.clear();
+        for (code, _) in &words.g {
+            let group = code.group().index();
+            if let (Some(slot), Some(shown)) = (in_force.get_mut(group), record.g.get_mut(group)) {
+                (*slot, *shown) = (Some(*code), Some(code.number()));
+            }
+            record.g_set.push(code.number());
         }
     }
 
     /// The function of a group in this block, x functions included.
+    #[inline]
     pub(super) fn in_force(&self, group: GGroup) -> Option<GCode> {
         self.in_force.get(group.index()).copied().flatten()
     }

@@ -24,7 +24,7 @@ pub(super) enum Moved {
 }
 
 /// The motion that a function of group G0 makes; the other functions make none.
-const fn motion_type(code: GCode) -> Option<MotionType> {
+pub(super) const fn motion_type(code: GCode) -> Option<MotionType> {
     match code {
         GCode::G00 => Some(MotionType::Rapid),
         GCode::G01 => Some(MotionType::Linear),
@@ -48,15 +48,33 @@ const fn motion_type(code: GCode) -> Option<MotionType> {
 
 /// How one axis moves.
 #[derive(Clone, Copy, Debug)]
-struct Travel {
-    axis: usize,
-    definition: Axis,
-    before: Position,
-    after: Position,
+pub(super) struct Travel {
+    pub(super) axis: usize,
+    pub(super) definition: Axis,
+    pub(super) before: Position,
+    pub(super) after: Position,
     /// `None`: unknown.
     distance: Option<Micro>,
-    incremental: bool,
+    pub(super) incremental: bool,
     word: Option<Word>,
+}
+
+/// How the values of axis words are read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reading {
+    /// G91.
+    incremental: bool,
+    /// The axis whose values are diameters: X under G74 (MOT-1).
+    diameter: Option<usize>,
+}
+
+impl Reading {
+    /// A programmed value as a coordinate.
+    #[inline]
+    fn coordinate(self, axis: usize, value: Decimal) -> Micro {
+        let value = Micro::from(value);
+        if self.diameter == Some(axis) { value.half() } else { value }
+    }
 }
 
 impl Executor<'_, '_> {
@@ -92,15 +110,15 @@ impl Executor<'_, '_> {
             self.check_working_motion(at);
         }
         let stale = std::mem::take(&mut self.state.origin_changed);
+        let mut travels = std::mem::take(&mut self.travels);
+        self.find_travels(&mut travels);
         match kind {
-            MotionType::Reference => {
-                self.run_reference();
-                return Moved::WithoutCycle;
-            }
-            MotionType::ArcCw | MotionType::ArcCcw => self.run_arc(kind, at, stale),
-            MotionType::Rapid | MotionType::Linear | MotionType::Thread => self.run_straight(kind, stale),
+            MotionType::Reference => self.run_reference(&travels),
+            MotionType::ArcCw | MotionType::ArcCcw => self.run_arc(kind, at, stale, &mut travels),
+            MotionType::Rapid | MotionType::Linear | MotionType::Thread => self.run_straight(kind, stale, &travels),
         }
-        if full_circle { Moved::WithoutCycle } else { Moved::Yes }
+        self.travels = travels;
+        if full_circle || kind == MotionType::Reference { Moved::WithoutCycle } else { Moved::Yes }
     }
 
     /// Where a finding about an arc or a motion stands: its G word if written, else its first axis word.
@@ -115,6 +133,9 @@ impl Executor<'_, '_> {
 
     /// What I, J and K are for in this block: the record's `words`, the dynamic set, or nothing (MOT-3, GRP-7, GRP-8).
     fn use_center_words(&mut self, is_arc: bool, circular: bool) {
+        if self.words.i.is_none() && self.words.j.is_none() && self.words.k.is_none() {
+            return;
+        }
         let dynamic = !is_arc && self.choose_dynamic_set();
         let spiral = matches!(self.in_force(GGroup::G2), Some(GCode::G09 | GCode::G10));
         let cycle = self.in_force(GGroup::G8).is_some_and(GCode::is_cycle);
@@ -156,11 +177,12 @@ impl Executor<'_, '_> {
             }
         }
         if self.words.has(GCode::G93).is_some() {
+            let reading = self.reading();
             for axis in 0..9 {
                 if let Some(valued) = self.words.axes.get(axis).copied().flatten() {
                     let position = valued
                         .value
-                        .map_or(Position::Undetermined, |value| Position::Known(self.programmed(axis, value)));
+                        .map_or(Position::Undetermined, |value| Position::Known(reading.coordinate(axis, value)));
                     self.state.set_position(axis, position);
                 }
             }
@@ -175,20 +197,21 @@ impl Executor<'_, '_> {
         self.state.origin_changed = true;
     }
 
-    /// A programmed value as a coordinate: X under G74 is a diameter (MOT-1).
-    fn programmed(&self, axis: usize, value: Decimal) -> Micro {
-        let value = Micro::from(value);
+    /// How the values of axes are read in this block.
+    pub(super) fn reading(&self) -> Reading {
+        let incremental = self.in_force(GGroup::G9) == Some(GCode::G91);
         let diameters = self.state.modal(GGroup::G10) == Some(GCode::G74);
-        let is_x = self.settings.machine.axes.get(axis).is_some_and(|axis| axis.letter == AxisLetter::X);
-        if diameters && is_x { value.half() } else { value }
+        let diameter = if diameters { self.settings.machine.axes.index(AxisLetter::X) } else { None };
+        Reading { incremental, diameter }
     }
 
     /// How an axis word moves its axis (MOT-1, MOT-2).
-    fn travel(&self, axis: usize, valued: Valued) -> Option<Travel> {
+    #[inline]
+    pub(super) fn travel(&self, axis: usize, valued: Valued, reading: Reading) -> Option<Travel> {
         let definition = self.settings.machine.axes.get(axis)?;
         let before = self.state.position(axis);
-        let incremental = self.in_force(GGroup::G9) == Some(GCode::G91);
-        let value = valued.value.map(|value| self.programmed(axis, value));
+        let incremental = reading.incremental;
+        let value = valued.value.map(|value| reading.coordinate(axis, value));
         let (after, distance) = match (incremental, value, before) {
             (false, Some(target), Position::Known(start)) => (Position::Known(target), Some(target.minus(start))),
             (false, Some(target), _) => (Position::Known(target), None),
@@ -199,14 +222,11 @@ impl Executor<'_, '_> {
         Some(Travel { axis, definition, before, after, distance, incremental, word: Some(valued.word) })
     }
 
-    fn travels(&self) -> [Option<Travel>; 9] {
-        let mut travels = [None; 9];
-        for (axis, valued) in self.words.axis_words() {
-            if let Some(slot) = travels.get_mut(axis) {
-                *slot = self.travel(axis, valued);
-            }
-        }
-        travels
+    /// The motions of the axes written in the block, in machine order.
+    fn find_travels(&self, travels: &mut Vec<Travel>) {
+        let reading = self.reading();
+        travels.clear();
+        travels.extend(self.words.axis_words().filter_map(|(axis, valued)| self.travel(axis, valued, reading)));
     }
 
     /// The axis that is the spindle at the moment (MFN-10).
@@ -215,8 +235,8 @@ impl Executor<'_, '_> {
     }
 
     /// Puts the positions after the motion into force, and warns of axes that the program does not know (MOT-2).
-    fn arrive(&mut self, travels: &[Option<Travel>; 9], warned_arc: bool) {
-        for travel in travels.iter().flatten() {
+    fn arrive(&mut self, travels: &[Travel], warned_arc: bool) {
+        for travel in travels {
             if travel.incremental && travel.before == Position::Unknown && travel.distance.is_some() && !warned_arc {
                 self.warn_incremental(travel);
             }
@@ -233,10 +253,11 @@ impl Executor<'_, '_> {
     }
 
     /// The motion of a record, without lengths.
-    fn motion(&self, kind: MotionType, travels: &[Option<Travel>; 9]) -> Motion {
+    #[inline]
+    fn motion(&self, kind: MotionType, travels: &[Travel]) -> Motion {
         let mut axes = AxisList::default();
         let mut delta = AxisMap::default();
-        for travel in travels.iter().flatten() {
+        for travel in travels {
             axes.push(travel.definition.letter);
             if travel.incremental && travel.before.known().is_none() {
                 delta.set(travel.definition.letter, travel.distance);
@@ -261,28 +282,27 @@ impl Executor<'_, '_> {
         }
     }
 
-    fn run_reference(&mut self) {
-        let travels = self.travels();
+    fn run_reference(&mut self, travels: &[Travel]) {
         if self.wants_records {
-            let mut motion = self.motion(MotionType::Reference, &travels);
+            let mut motion = self.motion(MotionType::Reference, travels);
             motion.delta.clear();
             self.record.motion = Some(motion);
         }
-        for travel in travels.iter().flatten() {
+        for travel in travels {
             self.state.set_position(travel.axis, Position::Unknown);
         }
     }
 
-    fn run_straight(&mut self, kind: MotionType, stale: bool) {
-        let travels = self.travels();
+    #[inline]
+    pub(super) fn run_straight(&mut self, kind: MotionType, stale: bool, travels: &[Travel]) {
         if self.wants_records {
-            let mut motion = self.motion(kind, &travels);
+            let mut motion = self.motion(kind, travels);
             if !stale {
-                self.measure(&mut motion, &travels);
+                self.measure(&mut motion, travels);
             }
             self.record.motion = Some(motion);
         }
-        self.arrive(&travels, false);
+        self.arrive(travels, false);
     }
 
     fn is_rotary(&self, travel: &Travel) -> bool {
@@ -290,10 +310,11 @@ impl Executor<'_, '_> {
     }
 
     /// The length of a straight motion: the linear axes alone decide, when there are any (MOT-6).
-    fn measure(&mut self, motion: &mut Motion, travels: &[Option<Travel>; 9]) {
-        let linear = travels.iter().flatten().any(|travel| !self.is_rotary(travel));
+    #[inline]
+    fn measure(&self, motion: &mut Motion, travels: &[Travel]) {
+        let linear = travels.iter().any(|travel| !self.is_rotary(travel));
         let mut sum = 0.0;
-        for travel in travels.iter().flatten().filter(|travel| self.is_rotary(travel) != linear) {
+        for travel in travels.iter().filter(|travel| self.is_rotary(travel) != linear) {
             let Some(distance) = travel.distance else { return };
             let distance = distance.to_f64();
             sum += distance * distance;
@@ -306,8 +327,8 @@ impl Executor<'_, '_> {
         }
     }
 
-    /// The axes of the plane in force, first-named first; `None` when the machine lacks one (§7).
-    fn plane_axes(&self) -> (Option<[usize; 2]>, String) {
+    /// The axes of the plane in force, first-named first, `None` when the machine lacks one; and its name (§7).
+    fn plane_axes(&self) -> (Option<[usize; 2]>, &'static str) {
         let axes = &self.settings.machine.axes;
         let (x, y, z) = (axes.index(AxisLetter::X), axes.index(AxisLetter::Y), axes.index(AxisLetter::Z));
         let fourth = axes.fourth();
@@ -320,7 +341,6 @@ impl Executor<'_, '_> {
             Some(GCode::G16) => ((fourth, x), "4X"),
             Some(_) | None => ((x, y), "XY"),
         };
-        let name = plane.map_or_else(|| name.to_owned(), |code| format!("{name} ({code})"));
         (pair.0.zip(pair.1).map(|(first, second)| [first, second]), name)
     }
 
@@ -336,29 +356,28 @@ impl Executor<'_, '_> {
     }
 
     /// The two axes of an arc and the one of its helix, by the axis words (MOT-3).
-    fn arc_axes(&mut self, at: Location) -> Option<([usize; 2], Option<usize>)> {
-        let written: Vec<usize> = self.words.axis_words().map(|(axis, _)| axis).collect();
+    fn arc_axes(&mut self, at: Location, travels: &[Travel]) -> Option<([usize; 2], Option<usize>)> {
         let (plane, name) = self.plane_axes();
-        let in_plane = |axis: &usize| plane.is_some_and(|plane| plane.contains(axis));
-        let axes = match (written.as_slice(), plane) {
+        let in_plane = |travel: &Travel| plane.is_some_and(|plane| plane.contains(&travel.axis));
+        let axes = match (travels, plane) {
             ([], Some(plane)) => Some((plane, None)),
             ([one], Some(plane)) if in_plane(one) => Some((plane, None)),
-            ([first, second], _) => Some(([*first, *second], None)),
-            (three @ [_, _, _], Some(plane)) if three.iter().filter(|axis| in_plane(axis)).count() == 2 => {
-                Some((plane, three.iter().copied().find(|axis| !plane.contains(axis))))
+            ([first, second], _) => Some(([first.axis, second.axis], None)),
+            (three @ [_, _, _], Some(plane)) if three.iter().filter(|travel| in_plane(travel)).count() == 2 => {
+                Some((plane, three.iter().map(|travel| travel.axis).find(|axis| !plane.contains(axis))))
             }
             _ => None,
         };
         if axes.is_none() {
-            self.report(Diagnostic::new(Finding::ArcAxes { plane: name, many: written.len() > 3 }, at));
+            let plane = self.in_force(GGroup::G1).map_or_else(|| name.to_owned(), |code| format!("{name} ({code})"));
+            self.report(Diagnostic::new(Finding::ArcAxes { plane, many: travels.len() > 3 }, at));
         }
         axes
     }
 
-    fn run_arc(&mut self, kind: MotionType, at: Location, stale: bool) {
-        let mut travels = self.travels();
-        let Some((pair, helix)) = self.arc_axes(at) else {
-            for travel in travels.iter().flatten() {
+    fn run_arc(&mut self, kind: MotionType, at: Location, stale: bool, travels: &mut Vec<Travel>) {
+        let Some((pair, helix)) = self.arc_axes(at, travels) else {
+            for travel in travels.iter() {
                 self.state.set_position(travel.axis, Position::Undetermined);
             }
             return;
@@ -367,25 +386,23 @@ impl Executor<'_, '_> {
             self.report(Diagnostic::new(Finding::HelixWithoutG09 {}, at));
         }
         if self.words.axis_count == 0 {
-            self.stay(&mut travels, pair);
+            self.stay(travels, pair);
         }
-        let mut motion = self.motion(kind, &travels);
-        let unknown_start = self.run_arc_in_plane(kind, at, stale, pair, helix, &travels, &mut motion);
+        let mut motion = self.motion(kind, travels);
+        let unknown_start = self.run_arc_in_plane(kind, at, stale, pair, helix, travels, &mut motion);
         if self.wants_records {
             self.record.motion = Some(motion);
         }
-        self.arrive(&travels, unknown_start);
+        self.arrive(travels, unknown_start);
     }
 
     /// A full circle without axis words moves the two axes of the plane, back to where they stood (MOT-3).
-    fn stay(&self, travels: &mut [Option<Travel>; 9], pair: [usize; 2]) {
-        for axis in pair {
-            let (Some(definition), Some(slot)) = (self.settings.machine.axes.get(axis), travels.get_mut(axis)) else {
-                continue;
-            };
+    fn stay(&self, travels: &mut Vec<Travel>, [one, other]: [usize; 2]) {
+        for axis in [one.min(other), one.max(other)] {
+            let Some(definition) = self.settings.machine.axes.get(axis) else { continue };
             let before = self.state.position(axis);
             let distance = Some(Micro::ZERO);
-            *slot = Some(Travel { axis, definition, before, after: before, distance, incremental: false, word: None });
+            travels.push(Travel { axis, definition, before, after: before, distance, incremental: false, word: None });
         }
     }
 
@@ -398,7 +415,7 @@ impl Executor<'_, '_> {
         stale: bool,
         pair: [usize; 2],
         helix: Option<usize>,
-        travels: &[Option<Travel>; 9],
+        travels: &[Travel],
         motion: &mut Motion,
     ) -> bool {
         let named = self.named_pair(pair);
@@ -425,7 +442,8 @@ impl Executor<'_, '_> {
         let to_center = if swapped { [by_machine[1], by_machine[0]] } else { by_machine };
         motion.radius_mm = Some(Micro::from_f64(arc::radius(to_center)));
         let start = named.map(|axis| self.state.position(axis));
-        let end = named.map(|axis| match travels.get(axis).copied().flatten() {
+        let of_axis = |axis: usize| travels.iter().find(|travel| travel.axis == axis);
+        let end = named.map(|axis| match of_axis(axis) {
             Some(travel) => travel.after,
             None => self.state.position(axis),
         });
@@ -456,9 +474,9 @@ impl Executor<'_, '_> {
             return false;
         }
         let path = computed.radius * computed.sweep_rad;
-        motion.length_mm = match helix.and_then(|axis| travels.get(axis).copied().flatten()) {
+        motion.length_mm = match helix.and_then(of_axis) {
             // Axes beyond the two of an arc add to its length only when linear (§13 Motion).
-            Some(travel) if !self.is_rotary(&travel) => travel.distance.map(|distance| {
+            Some(travel) if !self.is_rotary(travel) => travel.distance.map(|distance| {
                 let distance = distance.to_f64();
                 Micro::from_f64((path * path + distance * distance).sqrt())
             }),

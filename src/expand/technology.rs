@@ -28,6 +28,11 @@ impl Executor<'_, '_> {
 
     /// The M functions of the block (MFN-6…MFN-10). Gives the program end, when one of them is.
     pub(super) fn apply_m(&mut self) -> Option<u8> {
+        if self.words.m.is_empty() && self.words.s.is_none() && self.m_settled {
+            self.moves_by_m = false;
+            return None;
+        }
+        self.m_settled = self.words.m.is_empty();
         let mut end = None;
         let mut stop = None;
         let mut changed = [false; M_GROUPS];
@@ -158,12 +163,16 @@ impl Executor<'_, '_> {
             self.feed_warned = true;
             self.report(Diagnostic::new(Finding::MissingFeed {}, at));
         }
-        let mode = self.in_force(GGroup::G6);
-        let Some(function @ (GCode::G95 | GCode::G96 | GCode::G97)) = mode else { return };
+        let Some(function) = self.speed_reader() else { return };
         if self.state.speed == Held::None && !self.speed_warned {
             self.speed_warned = true;
             self.report(Diagnostic::new(Finding::MissingSpindleSpeed { function }, at));
         }
+    }
+
+    /// The G6 function in force, when a working motion under it needs S (TEC-3).
+    pub(super) fn speed_reader(&self) -> Option<GCode> {
+        self.in_force(GGroup::G6).filter(|mode| matches!(mode, GCode::G95 | GCode::G96 | GCode::G97))
     }
 
     /// What is in force of technology, into the record.

@@ -81,29 +81,37 @@ pub struct FileRecord {
 
 /// A value for some axes, by letter.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub struct AxisMap([Option<Micro>; 9]);
+pub struct AxisMap {
+    /// Zero where an axis has no value.
+    values: [Micro; 9],
+    /// Which axes have one, a bit each.
+    present: u16,
+}
 
 impl AxisMap {
     /// Sets the value of an axis.
     pub fn set(&mut self, axis: AxisLetter, value: Option<Micro>) {
-        if let Some(slot) = self.0.get_mut(axis as usize) {
-            *slot = value;
+        if let Some(slot) = self.values.get_mut(axis as usize) {
+            *slot = value.unwrap_or_default();
         }
+        let bit = 1 << axis as u16;
+        self.present = if value.is_some() { self.present | bit } else { self.present & !bit };
     }
 
     /// The value of an axis.
+    #[inline]
     pub fn get(&self, axis: AxisLetter) -> Option<Micro> {
-        self.0.get(axis as usize).copied().flatten()
+        self.values.get(axis as usize).copied().filter(|_| self.present & (1 << axis as u16) != 0)
     }
 
     /// Whether no axis has a value.
-    pub fn is_empty(&self) -> bool {
-        self.0.iter().all(Option::is_none)
+    pub const fn is_empty(&self) -> bool {
+        self.present == 0
     }
 
     /// No value for any axis.
     pub fn clear(&mut self) {
-        self.0 = [None; 9];
+        *self = Self::default();
     }
 }
 
@@ -116,6 +124,7 @@ pub struct AxisList {
 
 impl AxisList {
     /// Adds an axis at the end.
+    #[inline]
     pub fn push(&mut self, axis: AxisLetter) {
         if let Some(slot) = self.letters.get_mut(self.count) {
             *slot = Some(axis);

@@ -2,76 +2,86 @@
 //! new field does not compile until it is written.
 
 use super::{
-    AxisMap, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop, Micro, Motion, ProgramRecord,
+    AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop, Micro, Motion,
+    ProgramRecord,
 };
 use crate::dict::{AxisLetter, Decimal};
 
-/// A field's key with its comma and colon, as one constant.
+/// A field's key with its comma and colon, as bytes of known length.
 macro_rules! key {
-    ($name:literal) => {
-        concat!(",\"", $name, "\":")
-    };
+    ($name:literal) => {{
+        const KEY: &str = concat!(",\"", $name, "\":");
+        const BYTES: &[u8; KEY.len()] = match KEY.as_bytes().first_chunk() {
+            Some(bytes) => bytes,
+            None => &[0; KEY.len()],
+        };
+        BYTES
+    }};
 }
 
 /// Writes the `program` record and its line end.
 pub fn write_program(out: &mut Vec<u8>, record: &ProgramRecord) {
     let ProgramRecord { schema, generator, dialect, number, title, file, axes, block_skip, optional_stop, m_functions } =
         record;
-    out.extend_from_slice(br#"{"kind":"program""#);
-    string_field(out, key!("schema"), schema);
-    string_field(out, key!("generator"), generator);
-    string_field(out, key!("dialect"), dialect);
-    int_field(out, key!("number"), u64::from(*number));
+    let mut room = Vec::new();
+    let mut line = Line::new(&mut room);
+    line = line.put(br#"{"kind":"program""#);
+    line = line.string_field(key!("schema"), schema);
+    line = line.string_field(key!("generator"), generator);
+    line = line.string_field(key!("dialect"), dialect);
+    line = line.int_field(key!("number"), u64::from(*number));
     if let Some(title) = title {
-        string_field(out, key!("title"), title);
+        line = line.string_field(key!("title"), title);
     }
-    string_field(out, key!("file"), file);
-    key(out, key!("axes"));
-    list(out, axes, |out, axis| {
-        out.extend_from_slice(br#"{"letter":"#);
-        string(out, &axis.letter);
-        string_field(out, key!("kind"), &axis.kind);
-        out.push(b'}');
+    line = line.string_field(key!("file"), file);
+    line = line.put(key!("axes")).list(axes, |line, axis| {
+        let AxisRecord { letter, kind } = axis;
+        line.put(br#"{"letter":"#).string(letter).string_field(key!("kind"), kind).put(b"}")
     });
-    flag(out, key!("block_skip"), *block_skip);
-    flag(out, key!("optional_stop"), *optional_stop);
+    line = line.flag(key!("block_skip"), *block_skip);
+    line = line.flag(key!("optional_stop"), *optional_stop);
     if !m_functions.is_empty() {
-        key(out, key!("m_functions"));
-        list(out, m_functions, |out, function| {
+        line = line.put(key!("m_functions")).list(m_functions, |line, function| {
             let MFunctionRecord { no, group, break_cont, break_cont_end, change_pos } = *function;
-            out.extend_from_slice(br#"{"no":"#);
-            int(out, u64::from(no));
-            int_field(out, key!("group"), u64::from(group));
-            flag(out, key!("break_cont"), break_cont);
-            flag(out, key!("break_cont_end"), break_cont_end);
-            flag(out, key!("change_pos"), change_pos);
-            out.push(b'}');
+            line.put(br#"{"no":"#)
+                .int(u64::from(no))
+                .int_field(key!("group"), u64::from(group))
+                .flag(key!("break_cont"), break_cont)
+                .flag(key!("break_cont_end"), break_cont_end)
+                .flag(key!("change_pos"), change_pos)
+                .put(b"}")
         });
     }
-    out.extend_from_slice(b"}\n");
+    out.extend_from_slice(line.put(b"}\n").text());
 }
 
 /// Writes a `file` record and its line end.
 pub fn write_file(out: &mut Vec<u8>, record: &FileRecord) {
     let FileRecord { index, name } = record;
-    out.extend_from_slice(br#"{"kind":"file""#);
-    int_field(out, key!("index"), u64::from(*index));
-    string_field(out, key!("name"), name);
-    out.extend_from_slice(b"}\n");
+    let mut room = Vec::new();
+    let line = Line::new(&mut room).put(br#"{"kind":"file""#);
+    let line = line.int_field(key!("index"), u64::from(*index)).string_field(key!("name"), name);
+    out.extend_from_slice(line.put(b"}\n").text());
 }
 
 /// Writes the `end` record and its line end.
 pub fn write_end(out: &mut Vec<u8>, record: &EndRecord) {
     let EndRecord { reason, blocks, path_mm, path_mm_by_type } = record;
-    out.extend_from_slice(br#"{"kind":"end""#);
-    string_field(out, key!("reason"), reason);
-    int_field(out, key!("blocks"), *blocks);
-    number_field(out, key!("path_mm"), *path_mm);
+    let mut room = Vec::new();
+    let mut line = Line::new(&mut room).put(br#"{"kind":"end""#);
+    line = line.string_field(key!("reason"), reason);
+    line = line.int_field(key!("blocks"), *blocks);
+    line = line.number_field(key!("path_mm"), *path_mm);
     if !path_mm_by_type.is_empty() {
-        key(out, key!("path_mm_by_type"));
-        map(out, path_mm_by_type.iter().map(|(kind, length)| (kind.name(), *length)));
+        line = line.put(key!("path_mm_by_type"));
+        let mut before = b"{";
+        for &(kind, length) in path_mm_by_type {
+            line = line.put(before).string(kind.name()).put(b":").number(length);
+            before = b",";
+        }
+        line = line.put(b"}");
     }
-    out.extend_from_slice(b"}\n");
+    out.extend_from_slice(line.put(b"}\n").text());
 }
 
 /// The JSON of a part of records that seldom changes from one to the next.
@@ -82,15 +92,15 @@ struct Repeated<T> {
 }
 
 impl<T: Clone + PartialEq> Repeated<T> {
-    /// Writes `value`, anew only when it is another one than before.
+    /// The JSON of `value`, written anew only when it is another one than before.
     #[inline]
-    fn write(&mut self, out: &mut Vec<u8>, value: &T, write: impl Fn(&mut Vec<u8>, &T)) {
+    fn of(&mut self, value: &T, write: impl Fn(Line<'_>, &T) -> usize) -> &[u8] {
         if self.json.is_empty() || self.value != *value {
             self.value.clone_from(value);
-            self.json.clear();
-            write(&mut self.json, value);
+            let end = write(Line::new(&mut self.json), value);
+            self.json.truncate(end);
         }
-        out.extend_from_slice(&self.json);
+        &self.json
     }
 }
 
@@ -104,6 +114,14 @@ impl<T: Default> Default for Repeated<T> {
 #[derive(Debug)]
 pub struct BlockWriter {
     axes: Vec<AxisLetter>,
+    /// Room for a line.
+    room: Vec<u8>,
+    parts: Parts,
+}
+
+/// Parts of records that seldom change.
+#[derive(Debug, Default)]
+struct Parts {
     calls: Repeated<Vec<Call>>,
     g: Repeated<[Option<u8>; 12]>,
     m: Repeated<[Option<u8>; 15]>,
@@ -112,22 +130,22 @@ pub struct BlockWriter {
 impl BlockWriter {
     /// For a machine with these axes, in its order.
     pub fn new(axes: &[AxisLetter]) -> Self {
-        Self { axes: axes.to_vec(), calls: Repeated::default(), g: Repeated::default(), m: Repeated::default() }
+        Self { axes: axes.to_vec(), room: Vec::new(), parts: Parts::default() }
     }
 
     /// Writes a `block` record and its line end.
     pub fn write(&mut self, out: &mut Vec<u8>, record: &BlockRecord) {
-        write_block(out, record, self);
+        let Self { axes, room, parts } = self;
+        out.extend_from_slice(block(Line::new(room), record, axes, parts).text());
     }
 }
 
-fn write_block(out: &mut Vec<u8>, record: &BlockRecord, writer: &mut BlockWriter) {
-    let BlockWriter { axes, calls: repeated_calls, g: repeated_g, m: repeated_m } = writer;
+fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], parts: &mut Parts) -> Line<'r> {
     let BlockRecord {
         seq,
         n,
         file,
-        line,
+        line: line_number,
         column,
         calls,
         jump,
@@ -171,320 +189,376 @@ fn write_block(out: &mut Vec<u8>, record: &BlockRecord, writer: &mut BlockWriter
         params,
         comments,
     } = record;
-    out.extend_from_slice(br#"{"kind":"block""#);
-    int_field(out, key!("seq"), *seq);
-    int_field(out, key!("n"), u64::from(*n));
-    int_field(out, key!("file"), u64::from(*file));
-    int_field(out, key!("line"), u64::from(*line));
-    int_field(out, key!("column"), u64::from(*column));
+    line = line.put(br#"{"kind":"block""#);
+    line = line.int_field(key!("seq"), *seq);
+    line = line.int_field(key!("n"), u64::from(*n));
+    line = line.int_field(key!("file"), u64::from(*file));
+    line = line.int_field(key!("line"), u64::from(*line_number));
+    line = line.int_field(key!("column"), u64::from(*column));
     if !calls.is_empty() {
-        repeated_calls.write(out, calls, |out, calls| {
-            key(out, key!("calls"));
-            list(out, calls, |out, call| write_call(out, *call));
-        });
+        let write = |line: Line<'_>, calls: &Vec<Call>| line.put(key!("calls")).list(calls, call).at;
+        line = line.put_all(parts.calls.of(calls, write));
     }
     if let Some(Jump { to, left }) = *jump {
-        out.extend_from_slice(br#","jump":{"to":"#);
-        int(out, u64::from(to));
+        line = line.put(br#","jump":{"to":"#).int(u64::from(to));
         if let Some(left) = left {
-            int_field(out, key!("left"), u64::from(left));
+            line = line.int_field(key!("left"), u64::from(left));
         }
-        out.push(b'}');
+        line = line.put(b"}");
     }
-    flag(out, key!("skippable"), *skippable);
-    flag(out, key!("first_block"), *first_block);
-    flag(out, key!("last_block"), *last_block);
-    repeated_g.write(out, g, |out, g| {
-        key(out, key!("g"));
-        list(out, g, write_function);
-    });
-    numbers_field(out, key!("g_set"), g_set);
-    repeated_m.write(out, m, |out, m| {
-        key(out, key!("m"));
-        list(out, m, write_function);
-    });
-    numbers_field(out, key!("m_set"), m_set);
-    numbers_field(out, key!("m_changed"), m_changed);
+    line = line.flag(key!("skippable"), *skippable);
+    line = line.flag(key!("first_block"), *first_block);
+    line = line.flag(key!("last_block"), *last_block);
+    line = line.put_all(parts.g.of(g, |line, g| line.put(key!("g")).functions(g).at));
+    line = line.numbers_field(key!("g_set"), g_set);
+    line = line.put_all(parts.m.of(m, |line, m| line.put(key!("m")).functions(m).at));
+    line = line.numbers_field(key!("m_set"), m_set);
+    line = line.numbers_field(key!("m_changed"), m_changed);
     if let Some(MStop { spindle, coolant_12, coolant_34 }) = *m_at_stop {
-        out.extend_from_slice(br#","m_at_stop":{"2":"#);
-        int(out, u64::from(spindle));
-        int_field(out, key!("5"), u64::from(coolant_12));
-        int_field(out, key!("6"), u64::from(coolant_34));
-        out.push(b'}');
+        line = line.put(br#","m_at_stop":{"2":"#).int(u64::from(spindle));
+        line = line.int_field(key!("5"), u64::from(coolant_12));
+        line = line.int_field(key!("6"), u64::from(coolant_34)).put(b"}");
     }
-    flag(out, key!("break_cont"), *break_cont);
-    flag(out, key!("break_cont_end"), *break_cont_end);
-    flag(out, key!("change_pos"), *change_pos);
+    line = line.flag(key!("break_cont"), *break_cont);
+    line = line.flag(key!("break_cont_end"), *break_cont_end);
+    line = line.flag(key!("change_pos"), *change_pos);
     if let Some(gear) = *gear {
-        int_field(out, key!("gear"), u64::from(gear));
+        line = line.int_field(key!("gear"), u64::from(gear));
     }
-    if let Some(motion) = motion {
-        write_motion(out, motion, axes);
+    if let Some(moved) = motion {
+        line = self::motion(line, moved, axes);
     }
-    axis_map(out, key!("position"), position, axes);
-    decimal_field(out, key!("feed"), *feed);
-    flag(out, key!("rev_feed"), *rev_feed);
-    flag(out, key!("const_cut_speed"), *const_cut_speed);
-    decimal_field(out, key!("s"), *s);
-    decimal_field(out, key!("t"), *t);
-    decimal_field(out, key!("h"), *h);
-    decimal_field(out, key!("p"), *p);
-    decimal_field(out, key!("d"), *d);
-    flag(out, key!("t_set"), *t_set);
-    flag(out, key!("h_set"), *h_set);
-    flag(out, key!("p_set"), *p_set);
-    flag(out, key!("d_set"), *d_set);
-    flag(out, key!("s_set"), *s_set);
-    flag(out, key!("f_set"), *f_set);
+    line = line.axis_map(key!("position"), position, axes);
+    line = line.decimal_field(key!("feed"), *feed);
+    line = line.flag(key!("rev_feed"), *rev_feed);
+    line = line.flag(key!("const_cut_speed"), *const_cut_speed);
+    line = line.decimal_field(key!("s"), *s);
+    line = line.decimal_field(key!("t"), *t);
+    line = line.decimal_field(key!("h"), *h);
+    line = line.decimal_field(key!("p"), *p);
+    line = line.decimal_field(key!("d"), *d);
+    line = line.flag(key!("t_set"), *t_set);
+    line = line.flag(key!("h_set"), *h_set);
+    line = line.flag(key!("p_set"), *p_set);
+    line = line.flag(key!("d_set"), *d_set);
+    line = line.flag(key!("s_set"), *s_set);
+    line = line.flag(key!("f_set"), *f_set);
     if let Some(digits) = *length_correction {
-        string_field(out, key!("length_correction"), &format!("{digits:04}"));
+        line = line.string_field(key!("length_correction"), &format!("{digits:04}"));
     }
     if let Some(dwell) = *dwell_s {
-        number_field(out, key!("dwell_s"), dwell);
+        line = line.number_field(key!("dwell_s"), dwell);
     }
-    flag(out, key!("stop"), *stop);
-    flag(out, key!("cond_stop"), *cond_stop);
-    flag(out, key!("continuous_mode"), *continuous_mode);
+    line = line.flag(key!("stop"), *stop);
+    line = line.flag(key!("cond_stop"), *cond_stop);
+    line = line.flag(key!("continuous_mode"), *continuous_mode);
     if let Some(set) = *dynamic_set {
-        int_field(out, key!("dynamic_set"), u64::from(set));
+        line = line.int_field(key!("dynamic_set"), u64::from(set));
     }
-    if let Some(data) = data {
-        write_data(out, data);
+    if let Some(words) = data {
+        line = self::data(line, words);
     }
-    letters(out, key!("words"), words);
+    line = line.letters(key!("words"), words);
     if !params.is_empty() {
-        key(out, key!("params"));
-        map(out, params.iter().map(|(parameter, value)| (format!("R{parameter}"), Micro::from(*value))));
+        line = line.put(key!("params"));
+        let mut before = b"{\"R";
+        for (parameter, value) in params {
+            line = line.put(before).int(u64::from(*parameter)).put(b"\":").number(Micro::from(*value));
+            before = b",\"R";
+        }
+        line = line.put(b"}");
     }
     if !comments.is_empty() {
-        key(out, key!("comments"));
-        list(out, comments, |out, comment| string(out, comment));
+        line = line.put(key!("comments")).list(comments, |line, comment| line.string(comment));
     }
-    out.extend_from_slice(b"}\n");
+    line.put(b"}\n")
 }
 
-fn write_function(out: &mut Vec<u8>, function: &Option<u8>) {
-    match function {
-        Some(number) => int(out, u64::from(*number)),
-        None => out.extend_from_slice(b"null"),
-    }
-}
-
-fn write_call(out: &mut Vec<u8>, call: Call) {
-    let Call { by, l, file, n, pass, of } = call;
-    out.extend_from_slice(br#"{"by":"#);
-    string(out, by);
-    int_field(out, key!("l"), u64::from(l));
-    int_field(out, key!("file"), u64::from(file));
-    int_field(out, key!("n"), u64::from(n));
-    int_field(out, key!("pass"), u64::from(pass));
-    int_field(out, key!("of"), u64::from(of));
-    out.push(b'}');
-}
-
-fn write_motion(out: &mut Vec<u8>, motion: &Motion, order: &[AxisLetter]) {
-    let Motion { kind, axes, delta, length_mm, length_deg, plane, center, radius_mm, sweep_deg, spindle_axis } = motion;
-    out.extend_from_slice(br#","motion":{"type":""#);
-    out.extend_from_slice(kind.name().as_bytes());
-    out.push(b'"');
-    for (place, axis) in axes.iter().enumerate() {
-        out.extend_from_slice(if place == 0 { br#","axes":["# } else { b"," });
-        letter(out, axis);
-    }
-    if axes.iter().next().is_some() {
-        out.push(b']');
-    }
-    axis_map(out, key!("delta"), delta, order);
-    if let Some(length) = *length_mm {
-        number_field(out, key!("length_mm"), length);
-    }
-    if let Some(length) = *length_deg {
-        number_field(out, key!("length_deg"), length);
-    }
-    if let Some([first, second]) = *plane {
-        string_field(out, key!("plane"), &format!("{first}{second}"));
-    }
-    axis_map(out, key!("center"), center, order);
-    if let Some(radius) = *radius_mm {
-        number_field(out, key!("radius_mm"), radius);
-    }
-    if let Some(sweep) = *sweep_deg {
-        number_field(out, key!("sweep_deg"), sweep);
-    }
-    if let Some(axis) = *spindle_axis {
-        key(out, key!("spindle_axis"));
-        letter(out, axis);
-    }
-    out.push(b'}');
-}
-
-fn write_data(out: &mut Vec<u8>, data: &Data) {
-    let Data { g, origin, d, values } = data;
-    out.extend_from_slice(br#","data":{"g":"#);
-    int(out, u64::from(*g));
-    if let Some(origin) = *origin {
-        int_field(out, key!("origin"), u64::from(origin));
-    }
-    decimal_field(out, key!("d"), *d);
-    letters(out, key!("values"), values);
-    out.push(b'}');
+fn call<'r>(line: Line<'r>, call: &Call) -> Line<'r> {
+    let Call { by, l, file, n, pass, of } = *call;
+    line.put(br#"{"by":"#)
+        .string(by)
+        .int_field(key!("l"), u64::from(l))
+        .int_field(key!("file"), u64::from(file))
+        .int_field(key!("n"), u64::from(n))
+        .int_field(key!("pass"), u64::from(pass))
+        .int_field(key!("of"), u64::from(of))
+        .put(b"}")
 }
 
 #[inline]
-fn key(out: &mut Vec<u8>, key: &'static str) {
-    out.extend_from_slice(key.as_bytes());
+fn motion<'r>(mut line: Line<'r>, motion: &Motion, order: &[AxisLetter]) -> Line<'r> {
+    let Motion { kind, axes, delta, length_mm, length_deg, plane, center, radius_mm, sweep_deg, spindle_axis } = motion;
+    line = line.put(br#","motion":{"type":""#).put_all(kind.name().as_bytes()).put(b"\"");
+    let mut open = false;
+    for axis in axes.iter() {
+        line = if open { line.put(b",") } else { line.put(br#","axes":["#) };
+        line = line.put(&[b'"', byte(axis.letter()), b'"']);
+        open = true;
+    }
+    if open {
+        line = line.put(b"]");
+    }
+    line = line.axis_map(key!("delta"), delta, order);
+    if let Some(length) = *length_mm {
+        line = line.number_field(key!("length_mm"), length);
+    }
+    if let Some(length) = *length_deg {
+        line = line.number_field(key!("length_deg"), length);
+    }
+    if let Some([first, second]) = *plane {
+        line = line.put(key!("plane")).put(&[b'"', byte(first.letter()), byte(second.letter()), b'"']);
+    }
+    line = line.axis_map(key!("center"), center, order);
+    if let Some(radius) = *radius_mm {
+        line = line.number_field(key!("radius_mm"), radius);
+    }
+    if let Some(sweep) = *sweep_deg {
+        line = line.number_field(key!("sweep_deg"), sweep);
+    }
+    if let Some(axis) = *spindle_axis {
+        line = line.put(key!("spindle_axis")).put(&[b'"', byte(axis.letter()), b'"']);
+    }
+    line.put(b"}")
 }
 
-fn flag(out: &mut Vec<u8>, name: &'static str, value: bool) {
-    if value {
-        key(out, name);
-        out.extend_from_slice(b"true");
+fn data<'r>(mut line: Line<'r>, data: &Data) -> Line<'r> {
+    let Data { g, origin, d, values } = data;
+    line = line.put(br#","data":{"g":"#).int(u64::from(*g));
+    if let Some(origin) = *origin {
+        line = line.int_field(key!("origin"), u64::from(origin));
     }
+    line.decimal_field(key!("d"), *d).letters(key!("values"), values).put(b"}")
 }
 
-fn int(out: &mut Vec<u8>, value: u64) {
-    if value < 10 {
-        out.push(digit(value));
-        return;
+/// The letter of an address, which is ASCII.
+fn byte(letter: char) -> u8 {
+    u8::try_from(letter).unwrap_or(b'?')
+}
+
+/// More than eight digits hold.
+const EIGHT: u64 = 100_000_000;
+/// Eight characters `0`.
+const ZEROS: u64 = 0x3030_3030_3030_3030;
+/// Four of them.
+const FOUR_ZEROS: u32 = 0x3030_3030;
+
+/// The digits of a number below 10000, a byte each, the first one in the lowest byte.
+#[inline]
+const fn four_digits(value: u32) -> u32 {
+    let (high, low) = (value / 100, value % 100);
+    (high / 10) | ((high % 10) << 8) | ((low / 10) << 16) | ((low % 10) << 24)
+}
+
+/// The eight digits of a number below [`EIGHT`], a byte each, the first one in the lowest byte.
+#[inline]
+const fn digits(value: u32) -> u64 {
+    four_digits(value / 10_000) as u64 | ((four_digits(value % 10_000) as u64) << 32)
+}
+
+/// A line being written. It is handed on by value, so that its end stays in a register: there are sixty things to write in
+/// a record, each of which would wait for the one before.
+struct Line<'r> {
+    /// Its beginning, and room for more.
+    room: &'r mut Vec<u8>,
+    /// Its end.
+    at: usize,
+}
+
+impl<'r> Line<'r> {
+    /// An empty line. `room`: used again for the next.
+    fn new(room: &'r mut Vec<u8>) -> Self {
+        Self { room, at: 0 }
     }
-    let mut digits = [0_u8; 20];
-    let mut rest = value;
-    let mut used = 0;
-    for slot in digits.iter_mut().rev() {
-        *slot = digit(rest % 10);
-        rest /= 10;
-        used += 1;
-        if rest == 0 {
-            break;
+
+    /// What is written so far.
+    fn text(&self) -> &[u8] {
+        self.room.get(..self.at).unwrap_or_default()
+    }
+
+    /// Writes text of a length known beforehand.
+    #[inline(always)]
+    fn put<const N: usize>(self, text: &[u8; N]) -> Self {
+        let end = self.at + N;
+        if end > self.room.len() {
+            make_room(self.room, end);
+        }
+        if let Some(place) = self.room.get_mut(self.at..end) {
+            place.copy_from_slice(text);
+        }
+        Self { at: end, ..self }
+    }
+
+    /// Writes text of any length.
+    #[inline]
+    fn put_all(self, text: &[u8]) -> Self {
+        let end = self.at + text.len();
+        if end > self.room.len() {
+            make_room(self.room, end);
+        }
+        if let Some(place) = self.room.get_mut(self.at..end) {
+            place.copy_from_slice(text);
+        }
+        Self { at: end, ..self }
+    }
+
+    #[inline(always)]
+    fn flag<const N: usize>(self, key: &[u8; N], value: bool) -> Self {
+        if value { self.put(key).put(b"true") } else { self }
+    }
+
+    #[inline(always)]
+    fn int(self, value: u64) -> Self {
+        // Most have one digit or two.
+        match u8::try_from(value) {
+            Ok(value @ 0..=9) => self.put(&[b'0' + value]),
+            Ok(value @ 10..=99) => self.put(&[b'0' + value / 10, b'0' + value % 10]),
+            _ => self.long_int(value),
         }
     }
-    out.extend_from_slice(digits.get(digits.len() - used..).unwrap_or_default());
-}
 
-fn digit(value: u64) -> u8 {
-    b'0' + u8::try_from(value).unwrap_or(0)
-}
-
-fn int_field(out: &mut Vec<u8>, name: &'static str, value: u64) {
-    key(out, name);
-    int(out, value);
-}
-
-/// A number without exponent, trailing zeros or a negative zero.
-fn number(out: &mut Vec<u8>, value: Micro) {
-    let millionths = value.millionths();
-    if millionths < 0 {
-        out.push(b'-');
+    fn long_int(self, value: u64) -> Self {
+        // All digits are put down, without those before the first that counts, and the end is then taken back: a copy of
+        // fixed length is quicker than one that fits.
+        if let Some(value) = u32::try_from(value).ok().filter(|value| *value < 10_000) {
+            let digits = four_digits(value);
+            let unused = (digits.trailing_zeros() / 8).min(3);
+            let line = self.put(&((digits | FOUR_ZEROS) >> (8 * unused)).to_le_bytes());
+            return Self { at: line.at - unused as usize, ..line };
+        }
+        let (high, low) = (value / EIGHT, u32::try_from(value % EIGHT).unwrap_or(0));
+        if high > 0 {
+            return self.int(high).put(&(digits(low) | ZEROS).to_le_bytes());
+        }
+        let digits = digits(low);
+        let unused = (digits.trailing_zeros() / 8).min(7);
+        let line = self.put(&((digits | ZEROS) >> (8 * unused)).to_le_bytes());
+        Self { at: line.at - unused as usize, ..line }
     }
-    let magnitude = millionths.unsigned_abs();
-    int(out, magnitude / 1_000_000);
-    let mut fraction = magnitude % 1_000_000;
-    if fraction != 0 {
-        out.push(b'.');
-        let mut unit = 100_000;
-        while fraction != 0 {
-            out.push(digit(fraction / unit));
-            fraction %= unit;
-            unit /= 10;
+
+    #[inline(always)]
+    fn int_field<const N: usize>(self, key: &[u8; N], value: u64) -> Self {
+        self.put(key).int(value)
+    }
+
+    /// A number without exponent, trailing zeros or a negative zero.
+    fn number(self, value: Micro) -> Self {
+        let millionths = value.millionths();
+        let line = if millionths < 0 { self.put(b"-") } else { self };
+        let magnitude = millionths.unsigned_abs();
+        let line = line.int(magnitude / 1_000_000);
+        let fraction = u32::try_from(magnitude % 1_000_000).unwrap_or(0);
+        if fraction == 0 {
+            return line;
+        }
+        if fraction.is_multiple_of(1000) {
+            // As programmed.
+            let digits = four_digits(fraction / 100);
+            let unused = digits.leading_zeros() / 8;
+            let line = line.put(b".").put(&(digits | FOUR_ZEROS).to_le_bytes());
+            return Self { at: line.at - unused as usize, ..line };
+        }
+        let digits = digits(fraction * 100);
+        let unused = digits.leading_zeros() / 8;
+        let line = line.put(b".").put(&(digits | ZEROS).to_le_bytes());
+        Self { at: line.at - unused as usize, ..line }
+    }
+
+    #[inline(always)]
+    fn number_field<const N: usize>(self, key: &[u8; N], value: Micro) -> Self {
+        self.put(key).number(value)
+    }
+
+    #[inline(always)]
+    fn decimal_field<const N: usize>(self, key: &[u8; N], value: Option<Decimal>) -> Self {
+        match value {
+            Some(value) => self.number_field(key, Micro::from(value)),
+            None => self,
         }
     }
-}
 
-fn number_field(out: &mut Vec<u8>, name: &'static str, value: Micro) {
-    key(out, name);
-    number(out, value);
-}
-
-fn decimal_field(out: &mut Vec<u8>, name: &'static str, value: Option<Decimal>) {
-    if let Some(value) = value {
-        number_field(out, name, Micro::from(value));
-    }
-}
-
-fn list<T>(out: &mut Vec<u8>, items: &[T], write: impl Fn(&mut Vec<u8>, &T)) {
-    out.push(b'[');
-    for (place, item) in items.iter().enumerate() {
-        if place > 0 {
-            out.push(b',');
+    fn list<T>(self, items: &[T], write: impl Fn(Self, &T) -> Self) -> Self {
+        let mut line = self.put(b"[");
+        for (place, item) in items.iter().enumerate() {
+            line = write(if place > 0 { line.put(b",") } else { line }, item);
         }
-        write(out, item);
+        line.put(b"]")
     }
-    out.push(b']');
-}
 
-fn numbers_field(out: &mut Vec<u8>, name: &'static str, values: &[u8]) {
-    if !values.is_empty() {
-        key(out, name);
-        list(out, values, |out, value| int(out, u64::from(*value)));
+    /// A list of functions by group, `null` where none is in force.
+    fn functions(self, functions: &[Option<u8>]) -> Self {
+        self.list(functions, |line, function| match *function {
+            Some(number) => line.int(u64::from(number)),
+            None => line.put(b"null"),
+        })
     }
-}
 
-fn map<K: AsRef<str>>(out: &mut Vec<u8>, entries: impl Iterator<Item = (K, Micro)>) {
-    out.push(b'{');
-    for (place, (name, value)) in entries.enumerate() {
-        if place > 0 {
-            out.push(b',');
+    #[inline]
+    fn numbers_field<const N: usize>(self, key: &[u8; N], values: &[u8]) -> Self {
+        if values.is_empty() {
+            return self;
         }
-        string(out, name.as_ref());
-        out.push(b':');
-        number(out, value);
+        self.put(key).list(values, |line, value| line.int(u64::from(*value)))
     }
-    out.push(b'}');
-}
 
-fn letters(out: &mut Vec<u8>, name: &'static str, values: &[(char, Decimal)]) {
-    if !values.is_empty() {
-        key(out, name);
-        map(out, values.iter().map(|(letter, value)| (letter.to_string(), Micro::from(*value))));
-    }
-}
-
-fn letter(out: &mut Vec<u8>, axis: AxisLetter) {
-    out.push(b'"');
-    out.push(u8::try_from(axis.letter()).unwrap_or(b'?'));
-    out.push(b'"');
-}
-
-fn axis_map(out: &mut Vec<u8>, name: &'static str, values: &AxisMap, order: &[AxisLetter]) {
-    let mut first = true;
-    for &axis in order {
-        let Some(value) = values.get(axis) else { continue };
-        if first {
-            key(out, name);
-            out.push(b'{');
-            first = false;
-        } else {
-            out.push(b',');
+    #[inline]
+    fn letters<const N: usize>(self, key: &[u8; N], values: &[(char, Decimal)]) -> Self {
+        if values.is_empty() {
+            return self;
         }
-        letter(out, axis);
-        out.push(b':');
-        number(out, value);
-    }
-    if !first {
-        out.push(b'}');
-    }
-}
-
-/// A JSON string. Control characters are escaped.
-fn string(out: &mut Vec<u8>, text: &str) {
-    out.push(b'"');
-    for byte in text.bytes() {
-        match byte {
-            b'"' => out.extend_from_slice(b"\\\""),
-            b'\\' => out.extend_from_slice(b"\\\\"),
-            b'\n' => out.extend_from_slice(b"\\n"),
-            b'\r' => out.extend_from_slice(b"\\r"),
-            b'\t' => out.extend_from_slice(b"\\t"),
-            0x00..=0x1f | 0x7f => out.extend_from_slice(format!("\\u{byte:04x}").as_bytes()),
-            _ => out.push(byte),
+        let mut line = self.put(key);
+        let mut before = b'{';
+        for &(letter, value) in values {
+            line = line.put(&[before, b'"', byte(letter), b'"', b':']).number(Micro::from(value));
+            before = b',';
         }
+        line.put(b"}")
     }
-    out.push(b'"');
+
+    #[inline]
+    fn axis_map<const N: usize>(self, key: &[u8; N], values: &AxisMap, order: &[AxisLetter]) -> Self {
+        if values.is_empty() {
+            return self;
+        }
+        let mut line = self.put(key);
+        let mut before = b'{';
+        for &axis in order {
+            let Some(value) = values.get(axis) else { continue };
+            line = line.put(&[before, b'"', byte(axis.letter()), b'"', b':']).number(value);
+            before = b',';
+        }
+        line.put(b"}")
+    }
+
+    /// A JSON string. Control characters are escaped.
+    fn string(self, text: &str) -> Self {
+        let mut line = self.put(b"\"");
+        let mut rest = text;
+        while let Some(at) = rest.bytes().position(|byte| matches!(byte, b'"' | b'\\' | 0x00..=0x1f | 0x7f)) {
+            let (before, after) = rest.split_at(at);
+            line = line.put_all(before.as_bytes());
+            line = match after.as_bytes().first().copied().unwrap_or_default() {
+                b'"' => line.put(b"\\\""),
+                b'\\' => line.put(b"\\\\"),
+                b'\n' => line.put(b"\\n"),
+                b'\r' => line.put(b"\\r"),
+                b'\t' => line.put(b"\\t"),
+                byte => line.put_all(format!("\\u{byte:04x}").as_bytes()),
+            };
+            rest = after.get(1..).unwrap_or_default();
+        }
+        line.put_all(rest.as_bytes()).put(b"\"")
+    }
+
+    fn string_field<const N: usize>(self, key: &[u8; N], text: &str) -> Self {
+        self.put(key).string(text)
+    }
 }
 
-fn string_field(out: &mut Vec<u8>, name: &'static str, text: &str) {
-    key(out, name);
-    string(out, text);
+/// Makes the room of a line hold at least `end` bytes.
+#[cold]
+fn make_room(room: &mut Vec<u8>, end: usize) {
+    room.resize(end.next_power_of_two().max(1024), 0);
 }
 
 #[cfg(test)]
@@ -492,9 +566,9 @@ mod tests {
     use super::*;
 
     fn shown(millionths: i64) -> String {
-        let mut out = Vec::new();
-        number(&mut out, Micro::from_millionths(millionths));
-        String::from_utf8(out).unwrap()
+        let mut room = Vec::new();
+        let line = Line::new(&mut room).number(Micro::from_millionths(millionths));
+        String::from_utf8(line.text().to_vec()).unwrap()
     }
 
     #[test]
@@ -506,6 +580,14 @@ mod tests {
             (-20_000_000, "-20"),
             (69_999_999_000, "69999.999"),
             (100, "0.0001"),
+            (9_000_000, "9"),
+            (10_000_000, "10"),
+            (100_000_000, "100"),
+            (99_999_999_999_999, "99999999.999999"),
+            (100_000_000_000_000, "100000000"),
+            (1_000_000_020_300_000_000, "1000000020300"),
+            (i64::MAX, "9223372036854.775807"),
+            (i64::MIN, "-9223372036854.775808"),
         ] {
             assert_eq!(shown(millionths), text);
         }
@@ -514,8 +596,8 @@ mod tests {
 
     #[test]
     fn strings() {
-        let mut out = Vec::new();
-        string(&mut out, "a\"\\\u{1b}ř\u{7f}");
-        assert_eq!(String::from_utf8(out).unwrap(), r#""a\"\\\u001bř\u007f""#);
+        let mut room = Vec::new();
+        let line = Line::new(&mut room).string("a\"\\\u{1b}ř\u{7f}");
+        assert_eq!(std::str::from_utf8(line.text()).unwrap(), r#""a\"\\\u001bř\u007f""#);
     }
 }

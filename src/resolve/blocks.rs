@@ -62,7 +62,9 @@ impl BlockChecker<'_> {
     /// Checks a block of a unit of that kind; `None`: of no unit.
     pub(super) fn check(&mut self, block: BlockId, unit: Option<UnitKind>) {
         let flags = self.file.flags(block);
-        if let Some(word) = self.file.n_word(block) {
+        if let Some(word) = self.file.n_word(block)
+            && !(word.is_digits() && self.file.number(block).is_some())
+        {
             self.check_word(word, &Functions::default());
         }
         let words = self.file.words(block);

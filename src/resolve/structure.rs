@@ -1,8 +1,11 @@
 //! Splits files into units: the main program, its subprograms, a macrocycle (§5).
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
+
+use rayon::prelude::*;
 
 use super::blocks::{BlockChecker, g_code};
 use super::{FileIndex, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
@@ -14,6 +17,8 @@ use crate::text::{Location, SourceText, Sources, Span};
 
 /// Most subprograms of a file (PRG-4).
 const SUBPROGRAMS: usize = 99;
+/// Longer files are checked in parts of so many blocks, on all cores.
+const SIDE_BY_SIDE: u32 = 1 << 14;
 /// Jumps and calls reach numbers of four digits (FLW-5).
 const REACHABLE: u32 = 9999;
 
@@ -226,12 +231,29 @@ impl Context<'_, '_> {
 
     /// Checks every block of a file whose units begin at index `from`, also those of no unit.
     fn check_blocks(&mut self, resolved: &Resolved, parsed: &ParsedFile, from: usize) {
-        let mut units = resolved.units.get(from..).unwrap_or_default().iter().peekable();
-        let mut checker = BlockChecker { settings: self.settings, file: parsed, findings: self.findings };
-        for block in parsed.block_ids() {
-            while units.next_if(|unit| unit.end <= block).is_some() {}
-            let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
-            checker.check(block, unit);
+        let units = resolved.units.get(from..).unwrap_or_default();
+        let settings = self.settings;
+        let check = |blocks: Range<u32>| {
+            let mut findings = Findings::new();
+            let mut checker = BlockChecker { settings, file: parsed, findings: &mut findings };
+            let mut units = units.iter().peekable();
+            for block in blocks.map(BlockId) {
+                while units.next_if(|unit| unit.end <= block).is_some() {}
+                let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
+                checker.check(block, unit);
+            }
+            findings
+        };
+        let count = parsed.block_count();
+        if count <= SIDE_BY_SIDE {
+            self.findings.append(check(0..count));
+            return;
+        }
+        let parts = count.div_ceil(SIDE_BY_SIDE);
+        let part = |part: u32| part * SIDE_BY_SIDE..count.min((part + 1) * SIDE_BY_SIDE);
+        let found: Vec<Findings> = (0..parts).into_par_iter().map(|at| check(part(at))).collect();
+        for findings in found {
+            self.findings.append(findings);
         }
     }
 

@@ -58,19 +58,14 @@ impl BlockFlags {
 #[derive(Clone, Copy, Debug)]
 pub struct Block {
     pub(super) first_word: u32,
-    pub(super) first_comment: u32,
     pub(super) flags: BlockFlags,
 }
 
 impl Block {
-    /// The same block when its file's arenas begin with `words` words and `comments` comments more.
-    pub(super) fn shifted(self, words: usize, comments: usize) -> Self {
-        let plus = |index: u32, more: usize| index.saturating_add(u32::try_from(more).unwrap_or(u32::MAX));
-        Self {
-            first_word: plus(self.first_word, words),
-            first_comment: plus(self.first_comment, comments),
-            flags: self.flags,
-        }
+    /// The same block when its file's arena begins with `words` words more.
+    pub(super) fn shifted(self, words: usize) -> Self {
+        let words = u32::try_from(words).unwrap_or(u32::MAX);
+        Self { first_word: self.first_word.saturating_add(words), flags: self.flags }
     }
 }
 
@@ -141,15 +136,21 @@ impl ParsedFile {
 
     /// The comments of a block, quotes included (BLK-9).
     pub fn comments(&self, block: BlockId) -> &[Span] {
-        let start = self.blocks.get(block.index()).map_or(0, |block| block.first_comment as usize);
-        let end = self.blocks.get(block.index() + 1).map_or(self.comments.len(), |next| next.first_comment as usize);
+        let start = self.comments_before(block);
+        let end = self.comments_before(block.next());
         self.comments.get(start..end).unwrap_or_default()
+    }
+
+    /// How many comments stand before a block; all of them when there is no such block. Comments are few: what they belong to
+    /// is told by their places.
+    fn comments_before(&self, block: BlockId) -> usize {
+        let before = |n: Word| self.comments.partition_point(|comment| comment.start < n.start());
+        self.n_word(block).map_or(self.comments.len(), before)
     }
 
     /// The comments before the first block, quotes included.
     pub fn comments_before_blocks(&self) -> &[Span] {
-        let end = self.blocks.first().map_or(self.comments.len(), |first| first.first_comment as usize);
-        self.comments.get(..end).unwrap_or_default()
+        self.comments.get(..self.comments_before(BlockId(0))).unwrap_or_default()
     }
 
     /// What is known of a block.

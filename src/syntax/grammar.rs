@@ -11,10 +11,11 @@ use chumsky::prelude::*;
 use super::lower::Lowering;
 use super::{Kind, Token};
 
-/// One thing in a block, as the tokens it is made of.
+/// One thing in a block, as the tokens it is made of. Well-formed words and line ends are none of them: they are nearly
+/// everything, and go without this form.
 #[derive(Clone, Debug)]
 pub(super) enum Item {
-    /// An address and its number; more numbers after blanks are its pieces.
+    /// An address and its number; more numbers after blanks are its pieces. One of the two is malformed.
     Word { word: Token, pieces: Vec<Token> },
     /// An address, and a parameter in place of its number (PAR-2).
     Parametric { address: Token, parameter: Token, pieces: Vec<Token> },
@@ -33,8 +34,6 @@ pub(super) enum Item {
     Skip(Token),
     /// A comment.
     Comment(Token),
-    /// A line end.
-    LineEnd,
     /// Numbers, signs or `=` that belong to nothing.
     Stray { first: Token, last: Token },
     /// Text that is no comment, with the numbers in it.
@@ -63,6 +62,10 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
             tokens.map(|tokens| tokens.into_iter().filter(|token| token.kind == Kind::Comment).collect::<Vec<_>>())
         });
 
+    let plain = any()
+        .filter(|token: &Token| token.kind == Kind::Word)
+        .then_ignore(number.not())
+        .map_with(|word, extra: &mut MapExtra<'t, '_, &'t [Token], Extra<'x, 'l>>| extra.state().0.plain_word(word));
     let word = any()
         .filter(|token: &Token| matches!(token.kind, Kind::Word | Kind::LooseWord))
         .then(pieces)
@@ -128,10 +131,9 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .foldl(text_token.repeated(), |(first, _), last| (first, last))
         .map(|(first, last)| Item::Text { first, last });
 
-    let item = choice((
-        word,
-        one(Kind::LineEnd).to(Item::LineEnd),
+    let rest = choice((
         comment,
+        word,
         copy,
         assignment,
         short_assignment,
@@ -145,8 +147,10 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         text,
         any().map(Item::Debris),
     ));
-    // A fold, because a bare `repeated()` would not make the items at all.
-    empty().foldl_with(item.repeated(), |(), item, extra: &mut MapExtra<'t, '_, &'t [Token], Extra<'x, 'l>>| {
+    let rest = rest.map_with(|item, extra: &mut MapExtra<'t, '_, &'t [Token], Extra<'x, 'l>>| {
         extra.state().0.accept(item);
-    })
+    });
+    let item = choice((plain, one(Kind::LineEnd).ignored(), rest));
+    // A fold, because a bare `repeated()` would not look at what the items are.
+    empty().foldl(item.repeated(), |(), ()| ())
 }

@@ -18,6 +18,8 @@ pub(super) struct Lowering<'t> {
     pub(super) flags: BlockFlags,
     pub(super) findings: Findings,
     pub(super) lowercase: bool,
+    /// Where the first word stands.
+    pub(super) first_word: Option<Span>,
 }
 
 /// The highest parameter is R95.
@@ -33,14 +35,12 @@ impl<'t> Lowering<'t> {
             flags: BlockFlags::default(),
             findings: Findings::new(),
             lowercase: false,
+            first_word: None,
         }
     }
 
-    #[inline]
     pub(super) fn accept(&mut self, item: Item) {
         match item {
-            Item::LineEnd => {}
-            Item::Word { word, pieces } if word.kind == Kind::Word && pieces.is_empty() => self.plain_word(word),
             Item::Word { word, pieces } => self.loose_word(word, &pieces),
             Item::Parametric { address, parameter, pieces } => self.parametric(address, parameter, &pieces),
             Item::Copy { target, sign, source, pieces } => self.copy(target, sign, source, &pieces),
@@ -146,12 +146,13 @@ impl<'t> Lowering<'t> {
         address
     }
 
+    /// An address with a well-formed number.
     #[inline]
-    fn plain_word(&mut self, token: Token) {
+    pub(super) fn plain_word(&mut self, token: Token) {
         let Some(address) = self.address(token.start, token.span()) else { return };
         match Number::parse(self.number_text(token)) {
-            Some(number) => self.push(Word::with_number(address, token.span(), number)),
-            None => self.push(Word::bare(address, token.span()).faulty()),
+            Some(number) => self.push(Word::with_number(address, token.span(), number), token.span()),
+            None => self.push(Word::bare(address, token.span()).faulty(), token.span()),
         }
     }
 
@@ -163,9 +164,10 @@ impl<'t> Lowering<'t> {
         bytes.get(blanks..).unwrap_or_default()
     }
 
-    /// Adds a word to the block, noting what later stages ask of every block.
+    /// Adds a word, which stands at `span`, to the block, noting what later stages ask of every block.
     #[inline]
-    fn push(&mut self, word: Word) {
+    fn push(&mut self, word: Word, span: Span) {
+        self.first_word.get_or_insert(span);
         let speaks_of_flow = matches!(
             word.address,
             Address::G
@@ -201,7 +203,7 @@ impl<'t> Lowering<'t> {
         let Some(address) = self.address(token.start, span) else { return };
         let text = shown(self.slice(span));
         self.report(span, finding(text));
-        self.push(Word::bare(address, span).faulty());
+        self.push(Word::bare(address, span).faulty(), span);
     }
 
     /// A word whose number is in pieces or holds characters that do not belong in one.
@@ -211,8 +213,8 @@ impl<'t> Lowering<'t> {
         let run = String::from_utf8_lossy(self.number_text(token)).into_owned();
         let prefix = char::from(self.byte(token.start).to_ascii_uppercase()).to_string();
         match self.mend(run, pieces, &prefix, span) {
-            Some(number) => self.push(Word::with_number(address, span, number).faulty()),
-            None => self.push(Word::bare(address, span).faulty()),
+            Some(number) => self.push(Word::with_number(address, span, number).faulty(), span),
+            None => self.push(Word::bare(address, span).faulty(), span),
         }
     }
 
@@ -293,12 +295,12 @@ impl<'t> Lowering<'t> {
         let Some(address) = self.address(token.start, span) else { return };
         if matches!(address, Address::N | Address::Program) {
             self.report(whole, Finding::ParameterNotAllowed { address });
-            self.push(Word::bare(address, whole).faulty());
+            self.push(Word::bare(address, whole).faulty(), whole);
             return;
         }
         let (source, mut faulty) = self.parameter(parameter);
         let Some(source) = source else {
-            self.push(Word::bare(address, whole).faulty());
+            self.push(Word::bare(address, whole).faulty(), whole);
             return;
         };
         let sign = (token.kind == Kind::SignedLetter).then(|| self.byte(token.end - 1));
@@ -308,7 +310,7 @@ impl<'t> Lowering<'t> {
             faulty = true;
         }
         let word = Word::with_parameter(address, span, source, sign);
-        self.push(if faulty { word.faulty() } else { word });
+        self.push(if faulty { word.faulty() } else { word }, span);
     }
 
     /// A blank after the sign of a parameter, or a number after a parameter that stands for one.
@@ -331,7 +333,7 @@ impl<'t> Lowering<'t> {
         let (source_number, source_faulty) = self.parameter(source);
         let mut faulty = target_faulty || source_faulty;
         let (Some(target_number), Some(source_number)) = (target_number, source_number) else {
-            self.push(Word::bare(Address::R, span).faulty());
+            self.push(Word::bare(Address::R, span).faulty(), span);
             return;
         };
         let gap = sign.is_some_and(|sign| sign.end != source.start);
@@ -342,7 +344,7 @@ impl<'t> Lowering<'t> {
         }
         let sign = sign.map(|sign| self.byte(sign.start));
         let word = Word::with_parameter(Address::R, span, source_number, sign).assigning(target_number);
-        self.push(if faulty { word.faulty() } else { word });
+        self.push(if faulty { word.faulty() } else { word }, span);
     }
 
     fn assignment(&mut self, target: Token, sign: Option<Token>, number: Token, pieces: &[Token]) {
@@ -350,7 +352,7 @@ impl<'t> Lowering<'t> {
         let span = target.span().to(last.span());
         let (target_number, mut faulty) = self.parameter(target);
         let Some(target_number) = target_number else {
-            self.push(Word::bare(Address::R, span).faulty());
+            self.push(Word::bare(Address::R, span).faulty(), span);
             return;
         };
         let plain = number.kind == Kind::Number && sign.is_none() && pieces.is_empty();
@@ -374,7 +376,7 @@ impl<'t> Lowering<'t> {
             None => Word::bare(Address::R, span).faulty(),
         };
         let word = word.assigning(target_number);
-        self.push(if faulty { word.faulty() } else { word });
+        self.push(if faulty { word.faulty() } else { word }, span);
     }
 
     fn mend_split_sign(

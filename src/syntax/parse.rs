@@ -27,14 +27,20 @@ const BATCH: usize = 1 << 15;
 
 /// Parses a file. What is wrong with its form goes to `findings`; the tree holds all that could be read.
 pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
-    let pieces = if source.len() < PIECE { 1 } else { rayon::current_num_threads() };
+    let alone = source.len() < LONG || rayon::current_num_threads() == 1;
+    let pieces = if alone { 1 } else { source.len() / PIECE };
     parse_in(pieces, file, source, form, findings)
 }
 
 /// Texts below this many bytes are read in one piece: two threads would not be done sooner.
-const PIECE: u32 = 1 << 20;
+const LONG: u32 = 1 << 20;
+/// Longer ones are read in pieces of about this many bytes, side by side.
+const PIECE: u32 = 1 << 17;
+/// So many pieces are read before they are put together, while the next are being read: what is in pieces is little beside
+/// what is together.
+const AT_ONCE: usize = 16;
 
-fn parse_in(pieces: usize, file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
+fn parse_in(pieces: u32, file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
     let text = source.text();
     let end = layout::end_of_text(text);
     let at = |span: Span| Location { file, span };
@@ -48,46 +54,111 @@ fn parse_in(pieces: usize, file: FileId, source: &Arc<SourceText>, form: Form, f
             }
         },
     };
-    let mut parsed = ParsedFile {
+    let start = start.min(end);
+    let read = |(from, to): (u32, u32)| {
+        let mut reader = Reader::new(text, file, form, from == start, to - from);
+        reader.read(from, to);
+        reader
+    };
+    let parsed = ParsedFile {
         file,
         source: Arc::clone(source),
         program: None,
         title: None,
-        start: start.min(end),
+        start,
         end,
         words: Vec::new(),
         comments: Vec::new(),
         blocks: Vec::new(),
     };
-    let mut lowercase = false;
-    for piece in read_pieces(pieces, file, source, form, (parsed.start, end)) {
-        lowercase |= piece.lowering.lowercase;
+    let mut whole = Whole { parsed, findings, lowercase: false, ended: false };
+    if pieces < 2 {
+        whole.append(read((start, end)));
+    } else {
+        // A word has eight characters or so; pages that are not filled cost nothing.
+        whole.parsed.words.reserve((end - start) as usize / 8);
+        // The lines are wanted by what follows; finding them fits beside the reading.
+        rayon::join(|| whole.read_side_by_side(&piece_bounds(text, start, end, pieces), read), || source.lines());
+    }
+    let Whole { parsed, lowercase, .. } = whole;
+    if lowercase {
+        layout::check_case(file, text, parsed.start, parsed.end, findings);
+    }
+    layout::check_lines(file, source, parsed.start, parsed.end, findings);
+    parsed
+}
+
+/// A file that is put together from its pieces.
+struct Whole<'f> {
+    parsed: ParsedFile,
+    findings: &'f mut Findings,
+    lowercase: bool,
+    /// `*` was met: what follows it is no program, whatever later pieces hold.
+    ended: bool,
+}
+
+impl Whole<'_> {
+    /// Reads pieces on all cores. A block begins wherever a line begins with `N`, whatever stands before it.
+    fn read_side_by_side<'t>(&mut self, bounds: &[(u32, u32)], read: impl Fn((u32, u32)) -> Reader<'t> + Sync) {
+        let mut done: Vec<Reader<'t>> = Vec::new();
+        for some in bounds.chunks(AT_ONCE) {
+            let next = || some.par_iter().copied().map(&read).collect();
+            let (next, ()) = rayon::join(next, || done.drain(..).for_each(|piece| self.append(piece)));
+            done = next;
+            if self.ended {
+                return;
+            }
+        }
+        done.drain(..).for_each(|piece| self.append(piece));
+    }
+
+    fn append(&mut self, piece: Reader<'_>) {
+        if self.ended {
+            return;
+        }
+        let Self { parsed, findings, lowercase, ended } = self;
+        *lowercase |= piece.lowering.lowercase;
         findings.append(piece.lowering.findings);
-        let (words, comments) = (parsed.words.len(), parsed.comments.len());
-        if parsed.blocks.is_empty() {
+        if parsed.blocks.is_empty() && parsed.words.capacity() < piece.lowering.words.len() {
             (parsed.words, parsed.comments, parsed.blocks) =
                 (piece.lowering.words, piece.lowering.comments, piece.blocks);
         } else {
+            let words = parsed.words.len();
             parsed.words.extend(piece.lowering.words);
             parsed.comments.extend(piece.lowering.comments);
-            parsed.blocks.extend(piece.blocks.into_iter().map(|block| block.shifted(words, comments)));
+            parsed.blocks.extend(piece.blocks.into_iter().map(|block| block.shifted(words)));
         }
         if let Some(header) = piece.header {
             parsed.program = header.program;
             parsed.title = header.title;
         }
         if let Some(after) = piece.end {
-            // What follows `*` is no program, whatever the pieces after this one hold.
-            layout::check_after_end(file, text, after, end, findings);
+            layout::check_after_end(parsed.file, parsed.source.text(), after, parsed.end, findings);
             parsed.end = after;
-            break;
+            *ended = true;
         }
     }
-    if lowercase {
-        layout::check_case(file, text, parsed.start, parsed.end, findings);
+}
+
+/// The span of the word that begins at `start`, read again: for words that are longer than a [`Word`] can tell.
+pub(super) fn long_word(text: &str, start: u32) -> Span {
+    let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
+    let mut parameters = 0;
+    let mut item: Vec<Token> = Vec::new();
+    for token in tokens(text, start, end) {
+        let parameter = matches!(token.kind, Kind::Parameter | Kind::LooseParameter);
+        parameters += u32::from(parameter);
+        let goes_on = matches!(token.kind, Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals)
+            || (parameter && parameters <= 2);
+        if !goes_on && !item.is_empty() {
+            break;
+        }
+        item.push(token);
     }
-    layout::check_lines(file, source, parsed.start, parsed.end, findings);
-    parsed
+    let mut lowering = Lowering::new(text, FileId(0));
+    let _ = grammar::block().parse_with_state(&item, &mut SimpleState(&mut lowering));
+    // `/` is no word that a value could follow.
+    lowering.first_word.or(item.first().map(|token| token.span())).unwrap_or(Span::empty(start))
 }
 
 /// What stands before the first block.
@@ -97,38 +168,14 @@ struct Header {
     title: Option<Span>,
 }
 
-/// Reads the text from `start` to `end`, a long one in pieces side by side: a block begins wherever a line begins with `N`,
-/// whatever stands before it.
-fn read_pieces<'t>(
-    count: usize,
-    file: FileId,
-    source: &'t SourceText,
-    form: Form,
-    (start, end): (u32, u32),
-) -> Vec<Reader<'t>> {
-    let text = source.text();
-    let read = |(from, to): (u32, u32)| {
-        let mut reader = Reader::new(text, file, form, from == start, (end - from) as usize);
-        reader.read(from, to);
-        reader
-    };
-    if count < 2 {
-        return vec![read((start, end))];
-    }
-    let bounds = piece_bounds(text, start, end, count);
-    // The lines are wanted by what follows; finding them fits beside the reading.
-    let (pieces, _) = rayon::join(|| bounds.into_par_iter().map(read).collect(), || source.lines());
-    pieces
-}
-
 /// Splits a text at lines that begin with `N` into at most `count` pieces of about the same length.
-fn piece_bounds(text: &str, start: u32, end: u32, count: usize) -> Vec<(u32, u32)> {
+fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)> {
     let bytes = text.as_bytes();
-    let count = u32::try_from(count).unwrap_or(1).max(1);
+    let length = (end - start) / count;
     let mut bounds = Vec::new();
     let mut from = start;
     for piece in 1..count {
-        let about = (start + (end - start) / count * piece).max(from) as usize;
+        let about = (start + length * piece).max(from) as usize;
         let next = memchr::memchr2_iter(b'\n', b'\r', bytes.get(about..end as usize).unwrap_or_default())
             .map(|at| about + at + 1)
             .find(|at| matches!(bytes.get(*at), Some(b'N')));
@@ -153,11 +200,9 @@ struct Reader<'t> {
 }
 
 impl<'t> Reader<'t> {
-    /// `length`: of all that may be appended to this piece, in bytes.
-    fn new(text: &'t str, file: FileId, form: Form, first: bool, length: usize) -> Self {
+    fn new(text: &'t str, file: FileId, form: Form, first: bool, length: u32) -> Self {
         let mut lowering = Lowering::new(text, file);
-        // A word has eight characters or so; pages that are not filled cost nothing.
-        lowering.words.reserve(length / 8);
+        lowering.words.reserve(length as usize / 8);
         Self { lowering, blocks: Vec::new(), form, first, header: None, end: None }
     }
 
@@ -222,11 +267,10 @@ impl<'t> Reader<'t> {
         let mut state = SimpleState(lowering);
         for (&from, to) in cuts.iter().zip(ends) {
             let first_word = u32::try_from(state.words.len()).unwrap_or(u32::MAX);
-            let first_comment = u32::try_from(state.comments.len()).unwrap_or(u32::MAX);
             state.flags = BlockFlags::default();
             // Accepts every sequence of tokens, so there is no error to look at.
             let _ = parser.parse_with_state(batch.get(from..to).unwrap_or_default(), &mut state);
-            blocks.push(Block { first_word, first_comment, flags: state.flags });
+            blocks.push(Block { first_word, flags: state.flags });
         }
     }
 
@@ -242,7 +286,8 @@ impl<'t> Reader<'t> {
         let file = self.lowering.file;
         let mut after_program = self.form == Form::Macrocycle;
         let mut program_end = 0;
-        for word in std::mem::take(&mut self.lowering.words) {
+        let words: Vec<Word> = self.lowering.words.drain(..).collect();
+        for word in words {
             let span = word.span(text);
             if word.address == Address::Program {
                 header.program = Some(word);
@@ -327,7 +372,7 @@ mod tests {
             for form in [Form::Program, Form::Macrocycle] {
                 let text = format!("%1 \"title\"\n{body}{end}\n{body}");
                 let source = Arc::new(SourceText::from_text("t.nc", text));
-                let show = |pieces: usize| {
+                let show = |pieces: u32| {
                     let mut findings = Findings::new();
                     let parsed = parse_in(pieces, FileId(0), &source, form, &mut findings);
                     let found: Vec<String> = findings.into_sorted().iter().map(|found| format!("{found:?}")).collect();

@@ -1,4 +1,4 @@
-//! One word of a block, in sixteen bytes.
+//! One word of a block, in twelve bytes.
 
 use super::number::Number;
 use crate::dict::{Address, Decimal};
@@ -9,7 +9,7 @@ use crate::text::Span;
 pub struct Word {
     start: u32,
     raw: i32,
-    len: u16,
+    /// What is said of the value, and from [`LENGTH`] on the length of the word.
     flags: u16,
     /// The address.
     pub address: Address,
@@ -43,18 +43,22 @@ const HUGE: u16 = 1 << 5;
 const PARAMETER: u16 = 1 << 6;
 const FAULTY: u16 = 1 << 7;
 const VOID: u16 = 1 << 8;
+/// The first bit of the length.
+const LENGTH: u32 = 9;
+/// Stands for this length and every longer one.
+const LONG: u16 = (1 << (16 - LENGTH)) - 1;
 
 impl Word {
     /// A word without a value.
     pub fn bare(address: Address, span: Span) -> Self {
-        let len = u16::try_from(span.len()).unwrap_or(u16::MAX);
-        Self { start: span.start, raw: 0, len, flags: VOID, address, index: 0 }
+        let length = u16::try_from(span.len()).unwrap_or(LONG).min(LONG);
+        Self { start: span.start, raw: 0, flags: VOID | length << LENGTH, address, index: 0 }
     }
 
     /// A word with a number.
     pub fn with_number(address: Address, span: Span, number: Number) -> Self {
         let mut word = Self::bare(address, span);
-        word.flags = 0;
+        word.flags &= !VOID;
         for (set, flag) in
             [(number.point, POINT), (number.plus, PLUS), (number.minus, MINUS), (number.rounded, ROUNDED)]
         {
@@ -78,7 +82,8 @@ impl Word {
     /// A word whose value is a parameter.
     pub fn with_parameter(address: Address, span: Span, source: u8, sign: Option<u8>) -> Self {
         let mut word = Self::bare(address, span);
-        word.flags = PARAMETER
+        word.flags &= !VOID;
+        word.flags |= PARAMETER
             | match sign {
                 Some(b'-') => MINUS,
                 Some(_) => PLUS,
@@ -173,6 +178,12 @@ impl Word {
         self.flags & (PARAMETER | FAULTY | VOID) == 0
     }
 
+    /// Whether nothing but digits is the value: no sign, no point, no finding.
+    #[inline]
+    pub const fn is_digits(self) -> bool {
+        self.flags & (POINT | PLUS | MINUS | ROUNDED | PARAMETER | FAULTY | VOID) == 0
+    }
+
     /// First byte.
     pub const fn start(self) -> u32 {
         self.start
@@ -180,24 +191,11 @@ impl Word {
 
     /// Where the whole word stands in `text`.
     pub fn span(self, text: &str) -> Span {
-        if self.len < u16::MAX {
-            return Span::new(self.start, self.start + u32::from(self.len));
+        match self.flags >> LENGTH {
+            // A long run of blanks or digits, or a number in many pieces.
+            LONG => super::parse::long_word(text, self.start),
+            length => Span::new(self.start, self.start + u32::from(length)),
         }
-        // Longer than 16 bits tell: a word with a very long run of blanks or digits.
-        let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
-        let mut end_of_word = self.start;
-        for (count, token) in super::tokens(text, self.start, end).take(4).enumerate() {
-            let belongs = count == 0
-                || matches!(
-                    token.kind,
-                    super::Kind::Number | super::Kind::LooseNumber | super::Kind::Equals | super::Kind::Parameter
-                );
-            if !belongs {
-                break;
-            }
-            end_of_word = token.end;
-        }
-        Span::new(self.start, end_of_word)
     }
 
     /// Where its parts stand in `text`.
@@ -244,4 +242,4 @@ pub struct WordParts {
     pub value: Span,
 }
 
-const _: () = assert!(size_of::<Word>() == 16, "words lie in one arena by the million");
+const _: () = assert!(size_of::<Word>() == 12, "words lie in one arena by the million");
