@@ -35,7 +35,7 @@ fn small() {
         let _ = writeln!(text, "N{block} R1={block}");
     }
     text.push_str("N1000 G70\n");
-    let mut editor = Editor::open(&text);
+    let mut editor = Editor::open(&text, 6);
     println!("1,000 blocks: first findings {:?}", editor.first);
     let waits = (0..300).map(|round| editor.change(450, round)).collect();
     show("findings after a change", waits);
@@ -57,10 +57,12 @@ fn large(blocks: u32) {
     }
     let _ = writeln!(text, "N{blocks} M30");
     println!("{blocks} blocks, {:.1} MB", text.len() as f64 / 1e6);
-    let mut editor = Editor::open(&text);
+    let mut editor = Editor::open(&text, 9);
     drop(text);
     println!("  first findings {:?}, memory {} MB", editor.first, editor.memory_mb());
-    let waits = (0..40).map(|round| editor.change(blocks / 2, round)).collect();
+    // The run over the whole may still go on.
+    std::thread::sleep(Duration::from_secs(2));
+    let waits = (0..200).map(|round| editor.change(blocks / 2, round)).collect();
     show("findings after a change", waits);
     println!("  memory {} MB", editor.memory_mb());
 }
@@ -68,11 +70,14 @@ fn large(blocks: u32) {
 struct Editor {
     client: Client,
     version: i64,
+    /// Where a digit is put into a line.
+    column: u32,
     first: Duration,
 }
 
 impl Editor {
-    fn open(text: &str) -> Self {
+    /// Opens a program, whose changes will be at that column.
+    fn open(text: &str, column: u32) -> Self {
         let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
         let document = json!({ "uri": URI, "languageId": "cnc872", "version": 0, "text": text });
         let message =
@@ -82,15 +87,16 @@ impl Editor {
         client.write(format!("Content-Length: {}\r\n\r\n", content.len()).as_bytes());
         client.write(content.as_bytes());
         client.findings(URI, Some(0));
-        Self { client, version: 0, first: begun.elapsed() }
+        Self { client, version: 0, column, first: begun.elapsed() }
     }
 
     /// Changes a digit of a block, and waits for the findings.
     fn change(&mut self, line: u32, round: u32) -> Duration {
         self.version += 1;
-        let column = 1;
+        // Behind the first digit of the last word.
+        let column = self.column;
         let from = json!({ "line": line, "character": column });
-        // A digit more in the number of the block, and away again.
+        // A digit more, and away again.
         let (to, text) = if round.is_multiple_of(2) { (column, "9") } else { (column + 1, "") };
         let range = json!({ "start": from, "end": { "line": line, "character": to } });
         let document = json!({ "uri": URI, "version": self.version });

@@ -15,7 +15,7 @@ use crate::session::{Outcome, Session};
 use crate::text::{Loader, Sources};
 
 /// Findings that need no execution are shown after this time, when execution takes longer.
-const PATIENCE: Duration = Duration::from_millis(200);
+const PATIENCE: Duration = Duration::from_millis(400);
 
 /// What is known of a program or macrocycle before it is executed. The document itself is file 0.
 #[derive(Debug)]
