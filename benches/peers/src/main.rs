@@ -64,24 +64,25 @@ fn main() -> ExitCode {
         ("async-gcode", Box::new(|| parse_with_async_gcode(&short_numbers))),
     ];
     let mut times: Vec<Vec<Duration>> = vec![Vec::new(); timed.len()];
+    let mut read = Vec::new();
     let mut work: Vec<Vec<Duration>> = vec![Vec::new(); timed.len()];
     // In turns, so that what else the computer does meets all of them.
     for _ in 0..runs {
         for (((_, run), times), work) in timed.iter().zip(&mut times).zip(&mut work) {
             let (begin, worked) = (Instant::now(), processor_time());
-            black_box(run());
+            read.push(black_box(run()));
             times.push(begin.elapsed());
             work.extend(processor_time().zip(worked).map(|(after, before)| after - before));
         }
     }
     let mut fastest = None;
-    for (((name, _), times), work) in timed.iter().zip(&mut times).zip(&work) {
+    for ((((name, _), times), work), read) in timed.iter().zip(&mut times).zip(&work).zip(read) {
         times.sort_unstable();
         let (Some(least), Some(median)) = (times.first(), times.get(times.len() / 2)) else { continue };
         let first: Duration = *fastest.get_or_insert(*least);
         let work = work.iter().min().map_or(String::new(), |work| format!("   processors {:>5} ms", work.as_millis()));
         println!(
-            "{name:<26} least {:>7.1} ms   median {:>7.1} ms   least ×{:.2}{work}",
+            "{name:<26} least {:>7.1} ms   median {:>7.1} ms   least ×{:.2}{work}   read {read}",
             least.as_secs_f64() * 1e3,
             median.as_secs_f64() * 1e3,
             least.as_secs_f64() / first.as_secs_f64(),
