@@ -162,7 +162,10 @@ impl Server {
         let source = SourceText::from_text(path.to_string_lossy(), document.text);
         let opened = Document { uri: document.uri, version: document.version, source: Arc::new(source) };
         self.files.open_mut().insert(path.clone(), opened);
-        self.roots.entry(path.clone()).or_default().touch(true);
+        let root = self.roots.entry(path.clone()).or_default();
+        root.touch(true);
+        // Whoever opens a document asks about it.
+        root.unasked = false;
         self.changed(&path, true);
         Ok(())
     }

@@ -45,3 +45,21 @@ pub(super) fn panic_message(panic: &(dyn std::any::Any + Send)) -> String {
 pub(super) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(work)).map_err(|panic| panic_message(panic.as_ref()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A panic ends its job; the thread takes the next one, and whoever guards a piece of work hears what happened.
+    #[test]
+    fn a_panic_ends_its_job_only() {
+        let workers = Workers::new("test", 1).unwrap();
+        let (into, out) = unbounded();
+        workers.run(|| panic!("in a job"));
+        let last = into.clone();
+        workers.run(move || into.send(guarded(|| -> u8 { panic!("in {}", "an answer") })).unwrap());
+        workers.run(move || last.send(guarded(|| 7)).unwrap());
+        assert_eq!(out.recv().unwrap(), Err("in an answer".to_owned()));
+        assert_eq!(out.recv().unwrap(), Ok(7));
+    }
+}
