@@ -29,6 +29,7 @@ impl Subject<'_> {
         let Some(observed) = observation.of(block) else { return };
         let n = self.file.shown_number(block);
         let mut title = match observed.runs {
+            0 if observation.end.is_none() => Said::RunsUnknown { n },
             0 => Said::NeverRuns { n },
             runs => Said::Runs { n, runs: count(runs) },
         }

@@ -36,21 +36,22 @@ bilingual! {
         Always "always taken", "provede se vždy";
 
         Runs { n: u32, runs: String } "N{n} runs {runs}×", "blok N{n} se provede {runs}×";
+        RunsUnknown { n: u32 } "how often N{n} runs is not known", "kolikrát se provede blok N{n}, není známo";
         NeverRuns { n: u32 } "N{n} never runs", "blok N{n} se neprovede";
         Cut { most: String } "within the first {most} executed blocks", "v prvních {most} provedených blocích";
-        NoFurther { last: u32 } "execution ends in N{last}: it cannot go on there", "provádění končí v bloku N{last}, dál pokračovat nelze";
+        NoFurther { last: u32 } "execution can be followed up to N{last} only", "průběh lze sledovat jen po blok N{last}";
         InProgram { file: String } "in program {file}", "v programu {file}";
-        HasErrors "not executed: the program has errors", "neprovádí se: program obsahuje chyby";
+        HasErrors "not executed: the program or its configuration has errors", "neprovádí se: program nebo jeho konfigurace obsahuje chyby";
         NoProgram "no open program calls this macrocycle: nothing is known of its execution", "žádný otevřený program tento makrocyklus nevolá: o průběhu není nic známo";
         Position "position after the block", "poloha po bloku";
-        Unknown "unknown", "není známa";
+        Unknown "unknown", "neznámá";
         Length "length of the motion", "délka pohybu";
         DwellTime "dwell", "prodleva";
         Taken "jump taken", "skok se provede";
         GInForce "G functions in force", "platné funkce G";
         MInForce "M functions after the block", "funkce M po bloku";
         Technology "technology", "technologie";
-        Before { r: u8 } "R{r} before the block, as its words read it", "R{r} před blokem, jak jej čtou jeho slova";
+        Before { r: u8 } "R{r} before the block, as its words read it", "R{r} před blokem (tu hodnotu čtou jeho slova)";
         After { r: u8 } "R{r} after the block", "R{r} po bloku";
         Here "value of the word", "hodnota slova";
         Axes "axes", "osy";

@@ -84,11 +84,8 @@ impl Hinter<'_> {
         let Some(observed) = self.observation.of(block) else { return Vec::new() };
         let mut hints = self.values(block, observed);
         if let Some(flow) = Flow::of(self.analysis, self.file, block) {
-            let hint = if flow.code == GCode::G79 {
-                Some(self.called(&flow, observed))
-            } else {
-                self.jump(block, &flow, observed)
-            };
+            let hint =
+                if flow.code == GCode::G79 { self.called(&flow, observed) } else { self.jump(block, &flow, observed) };
             hints.extend(hint);
         }
         hints
@@ -108,13 +105,14 @@ impl Hinter<'_> {
         self.file.words(block).iter().filter_map(hint).collect()
     }
 
-    /// `called 2×` after the entry of a unit.
-    fn called(&self, flow: &Flow, observed: &Observed) -> Hint {
-        Hint {
+    /// `called 2×` after the entry of a unit; nothing when execution could not be followed that far.
+    fn called(&self, flow: &Flow, observed: &Observed) -> Option<Hint> {
+        let known = observed.runs > 0 || self.observation.end.is_some();
+        known.then(|| Hint {
             at: flow.end(self.file.source.text()),
             label: Said::Called { runs: self.least(observed.runs) }.text(self.lang),
             tooltip: Said::HintCalled.text(self.lang),
-        }
+        })
     }
 
     /// `×4` after a jump with a counter: backward, how often its stretch runs in a row; forward, how often it is taken.
@@ -141,6 +139,6 @@ impl Hinter<'_> {
     /// A count, which may be higher when not all was executed.
     fn least(&self, number: u64) -> String {
         let number = count(number);
-        if self.observation.is_cut() { format!("≥ {number}") } else { number }
+        if self.observation.end.is_none() { format!("≥ {number}") } else { number }
     }
 }

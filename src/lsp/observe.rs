@@ -12,7 +12,7 @@ use crate::config::Machine;
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS};
 use crate::expand::{Executor, Stop};
 use crate::ir::{BlockRecord, Micro, MotionType};
-use crate::resolve::{ControlWord, FileIndex, control_word};
+use crate::resolve::{ControlWord, FileIndex, Library, control_word};
 use crate::session::Session;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::Loader;
@@ -106,10 +106,23 @@ pub(super) fn executing<'a>(snapshot: &'a Snapshot, analysis: &'a Analysis) -> O
     }
     let others = snapshot.analyses.iter().map(AsRef::as_ref);
     others.filter(|other| other.executable && other.path != analysis.path).find(|other| {
+        if is_cycle_of(other, analysis) {
+            return true;
+        }
         let source = other.sources.iter().find(|(_, source)| is(other, source.name(), analysis));
         source.is_some_and(|(_, source)| {
             analysis.resolved.file(DOCUMENT).is_some_and(|file| file.source.text() == source.text())
         })
+    })
+}
+
+/// Whether a fixed cycle calls the document in the program of an analysis: execution alone tells when.
+fn is_cycle_of(program: &Analysis, document: &Analysis) -> bool {
+    let number = Library::number(&document.path);
+    let mapped = program.settings.machine.cycles.values().find(|l| Some(**l) == number);
+    mapped.is_some_and(|l| {
+        let found = program.session().library(&program.path).find(*l);
+        found.is_ok_and(|path| program.files.canonical(&path) == document.path)
     })
 }
 

@@ -130,7 +130,7 @@ X10,5
 {
   "contents": {
     "kind": "plaintext",
-    "value": "X 10.5 mm: 1st axis\nlinear axis; holds until changed\n\nnot executed: the program has errors"
+    "value": "X 10.5 mm: 1st axis\nlinear axis; holds until changed\n\nnot executed: the program or its configuration has errors"
   },
   "range": {
     "end": {

@@ -48,7 +48,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`M06`** výměna nástroje\n\nskupina 9 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N10 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
+    "value": "**`M06`** výměna nástroje\n\nskupina 9 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N10 se provede 1×**\n\n- poloha po bloku: neznámá\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
   },
   "range": {
     "end": {
@@ -66,7 +66,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**blok N10 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
+    "value": "**blok N10 se provede 1×**\n\n- poloha po bloku: neznámá\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
   }
 }
 === request textDocument/hover part.nc@S
@@ -74,7 +74,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`S 2000 ot/min`** otáčky vřetena za minutu\n\nplatí do změny\n\n---\n\n**blok N20 se provede 1×**\n\n- poloha po bloku: není známa\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: S 2000 ot/min; T7"
+    "value": "**`S 2000 ot/min`** otáčky vřetena za minutu\n\nplatí do změny\n\n---\n\n**blok N20 se provede 1×**\n\n- poloha po bloku: neznámá\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -128,7 +128,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`X -R10`** 1. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem, jak jej čtou jeho slova: 5, 8, 11\n- hodnota slova: -5, -8, -11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
+    "value": "**`X -R10`** 1. osa\n\nlineární osa; platí do změny\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem (tu hodnotu čtou jeho slova): 5, 8, 11\n- hodnota slova: -5, -8, -11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -146,7 +146,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`G73`** skok na blok téhož programového celku\n\nskupina G7: volání a skoky; platí jen ve svém bloku\n\nskok na blok N50; bloky N50–N60 se provedou 4× za sebou\n\n- cíl: `N50 G71 L10`\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem, jak jej čtou jeho slova: 5, 8, 11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
+    "value": "**`G73`** skok na blok téhož programového celku\n\nskupina G7: volání a skoky; platí jen ve svém bloku\n\nskok na blok N50; bloky N50–N60 se provedou 4× za sebou\n\n- cíl: `N50 G71 L10`\n\n---\n\n**blok N60 se provede 12×**\n\n- R10 před blokem (tu hodnotu čtou jeho slova): 5, 8, 11\n- poloha po bloku: X -5, -10, -15, -20, … (min -44, max -5) mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 5, 8, 11 mm\n- skok se provede: 9×\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G73 G80 G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
