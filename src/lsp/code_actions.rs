@@ -1,5 +1,7 @@
 //! What the editor may do for the user: fix findings, one or all, and renumber the blocks.
 
+use std::sync::Arc;
+
 use gen_lsp_types::{
     CodeAction, CodeActionContext, CodeActionDisabled, CodeActionKind, CodeActionParams, CodeActionResponse,
     CodeActionTriggerKind,
@@ -15,8 +17,11 @@ use super::places::{Places, span};
 use super::renumber::renumber;
 use super::requests::{Answer, Refusal, Snapshot};
 use crate::diag::{Reported, compatible_edits};
+use crate::session::Session;
 use crate::text::{FileId, SourceText, Span};
 
+/// Most rounds of fixes: each mends what the one before brought to light.
+const MOST_ROUNDS: usize = 16;
 /// The fixes of a file together.
 pub(super) const FIX_ALL: &str = "source.fixAll.cnc872c";
 /// New numbers for the blocks.
@@ -88,6 +93,32 @@ impl Wanted<'_> {
     }
 }
 
+/// `text` after edits that do not overlap, in the order of the text.
+fn edited(text: &str, edits: &[(Span, &str)]) -> String {
+    let mut result = String::with_capacity(text.len());
+    let mut done = 0;
+    for (span, with) in edits {
+        result.push_str(text.get(done..span.start as usize).unwrap_or_default());
+        result.push_str(with);
+        done = span.end as usize;
+    }
+    result.push_str(text.get(done..).unwrap_or_default());
+    result
+}
+
+/// Where `now` differs from `before`, from the first to the last line that does, and what stands there.
+fn difference<'t>(before: &'t str, now: &'t str) -> (Span, &'t str) {
+    let lines = |text: &'t str| text.split_inclusive('\n');
+    let same = |(a, b): &(&str, &str)| a == b;
+    let start: usize = lines(before).zip(lines(now)).take_while(same).map(|(line, _)| line.len()).sum();
+    let backward = lines(before).rev().zip(lines(now).rev());
+    let behind: usize = backward.take_while(same).map(|(line, _)| line.len()).sum();
+    let behind = behind.min(before.len().min(now.len()) - start);
+    let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+    let span = Span::new(place(start), place(before.len() - behind));
+    (span, now.get(start..now.len() - behind).unwrap_or_default())
+}
+
 /// The fixable findings of the document.
 struct OfDocument<'a> {
     snapshot: &'a Snapshot,
@@ -140,19 +171,49 @@ impl<'a> OfDocument<'a> {
         actions
     }
 
-    /// All fixes that can be applied together, of several of one finding the first.
+    /// All fixes, of several of one finding the first. Fixes that overlap others wait for a next round, as in `check --fix`.
     fn fix_all(&self) -> Option<CodeAction> {
         let fixes = self.items().filter_map(|item| item.diagnostic.fixes.first());
         let edits: Vec<(Span, &str)> = compatible_edits(self.source, self.file?, fixes).collect();
         if edits.is_empty() {
             return None;
         }
+        let once = edited(self.source.text(), &edits);
+        let fixed = self.next_rounds(&once);
+        let edit = if fixed == once {
+            document_edit(self.snapshot, self.analysis, self.source, edits.into_iter())
+        } else {
+            let (span, text) = difference(self.source.text(), &fixed);
+            document_edit(self.snapshot, self.analysis, self.source, [(span, text)].into_iter())
+        };
         Some(CodeAction {
             title: EditText::FixAll.text(self.snapshot.client.lang()),
             kind: Some(CodeActionKind::Custom(FIX_ALL.into())),
-            edit: document_edit(self.snapshot, self.analysis, self.source, edits.into_iter()),
+            edit,
             ..CodeAction::default()
         })
+    }
+
+    /// The text after further rounds of fixes.
+    fn next_rounds(&self, once: &str) -> String {
+        let Analysis { path, settings, .. } = self.analysis;
+        let name = self.source.name();
+        let mut files = self.analysis.files.clone();
+        let mut now = once.to_owned();
+        for _ in 1..MOST_ROUNDS {
+            let Some(document) = files.open_mut().get_mut(path) else { break };
+            let source = Arc::new(SourceText::from_text(name, now.as_str()));
+            document.source = Arc::clone(&source);
+            let outcome = Session { loader: &files, settings, progress: None }.check(path, name);
+            let shown = outcome.findings.items().iter().filter(|item| settings.severity(item.code()).is_some());
+            let fixes = shown.filter(|item| item.file() == FileId(0)).filter_map(|item| item.fixes.first());
+            let edits: Vec<(Span, &str)> = compatible_edits(&source, FileId(0), fixes).collect();
+            if edits.is_empty() {
+                break;
+            }
+            now = edited(&now, &edits);
+        }
+        now
     }
 }
 

@@ -1,5 +1,5 @@
 //! Changes that the server offers for every sample: renumbering keeps what the program does, fixing all is what `check
-//! --fix` does in one round.
+//! --fix` does.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -273,23 +273,30 @@ fn renumbering_keeps_what_the_program_does() {
 }
 
 #[test]
-fn fixing_all_is_a_round_of_check_fix() {
+fn fixing_all_is_check_fix() {
     let mut server = Server::start();
     let mut fixed = 0;
     for sample in Sample::all() {
-        let run = sample.run(&sample.text, false);
-        let source = SourceText::from_text("", sample.text.clone());
-        let own = run.report.sources().find(&sample.file);
-        let items = run.report.items().filter(|item| Some(item.diagnostic.at.file) == own);
-        let fixes = items.filter_map(|item| item.diagnostic.fixes.first());
-        let expected = apply_fixes(&source, own.unwrap_or_default(), sample.text.as_bytes(), fixes);
+        let mut expected = sample.text.clone();
+        for _ in 0..16 {
+            let run = sample.run(&expected, false);
+            let source = SourceText::from_text("", expected.clone());
+            let own = run.report.sources().find(&sample.file);
+            let items = run.report.items().filter(|item| Some(item.diagnostic.at.file) == own);
+            let fixes = items.filter_map(|item| item.diagnostic.fixes.first());
+            let fixed = apply_fixes(&source, own.unwrap_or_default(), expected.as_bytes(), fixes);
+            if fixed.count == 0 {
+                break;
+            }
+            expected = String::from_utf8(fixed.bytes).unwrap();
+        }
         server.open(&sample);
         match server.action(&sample, "source.fixAll") {
             Some(action) => {
                 fixed += 1;
-                assert_eq!(edited(&sample, &action).into_bytes(), expected.bytes, "{}", sample.file);
+                assert_eq!(edited(&sample, &action), expected, "{}", sample.file);
             }
-            None => assert_eq!(expected.count, 0, "{}", sample.file),
+            None => assert_eq!(sample.text, expected, "{}", sample.file),
         }
         server.close(&sample);
     }
