@@ -12,7 +12,7 @@ use crate::config::Machine;
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS};
 use crate::expand::{Executor, Stop};
 use crate::ir::{BlockRecord, Micro, MotionType};
-use crate::resolve::{ControlWord, FileIndex, Library, control_word};
+use crate::resolve::{ControlWord, FileIndex, Library, control_word, g_code};
 use crate::session::Session;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::Loader;
@@ -321,10 +321,7 @@ fn feed_unit(record: &BlockRecord, machine: &Machine) -> FeedUnit {
 
 /// The G functions that a block writes out.
 pub(super) fn g_functions(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = (GCode, Word)> + '_ {
-    file.words(block).iter().filter(|word| word.address == Address::G).filter_map(|word| {
-        let number = word.whole().and_then(|number| u8::try_from(number).ok())?;
-        Some((GCode::from_number(number)?, *word))
-    })
+    file.words(block).iter().filter_map(|word| Some((g_code(*word)?, *word)))
 }
 
 /// The control word that an R word of a block is (PAR-7), when G26–G29 and the word are written out.
