@@ -4,7 +4,7 @@
 //! item and the words around it stay what they are. `grammar/part-program.ebnf` shows the well-formed part.
 
 use chumsky::extra;
-use chumsky::input::MapExtra;
+use chumsky::input::{InputRef, MapExtra};
 use chumsky::inspector::SimpleState;
 use chumsky::prelude::*;
 
@@ -62,10 +62,13 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
             tokens.map(|tokens| tokens.into_iter().filter(|token| token.kind == Kind::Comment).collect::<Vec<_>>())
         });
 
-    let plain = any()
-        .filter(|token: &Token| token.kind == Kind::Word)
-        .then_ignore(number.not())
-        .map_with(|word, extra: &mut MapExtra<'t, '_, &'t [Token], Extra<'x, 'l>>| extra.state().0.plain_word(word));
+    let well_formed = custom(|input: &mut InputRef<'t, '_, &'t [Token], Extra<'x, 'l>>| {
+        let here = input.cursor();
+        let tokens = input.slice_from(&here..);
+        let count = well_formed(tokens, input.state().0);
+        (0..count).for_each(|_| input.skip());
+        if count == 0 { Err(EmptyErr::default()) } else { Ok(()) }
+    });
     let word = any()
         .filter(|token: &Token| matches!(token.kind, Kind::Word | Kind::LooseWord))
         .then(pieces)
@@ -131,7 +134,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .foldl(text_token.repeated(), |(first, _), last| (first, last))
         .map(|(first, last)| Item::Text { first, last });
 
-    let rest = choice((
+    let odd = choice((
         comment,
         word,
         copy,
@@ -147,10 +150,33 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         text,
         any().map(Item::Debris),
     ));
-    let rest = rest.map_with(|item, extra: &mut MapExtra<'t, '_, &'t [Token], Extra<'x, 'l>>| {
+    let odd = odd.map_with(|item, extra: &mut MapExtra<'t, '_, &'t [Token], Extra<'x, 'l>>| {
         extra.state().0.accept(item);
     });
-    let item = choice((plain, one(Kind::LineEnd).ignored(), rest));
+    // At the end of the block, none of them has to be tried.
+    let odd = any().rewind().ignore_then(odd);
+    let item = choice((well_formed, odd));
     // A fold, because a bare `repeated()` would not look at what the items are.
     empty().foldl(item.repeated(), |(), ()| ())
+}
+
+/// Takes the well-formed words and line ends at the beginning of `tokens`, nearly everything there is: in one step,
+/// because a step for each would be the larger part of all reading. Gives the number of tokens taken.
+fn well_formed(tokens: &[Token], lowering: &mut Lowering<'_>) -> usize {
+    let mut tokens_left = tokens.iter().peekable();
+    let mut taken = 0;
+    while let Some(token) = tokens_left.next() {
+        match token.kind {
+            // A number behind it belongs to it, or is meant to.
+            Kind::Word
+                if !tokens_left.peek().is_some_and(|next| matches!(next.kind, Kind::Number | Kind::LooseNumber)) =>
+            {
+                lowering.plain_word(*token);
+            }
+            Kind::LineEnd => {}
+            _ => break,
+        }
+        taken += 1;
+    }
+    taken
 }

@@ -22,6 +22,7 @@ const HUGE: i64 = 1_000_000_000;
 
 impl Number {
     /// Reads `[+-]digits[.digits]`; `None` when it is anything else or has no digit.
+    #[inline]
     pub fn parse(text: &[u8]) -> Option<Self> {
         let mut number = Self::default();
         let mut rest = text;
@@ -30,45 +31,50 @@ impl Number {
             Some((b'+', after)) => (number.plus, rest) = (true, after),
             _ => {}
         }
-        let mut whole: i64 = 0;
-        let mut thousandths: i64 = 0;
-        let mut digits = 0_usize;
-        let mut decimals = 0_usize;
-        let (mut round_up, mut dropped) = (false, false);
-        for &byte in rest {
-            match byte {
-                b'0'..=b'9' => {
-                    let digit = i64::from(byte - b'0');
-                    digits += 1;
-                    if !number.point {
-                        whole = (whole * 10 + digit).min(HUGE);
-                    } else {
-                        match decimals {
-                            0..3 => thousandths = thousandths * 10 + digit,
-                            3 => {
-                                round_up = digit >= 5;
-                                dropped = digit != 0;
-                            }
-                            _ => dropped |= digit != 0,
-                        }
-                        decimals += 1;
-                    }
-                }
-                b'.' if !number.point => number.point = true,
-                _ => return None,
-            }
+        let (whole, after) = leading_digits(rest);
+        let mut decimals: &[u8] = &[];
+        match after.split_first() {
+            None => {}
+            Some((b'.', after)) => (number.point, decimals) = (true, after),
+            Some(_) => return None,
         }
-        if digits == 0 {
+        if after.len() == rest.len() && decimals.is_empty() {
             return None;
         }
-        for _ in decimals..3 {
-            thousandths *= 10;
+        let (first, rest) = decimals.split_at(decimals.len().min(3));
+        let (fraction, after) = leading_digits(first);
+        if !after.is_empty() {
+            return None;
         }
-        let magnitude = whole * 1000 + thousandths + i64::from(round_up);
-        number.rounded = dropped;
+        let mut magnitude = whole * 1000
+            + match first.len() {
+                0 => 0,
+                1 => fraction * 100,
+                2 => fraction * 10,
+                _ => fraction,
+            };
+        if let Some(next) = rest.first() {
+            if !rest.iter().all(u8::is_ascii_digit) {
+                return None;
+            }
+            magnitude += i64::from(*next >= b'5');
+            number.rounded = rest.iter().any(|digit| *digit != b'0');
+        }
         number.value = Decimal::from_thousandths(if number.minus { -magnitude } else { magnitude });
         Some(number)
     }
+}
+
+/// The value of the digits that `text` begins with, at most [`HUGE`], and what comes after them.
+#[inline]
+fn leading_digits(text: &[u8]) -> (i64, &[u8]) {
+    let mut value = 0;
+    let mut rest = text;
+    while let [byte @ b'0'..=b'9', after @ ..] = rest {
+        value = (value * 10 + i64::from(byte - b'0')).min(HUGE);
+        rest = after;
+    }
+    (value, rest)
 }
 
 #[cfg(test)]
