@@ -166,7 +166,7 @@ impl<'t> Lowering<'t> {
 
     /// Adds a word, which stands at `span`, to the block, noting what later stages ask of every block.
     #[inline]
-    fn push(&mut self, word: Word, span: Span) {
+    pub(super) fn push(&mut self, word: Word, span: Span) {
         self.first_word.get_or_insert(span);
         let speaks_of_flow = matches!(
             word.address,

@@ -9,6 +9,7 @@ mod layout;
 mod lower;
 mod number;
 mod parse;
+mod plain;
 mod token;
 mod word;
 

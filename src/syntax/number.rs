@@ -22,46 +22,55 @@ const HUGE: i64 = 1_000_000_000;
 
 impl Number {
     /// Reads `[+-]digits[.digits]`; `None` when it is anything else or has no digit.
-    #[inline]
     pub fn parse(text: &[u8]) -> Option<Self> {
+        Self::leading(text).filter(|(_, rest)| rest.is_empty()).map(|(number, _)| number)
+    }
+
+    /// Reads the number that `text` begins with, and gives what comes after it; `None` when there is no digit.
+    #[inline]
+    pub fn leading(text: &[u8]) -> Option<(Self, &[u8])> {
         let mut number = Self::default();
-        let mut rest = text;
-        match rest.split_first() {
-            Some((b'-', after)) => (number.minus, rest) = (true, after),
-            Some((b'+', after)) => (number.plus, rest) = (true, after),
-            _ => {}
-        }
-        let (whole, after) = leading_digits(rest);
-        let mut decimals: &[u8] = &[];
-        match after.split_first() {
-            None => {}
-            Some((b'.', after)) => (number.point, decimals) = (true, after),
-            Some(_) => return None,
-        }
-        if after.len() == rest.len() && decimals.is_empty() {
-            return None;
-        }
-        let (first, rest) = decimals.split_at(decimals.len().min(3));
-        let (fraction, after) = leading_digits(first);
-        if !after.is_empty() {
-            return None;
-        }
-        let mut magnitude = whole * 1000
-            + match first.len() {
+        let unsigned = match text {
+            [b'-', after @ ..] => {
+                number.minus = true;
+                after
+            }
+            [b'+', after @ ..] => {
+                number.plus = true;
+                after
+            }
+            _ => text,
+        };
+        let (whole, mut rest) = leading_digits(unsigned);
+        let has_whole = rest.len() < unsigned.len();
+        let mut magnitude = whole * 1000;
+        if let [b'.', decimals @ ..] = rest {
+            number.point = true;
+            let first = decimals.get(..3).unwrap_or(decimals);
+            let (fraction, not_digits) = leading_digits(first);
+            let count = first.len() - not_digits.len();
+            if !has_whole && count == 0 {
+                return None;
+            }
+            magnitude += match count {
                 0 => 0,
                 1 => fraction * 100,
                 2 => fraction * 10,
                 _ => fraction,
             };
-        if let Some(next) = rest.first() {
-            if !rest.iter().all(u8::is_ascii_digit) {
-                return None;
+            rest = decimals.get(count..).unwrap_or_default();
+            if let (3, [digit @ b'0'..=b'9', ..]) = (count, rest) {
+                magnitude += i64::from(*digit >= b'5');
+                let more = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+                let (dropped, after) = rest.split_at(more);
+                number.rounded = dropped.iter().any(|digit| *digit != b'0');
+                rest = after;
             }
-            magnitude += i64::from(*next >= b'5');
-            number.rounded = rest.iter().any(|digit| *digit != b'0');
+        } else if !has_whole {
+            return None;
         }
         number.value = Decimal::from_thousandths(if number.minus { -magnitude } else { magnitude });
-        Some(number)
+        Some((number, rest))
     }
 }
 

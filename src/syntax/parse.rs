@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::file::Block;
 use super::lower::Lowering;
-use super::{BlockFlags, Kind, ParsedFile, Token, Word, file, grammar, layout, tokens};
+use super::{BlockFlags, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
 use crate::diag::{Diagnostic, Finding, Findings};
 use crate::dict::Address;
 use crate::text::{FileId, Location, SourceText, Span};
@@ -29,7 +29,7 @@ const BATCH: usize = 1 << 10;
 pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
     let alone = source.len() < LONG || rayon::current_num_threads() == 1;
     let pieces = if alone { 1 } else { source.len() / PIECE };
-    parse_in(pieces, file, source, form, findings)
+    parse_in(pieces, true, file, source, form, findings)
 }
 
 /// Texts below this many bytes are read in one piece: two threads would not be done sooner.
@@ -40,7 +40,15 @@ const PIECE: u32 = 1 << 17;
 /// what is together.
 const AT_ONCE: usize = 16;
 
-fn parse_in(pieces: u32, file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
+/// Parses in so many pieces, and, unless it is to be compared, takes the short way through plain blocks.
+fn parse_in(
+    pieces: u32,
+    short_way: bool,
+    file: FileId,
+    source: &Arc<SourceText>,
+    form: Form,
+    findings: &mut Findings,
+) -> ParsedFile {
     let text = source.text();
     let end = layout::end_of_text(text);
     let at = |span: Span| Location { file, span };
@@ -57,7 +65,7 @@ fn parse_in(pieces: u32, file: FileId, source: &Arc<SourceText>, form: Form, fin
     let start = start.min(end);
     let read = |(from, to): (u32, u32)| {
         let mut reader = Reader::new(text, file, form, from == start, to - from);
-        reader.read(from, to);
+        reader.read(from, to, short_way);
         reader
     };
     let parsed = ParsedFile {
@@ -98,7 +106,7 @@ struct Whole<'f> {
 }
 
 impl Whole<'_> {
-    /// Reads pieces on all cores. A block begins wherever a line begins with `N`, whatever stands before it.
+    /// Reads pieces on all cores.
     fn read_side_by_side<'t>(&mut self, bounds: &[(u32, u32)], read: impl Fn((u32, u32)) -> Reader<'t> + Sync) {
         let mut done: Vec<Reader<'t>> = Vec::new();
         for some in bounds.chunks(AT_ONCE) {
@@ -119,7 +127,8 @@ impl Whole<'_> {
         let Self { parsed, findings, lowercase, ended } = self;
         *lowercase |= piece.lowering.lowercase;
         findings.append(piece.lowering.findings);
-        if parsed.blocks.is_empty() && parsed.words.capacity() < piece.lowering.words.len() {
+        let empty = parsed.blocks.is_empty() && parsed.comments.is_empty();
+        if empty && parsed.words.capacity() < piece.lowering.words.len() {
             (parsed.words, parsed.comments, parsed.blocks) =
                 (piece.lowering.words, piece.lowering.comments, piece.blocks);
         } else {
@@ -168,7 +177,7 @@ struct Header {
     title: Option<Span>,
 }
 
-/// Splits a text at lines that begin with `N` into at most `count` pieces of about the same length.
+/// Splits a text at lines where a block begins into at most `count` pieces of about the same length.
 fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)> {
     let bytes = text.as_bytes();
     let length = (end - start) / count;
@@ -178,7 +187,7 @@ fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)>
         let about = (start + length * piece).max(from) as usize;
         let next = memchr::memchr2_iter(b'\n', b'\r', bytes.get(about..end as usize).unwrap_or_default())
             .map(|at| about + at + 1)
-            .find(|at| matches!(bytes.get(*at), Some(b'N')));
+            .find(|at| plain::block_begins(bytes, *at));
         let Some(next) = next.and_then(|next| u32::try_from(next).ok()).filter(|next| *next < end) else { break };
         bounds.push((from, next));
         from = next;
@@ -194,25 +203,59 @@ struct Reader<'t> {
     form: Form,
     /// The piece begins the file.
     first: bool,
+    /// A `%` was met, or stands in another piece.
+    program_seen: bool,
     header: Option<Header>,
     /// Where `*` ends the program, when it stands in this piece.
     end: Option<u32>,
+    /// Tokens that are being gathered, and where blocks begin among them: kept for their memory.
+    batch: Vec<Token>,
+    cuts: Vec<usize>,
 }
 
 impl<'t> Reader<'t> {
     fn new(text: &'t str, file: FileId, form: Form, first: bool, length: u32) -> Self {
         let mut lowering = Lowering::new(text, file);
         lowering.words.reserve(length as usize / 8);
-        Self { lowering, blocks: Vec::new(), form, first, header: None, end: None }
+        Self {
+            lowering,
+            blocks: Vec::new(),
+            form,
+            first,
+            program_seen: !first,
+            header: None,
+            end: None,
+            batch: Vec::new(),
+            cuts: Vec::new(),
+        }
     }
 
-    /// Reads the tokens from `start` to `end`.
-    fn read(&mut self, start: u32, end: u32) {
+    /// Reads what stands from `start` to `end`.
+    fn read(&mut self, start: u32, end: u32, short_way: bool) {
+        let mut at = start;
+        // What stands before the first block goes by tokens.
+        if !self.first && short_way {
+            at = plain::plain_blocks(&mut self.lowering, &mut self.blocks, at, end);
+        }
+        loop {
+            at = self.read_tokens(at, end, short_way);
+            if at >= end {
+                return;
+            }
+            at = plain::plain_blocks(&mut self.lowering, &mut self.blocks, at, end);
+        }
+    }
+
+    /// Reads tokens from `start` on, to `end` or, when a short way may be taken, to a line where a block begins. Gives
+    /// where it stopped.
+    fn read_tokens(&mut self, start: u32, end: u32, short_way: bool) -> u32 {
         let text = self.lowering.text;
-        let bytes = text.as_bytes();
-        let mut batch: Vec<Token> = Vec::with_capacity(BATCH.min((end - start) as usize / 2 + 64));
-        let mut cuts: Vec<usize> = Vec::new();
-        let mut program_seen = !self.first;
+        let bytes = text.as_bytes().get(..end as usize).unwrap_or_default();
+        let mut batch = std::mem::take(&mut self.batch);
+        batch.clear();
+        let mut cuts = std::mem::take(&mut self.cuts);
+        cuts.clear();
+        let mut stopped = end;
         for token in tokens(text, start, end) {
             if token.kind == Kind::End {
                 self.end = Some(token.end);
@@ -231,16 +274,22 @@ impl<'t> Reader<'t> {
                     }
                     cuts.push(batch.len());
                 }
-                Some(b'%') if program_seen || (self.form == Form::Macrocycle && !self.before_blocks(&cuts)) => {
+                Some(b'%') if self.program_seen || (self.form == Form::Macrocycle && !self.before_blocks(&cuts)) => {
                     self.second_program_start(token);
                     continue;
                 }
-                Some(b'%') => program_seen = true,
+                Some(b'%') => self.program_seen = true,
                 _ => {}
             }
             batch.push(token);
+            if short_way && token.kind == Kind::LineEnd && plain::block_begins(bytes, token.end as usize) {
+                stopped = token.end;
+                break;
+            }
         }
         self.parse_batch(&batch, &cuts);
+        (self.batch, self.cuts) = (batch, cuts);
+        stopped
     }
 
     fn before_blocks(&self, cuts: &[usize]) -> bool {
@@ -314,6 +363,8 @@ impl<'t> Reader<'t> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     fn codes(text: &str) -> Vec<(String, String)> {
@@ -363,26 +414,127 @@ mod tests {
         one("NR1 X5", "E0511", "NR1");
     }
 
+    /// The tree and the findings, as text.
+    fn show(pieces: u32, short_way: bool, text: &str, form: Form) -> (String, Vec<String>) {
+        let source = Arc::new(SourceText::from_text("t.nc", text));
+        let mut findings = Findings::new();
+        let parsed = parse_in(pieces, short_way, FileId(0), &source, form, &mut findings);
+        let found = findings.into_sorted().iter().map(|found| format!("{found:?}")).collect();
+        (format!("{parsed:?}"), found)
+    }
+
     /// Reading side by side gives what reading in one piece gives.
     #[test]
     fn pieces_are_equal_to_the_whole() {
-        let block = |n: u32| format!("N{n} X{n}.5 Y,5 \"c\"\nZ{n} R1=2\r\nN{} G1 %3 F5 #\rn{} x1\n", n + 1, n + 2);
+        let block = |n: u32| {
+            let (second, third) = (n + 1, n + 2);
+            format!("N{n} X{n}.5 Y,5 \"c\"\nZ{n} R1=2\r\nN{second} G1 %3 F5 #\rNAME X\nN\nN{third} x1\nN{n}X1Y2\n")
+        };
         let body: String = (0..40).map(|n| block(10 * n + 1)).collect();
         for end in ["", "*\nN5 M30", "* \"c\"\n"] {
             for form in [Form::Program, Form::Macrocycle] {
                 let text = format!("%1 \"title\"\n{body}{end}\n{body}");
-                let source = Arc::new(SourceText::from_text("t.nc", text));
-                let show = |pieces: u32| {
-                    let mut findings = Findings::new();
-                    let parsed = parse_in(pieces, FileId(0), &source, form, &mut findings);
-                    let found: Vec<String> = findings.into_sorted().iter().map(|found| format!("{found:?}")).collect();
-                    (format!("{parsed:?}"), found)
-                };
-                let whole = show(1);
-                for pieces in [2, 3, 7, 100] {
-                    assert_eq!(show(pieces), whole, "{pieces} pieces, {form:?}, {end:?}");
+                let whole = show(1, false, &text, form);
+                for pieces in [1, 2, 3, 7, 100] {
+                    for short_way in [false, true] {
+                        let read = show(pieces, short_way, &text, form);
+                        assert_eq!(read, whole, "{pieces} pieces, {form:?}, {end:?}, {short_way}");
+                    }
                 }
             }
+        }
+    }
+
+    /// What lines are put together from: what is plain, and what is nearly so.
+    const ATOMS: [&str; 64] = [
+        "N10",
+        "N20",
+        "N30",
+        "N",
+        "N.5",
+        "N-5",
+        "n5",
+        "G1",
+        "G01",
+        "G79",
+        "M30",
+        "M02",
+        "G70",
+        "X1.5",
+        "Y-2",
+        "Z+.25",
+        "X.",
+        "X-",
+        "X",
+        "X1.2345",
+        "X1.0000",
+        "X99999999999999999999",
+        "Y1.2.3",
+        "X1,5",
+        "X1O0",
+        "XO",
+        "O5",
+        "E5",
+        "L100",
+        "Q2",
+        "R1",
+        "R1=2",
+        "R2=-R3",
+        "XR1",
+        "X5 5",
+        "X5\n5",
+        "%1",
+        "&5",
+        "*",
+        "/",
+        "/1",
+        "\"c\"",
+        "\"",
+        "(c)",
+        ";ab",
+        "KONTURA",
+        "NAME",
+        "XYZ5",
+        "#",
+        "ř",
+        "X#1",
+        "X[5]",
+        "=",
+        "-",
+        "5",
+        " ",
+        "\t",
+        "\n",
+        "\r\n",
+        "\r",
+        "\n\n",
+        "\nN40 X1\n",
+        "\nN50 Y2.5 ",
+        "\u{1a}",
+    ];
+
+    proptest! {
+        /// The short way through plain blocks reads what lexer and grammar read.
+        #[test]
+        fn the_short_way_reads_the_same(
+            picks in proptest::collection::vec((0_usize..ATOMS.len(), any::<bool>()), 0..40),
+            macrocycle in any::<bool>(),
+            pieces in 1_u32..4,
+        ) {
+            let mut text = String::from("%1\nN1 X1\n");
+            for (atom, blank) in picks {
+                text.push_str(ATOMS[atom]);
+                text.push_str(if blank { " " } else { "" });
+            }
+            let form = if macrocycle { Form::Macrocycle } else { Form::Program };
+            prop_assert_eq!(show(pieces, true, &text, form), show(1, false, &text, form), "{:?}", text);
+        }
+
+        /// The same of any characters.
+        #[test]
+        fn the_short_way_reads_the_same_of_anything(text in "(N[0-9]{1,2}|[A-Z][0-9]|[ -~\r\n\t]|\n){0,40}") {
+            let text = format!("%1\n{text}");
+            prop_assert_eq!(show(2, true, &text, Form::Program), show(1, false, &text, Form::Program), "{:?}", text);
         }
     }
 
