@@ -96,18 +96,21 @@ fn expansion(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Reading alone, in bytes a second.
+/// Reading alone, in bytes a second: blocks of cam are plain, of rich most are not.
 fn stages(criterion: &mut Criterion) {
-    let text = String::from_utf8(program(|out| generate::cam(out, BLOCKS))).expect("ASCII");
-    let source = Arc::new(SourceText::from_text(NAME, text));
     let mut group = criterion.benchmark_group("bytes");
-    group.throughput(Throughput::Bytes(u64::from(source.len())));
-    group.bench_function("lex cam", |bencher| {
-        bencher.iter(|| tokens(black_box(source.text()), 0, source.len()).count());
-    });
-    group.bench_function("parse cam", |bencher| {
-        bencher.iter(|| parse(FileId(0), &source, Form::Program, &mut Findings::new()).block_count());
-    });
+    for (name, text) in
+        [("cam", program(|out| generate::cam(out, BLOCKS))), ("rich", program(|out| generate::rich(out, BLOCKS)))]
+    {
+        let source = Arc::new(SourceText::from_text(NAME, String::from_utf8(text).expect("UTF-8")));
+        group.throughput(Throughput::Bytes(u64::from(source.len())));
+        group.bench_function(format!("lex {name}"), |bencher| {
+            bencher.iter(|| tokens(black_box(source.text()), 0, source.len()).count());
+        });
+        group.bench_function(format!("parse {name}"), |bencher| {
+            bencher.iter(|| parse(FileId(0), &source, Form::Program, &mut Findings::new()).block_count());
+        });
+    }
     group.finish();
 }
 
