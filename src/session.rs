@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
-use crate::diag::{Diagnostic, Finding, Findings, Problem, Severity};
+use crate::diag::{Code, Diagnostic, Finding, Findings, Problem, Severity};
 use crate::expand::{Checkpoint, Executor, Stop};
 use crate::ir::{
     AxisRecord, BlockWriter, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA,
@@ -49,12 +49,22 @@ pub struct Outcome {
     pub sources: Sources,
     /// The findings, unsorted, levels not yet applied.
     pub findings: Findings,
-    /// Whether the program itself could not be read, or is not what the command takes (exit status 2).
+    /// Whether the program itself could not be read, or is not what the command takes.
     pub unusable: bool,
     /// What the run was for: it decides the severity of W0503.
     pub purpose: Purpose,
     /// Blocks executed.
     pub executed: u64,
+}
+
+impl Outcome {
+    /// Whether a file could not be read, be it the program or a macrocycle that it calls, or the program is not what the
+    /// command takes: exit status 2.
+    pub fn lacks_file(&self) -> bool {
+        let unreadable = Code::E0112;
+        self.findings.items().iter().any(|found| found.code() == unreadable)
+            || self.findings.beyond_by_code().contains_key(&unreadable)
+    }
 }
 
 /// Runs programs with one loader and one configuration.
@@ -283,7 +293,7 @@ impl Session<'_> {
         outcome.sources.add(SourceText::from_text(name, ""));
         outcome.unusable = true;
         let at = Location { file: FileId(0), span: Span::empty(0) };
-        outcome.findings.add(Diagnostic::new(Finding::UnreadableFile { problem }, at));
+        outcome.findings.add(Diagnostic::new(Finding::UnreadableFile { problem, file: None }, at));
     }
 
     fn program_record(&self, resolved: &Resolved, name: &str) -> ProgramRecord {

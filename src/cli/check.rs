@@ -11,7 +11,7 @@ use super::disk::DiskLoader;
 use super::fix::fix_all;
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
-use super::status::{Failure, Status, tell};
+use super::status::{Failure, Status, tell, tell_unshown};
 use super::walk::{Target, targets};
 use super::words::Words;
 use crate::config::Settings;
@@ -78,7 +78,7 @@ fn check_all(
     };
     let mut unusable = false;
     let mut add = |(outcome, settings): (Outcome, &Settings)| {
-        unusable |= outcome.unusable;
+        unusable |= outcome.lacks_file();
         report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
     };
     if let [only] = targets {
@@ -107,7 +107,7 @@ pub(super) fn unreadable(name: &str, error: &io::Error) -> Outcome {
     let file = sources.add(SourceText::from_text(name, ""));
     let mut findings = Findings::new();
     let at = Location { file, ..Location::default() };
-    findings.add(Diagnostic::new(Finding::UnreadableFile { problem: Problem::from_io(error) }, at));
+    findings.add(Diagnostic::new(Finding::UnreadableFile { problem: Problem::from_io(error), file: None }, at));
     Outcome { sources, findings, unusable: true, ..Outcome::default() }
 }
 
@@ -117,5 +117,6 @@ fn print(format: Format, report: &Report, locale: Locale) -> Result<(), Failure>
     let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
     render(format, report, locale.lang, colors, &mut out)?;
     out.flush()?;
+    tell_unshown(format, report, locale.lang);
     Ok(())
 }

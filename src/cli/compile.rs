@@ -11,7 +11,7 @@ use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
-use super::status::{Failure, Status};
+use super::status::{Failure, Status, tell_unshown};
 use super::walk::Target;
 use super::words::{Words, reason};
 use crate::diag::{Format, Report, render};
@@ -51,9 +51,10 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let written = written.and_then(|outcome| stream.finish().map(|stream| (outcome, stream)));
     drop(progress);
     let (outcome, stream) = written.map_err(|error| cannot_write(error, output, locale.lang))?;
+    let lacks_file = outcome.lacks_file();
     report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
     let status = match report.errors() > 0 {
-        _ if outcome.unusable => Status::Unusable,
+        _ if lacks_file => Status::Unusable,
         true => Status::Faulty,
         false => Status::Fine,
     };
@@ -78,6 +79,8 @@ fn print(format: Format, report: &Report, locale: Locale) {
     let mut out = BufWriter::new(io::stderr().lock());
     // Nobody can be told that stderr is gone.
     let _ = render(format, report, locale.lang, colors, &mut out).and_then(|()| out.flush());
+    drop(out);
+    tell_unshown(format, report, locale.lang);
 }
 
 fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-use crate::text::Loader;
+use crate::text::{BrokenLink, Loader};
 
 /// The name of standard input among programs.
 pub const STDIN: &str = "-";
@@ -15,7 +15,7 @@ const LIMIT: u64 = u32::MAX as u64;
 
 /// Reads regular files, and of other kinds of files only those that the user named as programs: standard input and pipes
 /// (`check <(generate)`). What it refuses comes as these kinds of error: [`io::ErrorKind::IsADirectory`], `Unsupported`
-/// for what is no regular file, `FileTooLarge` for 4 GiB and more.
+/// for what is no regular file, `FileTooLarge` for 4 GiB and more, and [`BrokenLink`].
 #[derive(Debug, Default)]
 pub struct DiskLoader {
     /// Programs that may be pipes. A pipe can be read once, a program may be wanted twice: what it gave is kept.
@@ -46,7 +46,7 @@ impl Loader for DiskLoader {
             let _ = kept.set(bytes.as_slice().into());
             return Ok(bytes);
         }
-        let data = fs::metadata(path)?;
+        let data = fs::metadata(path).map_err(|error| behind_link(path, error))?;
         if data.is_dir() {
             return Err(io::ErrorKind::IsADirectory.into());
         }
@@ -153,6 +153,13 @@ pub fn holds_byte(path: &Path, byte: u8) -> io::Result<bool> {
             return Ok(!read.is_empty());
         }
     }
+}
+
+/// Why there is no file: a link that leads nowhere, or round in a circle, is told as such.
+fn behind_link(path: &Path, error: io::Error) -> io::Error {
+    let denied = error.kind() == io::ErrorKind::PermissionDenied;
+    let is_link = !denied && fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
+    if is_link { BrokenLink::error() } else { error }
 }
 
 #[expect(clippy::disallowed_methods, reason = "this is the disk loader")]

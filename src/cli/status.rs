@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use super::words::{self, Words, error_prefix};
+use crate::diag::{Format, Report, unshown};
 use crate::dict::Lang;
 
 /// The end of a command that ran.
@@ -61,6 +62,13 @@ pub(super) fn exit_code(end: Result<Status, Failure>, lang: Lang) -> ExitCode {
 pub(super) fn complain(words: &Words, lang: Lang) {
     // Nobody can be told that stderr is gone.
     let _ = writeln!(io::stderr().lock(), "{}: {}", error_prefix(lang), words.shown(lang));
+}
+
+/// Says on stderr how many findings are only counted, where the form of the findings does not.
+pub(super) fn tell_unshown(format: Format, report: &Report, lang: Lang) {
+    if let Some(words) = unshown(format, report, lang) {
+        let _ = writeln!(io::stderr().lock(), "{words}");
+    }
 }
 
 /// Says what was done, on stderr.

@@ -8,7 +8,7 @@ use super::reader::Setting;
 use super::{Axes, MFunctions, Machine, Overrides, Settings, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::Dialect;
-use crate::text::{Encoding, FileId, Loader, Location, SourceText, Sources, Span};
+use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span};
 
 /// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
 /// command line says, value by value (§11, §13 Configuration).
@@ -207,6 +207,12 @@ fn unread(name: &str, error: &io::Error) -> ConfigProblem {
         ConfigProblem::Denied { name }
     } else if kind == ErrorKind::IsADirectory {
         ConfigProblem::Directory { name }
+    } else if kind == ErrorKind::Unsupported {
+        ConfigProblem::NotAFile { name }
+    } else if kind == ErrorKind::FileTooLarge {
+        ConfigProblem::TooLarge
+    } else if BrokenLink::is(error) {
+        ConfigProblem::Link { name }
     } else {
         ConfigProblem::File { problem: format!("{name}: {}", terminal_safe(&error.to_string())) }
     }

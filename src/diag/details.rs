@@ -1,6 +1,7 @@
 //! Closed sets of reasons that the texts of some diagnostics name, in both languages.
 
 use crate::dict::{Address, Lang, bilingual};
+use crate::text::BrokenLink;
 
 bilingual! {
     /// Why a file cannot be read.
@@ -9,6 +10,7 @@ bilingual! {
         Denied "permission denied", "přístup odepřen";
         Directory "it is a directory", "je to složka";
         NotAFile "it is not a regular file", "není to obyčejný soubor";
+        Link "it is a link that leads to no file", "je to odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
         MacrocycleGiven "it is a macrocycle; compile takes a program", "je to makrocyklus; compile zpracuje program";
         Other { reason: String } "{reason}", "{reason}";
@@ -18,6 +20,9 @@ bilingual! {
 impl Problem {
     /// What an error of the operating system says.
     pub fn from_io(error: &std::io::Error) -> Self {
+        if BrokenLink::is(error) {
+            return Self::Link;
+        }
         [
             (std::io::ErrorKind::NotFound, Self::NotFound),
             (std::io::ErrorKind::PermissionDenied, Self::Denied),
@@ -104,6 +109,8 @@ bilingual! {
         NotFound { name: String } "there is no file `{name}`", "soubor {name} neexistuje";
         Denied { name: String } "access to `{name}` is denied", "přístup k {name} je odepřen";
         Directory { name: String } "`{name}` is a directory", "{name} je složka";
+        NotAFile { name: String } "`{name}` is not a regular file", "{name} není obyčejný soubor";
+        Link { name: String } "`{name}` is a link that leads to no file", "{name} je odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
         Utf16 "it is in UTF-16; it must be in UTF-8", "je v kódování UTF-16; musí být v UTF-8";
         NotToml "this is not TOML", "toto není TOML";

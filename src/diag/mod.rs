@@ -22,7 +22,6 @@ pub use findings::{Findings, LIMIT_PER_SEVERITY};
 pub use fix::{Fixed, apply_fixes, compatible_edits};
 pub use labels::{FixTitle, LabelText};
 pub use registry::{Code, Finding, Severity};
-pub use render::{Format, render, schema};
+pub use render::{Format, render, schema, unshown};
 pub use report::{Report, Reported};
-pub(crate) use shown::is_unsafe;
 pub use shown::{shown, terminal_safe};

@@ -221,9 +221,9 @@ diagnostics! {
         en "`{text}` is text outside a comment"
         cs "„{text}“ je text mimo komentář"
         help "put text for people between quotes: `\"{text}\"`" | "text pro člověka dát do uvozovek: \"{text}\""
-    [E0112] UnreadableFile "unreadable-file" Error { problem: crate::diag::Problem }
-        en ({ let reason = problem.text(Lang::En); format!("the file cannot be read: {reason}") })
-        cs ({ let reason = problem.text(Lang::Cs); format!("soubor nelze přečíst: {reason}") })
+    [E0112] UnreadableFile "unreadable-file" Error { problem: crate::diag::Problem, file: Option<String> }
+        en ({ let (file, reason) = (file.as_deref().unwrap_or("the file"), problem.text(Lang::En)); format!("{file} cannot be read: {reason}") })
+        cs ({ let (file, reason) = (file.as_deref().unwrap_or("soubor"), problem.text(Lang::Cs)); format!("{file} nelze přečíst: {reason}") })
 
     [E0201] MissingProgramStart "missing-program-start" Error {}
         en "no `%`: the control would ignore the whole file"

@@ -2,17 +2,10 @@
 
 use std::borrow::Cow;
 
+use crate::text::is_unsafe;
+
 /// Longest piece of program text that a message repeats, in characters.
 const LONGEST: usize = 40;
-
-/// Whether a terminal might act on the character: controls, the marks that reorder text, and characters without a shape
-/// of their own, which could hide what a name or a program says.
-pub(crate) fn is_unsafe(character: char) -> bool {
-    character.is_control()
-        || matches!(character,
-            '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}'
-            | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e0fff}')
-}
 
 /// `text` as a terminal may have it: what [`is_unsafe`] finds as `\u{…}`, the rest as it is. The last defence of every
 /// rendering for people, whatever a message repeats.

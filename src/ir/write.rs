@@ -6,6 +6,7 @@ use super::{
     ProgramRecord,
 };
 use crate::dict::{AxisLetter, Decimal};
+use crate::text::is_unsafe;
 
 /// A field's key with its comma and colon, as bytes of known length.
 macro_rules! key {
@@ -530,22 +531,28 @@ impl<'r> Line<'r> {
         line.put(b"}")
     }
 
-    /// A JSON string. Control characters are escaped.
+    /// A JSON string. What a terminal might act on is escaped.
     fn string(self, text: &str) -> Self {
         let mut line = self.put(b"\"");
         let mut rest = text;
-        while let Some(at) = rest.bytes().position(|byte| matches!(byte, b'"' | b'\\' | 0x00..=0x1f | 0x7f)) {
+        while let Some(at) = rest.bytes().position(|byte| matches!(byte, b'"' | b'\\' | 0x00..=0x1f | 0x7f..)) {
             let (before, after) = rest.split_at(at);
             line = line.put_all(before.as_bytes());
-            line = match after.as_bytes().first().copied().unwrap_or_default() {
-                b'"' => line.put(b"\\\""),
-                b'\\' => line.put(b"\\\\"),
-                b'\n' => line.put(b"\\n"),
-                b'\r' => line.put(b"\\r"),
-                b'\t' => line.put(b"\\t"),
-                byte => line.put_all(format!("\\u{byte:04x}").as_bytes()),
+            let character = after.chars().next().unwrap_or_default();
+            let (of_it, behind) = after.split_at(character.len_utf8());
+            line = match character {
+                '"' => line.put(b"\\\""),
+                '\\' => line.put(b"\\\\"),
+                '\n' => line.put(b"\\n"),
+                '\r' => line.put(b"\\r"),
+                '\t' => line.put(b"\\t"),
+                _ if is_unsafe(character) => character
+                    .encode_utf16(&mut [0; 2])
+                    .iter()
+                    .fold(line, |line, unit| line.put_all(format!("\\u{unit:04x}").as_bytes())),
+                _ => line.put_all(of_it.as_bytes()),
             };
-            rest = after.get(1..).unwrap_or_default();
+            rest = behind;
         }
         line.put_all(rest.as_bytes()).put(b"\"")
     }
@@ -597,7 +604,8 @@ mod tests {
     #[test]
     fn strings() {
         let mut room = Vec::new();
-        let line = Line::new(&mut room).string("a\"\\\u{1b}ř\u{7f}");
-        assert_eq!(std::str::from_utf8(line.text()).unwrap(), r#""a\"\\\u001bř\u007f""#);
+        let line = Line::new(&mut room).string("a\"\\\u{1b}ř\u{7f}ž\u{9b}\u{202e}\u{e0041}日");
+        let expected = r#""a\"\\\u001bř\u007fž\u009b\u202e\udb40\udc41日""#;
+        assert_eq!(std::str::from_utf8(line.text()).unwrap(), expected);
     }
 }

@@ -130,7 +130,7 @@ pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool) -> F
     match fault {
         MacrocycleFault::Missing { searched } => Finding::UnknownMacrocycle { l, searched, subprogram },
         MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
-        MacrocycleFault::Unreadable(problem) => Finding::UnreadableFile { problem },
+        MacrocycleFault::Unreadable { file, problem } => Finding::UnreadableFile { problem, file: Some(file) },
     }
 }
 

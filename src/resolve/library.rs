@@ -23,7 +23,12 @@ pub enum MacrocycleFault {
         second: String,
     },
     /// The file cannot be read.
-    Unreadable(Problem),
+    Unreadable {
+        /// It.
+        file: String,
+        /// Why.
+        problem: Problem,
+    },
 }
 
 /// Finds macrocycle files; each folder is listed once.
@@ -103,7 +108,8 @@ impl<'a> Library<'a> {
     /// # Errors
     /// [`MacrocycleFault::Unreadable`].
     pub fn load(&self, path: &Path, name: &str, fallback: Encoding) -> Result<Arc<SourceText>, MacrocycleFault> {
-        let unreadable = |error| MacrocycleFault::Unreadable(Problem::from_io(&error));
+        let unreadable =
+            |error| MacrocycleFault::Unreadable { file: name.to_owned(), problem: Problem::from_io(&error) };
         self.loader.load(path, name, fallback).map_err(unreadable)
     }
 

@@ -234,21 +234,21 @@ impl<'t> Lowering<'t> {
             Some(_) if pieces.iter().any(|piece| matches!(self.byte(piece.start), b'+' | b'-')) => {
                 Finding::MalformedNumber { text: shown(self.slice(span)) }
             }
-            Some(_) if comma => Finding::DecimalComma { fixed: fixed.clone() },
-            Some(_) if letter => Finding::LetterForDigit { fixed: fixed.clone() },
+            Some(_) if comma => Finding::DecimalComma { fixed: shown(&fixed) },
+            Some(_) if letter => Finding::LetterForDigit { fixed: shown(&fixed) },
             Some(_) if pieces.is_empty() => return number,
-            Some(_) => Finding::SplitNumber { joined: fixed.clone() },
+            Some(_) => Finding::SplitNumber { joined: shown(&fixed) },
             None if fixed.bytes().any(|byte| byte.is_ascii_digit() && !prefix.as_bytes().contains(&byte)) => {
                 Finding::MalformedNumber { text: shown(self.slice(span)) }
             }
             None if joined.len() > 2 => Finding::MalformedNumber { text: shown(self.slice(span)) },
-            None => Finding::MissingValue { address: prefix.trim_end_matches('=').to_owned(), beyond: false },
+            None => Finding::MissingValue { address: shown(prefix.trim_end_matches('=')), beyond: false },
         };
         let mended = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
         let mut diagnostic = Diagnostic::new(finding, place);
         if mended {
-            diagnostic = diagnostic.with_fix(FixTitle::Write { text: fixed.clone() }, place, fixed);
+            diagnostic = diagnostic.with_fix(FixTitle::Write { text: shown(&fixed) }, place, fixed);
         }
         self.findings.add(diagnostic);
         number.filter(|_| mended)
@@ -281,7 +281,7 @@ impl<'t> Lowering<'t> {
         if letters {
             let text = String::from_utf8_lossy(&fixed).into_owned();
             let place = self.at(number_span);
-            let shown = format!("R{text}");
+            let shown = shown(&format!("R{text}"));
             let diagnostic = Diagnostic::new(Finding::LetterForDigit { fixed: shown.clone() }, self.at(token.span()));
             self.findings.add(diagnostic.with_fix(FixTitle::Write { text: shown }, place, text));
         }
@@ -320,9 +320,9 @@ impl<'t> Lowering<'t> {
             return;
         }
         let joined: String = self.slice(span).chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
-        let mut diagnostic = Diagnostic::new(Finding::SplitNumber { joined: joined.clone() }, self.at(span));
+        let mut diagnostic = Diagnostic::new(Finding::SplitNumber { joined: shown(&joined) }, self.at(span));
         if gap {
-            diagnostic = diagnostic.with_fix(FixTitle::Write { text: joined }, self.at(blanks), "");
+            diagnostic = diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, self.at(blanks), "");
         }
         self.findings.add(diagnostic);
     }
@@ -391,8 +391,8 @@ impl<'t> Lowering<'t> {
         if more.is_empty() && matches!(number.kind, Kind::Number) && !matches!(self.byte(number.start), b'+' | b'-') {
             let joined = format!("{prefix}{run}");
             let place = self.at(span);
-            let diagnostic = Diagnostic::new(Finding::SplitNumber { joined: joined.clone() }, place);
-            self.findings.add(diagnostic.with_fix(FixTitle::Write { text: joined.clone() }, place, joined));
+            let diagnostic = Diagnostic::new(Finding::SplitNumber { joined: shown(&joined) }, place);
+            self.findings.add(diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, place, joined));
             return Number::parse(run.as_bytes());
         }
         self.mend(run.to_owned(), &more, prefix, span)

@@ -1,18 +1,45 @@
 //! How files arrive: from disk, from memory in tests, from an editor's buffers.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{Encoding, SourceText};
 
+/// What a loader's error holds when a path is a link that leads to no file: it is something else than a file that is not
+/// there.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct BrokenLink;
+
+impl fmt::Display for BrokenLink {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the link leads to no file")
+    }
+}
+
+impl std::error::Error for BrokenLink {}
+
+impl BrokenLink {
+    /// As an error of [`Loader::read`].
+    pub fn error() -> io::Error {
+        io::Error::other(Self)
+    }
+
+    /// Whether the error says this.
+    pub fn is(error: &io::Error) -> bool {
+        error.get_ref().is_some_and(|inner| inner.is::<Self>())
+    }
+}
+
 /// Where bytes come from. The core reads files through this and in no other way.
 pub trait Loader: Sync {
     /// The bytes of a file.
     ///
     /// # Errors
-    /// What the operating system says; [`io::ErrorKind::NotFound`] when there is no such file.
+    /// What the operating system says; [`io::ErrorKind::NotFound`] when there is no such file, [`BrokenLink::error`] when
+    /// there is a link that leads to none.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
     /// The text of a program or macrocycle, called `name`; `fallback` decodes what is not UTF-8 (LEX-13). A loader that

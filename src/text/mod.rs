@@ -10,11 +10,13 @@ mod loader;
 mod source;
 mod sources;
 mod span;
+mod terminal;
 
 pub use columns::ColumnUnit;
 pub use encoding::Encoding;
 pub use lines::{LineColumn, LineIndex};
-pub use loader::{Loader, MemoryLoader};
+pub use loader::{BrokenLink, Loader, MemoryLoader};
 pub use source::{DecodeError, FileId, Location, SourceText};
 pub use sources::Sources;
 pub use span::Span;
+pub(crate) use terminal::is_unsafe;

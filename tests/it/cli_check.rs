@@ -174,17 +174,6 @@ fn a_pipe_that_is_named_is_read() {
     assert_eq!(found(&run.stdout), [("E0306".to_owned(), "pipe".to_owned())]);
 }
 
-#[cfg(unix)]
-#[test]
-fn a_macrocycle_that_cannot_be_read_is_told_and_a_pipe_does_not_hang() {
-    let program = b"%1\nN10 G72 L9001\nN20 M30\n";
-    let place = Place::with(&[("a.nc", program)]);
-    crate::cli::make_fifo(&place.path("L9001"));
-    let run = place.run(&["check", "a.nc", "--format", "json"]);
-    assert!(matches!(run.code, Some(1 | 2)), "{run:?}");
-    assert!(!found(&run.stdout).is_empty());
-}
-
 #[test]
 fn a_closed_pipe_is_no_error() {
     let place = Place::with(&[("bad.nc", BAD.as_bytes())]);

@@ -4,10 +4,6 @@ use std::fs;
 
 use crate::cli::{BAD, GOOD, Place, closed_pipe};
 
-/// Executes some hundred million blocks: longer than any test waits.
-#[cfg(unix)]
-const LONG: &str = "%1\nN10 G0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
-
 #[test]
 fn the_output_must_be_a_place_for_a_file() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("folder/x", b"")]);
@@ -156,26 +152,4 @@ fn a_pipe_is_written_to_directly() {
     let reader = std::thread::spawn(move || fs::read(pipe).unwrap());
     place.run(&["compile", "a.nc", "-o", "pipe"]).ends(0);
     assert_eq!(reader.join().unwrap(), place.run(&["compile", "a.nc"]).stdout.as_bytes());
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interruption_leaves_the_old_file_and_nothing_beside_it() {
-    use std::process::{Command, Stdio};
-    use std::time::{Duration, Instant};
-    let place = Place::with(&[("a.nc", LONG.as_bytes()), ("a.jsonl", b"old")]);
-    let mut command = place.command(&["compile", "a.nc", "-o", "a.jsonl", "--max-blocks", "1000000000"]);
-    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    // Wait until it writes.
-    let start = Instant::now();
-    while place.list().len() < 3 && start.elapsed() < Duration::from_secs(20) {
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    let kill = Command::new("sh").args(["-c", &format!("kill -INT {}", child.id())]).status().unwrap();
-    assert!(kill.success());
-    let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(130));
-    assert!(String::from_utf8(output.stderr).unwrap().contains("interrupted"));
-    assert_eq!(place.read("a.jsonl"), b"old");
-    assert_eq!(place.list(), ["a.jsonl", "a.nc"]);
 }

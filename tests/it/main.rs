@@ -2,9 +2,11 @@
 #![expect(clippy::disallowed_methods, reason = "tests read files")]
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 
+mod bombs;
 mod cli;
 mod cli_check;
 mod cli_compile;
+mod cli_faults;
 mod cli_fix;
 mod disk;
 mod docs;
@@ -20,6 +22,7 @@ mod rules;
 mod run;
 mod samples;
 mod stream;
+mod terminal;
 mod tidy;
 mod traps;
 mod valid;

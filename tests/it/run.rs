@@ -29,8 +29,17 @@ impl Run {
 
     /// The findings as text without colour.
     pub fn text(&self, format: Format, lang: Lang) -> String {
+        self.rendered(format, lang, false)
+    }
+
+    /// The findings as text in colours.
+    pub fn coloured(&self, format: Format, lang: Lang) -> String {
+        self.rendered(format, lang, true)
+    }
+
+    fn rendered(&self, format: Format, lang: Lang, colours: bool) -> String {
         let mut text = Vec::new();
-        render(format, &self.report, lang, false, &mut text).unwrap();
+        render(format, &self.report, lang, colours, &mut text).unwrap();
         String::from_utf8(text).unwrap()
     }
 

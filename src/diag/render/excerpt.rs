@@ -7,8 +7,7 @@
 use std::ops::Range;
 
 use super::places::Places;
-use crate::diag::is_unsafe;
-use crate::text::{FileId, LineColumn, Location, SourceText, Span};
+use crate::text::{FileId, LineColumn, Location, SourceText, Span, is_unsafe};
 
 /// The longest line shown whole, in bytes.
 const WHOLE_LINE: usize = 160;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::ser::{CompactFormatter, Formatter, Serializer};
 
-use crate::diag::is_unsafe;
+use crate::text::is_unsafe;
 
 /// Writes `value` in one line.
 pub(super) fn write(value: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {

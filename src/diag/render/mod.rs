@@ -39,6 +39,12 @@ pub enum Format {
     Github,
 }
 
+/// How many findings are counted only, in words, when the form itself has no place to say so: for standard error.
+pub fn unshown(format: Format, report: &Report, lang: Lang) -> Option<String> {
+    let silent = matches!(format, Format::Short | Format::Github) && report.suppressed() > 0;
+    silent.then(|| words::suppressed(report.suppressed(), lang))
+}
+
 /// Writes the findings to `out`. Colours are used only in the form for people.
 ///
 /// # Errors

@@ -92,7 +92,7 @@ pub(super) fn mixed() -> Report {
                 Finding::MissingProgramEnd { skipped: false },
                 Location { file: end.file, span: Span::empty(end.span.end) },
             ),
-            Diagnostic::new(Finding::UnreadableFile { problem: Problem::NotFound }, missing),
+            Diagnostic::new(Finding::UnreadableFile { problem: Problem::NotFound, file: None }, missing),
             Diagnostic::new(Finding::MissingProgramStart {}, missing),
         ],
     )
@@ -138,7 +138,7 @@ pub(super) fn rendered(format: Format, report: &Report, lang: Lang, colour: bool
 
 /// Whether the text holds anything that a terminal acts on, line ends aside.
 pub(super) fn is_raw(text: &str) -> bool {
-    text.chars().any(|character| character != '\n' && crate::diag::is_unsafe(character))
+    text.chars().any(|character| character != '\n' && crate::text::is_unsafe(character))
 }
 
 #[test]

@@ -1,0 +1,412 @@
+//! Faults around a run, on the real binary: full disks, files that cannot be read or that change meanwhile, what is no file
+//! at all, readers that go away, interruptions. The old file is whole, the message says what happened, the status is right.
+#![cfg(unix)]
+
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::os::unix::fs::symlink;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::cli::{BAD, GOOD, Place, Run, closed_pipe, make_fifo};
+
+/// Two hours at the machine: executes some hundred million blocks, longer than any test waits.
+const LONG: &str = "%1\nN10 G0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
+
+/// The same with a fix.
+const LONG_TO_FIX: &str = "%1\nN10 g0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
+
+const CALL: &str = "%1\nN10 G72 L9001\nN20 M30\n";
+
+const FORMATS: [&str; 5] = ["human", "short", "json", "sarif", "github"];
+
+/// Longer than anything here takes.
+const HANG: Duration = Duration::from_secs(120);
+
+/// A program whose stream is long.
+fn big() -> String {
+    (1..2000).fold("%1\nN9998 G90 G0 X0\n".to_owned(), |text, n| text + &format!("N{n} X{n}\n")) + "N9999 M30\n"
+}
+
+/// A disk that holds no more than a kilobyte for each file: the limit on file sizes, its signal ignored.
+fn on_a_small_disk(place: &Place, arguments: &[&str]) -> Run {
+    let program = place.command(arguments);
+    let mut command = Command::new("sh");
+    command.args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""]).arg(program.get_program());
+    command.args(program.get_args()).current_dir(program.get_current_dir().unwrap()).stdin(Stdio::null());
+    for (name, value) in program.get_envs() {
+        match value {
+            Some(value) => command.env(name, value),
+            None => command.env_remove(name),
+        };
+    }
+    Run::of(command.output().unwrap())
+}
+
+fn signal(child: &Child, name: &str) {
+    let kill = Command::new("sh").args(["-c", &format!("kill -{name} {}", child.id())]).status().unwrap();
+    assert!(kill.success());
+}
+
+/// Waits until that holds.
+fn wait_until(what: &str, mut holds: impl FnMut() -> bool) {
+    let start = Instant::now();
+    while !holds() {
+        assert!(start.elapsed() < HANG, "{what}");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+#[test]
+fn a_file_on_a_full_disk_stays() {
+    let place = Place::with(&[("a.nc", big().as_bytes()), ("out", b"old")]);
+    let run = on_a_small_disk(&place, &["compile", "a.nc", "-o", "out"]).ends(2);
+    assert_eq!(run.stderr, "error: cannot write out: it is too large\n");
+    on_a_small_disk(&place, &["compile", "a.nc", "-o", "new", "--lang", "cs"]).ends(2).says("nelze zapsat new: soubor");
+    assert_eq!(place.read("out"), b"old");
+    assert_eq!(place.list(), ["a.nc", "out"]);
+}
+
+#[test]
+fn a_program_on_a_full_disk_stays() {
+    let lower = big().replace("G90 G0", "g90 G0");
+    let place = Place::with(&[("a.nc", lower.as_bytes()), ("small.nc", b"%1\nN10 g90 G0 X1\nN20 M30\n")]);
+    let run = on_a_small_disk(&place, &["check", "--fix", "a.nc", "small.nc", "--format", "short"]).ends(2);
+    assert!(run.stderr.contains("error: cannot write a.nc: it is too large\n"), "{run:?}");
+    assert!(run.stderr.contains("small.nc: 1 fix applied\n"), "the other one is fixed: {run:?}");
+    assert!(run.stdout.contains("a.nc:2:7: warning[W0108]"), "the finding is still there: {run:?}");
+    assert_eq!(place.read("a.nc"), lower.as_bytes());
+    assert_eq!(place.read("small.nc"), b"%1\nN10 G90 G0 X1\nN20 M30\n");
+    assert_eq!(place.list(), ["a.nc", "small.nc"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn findings_for_a_full_disk() {
+    let lower = b"%1\nN10 g0 G90 X0 X1\nN20 M30\n";
+    let place = Place::with(&[("a.nc", lower)]);
+    let full = || crate::cli::open_for_writing("/dev/full");
+    for format in FORMATS {
+        place.run_into(&["check", "a.nc", "--format", format], full()).ends(2).says("the disk is full");
+    }
+    place.run_into(&["check", "a.nc", "--lang", "cs"], full()).ends(2).says("disk je plný");
+    // The fix is made, and its findings cannot be told.
+    let run = place.run_into(&["check", "a.nc", "--fix"], full()).ends(2).says("the disk is full");
+    assert!(run.stderr.contains("1 fix applied"), "{run:?}");
+    assert_eq!(place.read("a.nc"), b"%1\nN10 G0 G90 X0 X1\nN20 M30\n");
+    // Findings of compile go to stderr: nobody can be told, and the status still is.
+    let status = place.command(&["compile", "a.nc"]).stdout(Stdio::null()).stderr(full()).status().unwrap();
+    assert_eq!(status.code(), Some(1));
+}
+
+/// A macrocycle that is there and cannot be read is named at its call, and the status is 2.
+#[test]
+fn macrocycles_that_cannot_be_read() {
+    let spoil: [(fn(&Place), &str, &str); 3] = [
+        (|place| make_fifo(&place.path("m/L9001")), "it is not a regular file", "není to obyčejný soubor"),
+        (|place| symlink("nothing", place.path("m/L9001")).unwrap(), "a link that leads to no file", "je to odkaz"),
+        (|place| symlink("L9001", place.path("m/L9001")).unwrap(), "a link that leads to no file", "je to odkaz"),
+    ];
+    for (spoil, en, cs) in spoil {
+        let place = Place::with(&[("a.nc", CALL.as_bytes()), ("m/x", b""), ("out", b"old")]);
+        spoil(&place);
+        let run = place.run(&["check", "a.nc", "-L", "m", "--format", "short"]).ends(2);
+        assert!(run.stdout.starts_with("a.nc:2:10: error[E0112]: m/L9001 cannot be read: "), "{run:?}");
+        assert!(run.stdout.contains(en) && run.stdout.lines().count() == 1, "{run:?}");
+        let run = place.run(&["check", "a.nc", "-L", "m", "--lang", "cs"]).ends(2);
+        assert!(run.stdout.contains("m/L9001 nelze přečíst: ") && run.stdout.contains(cs), "{run:?}");
+        place.run(&["compile", "a.nc", "-L", "m", "-o", "out"]).ends(2).says("m/L9001 cannot be read");
+        assert_eq!(place.read("out"), b"old");
+        // Called by a number that only execution knows.
+        place.put("b.nc", "%1\nN10 R1=9001\nN20 G72 LR1\nN30 M30\n");
+        place.run(&["compile", "b.nc", "-L", "m", "-o", "out"]).ends(2).says("m/L9001 cannot be read");
+        assert_eq!(place.read("out"), b"old");
+        // That a macrocycle is broken does not keep the program from being fixed.
+        place.put("c.nc", CALL.replace("G72", "g72"));
+        place.run(&["check", "--fix", "c.nc", "-L", "m"]).ends(2);
+        assert_eq!(place.read("c.nc"), CALL.as_bytes());
+    }
+}
+
+/// A folder is no macrocycle, and bytes of any kind are a text with findings.
+#[test]
+fn macrocycles_that_are_none() {
+    let place = Place::with(&[("a.nc", CALL.as_bytes()), ("L9001/L9001", b""), ("out", b"old")]);
+    place.run(&["compile", "a.nc", "-o", "out"]).ends(1).says("macrocycle L9001 is not on the search path");
+    assert_eq!(place.read("out"), b"old");
+    fs::remove_dir_all(place.path("L9001")).unwrap();
+    let bytes: Vec<u8> = (0..4000_u32).map(|n| u8::try_from(n * n * 7 % 251).unwrap() ^ 0x80).collect();
+    place.put("L9001", &bytes);
+    let run = place.run(&["check", "a.nc", "--format", "short"]).ends(1);
+    assert!(run.stdout.lines().all(|line| line.starts_with("L9001:")) && !run.stdout.is_empty(), "{run:?}");
+    place.run(&["compile", "a.nc", "-o", "out"]).ends(1).says("L9001");
+    assert_eq!(place.read("out"), b"old");
+    assert_eq!(place.read("L9001"), bytes);
+}
+
+/// A folder, a pipe, a link to nothing in place of a configuration: never passed over, never waited for.
+#[test]
+fn configurations_that_are_no_files() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("folder/x", b"")]);
+    make_fifo(&place.path("pipe"));
+    symlink("nothing", place.path("broken")).unwrap();
+    symlink("ring", place.path("ring")).unwrap();
+    let said = [
+        ("folder", "`folder` is a directory", "folder je složka"),
+        ("pipe", "`pipe` is not a regular file", "pipe není obyčejný soubor"),
+        ("broken", "`broken` is a link that leads to no file", "broken je odkaz, který k žádnému souboru nevede"),
+        ("ring", "`ring` is a link that leads to no file", "ring je odkaz, který k žádnému souboru nevede"),
+        ("missing", "there is no file `missing`", "soubor missing neexistuje"),
+    ];
+    for (file, en, cs) in said {
+        for option in ["--config", "--channel-config"] {
+            let run = place.run(&["check", "a.nc", option, file, "--format", "short"]).ends(2);
+            let expected = format!("{file}:1:1: error[E0701]: the configuration cannot be read: {en}\n");
+            assert_eq!((run.stdout, run.stderr), (expected, String::new()));
+            place.run(&["compile", "a.nc", option, file, "--lang", "cs"]).ends(2).says(cs);
+        }
+        let place_in_project = "cnc872c.toml:1:18: error[E0701]";
+        place.put("cnc872c.toml", format!("channel-config = \"{file}\"\n"));
+        let run = place.run(&["check", "a.nc", "--format", "short"]).ends(2);
+        assert!(run.stdout.starts_with(place_in_project) && run.stdout.contains(en), "{run:?}");
+        fs::remove_file(place.path("cnc872c.toml")).unwrap();
+    }
+    // As the project file itself. A folder of that name is none.
+    for (file, status) in [("pipe", 2), ("broken", 2), ("ring", 2), ("folder", 0)] {
+        let here = Place::with(&[("a.nc", GOOD.as_bytes())]);
+        match file {
+            "pipe" => make_fifo(&here.path("cnc872c.toml")),
+            "broken" => symlink("nothing", here.path("cnc872c.toml")).unwrap(),
+            "ring" => symlink("cnc872c.toml", here.path("cnc872c.toml")).unwrap(),
+            _ => fs::create_dir(here.path("cnc872c.toml")).unwrap(),
+        }
+        let run = here.run(&["check", "a.nc", "--format", "short"]).ends(status);
+        assert_eq!(run.stdout.starts_with("cnc872c.toml:1:1: error[E0701]"), status == 2, "{file}: {run:?}");
+    }
+}
+
+/// Search paths that are no folders hold no macrocycles; the finding says where was searched.
+#[test]
+fn search_paths_that_are_no_folders() {
+    let place = Place::with(&[("a.nc", CALL.as_bytes()), ("file", b"")]);
+    make_fifo(&place.path("pipe"));
+    symlink("ring", place.path("ring")).unwrap();
+    let line = ["check", "a.nc", "-L", "file", "-L", "pipe", "-L", "ring", "-L", "missing"];
+    let run = place.run(&line).ends(1);
+    assert!(run.stdout.contains("note: searched: file, pipe, ring, missing"), "{run:?}");
+}
+
+#[test]
+fn programs_that_are_no_files() {
+    let place = Place::with(&[("folder/x", b""), ("out", b"old")]);
+    symlink("nothing", place.path("broken.nc")).unwrap();
+    symlink("ring.nc", place.path("ring.nc")).unwrap();
+    for (file, en) in [("broken.nc", "it is a link that leads to no file"), ("ring.nc", "it is a link that leads to")] {
+        let run = place.run(&["check", file, "--format", "short"]).ends(2);
+        let expected = format!("{file}:1:1: error[E0112]: the file cannot be read: {en}");
+        assert!(run.stdout.starts_with(&expected) && run.stderr.is_empty(), "{run:?}");
+        place.run(&["check", "--fix", file]).ends(2);
+        place.run(&["compile", file, "-o", "out", "--lang", "cs"]).ends(2).says("je to odkaz");
+    }
+    place.run(&["compile", "folder", "-o", "out"]).ends(2).says("it is a directory");
+    let run = place.run(&["check", "--fix", "folder"]).ends(0);
+    assert!(run.stderr.contains("no program found in folder"), "{run:?}");
+    assert_eq!(place.read("out"), b"old");
+}
+
+/// The link of a ring cannot be written to either.
+#[test]
+fn outputs_that_cannot_be_files() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("file", b"")]);
+    symlink("ring", place.path("ring")).unwrap();
+    for output in ["ring", "file/out", "/dev/null/out", ""] {
+        let run = place.run(&["compile", "a.nc", "-o", output]).ends(2);
+        assert!(run.stdout.is_empty() && run.stderr.starts_with("error: "), "{run:?}");
+    }
+    assert_eq!(place.list(), ["a.nc", "file", "ring"]);
+}
+
+/// Its processor time in hundredths of a second.
+#[cfg(target_os = "linux")]
+fn processor_time(child: &Child) -> u64 {
+    let stat = fs::read_to_string(format!("/proc/{}/stat", child.id())).unwrap();
+    let numbers: Vec<&str> = stat.rsplit(')').next().unwrap().split_whitespace().collect();
+    numbers[11].parse().unwrap()
+}
+
+/// A program that an editor writes to while `--fix` works on it is the editor's: not overwritten, not brought back.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_program_that_changes_while_it_is_fixed() {
+    const THEIRS: &str = "%1\nN10 G0 G90 X7\nN20 M30\n";
+    let grown = format!("{LONG_TO_FIX}\"theirs\n");
+    let change: [(fn(&Place), Option<&str>, &str); 4] = [
+        // It grows.
+        (
+            |place| {
+                use std::io::Write;
+                let mut file = fs::OpenOptions::new().append(true).open(place.path("a.nc")).unwrap();
+                file.write_all(b"\"theirs\n").unwrap();
+            },
+            Some(&grown),
+            "a.nc: not fixed, because it changed meanwhile",
+        ),
+        // It shrinks.
+        (|place| place.put("a.nc", THEIRS), Some(THEIRS), "a.nc: not fixed, because it changed meanwhile"),
+        // It is replaced.
+        (
+            |place| {
+                place.put("theirs", THEIRS);
+                fs::rename(place.path("theirs"), place.path("a.nc")).unwrap();
+            },
+            Some(THEIRS),
+            "neopraveno, protože se soubor mezitím změnil",
+        ),
+        // It goes away.
+        (|place| fs::remove_file(place.path("a.nc")).unwrap(), None, "cannot write a.nc: no such file"),
+    ];
+    for (change, after, said) in change {
+        let place = Place::with(&[("a.nc", LONG_TO_FIX.as_bytes())]);
+        let lang = if said.is_ascii() { "en" } else { "cs" };
+        let line = ["check", "--fix", "a.nc", "--max-blocks", "300000", "--format", "short", "--lang", lang];
+        let child = place.command(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        // It has read the program when it executes it, which takes longer by far.
+        wait_until("the program is executed", || processor_time(&child) >= 5);
+        signal(&child, "STOP");
+        change(&place);
+        signal(&child, "CONT");
+        let run = Run::of(child.wait_with_output().unwrap()).ends(2);
+        assert!(run.stderr.contains(said), "{run:?}");
+        assert_eq!(place.path("a.nc").exists().then(|| place.read("a.nc")).as_deref(), after.map(str::as_bytes));
+        assert_eq!(place.list().len(), usize::from(after.is_some()), "nothing is left beside it");
+    }
+}
+
+/// A program that grows and shrinks while it is read is one text or another, or a finding.
+#[test]
+fn a_program_that_changes_while_it_is_read() {
+    use std::sync::atomic::{AtomicBool, Ordering};
+    let long = big();
+    let place = Place::with(&[("a.nc", long.as_bytes())]);
+    let done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            for length in (0..long.len()).rev().step_by(97).cycle() {
+                if done.load(Ordering::Relaxed) {
+                    break;
+                }
+                fs::write(place.path("a.nc"), &long[..length]).unwrap();
+            }
+        });
+        let runs: Vec<Run> = (0..20).map(|_| place.run(&["check", "a.nc", "--format", "json"])).collect();
+        done.store(true, Ordering::Relaxed);
+        for run in runs {
+            assert!(matches!(run.code, Some(0 | 1)) && run.stderr.is_empty(), "{run:?}");
+            let json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+            assert_eq!(json["summary"]["files"], 1);
+        }
+    });
+}
+
+#[test]
+fn readers_that_go_away() {
+    let place = Place::with(&[("a.nc", b"%1\nN10 g0 G90 X0 X1\nN20 M30\n"), ("good.nc", GOOD.as_bytes())]);
+    // The fix is made even when nobody reads what is left.
+    place.run_into(&["check", "--fix", "a.nc"], closed_pipe()).ends(0);
+    assert_eq!(place.read("a.nc"), b"%1\nN10 G0 G90 X0 X1\nN20 M30\n");
+    let status = place.command(&["compile", "a.nc"]).stdout(Stdio::null()).stderr(closed_pipe()).status().unwrap();
+    assert_eq!(status.code(), Some(1), "the program has an error, whoever reads it");
+    // A pipe after -o.
+    let pipe = place.path("pipe");
+    make_fifo(&pipe);
+    let reader = std::thread::spawn(move || drop(fs::File::open(pipe).unwrap()));
+    place.put("long.nc", LONG);
+    let run = place.run(&["compile", "long.nc", "-o", "pipe", "--max-blocks", "1000000000"]).ends(0);
+    reader.join().unwrap();
+    assert_eq!((run.stdout, run.stderr), (String::new(), String::new()));
+}
+
+/// `compile … | head -1`, and the same of findings: the rest is not computed.
+#[test]
+fn readers_that_go_away_in_the_middle() {
+    let place = Place::with(&[("long.nc", LONG.as_bytes()), ("many.nc", b"")]);
+    place.put("many.nc", "%1\n".to_owned() + &"N1 X1 X2\n".repeat(20_000));
+    for line in [
+        &["compile", "long.nc", "--max-blocks", "1000000000"][..],
+        &["check", "many.nc"],
+        &["check", "many.nc", "--format", "short"],
+        &["check", "many.nc", "--format", "github"],
+    ] {
+        let start = Instant::now();
+        let mut child = place.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut output = BufReader::new(child.stdout.take().unwrap());
+        let mut first = String::new();
+        output.read_line(&mut first).unwrap();
+        assert!(first.ends_with('\n'), "{first}");
+        drop(output);
+        let run = Run::of(child.wait_with_output().unwrap()).ends(0);
+        assert_eq!(run.stderr, "", "{line:?}");
+        assert!(start.elapsed() < HANG);
+    }
+}
+
+/// Every signal that ends a run leaves the old file and nothing beside it.
+#[test]
+fn signals_in_the_middle_of_an_output() {
+    for name in ["INT", "TERM", "HUP"] {
+        let place = Place::with(&[("a.nc", LONG.as_bytes()), ("out", b"old")]);
+        let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000000", "--lang", "cs"];
+        let child = place.command(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        wait_until("it writes", || place.list().len() == 3);
+        signal(&child, name);
+        let run = Run::of(child.wait_with_output().unwrap()).ends(130);
+        assert_eq!(run.stderr, "chyba: přerušeno; žádný soubor nezůstal zapsaný napůl\n");
+        assert_eq!(place.read("out"), b"old");
+        assert_eq!(place.list(), ["a.nc", "out"]);
+    }
+}
+
+/// Interrupted among many files: each is as before or fixed, whole, and nothing is left beside them.
+#[test]
+fn an_interruption_while_many_programs_are_fixed() {
+    let before = format!("%1\nN10 g0 G90 X0\n{}N20 M30\n", "\"COMMENT\n".repeat(500));
+    let after = before.replace("g0", "G0");
+    let names: Vec<String> = (0..150).map(|number| format!("{number:03}.nc")).collect();
+    let mut cut = 0;
+    for wait in [1, 20, 60] {
+        let files: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), before.as_bytes())).collect();
+        let place = Place::with(&files);
+        let is_fixed = |name: &String| place.read(name) == after.as_bytes();
+        let child = place.command(&["check", "--fix", "."]).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+        let mut child = child.unwrap();
+        // In the middle of it: when so many are fixed.
+        wait_until("files are fixed", || names.iter().filter(|name| is_fixed(name)).count() >= wait);
+        signal(&child, "INT");
+        let code = child.wait().unwrap().code();
+        let fixed = names.iter().filter(|name| is_fixed(name)).count();
+        assert!(names.iter().all(|name| is_fixed(name) || place.read(name) == before.as_bytes()));
+        assert_eq!(place.list(), names, "nothing is left beside them");
+        match code {
+            Some(130) => cut += usize::from(fixed < names.len()),
+            // It was done before the signal came.
+            code => assert_eq!((code, fixed), (Some(0), names.len())),
+        }
+    }
+    assert!(cut > 0, "no run was cut off");
+}
+
+/// A program with errors, and a signal that is not for it: what `nohup` ignores stays ignored.
+#[test]
+fn ignored_signals_stay_ignored() {
+    let place = Place::with(&[("a.nc", LONG.as_bytes()), ("bad.nc", BAD.as_bytes())]);
+    let program = place.command(&["compile", "a.nc", "-o", "out", "--max-blocks", "1000000"]);
+    let mut command = Command::new("sh");
+    command.args(["-c", "trap '' HUP INT TERM; exec \"$0\" \"$@\""]).arg(program.get_program());
+    command.args(program.get_args()).current_dir(place.path("")).stdin(Stdio::null());
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    wait_until("it writes", || place.list().len() == 3);
+    signal(&child, "HUP");
+    let run = Run::of(child.wait_with_output().unwrap()).ends(1);
+    assert!(run.stderr.contains("E0410"), "{run:?}");
+    assert_eq!(place.list(), ["a.nc", "bad.nc"]);
+}
