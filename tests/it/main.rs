@@ -6,6 +6,7 @@ mod cli;
 mod cli_check;
 mod cli_compile;
 mod cli_fix;
+mod dialects;
 mod disk;
 mod docs;
 mod editor_queries;
