@@ -93,6 +93,17 @@ impl Meant {
 }
 
 bilingual! {
+    /// The control that a program was written for, when that is none of ours.
+    OtherControl {
+        Fanuc "Fanuc, or one like it (Haas, Mitsubishi)", "Fanuc nebo jemu podobný (Haas, Mitsubishi)";
+        LinuxCnc "LinuxCNC", "LinuxCNC";
+        Sinumerik "Sinumerik", "Sinumerik";
+        Heidenhain "Heidenhain", "Heidenhain";
+        Iso "an ISO control such as Fanuc or LinuxCNC", "ISO systém jako Fanuc nebo LinuxCNC";
+    }
+}
+
+bilingual! {
     /// Why a word I, J or K has no use in its block (MOT-3, GRP-4, GRP-7, GRP-8).
     CenterPlace {
         ThirdInArc "an arc has its centre in I and J", "střed oblouku udávají I a J";

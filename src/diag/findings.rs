@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use super::{Code, Diagnostic, Severity};
-use crate::text::Location;
+use crate::text::{FileId, LineIndex, Location};
 
 /// How many errors and how many warnings are kept; the rest is counted.
 pub const LIMIT_PER_SEVERITY: usize = 10_000;
@@ -48,6 +48,32 @@ impl Findings {
         }
         for (code, count) in other.beyond {
             *self.beyond.entry(code).or_default() += count;
+        }
+    }
+
+    /// Keeps, of each line of a file, the first error, or the first warning when there is no error. What is beyond the limit
+    /// is counted as if it were one a line.
+    pub fn keep_one_a_line(&mut self, file: FileId, lines: &LineIndex) {
+        let mut first: BTreeMap<usize, (Severity, Location, Code)> = BTreeMap::new();
+        for item in self.items.iter().filter(|item| item.at.file == file) {
+            let key = (item.code().severity(), item.at, item.code());
+            let kept = first.entry(lines.line_at(item.at.span.start)).or_insert(key);
+            *kept = key.min(*kept);
+        }
+        let mut room = lines.count().saturating_sub(first.len());
+        let kept: HashSet<(Code, Location)> = first.into_values().map(|(_, at, code)| (code, at)).collect();
+        let Self { items, beyond, .. } = std::mem::take(self);
+        for item in items {
+            if item.at.file != file || kept.contains(&(item.code(), item.at)) {
+                self.add(item);
+            }
+        }
+        for (code, count) in beyond {
+            let counted = count.min(room);
+            room -= counted;
+            if counted > 0 {
+                self.beyond.insert(code, counted);
+            }
         }
     }
 
@@ -96,7 +122,7 @@ impl Findings {
 mod tests {
     use super::*;
     use crate::diag::Finding;
-    use crate::text::{FileId, Span};
+    use crate::text::Span;
 
     fn empty_block(at: u32) -> Diagnostic {
         Diagnostic::new(Finding::EmptyBlock { block: at }, Location { file: FileId(0), span: Span::new(at, at + 1) })
@@ -109,6 +135,27 @@ mod tests {
         findings.add(empty_block(3));
         assert_eq!(findings.items().len(), 1);
         assert!(!findings.has_errors());
+    }
+
+    #[test]
+    fn one_a_line() {
+        let lines = LineIndex::new("0123456789\n0123456789\n0123456789", 0);
+        let at = |at: u32| Location { file: FileId(0), span: Span::new(at, at + 1) };
+        let mut findings = Findings::new();
+        let mut elsewhere = empty_block(5);
+        elsewhere.at.file = FileId(1);
+        for found in [empty_block(12), empty_block(3), empty_block(1), elsewhere] {
+            findings.add(found);
+        }
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(5)));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(15)));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(14)));
+        findings.beyond.insert(Code::E0203, 1000);
+        findings.keep_one_a_line(FileId(0), &lines);
+        assert_eq!((findings.error_count(), findings.beyond()), (3, (1, 0)), "the third line may have one");
+        let found: Vec<_> =
+            findings.into_sorted().into_iter().map(|item| (item.at.file.0, item.at.span.start)).collect();
+        assert_eq!(found, [(0, 5), (0, 14), (1, 5)]);
     }
 
     #[test]

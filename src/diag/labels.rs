@@ -13,6 +13,7 @@ bilingual! {
         BlockHere { block: u32 } "block N{block} is here", "blok N{block} je zde";
         UnitBegins { l: u32 } "L{l} begins here", "L{l} začíná zde";
         MacrocycleFile { name: String } "one of them: {name}", "jeden z nich: {name}";
+        ShowsIt "this line shows it", "je to vidět na tomto řádku";
         GearHere { m: u8 } "M{m} is programmed here", "zde je programováno M{m}";
     }
 }

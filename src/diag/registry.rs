@@ -5,7 +5,9 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
-use super::{ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, Meant, ParameterNeed};
+use super::{
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, Meant, OtherControl, ParameterNeed,
+};
 use crate::dict::{Address, GCode, GGroup, Lang};
 
 /// How serious a finding is, unless configured.
@@ -224,6 +226,13 @@ diagnostics! {
     [E0112] UnreadableFile "unreadable-file" Error { problem: crate::diag::Problem, file: Option<String> }
         en ({ let (file, reason) = (file.as_deref().unwrap_or("the file"), problem.text(Lang::En)); format!("{file} cannot be read: {reason}") })
         cs ({ let (file, reason) = (file.as_deref().unwrap_or("soubor"), problem.text(Lang::Cs)); format!("{file} nelze přečíst: {reason}") })
+    [W0113] OtherControlProgram "other-control" Warning { control: OtherControl }
+        en ({ let control = control.text(Lang::En); format!("this program is written for another control: {control}") })
+        cs ({ let control = control.text(Lang::Cs); format!("program je napsán pro jiný řídicí systém: {control}") })
+        help "let the postprocessor write it for this control; `cnc872c explain W0113` says what to change by hand"
+           | "nechat ho vygenerovat postprocesorem pro tento systém; co změnit ručně, řekne „cnc872c explain W0113“"
+        note "of each line only the first finding is shown; `-A other-control` shows all"
+           | "z každého řádku je jen první hlášení; všechna ukáže volba -A other-control"
 
     [E0201] MissingProgramStart "missing-program-start" Error {}
         en "no `%`: the control would ignore the whole file"

@@ -5,6 +5,7 @@
 
 mod blocks;
 mod flow;
+mod foreign;
 mod forms;
 mod library;
 mod program;

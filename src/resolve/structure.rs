@@ -8,6 +8,7 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::blocks::{BlockChecker, g_code};
+use super::foreign::Origin;
 use super::{FileIndex, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
@@ -40,6 +41,7 @@ pub fn resolve_program(
 ) -> Resolved {
     let file = sources.add(Arc::clone(source));
     let parsed = parse(file, source, Form::Program, findings);
+    let origin = Origin::of(&parsed);
     let mut resolved = Resolved::default();
     let mut context = Context { settings, library, sources, findings };
     if let Some(word) = parsed.program {
@@ -50,6 +52,7 @@ pub fn resolve_program(
         flow::check_unused(&mut context, &resolved);
         rings::check(&mut context, &resolved);
     }
+    origin.point_out(settings, findings);
     resolved
 }
 
@@ -64,11 +67,13 @@ pub fn resolve_macrocycle(
 ) -> Resolved {
     let file = sources.add(Arc::clone(source));
     let parsed = parse(file, source, Form::Macrocycle, findings);
+    let origin = Origin::of(&parsed);
     let mut resolved = Resolved::default();
     let mut context = Context { settings, library, sources, findings };
     context.add_macrocycle(&mut resolved, parsed, l);
     flow::follow_calls(&mut context, &mut resolved);
     rings::check(&mut context, &resolved);
+    origin.point_out(settings, findings);
     resolved
 }
 

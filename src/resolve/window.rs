@@ -7,7 +7,7 @@ use super::{FileIndex, Resolved, Unit, UnitKind};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::Address;
-use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, parse};
+use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, is_suspicious, parse};
 use crate::text::{SourceText, Sources};
 
 /// Resolves `source`, a piece of a program from the `N` of one block up to that of another, as a main program without its
@@ -15,7 +15,8 @@ use crate::text::{SourceText, Sources};
 /// subprograms, and block numbers rise.
 ///
 /// `between` are the numbers of the blocks before and after the piece. `None` when the piece says anything that concerns
-/// other blocks: numbers that do not rise between those, calls, jumps, ends, skips, parameters, `%`, `*`.
+/// other blocks: numbers that do not rise between those, calls, jumps, ends, skips, parameters, `%`, `*`; or when something in it
+/// speaks for another control.
 pub fn resolve_window(
     source: &Arc<SourceText>,
     between: (u32, u32),
@@ -41,6 +42,10 @@ pub fn resolve_window(
     let mut checker = BlockChecker { settings, file: &parsed, findings };
     for block in parsed.block_ids() {
         checker.check(block, Some(UnitKind::Main));
+    }
+    // The whole program may look like one for another control then.
+    if !findings.is_empty() && is_suspicious(text) {
+        return None;
     }
     resolved.add_file(parsed, std::collections::BTreeMap::new());
     Some(resolved)

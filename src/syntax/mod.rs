@@ -4,6 +4,7 @@
 //! other blocks stay unharmed. Comments and layout survive: each word and comment knows its span.
 
 mod file;
+mod foreign;
 mod grammar;
 mod layout;
 mod lower;
@@ -14,6 +15,7 @@ mod token;
 mod word;
 
 pub use file::{Block, BlockFlags, BlockId, ParsedFile};
+pub use foreign::{Foreign, foreign, is_suspicious};
 pub use parse::{Form, parse};
 pub use token::{Kind, Token, tokens};
 pub use word::{Value, Word, WordParts};

@@ -8,6 +8,7 @@ mod cli_check;
 mod cli_compile;
 mod cli_faults;
 mod cli_fix;
+mod dialects;
 mod disk;
 mod docs;
 mod editor_queries;

@@ -23,7 +23,7 @@ use crate::run::{Run, run};
 use crate::samples::root;
 
 /// Samples that keep their numbers, and why.
-const REFUSED: [(&str, &str); 14] = [
+const REFUSED: [(&str, &str); 17] = [
     ("err/E0201-missing-program-start.nc", "there are no blocks"),
     ("err/E0205-no-block.nc", "there are no blocks"),
     ("err/E0304-decimal-point-not-allowed.nc", "the number of the block in line 11 cannot be read"),
@@ -31,6 +31,9 @@ const REFUSED: [(&str, &str); 14] = [
     ("err/E0406-unknown-jump-target.nc", "it is not clear where the jump in line 5 leads"),
     ("err/E0407-jump-out-of-unit.nc", "it is not clear where the jump in line 5 leads"),
     ("err/E0511-parameter-not-allowed.nc", "the number of the block in line 4 cannot be read"),
+    ("err/W0113-allowed.nc", "there are no blocks"),
+    ("err/W0113-one-a-line.nc", "there are no blocks"),
+    ("err/W0113-other-control.nc", "there are no blocks"),
     ("rules/adr-ranges.nc", "the number of the block in line 2 cannot be read"),
     ("rules/flw-target-parameter.nc", "where the jump in line 3 leads depends on a parameter"),
     ("rules/flw-target-read-limit.nc", "where the jump in line 7 leads depends on a parameter"),

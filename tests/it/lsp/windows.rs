@@ -34,7 +34,7 @@ fn program() -> String {
 }
 
 /// What may be typed somewhere.
-const TYPED: [&str; 21] = [
+const TYPED: [&str; 22] = [
     "",
     "9",
     "1",
@@ -54,6 +54,7 @@ const TYPED: [&str; 21] = [
     "*",
     "G99 ",
     "R1=5 ",
+    "IF[#1EQ2]GOTO10 ",
     "\nN20005 X1\n",
     " ",
 ];
@@ -119,6 +120,13 @@ fn as_a_fresh_check() {
     let document = json!({ "uri": URI, "languageId": "cnc872", "version": 0, "text": editor.text });
     editor.client.notify("textDocument/didOpen", json!({ "textDocument": document }));
     assert_eq!(editor.findings(), []);
+
+    // What makes it look like a program for another control concerns the whole of it.
+    let elsewhere = "IF[#1EQ2]GOTO10 G65 P1234";
+    let found = editor.change(300, 0, 0, &format!("{elsewhere}\n"));
+    assert!(found.iter().any(|(code, _)| code == "W0113"), "{found:?}");
+    assert_eq!(found, checked(&editor.text));
+    assert_eq!(editor.change(300, 0, elsewhere.len(), ""), []);
 
     // A step is a place and some changes there; at the end of it everything is undone.
     let line = prop_oneof![8 => 100..BLOCKS - 100, 1 => 8180..8200_usize, 1 => 0..BLOCKS];

@@ -1,0 +1,50 @@
+//! Says of a program with errors that it is one for another control.
+
+use std::sync::Arc;
+
+use crate::config::Settings;
+use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText, Severity};
+use crate::syntax::{ParsedFile, foreign};
+use crate::text::{Location, SourceText, Span};
+
+/// A file, once it is parsed: where its program begins.
+pub(super) struct Origin {
+    source: Arc<SourceText>,
+    /// Before the `%`, or at the start of the file: this finding comes before those about the `%` word.
+    place: Location,
+    /// What stands before a readable `%` word is no program; else all of the text is looked at.
+    from: u32,
+}
+
+impl Origin {
+    pub(super) fn of(parsed: &ParsedFile) -> Self {
+        let source = Arc::clone(&parsed.source);
+        let first = source.first_offset();
+        let percent = source.text().as_bytes().get(parsed.start as usize) == Some(&b'%');
+        let place = Span::empty(if percent { parsed.start } else { first });
+        let readable = parsed.program.is_some_and(|word| !word.is_faulty());
+        Self { source, place: parsed.at(place), from: if readable { parsed.start } else { first } }
+    }
+
+    /// When there are errors in the file, and its text is for another control: says so, and keeps of each line one finding.
+    pub(super) fn point_out(self, settings: &Settings, findings: &mut Findings) {
+        let file = self.place.file;
+        let wrong = findings.items().iter().any(|item| item.at.file == file && is_telling(item.code()));
+        if !wrong || settings.severity(Code::W0113).is_none() {
+            return;
+        }
+        let Some(found) = foreign(self.source.text(), self.from) else { return };
+        findings.keep_one_a_line(file, self.source.lines());
+        let finding = Finding::OtherControlProgram { control: found.control };
+        let mut diagnostic = Diagnostic::new(finding, self.place);
+        if !found.line.range().contains(&(self.place.span.start as usize)) {
+            diagnostic = diagnostic.with_label(Location { file, span: found.line }, LabelText::ShowsIt);
+        }
+        findings.add(diagnostic);
+    }
+}
+
+/// Whether a program for another control has such findings: errors, or text after `*`, which ends blocks elsewhere.
+fn is_telling(code: Code) -> bool {
+    code.severity() == Severity::Error || code == Code::W0110
+}
