@@ -282,7 +282,6 @@ impl Editor {
         }
         if !kind.is_hasty() {
             editor.settle();
-            editor.assert_findings();
             if kind.compares() && !editor.wild {
                 editor.assert_as_fresh();
             }
@@ -342,7 +341,7 @@ impl Editor {
     }
 
     fn id(number: usize) -> Value {
-        if number % 2 == 0 { json!(1_000_000 + number) } else { json!(format!("r{number}")) }
+        if number.is_multiple_of(2) { json!(1_000_000 + number) } else { json!(format!("r{number}")) }
     }
 
     fn ask(&mut self, method: &'static str, file: usize, params: Value) -> usize {
@@ -428,7 +427,7 @@ impl Editor {
         }
     }
 
-    /// Everything that was sent is done.
+    /// Everything that was sent is done; then the client has the findings of the files as they are.
     fn settle(&mut self) {
         // What the server asks is answered between these two; the answers change what it knows.
         for _ in 0..2 {
@@ -437,7 +436,10 @@ impl Editor {
         }
         // The findings of one document may come from the run over another.
         self.pull();
-        self.pull();
+        let pulled = self.pull();
+        if !self.wild {
+            self.assert_findings(&pulled);
+        }
     }
 
     fn pull(&mut self) -> BTreeMap<usize, Value> {
@@ -661,12 +663,8 @@ impl Editor {
     }
 
     /// The findings that the client has are those of the files as they are.
-    fn assert_findings(&mut self) {
-        if self.wild {
-            return;
-        }
+    fn assert_findings(&self, pulled: &BTreeMap<usize, Value>) {
         assert_eq!(self.refusals.0, self.refusals.1, "refusals");
-        let pulled = self.pull();
         let (kind, rooted) = (self.kind, self.kind.rooted());
         let open = self.open.iter().map(|(file, document)| (path(*file, rooted), document.text.clone())).collect();
         let (_, overrides, lang): (_, Overrides, _) = settings(self.taken);

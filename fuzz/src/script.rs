@@ -105,7 +105,7 @@ impl Bytes<'_> {
     }
 
     fn step(&mut self, verb: u8) -> Step {
-        const VERBS: &[u8] = b"ocCxswdgfrkeaR";
+        const VERBS: &[u8] = b"ocCxswdgfrkeaRl";
         let verb = if VERBS.contains(&verb) { verb } else { VERBS[usize::from(verb) % VERBS.len()] };
         match verb {
             b'o' => Step::Open(self.file(), self.text()),
@@ -126,10 +126,31 @@ impl Bytes<'_> {
                 let (method, file, from, to) = (self.number(), self.file(), self.place(), self.place());
                 Step::Request { method, file, from, to, extra: self.number(), text: self.text() }
             }
+            b'l' => Step::Open(self.file(), straight(self.number())),
             b'k' => Step::Cancel(self.number()),
             b'e' => Step::Settle,
             b'a' => Step::Apply(self.number()),
             _ => Step::Content(self.bytes()),
         }
     }
+}
+
+/// A program as quick looks at changes are for: straight, and without findings.
+fn straight(kind: u8) -> String {
+    let mut text = "%1\nN1 G00 X0 Y0 Z5\nN2 G01 F2000 Z0\n".to_owned();
+    let (blocks, kind) = (usize::from(kind % 32) + 4, usize::from(kind / 32));
+    for block in 3..blocks {
+        let n = block * 10;
+        let words = match (block + kind) % 12 {
+            3 => "X0 Y0".to_owned(),
+            4 => "G02 X0 Y10 I0 J5 \"oblouk".to_owned(),
+            5 => "G01 X0 Y0 M08".to_owned(),
+            6 => "G91 X1".to_owned(),
+            7 => format!("G90 X{block} F{}", 100 + block),
+            8 => "S500 M03".to_owned(),
+            _ => format!("X{block}.125 Y{kind}.25 Z{}", block % 7),
+        };
+        text += &format!("N{n} {words}\n");
+    }
+    text + &format!("N{} M30\n", blocks * 10)
 }
