@@ -2,7 +2,8 @@
 
 #![no_main]
 
-use cnc872c_fuzz::editor::{Editor, run_raw};
+use cnc872c_fuzz::connection::run_raw;
+use cnc872c_fuzz::editor::Editor;
 use cnc872c_fuzz::script::Script;
 use libfuzzer_sys::fuzz_target;
 

@@ -1,20 +1,22 @@
 //! An editor that does what a script says, and looks at everything that the server answers.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{self, BufRead, Read, Write};
+use std::io;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 use cnc872c::config::Overrides;
 use cnc872c::dict::Lang;
 use cnc872c::lsp::{Ended, serve};
-use cnc872c::text::ColumnUnit;
 use serde_json::{Value, json};
 
+use crate::answers::{assert_ranges, assert_shown, edits};
+use crate::client::Kind;
+use crate::connection::{Input, Output, take_frame};
 use crate::script::{Place, Script, Step};
-use crate::world::{Disk, FILES, Shown, expected, is_exact, offset, path, settings};
+use crate::world::{Disk, FILES, expected, is_exact, offset, path, settings};
 
 /// Longer than any answer takes.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -51,187 +53,6 @@ const METHODS: [&str; 26] = [
     "workspace/textDocumentContent",
     "textDocument/diagnostic",
 ];
-
-/// What a script chooses of a client.
-#[derive(Clone, Copy)]
-struct Kind {
-    client: u8,
-    way: u8,
-}
-
-impl Kind {
-    fn unit(self) -> ColumnUnit {
-        match self.client & 3 {
-            1 => ColumnUnit::Bytes,
-            2 => ColumnUnit::Characters,
-            _ => ColumnUnit::Utf16,
-        }
-    }
-
-    fn pulls(self) -> bool {
-        self.client & 4 != 0
-    }
-
-    fn configures(self) -> bool {
-        self.client & 8 != 0
-    }
-
-    /// Waits for every answer before the next step.
-    fn is_steady(self) -> bool {
-        self.client & 0x40 != 0
-    }
-
-    /// Leaves without waiting.
-    fn is_hasty(self) -> bool {
-        self.way & 4 != 0
-    }
-
-    fn compares(self) -> bool {
-        self.way & 8 != 0
-    }
-
-    fn locale(self) -> Lang {
-        if self.way & 16 != 0 { Lang::Cs } else { Lang::En }
-    }
-
-    fn rooted(self) -> bool {
-        self.way & 32 == 0
-    }
-
-    fn initialize(self, options: &Value) -> Value {
-        let rich = self.client & 0x20 != 0;
-        let encodings = match self.client & 3 {
-            0 => Value::Null,
-            1 => json!(["utf-16", "utf-8"]),
-            2 => json!(["utf-32"]),
-            _ => json!(["utf-16", "utf-32"]),
-        };
-        let mut capabilities = json!({
-            "general": { "positionEncodings": encodings },
-            "workspace": {
-                "configuration": self.configures(),
-                "didChangeWatchedFiles": { "dynamicRegistration": self.client & 0x10 != 0 },
-                "diagnostics": { "refreshSupport": self.pulls() },
-                "inlayHint": { "refreshSupport": rich },
-                "codeLens": { "refreshSupport": rich },
-                "workspaceEdit": { "documentChanges": rich },
-            },
-            "textDocument": {
-                "codeAction": { "codeActionLiteralSupport": {}, "disabledSupport": rich },
-                "rename": { "prepareSupport": rich },
-                "documentSymbol": { "hierarchicalDocumentSymbolSupport": rich },
-                "definition": { "linkSupport": rich },
-                "completion": { "completionItem": { "snippetSupport": rich } },
-                "hover": { "contentFormat": if rich { json!(["markdown"]) } else { Value::Null } },
-            },
-        });
-        if self.pulls() {
-            capabilities["textDocument"]["diagnostic"] = json!({});
-        }
-        if rich && self.way & 64 != 0 {
-            capabilities["textDocument"]["codeAction"]["resolveSupport"] = json!({ "properties": ["edit"] });
-            capabilities["textDocument"]["codeAction"]["dataSupport"] = json!(true);
-        }
-        let folders = if self.rooted() { json!([{ "uri": "file:///w", "name": "w" }]) } else { Value::Null };
-        json!({
-            "locale": if self.locale() == Lang::Cs { "cs-CZ" } else { "en" },
-            "capabilities": capabilities,
-            "workspaceFolders": folders,
-            "initializationOptions": options,
-        })
-    }
-}
-
-/// The bytes that an editor sends, as the server reads them.
-struct Input {
-    from: Receiver<Vec<u8>>,
-    piece: Vec<u8>,
-    at: usize,
-}
-
-impl Read for Input {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let piece = self.fill_buf()?;
-        let length = piece.len().min(buffer.len());
-        buffer[..length].copy_from_slice(&piece[..length]);
-        self.consume(length);
-        Ok(length)
-    }
-}
-
-impl BufRead for Input {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        while self.at == self.piece.len() {
-            self.at = 0;
-            match self.from.recv() {
-                Ok(piece) => self.piece = piece,
-                Err(_) => {
-                    self.piece = Vec::new();
-                    break;
-                }
-            }
-        }
-        Ok(&self.piece[self.at..])
-    }
-
-    fn consume(&mut self, length: usize) {
-        self.at += length;
-    }
-}
-
-/// The bytes that the server sends.
-struct Output {
-    to: Sender<Vec<u8>>,
-    piece: Vec<u8>,
-}
-
-impl Write for Output {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.piece.extend_from_slice(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.to.send(std::mem::take(&mut self.piece)).map_err(|_| io::ErrorKind::BrokenPipe.into())
-    }
-}
-
-impl Drop for Output {
-    fn drop(&mut self) {
-        assert!(self.piece.is_empty(), "a message that is not sent");
-    }
-}
-
-/// Takes one frame off the front of what the server sent.
-pub fn take_frame(bytes: &mut Vec<u8>) -> Option<Value> {
-    let end = bytes.windows(4).position(|window| window == b"\r\n\r\n")?;
-    let header = std::str::from_utf8(&bytes[..end]).expect("a header of text");
-    let length = header.strip_prefix("Content-Length: ").expect("the length, and nothing else");
-    let length: usize = length.parse().expect("a number");
-    let content = bytes.get(end + 4..end + 4 + length)?;
-    let message: Value = serde_json::from_slice(content).expect("JSON");
-    assert_message(&message);
-    bytes.drain(..end + 4 + length);
-    Some(message)
-}
-
-/// What must hold of everything that the server says.
-fn assert_message(message: &Value) {
-    assert_eq!(message["jsonrpc"], "2.0", "{message}");
-    let (id, method) = (message.get("id"), message.get("method"));
-    let (result, error) = (message.get("result"), message.get("error"));
-    match method {
-        Some(method) => {
-            assert!(method.is_string() && result.is_none() && error.is_none(), "{message}");
-            let text = message["params"]["message"].as_str().unwrap_or_default();
-            assert!(!text.starts_with("analysis:"), "{message}");
-        }
-        None => {
-            assert!(id.is_some() && result.is_some() != error.is_some(), "{message}");
-            assert_ne!(message["error"]["code"], -32603, "{message}");
-        }
-    }
-}
 
 struct Document {
     version: i32,
@@ -299,8 +120,8 @@ impl Editor {
         let (to, output) = channel();
         let of_server = Arc::clone(&disk);
         let server = thread::spawn(move || {
-            let input = Input { from, piece: Vec::new(), at: 0 };
-            serve(of_server, Lang::En, input, Output { to, piece: Vec::new() })
+            let input = Input::new(from);
+            serve(of_server, Lang::En, input, Output::new(to))
         });
         let mut editor = Self {
             kind,
@@ -370,7 +191,6 @@ impl Editor {
             if self.gone {
                 return false;
             }
-            use std::sync::mpsc::RecvTimeoutError;
             match self.output.recv_timeout(PATIENCE) {
                 Ok(piece) => self.received.extend(piece),
                 Err(RecvTimeoutError::Disconnected) => {
@@ -414,7 +234,7 @@ impl Editor {
         }
     }
 
-    /// What must hold of an answer: ranges end where they begin or later, and are in the text when that is the same.
+    /// What must hold of every answer.
     fn assert_answer(&self, number: usize, answer: &Value) {
         let asked = &self.asked[number];
         let result = &answer["result"];
@@ -767,85 +587,4 @@ fn place((line, character): Place) -> Value {
 fn document(file: usize, mut params: Value) -> Value {
     params["textDocument"] = json!({ "uri": FILES[file].1 });
     params
-}
-
-/// Ranges anywhere in a result.
-fn assert_ranges(value: &Value) {
-    match value {
-        Value::Array(items) => items.iter().for_each(assert_ranges),
-        Value::Object(object) => {
-            if let (Some(start), Some(end)) = (object.get("start"), object.get("end")) {
-                let at = |place: &Value| (place["line"].as_u64(), place["character"].as_u64());
-                assert!(at(start) <= at(end), "{value}");
-            }
-            object.values().for_each(assert_ranges);
-        }
-        _ => {}
-    }
-}
-
-/// The text edits of a result, by document: those of a `WorkspaceEdit`, of one of a list of actions or completions, or
-/// the list itself.
-fn edits(uri: &str, result: &Value, which: usize) -> Vec<(String, Option<i64>, Vec<Value>)> {
-    let list = result.as_array().or(result["items"].as_array());
-    let chosen = match list {
-        Some(list) if list.is_empty() => return Vec::new(),
-        Some(list) if list[0].get("newText").is_some() => return vec![(uri.to_owned(), None, list.clone())],
-        Some(list) => &list[which % list.len()],
-        None => result,
-    };
-    if chosen["textEdit"].is_object() {
-        let more = chosen["additionalTextEdits"].as_array().into_iter().flatten();
-        let all = std::iter::once(&chosen["textEdit"]).chain(more).cloned().collect();
-        return vec![(uri.to_owned(), None, all)];
-    }
-    let edit = chosen.get("edit").unwrap_or(chosen);
-    let by_map = edit["changes"].as_object().into_iter().flatten();
-    let by_map = by_map.map(|(uri, edits)| (uri.clone(), None, edits.as_array().cloned().unwrap_or_default()));
-    let by_document = edit["documentChanges"].as_array().into_iter().flatten().map(|change| {
-        let document = &change["textDocument"];
-        let uri = document["uri"].as_str().unwrap_or_default().to_owned();
-        (uri, document["version"].as_i64(), change["edits"].as_array().cloned().unwrap_or_default())
-    });
-    by_map.chain(by_document).collect()
-}
-
-/// A file's findings are those expected of it; what several documents find in the same place is shown once.
-fn assert_shown(uri: &str, text: &str, items: &[Value], expected: &[Vec<Shown>]) {
-    let number = |at: &Value| at.as_u64().expect("a number");
-    let shown: Vec<Shown> = items
-        .iter()
-        .map(|item| {
-            let (start, end) = (&item["range"]["start"], &item["range"]["end"]);
-            let range = [&start["line"], &start["character"], &end["line"], &end["character"]].map(number);
-            let code = item["code"].as_str().expect("a code").to_owned();
-            let message = item["message"].as_str().expect("a message").to_owned();
-            (range, code, number(&item["severity"]), message)
-        })
-        .collect();
-    let places = |shown: &[Shown]| -> BTreeSet<([u64; 4], String)> {
-        shown.iter().map(|(range, code, ..)| (*range, code.clone())).collect()
-    };
-    let all: Vec<Shown> = expected.iter().flatten().cloned().collect();
-    assert_eq!(places(&shown), places(&all), "{uri}: {text:?}");
-    for (range, code, severity, message) in &shown {
-        let same = |other: &&Shown| {
-            other.0 == *range && other.1 == *code && other.2 == *severity && message.starts_with(&other.3)
-        };
-        assert!(all.iter().any(|other| same(&other)), "{uri}: {code} {range:?} {message}: {all:?}");
-    }
-    if let [only] = expected {
-        assert_eq!(shown.len(), only.len(), "{uri}: {text:?}");
-    }
-}
-
-/// Gives bytes to a server as they are; what it answers is well-formed, and it ends.
-pub fn run_raw(bytes: &[u8]) {
-    let (to, output) = channel();
-    let input = io::Cursor::new(bytes.to_vec());
-    let disk: Arc<Disk> = Arc::new(Disk::new());
-    serve(disk, Lang::En, input, Output { to, piece: Vec::new() }).expect("threads");
-    let mut received: Vec<u8> = output.iter().flatten().collect();
-    while take_frame(&mut received).is_some() {}
-    assert!(received.is_empty(), "a frame that is cut short");
 }
