@@ -18,8 +18,8 @@ use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 
 /// Blocks between two reports of progress.
 const PROGRESS: u64 = 1 << 16;
-/// Blocks between two looks at a checked program; [`PROGRESS`] is a multiple of it.
-pub const STRIDE: u64 = 1 << 13;
+/// Blocks between two looks at a checked program; [`PROGRESS`] is a multiple of it. Fuzzing has short programs.
+pub const STRIDE: u64 = if cfg!(fuzzing) { 1 << 1 } else { 1 << 13 };
 /// Records are handed on in pieces of about this many bytes.
 const PIECE: usize = 1 << 18;
 

@@ -1,5 +1,12 @@
 //! What the fuzz targets share: settings out of the first bytes, and what must hold of every outcome.
 
+pub mod answers;
+pub mod client;
+pub mod connection;
+pub mod editor;
+pub mod script;
+pub mod world;
+
 use std::path::Path;
 
 use cnc872c::config::{Overrides, Settings, configure};

@@ -12,8 +12,8 @@ use crate::session::{Outcome, Session};
 use crate::syntax::BlockId;
 use crate::text::{Loader, SourceText, Span};
 
-/// Programs with fewer blocks are checked anew as quickly.
-const LONG: u32 = 20_000;
+/// Programs with fewer blocks are checked anew as quickly. Fuzzing has short ones.
+const LONG: u32 = if cfg!(fuzzing) { 6 } else { 20_000 };
 
 /// A place between two blocks.
 #[derive(Debug)]
