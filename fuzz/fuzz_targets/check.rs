@@ -1,4 +1,4 @@
-//! Any bytes as program and as macrocycle: check, and the findings in every form.
+//! Any bytes as program and as macrocycle: check, and the findings in every form; the short way through plain blocks.
 
 #![no_main]
 
@@ -18,5 +18,13 @@ fuzz_target!(|data: &[u8]| {
     let lengths = [("p.nc", bytes.len()), ("L1", bytes.len()), ("L9001.NC", bytes.len())];
     for name in ["p.nc", "L1"] {
         assert_outcome(session.check(Path::new(name), name), &settings, &lengths);
+    }
+    // The library has this only when it is fuzzed.
+    #[cfg(fuzzing)]
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        use cnc872c::syntax::{Form, short_way_agrees};
+        for form in [Form::Program, Form::Macrocycle] {
+            assert!(short_way_agrees(text, form), "{form:?}");
+        }
     }
 });

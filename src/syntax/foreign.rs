@@ -178,7 +178,7 @@ pub fn foreign(text: &str, start: u32) -> Option<Foreign> {
     let alone = controls.into_iter().filter(|weight| *weight == most).count() == 1;
     let control = match best {
         Speaks::For(at) if alone && most >= NAMED => NAMES.get(at)?.clone(),
-        _ => OtherControl::Iso,
+        Speaks::For(_) | Speaks::Iso | Speaks::Any | Speaks::Own => OtherControl::Iso,
     };
     let line = rows()
         .filter(|(row, _)| row.speaks_for != Speaks::Own)

@@ -166,15 +166,12 @@ fn well_formed(tokens: &[Token], lowering: &mut Lowering<'_>) -> usize {
     let mut tokens_left = tokens.iter().peekable();
     let mut taken = 0;
     while let Some(token) = tokens_left.next() {
-        match token.kind {
-            // A number behind it belongs to it, or is meant to.
-            Kind::Word
-                if !tokens_left.peek().is_some_and(|next| matches!(next.kind, Kind::Number | Kind::LooseNumber)) =>
-            {
-                lowering.plain_word(*token);
-            }
-            Kind::LineEnd => {}
-            _ => break,
+        // A number behind a word belongs to it, or is meant to.
+        let number_next = tokens_left.peek().is_some_and(|next| matches!(next.kind, Kind::Number | Kind::LooseNumber));
+        if token.kind == Kind::Word && !number_next {
+            lowering.plain_word(*token);
+        } else if token.kind != Kind::LineEnd {
+            break;
         }
         taken += 1;
     }

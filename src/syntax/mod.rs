@@ -16,6 +16,8 @@ mod word;
 
 pub use file::{Block, BlockFlags, BlockId, ParsedFile};
 pub use foreign::{Foreign, foreign, is_suspicious};
+#[cfg(fuzzing)]
+pub use parse::short_way_agrees;
 pub use parse::{Form, parse};
 pub use token::{Kind, Token, tokens};
 pub use word::{Value, Word, WordParts};

@@ -361,6 +361,23 @@ impl<'t> Reader<'t> {
     }
 }
 
+/// The tree and the findings of a text, read in so many pieces, with or without the short way; to be compared.
+#[cfg(any(test, fuzzing))]
+fn show(pieces: u32, short_way: bool, text: &str, form: Form) -> (String, Vec<String>) {
+    let source = Arc::new(SourceText::from_text("t.nc", text));
+    let mut findings = Findings::new();
+    let parsed = parse_in(pieces, short_way, FileId(0), &source, form, &mut findings);
+    let found = findings.into_sorted().iter().map(|found| format!("{found:?}")).collect();
+    (format!("{parsed:?}"), found)
+}
+
+/// Whether a text gives the same in one piece by lexer and grammar alone, and in several with the short way.
+#[cfg(fuzzing)]
+pub fn short_way_agrees(text: &str, form: Form) -> bool {
+    let whole = show(1, false, text, form);
+    (1..=3).all(|pieces| show(pieces, true, text, form) == whole)
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -412,15 +429,6 @@ mod tests {
         one("N10 ř X5", "E0101", "ř");
         one("N10 XR96", "E0501", "96");
         one("NR1 X5", "E0511", "NR1");
-    }
-
-    /// The tree and the findings, as text.
-    fn show(pieces: u32, short_way: bool, text: &str, form: Form) -> (String, Vec<String>) {
-        let source = Arc::new(SourceText::from_text("t.nc", text));
-        let mut findings = Findings::new();
-        let parsed = parse_in(pieces, short_way, FileId(0), &source, form, &mut findings);
-        let found = findings.into_sorted().iter().map(|found| format!("{found:?}")).collect();
-        (format!("{parsed:?}"), found)
     }
 
     /// Reading side by side gives what reading in one piece gives.
