@@ -16,6 +16,9 @@ const LONG: &str = "%1\nN10 G0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G7
 /// The same with a fix.
 const LONG_TO_FIX: &str = "%1\nN10 g0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
 
+/// What happens to the files of a run.
+type Event = fn(&Place);
+
 const CALL: &str = "%1\nN10 G72 L9001\nN20 M30\n";
 
 const FORMATS: [&str; 5] = ["human", "short", "json", "sarif", "github"];
@@ -102,7 +105,7 @@ fn findings_for_a_full_disk() {
 /// A macrocycle that is there and cannot be read is named at its call, and the status is 2.
 #[test]
 fn macrocycles_that_cannot_be_read() {
-    let spoil: [(fn(&Place), &str, &str); 3] = [
+    let spoil: [(Event, &str, &str); 3] = [
         (|place| make_fifo(&place.path("m/L9001")), "it is not a regular file", "není to obyčejný soubor"),
         (|place| symlink("nothing", place.path("m/L9001")).unwrap(), "a link that leads to no file", "je to odkaz"),
         (|place| symlink("L9001", place.path("m/L9001")).unwrap(), "a link that leads to no file", "je to odkaz"),
@@ -240,7 +243,7 @@ fn processor_time(child: &Child) -> u64 {
 fn a_program_that_changes_while_it_is_fixed() {
     const THEIRS: &str = "%1\nN10 G0 G90 X7\nN20 M30\n";
     let grown = format!("{LONG_TO_FIX}\"theirs\n");
-    let change: [(fn(&Place), Option<&str>, &str); 4] = [
+    let change: [(Event, Option<&str>, &str); 4] = [
         // It grows.
         (
             |place| {
