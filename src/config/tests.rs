@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::*;
-use crate::diag::{Code, Diagnostic, Findings};
+use crate::diag::{Code, ConfigProblem, Diagnostic, Finding, Findings};
 use crate::dict::{AxisLetter, Decimal, Dialect, GCode, Lang, Operation};
 use crate::text::{Encoding, MemoryLoader, Sources};
 
@@ -343,9 +343,22 @@ fn encodings_of_the_files() {
     assert_eq!(run.found(), [(Code::E0702, "č")]);
     assert!(run.settings.block_skip);
 
-    let loader = MemoryLoader::new().with("cnc872c.toml", b"\xff\xfed\0".to_vec());
-    let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
-    assert_eq!(run.found(), [(Code::E0701, "")]);
+    for encoding in ["iso-8859-2", "ISO8859-2", "latin2", "windows-1250", "cp1250", "cp852", "ibm852"] {
+        let letter = if encoding.ends_with("852") { 0x9f } else { 0xe8 };
+        let mut xml = format!("<?xml version='1.0' encoding=\"{encoding}\"?><C><MFunctions><MFunc No='").into_bytes();
+        xml.push(letter);
+        xml.extend(b"'/></MFunctions></C>");
+        let loader = MemoryLoader::new().with("c.toml", b"channel-config = 'C.xml'".to_vec()).with("C.xml", xml);
+        let run = Run::with(Some("c.toml"), &Overrides::default(), &loader);
+        assert_eq!(run.found(), [(Code::E0702, "č")], "{encoding}");
+    }
+
+    for utf16 in [b"\xff\xfed\0", b"\xfe\xff\0d"] {
+        let loader = MemoryLoader::new().with("cnc872c.toml", utf16.to_vec());
+        let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
+        assert_eq!(run.found(), [(Code::E0701, "")]);
+        assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason: ConfigProblem::Utf16 });
+    }
 
     let loader = MemoryLoader::new().with("cnc872c.toml", b"# p\xfd\xa1ruba\nblock-skip = 5\n".to_vec());
     let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
