@@ -1,11 +1,12 @@
 //! The configuration as a whole: files, command line, places of findings.
 
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::*;
 use crate::diag::{Code, ConfigProblem, Diagnostic, Finding, Findings};
 use crate::dict::{AxisLetter, Decimal, Dialect, GCode, Lang, Operation};
-use crate::text::{Encoding, MemoryLoader, Sources};
+use crate::text::{Encoding, Loader, MemoryLoader, Sources};
 
 /// The example of the specification, each key once.
 pub(super) const EXAMPLE: &str = r#"
@@ -61,7 +62,7 @@ pub(super) struct Run {
 }
 
 impl Run {
-    pub(super) fn with(project: Option<&str>, overrides: &Overrides, loader: &MemoryLoader) -> Self {
+    pub(super) fn with(project: Option<&str>, overrides: &Overrides, loader: &dyn Loader) -> Self {
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
         let settings = configure(project.map(Path::new), overrides, loader, &mut sources, &mut findings);
         Self { settings, sources, findings: findings.into_sorted() }
@@ -328,6 +329,43 @@ fn files_that_cannot_be_read() {
     let run = Run::with(None, &overrides, &none);
     assert_eq!(run.found(), [(Code::E0702, "")]);
     assert_eq!(run.findings[0].finding.message(Lang::En), "`--channel-config` does not exist on cnc8x6");
+}
+
+/// A file that the system does not give out.
+struct Refused(ErrorKind);
+
+impl Loader for Refused {
+    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Err(self.0.into())
+    }
+
+    fn list(&self, _: &Path) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    fn folders(&self, _: &Path) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    fn canonical(&self, path: &Path) -> PathBuf {
+        path.to_path_buf()
+    }
+}
+
+#[test]
+fn why_a_file_cannot_be_read() {
+    let name = || "c.toml".to_owned();
+    for (kind, expected) in [
+        (ErrorKind::NotFound, ConfigProblem::NotFound { name: name() }),
+        (ErrorKind::NotADirectory, ConfigProblem::NotFound { name: name() }),
+        (ErrorKind::PermissionDenied, ConfigProblem::Denied { name: name() }),
+        (ErrorKind::IsADirectory, ConfigProblem::Directory { name: name() }),
+        (ErrorKind::TimedOut, ConfigProblem::File { problem: format!("c.toml: {}", ErrorKind::TimedOut) }),
+    ] {
+        let run = Run::with(Some("c.toml"), &Overrides::default(), &Refused(kind));
+        assert_eq!(run.findings.len(), 1);
+        assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason: expected });
+    }
 }
 
 /// LEX-13: code pages of the files themselves; a byte-order mark is tolerated.
