@@ -131,6 +131,8 @@ mod tests {
         assert_eq!(real(Operation::Div, 10_000, 3000), Some(3333));
         assert_eq!(real(Operation::Div, 1, 2000), Some(1));
         assert_eq!(real(Operation::Div, -1, 2000), Some(-1));
+        assert_eq!(real(Operation::Div, 1, -2000), Some(-1));
+        assert_eq!(real(Operation::Div, -1, -2000), Some(1));
         assert_eq!(real(Operation::Mod, -7000, 3000), Some(-1000));
         assert_eq!(real(Operation::Sqrt, 2000, 0), Some(1414));
         assert_eq!(real(Operation::Sqrt, 7000, 0), Some(2646));

@@ -143,6 +143,12 @@ fn errors_end_the_stream() {
     assert!(stream.records.iter().all(|record| record["kind"] != "end"));
     let stream = case("%1\nN10 X0\nN20 XR1\nN30 M30").run();
     assert_eq!(stream.errors, ["W0503"]);
+    assert_eq!(stream.blocks().len(), 1);
+    assert!(stream.records.iter().all(|record| record["kind"] != "end"));
+    // The block with the error is no record, nor is any after it, though execution goes on.
+    let stream = case("%1\nN10 G0 X0\nN20 X1 K5\nN30 X2\nN40 M30").run();
+    assert_eq!(stream.errors, ["E0609"]);
+    assert_eq!(stream.blocks().len(), 1);
     assert!(stream.records.iter().all(|record| record["kind"] != "end"));
     let stream = case("%1\nN10 XR1 R2=R1\nN20 YR2\nN30 M30").args("--param R1=-2.5").whole();
     assert_eq!(stream.blocks()[1]["position"], json!({"X": -2.5, "Y": -2.5}));

@@ -84,6 +84,14 @@ fn real_arithmetic() {
     }
 }
 
+/// A control word of nothing but zeros is no negative one: its arithmetic is not that of whole numbers (PAR-8).
+#[test]
+fn the_control_word_zero() {
+    let found =
+        case("%1\nN10 R0=0.3\nN20 G26 R5=0\nN30 G0 XR0\nN40 M30").config("[operations]\n\"00\" = \"add\"").blocks();
+    assert_eq!(found[1]["params"]["R0"], json!(0.6));
+}
+
 /// Whole-number arithmetic rounds operands and results (PAR-8).
 #[test]
 fn whole_arithmetic() {
