@@ -61,6 +61,9 @@ fn large_programs() {
         macrocycles = macrocycles.with(&format!("L{n}"), &format!("N1 G79 L{n}\nN2 G70"));
     }
     assert_eq!(macrocycles.whole().end()["blocks"], 18_001);
+    let faulty =
+        format!("%1\n{}N99999 M30", of(50_000, &|n| format!("N{n} {}\n", if n % 9973 == 0 { "T-1" } else { "X1" })));
+    assert_eq!(case(&faulty).run().errors.len(), 5);
     let mut ring = case("%1\nN1 G72 L1\nN2 M30");
     for n in 1..=2000 {
         ring = ring.with(&format!("L{n}"), &format!("N1 G79 L{n}\nN2 G72 L{}\nN3 G72 L1\nN4 G70", n % 2000 + 1));
