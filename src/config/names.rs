@@ -41,9 +41,7 @@ impl Names {
             Self::Parameters => plain(name, "R", HIGHEST_PARAMETER),
             Self::Operations => digits(name).filter(|_| name.len() <= 2),
             Self::Cycles => plain(name, "G", 89).filter(|&number| number >= 81),
-            Self::Constants => {
-                digits(name.strip_prefix('R')?).filter(|&number| number <= HIGHEST_CONSTANT && name.len() <= 4)
-            }
+            Self::Constants => digits(name.strip_prefix('R')?).filter(|_| name.len() <= 4),
             Self::Lints => {
                 let code = Code::find(name).filter(|code| [code.name(), code.as_str()].contains(&name))?;
                 Code::ALL.iter().position(|&other| other == code).and_then(|at| u16::try_from(at).ok())
@@ -175,6 +173,7 @@ mod tests {
             (Names::Constants, "R06", Some(6)),
             (Names::Constants, "R432", Some(432)),
             (Names::Constants, "R1000", None),
+            (Names::Constants, "R0006", None),
             (Names::Constants, "56", None),
             (Names::Lints, "no-such-name", None),
             (Names::Lints, "w0214", None),

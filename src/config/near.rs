@@ -38,5 +38,8 @@ mod tests {
             assert_eq!(nearest(name, keys).as_deref(), expected, "{name}");
         }
         assert_eq!(nearest(&"d".repeat(1_000_000), keys), None);
+        let long = "d".repeat(40);
+        assert_eq!(nearest(&"d".repeat(LONGEST), [long.as_str()]), Some(long.clone()));
+        assert_eq!(nearest(&"d".repeat(LONGEST + 1), [long.as_str()]), None);
     }
 }

@@ -181,5 +181,7 @@ mod tests {
         for (name, value) in schema["properties"].as_object().unwrap() {
             assert!(value["description"].is_string(), "{name}");
         }
+        // A level by the name of the finding says its code.
+        assert_eq!(schema["properties"]["lints"]["properties"]["empty-block"]["description"], "W0214");
     }
 }

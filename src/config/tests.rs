@@ -1,11 +1,12 @@
 //! The configuration as a whole: files, command line, places of findings.
 
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 use super::*;
-use crate::diag::{Code, Diagnostic, Findings};
+use crate::diag::{Code, ConfigProblem, Diagnostic, Finding, Findings};
 use crate::dict::{AxisLetter, Decimal, Dialect, GCode, Lang, Operation};
-use crate::text::{Encoding, MemoryLoader, Sources};
+use crate::text::{Encoding, Loader, MemoryLoader, Sources};
 
 /// The example of the specification, each key once.
 pub(super) const EXAMPLE: &str = r#"
@@ -61,7 +62,7 @@ pub(super) struct Run {
 }
 
 impl Run {
-    pub(super) fn with(project: Option<&str>, overrides: &Overrides, loader: &MemoryLoader) -> Self {
+    pub(super) fn with(project: Option<&str>, overrides: &Overrides, loader: &dyn Loader) -> Self {
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
         let settings = configure(project.map(Path::new), overrides, loader, &mut sources, &mut findings);
         Self { settings, sources, findings: findings.into_sorted() }
@@ -330,6 +331,43 @@ fn files_that_cannot_be_read() {
     assert_eq!(run.findings[0].finding.message(Lang::En), "`--channel-config` does not exist on cnc8x6");
 }
 
+/// A file that the system does not give out.
+struct Refused(ErrorKind);
+
+impl Loader for Refused {
+    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Err(self.0.into())
+    }
+
+    fn list(&self, _: &Path) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    fn folders(&self, _: &Path) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    fn canonical(&self, path: &Path) -> PathBuf {
+        path.to_path_buf()
+    }
+}
+
+#[test]
+fn why_a_file_cannot_be_read() {
+    let name = || "c.toml".to_owned();
+    for (kind, expected) in [
+        (ErrorKind::NotFound, ConfigProblem::NotFound { name: name() }),
+        (ErrorKind::NotADirectory, ConfigProblem::NotFound { name: name() }),
+        (ErrorKind::PermissionDenied, ConfigProblem::Denied { name: name() }),
+        (ErrorKind::IsADirectory, ConfigProblem::Directory { name: name() }),
+        (ErrorKind::TimedOut, ConfigProblem::File { problem: format!("c.toml: {}", ErrorKind::TimedOut) }),
+    ] {
+        let run = Run::with(Some("c.toml"), &Overrides::default(), &Refused(kind));
+        assert_eq!(run.findings.len(), 1);
+        assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason: expected });
+    }
+}
+
 /// LEX-13: code pages of the files themselves; a byte-order mark is tolerated.
 #[test]
 fn encodings_of_the_files() {
@@ -343,9 +381,22 @@ fn encodings_of_the_files() {
     assert_eq!(run.found(), [(Code::E0702, "č")]);
     assert!(run.settings.block_skip);
 
-    let loader = MemoryLoader::new().with("cnc872c.toml", b"\xff\xfed\0".to_vec());
-    let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
-    assert_eq!(run.found(), [(Code::E0701, "")]);
+    for encoding in ["iso-8859-2", "ISO8859-2", "latin2", "windows-1250", "cp1250", "cp852", "ibm852"] {
+        let letter = if encoding.ends_with("852") { 0x9f } else { 0xe8 };
+        let mut xml = format!("<?xml version='1.0' encoding=\"{encoding}\"?><C><MFunctions><MFunc No='").into_bytes();
+        xml.push(letter);
+        xml.extend(b"'/></MFunctions></C>");
+        let loader = MemoryLoader::new().with("c.toml", b"channel-config = 'C.xml'".to_vec()).with("C.xml", xml);
+        let run = Run::with(Some("c.toml"), &Overrides::default(), &loader);
+        assert_eq!(run.found(), [(Code::E0702, "č")], "{encoding}");
+    }
+
+    for utf16 in [b"\xff\xfed\0", b"\xfe\xff\0d"] {
+        let loader = MemoryLoader::new().with("cnc872c.toml", utf16.to_vec());
+        let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
+        assert_eq!(run.found(), [(Code::E0701, "")]);
+        assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason: ConfigProblem::Utf16 });
+    }
 
     let loader = MemoryLoader::new().with("cnc872c.toml", b"# p\xfd\xa1ruba\nblock-skip = 5\n".to_vec());
     let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);

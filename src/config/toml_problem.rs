@@ -159,6 +159,8 @@ mod tests {
         assert_eq!(told("a = [\n1,\n2\n3]\nb 5\n").0, ConfigProblem::Comma);
         assert_eq!(told("a = 1\na = 2\nb 5\n").1, Span::new(6, 7));
         assert_eq!(told("a = \"\"\"\nx\"\"\" 5").0, ConfigProblem::OneKeyALine);
+        // The end of a line is not cut in two.
+        assert_eq!(told("a = 1\r\na = 2\r\n").1, Span::new(7, 8));
     }
 
     /// Deep nesting and long paths are refused, not followed.

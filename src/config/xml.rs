@@ -176,6 +176,7 @@ mod tests {
             ("<a>č &x;</a>", ConfigProblem::UnknownEntity { name: name("x") }, 6),
             ("<a>č & x</a>", ConfigProblem::Ampersand, 6),
             ("<a x='<'/>", ConfigProblem::LessThan, 6),
+            ("<a x 1='2'/>", ConfigProblem::NotXml, 5),
             ("<p:a/>", ConfigProblem::UnknownPrefix { prefix: name("p") }, 1),
             ("\n<?xml version='1.0'?><a/>", ConfigProblem::DeclarationPlace, 1),
             ("<a><!-- -- --></a>", ConfigProblem::CommentForm, 3),
@@ -209,6 +210,8 @@ mod tests {
         assert_eq!(fault("<!DOCTYPE a [<!ENTITY x 'y'>]><a>&x;</a>"), (ConfigProblem::EntityDeclared, 13));
         assert_eq!(fault("<!DOCTYPE a [<!ENTITY % x 'y'>]><a/>"), (ConfigProblem::EntityDeclared, 13));
         assert!(is_read("<a><!-- <!ENTITY x 'y'> --></a>"));
+        let source = SourceText::from_text("c.xml", "<!DOCTYPE a [<!ENTITY x 'y'>]><a>&x;</a>");
+        assert_eq!(source.slice(parse(&source).map(|_| ()).expect_err("declares").1), "<!ENTITY");
         assert!(is_read("<a x='&lt;&amp;&#65;'/>"));
     }
 
@@ -221,6 +224,10 @@ mod tests {
         assert!(is_read(&format!("<a>{}</a>", "<b x='1' y=\"a>b\"/>\n".repeat(count))));
         let attributes: String = (0..count).map(|i| format!(" a{i}='1'")).collect();
         assert_eq!(fault(&format!("<r><a{attributes}/></r>")), (ConfigProblem::TooMany, 3));
+        let attributes = |count: usize| (0..count).map(|i| format!(" a{i}='1'")).collect::<String>();
+        assert!(is_read(&format!("<r><a{}/></r>", attributes(MOST_ATTRIBUTES))));
+        let refused = format!("<r><a/><a{}/></r>", attributes(MOST_ATTRIBUTES + 1));
+        assert_eq!(fault(&refused), (ConfigProblem::TooMany, 7));
         let namespaces: String = (0..count).map(|i| format!("<a xmlns:n{i}='{i}'>")).collect();
         assert_eq!(fault(&namespaces).0, ConfigProblem::TooMany);
         assert!(is_read(&format!("<a>{}</a>", "<b xmlns:x='urn:x' x:y='1'/>".repeat(count))));

@@ -131,8 +131,12 @@ mod tests {
         assert_eq!(real(Operation::Div, 10_000, 3000), Some(3333));
         assert_eq!(real(Operation::Div, 1, 2000), Some(1));
         assert_eq!(real(Operation::Div, -1, 2000), Some(-1));
+        assert_eq!(real(Operation::Div, 1, -2000), Some(-1));
+        assert_eq!(real(Operation::Div, -1, -2000), Some(1));
         assert_eq!(real(Operation::Mod, -7000, 3000), Some(-1000));
         assert_eq!(real(Operation::Sqrt, 2000, 0), Some(1414));
+        assert_eq!(real(Operation::Sqrt, 7000, 0), Some(2646));
+        assert_eq!(real(Operation::Sqrt, 0, 0), Some(0));
         assert_eq!(real(Operation::Round, -2500, 0), Some(-3000));
         assert_eq!(real(Operation::Trunc, -2900, 0), Some(-2000));
         assert_eq!(whole(Operation::Div, 10_000, 4000), Some(3000));

@@ -9,7 +9,7 @@ use super::points::Run;
 use super::state::{Position, State};
 use crate::config::{Purpose, Settings};
 use crate::diag::{CallSite, Diagnostic, Finding, Findings};
-use crate::dict::{Address, AxisLetter, Decimal, GCode};
+use crate::dict::{AxisLetter, Decimal, GCode};
 use crate::ir::{AxisMap, BlockRecord, Call};
 use crate::resolve::{FileIndex, Library, Resolved, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, Word};
@@ -367,7 +367,7 @@ impl<'a, 'l> Executor<'a, 'l> {
 
     /// The number of a word; the whole word when a parameter stands for it.
     pub(super) fn value_or_word(&self, word: Word) -> Location {
-        if word.is_parametric() && word.address != Address::R { self.word_place(word) } else { self.value_place(word) }
+        if word.is_parametric() { self.word_place(word) } else { self.value_place(word) }
     }
 
     /// Adds a finding with the calls that led to the block.

@@ -154,11 +154,10 @@ impl Executor<'_, '_> {
         let mut changed = origin != self.state.last_origin;
         self.state.last_origin = origin;
         let active = |held: Held| !matches!(held, Held::None) && held.value() != Some(crate::dict::Decimal::ZERO);
-        let mut corrected = active(self.state.correction);
+        let corrected = active(self.state.correction);
         if let Some(word) = self.words.correction {
             let new = Held::of(word.value);
             changed |= new != self.state.correction && (active(new) || corrected);
-            corrected |= active(new);
             self.state.correction = new;
         }
         if let Some(word) = self.words.d {

@@ -4,7 +4,7 @@
 use super::block::Valued;
 use super::executor::Executor;
 use super::motion::{Reading, Travel, motion_type};
-use super::state::{Held, Position};
+use super::state::Held;
 use crate::dict::{GCode, GGroup};
 use crate::ir::MotionType;
 use crate::syntax::BlockId;
@@ -46,7 +46,7 @@ impl Executor<'_, '_> {
         straight
     }
 
-    /// The motions of a block's words. `false`: there is another word, or something to be said of one.
+    /// The motions of a block's words. `false`: there is another word.
     #[inline]
     fn read_point(&self, block: BlockId, reading: Reading, travels: &mut Vec<Travel>) -> bool {
         travels.clear();
@@ -54,9 +54,6 @@ impl Executor<'_, '_> {
         for &word in file.words(block) {
             let Some(axis) = self.settings.machine.axes.index_of(word.address) else { return false };
             let Some(travel) = self.travel(axis, Valued { word, value: word.number() }, reading) else { return false };
-            if travel.incremental && travel.before == Position::Unknown {
-                return false;
-            }
             // In machine order; of words for the same axis the last one counts.
             if travels.last().is_none_or(|last| last.axis < axis) {
                 travels.push(travel);

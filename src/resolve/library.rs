@@ -136,7 +136,7 @@ mod tests {
         for name in ["L9001", "l9001", "L09001", "L9001.NC", "l9001.mrc", "dir/L9001.Txt"] {
             assert_eq!(Library::number(Path::new(name)), Some(9001), "{name}");
         }
-        for name in ["L", "L9001.toml", "LX1", "9001", "L10000", "L0"] {
+        for name in ["L", "L9001.toml", "LX1", "9001", "L10000", "L0", "L+5", "L-5"] {
             assert_eq!(Library::number(Path::new(name)), None, "{name}");
         }
     }

@@ -95,3 +95,29 @@ fn report(context: &mut Context<'_, '_>, resolved: &Resolved, caller: UnitId, bl
     let Some(&l) = parsed.words(block).iter().find(|word| word.address == Address::L) else { return };
     context.findings.add(Diagnostic::new(Finding::RecursiveCall { ring }, parsed.word_place(l)));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::resolve::{FileIndex, Unit, UnitKind};
+    use crate::text::Location;
+
+    fn shown(length: u16) -> String {
+        let mut resolved = Resolved::default();
+        let ring: Vec<UnitId> = (1..=length)
+            .map(|l| {
+                let (first, end) = (BlockId(0), BlockId(1));
+                let kind = UnitKind::Macrocycle(l.into());
+                resolved.add_unit(Unit { kind, file: FileIndex(0), first, end, entry: Location::default() })
+            })
+            .collect();
+        ring_text(&resolved, &ring)
+    }
+
+    #[test]
+    fn the_middle_of_a_long_ring_is_left_out() {
+        assert_eq!(shown(3), "L1 → L2 → L3");
+        assert_eq!(shown(12), "L1 → L2 → L3 → L4 → L5 → L6 → L7 → L8 → L9 → L10 → L11 → L12");
+        assert_eq!(shown(20), "L1 → L2 → L3 → L4 → L5 → L6 → … → L15 → L16 → L17 → L18 → L19 → L20");
+    }
+}

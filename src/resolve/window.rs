@@ -80,3 +80,56 @@ fn concerns_itself_only(parsed: &ParsedFile, (before, after): (u32, u32)) -> boo
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_judged(piece: &str) -> bool {
+        let source = Arc::new(SourceText::from_text("t.nc", piece));
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        resolve_window(&source, (100, 200), &Settings::default(), &mut sources, &mut findings).is_some()
+    }
+
+    #[test]
+    fn what_concerns_itself_only() {
+        for piece in [
+            "N101 X1\n",
+            "n110 X1\r",
+            "N110 G1 X1 Y2 F100\nN120 M8 S100 T1 \"c\"\nN199 G91 X,5\n",
+            "N110 G4 X1\n",
+            "N110 G2 X5 I5\n",
+        ] {
+            assert!(is_judged(piece), "{piece:?}");
+        }
+        for piece in [
+            "",
+            "X1\nN110 X1\n",
+            " N110 X1\n",
+            "N110 X1",
+            "N110 X1 *\n",
+            "N110 X1\n %5\n",
+            "N110 X1 \u{1a}\n",
+            "N110 X1 \0\n",
+            "N100 X1\n",
+            "N110 X1\nN200 X1\n",
+            "N120 X1\nN110 X1\n",
+            "N110 X1\nN110 X1\n",
+            "N110 / X1\n",
+            "N110 M30\n",
+            "N110 G70\n",
+            "N110 G79 L5\n",
+            "N110 G71 L5\n",
+            "N110 G71 X5\n",
+            "N110 L5\n",
+            "N110 Q5\n",
+            "N110 G81\n",
+            "N110 G999\n",
+            "N110 GR1\n",
+            "N110 XR1\n",
+            "N110 R1=5\n",
+        ] {
+            assert!(!is_judged(piece), "{piece:?}");
+        }
+    }
+}

@@ -230,10 +230,6 @@ impl<'t> Lowering<'t> {
         let number = Number::parse(fixed.as_bytes());
         let fixed = format!("{prefix}{fixed}");
         let finding = match number {
-            // Pieces with signs of their own are no pieces: `X1 -2`.
-            Some(_) if pieces.iter().any(|piece| matches!(self.byte(piece.start), b'+' | b'-')) => {
-                Finding::MalformedNumber { text: shown(self.slice(span)) }
-            }
             Some(_) if comma => Finding::DecimalComma { fixed: shown(&fixed) },
             Some(_) if letter => Finding::LetterForDigit { fixed: shown(&fixed) },
             Some(_) if pieces.is_empty() => return number,

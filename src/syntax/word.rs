@@ -38,13 +38,11 @@ const MINUS: u16 = 1 << 2;
 const ROUNDED: u16 = 1 << 3;
 /// `raw` counts ones, not thousandths.
 const WHOLE: u16 = 1 << 4;
-/// The value is outside what 32 bits hold in either unit.
-const HUGE: u16 = 1 << 5;
-const PARAMETER: u16 = 1 << 6;
-const FAULTY: u16 = 1 << 7;
-const VOID: u16 = 1 << 8;
+const PARAMETER: u16 = 1 << 5;
+const FAULTY: u16 = 1 << 6;
+const VOID: u16 = 1 << 7;
 /// The first bit of the length.
-const LENGTH: u32 = 9;
+const LENGTH: u32 = 8;
 /// Stands for this length and every longer one.
 const LONG: u16 = (1 << (16 - LENGTH)) - 1;
 
@@ -69,12 +67,10 @@ impl Word {
         let thousandths = number.value.thousandths();
         if let Ok(raw) = i32::try_from(thousandths) {
             word.raw = raw;
-        } else if let Some(Ok(raw)) = number.value.as_whole().map(i32::try_from) {
-            word.raw = raw;
-            word.flags |= WHOLE;
         } else {
-            word.raw = if thousandths < 0 { i32::MIN } else { i32::MAX };
-            word.flags |= WHOLE | HUGE;
+            // Far outside every range, so that a fraction does not count.
+            word.raw = i32::try_from(thousandths / 1000).unwrap_or(i32::MAX);
+            word.flags |= WHOLE;
         }
         word
     }
@@ -243,3 +239,74 @@ pub struct WordParts {
 }
 
 const _: () = assert!(size_of::<Word>() == 12, "words lie in one arena by the million");
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::diag::Findings;
+    use crate::syntax::{BlockId, Form, parse};
+    use crate::text::{FileId, SourceText};
+
+    /// The word that is written, and the text that it covers.
+    fn read(text: &str) -> (Word, String) {
+        let source = Arc::new(SourceText::from_text("t.nc", format!("%1\nN10 {text}\nN20 M30")));
+        let parsed = parse(FileId(0), &source, Form::Program, &mut Findings::new());
+        let word = parsed.words(BlockId(0))[0];
+        (word, source.slice(word.span(source.text())).to_owned())
+    }
+
+    fn number(text: &str) -> Option<i64> {
+        read(text).0.number().map(Decimal::thousandths)
+    }
+
+    #[test]
+    fn values() {
+        assert_eq!(number("X-1.5"), Some(-1500));
+        assert_eq!(number("X2147483.647"), Some(2_147_483_647));
+        assert_eq!(number("X2147484"), Some(2_147_484_000));
+        assert_eq!(number("X-2147484"), Some(-2_147_484_000));
+        assert_eq!(number("X2147484.5"), Some(2_147_484_000));
+        assert_eq!(number("X-2147484.5"), Some(-2_147_484_000));
+        assert_eq!(number("XR5"), None);
+        assert_eq!(number("/"), None);
+    }
+
+    #[test]
+    fn what_is_written() {
+        for (text, digits, plain) in [
+            ("X5", true, true),
+            ("X5.", false, true),
+            ("X+5", false, true),
+            ("X-5", false, true),
+            ("X0.0005", false, true),
+            ("XR5", false, false),
+            ("X1 5", false, false),
+            ("X", false, false),
+            ("/", false, false),
+        ] {
+            let (word, _) = read(text);
+            assert_eq!((word.is_digits(), word.is_plain()), (digits, plain), "{text}");
+        }
+    }
+
+    /// A word may be longer than its twelve bytes can tell.
+    #[test]
+    fn long_words() {
+        for blanks in [0, 1, 200, 250, 251, 252, 253, 254, 255, 256, 600] {
+            let blanks = " ".repeat(blanks);
+            for text in [
+                format!("X{blanks}5"),
+                format!("X{blanks}R5"),
+                format!("X-{blanks}5.5"),
+                format!("R1{blanks}={blanks}R2"),
+                format!("R1{blanks}={blanks}-5"),
+                format!("X5{blanks}5{blanks}5"),
+            ] {
+                let (_, covered) = read(&format!("{text}  Y1 R3=4"));
+                assert_eq!(covered, text);
+            }
+        }
+    }
+}

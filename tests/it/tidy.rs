@@ -208,23 +208,18 @@ fn what_prints() {
 #[test]
 fn no_paths_of_one_machine() {
     let mut tracked: Vec<PathBuf> = Vec::new();
+    // Builds, what fuzzing gathers, and what npm installs and its scripts make are not of the project.
+    let made = ["target", "corpus", "artifacts", "coverage", "node_modules", "dist", "out", "run", "server"];
+    let is_made = |path: &Path| path.is_dir() && made.iter().any(|made| path.ends_with(made));
     for entry in fs::read_dir(root()).unwrap().map(|entry| entry.unwrap().path()) {
         let name = entry.file_name().unwrap().to_str().unwrap().to_owned();
-        if (name.starts_with('.') && name != ".ci") || name == "target" {
+        if (name.starts_with('.') && name != ".ci") || is_made(&entry) {
             continue;
-        } else if name == "fuzz" {
-            // Its inputs and builds are not of the project.
-            let made = ["target", "corpus", "artifacts", "coverage"].map(|name| entry.join(name));
-            tracked.extend(files(&entry).into_iter().filter(|path| !made.iter().any(|made| path.starts_with(made))));
-        } else if name == "editors" {
-            // What npm installs and what its scripts make is not of the project.
-            let made = ["node_modules", "dist", "out", "run", "server"];
-            let is_made = |path: &Path| path.iter().any(|part| made.iter().any(|made| part == *made));
-            tracked.extend(files(&entry).into_iter().filter(|path| !is_made(path)));
         } else if entry.is_file() {
             tracked.push(entry);
         } else {
-            tracked.extend(files(&entry));
+            let inner = |path: &PathBuf| !path.ancestors().take_while(|folder| **folder != root()).any(is_made);
+            tracked.extend(files(&entry).into_iter().filter(inner));
         }
     }
     let homes = [

@@ -7,7 +7,7 @@ use cnc872c::config::Settings;
 use cnc872c::session::Session;
 use cnc872c::text::MemoryLoader;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, TestRunner};
+use proptest::test_runner::TestRunner;
 use serde_json::{Value, json};
 
 use super::Client;
@@ -131,7 +131,7 @@ fn as_a_fresh_check() {
     // A step is a place and some changes there; at the end of it everything is undone.
     let line = prop_oneof![8 => 100..BLOCKS - 100, 1 => 8180..8200_usize, 1 => 0..BLOCKS];
     let typed = proptest::collection::vec((0..30_usize, 0..4_usize, 0..TYPED.len()), 1..4);
-    let mut runner = TestRunner::new(Config { cases: 12, failure_persistence: None, ..Config::default() });
+    let mut runner = TestRunner::new(crate::properties::cases(12));
     let editor = std::cell::RefCell::new(editor);
     runner
         .run(&(line, typed), |(line, changes)| {

@@ -61,6 +61,9 @@ fn large_programs() {
         macrocycles = macrocycles.with(&format!("L{n}"), &format!("N1 G79 L{n}\nN2 G70"));
     }
     assert_eq!(macrocycles.whole().end()["blocks"], 18_001);
+    let faulty =
+        format!("%1\n{}N99999 M30", of(50_000, &|n| format!("N{n} {}\n", if n % 9973 == 0 { "T-1" } else { "X1" })));
+    assert_eq!(case(&faulty).run().errors.len(), 5);
     let mut ring = case("%1\nN1 G72 L1\nN2 M30");
     for n in 1..=2000 {
         ring = ring.with(&format!("L{n}"), &format!("N1 G79 L{n}\nN2 G72 L{}\nN3 G72 L1\nN4 G70", n % 2000 + 1));
@@ -143,6 +146,12 @@ fn errors_end_the_stream() {
     assert!(stream.records.iter().all(|record| record["kind"] != "end"));
     let stream = case("%1\nN10 X0\nN20 XR1\nN30 M30").run();
     assert_eq!(stream.errors, ["W0503"]);
+    assert_eq!(stream.blocks().len(), 1);
+    assert!(stream.records.iter().all(|record| record["kind"] != "end"));
+    // The block with the error is no record, nor is any after it, though execution goes on.
+    let stream = case("%1\nN10 G0 X0\nN20 X1 K5\nN30 X2\nN40 M30").run();
+    assert_eq!(stream.errors, ["E0609"]);
+    assert_eq!(stream.blocks().len(), 1);
     assert!(stream.records.iter().all(|record| record["kind"] != "end"));
     let stream = case("%1\nN10 XR1 R2=R1\nN20 YR2\nN30 M30").args("--param R1=-2.5").whole();
     assert_eq!(stream.blocks()[1]["position"], json!({"X": -2.5, "Y": -2.5}));

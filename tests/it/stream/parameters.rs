@@ -84,6 +84,23 @@ fn real_arithmetic() {
     }
 }
 
+/// The function of arithmetic may come from a parameter; what it lacks is then told in execution (PAR-9).
+#[test]
+fn arithmetic_by_parameter() {
+    let text = "%1\nN10 R1=26 R2=2 R3=5 R4=27\nN20 GR1 R5=01020306\nN30 G0 XR6\nN40 M30";
+    assert_eq!(case(text).config(OPERATIONS).blocks()[1]["params"]["R6"], json!(7));
+    let stream = case(&text.replace("GR1", "GR4")).config(OPERATIONS).run();
+    assert_eq!(stream.errors[0], "E0505");
+}
+
+/// A control word of nothing but zeros is no negative one: its arithmetic is not that of whole numbers (PAR-8).
+#[test]
+fn the_control_word_zero() {
+    let found =
+        case("%1\nN10 R0=0.3\nN20 G26 R5=0\nN30 G0 XR0\nN40 M30").config("[operations]\n\"00\" = \"add\"").blocks();
+    assert_eq!(found[1]["params"]["R0"], json!(0.6));
+}
+
 /// Whole-number arithmetic rounds operands and results (PAR-8).
 #[test]
 fn whole_arithmetic() {
