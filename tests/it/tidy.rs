@@ -218,7 +218,7 @@ fn no_paths_of_one_machine() {
         } else if entry.is_file() {
             tracked.push(entry);
         } else {
-            let inner = |path: &PathBuf| !path.ancestors().take_while(|folder| **folder != root()).any(is_made);
+            let inner = |path: &PathBuf| !path.ancestors().take_while(|folder| *folder != root()).any(is_made);
             tracked.extend(files(&entry).into_iter().filter(inner));
         }
     }
