@@ -270,6 +270,8 @@ mod tests {
         assert!(help.contains("`No`"), "{help}");
         let others = "<MFunctions xmlns:x='urn:x'><MFunc x:note='1' No='91'/><Comment/><Mfunc No='92'/></MFunctions>";
         assert_eq!(found(others), [(Code::W0705, "Mfunc".to_owned())]);
+        assert_eq!(found("<MFunctions><Mfunc/></MFunctions>"), [(Code::W0705, "Mfunc".to_owned())]);
+        assert_eq!(found("<MFunctions><Mfunc></Mfunc></MFunctions>"), [(Code::W0705, "Mfunc".to_owned())]);
     }
 
     #[test]

@@ -159,13 +159,6 @@ impl ParsedFile {
         self.blocks.get(block.index()).map_or(BlockFlags::default(), |block| block.flags)
     }
 
-    /// Sets what is known of a block.
-    pub fn set_flags(&mut self, block: BlockId, flags: BlockFlags) {
-        if let Some(block) = self.blocks.get_mut(block.index()) {
-            block.flags.set(flags);
-        }
-    }
-
     /// The text between the quotes of a comment, trimmed of blanks and tabs.
     pub fn comment_text(&self, comment: Span) -> &str {
         comment_text(self.source.slice(comment))

@@ -383,6 +383,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::syntax::BlockId;
 
     fn codes(text: &str) -> Vec<(String, String)> {
         let source = Arc::new(SourceText::from_text("t.nc", text));
@@ -429,6 +430,15 @@ mod tests {
         one("N10 ř X5", "E0101", "ř");
         one("N10 XR96", "E0501", "96");
         one("NR1 X5", "E0511", "NR1");
+    }
+
+    /// A comment between an address and its number is one nevertheless, a line end is none.
+    #[test]
+    fn comments_before_a_number() {
+        let source = Arc::new(SourceText::from_text("t.nc", "%1\nN10 X \"c\"\n5 Y1"));
+        let parsed = parse(FileId(0), &source, Form::Program, &mut Findings::new());
+        let comments: Vec<&str> = parsed.comments(BlockId(0)).iter().map(|comment| source.slice(*comment)).collect();
+        assert_eq!(comments, ["\"c\""]);
     }
 
     /// Reading side by side gives what reading in one piece gives.

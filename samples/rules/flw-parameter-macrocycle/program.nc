@@ -1,4 +1,5 @@
 %105 "FLW-11 a macrocycle that execution finds is checked as a whole
 N10 R1=9085 G90 G0 X0 Y0
 N20 G72 LR1
+N25 G1 X7 "the macrocycle has an error: execution ended there
 N30 M30
