@@ -62,6 +62,25 @@ impl Place {
         command
     }
 
+    /// A command that signals end, even where this test was started with them ignored, as `nohup` and shells in the background do.
+    pub fn interruptible(&self, arguments: &[&str]) -> Command {
+        let program = self.command(arguments);
+        let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");
+        // HUP, INT, TERM.
+        let of_interest = 1 | 1 << 1 | 1 << 14;
+        if u64::from_str_radix(ignored.trim(), 16).unwrap() & of_interest == 0 {
+            return program;
+        }
+        let mut command = Command::new("env");
+        for (variable, _) in program.get_envs() {
+            command.env_remove(variable);
+        }
+        command.arg("--default-signal=HUP,INT,TERM").arg(program.get_program()).args(program.get_args());
+        command.current_dir(self.folder.path()).stdin(Stdio::null());
+        command
+    }
+
     pub fn run(&self, arguments: &[&str]) -> Run {
         Run::of(self.command(arguments).output().unwrap())
     }

@@ -272,7 +272,7 @@ fn a_program_that_changes_while_it_is_fixed() {
         let place = Place::with(&[("a.nc", LONG_TO_FIX.as_bytes())]);
         let lang = if said.is_ascii() { "en" } else { "cs" };
         let line = ["check", "--fix", "a.nc", "--max-blocks", "300000", "--format", "short", "--lang", lang];
-        let child = place.command(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let child = place.interruptible(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         // It has read the program when it executes it, which takes longer by far.
         wait_until("the program is executed", || processor_time(&child) >= 5);
         signal(&child, "STOP");
@@ -359,7 +359,7 @@ fn signals_in_the_middle_of_an_output() {
     for name in ["INT", "TERM", "HUP"] {
         let place = Place::with(&[("a.nc", LONG.as_bytes()), ("out", b"old")]);
         let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000000", "--lang", "cs"];
-        let child = place.command(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let child = place.interruptible(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         wait_until("it writes", || place.list().len() == 3);
         signal(&child, name);
         let run = Run::of(child.wait_with_output().unwrap()).ends(130);
@@ -380,7 +380,7 @@ fn an_interruption_while_many_programs_are_fixed() {
         let files: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), before.as_bytes())).collect();
         let place = Place::with(&files);
         let is_fixed = |name: &String| place.read(name) == after.as_bytes();
-        let child = place.command(&["check", "--fix", "."]).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+        let child = place.interruptible(&["check", "--fix", "."]).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
         let mut child = child.unwrap();
         // In the middle of it: when so many are fixed.
         wait_until("files are fixed", || names.iter().filter(|name| is_fixed(name)).count() >= wait);

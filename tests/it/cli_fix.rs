@@ -117,7 +117,7 @@ fn an_interruption_leaves_the_file_as_it_was() {
     // The fix is in the first round; each round executes some hundred million blocks.
     let program = b"%1\nN10 g0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
     let place = Place::with(&[("a.nc", program)]);
-    let mut command = place.command(&["check", "--fix", "a.nc", "--max-blocks", "1000000000"]);
+    let mut command = place.interruptible(&["check", "--fix", "a.nc", "--max-blocks", "1000000000"]);
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     // Wait until the signal is caught: bit 1 stands for SIGINT.
     let catches = || {
