@@ -5,7 +5,7 @@
 use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{Read, Seek};
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
@@ -26,17 +26,8 @@ const FORMATS: [&str; 5] = ["human", "short", "json", "sarif", "github"];
 /// A run with bounded memory, which is ended when it hangs.
 #[track_caller]
 fn bounded(place: &Place, arguments: &[&str]) -> Run {
-    let program = place.command(arguments);
     let limit = format!("ulimit -v {}; exec \"$0\" \"$@\"", MEMORY_MIB * 1024);
-    let mut command = Command::new("sh");
-    command.args(["-c", &limit]).arg(program.get_program()).args(program.get_args());
-    command.current_dir(program.get_current_dir().unwrap()).stdin(Stdio::null());
-    for (name, value) in program.get_envs() {
-        match value {
-            Some(value) => command.env(name, value),
-            None => command.env_remove(name),
-        };
-    }
+    let mut command = place.command_through(&["sh", "-c", &limit], arguments);
     // Each thread, and each arena of the allocator, takes address space that it may never use.
     command.envs([("RAYON_NUM_THREADS", "2"), ("MALLOC_ARENA_MAX", "2")]);
     let mut outputs = [tempfile::tempfile().unwrap(), tempfile::tempfile().unwrap()];

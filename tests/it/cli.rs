@@ -54,8 +54,14 @@ impl Place {
 
     /// The program in this folder, in an environment that says nothing about language and colours.
     pub fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_cnc872c"));
-        command.current_dir(self.folder.path()).args(arguments).stdin(Stdio::null());
+        self.command_through(&[], arguments)
+    }
+
+    /// The same, started by another program: its words come first.
+    pub fn command_through(&self, starter: &[&str], arguments: &[&str]) -> Command {
+        let words = [starter, &[env!("CARGO_BIN_EXE_cnc872c")], arguments].concat();
+        let mut command = Command::new(words[0]);
+        command.current_dir(self.folder.path()).args(&words[1..]).stdin(Stdio::null());
         for variable in ["LC_ALL", "LC_MESSAGES", "LANG", "NO_COLOR", "TERM", "CLICOLOR", "CLICOLOR_FORCE"] {
             command.env_remove(variable);
         }
@@ -64,21 +70,14 @@ impl Place {
 
     /// A command that signals end, even where this test was started with them ignored, as `nohup` and shells in the background do.
     pub fn interruptible(&self, arguments: &[&str]) -> Command {
-        let program = self.command(arguments);
         let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
         let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");
         // HUP, INT, TERM.
         let of_interest = 1 | 1 << 1 | 1 << 14;
         if u64::from_str_radix(ignored.trim(), 16).unwrap() & of_interest == 0 {
-            return program;
+            return self.command(arguments);
         }
-        let mut command = Command::new("env");
-        for (variable, _) in program.get_envs() {
-            command.env_remove(variable);
-        }
-        command.arg("--default-signal=HUP,INT,TERM").arg(program.get_program()).args(program.get_args());
-        command.current_dir(self.folder.path()).stdin(Stdio::null());
-        command
+        self.command_through(&["env", "--default-signal=HUP,INT,TERM"], arguments)
     }
 
     pub fn run(&self, arguments: &[&str]) -> Run {

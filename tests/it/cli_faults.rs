@@ -33,17 +33,8 @@ fn big() -> String {
 
 /// A disk that holds no more than a kilobyte for each file: the limit on file sizes, its signal ignored.
 fn on_a_small_disk(place: &Place, arguments: &[&str]) -> Run {
-    let program = place.command(arguments);
-    let mut command = Command::new("sh");
-    command.args(["-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\""]).arg(program.get_program());
-    command.args(program.get_args()).current_dir(program.get_current_dir().unwrap()).stdin(Stdio::null());
-    for (name, value) in program.get_envs() {
-        match value {
-            Some(value) => command.env(name, value),
-            None => command.env_remove(name),
-        };
-    }
-    Run::of(command.output().unwrap())
+    let limit = "trap '' XFSZ; ulimit -f 1; exec \"$0\" \"$@\"";
+    Run::of(place.command_through(&["sh", "-c", limit], arguments).output().unwrap())
 }
 
 fn signal(child: &Child, name: &str) {
@@ -402,10 +393,9 @@ fn an_interruption_while_many_programs_are_fixed() {
 #[test]
 fn ignored_signals_stay_ignored() {
     let place = Place::with(&[("a.nc", LONG.as_bytes()), ("bad.nc", BAD.as_bytes())]);
-    let program = place.command(&["compile", "a.nc", "-o", "out", "--max-blocks", "1000000"]);
-    let mut command = Command::new("sh");
-    command.args(["-c", "trap '' HUP INT TERM; exec \"$0\" \"$@\""]).arg(program.get_program());
-    command.args(program.get_args()).current_dir(place.path("")).stdin(Stdio::null());
+    let ignoring = "trap '' HUP INT TERM; exec \"$0\" \"$@\"";
+    let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000"];
+    let mut command = place.command_through(&["sh", "-c", ignoring], &line);
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     wait_until("it writes", || place.list().len() == 3);
     signal(&child, "HUP");
