@@ -22,6 +22,8 @@ pub struct Axis {
 pub struct Axes {
     axes: Vec<Axis>,
     index: [Option<u8>; 9],
+    /// The same by address.
+    index_of: [Option<u8>; Address::ALL.len()],
 }
 
 impl Axes {
@@ -35,7 +37,9 @@ impl Axes {
                 axes.push(axis);
             }
         }
-        Self { axes, index }
+        let of_address =
+            |at: usize| Address::ALL.get(at)?.axis().and_then(|letter| index.get(letter as usize).copied()?);
+        Self { axes, index, index_of: std::array::from_fn(of_address) }
     }
 
     /// In machine order.
@@ -54,8 +58,9 @@ impl Axes {
     }
 
     /// The place in machine order of the axis that the address is.
+    #[inline]
     pub fn index_of(&self, address: Address) -> Option<usize> {
-        address.axis().and_then(|letter| self.index(letter))
+        self.index_of.get(address as usize).copied().flatten().map(usize::from)
     }
 
     /// The axis at that place.

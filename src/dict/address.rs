@@ -77,6 +77,7 @@ macro_rules! addresses {
             pub const ALL: &'static [Self] = &[$(Self::$variant),*];
 
             /// The address of that byte, in either case (LEX-11).
+            #[inline]
             pub const fn from_byte(byte: u8) -> Option<Self> {
                 match byte.to_ascii_uppercase() {
                     $($byte => Some(Self::$variant),)*

@@ -69,6 +69,17 @@ pub(super) struct Reading {
 }
 
 impl Reading {
+    /// Whether values are distances.
+    pub(super) const fn is_incremental(self) -> bool {
+        self.incremental
+    }
+
+    /// Where an axis is after a word with that value, a coordinate. Without a value nobody knows (PAR-5).
+    #[inline]
+    pub(super) fn target(self, axis: usize, value: Option<Decimal>) -> Position {
+        value.map_or(Position::Undetermined, |value| Position::Known(self.coordinate(axis, value)))
+    }
+
     /// A programmed value as a coordinate.
     #[inline]
     fn coordinate(self, axis: usize, value: Decimal) -> Micro {
@@ -180,10 +191,7 @@ impl Executor<'_, '_> {
             let reading = self.reading();
             for axis in 0..9 {
                 if let Some(valued) = self.words.axes.get(axis).copied().flatten() {
-                    let position = valued
-                        .value
-                        .map_or(Position::Undetermined, |value| Position::Known(reading.coordinate(axis, value)));
-                    self.state.set_position(axis, position);
+                    self.state.set_position(axis, reading.target(axis, valued.value));
                 }
             }
         }

@@ -30,6 +30,9 @@ impl Executor<'_, '_> {
             self.settle();
         }
         let Run::Straight(kind, reading) = self.run else { return false };
+        if !self.wants_records && !reading.is_incremental() {
+            return self.pass_point(block, reading);
+        }
         let mut travels = std::mem::take(&mut self.travels);
         let straight = self.read_point(block, reading, &mut travels);
         if straight {
@@ -44,6 +47,24 @@ impl Executor<'_, '_> {
         }
         self.travels = travels;
         straight
+    }
+
+    /// The same where nobody asks for the motion: the axes are where the words say.
+    #[inline]
+    fn pass_point(&mut self, block: BlockId, reading: Reading) -> bool {
+        let Some(file) = self.resolved.file(self.file) else { return false };
+        let (words, axes) = (file.words(block), &self.settings.machine.axes);
+        if words.is_empty() || words.iter().any(|word| axes.index_of(word.address).is_none()) {
+            return false;
+        }
+        for word in words {
+            if let Some(axis) = axes.index_of(word.address) {
+                self.state.set_position(axis, reading.target(axis, word.number()));
+            }
+        }
+        self.record.jump = None;
+        self.state.origin_changed = false;
+        true
     }
 
     /// The motions of a block's words. `false`: there is another word.

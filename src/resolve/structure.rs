@@ -138,10 +138,11 @@ impl Context<'_, '_> {
             self.report(place, Finding::MissingProgramEnd { skipped: false });
         }
         self.add_subprograms(resolved, &parsed, end);
-        self.check_blocks(resolved, &parsed, 0);
+        let (found, numbered) = look_at_blocks(self.settings, &parsed, &resolved.units);
+        self.findings.append(found);
         self.check_ends_in_main(&parsed, first, end);
-        let numbered = self.number_blocks(&parsed);
-        resolved.add_file(parsed, numbered);
+        self.findings.append(numbered.findings);
+        resolved.add_file(parsed, numbered.reachable);
     }
 
     fn add_subprograms(&mut self, resolved: &mut Resolved, parsed: &ParsedFile, from: BlockId) {
@@ -228,38 +229,11 @@ impl Context<'_, '_> {
         let known = resolved.units.len();
         let id = resolved.add_unit(Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry });
         resolved.macrocycles.insert(l, id);
-        self.check_blocks(resolved, &parsed, known);
-        let numbered = self.number_blocks(&parsed);
-        resolved.add_file(parsed, numbered);
+        let (found, numbered) = look_at_blocks(self.settings, &parsed, resolved.units.get(known..).unwrap_or_default());
+        self.findings.append(found);
+        self.findings.append(numbered.findings);
+        resolved.add_file(parsed, numbered.reachable);
         id
-    }
-
-    /// Checks every block of a file whose units begin at index `from`, also those of no unit.
-    fn check_blocks(&mut self, resolved: &Resolved, parsed: &ParsedFile, from: usize) {
-        let units = resolved.units.get(from..).unwrap_or_default();
-        let settings = self.settings;
-        let check = |blocks: Range<u32>| {
-            let mut findings = Findings::new();
-            let mut checker = BlockChecker { settings, file: parsed, findings: &mut findings };
-            let mut units = units.iter().peekable();
-            for block in blocks.map(BlockId) {
-                while units.next_if(|unit| unit.end <= block).is_some() {}
-                let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
-                checker.check(block, unit);
-            }
-            findings
-        };
-        let count = parsed.block_count();
-        if count <= SIDE_BY_SIDE {
-            self.findings.append(check(0..count));
-            return;
-        }
-        let parts = count.div_ceil(SIDE_BY_SIDE);
-        let part = |part: u32| part * SIDE_BY_SIDE..count.min((part + 1) * SIDE_BY_SIDE);
-        let found: Vec<Findings> = (0..parts).into_par_iter().map(|at| check(part(at))).collect();
-        for findings in found {
-            self.findings.append(findings);
-        }
     }
 
     /// G70 ends subprograms only (PRG-5).
@@ -286,39 +260,78 @@ impl Context<'_, '_> {
             }
         }
     }
+}
 
-    /// Block numbers are unique in a file (BLK-7); gives the blocks that jumps can reach.
-    fn number_blocks(&mut self, parsed: &ParsedFile) -> BTreeMap<u32, BlockId> {
-        let mut numbered = BTreeMap::new();
-        let mut rising = true;
-        let mut last = 0;
-        for block in parsed.block_ids() {
-            let Some(number) = parsed.number(block) else { continue };
-            rising &= number > last;
-            last = number;
-            if number <= REACHABLE {
-                numbered.entry(number).or_insert(block);
-            }
+/// Checks every block of a file whose units are those, also blocks of no unit, and numbers them. Both look at all of a
+/// file: the one beside the other in a long one.
+fn look_at_blocks(settings: &Settings, parsed: &ParsedFile, units: &[Unit]) -> (Findings, Numbered) {
+    let check = || check_blocks(settings, parsed, units);
+    let number = || number_blocks(parsed);
+    if parsed.block_count() > SIDE_BY_SIDE { rayon::join(check, number) } else { (check(), number()) }
+}
+
+fn check_blocks(settings: &Settings, parsed: &ParsedFile, units: &[Unit]) -> Findings {
+    let check = |blocks: Range<u32>| {
+        let mut findings = Findings::new();
+        let mut checker = BlockChecker { settings, file: parsed, findings: &mut findings };
+        let mut units = units.iter().peekable();
+        for block in blocks.map(BlockId) {
+            while units.next_if(|unit| unit.end <= block).is_some() {}
+            let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
+            checker.check(block, unit);
         }
-        if rising {
-            return numbered;
-        }
-        let mut all: Vec<(u32, BlockId)> =
-            parsed.block_ids().filter_map(|block| Some((parsed.number(block)?, block))).collect();
-        all.sort_unstable();
-        let mut first: Option<(u32, BlockId)> = None;
-        for (number, block) in all {
-            match first {
-                Some((known, first)) if known == number => {
-                    let finding = Finding::DuplicateBlockNumber { block: number };
-                    let diagnostic = Diagnostic::new(finding, parsed.n_place(block));
-                    self.findings.add(diagnostic.with_label(parsed.n_place(first), LabelText::First));
-                }
-                _ => first = Some((number, block)),
-            }
-        }
-        numbered
+        findings
+    };
+    let count = parsed.block_count();
+    if count <= SIDE_BY_SIDE {
+        return check(0..count);
     }
+    let parts = count.div_ceil(SIDE_BY_SIDE);
+    let part = |part: u32| part * SIDE_BY_SIDE..count.min((part + 1) * SIDE_BY_SIDE);
+    let found: Vec<Findings> = (0..parts).into_par_iter().map(|at| check(part(at))).collect();
+    let mut findings = Findings::new();
+    found.into_iter().for_each(|part| findings.append(part));
+    findings
+}
+
+/// What the numbers of a file's blocks lead to.
+struct Numbered {
+    /// Numbers that stand twice (BLK-7).
+    findings: Findings,
+    /// The blocks that jumps can reach.
+    reachable: BTreeMap<u32, BlockId>,
+}
+
+fn number_blocks(parsed: &ParsedFile) -> Numbered {
+    let mut numbered = Numbered { findings: Findings::new(), reachable: BTreeMap::new() };
+    let mut rising = true;
+    let mut last = 0;
+    for block in parsed.block_ids() {
+        let Some(number) = parsed.number(block) else { continue };
+        rising &= number > last;
+        last = number;
+        if number <= REACHABLE {
+            numbered.reachable.entry(number).or_insert(block);
+        }
+    }
+    if rising {
+        return numbered;
+    }
+    let mut all: Vec<(u32, BlockId)> =
+        parsed.block_ids().filter_map(|block| Some((parsed.number(block)?, block))).collect();
+    all.sort_unstable();
+    let mut first: Option<(u32, BlockId)> = None;
+    for (number, block) in all {
+        match first {
+            Some((known, first)) if known == number => {
+                let finding = Finding::DuplicateBlockNumber { block: number };
+                let diagnostic = Diagnostic::new(finding, parsed.n_place(block));
+                numbered.findings.add(diagnostic.with_label(parsed.n_place(first), LabelText::First));
+            }
+            _ => first = Some((number, block)),
+        }
+    }
+    numbered
 }
 
 /// Where a unit that begins at `first` ends: after its first G70, before the next G79, or with the file; and whether it

@@ -57,13 +57,10 @@ impl Word {
     pub fn with_number(address: Address, span: Span, number: Number) -> Self {
         let mut word = Self::bare(address, span);
         word.flags &= !VOID;
-        for (set, flag) in
-            [(number.point, POINT), (number.plus, PLUS), (number.minus, MINUS), (number.rounded, ROUNDED)]
-        {
-            if set {
-                word.flags |= flag;
-            }
-        }
+        word.flags |= u16::from(number.point) * POINT
+            | u16::from(number.plus) * PLUS
+            | u16::from(number.minus) * MINUS
+            | u16::from(number.rounded) * ROUNDED;
         let thousandths = number.value.thousandths();
         if let Ok(raw) = i32::try_from(thousandths) {
             word.raw = raw;
