@@ -48,19 +48,14 @@ fn plain_block(lowering: &mut Lowering<'_>, bytes: &[u8], start: u32) -> Option<
         let span = Span::new(offset(rest), offset(after));
         lowering.push(Word::with_number(address, span, number), span);
         rest = after;
-        match rest {
-            // A letter that stands for a digit.
-            [b'O', ..] => return None,
-            [b'A'..=b'Z', ..] => {}
-            _ => {
-                while let [b' ' | b'\t' | b'\r' | b'\n', after @ ..] = rest {
-                    rest = after;
-                }
-            }
+        while let [b' ' | b'\t' | b'\r' | b'\n', after @ ..] = rest {
+            rest = after;
         }
         match rest {
             [] | [b'N', b'0'..=b'9', ..] => return Some(offset(rest)),
             [b'N', ..] => return None,
+            // A letter that stands for a digit.
+            [b'O', ..] if rest.len() == after.len() => return None,
             _ => {}
         }
     }
