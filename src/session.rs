@@ -8,11 +8,9 @@ use std::sync::Arc;
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Problem, Severity};
 use crate::expand::{Checkpoint, Executor, Stop};
-use crate::ir::{
-    AxisRecord, BlockWriter, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA,
-    write_end, write_file, write_program,
-};
+use crate::ir::{AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA};
 use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
+use crate::stream::{Closed, Rare, Records, write_beside};
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 
@@ -20,8 +18,6 @@ use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 const PROGRESS: u64 = 1 << 16;
 /// Blocks between two looks at a checked program; [`PROGRESS`] is a multiple of it. Fuzzing has short programs.
 pub const STRIDE: u64 = if cfg!(fuzzing) { 1 << 1 } else { 1 << 13 };
-/// Records are handed on in pieces of about this many bytes.
-const PIECE: usize = 1 << 18;
 
 /// Which block records of a stream are written; `program`, `file` and `end` always are.
 #[derive(Clone, Copy, Debug, Default)]
@@ -188,7 +184,7 @@ impl Session<'_> {
     ///
     /// # Errors
     /// What writing to `out` gives.
-    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut dyn Write) -> io::Result<Outcome> {
+    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut (dyn Write + Send)) -> io::Result<Outcome> {
         let mut outcome = Outcome { purpose: Purpose::Compile, ..Outcome::default() };
         if Library::number(path).is_some() {
             self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
@@ -204,17 +200,18 @@ impl Session<'_> {
         let header = self.program_record(&resolved, name);
         let mut executor =
             Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Compile);
-        let mut stream = Stream::new(out, part);
-        write_program(&mut stream.buffer, &header);
-        self.write_blocks(&mut executor, &mut stream)?;
+        let letters = executor.axes().to_vec();
+        write_beside(out, &letters, |records| {
+            records.rare(Rare::Program(header));
+            let totals = self.write_blocks(&mut executor, part, records)?;
+            if let Some(Stop::End(end)) = executor.end()
+                && !self.has_errors(executor.findings(), Purpose::Compile)
+            {
+                records.rare(Rare::End(totals.record(end, executor.executed())));
+            }
+            Ok(())
+        })?;
         *executed = executor.executed();
-        let end = executor.end();
-        if let Some(Stop::End(end)) = end
-            && !self.has_errors(findings, Purpose::Compile)
-        {
-            write_end(&mut stream.buffer, &stream.totals.record(end, *executed));
-        }
-        stream.flush()?;
         Ok(outcome)
     }
 
@@ -224,42 +221,36 @@ impl Session<'_> {
         Library::number(path).is_some()
     }
 
-    /// Writes records until the program ends or has an error.
-    fn write_blocks(&self, executor: &mut Executor<'_, '_>, stream: &mut Stream<'_>) -> io::Result<()> {
-        let mut writer = BlockWriter::new(executor.axes());
+    /// Gives records until the program ends or has an error.
+    fn write_blocks(
+        &self,
+        executor: &mut Executor<'_, '_>,
+        part: Part,
+        records: &mut Records,
+    ) -> Result<Totals, Closed> {
+        let mut totals = Totals::default();
         let mut next_file = 1;
-        loop {
-            let Some(record) = executor.step() else { return Ok(()) };
-            let file = record.file;
-            stream.totals.add(record.motion.as_ref());
-            let place = stream.buffer.len();
-            if stream.part.contains(record.seq) {
-                writer.write(&mut stream.buffer, record);
-            }
+        while executor.step().is_some() {
             if executor.found_errors() || executor.read_unassigned() {
-                stream.buffer.truncate(place);
                 // What is still to be found is found without writing.
-                while executor.step().is_some() {
-                    if self.is_cancelled(executor.executed()) {
-                        return Ok(());
-                    }
-                }
-                return Ok(());
+                while executor.step().is_some() && !self.is_cancelled(executor.executed()) {}
+                break;
             }
-            if file == next_file {
+            let record = executor.record();
+            if record.file == next_file {
                 next_file += 1;
                 let name = executor.source_name().unwrap_or_default().to_owned();
-                let mut record = Vec::new();
-                write_file(&mut record, &FileRecord { index: file, name });
-                stream.buffer.splice(place..place, record);
+                records.rare(Rare::File(FileRecord { index: record.file, name }));
             }
-            if stream.buffer.len() >= PIECE {
-                stream.flush()?;
+            totals.add(record.motion.as_ref());
+            if part.contains(record.seq) {
+                records.block(record)?;
             }
             if self.is_cancelled(executor.executed()) {
-                return Ok(());
+                break;
             }
         }
+        Ok(totals)
     }
 
     fn is_cancelled(&self, executed: u64) -> bool {
@@ -335,26 +326,6 @@ impl Session<'_> {
 impl std::fmt::Debug for Session<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Session").field("settings", self.settings).finish_non_exhaustive()
-    }
-}
-
-/// The stream on its way out.
-struct Stream<'a> {
-    out: &'a mut dyn Write,
-    buffer: Vec<u8>,
-    part: Part,
-    totals: Totals,
-}
-
-impl<'a> Stream<'a> {
-    fn new(out: &'a mut dyn Write, part: Part) -> Self {
-        Self { out, buffer: Vec::with_capacity(PIECE + PIECE / 4), part, totals: Totals::default() }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.out.write_all(&self.buffer)?;
-        self.buffer.clear();
-        self.out.flush()
     }
 }
 

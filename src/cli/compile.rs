@@ -5,7 +5,6 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::Path;
 
 use super::args::CompileArgs;
-use super::background::Background;
 use super::common::{Projects, overrides};
 use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
@@ -38,9 +37,8 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
         print(args.common.format, &report, locale);
         return Ok(Status::Unusable);
     };
-    let stream = Stream::open(output, locale.lang)?;
+    let mut stream = Stream::open(output, locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
-    let mut stream = Background::start(stream).map_err(|error| cannot_write(error, output, locale.lang))?;
     let count = |blocks: u64| {
         progress.set(blocks);
         true
@@ -48,9 +46,8 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let session = Session { loader: &loader, settings, progress: Some(&count) };
     let part = Part { from: args.from, limit: args.limit };
     let written = session.compile(&target.path, &target.name(), part, &mut stream);
-    let written = written.and_then(|outcome| stream.finish().map(|stream| (outcome, stream)));
     drop(progress);
-    let (outcome, stream) = written.map_err(|error| cannot_write(error, output, locale.lang))?;
+    let outcome = written.map_err(|error| cannot_write(error, output, locale.lang))?;
     let lacks_file = outcome.lacks_file();
     report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
     let status = match report.errors() > 0 {

@@ -1,7 +1,6 @@
 //! The command line: one file a command. Data goes to stdout, words to stderr; nothing else in the program prints.
 
 mod args;
-mod background;
 mod check;
 mod common;
 mod compile;

@@ -153,6 +153,11 @@ impl<'a, 'l> Executor<'a, 'l> {
         self.findings.error_count() > self.errors_before
     }
 
+    /// The findings so far.
+    pub fn findings(&self) -> &Findings {
+        self.findings
+    }
+
     /// The record of the block in hand: of the last step, complete when the purpose is to compile.
     pub const fn record(&self) -> &BlockRecord {
         &self.record

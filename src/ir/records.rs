@@ -146,7 +146,7 @@ impl AxisList {
 type Numbers = BTreeMap<String, f64>;
 
 /// One executed block.
-#[derive(Clone, Debug, Default, JsonSchema)]
+#[derive(Debug, Default, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct BlockRecord {
     /// 0, 1, 2 …
@@ -277,6 +277,35 @@ pub struct BlockRecord {
     pub comments: Vec<String>,
 }
 
+impl Clone for BlockRecord {
+    fn clone(&self) -> Self {
+        let mut clone = Self::default();
+        clone.clone_from(self);
+        clone
+    }
+
+    /// Uses the memory of its lists again: records are handed on by the million.
+    fn clone_from(&mut self, source: &Self) {
+        fn again<T: Clone>(list: &mut Vec<T>, source: &Vec<T>) -> Vec<T> {
+            let mut list = std::mem::take(list);
+            list.clone_from(source);
+            list
+        }
+        *self = Self {
+            calls: again(&mut self.calls, &source.calls),
+            g_set: again(&mut self.g_set, &source.g_set),
+            m_set: again(&mut self.m_set, &source.m_set),
+            m_changed: again(&mut self.m_changed, &source.m_changed),
+            data: source.data.clone(),
+            words: again(&mut self.words, &source.words),
+            params: again(&mut self.params, &source.params),
+            comments: again(&mut self.comments, &source.comments),
+            // Numbers and flags.
+            ..*source
+        };
+    }
+}
+
 /// One call on the way to a block.
 #[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
 #[schemars(deny_unknown_fields)]
@@ -352,7 +381,7 @@ impl MotionType {
 }
 
 /// The motion of a block.
-#[derive(Clone, Debug, JsonSchema)]
+#[derive(Clone, Copy, Debug, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Motion {
     /// What kind.

@@ -1,0 +1,237 @@
+//! The stream on its way out, beside execution: a thread of its own makes text of records and writes it. When that thread
+//! is behind, the one that executes makes the text itself, so that neither waits while there is work.
+
+use std::io::{self, Write};
+use std::sync::mpsc::{Receiver, Sender, SyncSender, TrySendError, channel, sync_channel};
+use std::thread::{Builder, scope};
+
+use crate::dict::AxisLetter;
+use crate::ir::{BlockRecord, BlockWriter, EndRecord, FileRecord, ProgramRecord, write_end, write_file, write_program};
+
+/// Records go to the thread in batches of so many.
+const BATCH: usize = 512;
+/// Batches under way at most: what writes slowly makes execution wait, not grow.
+const QUEUE: usize = 2;
+
+/// A record that is no block.
+pub(crate) enum Rare {
+    Program(ProgramRecord),
+    File(FileRecord),
+    End(EndRecord),
+}
+
+/// Why no more records are taken: the writer had an error, which [`write_beside`] gives.
+#[derive(Debug)]
+pub(crate) struct Closed;
+
+/// A piece of the stream: text, and behind it records.
+#[derive(Default)]
+struct Batch {
+    text: Vec<u8>,
+    /// Records of blocks, of which the first `used` count; the others are kept for their memory.
+    blocks: Vec<BlockRecord>,
+    used: usize,
+    /// Other records, each with the number of block records before it.
+    rare: Vec<(usize, Rare)>,
+}
+
+impl Batch {
+    /// Makes text of the records.
+    fn write(&mut self, writer: &mut BlockWriter) {
+        let Self { text, blocks, used, rare } = self;
+        let mut rare = rare.drain(..).peekable();
+        for (at, record) in blocks.iter().take(*used).enumerate() {
+            while let Some((_, record)) = rare.next_if(|(before, _)| *before <= at) {
+                write_rare(text, &record);
+            }
+            writer.write(text, record);
+        }
+        rare.for_each(|(_, record)| write_rare(text, &record));
+        *used = 0;
+    }
+}
+
+fn write_rare(text: &mut Vec<u8>, record: &Rare) {
+    match record {
+        Rare::Program(record) => write_program(text, record),
+        Rare::File(record) => write_file(text, record),
+        Rare::End(record) => write_end(text, record),
+    }
+}
+
+/// Where execution puts its records.
+pub(crate) struct Records {
+    batch: Batch,
+    /// How many block records are in it.
+    count: usize,
+    /// The thread is behind: the text of this batch is made here.
+    here: bool,
+    writer: BlockWriter,
+    full: SyncSender<Batch>,
+    written: Receiver<Batch>,
+}
+
+impl Records {
+    /// The next block record.
+    #[inline]
+    pub(crate) fn block(&mut self, record: &BlockRecord) -> Result<(), Closed> {
+        let Batch { text, blocks, used, .. } = &mut self.batch;
+        if self.here {
+            self.writer.write(text, record);
+        } else {
+            match blocks.get_mut(*used) {
+                Some(slot) => slot.clone_from(record),
+                None => blocks.push(record.clone()),
+            }
+            *used += 1;
+        }
+        self.count += 1;
+        if self.count < BATCH { Ok(()) } else { self.hand_on() }
+    }
+
+    /// The next record of another kind.
+    pub(crate) fn rare(&mut self, record: Rare) {
+        let Batch { text, used, rare, .. } = &mut self.batch;
+        if self.here { write_rare(text, &record) } else { rare.push((*used, record)) }
+    }
+
+    fn hand_on(&mut self) -> Result<(), Closed> {
+        let next = self.written.try_recv().unwrap_or_default();
+        let batch = std::mem::replace(&mut self.batch, next);
+        self.count = 0;
+        match self.full.try_send(batch) {
+            Ok(()) => self.here = false,
+            Err(TrySendError::Full(batch)) => {
+                self.here = true;
+                self.full.send(batch).map_err(|_| Closed)?;
+            }
+            Err(TrySendError::Disconnected(_)) => return Err(Closed),
+        }
+        Ok(())
+    }
+}
+
+/// Runs `execute`, and beside it writes to `out` the records that it gives, for a machine with these axes.
+///
+/// # Errors
+/// What `out` says, and when the system gives no thread.
+pub(crate) fn write_beside<T>(
+    out: &mut (dyn Write + Send),
+    axes: &[AxisLetter],
+    execute: impl FnOnce(&mut Records) -> Result<T, Closed>,
+) -> io::Result<T> {
+    let stopped = || io::Error::other("the writer has stopped");
+    scope(|scope| {
+        let (full, batches) = sync_channel(QUEUE);
+        let (done, written) = channel();
+        let thread = Builder::new().name("writer".to_owned());
+        let thread = thread.spawn_scoped(scope, || write(out, BlockWriter::new(axes), batches, done))?;
+        let writer = BlockWriter::new(axes);
+        let mut records = Records { batch: Batch::default(), count: 0, here: false, writer, full, written };
+        let result = execute(&mut records).and_then(|result| records.hand_on().map(|()| result));
+        drop(records);
+        thread.join().map_err(|_| stopped())??;
+        result.map_err(|Closed| stopped())
+    })
+}
+
+fn write(
+    out: &mut (dyn Write + Send),
+    mut writer: BlockWriter,
+    batches: Receiver<Batch>,
+    done: Sender<Batch>,
+) -> io::Result<()> {
+    for mut batch in batches {
+        batch.write(&mut writer);
+        out.write_all(&batch.text)?;
+        batch.text.clear();
+        // Nobody may want it any more.
+        let _ = done.send(batch);
+    }
+    out.flush()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    fn put(records: &mut Records, count: u64) -> Result<(), Closed> {
+        for seq in 0..count {
+            if seq % 700 == 0 {
+                let index = u32::try_from(seq).unwrap_or(0);
+                records.rare(Rare::File(FileRecord { index, name: "a".to_owned() }));
+            }
+            records.block(&BlockRecord {
+                seq,
+                comments: vec!["c".repeat(seq as usize % 3)],
+                ..BlockRecord::default()
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Takes its time with some of what it is given.
+    #[derive(Default)]
+    struct Slow {
+        taken: Vec<u8>,
+        calls: u32,
+        every: u32,
+    }
+
+    impl Write for Slow {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.calls += 1;
+            if self.calls.is_multiple_of(self.every) {
+                std::thread::sleep(Duration::from_millis(3));
+            }
+            self.taken.extend_from_slice(bytes);
+            Ok(bytes.len())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    /// Whichever thread makes the text, the stream is the same.
+    #[test]
+    fn everything_arrives_in_order() {
+        for count in [0, 1, BATCH as u64, 20_000] {
+            let mut streams = Vec::new();
+            for every in [u32::MAX, 1, 3] {
+                let mut out = Slow { every, ..Slow::default() };
+                write_beside(&mut out, &[AxisLetter::X], |records| put(records, count)).unwrap();
+                streams.push(out.taken);
+            }
+            let lines = streams[0].split(|byte| *byte == b'\n').filter(|line| !line.is_empty());
+            let (blocks, files): (Vec<_>, Vec<_>) = lines
+                .map(|line| serde_json::from_slice::<serde_json::Value>(line).unwrap())
+                .partition(|record| record["kind"] == "block");
+            assert_eq!((blocks.len() as u64, files.len() as u64), (count, count.div_ceil(700)));
+            assert!(blocks.iter().enumerate().all(|(at, block)| block["seq"] == at));
+            assert!(streams.iter().all(|stream| *stream == streams[0]), "{count}");
+        }
+    }
+
+    struct Full;
+
+    impl Write for Full {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::StorageFull.into())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn an_error_comes_back() {
+        for count in [1, 1_000_000] {
+            let error = write_beside(&mut Full, &[], |records| put(records, count)).unwrap_err();
+            assert_eq!(error.kind(), io::ErrorKind::StorageFull);
+        }
+    }
+}
