@@ -133,11 +133,11 @@ pub fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
     let mut found = Vec::new();
     for entry in fs::read_dir(here(folder))? {
         let entry = entry?;
-        let kind = entry.file_type().ok().filter(|kind| !kind.is_symlink());
-        found.push(Entry { path: folder.join(entry.file_name()), kind });
+        found.push((entry.file_name(), entry.file_type().ok().filter(|kind| !kind.is_symlink())));
     }
-    found.sort_by(|a, b| a.path.cmp(&b.path));
-    Ok(found)
+    // Names are compared much faster than paths.
+    found.sort_unstable_by(|(a, _), (b, _)| a.cmp(b));
+    Ok(found.into_iter().map(|(name, kind)| Entry { path: folder.join(name), kind }).collect())
 }
 
 /// Whether the file holds that byte, read piece by piece.

@@ -126,3 +126,69 @@ impl Executor<'_, '_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use proptest::prelude::*;
+
+    use crate::config::{Purpose, Settings};
+    use crate::diag::Findings;
+    use crate::expand::{Checkpoint, Executor};
+    use crate::resolve::{Library, resolve_program};
+    use crate::text::{MemoryLoader, SourceText, Sources};
+
+    /// What is known after each block of a program, and the findings.
+    fn run(body: &str, purpose: Purpose) -> (Vec<Checkpoint>, Vec<String>) {
+        let (loader, settings) = (MemoryLoader::new(), Settings::default());
+        let source = Arc::new(SourceText::from_text("t.nc", format!("%1\nN1 G54 G90\n{body}\nN9000 M30")));
+        let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        let mut resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+        let mut executor = Executor::new(&mut resolved, &settings, &mut library, &mut sources, &mut findings, purpose);
+        let mut known = Vec::new();
+        while executor.step().is_some() {
+            known.push(executor.checkpoint());
+        }
+        (known, findings.items().iter().map(|finding| format!("{finding:?}")).collect())
+    }
+
+    const BLOCKS: [&str; 22] = [
+        "X1.5",
+        "Y-2 X3",
+        "Z+3 Y1",
+        "X1 A5",
+        "X2 Z.5",
+        "G91",
+        "G90",
+        "G0",
+        "G1",
+        "F100 S500 M3",
+        "X3 F200",
+        "G2 X1 Y1 I1",
+        "R1=5",
+        "XR1",
+        "YR30",
+        "G74",
+        "G75",
+        "G92 X5",
+        "G54",
+        "G30 Z0",
+        "X5 I2",
+        "B5 X0",
+    ];
+
+    proptest! {
+        /// Checking looks at less of a motion than compiling, and knows the same after it.
+        #[test]
+        fn checking_knows_what_compiling_knows(picks in proptest::collection::vec(0..BLOCKS.len(), 0..30)) {
+            let block = |(at, pick): (usize, &usize)| format!("N{} {}\n", at + 2, BLOCKS[*pick]);
+            let body: String = picks.iter().enumerate().map(block).collect();
+            let (checked, compiled) = (run(&body, Purpose::Check), run(&body, Purpose::Compile));
+            prop_assert!(!checked.0.is_empty());
+            prop_assert_eq!(checked, compiled, "{}", body);
+        }
+    }
+}

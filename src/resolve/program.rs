@@ -71,8 +71,8 @@ pub(super) struct ResolvedFile {
     pub(super) parsed: ParsedFile,
     /// Calls and jumps written with digits, by block.
     pub(super) targets: Vec<(BlockId, Target)>,
-    /// The first block of each number that a jump can reach (FLW-5: L has four digits).
-    pub(super) numbered: BTreeMap<u32, BlockId>,
+    /// The first block of each number that a jump can reach (FLW-5: L has four digits), by number.
+    pub(super) numbered: Vec<(u32, BlockId)>,
 }
 
 /// A program or macrocycle with everything that its written calls lead to. A copy shares the files.
@@ -138,15 +138,18 @@ impl Resolved {
 
     /// The first block of a file with that number.
     pub fn numbered(&self, file: FileIndex, number: u32) -> Option<BlockId> {
-        self.files.get(file.0 as usize)?.numbered.get(&number).copied()
+        let numbered = &self.files.get(file.0 as usize)?.numbered;
+        let at = numbered.binary_search_by_key(&number, |(number, _)| *number).ok()?;
+        numbered.get(at).map(|(_, block)| *block)
     }
 
     /// The number of a block of the unit that is nearest to `number`.
     pub fn nearest_block(&self, unit: &Unit, number: u32) -> Option<u32> {
         let file = self.files.get(unit.file.0 as usize)?;
-        let inside = |(_, block): &(&u32, &BlockId)| unit.contains(**block);
-        let below = file.numbered.range(..=number).rev().find(inside);
-        let above = file.numbered.range(number..).find(inside);
+        let inside = |(_, block): &&(u32, BlockId)| unit.contains(*block);
+        let (below, above) = file.numbered.split_at(file.numbered.partition_point(|(found, _)| *found <= number));
+        let below = below.iter().rev().find(inside);
+        let above = above.iter().find(inside);
         below.into_iter().chain(above).map(|(found, _)| *found).min_by_key(|found| found.abs_diff(number))
     }
 
@@ -156,7 +159,7 @@ impl Resolved {
         id
     }
 
-    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: BTreeMap<u32, BlockId>) -> FileIndex {
+    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>) -> FileIndex {
         let index = FileIndex(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
         self.files.push(Arc::new(ResolvedFile { parsed, targets: Vec::new(), numbered }));
         index

@@ -298,12 +298,12 @@ fn check_blocks(settings: &Settings, parsed: &ParsedFile, units: &[Unit]) -> Fin
 struct Numbered {
     /// Numbers that stand twice (BLK-7).
     findings: Findings,
-    /// The blocks that jumps can reach.
-    reachable: BTreeMap<u32, BlockId>,
+    /// The first block of each number that jumps can reach, by number.
+    reachable: Vec<(u32, BlockId)>,
 }
 
 fn number_blocks(parsed: &ParsedFile) -> Numbered {
-    let mut numbered = Numbered { findings: Findings::new(), reachable: BTreeMap::new() };
+    let mut numbered = Numbered { findings: Findings::new(), reachable: Vec::new() };
     let mut rising = true;
     let mut last = 0;
     for block in parsed.block_ids() {
@@ -311,12 +311,14 @@ fn number_blocks(parsed: &ParsedFile) -> Numbered {
         rising &= number > last;
         last = number;
         if number <= REACHABLE {
-            numbered.reachable.entry(number).or_insert(block);
+            numbered.reachable.push((number, block));
         }
     }
     if rising {
         return numbered;
     }
+    numbered.reachable.sort_unstable();
+    numbered.reachable.dedup_by_key(|(number, _)| *number);
     let mut all: Vec<(u32, BlockId)> =
         parsed.block_ids().filter_map(|block| Some((parsed.number(block)?, block))).collect();
     all.sort_unstable();

@@ -47,7 +47,7 @@ pub fn resolve_window(
     if !findings.is_empty() && is_suspicious(text) {
         return None;
     }
-    resolved.add_file(parsed, std::collections::BTreeMap::new());
+    resolved.add_file(parsed, Vec::new());
     Some(resolved)
 }
 

@@ -57,10 +57,9 @@ impl Word {
     pub fn with_number(address: Address, span: Span, number: Number) -> Self {
         let mut word = Self::bare(address, span);
         word.flags &= !VOID;
-        word.flags |= u16::from(number.point) * POINT
-            | u16::from(number.plus) * PLUS
-            | u16::from(number.minus) * MINUS
-            | u16::from(number.rounded) * ROUNDED;
+        let flag = |set: bool, flag: u16| if set { flag } else { 0 };
+        word.flags |= flag(number.point, POINT) | flag(number.plus, PLUS);
+        word.flags |= flag(number.minus, MINUS) | flag(number.rounded, ROUNDED);
         let thousandths = number.value.thousandths();
         if let Ok(raw) = i32::try_from(thousandths) {
             word.raw = raw;
