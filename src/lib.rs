@@ -9,6 +9,5 @@ pub mod ir;
 pub mod lsp;
 pub mod resolve;
 pub mod session;
-mod stream;
 pub mod syntax;
 pub mod text;

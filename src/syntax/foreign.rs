@@ -74,7 +74,7 @@ const ROWS: &[Row] = &[
         2,
         &["G38.d", "G33.1", "G61.1", "G92.1", "G92.2", "G92.3", "G43.1", "G43.2", "G59.d", "G28.1", "G30.1"],
     ),
-    row(LINUXCNC, 2, &["G5.2", "G5.3", "G64P", "G33.1Z"]),
+    row(LINUXCNC, 2, &["G5.2", "G5.3", "G64P"]),
     row(LINUXCNC, 2, &["@v^v", "M66PnLn", "M66En", "M67En", "M68En"]),
     row(
         SINUMERIK,

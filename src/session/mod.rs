@@ -1,5 +1,7 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
+mod stream;
+
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -10,9 +12,9 @@ use crate::diag::{Code, Diagnostic, Finding, Findings, Problem, Severity};
 use crate::expand::{Checkpoint, Executor, Stop};
 use crate::ir::{AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA};
 use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
-use crate::stream::{Closed, Rare, Records, write_beside};
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
+use stream::{Closed, Rare, Records, write_beside};
 
 /// Blocks between two reports of progress.
 const PROGRESS: u64 = 1 << 16;

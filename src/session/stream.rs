@@ -14,7 +14,7 @@ const BATCH: usize = 512;
 const QUEUE: usize = 2;
 
 /// A record that is no block.
-pub(crate) enum Rare {
+pub(super) enum Rare {
     Program(ProgramRecord),
     File(FileRecord),
     End(EndRecord),
@@ -22,7 +22,7 @@ pub(crate) enum Rare {
 
 /// Why no more records are taken: the writer had an error, which [`write_beside`] gives.
 #[derive(Debug)]
-pub(crate) struct Closed;
+pub(super) struct Closed;
 
 /// A piece of the stream: text, and behind it records.
 #[derive(Default)]
@@ -60,7 +60,7 @@ fn write_rare(text: &mut Vec<u8>, record: &Rare) {
 }
 
 /// Where execution puts its records.
-pub(crate) struct Records {
+pub(super) struct Records {
     batch: Batch,
     /// How many block records are in it.
     count: usize,
@@ -74,7 +74,7 @@ pub(crate) struct Records {
 impl Records {
     /// The next block record.
     #[inline]
-    pub(crate) fn block(&mut self, record: &BlockRecord) -> Result<(), Closed> {
+    pub(super) fn block(&mut self, record: &BlockRecord) -> Result<(), Closed> {
         let Batch { text, blocks, used, .. } = &mut self.batch;
         if self.here {
             self.writer.write(text, record);
@@ -90,7 +90,7 @@ impl Records {
     }
 
     /// The next record of another kind.
-    pub(crate) fn rare(&mut self, record: Rare) {
+    pub(super) fn rare(&mut self, record: Rare) {
         let Batch { text, used, rare, .. } = &mut self.batch;
         if self.here { write_rare(text, &record) } else { rare.push((*used, record)) }
     }
@@ -115,7 +115,7 @@ impl Records {
 ///
 /// # Errors
 /// What `out` says, and when the system gives no thread.
-pub(crate) fn write_beside<T>(
+pub(super) fn write_beside<T>(
     out: &mut (dyn Write + Send),
     axes: &[AxisLetter],
     execute: impl FnOnce(&mut Records) -> Result<T, Closed>,
