@@ -246,3 +246,24 @@ fn is_pipe(kind: FileType) -> bool {
 fn is_pipe(_: FileType) -> bool {
     false
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::io::Write;
+
+    use super::*;
+
+    /// A file that another length is known of is left to be read from its beginning to its end.
+    #[test]
+    fn halves_of_a_long_file() {
+        let mut file = tempfile::tempfile().unwrap();
+        let bytes: Vec<u8> = (0..LONG + 4321).map(|at| u8::try_from(at % 251).unwrap()).collect();
+        file.write_all(&bytes).unwrap();
+        let length = bytes.len() as u64;
+        let expected = (rayon::current_num_threads() > 1).then_some(bytes);
+        assert!(halves(&file, length) == expected);
+        for other in [length - 1, length + 1, length + LONG, LONG, LONG - 1] {
+            assert_eq!(halves(&file, other), None, "{other}");
+        }
+    }
+}
