@@ -8,8 +8,8 @@ use std::thread::{Builder, scope};
 use crate::dict::AxisLetter;
 use crate::ir::{BlockRecord, BlockWriter, EndRecord, FileRecord, ProgramRecord, write_end, write_file, write_program};
 
-/// Records go to the thread in batches of so many.
-const BATCH: usize = 512;
+/// Records go to the thread in batches of so many. Fuzzing has short programs.
+const BATCH: usize = if cfg!(fuzzing) { 2 } else { 512 };
 /// Batches under way at most: what writes slowly makes execution wait, not grow.
 const QUEUE: usize = 2;
 
