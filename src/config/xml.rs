@@ -228,6 +228,13 @@ mod tests {
         assert!(is_read(&format!("<r><a{}/></r>", attributes(MOST_ATTRIBUTES))));
         let refused = format!("<r><a/><a{}/></r>", attributes(MOST_ATTRIBUTES + 1));
         assert_eq!(fault(&refused), (ConfigProblem::TooMany, 7));
+        let quoted = |count: usize| (0..count).map(|i| format!(" a{i} = \"b='1' c='2'\"")).collect::<String>();
+        assert!(is_read(&format!("<r><a{}/></r>", quoted(MOST_ATTRIBUTES))));
+        assert_eq!(fault(&format!("<r><a{}/></r>", quoted(MOST_ATTRIBUTES + 1))).0, ConfigProblem::TooMany);
+        let declarations =
+            |count: usize| (0..count).map(|i| format!("<a xmlns:n{}='u'>", i % 2_500)).collect::<String>();
+        assert_eq!(overloaded(&declarations(MOST_NAMESPACES / 2_500)), None);
+        assert!(overloaded(&declarations(MOST_NAMESPACES / 2_500 + 1)).is_some());
         let namespaces: String = (0..count).map(|i| format!("<a xmlns:n{i}='{i}'>")).collect();
         assert_eq!(fault(&namespaces).0, ConfigProblem::TooMany);
         assert!(is_read(&format!("<a>{}</a>", "<b xmlns:x='urn:x' x:y='1'/>".repeat(count))));

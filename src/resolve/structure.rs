@@ -411,3 +411,28 @@ pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Fi
     let result = field(1)?;
     Ok(ControlWord { operation, first, second, result, whole: whole < 0 })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::MemoryLoader;
+
+    /// Parts of a long file that are checked side by side leave no block out and check none twice.
+    #[test]
+    fn every_block_of_a_long_file_is_checked() {
+        let faulty = [1, 2, SIDE_BY_SIDE, SIDE_BY_SIDE + 1, 2 * SIDE_BY_SIDE, 2 * SIDE_BY_SIDE + 1, 3 * SIDE_BY_SIDE];
+        let block = |n: u32| format!("N{n} {}\n", if faulty.contains(&n) { "X99999" } else { "X1" });
+        for last in [2 * SIDE_BY_SIDE - 1, 2 * SIDE_BY_SIDE, 3 * SIDE_BY_SIDE + 1] {
+            let body: String = (1..=last).map(block).collect();
+            let source = Arc::new(SourceText::from_text("t.nc", format!("%1\n{body}N{} M30\n", last + 1)));
+            let (loader, settings) = (MemoryLoader::new(), Settings::default());
+            let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
+            let (mut sources, mut findings) = (Sources::new(), Findings::new());
+            resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+            let lines: Vec<u32> =
+                findings.items().iter().map(|found| source.line_column(found.at.span.start).line - 1).collect();
+            let expected: Vec<u32> = faulty.into_iter().filter(|n| *n <= last).collect();
+            assert_eq!(lines, expected, "{last}");
+        }
+    }
+}
