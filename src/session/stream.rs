@@ -10,6 +10,10 @@ use crate::ir::{BlockRecord, BlockWriter, EndRecord, FileRecord, ProgramRecord, 
 
 /// Records go to the thread in batches of so many. Fuzzing has short programs.
 const BATCH: usize = if cfg!(fuzzing) { 2 } else { 512 };
+/// A batch whose text has so many bytes is handed on whatever it holds.
+const PIECE: usize = 1 << 18;
+/// Records with more bytes of comments and calls are made text at once, so that no batch holds many of them.
+const LONG: usize = 1 << 12;
 /// Batches under way at most: what writes slowly makes execution wait, not grow.
 const QUEUE: usize = 2;
 
@@ -51,6 +55,11 @@ impl Batch {
     }
 }
 
+fn is_long(record: &BlockRecord) -> bool {
+    let comments: usize = record.comments.iter().map(|comment| size_of_val(comment) + comment.len()).sum();
+    size_of_val(record.calls.as_slice()) + comments > LONG
+}
+
 fn write_rare(text: &mut Vec<u8>, record: &Rare) {
     match record {
         Rare::Program(record) => write_program(text, record),
@@ -75,6 +84,10 @@ impl Records {
     /// The next block record.
     #[inline]
     pub(super) fn block(&mut self, record: &BlockRecord) -> Result<(), Closed> {
+        if !self.here && is_long(record) {
+            self.hand_on()?;
+            self.here = true;
+        }
         let Batch { text, blocks, used, .. } = &mut self.batch;
         if self.here {
             self.writer.write(text, record);
@@ -86,7 +99,7 @@ impl Records {
             *used += 1;
         }
         self.count += 1;
-        if self.count < BATCH { Ok(()) } else { self.hand_on() }
+        if self.count < BATCH && self.batch.text.len() < PIECE { Ok(()) } else { self.hand_on() }
     }
 
     /// The next record of another kind.
@@ -165,7 +178,7 @@ mod tests {
             }
             records.block(&BlockRecord {
                 seq,
-                comments: vec!["c".repeat(seq as usize % 3)],
+                comments: vec![if seq % 1900 == 5 { "long".repeat(LONG) } else { "c".repeat(seq as usize % 3) }],
                 ..BlockRecord::default()
             })?;
         }

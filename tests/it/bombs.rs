@@ -447,3 +447,16 @@ fn a_project_file_that_names_itself() {
     assert_eq!(json(&run)["summary"]["files"], 2, "each file once: {run:?}");
     assert!(!codes(&run).contains(&"E0217".to_owned()), "one file by two names is not two files: {run:?}");
 }
+
+/// Records that are long by their comments are written as they come: few of them are in memory at once.
+#[test]
+fn a_loop_of_long_comments() {
+    let long = "x".repeat(5_000_000);
+    let many = "\"x\"".repeat(300_000);
+    for comments in [format!("\"{long}\""), many] {
+        let program = format!("%1\nN10 G0 G90 X0\nN20 X1 {comments}\nN30 X2\nN40 G73 L20 Q99\nN50 M30\n");
+        let place = Place::with(&[("a.nc", program.as_bytes())]);
+        let run = bounded(&place, &["compile", "a.nc", "-o", "/dev/null"]).ends(0);
+        assert!(run.stderr.len() < 1000, "{run:?}");
+    }
+}
