@@ -48,8 +48,8 @@ fn plain_block(lowering: &mut Lowering<'_>, bytes: &[u8], start: u32) -> Option<
         let span = Span::new(offset(rest), offset(after));
         lowering.push(Word::with_number(address, span, number), span);
         rest = after;
-        while let [b' ' | b'\t' | b'\r' | b'\n', after @ ..] = rest {
-            rest = after;
+        while let [b' ' | b'\t' | b'\r' | b'\n', behind @ ..] = rest {
+            rest = behind;
         }
         match rest {
             [] | [b'N', b'0'..=b'9', ..] => return Some(offset(rest)),
