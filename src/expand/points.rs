@@ -155,7 +155,9 @@ mod tests {
         (known, findings.items().iter().map(|finding| format!("{finding:?}")).collect())
     }
 
-    const BLOCKS: [&str; 22] = [
+    const BLOCKS: [&str; 24] = [
+        "",
+        "F",
         "X1.5",
         "Y-2 X3",
         "Z+3 Y1",
