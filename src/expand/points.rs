@@ -62,7 +62,6 @@ impl Executor<'_, '_> {
                 self.state.set_position(axis, reading.target(axis, word.number()));
             }
         }
-        self.record.jump = None;
         self.state.origin_changed = false;
         true
     }

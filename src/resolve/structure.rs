@@ -417,6 +417,25 @@ mod tests {
     use super::*;
     use crate::text::MemoryLoader;
 
+    fn resolve(body: &str) -> (Arc<SourceText>, Resolved, Findings) {
+        let source = Arc::new(SourceText::from_text("t.nc", format!("%1\n{body}")));
+        let (loader, settings) = (MemoryLoader::new(), Settings::default());
+        let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        let resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+        (source, resolved, findings)
+    }
+
+    /// FLW-5: jumps reach numbers of up to four digits; of a number that stands twice, the first block.
+    #[test]
+    fn blocks_by_number() {
+        let (_, resolved, _) = resolve("N30 X1\nN9999 X2\nN10 X3\nN30 X4\nN10000 X5\nN10 X6\nN30 X7\nN5 M30\n");
+        for (number, block) in [(5, Some(7)), (10, Some(2)), (30, Some(0)), (9999, Some(1)), (10_000, None), (20, None)]
+        {
+            assert_eq!(resolved.numbered(FileIndex(0), number), block.map(BlockId), "{number}");
+        }
+    }
+
     /// Parts of a long file that are checked side by side leave no block out and check none twice.
     #[test]
     fn every_block_of_a_long_file_is_checked() {
@@ -424,11 +443,7 @@ mod tests {
         let block = |n: u32| format!("N{n} {}\n", if faulty.contains(&n) { "X99999" } else { "X1" });
         for last in [2 * SIDE_BY_SIDE - 1, 2 * SIDE_BY_SIDE, 3 * SIDE_BY_SIDE + 1] {
             let body: String = (1..=last).map(block).collect();
-            let source = Arc::new(SourceText::from_text("t.nc", format!("%1\n{body}N{} M30\n", last + 1)));
-            let (loader, settings) = (MemoryLoader::new(), Settings::default());
-            let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
-            let (mut sources, mut findings) = (Sources::new(), Findings::new());
-            resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+            let (source, _, findings) = resolve(&format!("{body}N{} M30\n", last + 1));
             let lines: Vec<u32> =
                 findings.items().iter().map(|found| source.line_column(found.at.span.start).line - 1).collect();
             let expected: Vec<u32> = faulty.into_iter().filter(|n| *n <= last).collect();

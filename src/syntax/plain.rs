@@ -54,8 +54,6 @@ fn plain_block(lowering: &mut Lowering<'_>, bytes: &[u8], start: u32) -> Option<
         match rest {
             [] | [b'N', b'0'..=b'9', ..] => return Some(offset(rest)),
             [b'N', ..] => return None,
-            // A letter that stands for a digit.
-            [b'O', ..] if rest.len() == after.len() => return None,
             _ => {}
         }
     }
