@@ -196,39 +196,21 @@ fn halves(file: &File, length: u64) -> Option<Vec<u8>> {
     if !(LONG..=LIMIT).contains(&length) || rayon::current_num_threads() == 1 {
         return None;
     }
-    // One byte more tells whether it grew.
-    let room = usize::try_from(length + 1).ok()?;
+    let room = usize::try_from(length).ok()?;
     // Zeroed memory cannot be asked for with an answer when there is none.
     Vec::<u8>::new().try_reserve_exact(room).ok()?;
     let mut bytes = vec![0; room];
     let (first, second) = bytes.split_at_mut(room / 2);
     let middle = first.len() as u64;
-    let (first, second) = rayon::join(|| file.read_exact_at(first, 0), || read_to_end_at(file, second, middle));
-    let read = first.and(second).ok()?;
-    bytes.truncate(room / 2 + read);
-    (read + room / 2 == room - 1).then_some(bytes)
+    let (first, second) = rayon::join(|| file.read_exact_at(first, 0), || file.read_exact_at(second, middle));
+    first.and(second).ok()?;
+    file.metadata().is_ok_and(|data| data.len() == length).then_some(bytes)
 }
 
 /// Elsewhere a file has one place to read from.
 #[cfg(not(unix))]
 fn halves(_: &File, _: u64) -> Option<Vec<u8>> {
     None
-}
-
-/// Fills `room` from `at` on as far as the file goes, and gives how much that is.
-#[cfg(unix)]
-fn read_to_end_at(file: &File, room: &mut [u8], at: u64) -> io::Result<usize> {
-    use std::os::unix::fs::FileExt;
-    let mut read = 0;
-    while let Some(rest) = room.get_mut(read..).filter(|rest| !rest.is_empty()) {
-        match file.read_at(rest, at + read as u64) {
-            Ok(0) => break,
-            Ok(length) => read += length,
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(read)
 }
 
 /// The folder of a bare file name is the current one.
