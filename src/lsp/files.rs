@@ -1,9 +1,10 @@
 //! The files that the editor has open, over those of the disk.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Component, Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use gen_lsp_types::Uri;
 
@@ -23,6 +24,24 @@ pub(super) struct Document {
     pub(super) source: Arc<SourceText>,
 }
 
+/// What the disk said about folders and paths is used again for so long. A client that watches files reports changes at
+/// once ([`EditorFiles::forget`]); one that does not sees a new macrocycle with the first edit after this time.
+const FRESH: Duration = Duration::from_secs(2);
+
+/// What the disk said last: every keystroke asks for the same folders and the same paths, on a network share too.
+#[derive(Debug)]
+struct Remembered {
+    since: Instant,
+    lists: BTreeMap<PathBuf, Arc<[PathBuf]>>,
+    canonical: BTreeMap<PathBuf, PathBuf>,
+}
+
+impl Default for Remembered {
+    fn default() -> Self {
+        Self { since: Instant::now(), lists: BTreeMap::new(), canonical: BTreeMap::new() }
+    }
+}
+
 /// Every file as the user sees it at one moment: buffers where there are some, else the disk. Copies are cheap.
 #[derive(Clone)]
 pub(super) struct EditorFiles {
@@ -31,11 +50,26 @@ pub(super) struct EditorFiles {
     root: Arc<PathBuf>,
     /// By canonical path.
     open: Arc<BTreeMap<PathBuf, Document>>,
+    /// Shared by all copies: it says nothing of buffers.
+    remembered: Arc<Mutex<Remembered>>,
 }
 
 impl EditorFiles {
     pub(super) fn new(disk: Disk) -> Self {
-        Self { disk, root: Arc::default(), open: Arc::default() }
+        Self { disk, root: Arc::default(), open: Arc::default(), remembered: Arc::default() }
+    }
+
+    /// Files came, went or changed: the disk is asked again.
+    pub(super) fn forget(&self) {
+        self.remembered(|remembered| *remembered = Remembered::default());
+    }
+
+    fn remembered<T>(&self, look: impl FnOnce(&mut Remembered) -> T) -> T {
+        let mut remembered = self.remembered.lock().unwrap_or_else(PoisonError::into_inner);
+        if remembered.since.elapsed() > FRESH {
+            *remembered = Remembered::default();
+        }
+        look(&mut remembered)
     }
 
     /// Sets the root of the workspace.
@@ -74,7 +108,7 @@ impl EditorFiles {
 
     /// The open document at `path`.
     pub(super) fn buffer(&self, path: &Path) -> Option<&Document> {
-        self.open.get(path).or_else(|| self.open.get(&self.disk.canonical(path)))
+        self.open.get(path).or_else(|| self.open.get(&self.canonical(path)))
     }
 }
 
@@ -102,10 +136,23 @@ impl Loader for EditorFiles {
     }
 
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
-        let mut files = self.disk.list(folder);
-        let canonical = self.disk.canonical(folder);
+        let known = self.remembered(|remembered| remembered.lists.get(folder).cloned());
+        let listed = known.unwrap_or_else(|| {
+            let listed: Arc<[PathBuf]> = self.disk.list(folder).into();
+            self.remembered(|remembered| remembered.lists.insert(folder.to_path_buf(), Arc::clone(&listed)));
+            listed
+        });
+        let canonical = self.canonical(folder);
+        let mut files = listed.to_vec();
+        // A buffer of a file that is not on the disk yet.
+        let mut names: Option<BTreeSet<PathBuf>> = None;
         for path in self.open.keys().filter(|path| path.parent() == Some(&canonical)) {
-            if !files.iter().any(|file| self.disk.canonical(file) == *path) {
+            let here = path.file_name().map(|name| folder.join(name));
+            if here.is_some_and(|here| listed.binary_search(&here).is_ok()) {
+                continue;
+            }
+            let names = names.get_or_insert_with(|| listed.iter().map(|file| self.canonical(file)).collect());
+            if !names.contains(path) {
                 files.push(path.clone());
             }
         }
@@ -128,7 +175,12 @@ impl Loader for EditorFiles {
     }
 
     fn canonical(&self, path: &Path) -> PathBuf {
-        self.disk.canonical(path)
+        if let Some(known) = self.remembered(|remembered| remembered.canonical.get(path).cloned()) {
+            return known;
+        }
+        let canonical = self.disk.canonical(path);
+        self.remembered(|remembered| remembered.canonical.insert(path.to_path_buf(), canonical.clone()));
+        canonical
     }
 }
 

@@ -158,6 +158,7 @@ impl Server {
     pub(super) fn did_open(&mut self, params: Value) -> Result<(), String> {
         let params: DidOpenTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
         let document = params.text_document;
+        self.files.forget();
         let path = self.files.path_of(&document.uri);
         let source = SourceText::from_text(path.to_string_lossy(), document.text);
         let opened = Document { uri: document.uri, version: document.version, source: Arc::new(source) };
@@ -236,6 +237,7 @@ impl Server {
         let params: DidCloseTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
         let uri = params.text_document.uri;
         let path = self.files.path_of(&uri);
+        self.files.forget();
         if self.files.open_mut().remove(&path).is_none() {
             return Err("not open".to_owned());
         }
@@ -265,6 +267,7 @@ impl Server {
 
     /// Files of the disk, or settings, changed.
     pub(super) fn files_changed(&mut self) {
+        self.files.forget();
         for root in self.roots.values_mut() {
             root.touch(true);
         }

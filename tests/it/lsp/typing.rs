@@ -1,4 +1,4 @@
-//! Every sample typed character by character: the server lives, and finds at the end what `check` finds.
+//! Every sample typed character by character, the inside of comments at once: the server lives, and finds at the end what `check` finds.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -50,8 +50,7 @@ fn type_in(client: &mut Client, path: &Path) {
     let (mut line, mut column, mut version) = (0, 0, 0);
     let typed = source.text().char_indices().nth(TYPED).map_or(source.text().len(), |(at, _)| at);
     let (first, rest) = source.text().split_at(typed);
-    let characters = first.chars().map(String::from);
-    for text in characters.chain(Some(rest.to_owned()).filter(|rest| !rest.is_empty())) {
+    for text in keystrokes(first).into_iter().chain(Some(rest).filter(|rest| !rest.is_empty())) {
         version += 1;
         let at = json!({ "line": line, "character": column });
         change(client, &uri, version, &json!({ "range": { "start": at, "end": at }, "text": text }));
@@ -60,16 +59,44 @@ fn type_in(client: &mut Client, path: &Path) {
             ask_everything(client, &uri, &at);
         }
         // A CR counts as a line end until an LF follows it.
-        match text.as_str() {
+        match text {
             "\n" if column == 0 && first[..].contains("\r\n") => {}
             "\n" | "\r" => (line, column) = (line + 1, 0),
-            _ => column += 1,
+            _ => column += text.chars().count(),
         }
     }
     let found = client.request("textDocument/diagnostic", json!({ "textDocument": { "uri": uri } }));
     let found: Vec<Finding> = found["result"]["items"].as_array().unwrap().iter().map(of_server).collect();
     assert_eq!(found, checked(path), "{}", path.display());
     client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
+}
+
+/// A text as it is typed: a character at a time, and what a comment says at once, after its opening quote and before the
+/// closing one: most of a sample is comments, and their letters are all alike to the server.
+fn keystrokes(text: &str) -> Vec<&str> {
+    let mut strokes = Vec::new();
+    let mut rest = text;
+    let mut in_comment = false;
+    while let Some(next) = rest.chars().next() {
+        let comment = if in_comment { rest.find(['"', '\r', '\n']).unwrap_or(rest.len()) } else { 0 };
+        let (stroke, after) = rest.split_at(comment.max(next.len_utf8()));
+        in_comment = match stroke {
+            "\"" => !in_comment,
+            "\r" | "\n" => false,
+            _ => in_comment,
+        };
+        strokes.push(stroke);
+        rest = after;
+    }
+    strokes
+}
+
+#[test]
+fn comments_at_once() {
+    assert_eq!(
+        keystrokes("%1\"ab c\"N1\n\"d\r\nX"),
+        ["%", "1", "\"", "ab c", "\"", "N", "1", "\n", "\"", "d", "\r", "\n", "X"]
+    );
 }
 
 fn change(client: &mut Client, uri: &str, version: i64, change: &Value) {
