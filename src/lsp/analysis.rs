@@ -73,9 +73,17 @@ pub(super) fn is_configuration(path: &Path) -> bool {
 pub(super) fn configuration(path: &Path, files: &EditorFiles, client: &Client) -> (Settings, Sources, Findings) {
     let project = find_project(path.parent().unwrap_or(Path::new("")), files);
     let (mut sources, mut findings) = (Sources::new(), Findings::new());
-    let overrides = &client.settings.overrides;
+    let overrides = client.overrides(path, files);
     let settings = configure(project.as_deref(), overrides, files, &mut sources, &mut findings);
     (settings, sources, findings)
+}
+
+/// What programs in the folder of `path` are judged by while somebody edits their project file, and it has errors: the last
+/// configuration that had none.
+fn last_good(path: &Path, files: &EditorFiles, client: &Client) -> Option<Settings> {
+    let project = find_project(path.parent().unwrap_or(Path::new("")), files)?;
+    files.buffer(&project)?;
+    client.last_good(&project)
 }
 
 /// Runs over the document at `path`. `None` when that was cancelled.
@@ -89,14 +97,20 @@ pub(super) fn run(
     if cancel.is_cancelled() {
         return None;
     }
-    let (settings, config_sources, config_findings) = configuration(path, files, client);
+    let (current, config_sources, config_findings) = configuration(path, files, client);
     let configured = || {
         let mut report = Report::new();
-        report.add(&config_sources, config_findings.clone(), |code| settings.severity(code));
+        report.add(&config_sources, config_findings.clone(), |code| current.severity(code));
         report
     };
     let mut report = configured();
-    let misconfigured = report.errors() > 0;
+    let has_errors = report.errors() > 0;
+    let good = if has_errors { last_good(path, files, client) } else { None };
+    let misconfigured = has_errors && good.is_none();
+    let settings = good.unwrap_or_else(|| current.clone());
+    if !has_errors && let Some(project) = find_project(path.parent().unwrap_or(Path::new("")), files) {
+        client.keep_good(&project, &settings);
+    }
     let mut read = paths(files, &config_sources);
     read.extend(settings.macrocycles.iter().map(|folder| files.canonical(folder)));
     if is_configuration(path) {

@@ -1,12 +1,16 @@
 //! What the client can do and wants.
 
-use std::path::PathBuf;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use serde_json::Value;
 
-use super::settings::{ClientSettings, folder_path, workspace_folders};
+use super::files::EditorFiles;
+use super::settings::{self, ClientSettings, folder_path, workspace_folders};
+use crate::config::{Overrides, Settings};
 use crate::dict::Lang;
-use crate::text::ColumnUnit;
+use crate::text::{ColumnUnit, Loader};
 
 /// What is known of the client since `initialize`, and its settings now.
 #[derive(Clone, Debug, Default)]
@@ -16,10 +20,16 @@ pub(super) struct Client {
     pub(super) unit: ColumnUnit,
     /// By its locale.
     locale: Lang,
-    /// By the settings.
-    pub(super) settings: ClientSettings,
+    /// The settings of the window.
+    settings: ClientSettings,
+    /// The settings as they came: of the window, then of each folder.
+    sections: Vec<Value>,
+    /// Settings by folder of the workspace; relative paths in them begin there.
+    by_folder: Vec<(PathBuf, Overrides)>,
     /// The folders of the workspace.
     pub(super) folders: Vec<PathBuf>,
+    /// The last configuration without errors, by project file.
+    good: Arc<Mutex<BTreeMap<PathBuf, Settings>>>,
 }
 
 impl Client {
@@ -34,7 +44,10 @@ impl Client {
             unit: unit(&capabilities),
             locale,
             settings: ClientSettings::default(),
+            sections: Vec::new(),
+            by_folder: Vec::new(),
             folders: workspace_folders(initialize),
+            good: Arc::default(),
             capabilities,
         }
     }
@@ -64,8 +77,45 @@ impl Client {
             && (self.has("/workspace/diagnostics/refreshSupport") || self.has("/workspace/diagnostic/refreshSupport"))
     }
 
-    /// Follows `workspace/didChangeWorkspaceFolders`.
-    pub(super) fn change_folders(&mut self, params: &Value) {
+    /// Takes the settings of the window, and behind them those of its folders as far as there are. Values that cannot be
+    /// used are left out and returned.
+    pub(super) fn configure(&mut self, sections: Vec<Value>) -> Vec<String> {
+        self.sections = sections;
+        let window = self.sections.first().cloned().unwrap_or_default();
+        let (read, wrong) = settings::read(&window, &self.root());
+        self.settings = read;
+        let mut wrong: BTreeSet<String> = wrong.into_iter().collect();
+        self.by_folder.clear();
+        for (place, folder) in self.folders.iter().enumerate() {
+            let section = self.sections.get(place + 1).filter(|section| section.is_object()).unwrap_or(&window);
+            let (read, also_wrong) = settings::read(section, folder);
+            wrong.extend(also_wrong);
+            self.by_folder.push((folder.clone(), read.overrides));
+        }
+        self.good = Arc::default();
+        wrong.into_iter().collect()
+    }
+
+    /// What the settings say of the file at `path`: those of the innermost folder of the workspace that holds it.
+    pub(super) fn overrides(&self, path: &Path, files: &EditorFiles) -> &Overrides {
+        let holds = |folder: &Path| path.starts_with(folder) || path.starts_with(files.canonical(folder));
+        let within = self.by_folder.iter().filter(|(folder, _)| holds(folder));
+        within.max_by_key(|(folder, _)| folder.components().count()).map_or(&self.settings.overrides, |(_, own)| own)
+    }
+
+    /// Keeps a configuration without errors.
+    pub(super) fn keep_good(&self, project: &Path, settings: &Settings) {
+        let mut good = self.good.lock().unwrap_or_else(PoisonError::into_inner);
+        good.insert(project.to_path_buf(), settings.clone());
+    }
+
+    /// The last configuration of that project file that had no errors.
+    pub(super) fn last_good(&self, project: &Path) -> Option<Settings> {
+        self.good.lock().unwrap_or_else(PoisonError::into_inner).get(project).cloned()
+    }
+
+    /// Follows `workspace/didChangeWorkspaceFolders`, as [`Self::configure`] does.
+    pub(super) fn change_folders(&mut self, params: &Value) -> Vec<String> {
         let folders = |list: &str| {
             let list = params.pointer(list).and_then(Value::as_array).into_iter().flatten();
             list.filter_map(|folder| folder_path(folder.get("uri")?)).collect::<Vec<_>>()
@@ -73,6 +123,9 @@ impl Client {
         let removed = folders("/event/removed");
         self.folders.retain(|folder| !removed.contains(folder));
         self.folders.extend(folders("/event/added"));
+        // The settings of folders are asked for anew.
+        let window = self.sections.drain(..).take(1).collect();
+        self.configure(window)
     }
 
     /// The root of the workspace, to which the paths in settings are relative.

@@ -28,6 +28,7 @@ mod hierarchy;
 mod hover;
 mod hover_texts;
 mod inlay_hints;
+mod line_length;
 mod links;
 mod meaning;
 mod names;

@@ -14,6 +14,7 @@ bilingual! {
         ReachableBlock { n: u32 } "jumps lead to block N{n}, and G73 reaches block numbers up to 9999 only", "na blok N{n} vedou skoky a G73 dosáhne jen na čísla bloků do 9999";
         SubprogramNumber "the number of a subprogram is a whole number from 1 to 9999", "číslo podprogramu je celé číslo od 1 do 9999";
         ParameterNumber "the number of a parameter is a whole number from 0 to 95", "číslo parametru je celé číslo od 0 do 95";
+        LineTooLong { line: u32 } "line {line} would get longer than 80 characters", "řádek {line} by byl delší než 80 znaků";
         BlockExists { n: u32 } "block N{n} exists in this file already", "blok N{n} už v tomto souboru je";
         SubprogramExists { l: u32 } "subprogram L{l} exists in this file already", "podprogram L{l} už v tomto souboru je";
         WouldLeadHere { call: String } "{call} leads nowhere now and would then lead here", "{call} teď nikam nevede a pak by vedl sem";

@@ -9,6 +9,7 @@ use gen_lsp_types::{
 
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
+use super::line_length::first_long_line;
 use super::names::{Name, Naming, Usage};
 use super::navigation_texts::NavigationText;
 use super::places::{Places, offset};
@@ -74,6 +75,9 @@ fn edits(snapshot: &Snapshot, analysis: &Analysis, params: &RenameParams) -> Res
         Name::Parameter(_) if digits.len() == 1 && in_control_word(naming) => format!("0{digits}"),
         Name::Parameter(_) | Name::Block(_) | Name::Subprogram(_) | Name::Macrocycle(_) => digits.clone(),
     };
+    if let Some(line) = first_long_line(file, meant.iter().map(|naming| (naming.number, written(naming).len()))) {
+        return Err(NavigationText::LineTooLong { line });
+    }
     let edits = meant.iter().map(|naming| TextEdit { range: places.range(naming.number), new_text: written(naming) });
     Ok(edits.collect())
 }

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
 use super::edit_texts::EditText;
+use super::line_length::first_long_line;
 use crate::dict::{Address, GCode, GGroup};
 use crate::resolve::{Target, g_code};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
@@ -19,8 +20,6 @@ const STEPS: [u32; 4] = [10, 5, 2, 1];
 const REACHABLE: u32 = 9999;
 /// The highest number of a block.
 const HIGHEST: u32 = 99_999_999;
-/// The longest line (LEX-7), in characters.
-const LINE: u32 = 80;
 
 /// The new numbers of a file.
 #[derive(Debug)]
@@ -140,33 +139,8 @@ fn numbered(file: &ParsedFile, jumps: &Jumps, step: u32) -> Result<Vec<(Span, St
             replace(*l, target);
         }
     }
-    short_lines(file, &edits)?;
-    Ok(edits)
-}
-
-/// That no line gets too long. A line that is so already has its finding.
-fn short_lines(file: &ParsedFile, edits: &[(Span, String)]) -> Result<(), EditText> {
-    let lines = file.source.lines();
-    let mut hint = 0;
-    let with_lines = edits.iter().map(|(span, new)| {
-        hint = lines.line_near(span.start, hint);
-        let grown = i64::try_from(new.len()).unwrap_or(0) - i64::from(span.len());
-        (hint, grown)
-    });
-    let mut with_lines = with_lines.peekable();
-    while let Some((line, mut grown)) = with_lines.next() {
-        while let Some((_, more)) = with_lines.next_if(|(next, _)| *next == line) {
-            grown += more;
-        }
-        let Ok(grown @ 1..) = u32::try_from(grown) else { continue };
-        let span = file.source.line_span(line);
-        if span.len() + grown <= LINE {
-            continue;
-        }
-        let length = u32::try_from(file.source.slice(span).chars().count()).unwrap_or(u32::MAX);
-        if length <= LINE && length + grown > LINE {
-            return Err(EditText::LineTooLong { line: u32::try_from(line + 1).unwrap_or(u32::MAX) });
-        }
+    match first_long_line(file, edits.iter().map(|(span, new)| (*span, new.len()))) {
+        Some(line) => Err(EditText::LineTooLong { line }),
+        None => Ok(edits),
     }
-    Ok(())
 }

@@ -59,6 +59,8 @@ pub(super) enum Needs {
     Analysis,
     /// Its findings, too.
     Findings,
+    /// The analyses of all open documents: the answer also comes from programs that call this one, or that it calls.
+    Everything,
 }
 
 /// Makes the result of a request from its parameters.
@@ -76,9 +78,9 @@ pub(super) struct Handler {
 pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
-        "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Analysis, hover::hover),
-        "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Analysis, code_lens::code_lens),
-        "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Analysis, inlay_hints::inlay_hint),
+        "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Everything, hover::hover),
+        "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Everything, code_lens::code_lens),
+        "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Everything, inlay_hints::inlay_hint),
         "textDocument/completion" => document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
         "textDocument/onTypeFormatting" => {
             document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
@@ -102,23 +104,23 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
             workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
         }
         "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
-        "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Analysis, definition::definition),
-        "textDocument/declaration" => document::<lsp::DeclarationRequest>(Needs::Analysis, definition::declaration),
-        "textDocument/references" => document::<lsp::ReferencesRequest>(Needs::Analysis, references::references),
+        "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Everything, definition::definition),
+        "textDocument/declaration" => document::<lsp::DeclarationRequest>(Needs::Everything, definition::declaration),
+        "textDocument/references" => document::<lsp::ReferencesRequest>(Needs::Everything, references::references),
         "textDocument/documentHighlight" => {
-            document::<lsp::DocumentHighlightRequest>(Needs::Analysis, references::highlight)
+            document::<lsp::DocumentHighlightRequest>(Needs::Everything, references::highlight)
         }
         "textDocument/prepareRename" => document::<lsp::PrepareRenameRequest>(Needs::Findings, rename::prepare),
         "textDocument/rename" => document::<lsp::RenameRequest>(Needs::Findings, rename::rename),
         "textDocument/documentLink" => document::<lsp::DocumentLinkRequest>(Needs::Analysis, links::document_links),
         "textDocument/prepareCallHierarchy" => {
-            document::<lsp::CallHierarchyPrepareRequest>(Needs::Analysis, hierarchy::prepare)
+            document::<lsp::CallHierarchyPrepareRequest>(Needs::Everything, hierarchy::prepare)
         }
         "callHierarchy/incomingCalls" => {
-            workspace::<lsp::CallHierarchyIncomingCallsRequest>(Needs::Analysis, hierarchy::incoming)
+            workspace::<lsp::CallHierarchyIncomingCallsRequest>(Needs::Everything, hierarchy::incoming)
         }
         "callHierarchy/outgoingCalls" => {
-            workspace::<lsp::CallHierarchyOutgoingCallsRequest>(Needs::Analysis, hierarchy::outgoing)
+            workspace::<lsp::CallHierarchyOutgoingCallsRequest>(Needs::Everything, hierarchy::outgoing)
         }
         "workspace/textDocumentContent" => {
             workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)

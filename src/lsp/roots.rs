@@ -124,14 +124,30 @@ impl Root {
         }
     }
 
-    /// Takes the requests that have what they need.
-    pub(super) fn take_ready(&mut self) -> Vec<Waiting> {
+    /// Whether the newest text is resolved, or cannot be.
+    pub(super) const fn is_known(&self) -> bool {
+        self.analysis.is_some() || self.found.is_some() || self.failed
+    }
+
+    /// Whether a request waits for other documents to be resolved.
+    pub(super) fn waits_for_everything(&self) -> bool {
+        self.waiting.iter().any(|waiting| waiting.needs == Needs::Everything)
+    }
+
+    /// Whether its findings are those of the newest texts.
+    const fn is_judged(&self) -> bool {
+        self.found.is_some() || self.failed || self.looked
+    }
+
+    /// Takes the requests that have what they need. `everything`: all open documents are known; `judged`: those that lead
+    /// here have their findings.
+    pub(super) fn take_ready(&mut self, everything: bool, judged: bool) -> Vec<Waiting> {
         let (ready, waiting) = std::mem::take(&mut self.waiting).into_iter().partition(|waiting| match waiting.needs {
             Needs::Nothing => true,
-            Needs::Analysis => self.analysis.is_some() || self.found.is_some() || self.failed,
-            Needs::Findings => {
-                self.found.is_some() || self.failed || (self.looked && waiting.method == "textDocument/diagnostic")
-            }
+            Needs::Analysis => self.is_known(),
+            Needs::Everything => everything,
+            Needs::Findings if waiting.method == "textDocument/diagnostic" => self.is_judged() && judged,
+            Needs::Findings => self.found.is_some() || self.failed,
         });
         self.waiting = waiting;
         ready
@@ -161,6 +177,13 @@ impl Server {
         self.files.forget();
         let path = self.files.path_of(&document.uri);
         let source = SourceText::from_text(path.to_string_lossy(), document.text);
+        // Findings in this file that other documents led to were sent; from now on the client fetches them.
+        if self.client.pulls()
+            && let Some(uri) = self.files.uri_of(&path)
+            && !self.publisher.get(&uri).1.is_empty()
+        {
+            self.notify("textDocument/publishDiagnostics", json!({ "uri": uri, "diagnostics": [] }));
+        }
         let opened = Document { uri: document.uri, version: document.version, source: Arc::new(source) };
         self.files.open_mut().insert(path.clone(), opened);
         let root = self.roots.entry(path.clone()).or_default();
@@ -252,6 +275,7 @@ impl Server {
         // What other documents found in it stays, but is sent from now on.
         self.publish(vec![uri]);
         self.changed(&path, true);
+        self.serve_others(&path);
         Ok(())
     }
 
@@ -303,6 +327,7 @@ impl Server {
                     root.read = read;
                     let changed_by_others = root.unasked && root.generation > 1;
                     self.serve_waiting(&run.path);
+                    self.serve_others(&run.path);
                     if changed_by_others || concerns {
                         self.ask_to_refresh();
                     }
@@ -333,19 +358,45 @@ impl Server {
                 root.read.clone_from(&found.read);
                 root.found = Some(Arc::clone(&found));
                 self.show(&run.path, &found);
-                self.tell_misconfigured(found.misconfigured && !is_configuration(&run.path));
+                self.tell_misconfigured(&run.path, found.misconfigured);
                 self.serve_waiting(&run.path);
+                self.serve_others(&run.path);
             }
             Err(panic) => {
                 root.failed = true;
                 self.log(&format!("analysis: {panic}"));
                 self.serve_waiting(&run.path);
+                self.serve_others(&run.path);
             }
         }
     }
 
-    fn tell_misconfigured(&mut self, misconfigured: bool) {
-        if misconfigured && !self.told_misconfigured {
+    /// Answers the requests of other documents that waited for this one.
+    fn serve_others(&mut self, path: &Path) {
+        let waiting =
+            |(other, root): (&PathBuf, &Root)| (other != path && !root.waiting.is_empty()).then(|| other.clone());
+        let others: Vec<PathBuf> = self.roots.iter().filter_map(waiting).collect();
+        for other in others {
+            self.serve_waiting(&other);
+        }
+    }
+
+    /// Whether all other open documents that lead to `path` have their findings.
+    pub(super) fn others_judged(&self, path: &Path) -> bool {
+        let leads_here = |root: &Root| root.read.iter().any(|read| read == path);
+        self.roots.iter().all(|(other, root)| other == path || root.is_judged() || !leads_here(root))
+    }
+
+    /// Whether all open documents are resolved.
+    pub(super) fn everything_known(&self) -> bool {
+        self.roots.values().all(Root::is_known)
+    }
+
+    /// Says once that programs are not judged because of their configuration; not while somebody edits that.
+    fn tell_misconfigured(&mut self, path: &Path, misconfigured: bool) {
+        let misconfigured = misconfigured && !is_configuration(path);
+        let edited = self.roots.keys().any(|open| is_configuration(open));
+        if misconfigured && !self.told_misconfigured && !edited {
             self.show_warning(&Text::Misconfigured.text(self.client.lang()));
         }
         self.told_misconfigured = misconfigured;

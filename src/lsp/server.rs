@@ -8,6 +8,7 @@ use std::thread;
 use std::time::Duration;
 
 use crossbeam_channel::{Receiver, Sender, after, bounded, never, select, unbounded};
+use gen_lsp_types::Uri;
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response, ResponseError};
 use serde_json::{Value, json};
 
@@ -213,8 +214,7 @@ impl Server {
     fn initialize(&mut self, id: RequestId, params: &Value) {
         let mut client = Client::new(params, self.lang);
         let options = params.get("initializationOptions").cloned().unwrap_or_default();
-        let (read, wrong) = settings::read(&options, &client.root());
-        client.settings = read;
+        let wrong = client.configure(vec![options]);
         let capabilities = capabilities::capabilities(&client);
         self.client = Arc::new(client);
         self.files.set_root(self.client.root());
@@ -244,13 +244,16 @@ impl Server {
                 if self.client.has("/workspace/configuration") {
                     self.ask_settings();
                 } else if let Some(section) = params.pointer("/settings/cnc872c") {
-                    self.set_settings(section);
+                    self.set_settings(vec![section.clone()]);
                 }
             }
             "workspace/didChangeWatchedFiles" => self.files_changed(),
             "workspace/didChangeWorkspaceFolders" => {
-                Arc::make_mut(&mut self.client).change_folders(&params);
+                let wrong = Arc::make_mut(&mut self.client).change_folders(&params);
+                self.complain(&wrong);
+                self.files.set_root(self.client.root());
                 self.files_changed();
+                self.ask_settings();
             }
             // A client that watches no files tells of its own at least.
             "textDocument/didSave" if !self.client.has("/workspace/didChangeWatchedFiles/dynamicRegistration") => {
@@ -271,25 +274,29 @@ impl Server {
     }
 
     fn response(&mut self, response: Response) {
-        if let (Some(Asked::Settings), Ok(value)) = (self.asked.remove(&response.id), response.response_result) {
-            let section = value.as_array().and_then(|list| list.first()).cloned().unwrap_or_default();
-            self.set_settings(&section);
+        if let (Some(Asked::Settings), Ok(Value::Array(sections))) =
+            (self.asked.remove(&response.id), response.response_result)
+        {
+            self.set_settings(sections);
         }
     }
 
+    /// Asks for the settings of the window, then of each folder: two folders may be two machines.
     fn ask_settings(&mut self) {
         if self.client.has("/workspace/configuration") {
-            let items = json!({ "items": [{ "section": settings::SECTION }] });
-            self.ask("workspace/configuration", items, Asked::Settings);
+            let folders = self.client.folders.iter().filter_map(|folder| Uri::from_file_path(folder).ok());
+            let scoped = folders.map(|uri| json!({ "scopeUri": uri, "section": settings::SECTION }));
+            let items: Vec<Value> = std::iter::once(json!({ "section": settings::SECTION })).chain(scoped).collect();
+            self.ask("workspace/configuration", json!({ "items": items }), Asked::Settings);
         }
     }
 
-    fn set_settings(&mut self, section: &Value) {
-        if !section.is_object() {
+    /// Takes the settings of the window, and behind them those of its folders.
+    fn set_settings(&mut self, sections: Vec<Value>) {
+        if !sections.first().is_some_and(Value::is_object) {
             return;
         }
-        let (read, wrong) = settings::read(section, &self.client.root());
-        Arc::make_mut(&mut self.client).settings = read;
+        let wrong = Arc::make_mut(&mut self.client).configure(sections);
         self.complain(&wrong);
         self.files_changed();
     }
@@ -324,7 +331,7 @@ impl Server {
         let uri = ["/textDocument/uri", "/item/uri", "/data/uri"]
             .into_iter()
             .find_map(|at| waiting.params.pointer(at)?.as_str());
-        let path = uri.and_then(|uri| gen_lsp_types::Uri::parse(uri).ok()).map(|uri| self.files.path_of(&uri));
+        let path = uri.and_then(|uri| Uri::parse(uri).ok()).map(|uri| self.files.path_of(&uri));
         match path.filter(|path| self.roots.contains_key(path)) {
             Some(path) => {
                 if let Some(root) = self.roots.get_mut(&path) {
@@ -340,10 +347,14 @@ impl Server {
 
     /// Answers the requests of a document that have what they need.
     pub(super) fn serve_waiting(&mut self, path: &PathBuf) {
+        let (everything, judged) = (self.everything_known(), self.others_judged(path));
         let Some(root) = self.roots.get_mut(path) else { return };
-        let ready = root.take_ready();
+        let ready = root.take_ready(everything, judged);
         if !root.waiting.is_empty() {
             root.rouse();
+        }
+        if root.waits_for_everything() {
+            self.roots.values_mut().for_each(Root::rouse);
         }
         for waiting in ready {
             if waiting.method == "textDocument/diagnostic" {

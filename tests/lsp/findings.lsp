@@ -25,11 +25,6 @@ axes = ["Y", "Q"]
 === findings cnc872c.toml
 0:8-0:11 E0702 `axes` takes a table
 0:13-0:16 E0702 `axes` takes a table
-=== said window/showMessage
-{
-  "message": "the configuration has errors; programs are checked when they are mended",
-  "type": 2
-}
 === close cnc872c.toml
 === findings cnc872c.toml
 0:8-0:11 E0702 `axes` takes a table
