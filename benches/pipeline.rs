@@ -10,8 +10,8 @@ use std::sync::Arc;
 
 use cnc872c::config::{Purpose, Settings};
 use cnc872c::diag::Findings;
-use cnc872c::expand::Executor;
 use cnc872c::resolve::{Library, resolve_program};
+use cnc872c::run::Executor;
 use cnc872c::session::{Part, Session};
 use cnc872c::syntax::{Form, parse, tokens};
 use cnc872c::text::{FileId, MemoryLoader, SourceText, Sources};

@@ -13,10 +13,10 @@ use super::observe::observe;
 use super::places::{Places, location};
 use super::requests::{Answer, Snapshot};
 use super::shown::{count, rounded};
-use crate::resolve::{FileIndex, Target, UnitId, UnitKind};
+use crate::resolve::{Target, UnitId, UnitKind};
 use crate::session::Session;
 use crate::syntax::BlockFlags;
-use crate::text::Loader;
+use crate::text::{FileId, Loader};
 
 /// The command that shows a list of places: a URI, a position, locations; the client has it.
 const SHOW_REFERENCES: &str = "cnc872c.showReferences";
@@ -92,7 +92,7 @@ fn callers_of_macrocycle(snapshot: &Snapshot, analysis: &Analysis) -> BTreeMap<U
 /// The blocks of a program and its macrocycles that call units, by unit, in the order of the text.
 fn callers(snapshot: &Snapshot, program: &Analysis) -> BTreeMap<UnitId, Vec<LspLocation>> {
     let mut found: BTreeMap<UnitId, Vec<LspLocation>> = BTreeMap::new();
-    let files = (0..).map(FileIndex).map_while(|index| Some((index, program.resolved.file(index)?)));
+    let files = (0..).map(FileId).map_while(|index| Some((index, program.resolved.file(index)?)));
     for (index, file) in files {
         for block in file.block_ids() {
             if block.0.is_multiple_of(1 << 16) && snapshot.cancel.is_cancelled() {

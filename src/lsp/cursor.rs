@@ -1,12 +1,12 @@
 //! What stands at a place of the text.
 
 use super::analysis::Analysis;
-use crate::resolve::{FileIndex, Unit, UnitId};
+use crate::resolve::{Unit, UnitId};
 use crate::syntax::{BlockId, ParsedFile, Word};
-use crate::text::Span;
+use crate::text::{FileId, Span};
 
 /// The document of an analysis: file 0.
-pub(super) const DOCUMENT: FileIndex = FileIndex(0);
+pub(super) const DOCUMENT: FileId = FileId(0);
 
 /// A word with the block it is in.
 #[derive(Clone, Copy, Debug)]

@@ -12,12 +12,12 @@ use super::places::{Places, offset};
 use super::reach::{Reach, block_span};
 use super::references::everywhere;
 use super::requests::{Answer, Snapshot};
-use crate::resolve::{FileIndex, UnitId};
-use crate::text::Span;
+use crate::resolve::UnitId;
+use crate::text::{FileId, Span};
 
 /// A place to go to.
 struct Place {
-    file: FileIndex,
+    file: FileId,
     all: Span,
     selection: Span,
 }

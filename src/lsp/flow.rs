@@ -4,8 +4,9 @@ use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
 use super::observe::g_functions;
 use crate::dict::{Address, GCode};
-use crate::resolve::{FileIndex, Target};
+use crate::resolve::Target;
 use crate::syntax::{BlockId, ParsedFile, Word};
+use crate::text::FileId;
 
 /// The call, jump or entry of a block, its function written out.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +54,7 @@ impl Flow {
     }
 
     /// The file and block that it leads to.
-    pub(super) fn place(&self, analysis: &Analysis) -> Option<(FileIndex, BlockId)> {
+    pub(super) fn place(&self, analysis: &Analysis) -> Option<(FileId, BlockId)> {
         match self.target? {
             Target::Block(block) => Some((DOCUMENT, block)),
             Target::Unit(unit) => analysis.resolved.unit(unit).map(|unit| (unit.file, unit.first)),

@@ -16,7 +16,8 @@ use super::navigation_texts::NavigationText;
 use super::places::{Places, offset};
 use super::reach::Reach;
 use super::requests::{Answer, Snapshot};
-use crate::resolve::{FileIndex, Unit, UnitId, UnitKind};
+use crate::resolve::{Unit, UnitId, UnitKind};
+use crate::text::FileId;
 
 /// A unit, the same for every program that leads to it.
 #[derive(Clone, Debug, Eq, Ord, PartialEq, PartialOrd)]
@@ -156,7 +157,7 @@ fn node_of_item(snapshot: &Snapshot, item: &CallHierarchyItem) -> Option<Node> {
 fn callers(snapshot: &Snapshot, reach: &Reach<'_>, called: UnitId) -> BTreeMap<UnitId, Vec<Range>> {
     let mut callers: BTreeMap<UnitId, Vec<Range>> = BTreeMap::new();
     let Some(unit) = reach.resolved().unit(called) else { return callers };
-    let (name, files): (Name, Vec<FileIndex>) = match unit.kind {
+    let (name, files): (Name, Vec<FileId>) = match unit.kind {
         UnitKind::Main | UnitKind::Subprogram(None) => return callers,
         UnitKind::Subprogram(Some(l)) => (Name::Subprogram(l), vec![unit.file]),
         UnitKind::Macrocycle(l) => (Name::Macrocycle(l), reach.files().collect()),

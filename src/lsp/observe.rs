@@ -10,12 +10,12 @@ use super::requests::Snapshot;
 use super::values::Values;
 use crate::config::Machine;
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS};
-use crate::expand::{Executor, Stop};
 use crate::ir::{BlockRecord, Micro, MotionType};
-use crate::resolve::{ControlWord, FileIndex, Library, control_word, g_code};
+use crate::resolve::{ControlWord, Library, control_word, g_code};
+use crate::run::{Executor, Stop};
 use crate::session::Session;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
-use crate::text::Loader;
+use crate::text::{FileId, Loader};
 
 /// Most blocks that are executed to answer a request.
 pub(super) const MOST: u64 = 2_000_000;
@@ -226,7 +226,7 @@ impl<'a> Observer<'a> {
         }
     }
 
-    fn is_document(&mut self, file: FileIndex, executor: &Executor<'_, '_>) -> bool {
+    fn is_document(&mut self, file: FileId, executor: &Executor<'_, '_>) -> bool {
         let place = file.0 as usize;
         if let Some(Some(known)) = self.files.get(place) {
             return *known;

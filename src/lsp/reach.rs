@@ -11,9 +11,9 @@ use super::cursor::{DOCUMENT, word_at};
 use super::names::{Name, Names, Naming};
 use crate::diag::Findings;
 use crate::dict::GGroup;
-use crate::resolve::{FileIndex, Resolved, Unit, UnitId, UnitKind};
+use crate::resolve::{Resolved, Unit, UnitId, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile};
-use crate::text::{Sources, Span};
+use crate::text::{FileId, Sources, Span};
 
 /// Blocks between two looks at whether the answer is still wanted.
 const STRIDE: u32 = 1 << 12;
@@ -50,7 +50,7 @@ impl<'a> Reach<'a> {
             power_up.and_then(|code| machine.cycles.get(&code.number())).copied().into_iter().collect();
         let mut looked_at = 0;
         loop {
-            while let Some(names) = self.names(FileIndex(looked_at)) {
+            while let Some(names) = self.names(FileId(looked_at)) {
                 looked_at += 1;
                 for block in names.file.block_ids().filter(|block| names.file.flags(*block).has(BlockFlags::RICH)) {
                     for l in names.file.words(block).iter().filter_map(|word| names.mapped(*word)) {
@@ -87,12 +87,12 @@ impl<'a> Reach<'a> {
     }
 
     /// The files, the document first.
-    pub(super) fn files(&self) -> impl Iterator<Item = FileIndex> + '_ {
-        (0..).map(FileIndex).take_while(|file| self.resolved.file(*file).is_some())
+    pub(super) fn files(&self) -> impl Iterator<Item = FileId> + '_ {
+        (0..).map(FileId).take_while(|file| self.resolved.file(*file).is_some())
     }
 
     /// The names in a file.
-    pub(super) fn names(&self, file: FileIndex) -> Option<Names<'_>> {
+    pub(super) fn names(&self, file: FileId) -> Option<Names<'_>> {
         let parsed = self.resolved.file(file)?;
         let macrocycle = self.resolved.units().find_map(|(_, unit)| match unit.kind {
             UnitKind::Macrocycle(l) if unit.file == file => Some(l),
@@ -102,7 +102,7 @@ impl<'a> Reach<'a> {
     }
 
     /// The canonical path of a file.
-    pub(super) fn path(&self, file: FileIndex) -> Option<PathBuf> {
+    pub(super) fn path(&self, file: FileId) -> Option<PathBuf> {
         if file == DOCUMENT {
             return Some(self.analysis.path.clone());
         }
@@ -110,12 +110,12 @@ impl<'a> Reach<'a> {
         Some(crate::text::Loader::canonical(&self.analysis.files, Path::new(parsed.source.name())))
     }
 
-    pub(super) fn uri(&self, file: FileIndex) -> Option<Uri> {
+    pub(super) fn uri(&self, file: FileId) -> Option<Uri> {
         self.analysis.files.uri_of(&self.path(file)?)
     }
 
     /// The file at that canonical path.
-    pub(super) fn file_at(&self, path: &Path) -> Option<FileIndex> {
+    pub(super) fn file_at(&self, path: &Path) -> Option<FileId> {
         self.files().find(|file| self.path(*file).as_deref() == Some(path))
     }
 
@@ -136,7 +136,7 @@ impl<'a> Reach<'a> {
     }
 
     /// Every place in a file that names `name`, in the order of the text. Those found until nobody wants them any more.
-    pub(super) fn occurrences(&self, file: FileIndex, name: Name, cancel: &Cancel) -> Vec<Naming> {
+    pub(super) fn occurrences(&self, file: FileId, name: Name, cancel: &Cancel) -> Vec<Naming> {
         let Some(names) = self.names(file) else { return Vec::new() };
         let mut found = Vec::new();
         for block in names.file.block_ids() {
@@ -150,7 +150,7 @@ impl<'a> Reach<'a> {
     }
 
     /// The unit of a block.
-    pub(super) fn unit_of(&self, file: FileIndex, block: BlockId) -> Option<(UnitId, &Unit)> {
+    pub(super) fn unit_of(&self, file: FileId, block: BlockId) -> Option<(UnitId, &Unit)> {
         self.resolved.units().find(|(_, unit)| unit.file == file && unit.contains(block))
     }
 

@@ -10,7 +10,7 @@ use super::names::{Name, Usage};
 use super::places::{Places, offset};
 use super::reach::Reach;
 use super::requests::{Answer, Snapshot};
-use crate::resolve::FileIndex;
+use crate::text::FileId;
 
 /// `textDocument/references`.
 pub(super) fn references(
@@ -77,7 +77,7 @@ pub(super) fn everywhere(
             (Name::Parameter(_) | Name::Block(_) | Name::Subprogram(_), _) => reach.file_at(&analysis.path).is_some(),
         };
         if shares {
-            let files: Vec<FileIndex> = reach.files().collect();
+            let files: Vec<FileId> = reach.files().collect();
             found.extend(in_files(snapshot, &reach, name, &wanted, &mut files.into_iter()));
         }
     }
@@ -98,7 +98,7 @@ fn in_files(
     reach: &Reach<'_>,
     name: Name,
     wanted: &impl Fn(Usage) -> bool,
-    files: &mut dyn Iterator<Item = FileIndex>,
+    files: &mut dyn Iterator<Item = FileId>,
 ) -> Vec<Location> {
     let mut found = Vec::new();
     for file in files {

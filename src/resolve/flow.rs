@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use super::blocks::g_code;
 use super::structure::{Context, l_number};
-use super::{FileIndex, MacrocycleFault, Resolved, Target, Unit, UnitId, UnitKind};
+use super::{MacrocycleFault, Resolved, Target, Unit, UnitId, UnitKind};
 use crate::diag::{Diagnostic, Finding, LabelText};
 use crate::dict::{Address, GCode, GGroup};
 use crate::syntax::{BlockFlags, BlockId, Value, Word};
+use crate::text::FileId;
 
 /// A call or jump as written, the only function of its group in the block.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +26,7 @@ pub(super) fn follow_calls(context: &mut Context<'_, '_>, resolved: &mut Resolve
     }
 }
 
-fn written(resolved: &Resolved, file: FileIndex, block: BlockId) -> Option<Written> {
+fn written(resolved: &Resolved, file: FileId, block: BlockId) -> Option<Written> {
     let parsed = resolved.file(file)?;
     if !parsed.flags(block).has(BlockFlags::RICH) {
         return None;
@@ -168,7 +169,7 @@ fn report(context: &mut Context<'_, '_>, resolved: &Resolved, unit: Unit, writte
 
 /// Warns of subprograms that no G71 names, unless one takes its L from a parameter (PRG-4).
 pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
-    let Some(parsed) = resolved.file(FileIndex(0)) else { return };
+    let Some(parsed) = resolved.file(FileId(0)) else { return };
     let mut named = std::collections::BTreeSet::new();
     for block in parsed.block_ids() {
         if !parsed.flags(block).has(BlockFlags::RICH) {

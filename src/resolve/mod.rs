@@ -1,7 +1,7 @@
 //! From the trees of files to units with checked blocks and known targets.
 //!
 //! Everything that the written values tell is found here, whether a block is ever executed or not: structure, forms,
-//! ranges, groups, targets, rings. What depends on values and modal state is found by `expand`.
+//! ranges, groups, targets, rings. What depends on values and modal state is found by `run`.
 
 mod blocks;
 mod flow;
@@ -17,7 +17,7 @@ pub use blocks::{g_code, m_number};
 pub use flow::macrocycle_finding;
 pub use forms::{FormFault, check_form, feed_range};
 pub use library::{Library, MacrocycleFault};
-pub use program::{FileIndex, Resolved, Target, Unit, UnitId, UnitKind};
+pub use program::{Resolved, Target, Unit, UnitId, UnitKind};
 pub use rings::ring_text;
 pub use structure::{ControlWord, control_word, l_number, resolve_macrocycle, resolve_program};
 pub use window::resolve_window;

@@ -4,11 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::syntax::{BlockId, ParsedFile};
-use crate::text::Location;
-
-/// Index of a file among those of a resolved program.
-#[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
-pub struct FileIndex(pub u32);
+use crate::text::{FileId, Location};
 
 /// Index of a unit of a resolved program.
 #[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -31,7 +27,7 @@ pub struct Unit {
     /// What it is.
     pub kind: UnitKind,
     /// In which file.
-    pub file: FileIndex,
+    pub file: FileId,
     /// Its first block.
     pub first: BlockId,
     /// One past its last block.
@@ -75,7 +71,8 @@ pub(super) struct ResolvedFile {
     pub(super) numbered: Vec<(u32, BlockId)>,
 }
 
-/// A program or macrocycle with everything that its written calls lead to. A copy shares the files.
+/// A program or macrocycle with everything that its written calls lead to. Its files have the ids that they have among the
+/// sources of the run. A copy shares the files.
 #[derive(Clone, Debug, Default)]
 pub struct Resolved {
     /// Shared between copies; the targets of a file are set while it has one owner, before its program is resolved.
@@ -91,7 +88,7 @@ pub struct Resolved {
 impl Resolved {
     /// A file; `None` for an index of another program.
     #[inline]
-    pub fn file(&self, index: FileIndex) -> Option<&ParsedFile> {
+    pub fn file(&self, index: FileId) -> Option<&ParsedFile> {
         self.files.get(index.0 as usize).map(|file| &file.parsed)
     }
 
@@ -122,7 +119,7 @@ impl Resolved {
     }
 
     /// Where the call or jump of a block leads, when it is written with digits and exists.
-    pub fn target(&self, file: FileIndex, block: BlockId) -> Option<Target> {
+    pub fn target(&self, file: FileId, block: BlockId) -> Option<Target> {
         let targets = &self.files.get(file.0 as usize)?.targets;
         targets
             .binary_search_by_key(&block, |(block, _)| *block)
@@ -132,12 +129,12 @@ impl Resolved {
     }
 
     /// The calls and jumps of a file that are written with digits, by block, and where they lead.
-    pub fn targets(&self, file: FileIndex) -> &[(BlockId, Target)] {
+    pub fn targets(&self, file: FileId) -> &[(BlockId, Target)] {
         self.files.get(file.0 as usize).map_or(&[], |file| &file.targets)
     }
 
     /// The first block of a file with that number.
-    pub fn numbered(&self, file: FileIndex, number: u32) -> Option<BlockId> {
+    pub fn numbered(&self, file: FileId, number: u32) -> Option<BlockId> {
         let numbered = &self.files.get(file.0 as usize)?.numbered;
         let at = numbered.binary_search_by_key(&number, |(number, _)| *number).ok()?;
         numbered.get(at).map(|(_, block)| *block)
@@ -159,8 +156,8 @@ impl Resolved {
         id
     }
 
-    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>) -> FileIndex {
-        let index = FileIndex(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
+    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>) -> FileId {
+        let index = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
         self.files.push(Arc::new(ResolvedFile { parsed, targets: Vec::new(), numbered }));
         index
     }

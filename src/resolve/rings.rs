@@ -99,7 +99,8 @@ fn report(context: &mut Context<'_, '_>, resolved: &Resolved, caller: UnitId, bl
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::resolve::{FileIndex, Unit, UnitKind};
+    use crate::resolve::{Unit, UnitKind};
+    use crate::text::FileId;
     use crate::text::Location;
 
     fn shown(length: u16) -> String {
@@ -108,7 +109,7 @@ mod tests {
             .map(|l| {
                 let (first, end) = (BlockId(0), BlockId(1));
                 let kind = UnitKind::Macrocycle(l.into());
-                resolved.add_unit(Unit { kind, file: FileIndex(0), first, end, entry: Location::default() })
+                resolved.add_unit(Unit { kind, file: FileId(0), first, end, entry: Location::default() })
             })
             .collect();
         ring_text(&resolved, &ring)

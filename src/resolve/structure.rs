@@ -9,12 +9,12 @@ use rayon::prelude::*;
 
 use super::blocks::{BlockChecker, g_code};
 use super::foreign::Origin;
-use super::{FileIndex, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
+use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
-use crate::text::{Location, SourceText, Sources, Span};
+use crate::text::{FileId, Location, SourceText, Sources, Span};
 
 /// Most subprograms of a file (PRG-4).
 const SUBPROGRAMS: usize = 99;
@@ -121,7 +121,7 @@ impl Context<'_, '_> {
     /// Splits a program into its main program and subprograms, and checks every block (PRG-2…PRG-5).
     fn add_program(&mut self, resolved: &mut Resolved, parsed: ParsedFile) {
         let program = parsed.program.map_or(Location::default(), |word| parsed.word_place(word));
-        let file = FileIndex(0);
+        let file = FileId(0);
         let main_end = parsed
             .block_ids()
             .find_map(|block| match parsed.flags(block) {
@@ -174,7 +174,7 @@ impl Context<'_, '_> {
             let l_word = entry_l(parsed, block);
             let l = l_word.and_then(l_number);
             let kind = UnitKind::Subprogram(l);
-            let id = resolved.add_unit(Unit { kind, file: FileIndex(0), first: block, end, entry });
+            let id = resolved.add_unit(Unit { kind, file: FileId(0), first: block, end, entry });
             if let (Some(word), Some(l)) = (l_word, l) {
                 match first_of.get(&l) {
                     None => {
@@ -225,7 +225,7 @@ impl Context<'_, '_> {
             let finding = Finding::BlockAfterMacrocycleEnd { block: parsed.shown_number(end) };
             self.report(parsed.n_place(end), finding);
         }
-        let file = FileIndex(u32::try_from(resolved.files.len()).unwrap_or(u32::MAX));
+        let file = FileId(u32::try_from(resolved.files.len()).unwrap_or(u32::MAX));
         let known = resolved.units.len();
         let id = resolved.add_unit(Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry });
         resolved.macrocycles.insert(l, id);
@@ -432,7 +432,7 @@ mod tests {
         let (_, resolved, _) = resolve("N30 X1\nN9999 X2\nN10 X3\nN30 X4\nN10000 X5\nN10 X6\nN30 X7\nN5 M30\n");
         for (number, block) in [(5, Some(7)), (10, Some(2)), (30, Some(0)), (9999, Some(1)), (10_000, None), (20, None)]
         {
-            assert_eq!(resolved.numbered(FileIndex(0), number), block.map(BlockId), "{number}");
+            assert_eq!(resolved.numbered(FileId(0), number), block.map(BlockId), "{number}");
         }
     }
 

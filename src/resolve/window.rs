@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use super::blocks::{BlockChecker, g_code};
-use super::{FileIndex, Resolved, Unit, UnitKind};
+use super::{Resolved, Unit, UnitKind};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::Address;
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, is_suspicious, parse};
-use crate::text::{SourceText, Sources};
+use crate::text::{FileId, SourceText, Sources};
 
 /// Resolves `source`, a piece of a program from the `N` of one block up to that of another, as a main program without its
 /// begin and end. Its findings are those that the piece has in the whole program, when that has no calls, jumps or
@@ -38,7 +38,7 @@ pub fn resolve_window(
     let mut resolved = Resolved::default();
     let (first, end) = (BlockId(0), BlockId(parsed.block_count()));
     let entry = parsed.n_place(first);
-    resolved.add_unit(Unit { kind: UnitKind::Main, file: FileIndex(0), first, end, entry });
+    resolved.add_unit(Unit { kind: UnitKind::Main, file: FileId(0), first, end, entry });
     let mut checker = BlockChecker { settings, file: &parsed, findings };
     for block in parsed.block_ids() {
         checker.check(block, Some(UnitKind::Main));

@@ -9,9 +9,9 @@ use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Problem, Severity};
-use crate::expand::{Checkpoint, Executor, Stop};
 use crate::ir::{AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA};
-use crate::resolve::{FileIndex, Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
+use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
+use crate::run::{Checkpoint, Executor, Stop};
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 use stream::{Closed, Rare, Records, write_beside};
@@ -145,7 +145,7 @@ impl Session<'_> {
         if self.has_errors(findings, Purpose::Check) {
             return Some(outcome);
         }
-        let blocks = resolved.file(FileIndex(0)).map_or(0, ParsedFile::block_count);
+        let blocks = resolved.file(FileId(0)).map_or(0, ParsedFile::block_count);
         let mut library = self.library(Path::new(source.name()));
         let mut executor = Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
         executor.resume(from);
@@ -291,7 +291,7 @@ impl Session<'_> {
 
     fn program_record(&self, resolved: &Resolved, name: &str) -> ProgramRecord {
         let machine = &self.settings.machine;
-        let file = resolved.file(FileIndex(0));
+        let file = resolved.file(FileId(0));
         let number = file.and_then(|file| file.program).and_then(|word| word.whole());
         ProgramRecord {
             schema: SCHEMA.to_owned(),

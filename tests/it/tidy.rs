@@ -19,10 +19,10 @@ const LAYERS: [(&str, &[&str]); 11] = [
     ("config", &["text", "dict", "diag"]),
     ("resolve", &["text", "dict", "diag", "syntax", "config"]),
     ("ir", &["text", "dict"]),
-    ("expand", &["text", "dict", "diag", "syntax", "config", "resolve", "ir"]),
-    ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "expand"]),
-    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "expand", "session"]),
-    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "expand", "session", "lsp"]),
+    ("run", &["text", "dict", "diag", "syntax", "config", "resolve", "ir"]),
+    ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run"]),
+    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "session"]),
+    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "session", "lsp"]),
 ];
 
 struct Source {

@@ -11,9 +11,9 @@ use crate::config::{Purpose, Settings};
 use crate::diag::{CallSite, Diagnostic, Finding, Findings};
 use crate::dict::{AxisLetter, Decimal, GCode};
 use crate::ir::{AxisMap, BlockRecord, Call};
-use crate::resolve::{FileIndex, Library, Resolved, UnitKind};
+use crate::resolve::{Library, Resolved, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, Word};
-use crate::text::{Location, Sources};
+use crate::text::{FileId, Location, Sources};
 
 /// Why execution went no further.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -45,7 +45,7 @@ pub struct Executor<'a, 'l> {
     pub(super) record: BlockRecord,
     /// G functions of the block in hand, x functions included.
     pub(super) in_force: [Option<GCode>; 12],
-    pub(super) file: FileIndex,
+    pub(super) file: FileId,
     pub(super) block: BlockId,
     pub(super) calls_changed: bool,
     pub(super) moves_by_m: bool,
@@ -96,7 +96,7 @@ impl<'a, 'l> Executor<'a, 'l> {
             m_settled: false,
             record: BlockRecord::default(),
             in_force: [None; 12],
-            file: FileIndex(0),
+            file: FileId(0),
             block: BlockId(0),
             calls_changed: true,
             moves_by_m: false,
@@ -164,7 +164,7 @@ impl<'a, 'l> Executor<'a, 'l> {
     }
 
     /// Where the block in hand stands.
-    pub const fn place(&self) -> (FileIndex, BlockId) {
+    pub const fn place(&self) -> (FileId, BlockId) {
         (self.file, self.block)
     }
 

@@ -135,8 +135,8 @@ mod tests {
 
     use crate::config::{Purpose, Settings};
     use crate::diag::Findings;
-    use crate::expand::{Checkpoint, Executor};
     use crate::resolve::{Library, resolve_program};
+    use crate::run::{Checkpoint, Executor};
     use crate::text::{MemoryLoader, SourceText, Sources};
 
     /// What is known after each block of a program, and the findings.

@@ -1,8 +1,7 @@
 //! Lines and columns of blocks for records, quick because execution mostly moves on.
 
-use crate::resolve::FileIndex;
 use crate::syntax::{BlockId, ParsedFile};
-use crate::text::{LineColumn, Span};
+use crate::text::{FileId, LineColumn, Span};
 
 /// Where the last block of a file stood.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +20,7 @@ pub(super) struct Lines {
 
 impl Lines {
     /// Where the `N` of a block stands.
-    pub(super) fn of(&mut self, index: FileIndex, file: &ParsedFile, block: BlockId) -> LineColumn {
+    pub(super) fn of(&mut self, index: FileId, file: &ParsedFile, block: BlockId) -> LineColumn {
         let offset = file.n_word(block).map_or(0, |word| word.start());
         if self.last.len() <= index.0 as usize {
             self.last.resize(index.0 as usize + 1, None);

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::diag::CallKind;
 use crate::dict::GCode;
-use crate::resolve::{FileIndex, Unit, UnitId};
+use crate::resolve::{Unit, UnitId};
 use crate::syntax::BlockId;
-use crate::text::Location;
+use crate::text::{FileId, Location};
 
 /// The call that a frame executes.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +14,7 @@ pub(super) struct CallInfo {
     pub(super) by: CallKind,
     pub(super) l: u32,
     /// Of the calling block.
-    pub(super) file: FileIndex,
+    pub(super) file: FileId,
     pub(super) n: u32,
     pub(super) at: Location,
     /// From 1.
@@ -89,7 +89,7 @@ mod tests {
     fn counters() {
         let unit = Unit {
             kind: UnitKind::Main,
-            file: FileIndex(0),
+            file: FileId(0),
             first: BlockId(0),
             end: BlockId(3),
             entry: Location::default(),
