@@ -1,5 +1,6 @@
 //! Compiler toolchain for part programs of the CNC8x6, CNC8x9 and CNC872 controls.
 
+pub mod analysis;
 pub mod cli;
 pub mod config;
 pub mod diag;

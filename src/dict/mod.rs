@@ -10,6 +10,7 @@ mod dialect;
 mod gcode;
 mod lang;
 mod mcode;
+mod micro;
 
 pub use address::{Address, AddressRow, AxisLetter, ValueForm};
 pub use arithmetic::Operation;
@@ -19,3 +20,4 @@ pub use gcode::{GCode, GGroup, Lasting};
 pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
 pub use mcode::{M_GROUPS, MRow, PROGRAM_ENDS, standard_m_functions};
+pub use micro::Micro;

@@ -1,11 +1,9 @@
 //! The block stream: its records, their JSON, their schema. The only serialised form of a program.
 
-mod micro;
 mod records;
 mod schema;
 mod write;
 
-pub use micro::Micro;
 pub use records::{
     AxisList, AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop,
     Motion, MotionType, ProgramRecord, SCHEMA,

@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 
-use super::Micro;
-use crate::dict::{AxisLetter, Decimal};
+use crate::dict::{AxisLetter, Decimal, Micro};
 
 /// Name and version of the stream's form.
 pub const SCHEMA: &str = "cnc872c.blocks/1";

@@ -2,10 +2,10 @@
 //! new field does not compile until it is written.
 
 use super::{
-    AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop, Micro, Motion,
+    AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop, Motion,
     ProgramRecord,
 };
-use crate::dict::{AxisLetter, Decimal};
+use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::text::is_unsafe;
 
 /// A field's key with its comma and colon, as bytes of known length.

@@ -5,12 +5,13 @@ use std::path::Path;
 use super::analysis::Analysis;
 use super::flow::Flow;
 use super::hover_texts::Said;
-use super::observe::{FeedUnit, Observed, control_of, g_functions};
+use super::observe::{Observed, control_of, g_functions};
 use super::page::Page;
 use super::shown;
+use crate::dict::Micro;
 use crate::dict::{Address, GCode, Lang, Lasting, standard_m_functions};
-use crate::ir::Micro;
 use crate::resolve::Target;
+use crate::run::FeedUnit;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::Span;
 
@@ -129,9 +130,9 @@ impl Subject<'_> {
         if word.address == Address::F {
             let seen = observed.and_then(|observed| observed.feed_unit.only());
             let written = if writes(&[GCode::G94, GCode::G96]) {
-                Some(FeedUnit::PerMinute)
+                Some(FeedUnit::MmPerMinute)
             } else {
-                writes(&[GCode::G95, GCode::G97]).then_some(FeedUnit::PerRevolution)
+                writes(&[GCode::G95, GCode::G97]).then_some(FeedUnit::MmPerRevolution)
             };
             return seen.or(written).map_or("", |unit| shown::feed_unit(unit, self.lang));
         }

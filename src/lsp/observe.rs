@@ -9,10 +9,10 @@ use super::cursor::DOCUMENT;
 use super::requests::Snapshot;
 use super::values::Values;
 use crate::config::Machine;
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS};
-use crate::ir::{BlockRecord, Micro, MotionType};
+use crate::diag::Findings;
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro};
 use crate::resolve::{ControlWord, Library, control_word, g_code};
-use crate::run::{Executor, Stop};
+use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Sink};
 use crate::session::Session;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::{FileId, Loader};
@@ -21,17 +21,6 @@ use crate::text::{FileId, Loader};
 pub(super) const MOST: u64 = 2_000_000;
 /// Executed blocks between two looks at whether the answer is still wanted.
 const PERIOD: u64 = 1 << 12;
-
-/// What F counts.
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-pub(super) enum FeedUnit {
-    /// mm/min.
-    PerMinute,
-    /// mm/rev.
-    PerRevolution,
-    /// Degrees per minute: rotary axes or the spindle only move.
-    Degrees,
-}
 
 /// What was seen of one block.
 #[derive(Clone, Debug, Default)]
@@ -138,15 +127,8 @@ pub(super) fn observe(
     document: &Analysis,
     blocks: impl IntoIterator<Item = BlockId>,
 ) -> Option<Observation> {
-    let mut observer = Observer::new(program, document, blocks);
-    program.session().observe(&program.path, &program.resolved, &program.sources, |executor| {
-        observer.look(executor);
-        let executed = executor.executed();
-        if executed >= MOST || (executed.is_multiple_of(PERIOD) && snapshot.cancel.is_cancelled()) {
-            return ControlFlow::Break(());
-        }
-        ControlFlow::Continue(())
-    });
+    let mut observer = Observer::new(snapshot, program, document, blocks);
+    program.session().observe(&program.path, &program.resolved, &program.sources, &mut observer);
     if snapshot.cancel.is_cancelled() {
         return None;
     }
@@ -157,8 +139,9 @@ pub(super) fn observe(
     Some(observation)
 }
 
-/// Looks at every executed block.
+/// Looks at every executed block. What it has seen when execution stopped early counts as well.
 struct Observer<'a> {
+    snapshot: &'a Snapshot,
     program: &'a Analysis,
     document: &'a Analysis,
     machine: &'a Machine,
@@ -170,7 +153,12 @@ struct Observer<'a> {
 }
 
 impl<'a> Observer<'a> {
-    fn new(program: &'a Analysis, document: &'a Analysis, blocks: impl IntoIterator<Item = BlockId>) -> Self {
+    fn new(
+        snapshot: &'a Snapshot,
+        program: &'a Analysis,
+        document: &'a Analysis,
+        blocks: impl IntoIterator<Item = BlockId>,
+    ) -> Self {
         let machine = &program.settings.machine;
         let mut observation = Observation::default();
         let mut before: BTreeMap<u8, Option<Decimal>> = BTreeMap::new();
@@ -194,21 +182,21 @@ impl<'a> Observer<'a> {
                 observation.blocks.insert(block, observed);
             }
         }
-        Self { program, document, machine, observation, before: before.into_iter().collect(), files: Vec::new() }
+        let before = before.into_iter().collect();
+        Self { snapshot, program, document, machine, observation, before, files: Vec::new() }
     }
 
-    fn look(&mut self, executor: &Executor<'_, '_>) {
-        let record = executor.record();
-        self.observation.executed = executor.executed();
-        self.observation.last = record.n;
-        if let Some(Stop::End(end)) = executor.end() {
-            self.observation.end = Some(end);
+    fn look(&mut self, executed: &Executed<'_>) {
+        self.observation.executed = executed.seq() + 1;
+        self.observation.last = executed.n();
+        if executed.last() {
+            self.observation.end = executed.m(1);
         }
-        if let Some(length) = record.motion.as_ref().and_then(|motion| motion.length_mm) {
+        if let Some(length) = executed.motion().and_then(|motion| motion.length().mm()) {
             self.observation.path = self.observation.path.plus(length);
         }
-        let (file, block) = executor.place();
-        if self.is_document(file, executor)
+        let (file, block) = executed.at();
+        if self.is_document(file, executed)
             && let Some(observed) = self.observation.blocks.get_mut(&block)
         {
             for (index, value) in &self.before {
@@ -217,22 +205,21 @@ impl<'a> Observer<'a> {
                 }
             }
             for (index, values) in &mut observed.writes {
-                values.add(executor.parameter(*index));
+                values.add(executed.parameter(*index));
             }
-            observed.take(record, self.machine);
+            observed.take(executed, self.machine);
         }
         for (index, value) in &mut self.before {
-            *value = executor.parameter(*index);
+            *value = executed.parameter(*index);
         }
     }
 
-    fn is_document(&mut self, file: FileId, executor: &Executor<'_, '_>) -> bool {
+    fn is_document(&mut self, file: FileId, executed: &Executed<'_>) -> bool {
         let place = file.0 as usize;
         if let Some(Some(known)) = self.files.get(place) {
             return *known;
         }
-        let name = executor.source_name().unwrap_or_default();
-        let answer = is(self.program, name, self.document);
+        let answer = is(self.program, executed.file_name(), self.document);
         if self.files.len() <= place {
             self.files.resize(place + 1, None);
         }
@@ -243,45 +230,61 @@ impl<'a> Observer<'a> {
     }
 }
 
+impl Sink for &mut Observer<'_> {
+    type Whole = ();
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        self.look(block);
+        let executed = self.observation.executed;
+        if executed >= MOST || (executed.is_multiple_of(PERIOD) && self.snapshot.cancel.is_cancelled()) {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, _: End, _: &mut Findings) {}
+}
+
 impl Observed {
-    fn take(&mut self, record: &BlockRecord, machine: &Machine) {
+    fn take(&mut self, executed: &Executed<'_>, machine: &Machine) {
         self.runs += 1;
-        self.take_jump(record);
+        self.take_jump(executed.jump());
         for (letter, values) in AxisLetter::ALL.into_iter().zip(&mut self.positions) {
             if machine.axes.index(letter).is_some() {
-                values.add(record.position.get(letter));
+                values.add(executed.position(letter));
             }
         }
-        for (values, number) in self.g.iter_mut().zip(record.g) {
-            values.add(number);
+        for (values, group) in self.g.iter_mut().zip(GGroup::ALL) {
+            values.add(executed.g(group).map(GCode::number));
         }
-        for (values, number) in self.m.iter_mut().zip(record.m) {
-            values.add(number);
+        for (group, values) in self.m.iter_mut().enumerate() {
+            values.add(executed.m(group));
         }
-        if let Some(motion) = &record.motion {
-            match motion.length_deg {
-                Some(length) => self.length_deg.add(Some(length)),
-                None if motion.kind == MotionType::Reference => {}
-                None => self.length_mm.add(motion.length_mm),
+        if let Some(motion) = executed.motion() {
+            match motion.length() {
+                Length::Deg(length) => self.length_deg.add(Some(length)),
+                Length::Missing(Missing::Reference) => {}
+                Length::Mm(length) => self.length_mm.add(Some(length)),
+                Length::Missing(Missing::Start | Missing::Origin) => self.length_mm.add(None),
             }
         }
-        self.feed_unit.add(Some(feed_unit(record, machine)));
-        self.feed.add(record.feed);
-        self.speed.add(record.s);
-        self.tool.add(record.t);
-        self.h.add(record.h);
-        self.p.add(record.p);
-        self.d.add(record.d);
-        self.correction.add(record.length_correction);
-        if record.dwell_s.is_some() {
-            self.dwell_s.add(record.dwell_s);
+        self.feed_unit.add(Some(executed.feed_unit()));
+        self.feed.add(executed.feed().map(|feed| feed.value));
+        self.speed.add(executed.s());
+        self.tool.add(executed.t());
+        self.h.add(executed.h());
+        self.p.add(executed.p());
+        self.d.add(executed.d());
+        self.correction.add(executed.length_correction());
+        if executed.dwell().is_some() {
+            self.dwell_s.add(executed.dwell());
         }
     }
 
     /// Follows the counter: armed at an arrival, lowered at each, disarmed where execution falls through.
-    fn take_jump(&mut self, record: &BlockRecord) {
-        self.jumps += u64::from(record.jump.is_some());
-        let left = record.jump.and_then(|jump| jump.left);
+    fn take_jump(&mut self, jump: Option<Jump>) {
+        self.jumps += u64::from(jump.is_some());
+        let left = jump.and_then(|jump| jump.left);
         match (self.armed, left) {
             // Lowered by one since the last arrival: the same counter.
             (Some((jumps, before)), Some(left)) if left.checked_add(1) == Some(before) => {
@@ -305,17 +308,6 @@ impl Observed {
         if let Some((jumps, _)) = self.armed.take() {
             self.taken.add(Some(jumps));
         }
-    }
-}
-
-fn feed_unit(record: &BlockRecord, machine: &Machine) -> FeedUnit {
-    let rotary = |letter| machine.axes.index(letter).and_then(|axis| machine.axes.get(axis)).is_some_and(|a| a.rotary);
-    match &record.motion {
-        _ if record.rev_feed => FeedUnit::PerRevolution,
-        Some(motion) if motion.axes.iter().all(|letter| rotary(letter) || motion.spindle_axis == Some(letter)) => {
-            FeedUnit::Degrees
-        }
-        Some(_) | None => FeedUnit::PerMinute,
     }
 }
 
@@ -345,13 +337,11 @@ fn control_words<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ir::Jump;
 
     fn taken(arrivals: &[Option<u32>]) -> String {
         let mut observed = Observed::default();
         for left in arrivals {
-            let jump = left.map(|left| Jump { to: 1, left: Some(left) });
-            observed.take_jump(&BlockRecord { jump, ..BlockRecord::default() });
+            observed.take_jump(left.map(|left| Jump { to: 1, left: Some(left) }));
         }
         observed.disarm();
         observed.taken.list(|value| value)

@@ -1,9 +1,8 @@
 //! Numbers and words as hovers show them.
 
-use super::observe::FeedUnit;
-use crate::dict::{Address, Decimal, Lang, Operation};
-use crate::ir::Micro;
+use crate::dict::{Address, Decimal, Lang, Micro, Operation};
 use crate::resolve::ControlWord;
+use crate::run::FeedUnit;
 use crate::syntax::{Value, Word};
 
 /// A count with its thousands apart: `2 000 000`.
@@ -41,10 +40,12 @@ pub(super) fn rounded(value: Micro) -> String {
 /// The unit of F.
 pub(super) const fn feed_unit(unit: FeedUnit, lang: Lang) -> &'static str {
     match (unit, lang) {
-        (FeedUnit::PerMinute, _) => "mm/min",
-        (FeedUnit::PerRevolution, Lang::En) => "mm/rev",
-        (FeedUnit::PerRevolution, Lang::Cs) => "mm/ot",
-        (FeedUnit::Degrees, _) => "°/min",
+        (FeedUnit::MmPerMinute, _) => "mm/min",
+        (FeedUnit::MmPerRevolution, Lang::En) => "mm/rev",
+        (FeedUnit::MmPerRevolution, Lang::Cs) => "mm/ot",
+        (FeedUnit::DegPerMinute, _) => "°/min",
+        (FeedUnit::DegPerRevolution, Lang::En) => "°/rev",
+        (FeedUnit::DegPerRevolution, Lang::Cs) => "°/ot",
     }
 }
 

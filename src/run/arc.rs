@@ -1,6 +1,6 @@
 //! The geometry of arcs in their plane (MOT-3…MOT-5). Floats live here and are rounded once, on output.
 
-use crate::ir::Micro;
+use crate::dict::Micro;
 
 /// An arc in a plane whose first-named axis is `u` and second-named one `v`.
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,15 @@
 //! The executor: one step is one executed block.
 
+use std::ops::ControlFlow;
+
 use super::block::BlockWords;
+use super::executed::Executed;
 use super::flow::Next;
 use super::frames::Frame;
 use super::lines::Lines;
 use super::motion::Travel;
 use super::points::Run;
+use super::sink::Sink;
 use super::state::{Position, State};
 use crate::config::{Purpose, Settings};
 use crate::diag::{CallSite, Diagnostic, Finding, Findings};
@@ -49,6 +53,10 @@ pub struct Executor<'a, 'l> {
     pub(super) block: BlockId,
     pub(super) calls_changed: bool,
     pub(super) moves_by_m: bool,
+    /// The motion of the block began where the tool does not stand (MOT-8).
+    pub(super) stale: bool,
+    /// What the block in hand calls, or where it jumps: put into effect before the next one.
+    pending: Option<(BlockId, Next, bool)>,
     pub(super) feed_warned: bool,
     pub(super) speed_warned: bool,
     pub(super) incremental_warned: [bool; 9],
@@ -100,6 +108,8 @@ impl<'a, 'l> Executor<'a, 'l> {
             block: BlockId(0),
             calls_changed: true,
             moves_by_m: false,
+            stale: false,
+            pending: None,
             feed_warned: false,
             speed_warned: false,
             incremental_warned: [false; 9],
@@ -163,6 +173,39 @@ impl<'a, 'l> Executor<'a, 'l> {
         &self.record
     }
 
+    /// The block in hand, as its readers see it.
+    pub fn block(&self) -> Executed<'_> {
+        Executed {
+            record: &self.record,
+            resolved: self.resolved,
+            settings: self.settings,
+            state: &self.state,
+            in_force: &self.in_force,
+            travels: &self.travels,
+            frames: &self.frames,
+            stale: self.stale,
+            file: self.file,
+            block: self.block,
+        }
+    }
+
+    /// Shows the block in hand to a sink.
+    pub fn show(&mut self, sink: &mut impl Sink) -> ControlFlow<()> {
+        let block = Executed {
+            record: &self.record,
+            resolved: self.resolved,
+            settings: self.settings,
+            state: &self.state,
+            in_force: &self.in_force,
+            travels: &self.travels,
+            frames: &self.frames,
+            stale: self.stale,
+            file: self.file,
+            block: self.block,
+        };
+        sink.block(&block, self.findings)
+    }
+
     /// Where the block in hand stands.
     pub const fn place(&self) -> (FileId, BlockId) {
         (self.file, self.block)
@@ -190,6 +233,9 @@ impl<'a, 'l> Executor<'a, 'l> {
 
     /// One block: executed (`true`) or skipped.
     fn advance(&mut self) -> Result<bool, Stop> {
+        if let Some((block, next, returns)) = self.pending.take() {
+            self.proceed(block, next, returns)?;
+        }
         let Some(frame) = self.frames.last() else { return Err(Stop::Halted) };
         let (unit, block) = (frame.unit, frame.next);
         self.file = unit.file;
@@ -245,15 +291,13 @@ impl<'a, 'l> Executor<'a, 'l> {
             return Err(Stop::End(end));
         }
         let returns = flags.has(BlockFlags::RETURN) && self.frames.len() > 1;
-        match self.proceed(block, next, returns) {
-            Ok(()) => Ok(true),
+        if halted {
             // The block itself was executed; what would follow is not.
-            Err(stop) if halted => {
-                self.stop = Some(stop);
-                Ok(true)
-            }
-            Err(stop) => Err(stop),
+            self.stop = Some(Stop::Halted);
+        } else {
+            self.pending = Some((block, next, returns));
         }
+        Ok(true)
     }
 
     /// What a record shows of the block as written, and of the way to it.

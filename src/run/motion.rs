@@ -6,8 +6,8 @@ use super::executor::Executor;
 use super::state::Position;
 use crate::config::Axis;
 use crate::diag::{CenterPlace, Diagnostic, Finding};
-use crate::dict::{AxisLetter, Decimal, GCode, GGroup};
-use crate::ir::{AxisList, AxisMap, Data, Micro, Motion, MotionType};
+use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::ir::{AxisList, AxisMap, Data, Motion, MotionType};
 use crate::syntax::Word;
 use crate::text::Location;
 
@@ -54,7 +54,7 @@ pub(super) struct Travel {
     pub(super) before: Position,
     pub(super) after: Position,
     /// `None`: unknown.
-    distance: Option<Micro>,
+    pub(super) distance: Option<Micro>,
     pub(super) incremental: bool,
     word: Option<Word>,
 }
@@ -121,6 +121,7 @@ impl Executor<'_, '_> {
             self.check_working_motion(at);
         }
         let stale = std::mem::take(&mut self.state.origin_changed);
+        self.stale = stale;
         let mut travels = std::mem::take(&mut self.travels);
         self.find_travels(&mut travels);
         match kind {

@@ -38,6 +38,7 @@ impl Executor<'_, '_> {
         if straight {
             self.begin_record(block);
             let stale = std::mem::take(&mut self.state.origin_changed);
+            self.stale = stale;
             self.run_straight(kind, stale, &travels);
             if self.wants_records {
                 for travel in &travels {

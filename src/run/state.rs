@@ -1,8 +1,8 @@
 //! Everything that is in force between two blocks.
 
 use crate::config::Settings;
+use crate::dict::Micro;
 use crate::dict::{Decimal, GCode, GGroup, M_GROUPS};
-use crate::ir::Micro;
 use crate::text::Location;
 
 /// What the program knows of an axis.
@@ -83,6 +83,8 @@ pub(super) struct State {
     pub(super) feed: Held,
     pub(super) speed: Held,
     pub(super) tool: Held,
+    /// T at the last M06 (TEC-4).
+    pub(super) in_spindle: Held,
     pub(super) h: Held,
     pub(super) p: Held,
     pub(super) d: Held,
@@ -114,6 +116,7 @@ impl State {
             feed: Held::None,
             speed: Held::None,
             tool: Held::None,
+            in_spindle: Held::None,
             h: Held::None,
             p: Held::None,
             d: Held::None,

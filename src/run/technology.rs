@@ -3,8 +3,8 @@
 use super::executor::Executor;
 use super::state::{Held, Position};
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Address, Decimal, GCode, GGroup, M_GROUPS, PROGRAM_ENDS};
-use crate::ir::{MStop, Micro};
+use crate::dict::{Address, Decimal, GCode, GGroup, M_GROUPS, Micro, PROGRAM_ENDS};
+use crate::ir::MStop;
 use crate::text::Location;
 
 /// Groups whose value is shown only in the block that programs them (MFN-6).
@@ -58,6 +58,7 @@ impl Executor<'_, '_> {
             }
             match number {
                 0 | 1 => stop = Some(number),
+                6 => self.state.in_spindle = self.state.tool,
                 19 if !self.settings.machine.oriented_stop => {
                     self.report(Diagnostic::new(Finding::OrientedStopUnavailable {}, self.word_place(word)));
                 }

@@ -3,42 +3,23 @@
 mod stream;
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Problem, Severity};
-use crate::ir::{AxisRecord, EndRecord, FileRecord, MFunctionRecord, Micro, MotionType, ProgramRecord, SCHEMA};
+use crate::dict::AxisLetter;
 use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
-use crate::run::{Checkpoint, Executor, Stop};
+use crate::run::{Checkpoint, End, Executor, Sink, Start, Stop};
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
-use stream::{Closed, Rare, Records, write_beside};
+pub use stream::Part;
+use stream::{Closed, JsonStream, write_beside};
 
 /// Blocks between two reports of progress.
 const PROGRESS: u64 = 1 << 16;
 /// Blocks between two looks at a checked program; [`PROGRESS`] is a multiple of it. Fuzzing has short programs.
 pub const STRIDE: u64 = if cfg!(fuzzing) { 1 << 1 } else { 1 << 13 };
-
-/// Which block records of a stream are written; `program`, `file` and `end` always are.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Part {
-    /// First `seq`.
-    pub from: u64,
-    /// Most block records; all when `None`.
-    pub limit: Option<u64>,
-}
-
-impl Part {
-    const fn contains(self, seq: u64) -> bool {
-        seq >= self.from
-            && match self.limit {
-                Some(limit) => seq - self.from < limit,
-                None => true,
-            }
-    }
-}
 
 /// What a run found, with the texts that the places are in.
 #[derive(Debug, Default)]
@@ -65,6 +46,15 @@ impl Outcome {
     }
 }
 
+/// A run with a sink: what was found, and what the sink made of the program.
+#[derive(Debug)]
+pub struct Run<T> {
+    /// The findings, with the texts that they are in.
+    pub outcome: Outcome,
+    /// What the sink made of the whole program. `None`: the program has errors, or was not executed to its end.
+    pub whole: Option<T>,
+}
+
 /// Runs programs with one loader and one configuration.
 #[derive(Clone, Copy)]
 pub struct Session<'a> {
@@ -86,6 +76,63 @@ impl Session<'_> {
         outcome
     }
 
+    /// Executes the program at `path`, which the user calls `name`, and shows each executed block to `sink`. To check a
+    /// macrocycle, there is nothing to execute.
+    pub fn run<S: Sink>(&self, path: &Path, name: &str, purpose: Purpose, sink: S) -> Run<S::Whole> {
+        if purpose == Purpose::Compile && Self::is_macrocycle_name(path) {
+            let mut outcome = Outcome { purpose, ..Outcome::default() };
+            self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
+            return Run { outcome, whole: None };
+        }
+        let (mut outcome, mut resolved) = self.resolve(path, name);
+        outcome.purpose = purpose;
+        if resolved.main().is_none() || self.has_errors(&outcome.findings, purpose) {
+            return Run { outcome, whole: None };
+        }
+        let whole = self.execute_into(path, &mut resolved, &mut outcome, sink);
+        Run { outcome, whole }
+    }
+
+    /// Shows the executed blocks of a resolved program to `sink`, up to the first that has an error; what is still to be
+    /// found after that is found without it.
+    fn execute_into<S: Sink>(
+        &self,
+        path: &Path,
+        resolved: &mut Resolved,
+        outcome: &mut Outcome,
+        mut sink: S,
+    ) -> Option<S::Whole> {
+        let mut library = self.library(path);
+        let Outcome { sources, findings, executed, purpose, .. } = outcome;
+        let name = sources.get(FileId(0)).map(Arc::clone);
+        let name = name.as_ref().map_or("", |source| source.name());
+        sink.begin(&Start { name, resolved, settings: self.settings });
+        let mut executor = Executor::new(resolved, self.settings, &mut library, sources, findings, Purpose::Compile);
+        let mut whole = true;
+        while executor.step().is_some() {
+            if whole && (executor.found_errors() || (*purpose == Purpose::Compile && executor.read_unassigned())) {
+                whole = false;
+            }
+            if whole && executor.show(&mut sink).is_break() {
+                whole = false;
+                break;
+            }
+            if self.is_cancelled(executor.executed()) {
+                whole = false;
+                break;
+            }
+        }
+        *executed = executor.executed();
+        let end = match executor.end() {
+            Some(Stop::End(m)) if whole => End { m, blocks: executor.executed() },
+            Some(Stop::End(_) | Stop::Halted) | None => return None,
+        };
+        if self.has_errors(findings, *purpose) {
+            return None;
+        }
+        Some(sink.end(end, findings))
+    }
+
     /// The first half of [`Self::check`]: what is found without executing the program.
     pub fn resolve(&self, path: &Path, name: &str) -> (Outcome, Resolved) {
         let mut outcome = Outcome::default();
@@ -101,7 +148,7 @@ impl Session<'_> {
 
     /// Whether the second half of [`Self::check`] follows: it is a program, and nothing written in it is wrong.
     pub fn can_execute(&self, resolved: &Resolved, outcome: &Outcome) -> bool {
-        resolved.main().is_some() && !self.has_errors(&outcome.findings, Purpose::Check)
+        resolved.main().is_some() && !self.has_errors(&outcome.findings, outcome.purpose)
     }
 
     /// The second half of [`Self::check`]: what execution finds joins the outcome. `look` sees the executor before the first
@@ -157,24 +204,11 @@ impl Session<'_> {
         converged.then_some(outcome)
     }
 
-    /// Executes a program that has no errors and shows every executed block to `look`, until that breaks, or the
-    /// program ends. Nothing is reported.
-    pub fn observe(
-        &self,
-        path: &Path,
-        resolved: &Resolved,
-        sources: &Sources,
-        mut look: impl FnMut(&Executor<'_, '_>) -> ControlFlow<()>,
-    ) {
-        let (mut resolved, mut sources, mut findings) = (resolved.clone(), sources.clone(), Findings::new());
-        let mut library = self.library(path);
-        let mut executor =
-            Executor::new(&mut resolved, self.settings, &mut library, &mut sources, &mut findings, Purpose::Compile);
-        while executor.step().is_some() {
-            if look(&executor).is_break() || self.is_cancelled(executor.executed()) {
-                break;
-            }
-        }
+    /// Executes once more a program that has no errors, and shows every executed block to `sink`. What is found is known
+    /// already.
+    pub fn observe<S: Sink>(&self, path: &Path, resolved: &Resolved, sources: &Sources, sink: S) -> Option<S::Whole> {
+        let mut outcome = Outcome { sources: sources.clone(), ..Outcome::default() };
+        self.execute_into(path, &mut resolved.clone(), &mut outcome, sink)
     }
 
     /// The macrocycles that the program at `path` may call.
@@ -187,72 +221,17 @@ impl Session<'_> {
     /// # Errors
     /// What writing to `out` gives.
     pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut (dyn Write + Send)) -> io::Result<Outcome> {
-        let mut outcome = Outcome { purpose: Purpose::Compile, ..Outcome::default() };
-        if Library::number(path).is_some() {
-            self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
-            return Ok(outcome);
-        }
-        let Some(source) = self.read(path, name, &mut outcome) else { return Ok(outcome) };
-        let mut library = self.library(path);
-        let Outcome { sources, findings, executed, .. } = &mut outcome;
-        let mut resolved = resolve_program(&source, self.settings, &mut library, sources, findings);
-        if self.has_errors(findings, Purpose::Compile) {
-            return Ok(outcome);
-        }
-        let header = self.program_record(&resolved, name);
-        let mut executor =
-            Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Compile);
-        let letters = executor.axes().to_vec();
+        let letters: Vec<AxisLetter> = self.settings.machine.axes.iter().map(|axis| axis.letter).collect();
         write_beside(out, &letters, |records| {
-            records.rare(Rare::Program(header));
-            let totals = self.write_blocks(&mut executor, part, records)?;
-            if let Some(Stop::End(end)) = executor.end()
-                && !self.has_errors(executor.findings(), Purpose::Compile)
-            {
-                records.rare(Rare::End(totals.record(end, executor.executed())));
-            }
-            Ok(())
-        })?;
-        *executed = executor.executed();
-        Ok(outcome)
+            let run = self.run(path, name, Purpose::Compile, JsonStream::new(records, part));
+            if records.is_closed() { Err(Closed) } else { Ok(run.outcome) }
+        })
     }
 
     /// Whether the name is that of a macrocycle file: `L` and its number, with no extension, `.NC`, `.NCP`, `.MRC` or
     /// `.TXT`, in either case (PRG-6).
     pub fn is_macrocycle_name(path: &Path) -> bool {
         Library::number(path).is_some()
-    }
-
-    /// Gives records until the program ends or has an error.
-    fn write_blocks(
-        &self,
-        executor: &mut Executor<'_, '_>,
-        part: Part,
-        records: &mut Records,
-    ) -> Result<Totals, Closed> {
-        let mut totals = Totals::default();
-        let mut next_file = 1;
-        while executor.step().is_some() {
-            if executor.found_errors() || executor.read_unassigned() {
-                // What is still to be found is found without writing.
-                while executor.step().is_some() && !self.is_cancelled(executor.executed()) {}
-                break;
-            }
-            let record = executor.record();
-            if record.file == next_file {
-                next_file += 1;
-                let name = executor.source_name().unwrap_or_default().to_owned();
-                records.rare(Rare::File(FileRecord { index: record.file, name }));
-            }
-            totals.add(record.motion.as_ref());
-            if part.contains(record.seq) {
-                records.block(record)?;
-            }
-            if self.is_cancelled(executor.executed()) {
-                break;
-            }
-        }
-        Ok(totals)
     }
 
     fn is_cancelled(&self, executed: u64) -> bool {
@@ -288,76 +267,10 @@ impl Session<'_> {
         let at = Location { file: FileId(0), span: Span::empty(0) };
         outcome.findings.add(Diagnostic::new(Finding::UnreadableFile { problem, file: None }, at));
     }
-
-    fn program_record(&self, resolved: &Resolved, name: &str) -> ProgramRecord {
-        let machine = &self.settings.machine;
-        let file = resolved.file(FileId(0));
-        let number = file.and_then(|file| file.program).and_then(|word| word.whole());
-        ProgramRecord {
-            schema: SCHEMA.to_owned(),
-            generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
-            dialect: machine.dialect.name().to_owned(),
-            number: number.and_then(|number| u32::try_from(number).ok()).unwrap_or(0),
-            title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
-            file: name.to_owned(),
-            axes: machine
-                .axes
-                .iter()
-                .map(|axis| AxisRecord {
-                    letter: axis.letter.to_string(),
-                    kind: if axis.rotary { "rotary" } else { "linear" }.to_owned(),
-                })
-                .collect(),
-            block_skip: self.settings.block_skip,
-            optional_stop: self.settings.optional_stop,
-            m_functions: machine
-                .m_functions
-                .configured()
-                .map(|function| MFunctionRecord {
-                    no: function.number,
-                    group: function.group,
-                    break_cont: function.break_cont,
-                    break_cont_end: function.break_cont_end,
-                    change_pos: function.change_pos,
-                })
-                .collect(),
-        }
-    }
 }
 
 impl std::fmt::Debug for Session<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Session").field("settings", self.settings).finish_non_exhaustive()
-    }
-}
-
-/// Sums over the lengths as written.
-#[derive(Debug, Default)]
-struct Totals {
-    path: Micro,
-    by_type: [Option<Micro>; MotionType::ALL.len()],
-}
-
-impl Totals {
-    fn add(&mut self, motion: Option<&crate::ir::Motion>) {
-        let Some(motion) = motion else { return };
-        let Some(length) = motion.length_mm else { return };
-        self.path = self.path.plus(length);
-        if let Some(sum) = self.by_type.get_mut(motion.kind as usize) {
-            *sum = Some(sum.unwrap_or_default().plus(length));
-        }
-    }
-
-    fn record(&self, end: u8, blocks: u64) -> EndRecord {
-        EndRecord {
-            reason: format!("M{end:02}"),
-            blocks,
-            path_mm: self.path,
-            path_mm_by_type: MotionType::ALL
-                .into_iter()
-                .zip(self.by_type)
-                .filter_map(|(kind, sum)| Some((kind, sum?)))
-                .collect(),
-        }
     }
 }

@@ -2,11 +2,19 @@
 //! is behind, the one that executes makes the text itself, so that neither waits while there is work.
 
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, TrySendError, channel, sync_channel};
 use std::thread::{Builder, scope};
 
+use crate::analysis::Totals;
+use crate::diag::Findings;
 use crate::dict::AxisLetter;
-use crate::ir::{BlockRecord, BlockWriter, EndRecord, FileRecord, ProgramRecord, write_end, write_file, write_program};
+use crate::ir::{
+    AxisRecord, BlockRecord, BlockWriter, EndRecord, FileRecord, MFunctionRecord, ProgramRecord, SCHEMA, write_end,
+    write_file, write_program,
+};
+use crate::run::{End, Executed, Sink, Start};
+use crate::text::FileId;
 
 /// Records go to the thread in batches of so many. Fuzzing has short programs.
 const BATCH: usize = if cfg!(fuzzing) { 2 } else { 512 };
@@ -27,6 +35,25 @@ pub(super) enum Rare {
 /// Why no more records are taken: the writer had an error, which [`write_beside`] gives.
 #[derive(Debug)]
 pub(super) struct Closed;
+
+/// Which block records of a stream are written; `program`, `file` and `end` always are.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Part {
+    /// First `seq`.
+    pub from: u64,
+    /// Most block records; all when `None`.
+    pub limit: Option<u64>,
+}
+
+impl Part {
+    const fn contains(self, seq: u64) -> bool {
+        seq >= self.from
+            && match self.limit {
+                Some(limit) => seq - self.from < limit,
+                None => true,
+            }
+    }
+}
 
 /// A piece of the stream: text, and behind it records.
 #[derive(Default)]
@@ -78,9 +105,15 @@ pub(super) struct Records {
     writer: BlockWriter,
     full: SyncSender<Batch>,
     written: Receiver<Batch>,
+    closed: bool,
 }
 
 impl Records {
+    /// Whether the writer had an error.
+    pub(super) const fn is_closed(&self) -> bool {
+        self.closed
+    }
+
     /// The next block record.
     #[inline]
     pub(super) fn block(&mut self, record: &BlockRecord) -> Result<(), Closed> {
@@ -116,11 +149,96 @@ impl Records {
             Ok(()) => self.here = false,
             Err(TrySendError::Full(batch)) => {
                 self.here = true;
-                self.full.send(batch).map_err(|_| Closed)?;
+                if self.full.send(batch).is_err() {
+                    self.closed = true;
+                    return Err(Closed);
+                }
             }
-            Err(TrySendError::Disconnected(_)) => return Err(Closed),
+            Err(TrySendError::Disconnected(_)) => {
+                self.closed = true;
+                return Err(Closed);
+            }
         }
         Ok(())
+    }
+}
+
+/// The stream, as a reader of executed blocks.
+pub(super) struct JsonStream<'r> {
+    records: &'r mut Records,
+    part: Part,
+    totals: Totals,
+    next_file: u32,
+}
+
+impl<'r> JsonStream<'r> {
+    pub(super) fn new(records: &'r mut Records, part: Part) -> Self {
+        Self { records, part, totals: Totals::new(), next_file: 1 }
+    }
+}
+
+impl Sink for JsonStream<'_> {
+    type Whole = ();
+
+    fn begin(&mut self, program: &Start<'_>) {
+        self.records.rare(Rare::Program(program_record(program)));
+    }
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        let record = block.record();
+        if record.file == self.next_file {
+            self.next_file += 1;
+            self.records.rare(Rare::File(FileRecord { index: record.file, name: block.file_name().to_owned() }));
+        }
+        self.totals.add(block);
+        if self.part.contains(record.seq) && self.records.block(record).is_err() {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, end: End, _: &mut Findings) {
+        self.records.rare(Rare::End(EndRecord {
+            reason: end.reason(),
+            blocks: end.blocks,
+            path_mm: self.totals.path(),
+            path_mm_by_type: self.totals.by_type().collect(),
+        }));
+    }
+}
+
+fn program_record(start: &Start<'_>) -> ProgramRecord {
+    let machine = &start.settings.machine;
+    let file = start.resolved.file(FileId(0));
+    let number = file.and_then(|file| file.program).and_then(|word| word.whole());
+    ProgramRecord {
+        schema: SCHEMA.to_owned(),
+        generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
+        dialect: machine.dialect.name().to_owned(),
+        number: number.and_then(|number| u32::try_from(number).ok()).unwrap_or(0),
+        title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
+        file: start.name.to_owned(),
+        axes: machine
+            .axes
+            .iter()
+            .map(|axis| AxisRecord {
+                letter: axis.letter.to_string(),
+                kind: if axis.rotary { "rotary" } else { "linear" }.to_owned(),
+            })
+            .collect(),
+        block_skip: start.settings.block_skip,
+        optional_stop: start.settings.optional_stop,
+        m_functions: machine
+            .m_functions
+            .configured()
+            .map(|function| MFunctionRecord {
+                no: function.number,
+                group: function.group,
+                break_cont: function.break_cont,
+                break_cont_end: function.break_cont_end,
+                change_pos: function.change_pos,
+            })
+            .collect(),
     }
 }
 
@@ -140,7 +258,8 @@ pub(super) fn write_beside<T>(
         let thread = Builder::new().name("writer".to_owned());
         let thread = thread.spawn_scoped(scope, || write(out, BlockWriter::new(axes), batches, done))?;
         let writer = BlockWriter::new(axes);
-        let mut records = Records { batch: Batch::default(), count: 0, here: false, writer, full, written };
+        let mut records =
+            Records { batch: Batch::default(), count: 0, here: false, writer, full, written, closed: false };
         let result = execute(&mut records).and_then(|result| records.hand_on().map(|()| result));
         drop(records);
         thread.join().map_err(|_| stopped())??;

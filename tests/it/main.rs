@@ -25,5 +25,6 @@ mod samples;
 mod stream;
 mod terminal;
 mod tidy;
+mod time;
 mod traps;
 mod valid;

@@ -11,7 +11,7 @@ use crate::samples::root;
 const LONGEST: usize = 800;
 
 /// Which top-level modules each may use.
-const LAYERS: [(&str, &[&str]); 11] = [
+const LAYERS: [(&str, &[&str]); 12] = [
     ("text", &[]),
     ("dict", &[]),
     ("diag", &["text", "dict"]),
@@ -20,9 +20,10 @@ const LAYERS: [(&str, &[&str]); 11] = [
     ("resolve", &["text", "dict", "diag", "syntax", "config"]),
     ("ir", &["text", "dict"]),
     ("run", &["text", "dict", "diag", "syntax", "config", "resolve", "ir"]),
-    ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run"]),
-    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "session"]),
-    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "session", "lsp"]),
+    ("analysis", &["text", "dict", "diag", "syntax", "config", "resolve", "run"]),
+    ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "analysis"]),
+    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "analysis", "session"]),
+    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "analysis", "session", "lsp"]),
 ];
 
 struct Source {

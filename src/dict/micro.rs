@@ -1,6 +1,6 @@
-//! Numbers of the stream, in millionths.
+//! Numbers in millionths: what computed values become.
 
-use crate::dict::Decimal;
+use super::Decimal;
 
 /// A number of whole millionths: what a record shows of a length, an angle or a position. Programmed values are exact in
 /// it; computed ones are rounded to it once.

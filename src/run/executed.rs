@@ -1,0 +1,410 @@
+//! An executed block, as its readers see it: typed, borrowed from execution, and worked out only as far as asked.
+
+use super::frames::Frame;
+use super::motion::Travel;
+use super::moved::Motion;
+use super::state::{Position, State};
+use crate::config::Settings;
+use crate::diag::{CallKind, CallSite, Diagnostic, Finding};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::ir::{BlockRecord, Jump, MStop, MotionType};
+use crate::resolve::Resolved;
+use crate::syntax::{BlockId, ParsedFile};
+use crate::text::{FileId, LineColumn, Location};
+
+/// One executed block: what holds in it, what it does, how execution came to it.
+#[derive(Clone, Copy, Debug)]
+pub struct Executed<'r> {
+    pub(super) record: &'r BlockRecord,
+    pub(super) resolved: &'r Resolved,
+    pub(super) settings: &'r Settings,
+    pub(super) state: &'r State,
+    pub(super) in_force: &'r [Option<GCode>; 12],
+    pub(super) travels: &'r [Travel],
+    pub(super) frames: &'r [Frame],
+    pub(super) stale: bool,
+    pub(super) file: FileId,
+    pub(super) block: BlockId,
+}
+
+/// A call on the way to a block.
+#[derive(Clone, Copy, Debug)]
+pub struct Call {
+    /// By which function.
+    pub by: CallKind,
+    /// What was called.
+    pub l: u32,
+    /// The file of the calling block.
+    pub file: FileId,
+    /// The number of the calling block.
+    pub n: u32,
+    /// The `N` of the calling block.
+    pub at: Location,
+    /// Which pass this is, from 1.
+    pub pass: u32,
+    /// Of how many.
+    pub of: u32,
+}
+
+/// F in force, with what it counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feed {
+    /// As programmed.
+    pub value: Decimal,
+    /// What it counts in this block.
+    pub unit: FeedUnit,
+    /// M37 is in force: the machine moves at a hundredth of it (TEC-6).
+    pub hundredth: bool,
+}
+
+/// What F counts in a block (TEC-1).
+#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+pub enum FeedUnit {
+    /// mm/min.
+    MmPerMinute,
+    /// mm/rev.
+    MmPerRevolution,
+    /// deg/min: only rotary axes or the spindle move.
+    DegPerMinute,
+    /// deg/rev.
+    DegPerRevolution,
+}
+
+impl FeedUnit {
+    /// `mm/min`, `mm/rev`, `deg/min`, `deg/rev`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MmPerMinute => "mm/min",
+            Self::MmPerRevolution => "mm/rev",
+            Self::DegPerMinute => "deg/min",
+            Self::DegPerRevolution => "deg/rev",
+        }
+    }
+}
+
+/// Words that are data and move nothing (GRP-4).
+#[derive(Clone, Copy, Debug)]
+pub struct Data<'r> {
+    /// The function that makes them data.
+    pub g: u8,
+    /// The G5 function in force, for G92 and G93.
+    pub origin: Option<u8>,
+    /// D, when written.
+    pub d: Option<Decimal>,
+    /// The words as programmed, by letter.
+    pub values: &'r [(char, Decimal)],
+}
+
+impl<'r> Executed<'r> {
+    /// Which executed block it is, from 0.
+    pub fn seq(&self) -> u64 {
+        self.record.seq
+    }
+
+    /// The block number.
+    pub fn n(&self) -> u32 {
+        self.record.n
+    }
+
+    /// The block in the text.
+    pub const fn at(&self) -> (FileId, BlockId) {
+        (self.file, self.block)
+    }
+
+    /// Its file.
+    pub fn file(&self) -> Option<&'r ParsedFile> {
+        self.resolved.file(self.file)
+    }
+
+    /// The name of its file, as found.
+    pub fn file_name(&self) -> &'r str {
+        self.file().map_or("", |file| file.source.name())
+    }
+
+    /// The index that streams give its file: files are counted as their first blocks are executed; the program is 0.
+    pub fn file_index(&self) -> u32 {
+        self.record.file
+    }
+
+    /// Where its `N` stands.
+    pub fn place(&self) -> Location {
+        self.file().map(|file| file.n_place(self.block)).unwrap_or_default()
+    }
+
+    /// Line and column of its `N`, from 1; the column in characters.
+    pub fn line_column(&self) -> LineColumn {
+        LineColumn { line: self.record.line, column: self.record.column }
+    }
+
+    /// The line of its `N`, from 1.
+    pub fn line(&self) -> u32 {
+        self.record.line
+    }
+
+    /// The column of its `N` in characters, from 1.
+    pub fn column(&self) -> u32 {
+        self.record.column
+    }
+
+    /// The calls that led to it, outermost first.
+    pub fn calls(&self) -> impl Iterator<Item = Call> + 'r {
+        let calls = self.frames.iter().filter_map(|frame| frame.call);
+        calls.map(|call| Call {
+            by: call.by,
+            l: call.l,
+            file: call.file,
+            n: call.n,
+            at: call.at,
+            pass: call.pass,
+            of: call.of,
+        })
+    }
+
+    /// A finding that this execution of the block gives, with the calls that led here.
+    pub fn found(&self, finding: Finding, at: Location) -> Diagnostic {
+        let mut diagnostic = Diagnostic::new(finding, at);
+        diagnostic.calls =
+            self.calls().map(|call| CallSite { by: call.by, l: call.l, n: call.n, at: call.at }).collect();
+        diagnostic
+    }
+
+    /// The jump that is taken at its end.
+    pub fn jump(&self) -> Option<Jump> {
+        self.record.jump
+    }
+
+    /// Whether it carries `/`.
+    pub fn skippable(&self) -> bool {
+        self.record.skippable
+    }
+
+    /// Whether it is the first executed block of the program.
+    pub fn first(&self) -> bool {
+        self.record.first_block
+    }
+
+    /// Whether it is the last one: it holds M02 or M30.
+    pub fn last(&self) -> bool {
+        self.record.last_block
+    }
+
+    /// The function of a group in this block, functions that hold for one block included.
+    pub fn g(&self, group: GGroup) -> Option<GCode> {
+        self.in_force.get(group.index()).copied().flatten()
+    }
+
+    /// The G functions written in it, in written order.
+    pub fn g_written(&self) -> impl Iterator<Item = GCode> + 'r {
+        let written: &'r [u8] = &self.record.g_set;
+        written.iter().filter_map(|number| GCode::from_number(*number))
+    }
+
+    /// The M function of a group, 1–14, after this block; of groups 1, 7 and 9 only one that is written in it.
+    pub fn m(&self, group: usize) -> Option<u8> {
+        self.record.m.get(group).copied().flatten()
+    }
+
+    /// The M functions written in it, in written order.
+    pub fn m_written(&self) -> &'r [u8] {
+        &self.record.m_set
+    }
+
+    /// The M groups with a change mark (MFN-6), ascending.
+    pub fn m_changed(&self) -> &'r [u8] {
+        &self.record.m_changed
+    }
+
+    /// What M groups 2, 5 and 6 hold while the program stands after this block (MFN-8): M00, or M01 with optional stop.
+    pub fn m_at_stop(&self) -> Option<MStop> {
+        self.record.m_at_stop
+    }
+
+    /// Whether an M function of it breaks continuous motion at its start.
+    pub fn break_cont(&self) -> bool {
+        self.record.break_cont
+    }
+
+    /// Whether an M function of it breaks continuous motion at its end.
+    pub fn break_cont_end(&self) -> bool {
+        self.record.break_cont_end
+    }
+
+    /// Whether an M function of it moves the machine.
+    pub fn change_pos(&self) -> bool {
+        self.record.change_pos
+    }
+
+    /// The gear in force, 1–4 (MFN-9).
+    pub fn gear(&self) -> Option<u8> {
+        self.record.gear
+    }
+
+    /// How it moves.
+    pub fn motion(&self) -> Option<Motion<'r>> {
+        let motion = self.record.motion.as_ref()?;
+        Some(Motion { motion, travels: self.travels, stale: self.stale })
+    }
+
+    /// Where an axis is after it, in programmed coordinates; `None` when that is not known.
+    pub fn position(&self, axis: AxisLetter) -> Option<Micro> {
+        let place = self.settings.machine.axes.index(axis)?;
+        match self.state.position(place) {
+            Position::Known(value) => Some(value),
+            Position::Unknown | Position::Undetermined => None,
+        }
+    }
+
+    /// F in force.
+    pub fn feed(&self) -> Option<Feed> {
+        let value = self.state.feed.value()?;
+        Some(Feed { value, unit: self.feed_unit(), hundredth: false })
+    }
+
+    /// What F counts in this block, or would count (TEC-1): degrees when only rotary axes or the spindle move.
+    pub fn feed_unit(&self) -> FeedUnit {
+        let axes = &self.settings.machine.axes;
+        let rotary = |letter| axes.index(letter).and_then(|axis| axes.get(axis)).is_some_and(|axis| axis.rotary);
+        let degrees = self
+            .motion()
+            .is_some_and(|motion| motion.axes().all(|axis| rotary(axis) || motion.spindle_axis() == Some(axis)));
+        match (self.rev_feed(), degrees) {
+            (false, false) => FeedUnit::MmPerMinute,
+            (true, false) => FeedUnit::MmPerRevolution,
+            (false, true) => FeedUnit::DegPerMinute,
+            (true, true) => FeedUnit::DegPerRevolution,
+        }
+    }
+
+    /// RevFeed: F counts per revolution of the spindle.
+    pub fn rev_feed(&self) -> bool {
+        matches!(self.g(GGroup::G6), Some(GCode::G95 | GCode::G97))
+    }
+
+    /// ConstCutSpeed: the cutting speed is constant.
+    pub fn const_cut_speed(&self) -> bool {
+        matches!(self.g(GGroup::G6), Some(GCode::G96 | GCode::G97))
+    }
+
+    /// S in force.
+    pub fn s(&self) -> Option<Decimal> {
+        self.state.speed.value()
+    }
+
+    /// T in force.
+    pub fn t(&self) -> Option<Decimal> {
+        self.state.tool.value()
+    }
+
+    /// The tool in the spindle: T at the last M06 (TEC-4). `None` before the first M06.
+    pub fn tool(&self) -> Option<Decimal> {
+        self.state.in_spindle.value()
+    }
+
+    /// H in force.
+    pub fn h(&self) -> Option<Decimal> {
+        self.state.h.value()
+    }
+
+    /// P in force.
+    pub fn p(&self) -> Option<Decimal> {
+        self.state.p.value()
+    }
+
+    /// D in force.
+    pub fn d(&self) -> Option<Decimal> {
+        self.state.d.value()
+    }
+
+    /// Whether a word of that address is written in it. Of G and M words, ask [`Self::g_written`] and [`Self::m_written`].
+    pub fn written(&self, address: Address) -> bool {
+        self.file().is_some_and(|file| file.words(self.block).iter().any(|word| word.address == address))
+    }
+
+    /// The four digits of `&` in force, as a number.
+    pub fn length_correction(&self) -> Option<u16> {
+        self.record.length_correction
+    }
+
+    /// The dwell of G04, in seconds (GRP-5).
+    pub fn dwell(&self) -> Option<Micro> {
+        self.record.dwell_s
+    }
+
+    /// Whether it holds M00.
+    pub fn stop(&self) -> bool {
+        self.record.stop
+    }
+
+    /// Whether it holds M01; with optional stop that halts, see [`Self::m_at_stop`].
+    pub fn cond_stop(&self) -> bool {
+        self.record.cond_stop
+    }
+
+    /// ContinuousMode: G23 in force.
+    pub fn continuous_mode(&self) -> bool {
+        self.g(GGroup::G2) == Some(GCode::G23)
+    }
+
+    /// The dynamic set, 1–4, once one was chosen (GRP-7).
+    pub fn dynamic_set(&self) -> Option<u8> {
+        self.state.dynamic_set
+    }
+
+    /// Its words that are data (GRP-4).
+    pub fn data(&self) -> Option<Data<'r>> {
+        let data = self.record.data.as_ref()?;
+        Some(Data { g: data.g, origin: data.origin, d: data.d, values: &data.values })
+    }
+
+    /// I, J and K as written, where they are no centre of an arc (GRP-8).
+    pub fn words(&self) -> &'r [(char, Decimal)] {
+        &self.record.words
+    }
+
+    /// The parameters that it wrote, ascending, with their values after its arithmetic; without those not known.
+    pub fn params(&self) -> &'r [(u8, Decimal)] {
+        &self.record.params
+    }
+
+    /// The texts of its comments, trimmed; empty ones left out.
+    pub fn comments(&self) -> impl Iterator<Item = &'r str> {
+        let block = self.block;
+        let comments = self
+            .file()
+            .into_iter()
+            .flat_map(move |file| file.comments(block).iter().map(move |comment| file.comment_text(*comment)));
+        comments.filter(|text| !text.is_empty())
+    }
+
+    /// What a parameter holds after it; `None` when that is not known (PAR-5).
+    pub fn parameter(&self, index: u8) -> Option<Decimal> {
+        self.state.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
+    }
+
+    /// The configuration that it was executed with.
+    pub const fn settings(&self) -> &'r Settings {
+        self.settings
+    }
+
+    pub(crate) const fn record(&self) -> &'r BlockRecord {
+        self.record
+    }
+}
+
+impl MotionType {
+    /// Whether it is one of G01, G02 and G03.
+    pub const fn is_working(self) -> bool {
+        match self {
+            Self::Linear | Self::ArcCw | Self::ArcCcw => true,
+            Self::Rapid | Self::Thread | Self::Reference => false,
+        }
+    }
+
+    /// Whether it is one of G02 and G03.
+    pub const fn is_arc(self) -> bool {
+        match self {
+            Self::ArcCw | Self::ArcCcw => true,
+            Self::Rapid | Self::Linear | Self::Thread | Self::Reference => false,
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! Who reads executed blocks.
+
+use std::ops::ControlFlow;
+
+use super::Executed;
+use crate::config::Settings;
+use crate::diag::Findings;
+use crate::resolve::Resolved;
+
+/// A reader of executed blocks. One execution may have several: a pair of sinks is a sink.
+///
+/// A sink sees the blocks of a program without errors, in the order of execution, up to the first that has one. What it
+/// makes of a whole program it gives in [`Self::end`], which is called only when the program ended with M02 or M30 and
+/// nothing in it is an error: half a program cannot be taken for a whole one.
+pub trait Sink {
+    /// What the sink makes of a whole program.
+    type Whole;
+
+    /// Execution begins.
+    fn begin(&mut self, _program: &Start<'_>) {}
+
+    /// The next executed block. Findings go to `findings`, those about this execution of the block made by
+    /// [`Executed::found`]. `Break`: no more blocks are wanted, and the program is not taken for whole.
+    fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()>;
+
+    /// The program ended, and has no errors.
+    fn end(self, end: End, findings: &mut Findings) -> Self::Whole;
+}
+
+/// What is executed.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<'r> {
+    /// The program, as the user named it.
+    pub name: &'r str,
+    /// The program.
+    pub resolved: &'r Resolved,
+    /// With which configuration.
+    pub settings: &'r Settings,
+}
+
+/// How a whole program ended.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct End {
+    /// M02 or M30, by number.
+    pub m: u8,
+    /// Blocks executed.
+    pub blocks: u64,
+}
+
+impl End {
+    /// `M02`, `M30`.
+    pub fn reason(self) -> String {
+        format!("M{:02}", self.m)
+    }
+}
+
+/// Nobody reads: what execution itself finds is wanted.
+impl Sink for () {
+    type Whole = End;
+
+    fn block(&mut self, _: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, end: End, _: &mut Findings) -> End {
+        end
+    }
+}
+
+/// Both read; when one wants no more, neither gets more.
+impl<A: Sink, B: Sink> Sink for (A, B) {
+    type Whole = (A::Whole, B::Whole);
+
+    fn begin(&mut self, program: &Start<'_>) {
+        self.0.begin(program);
+        self.1.begin(program);
+    }
+
+    fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
+        self.0.block(block, findings)?;
+        self.1.block(block, findings)
+    }
+
+    fn end(self, end: End, findings: &mut Findings) -> Self::Whole {
+        (self.0.end(end, findings), self.1.end(end, findings))
+    }
+}
