@@ -53,7 +53,7 @@ pub struct Feed {
     pub value: Decimal,
     /// What it counts in this block.
     pub unit: FeedUnit,
-    /// M37 is in force: the machine moves at a hundredth of it (TEC-6).
+    /// M37 is in force: the machine moves at a hundredth of it.
     pub hundredth: bool,
 }
 
