@@ -36,6 +36,10 @@ impl DiskLoader {
 }
 
 impl Loader for DiskLoader {
+    fn is_folder(&self, path: &Path) -> bool {
+        path.as_os_str().is_empty() || fs::metadata(path).is_ok_and(|data| data.is_dir())
+    }
+
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         if let Some((_, kept)) = self.named.iter().find(|(named, _)| named == path) {
             if let Some(bytes) = kept.get() {

@@ -161,6 +161,10 @@ impl Loader for InMemory<'_> {
         if self.disk.canonical(path) == self.path { Ok(self.bytes.clone()) } else { self.disk.read(path) }
     }
 
+    fn is_folder(&self, path: &Path) -> bool {
+        self.disk.is_folder(path)
+    }
+
     fn list(&self, folder: &Path) -> Vec<PathBuf> {
         self.disk.list(folder)
     }

@@ -5,7 +5,7 @@ use roxmltree::{Attribute, Node};
 use super::near::nearest;
 use super::reader::to_span;
 use super::{MFunction, MFunctions, xml};
-use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, LabelText, shown};
+use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, LabelText, NameKind, shown};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// The element that holds the M functions.
@@ -21,7 +21,7 @@ const HIGHEST_GROUP: u8 = 14;
 
 /// Sets the functions that the ChannelConfig `source`, which is `file` of the run, names. E0701 when it is no XML; E0702
 /// for values of the wrong form or range, E0703 for a standard function in another group, E0704 for one number with
-/// different data, W0705 for unknown attributes; what one of these is found of is not set.
+/// different data, W0705 for unknown attributes, W0708 for a document without `MFunctions`; what one of these is found of is not set.
 pub(super) fn read(source: &SourceText, file: FileId, functions: &mut MFunctions, findings: &mut Findings) {
     let document = match xml::parse(source) {
         Ok(document) => document,
@@ -32,7 +32,12 @@ pub(super) fn read(source: &SourceText, file: FileId, functions: &mut MFunctions
         }
     };
     let mut reader = Reader { file, source, functions, findings, seen: Vec::new() };
-    for list in document.descendants().filter(|node| node.tag_name().name() == LIST) {
+    let mut lists = document.descendants().filter(|node| node.tag_name().name() == LIST).peekable();
+    if lists.peek().is_none() {
+        let at = reader.tag_name(document.root_element());
+        reader.add(Finding::NoMFunctions {}, at);
+    }
+    for list in lists {
         for element in list.children().filter(Node::is_element) {
             reader.element(element);
         }
@@ -58,7 +63,7 @@ impl Reader<'_> {
             self.function(element);
         } else if let Some(near) = nearest(name, ELEMENTS) {
             // A misspelled element would be passed over in silence, and its function lost.
-            self.unknown(name, self.tag_name(element), Some(near));
+            self.unknown(NameKind::Element, name, self.tag_name(element), Some(near));
         }
     }
 
@@ -66,7 +71,7 @@ impl Reader<'_> {
         for attribute in element.attributes().filter(|attribute| attribute.namespace().is_none()) {
             let name = attribute.name();
             if !ATTRIBUTES.contains(&name) {
-                self.unknown(name, to_span(attribute.range_qname()), nearest(name, ATTRIBUTES));
+                self.unknown(NameKind::Attribute, name, to_span(attribute.range_qname()), nearest(name, ATTRIBUTES));
             }
         }
     }
@@ -127,15 +132,19 @@ impl Reader<'_> {
         let digits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
         let number = text.parse::<u8>().ok().filter(|number| digits && (min..=max).contains(number));
         if number.is_none() {
-            let needs = ConfigNeed::Whole { min: i64::from(min), max: i64::from(max) };
+            let needs = if max == 1 {
+                ConfigNeed::ZeroOrOne
+            } else {
+                ConfigNeed::Whole { min: i64::from(min), max: i64::from(max) }
+            };
             let key = attribute.name().to_owned();
             self.add(Finding::ConfigurationValue { key, needs }, value_span(&attribute));
         }
         number
     }
 
-    fn unknown(&mut self, name: &str, at: Span, near: Option<String>) {
-        self.add(Finding::UnknownConfigurationKey { key: shown(name), near }, at);
+    fn unknown(&mut self, kind: NameKind, name: &str, at: Span, near: Option<String>) {
+        self.add(Finding::UnknownConfigurationKey { kind, key: shown(name), near, known: None }, at);
     }
 
     fn add(&mut self, finding: Finding, span: Span) {

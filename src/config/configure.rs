@@ -4,10 +4,10 @@ use std::io::{self, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
 use super::project::Project;
-use super::reader::Setting;
-use super::{Axes, MFunctions, Machine, Overrides, Settings, channel, constants};
+use super::taken::Setting;
+use super::{Axes, MFunctions, Machine, Overrides, Settings, SpindleAxis, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
-use crate::dict::Dialect;
+use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
 use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span};
 
 /// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
@@ -36,19 +36,26 @@ pub fn configure(
     let folder = project.and_then(Path::parent).unwrap_or(Path::new(""));
     settings.macrocycles = if overrides.macrocycles.is_empty() {
         let named = values.macrocycles.iter().flat_map(|list| &list.value);
-        named.map(|name| join(folder, name)).collect()
+        let folders: Vec<_> = named.map(|(name, at)| (join(folder, name), *at)).collect();
+        files.check_folders(&folders, file);
+        folders.into_iter().map(|(folder, _)| folder).collect()
     } else {
         overrides.macrocycles.clone()
     };
     let lints = values.lints.iter().map(|lint| lint.value).chain(overrides.lints.iter().copied());
     settings.lints = lints.filter(|(code, _)| code.is_configurable()).collect();
+    if let Some(extensions) = &values.extensions {
+        settings.extensions = extensions.value.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
+    }
     set_machine(&mut settings.machine, &values, overrides);
+    check_machine(&settings.machine, &values, file, files.findings);
     if known {
         check_dialect(&values, file, dialect, files.findings);
         if !dialect.has_channel_config() {
             constants::apply(&values.constants, file, &mut settings.machine.m_functions, files.findings);
         }
         files.channel_config(&values, file, folder, overrides, &mut settings);
+        set_m_power_up(&mut settings.machine, &values, file, files.findings);
     }
     settings
 }
@@ -78,30 +85,91 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
     machine.cycles = values.cycles.iter().map(|cycle| cycle.value).collect();
     machine.gears = values.gears.iter().map(|gear| gear.value).collect();
     machine.gears.sort_by_key(|gear| gear.m);
-    machine.constants = values.constants.iter().map(|constant| constant.value.clone()).collect();
+    let without_plus = |digits: &str| digits.strip_prefix('+').unwrap_or(digits).to_owned();
+    let constants = values.constants.iter().map(|constant| (constant.value.0, without_plus(&constant.value.1)));
+    machine.constants = constants.collect();
+    machine.corrections = values.corrections.iter().map(|correction| correction.value).collect();
+    machine.start = values.start.iter().map(|position| position.value).collect();
     machine.oriented_stop = value(values.oriented_stop).unwrap_or(machine.oriented_stop);
+    machine.spindle_axis = value(values.spindle_axis).unwrap_or(machine.spindle_axis);
+    machine.oriented_position = value(values.oriented_position).unwrap_or(machine.oriented_position);
+    machine.g97 = value(values.g97).unwrap_or(machine.g97);
+    machine.arc_centers = value(values.arc_centers).unwrap_or(machine.arc_centers);
     let limits = &mut machine.limits;
     limits.records = overrides.max_blocks.or(value(values.records)).unwrap_or(limits.records);
     limits.nesting = value(values.nesting).unwrap_or(limits.nesting);
     limits.feed = value(values.feed).unwrap_or(limits.feed);
+    limits.speed = value(values.speed).unwrap_or(limits.speed);
     limits.arc_tolerance = value(values.arc_tolerance).unwrap_or(limits.arc_tolerance);
+}
+
+/// Reports a value of the project file that does not fit the others (E0702).
+fn misfit(findings: &mut Findings, file: FileId, key: impl Into<String>, span: Span, needs: ConfigNeed) {
+    let finding = Finding::ConfigurationValue { key: key.into(), needs };
+    findings.add(Diagnostic::new(finding, Location { file, span }));
+}
+
+/// Values that must fit one another on any control (§13): letters of axes, ends of gears.
+fn check_machine(machine: &Machine, values: &Project, file: FileId, findings: &mut Findings) {
+    let missing = |letter| {
+        let needs =
+            ConfigNeed::NoSuchAxis { letter: String::from(AxisLetter::name(letter)), axes: machine.axes.letters() };
+        machine.axes.index(letter).is_none().then_some(needs)
+    };
+    if let Some(setting) = values.spindle_axis
+        && let SpindleAxis::Letter(letter) = setting.value
+        && let Some(needs) = missing(letter)
+    {
+        misfit(findings, file, "spindle-axis", setting.at, needs);
+    }
+    for setting in &values.start {
+        if let Some(needs) = missing(setting.value.0) {
+            misfit(findings, file, format!("start.{}", setting.value.0), setting.key, needs);
+        }
+    }
+    for (key, end) in &values.gear_ends {
+        if let Some(end) = end
+            && end.value > machine.limits.speed
+        {
+            let needs = ConfigNeed::Whole { min: 0, max: i64::from(machine.limits.speed) };
+            misfit(findings, file, format!("gears.{key}"), end.at, needs);
+        }
+    }
+}
+
+/// M functions at power-up, by the groups of the whole configuration (MFN-7).
+fn set_m_power_up(machine: &mut Machine, values: &Project, file: FileId, findings: &mut Findings) {
+    for setting in &values.m_power_up {
+        let (group, number) = setting.value;
+        let key = || format!("power-up.M{group}");
+        if MOMENTARY_GROUPS.contains(&group) {
+            misfit(findings, file, key(), setting.at, ConfigNeed::BlockOnly { group });
+        } else if machine.m_functions.group(number) != group || number > machine.dialect.highest_m() {
+            misfit(findings, file, key(), setting.at, ConfigNeed::MOfGroup { group });
+        } else if let Some(slot) = machine.m_power_up.get_mut(usize::from(group)) {
+            *slot = Some(number);
+        }
+    }
 }
 
 /// What the file says and the control of the run does not have (§13 Configuration).
 fn check_dialect(values: &Project, file: FileId, dialect: Dialect, findings: &mut Findings) {
-    let mut add = |key: &str, span, needs| {
-        let finding = Finding::ConfigurationValue { key: key.to_owned(), needs };
-        findings.add(Diagnostic::new(finding, Location { file, span }));
-    };
     if let Some(axis) = values.axes.get(dialect.axes()) {
-        add("axes", axis.key, ConfigNeed::TooManyAxes { limit: dialect.axes() });
+        misfit(findings, file, "axes", axis.key, ConfigNeed::TooManyAxes { limit: dialect.axes() });
+    }
+    let extra: Vec<_> = values.axes.iter().filter(|axis| !axis.value.letter.is_of_the_planes()).collect();
+    if let Some(sixth) = extra.get(2)
+        && !dialect.takes_sixth_axis(sixth.value.letter)
+    {
+        let letter = sixth.value.letter.to_string();
+        misfit(findings, file, "axes.letter", sixth.at, ConfigNeed::SixthAxis { letter });
     }
     if dialect.has_channel_config() {
         for constant in &values.constants {
             let number = constant.value.0;
             if constants::group_of(number).is_some() {
                 let needs = ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() };
-                add(&format!("machine-constants.R{number}"), constant.key, needs);
+                misfit(findings, file, format!("machine-constants.R{number}"), constant.key, needs);
             }
         }
     }
@@ -130,6 +198,16 @@ impl Files<'_> {
                 let at = self.nowhere(name);
                 self.findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
                 (Project::default(), at.file)
+            }
+        }
+    }
+
+    /// Reports folders of `macrocycles` that are none (E0702, each at its place).
+    fn check_folders(&mut self, folders: &[(PathBuf, Span)], file: FileId) {
+        for (folder, at) in folders {
+            if !self.loader.is_folder(folder) {
+                let name = terminal_safe(&folder.display().to_string()).into_owned();
+                misfit(self.findings, file, "macrocycles", *at, ConfigNeed::Folder { name });
             }
         }
     }

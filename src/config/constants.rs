@@ -1,6 +1,6 @@
 //! Machine constants R56–R59: M groups 10–13 of CNC8x6 and CNC8x9 (MFN-5).
 
-use super::reader::Setting;
+use super::taken::Setting;
 use super::{MFunction, MFunctions};
 use crate::diag::{ConstantProblem, Diagnostic, Finding, Findings, LabelText};
 use crate::text::{FileId, Location, Span};
@@ -18,7 +18,7 @@ pub(super) fn group_of(constant: u16) -> Option<u8> {
 }
 
 /// Puts the functions that R56–R59 name into groups 10–13: two digits each, `00` is none, missing leading digits are
-/// zeros. E0706 at the value for more than eight digits, a function of groups 1–9, or one named before, in the order of
+/// zeros. E0706 at the value for more than eight digits, a sign or a point, a function of groups 1–9, or one named before, in the order of
 /// the text; nothing of such a constant is set. The other constants are passed over.
 pub(super) fn apply(
     constants: &[Setting<(u16, String)>],
@@ -59,11 +59,6 @@ pub(super) fn apply(
 
 /// The functions of one constant, or the first thing wrong with it.
 fn functions_of(digits: &str, functions: &MFunctions, named: &[(u8, Span)]) -> Result<Vec<u8>, ConstantProblem> {
-    // `91.0` is the whole number 91.
-    let digits = match digits.split_once('.') {
-        Some((whole, fraction)) if fraction.bytes().all(|digit| digit == b'0') => whole,
-        _ => digits,
-    };
     if digits.len() > DIGITS || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(ConstantProblem::Digits);
     }
@@ -111,7 +106,7 @@ mod tests {
     #[test]
     fn groups_10_to_13() {
         let (functions, findings) =
-            applied(&[(56, "91929394"), (57, "95000096"), (58, "97"), (59, "0.00"), (39, "60.0")]);
+            applied(&[(56, "91929394"), (57, "95000096"), (58, "97"), (59, "00"), (39, "60.0")]);
         assert!(findings.is_empty());
         let groups: Vec<_> = functions.configured().map(|m| (m.number, m.group)).collect();
         assert_eq!(groups, [(91, 10), (92, 10), (93, 10), (94, 10), (95, 11), (96, 11), (97, 12)]);
@@ -124,7 +119,8 @@ mod tests {
             (&[(56, "919293949")][..], ConstantProblem::Digits),
             (&[(56, "000000091")], ConstantProblem::Digits),
             (&[(56, "-91")], ConstantProblem::Digits),
-            (&[(56, "91.5")], ConstantProblem::Digits),
+            (&[(56, "+91")], ConstantProblem::Digits),
+            (&[(56, "91.0")], ConstantProblem::Digits),
             (&[(57, "03000000")], ConstantProblem::Standard { m: 3, group: 2 }),
             (&[(57, "36")], ConstantProblem::Standard { m: 36, group: 4 }),
             (&[(56, "91920091")], ConstantProblem::Twice { m: 91 }),

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::MFunctions;
+use super::{ArcCenters, G97, MFunctions, SpindleAxis};
 use crate::diag::{Code, Severity};
-use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, Operation};
+use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, M_GROUPS, Operation};
 use crate::text::Encoding;
 
 /// One axis of the machine.
@@ -15,6 +15,17 @@ pub struct Axis {
     pub letter: AxisLetter,
     /// Whether it turns (degrees) or travels (millimetres).
     pub rotary: bool,
+    /// Least programmed coordinate, in mm or degrees, when configured. Of X under diameter programming a diameter.
+    pub min: Option<Decimal>,
+    /// Greatest programmed coordinate, likewise.
+    pub max: Option<Decimal>,
+}
+
+impl Axis {
+    /// The axis of that letter with nothing configured (ADR-4).
+    pub const fn of(letter: AxisLetter) -> Self {
+        Self { letter, rotary: letter.is_rotary_by_default(), min: None, max: None }
+    }
 }
 
 /// The axes, in the order of the machine (ADR-4).
@@ -73,11 +84,6 @@ impl Axes {
         self.axes.iter().position(|axis| !matches!(axis.letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z))
     }
 
-    /// The axis that is the spindle under M19: the first of C, A, B that the machine has (§13 M functions).
-    pub fn spindle(&self) -> Option<usize> {
-        [AxisLetter::C, AxisLetter::A, AxisLetter::B].into_iter().find_map(|letter| self.index(letter))
-    }
-
     /// Their letters, as in `X, Y, Z`.
     pub fn letters(&self) -> String {
         self.axes.iter().map(|axis| axis.letter.to_string()).collect::<Vec<_>>().join(", ")
@@ -87,7 +93,7 @@ impl Axes {
 impl Default for Axes {
     /// All nine letters, A, B and C rotary (ADR-4).
     fn default() -> Self {
-        Self::new(AxisLetter::ALL.into_iter().map(|letter| Axis { letter, rotary: letter.is_rotary_by_default() }))
+        Self::new(AxisLetter::ALL.map(Axis::of))
     }
 }
 
@@ -111,6 +117,8 @@ pub struct Limits {
     pub nesting: u32,
     /// Highest feed per minute in mm/min (TEC-1).
     pub feed: Decimal,
+    /// Greatest S in rev/min, at most 99999 (§2).
+    pub speed: u32,
     /// How far the radii of an arc may differ, in mm, where that is more than a thousandth of the radius (MOT-4).
     pub arc_tolerance: Decimal,
 }
@@ -122,6 +130,7 @@ impl Limits {
             records: 10_000_000,
             nesting: 32,
             feed: dialect.highest_feed(),
+            speed: 9999,
             arc_tolerance: Decimal::from_thousandths(10),
         }
     }
@@ -147,8 +156,14 @@ pub struct Machine {
     pub axes: Axes,
     /// Its M functions and their groups.
     pub m_functions: MFunctions,
-    /// What holds at program start in each G group; none in G4.
+    /// What holds in each G group at program start and after M02 and M30; none in G4.
     pub power_up: [Option<GCode>; 12],
+    /// What holds in each M group at program start and after M02 and M30 (MFN-7): the `+` values of the table, and what
+    /// is configured. At a stop the table's `+` values hold, those of [`MFunctions::defaults`] (MFN-8).
+    pub m_power_up: [Option<u8>; M_GROUPS],
+    /// Programmed positions before the first block, in mm or degrees; X as in records, so a radius where G74 holds at
+    /// power-up (§13). Only letters of [`Self::axes`].
+    pub start: BTreeMap<AxisLetter, Decimal>,
     /// The parameter table at program start.
     pub parameters: BTreeMap<u8, Decimal>,
     /// Operations of G26–G29 by code (PAR-9).
@@ -159,8 +174,18 @@ pub struct Machine {
     pub gears: Vec<Gear>,
     /// Whether M19 exists (MFN-10).
     pub oriented_stop: bool,
+    /// The spindle's axis as configured; [`Self::spindle`] says which it is.
+    pub spindle_axis: SpindleAxis,
+    /// Where M19 puts the spindle, in degrees, ±69999.999 (MFN-10).
+    pub oriented_position: Decimal,
+    /// What G97 means (TEC-5).
+    pub g97: G97,
+    /// Which axes I and J of an arc belong to (MOT-3).
+    pub arc_centers: ArcCenters,
     /// Machine constants R0–R999: their digits as configured. What R56–R59 say is in `m_functions` already (MFN-5).
     pub constants: BTreeMap<u16, String>,
+    /// Radius corrections in mm by the number of D, 1–99 (EQU-1).
+    pub corrections: BTreeMap<u8, Decimal>,
     /// Limits.
     pub limits: Limits,
 }
@@ -171,16 +196,43 @@ impl Machine {
         Self {
             dialect,
             axes: Axes::default(),
+            m_power_up: *MFunctions::standard(dialect).defaults(),
             m_functions: MFunctions::standard(dialect),
             power_up: GGroup::ALL.map(GCode::power_up),
+            start: BTreeMap::new(),
             parameters: BTreeMap::new(),
             operations: BTreeMap::new(),
             cycles: BTreeMap::new(),
             gears: Vec::new(),
             oriented_stop: true,
+            spindle_axis: SpindleAxis::default(),
+            oriented_position: Decimal::ZERO,
+            g97: G97::of(dialect),
+            arc_centers: ArcCenters::default(),
             constants: BTreeMap::new(),
+            corrections: BTreeMap::new(),
             limits: Limits::of(dialect),
         }
+    }
+}
+
+impl Machine {
+    /// The place in machine order of the axis that is the spindle while M19 holds: the configured one, else the first of
+    /// C, A, B that the machine has (MFN-10). `None` where the spindle is no axis.
+    pub fn spindle(&self) -> Option<usize> {
+        match self.spindle_axis {
+            SpindleAxis::Assumed => {
+                [AxisLetter::C, AxisLetter::A, AxisLetter::B].into_iter().find_map(|letter| self.axes.index(letter))
+            }
+            SpindleAxis::Letter(letter) => self.axes.index(letter),
+            SpindleAxis::None => None,
+        }
+    }
+
+    /// Whether configuration names the spindle's axis: then its words under M03 and M04 are errors, and M03, M04 and M05
+    /// make its position unknown (MFN-10).
+    pub const fn spindle_is_configured(&self) -> bool {
+        matches!(self.spindle_axis, SpindleAxis::Letter(_))
     }
 }
 
@@ -189,6 +241,9 @@ impl Default for Machine {
         Self::new(Dialect::default())
     }
 }
+
+/// Extensions of programs unless configured.
+pub const EXTENSIONS: &[&str] = &["nc", "ncp", "mpf", "txt"];
 
 /// Everything a run is told: the machine, and how to read, execute and judge programs.
 #[derive(Clone, Debug)]
@@ -203,6 +258,8 @@ pub struct Settings {
     pub block_skip: bool,
     /// Whether M01 stops (MFN-8).
     pub optional_stop: bool,
+    /// Extensions of programs where a folder is searched, without points, in lower case.
+    pub extensions: Vec<String>,
     /// Levels of diagnostics that differ from the registry's.
     pub lints: BTreeMap<Code, Level>,
 }
@@ -216,6 +273,7 @@ impl Settings {
             macrocycles: Vec::new(),
             block_skip: false,
             optional_stop: false,
+            extensions: EXTENSIONS.iter().map(|&extension| extension.to_owned()).collect(),
             lints: BTreeMap::new(),
         }
     }

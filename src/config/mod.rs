@@ -7,6 +7,7 @@ mod find;
 mod keys;
 mod machine;
 mod mfunctions;
+mod modes;
 mod names;
 mod near;
 mod number;
@@ -14,22 +15,27 @@ mod overrides;
 mod project;
 mod reader;
 mod reference;
+mod row;
 mod schema;
 mod sections;
+mod taken;
 mod takes;
 mod toml_problem;
 mod xml;
 
 pub use configure::configure;
 pub use find::{PROJECT_FILE, find_project};
-pub use machine::{Axes, Axis, Gear, Level, Limits, Machine, Purpose, Settings};
+pub use machine::{Axes, Axis, EXTENSIONS, Gear, Level, Limits, Machine, Purpose, Settings};
 pub use mfunctions::{MFunction, MFunctions};
+pub use modes::{ArcCenters, G97, SpindleAxis};
 pub use number::{ParameterFault, parse_decimal, parse_parameter};
 pub use overrides::Overrides;
 pub use reference::reference;
 pub use schema::schema;
 use takes::Takes;
 
+#[cfg(test)]
+mod row_tests;
 #[cfg(test)]
 mod samples;
 #[cfg(test)]

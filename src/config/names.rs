@@ -1,11 +1,11 @@
 //! The keys of those tables whose keys are names of the control: groups, parameters, codes, functions, constants.
 
 use super::Takes;
-use super::keys::operations;
+use super::keys::{DIMENSION, operations};
 use super::near::nearest;
 use super::number::HIGHEST_PARAMETER;
-use crate::diag::Code;
-use crate::dict::{GGroup, Lang};
+use crate::diag::{Code, KnownNames};
+use crate::dict::{AxisLetter, GGroup, Lang, M_GROUPS};
 
 /// Highest number of a machine constant.
 const HIGHEST_CONSTANT: u16 = 999;
@@ -18,10 +18,14 @@ pub(super) const LEVELS: [(&str, super::Level); 3] =
 /// A kind of names.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(super) enum Names {
-    /// G groups: `G0`–`G11` but `G4`.
+    /// G groups, `G0`–`G11` but `G4`, and M groups, `M1`–`M14`.
     Groups,
+    /// Axes: their letters.
+    Axes,
     /// Parameters: `R0`–`R95`.
     Parameters,
+    /// Entries of the correction table: `1`–`99`, by D.
+    Corrections,
     /// Operation codes: `00`–`99`; the leading zero may be left out.
     Operations,
     /// Fixed cycles: `G81`–`G89`.
@@ -34,11 +38,17 @@ pub(super) enum Names {
 
 impl Names {
     /// The number that the name stands for; `None` when the name is not known. For [`Self::Lints`] the place in
-    /// [`Code::ALL`], errors included.
+    /// [`Code::ALL`], errors included; for [`Self::Axes`] the place in [`AxisLetter::ALL`]; for an M group
+    /// [`M_GROUP`] more than its number.
     pub(super) fn number(self, name: &str) -> Option<u16> {
         match self {
-            Self::Groups => plain(name, "G", 11).filter(|&number| number != 4),
+            Self::Groups => plain(name, "G", 11).filter(|&number| number != 4).or_else(|| {
+                let group = plain(name, "M", HIGHEST_M_GROUP).filter(|&group| group > 0)?;
+                Some(M_GROUP + group)
+            }),
+            Self::Axes => (0..).zip(AxisLetter::ALL).find(|(_, letter)| letter.name() == name).map(|(at, _)| at),
             Self::Parameters => plain(name, "R", HIGHEST_PARAMETER),
+            Self::Corrections => digits(name).filter(|&number| name.len() <= 2 && number > 0),
             Self::Operations => digits(name).filter(|_| name.len() <= 2),
             Self::Cycles => plain(name, "G", 89).filter(|&number| number >= 81),
             Self::Constants => digits(name.strip_prefix('R')?).filter(|_| name.len() <= 4),
@@ -52,7 +62,8 @@ impl Names {
     /// What the value of the name with that number must be.
     pub(super) fn takes(self, number: u16) -> Takes {
         match self {
-            Self::Groups => group(number).map_or(Takes::Whole { min: 0, max: Some(99) }, Takes::GFunction),
+            Self::Groups => group(number).map_or(Takes::MFunction, Takes::GFunction),
+            Self::Axes | Self::Corrections => DIMENSION,
             Self::Parameters => Takes::ParameterValue,
             Self::Operations => Takes::OneOf(operations),
             Self::Cycles => Takes::Whole { min: 1, max: Some(9999) },
@@ -71,11 +82,15 @@ impl Names {
             };
         }
         let upper = name.trim().to_ascii_uppercase();
+        if self == Self::Axes {
+            return self.number(&upper).map(|_| upper);
+        }
         let (prefix, number) = upper.split_at_checked(upper.find(|c: char| c.is_ascii_digit())?)?;
         let number: u16 = number.parse().ok()?;
         let meant = match self {
             Self::Operations => format!("{number:02}"),
-            Self::Groups | Self::Parameters | Self::Cycles | Self::Constants | Self::Lints => {
+            Self::Corrections => number.to_string(),
+            Self::Groups | Self::Axes | Self::Parameters | Self::Cycles | Self::Constants | Self::Lints => {
                 format!("{}{number}", prefix.trim_end())
             }
         };
@@ -85,7 +100,13 @@ impl Names {
     /// All names with their numbers, for kinds with few of them; a pattern says the others.
     pub(super) fn listed(self) -> Option<Vec<(String, u16)>> {
         match self {
-            Self::Groups => Some((0..=11).filter(|&number| number != 4).map(|n| (format!("G{n}"), n)).collect()),
+            Self::Groups => {
+                let g = (0..=11).filter(|&number| number != 4).map(|number| format!("G{number}"));
+                let m =
+                    (1..=HIGHEST_M_GROUP).filter(|group| ![1, 7, 9].contains(group)).map(|group| format!("M{group}"));
+                Some(g.chain(m).filter_map(|name| self.number(&name).map(|number| (name, number))).collect())
+            }
+            Self::Axes => Some(AxisLetter::ALL.into_iter().map(|letter| letter.name().to_owned()).zip(0..).collect()),
             Self::Cycles => Some((81..=89).map(|number| (format!("G{number}"), number)).collect()),
             Self::Lints => Some(
                 settable()
@@ -93,7 +114,7 @@ impl Names {
                     .filter_map(|name| Some((name.to_owned(), self.number(name)?)))
                     .collect(),
             ),
-            Self::Parameters | Self::Operations | Self::Constants => None,
+            Self::Parameters | Self::Corrections | Self::Operations | Self::Constants => None,
         }
     }
 
@@ -101,9 +122,24 @@ impl Names {
     pub(super) const fn pattern(self) -> Option<&'static str> {
         match self {
             Self::Parameters => Some("^R([0-9]|[1-8][0-9]|9[0-5])$"),
+            Self::Corrections => Some("^(0?[1-9]|[1-9][0-9])$"),
             Self::Operations => Some("^[0-9]{1,2}$"),
             Self::Constants => Some("^R[0-9]{1,3}$"),
-            Self::Groups | Self::Cycles | Self::Lints => None,
+            Self::Groups | Self::Axes | Self::Cycles | Self::Lints => None,
+        }
+    }
+
+    /// The names as a note of W0705 says them.
+    pub(super) const fn known(self) -> KnownNames {
+        match self {
+            Self::Groups => KnownNames::Groups,
+            Self::Axes => KnownNames::Axes,
+            Self::Parameters => KnownNames::Parameters,
+            Self::Corrections => KnownNames::Corrections,
+            Self::Operations => KnownNames::Operations,
+            Self::Cycles => KnownNames::Cycles,
+            Self::Constants => KnownNames::Constants,
+            Self::Lints => KnownNames::Lints,
         }
     }
 
@@ -115,7 +151,9 @@ impl Names {
         };
         match self {
             Self::Groups => String::new(),
+            Self::Axes => AxisLetter::ALL.map(|letter| format!("`{letter}`")).join(", "),
             Self::Parameters => format!("`R0` {to} `R{HIGHEST_PARAMETER}`"),
+            Self::Corrections => format!("`1` {to} `99`"),
             Self::Operations => format!("`\"00\"` {to} `\"{HIGHEST_OPERATION}\"`"),
             Self::Cycles => format!("`G81` {to} `G89`"),
             Self::Constants => format!("`R0` {to} `R{HIGHEST_CONSTANT}`"),
@@ -127,7 +165,17 @@ impl Names {
     }
 }
 
-/// The G group of that number.
+/// What [`Names::Groups`] adds to the number of an M group.
+const M_GROUP: u16 = 100;
+/// The last M group.
+const HIGHEST_M_GROUP: u16 = M_GROUPS as u16 - 1;
+
+/// The M group that a number of [`Names::Groups`] is.
+pub(super) fn m_group(number: u16) -> Option<u8> {
+    u8::try_from(number.checked_sub(M_GROUP)?).ok()
+}
+
+/// The G group that a number of [`Names::Groups`] is.
 pub(super) fn group(number: u16) -> Option<GGroup> {
     GGroup::ALL.get(usize::from(number)).copied()
 }
@@ -160,9 +208,21 @@ mod tests {
             (Names::Groups, "G4", None),
             (Names::Groups, "G12", None),
             (Names::Groups, "G01", None),
+            (Names::Groups, "M2", Some(102)),
+            (Names::Groups, "M14", Some(114)),
+            (Names::Groups, "M0", None),
+            (Names::Groups, "M15", None),
+            (Names::Axes, "X", Some(0)),
+            (Names::Axes, "W", Some(8)),
+            (Names::Axes, "x", None),
+            (Names::Axes, "E", None),
             (Names::Parameters, "R95", Some(95)),
             (Names::Parameters, "R96", None),
             (Names::Parameters, "R", None),
+            (Names::Corrections, "7", Some(7)),
+            (Names::Corrections, "07", Some(7)),
+            (Names::Corrections, "0", None),
+            (Names::Corrections, "100", None),
             (Names::Operations, "01", Some(1)),
             (Names::Operations, "1", Some(1)),
             (Names::Operations, "00", Some(0)),
@@ -191,8 +251,12 @@ mod tests {
             (Names::Parameters, "R96", None),
             (Names::Operations, "001", Some("01")),
             (Names::Cycles, "g81", Some("G81")),
+            (Names::Corrections, "D7", Some("7")),
             (Names::Groups, "G4", None),
             (Names::Groups, "G 5", Some("G5")),
+            (Names::Groups, "m02", Some("M2")),
+            (Names::Axes, "x", Some("X")),
+            (Names::Axes, "E", None),
             (Names::Lints, "emptyblock", Some("empty-block")),
             (Names::Lints, "w0214", Some("W0214")),
             (Names::Lints, "e0302", None),
@@ -206,7 +270,7 @@ mod tests {
     /// What is listed or fits the pattern is what is known.
     #[test]
     fn lists_agree_with_numbers() {
-        for names in [Names::Groups, Names::Cycles, Names::Lints] {
+        for names in [Names::Groups, Names::Axes, Names::Cycles, Names::Lints] {
             for (name, number) in names.listed().unwrap() {
                 assert_eq!(names.number(&name), Some(number), "{name}");
             }

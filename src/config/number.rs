@@ -7,12 +7,16 @@ use crate::dict::{Bilingual, Decimal, Lang};
 const MOST_DIGITS: usize = 18;
 
 /// The number that `text` writes: optional sign, digits with an optional point among, before or behind them, optional
-/// exponent (`1.5e3`). What is finer than 0.001 is rounded, halves away from zero (ADR-2), without a warning: it is a
-/// setting, not a programmed path. What is too large for a [`Decimal`] becomes its largest, so that every range check
+/// exponent (`1.5e3`). What is finer than 0.001 is rounded, halves away from zero (ADR-2). What is too large for a [`Decimal`] becomes its largest, so that every range check
 /// refuses it.
 ///
 /// `None` when the text is no such number.
 pub fn parse_decimal(text: &str) -> Option<Decimal> {
+    parse_rounding(text).map(|(number, _)| number)
+}
+
+/// As [`parse_decimal`], and whether the number is exactly what is written.
+pub(super) fn parse_rounding(text: &str) -> Option<(Decimal, bool)> {
     let (negative, unsigned) = match text.strip_prefix(['+', '-']) {
         Some(rest) => (text.starts_with('-'), rest),
         None => (false, text),
@@ -31,7 +35,9 @@ pub fn parse_decimal(text: &str) -> Option<Decimal> {
     let fraction_digits = i64::try_from(fraction.len()).unwrap_or(i64::MAX);
     let shift = exponent.saturating_sub(fraction_digits).saturating_add(3);
     let thousandths = shifted(&digits, shift);
-    Some(Decimal::from_thousandths(if negative { -thousandths } else { thousandths }))
+    let dropped = usize::try_from(shift.saturating_neg()).unwrap_or(0);
+    let exact = digits.iter().rev().take(dropped).all(|&digit| digit == 0);
+    Some((Decimal::from_thousandths(if negative { -thousandths } else { thousandths }), exact))
 }
 
 /// The exponent, saturated: beyond a few thousand every number is zero or too large alike.
@@ -70,6 +76,8 @@ pub enum ParameterFault {
     Number,
     /// A parameter cannot hold the value (§2).
     Value,
+    /// The value is finer than 0.001 (ADR-2).
+    Finer,
 }
 
 impl ParameterFault {
@@ -84,6 +92,10 @@ impl ParameterFault {
             Self::Value => Bilingual {
                 en: "a parameter takes ±69999.999, or a whole number of up to eight digits",
                 cs: "hodnota parametru je ±69999.999, nebo celé číslo nejvýše o osmi číslicích",
+            },
+            Self::Finer => Bilingual {
+                en: "a parameter has three decimals at most",
+                cs: "hodnota parametru má nejvýše tři desetinná místa",
             },
         };
         text.get(lang)
@@ -113,8 +125,12 @@ pub fn parse_parameter(text: &str) -> Result<(u8, Decimal), ParameterFault> {
     if value.contains(['e', 'E']) {
         return Err(ParameterFault::Form);
     }
-    let value = parse_decimal(value).ok_or(ParameterFault::Form)?;
-    if value.fits_parameter() { Ok((number, value)) } else { Err(ParameterFault::Value) }
+    let (value, exact) = parse_rounding(value).ok_or(ParameterFault::Form)?;
+    match (value.fits_parameter(), exact) {
+        (true, true) => Ok((number, value)),
+        (true, false) => Err(ParameterFault::Finer),
+        (false, _) => Err(ParameterFault::Value),
+    }
 }
 
 #[cfg(test)]
@@ -197,6 +213,10 @@ mod tests {
         for text in ["R1=100000000", "R1=70000.5", "R1=-99999999.5"] {
             assert_eq!(parse_parameter(text), Err(ParameterFault::Value), "{text}");
         }
+        for text in ["R1=0.0001", "R1=-5.1234", "R1=0.0000000000000000001"] {
+            assert_eq!(parse_parameter(text), Err(ParameterFault::Finer), "{text}");
+        }
+        assert_eq!(parse_parameter("R1=0.50000"), Ok((1, Decimal::from_thousandths(500))));
     }
 
     #[test]

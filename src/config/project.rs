@@ -3,13 +3,14 @@
 
 use toml_edit::{Document, Item, TableLike, Value};
 
-use super::keys::{self, Rows};
-use super::names::{LEVELS, Names, group};
-use super::reader::{Entry, Reader, Setting, Table, entries, entry, to_span, whole};
-use super::sections::{Form, SECTIONS, Section};
-use super::takes::lasting;
+use super::keys;
+use super::names::{LEVELS, Names, m_group};
+use super::reader::{Entry, Reader, Table, entries, entry, to_span};
+use super::row::Row;
+use super::sections::{Form, ROOT, Section, TakeValues};
+use super::taken::{Named, Setting, Values};
 use super::toml_problem::toml_problem;
-use super::{Axis, Gear, Level};
+use super::{ArcCenters, Axis, G97, Gear, Level, SpindleAxis};
 use crate::diag::{Code, ConfigNeed, Diagnostic, Finding, Findings};
 use crate::dict::{AxisLetter, Decimal, Dialect, GCode, Operation};
 use crate::text::{Encoding, FileId, Location, SourceText, Span};
@@ -25,18 +26,32 @@ pub(super) struct Project {
     pub encoding: Option<Setting<Encoding>>,
     /// Path of the ChannelConfig as written.
     pub channel_config: Option<Setting<String>>,
-    /// Folders of macrocycles as written.
-    pub macrocycles: Option<Setting<Vec<String>>>,
+    /// Folders of macrocycles as written, each at its place.
+    pub macrocycles: Option<Setting<Vec<(String, Span)>>>,
     /// Block skip.
     pub block_skip: Option<Setting<bool>>,
     /// Optional stop.
     pub optional_stop: Option<Setting<bool>>,
     /// Whether M19 exists.
     pub oriented_stop: Option<Setting<bool>>,
+    /// The spindle's axis.
+    pub spindle_axis: Option<Setting<SpindleAxis>>,
+    /// Position of the spindle after M19 in degrees.
+    pub oriented_position: Option<Setting<Decimal>>,
+    /// What G97 means.
+    pub g97: Option<Setting<G97>>,
+    /// Which axes I and J belong to.
+    pub arc_centers: Option<Setting<ArcCenters>>,
+    /// Extensions of programs.
+    pub extensions: Option<Setting<Vec<(String, Span)>>>,
+    /// Positions before the first block.
+    pub start: Vec<Setting<(AxisLetter, Decimal)>>,
     /// The axes, each letter once, each at its table.
     pub axes: Vec<Setting<Axis>>,
-    /// Functions at power-up, of different groups.
+    /// G functions at power-up, of different groups.
     pub power_up: Vec<Setting<GCode>>,
+    /// M groups with their functions at power-up; whether they go together is looked at when all groups are known.
+    pub m_power_up: Vec<Setting<(u8, u8)>>,
     /// Parameters R0–R95.
     pub parameters: Vec<Setting<(u8, Decimal)>>,
     /// Operations by code 0–99.
@@ -45,14 +60,20 @@ pub(super) struct Project {
     pub cycles: Vec<Setting<(u8, u32)>>,
     /// The gears, each M once.
     pub gears: Vec<Setting<Gear>>,
+    /// The ends of all gears, by key: they may reach `limits.speed`.
+    pub gear_ends: Vec<(&'static str, Option<Setting<u32>>)>,
     /// Machine constants R0–R999, their digits, in the order of the text.
     pub constants: Vec<Setting<(u16, String)>>,
+    /// Radius corrections by D.
+    pub corrections: Vec<Setting<(u8, Decimal)>>,
     /// Most records.
     pub records: Option<Setting<u64>>,
     /// Most open calls.
     pub nesting: Option<Setting<u32>>,
     /// Greatest feed in mm/min.
     pub feed: Option<Setting<Decimal>>,
+    /// Greatest S.
+    pub speed: Option<Setting<u32>>,
     /// Tolerance of arcs in mm.
     pub arc_tolerance: Option<Setting<Decimal>>,
     /// Levels of diagnostics.
@@ -75,41 +96,38 @@ impl Project {
         };
         let mut project = Self::default();
         let root = Table { path: "", at: Span::empty(source.first_offset()), table: document.as_table() };
-        project.document(&mut Reader::new(text, file, findings), root);
+        if let Form::Keys(rows, take) = ROOT.form {
+            project.keys(&mut Reader::new(text, file, findings), ROOT, (rows, take), root);
+        }
+        project.dialect_unusable = project.dialect.is_none() && root.table.contains_key(keys::DIALECT.name);
         project
     }
 
-    fn document(&mut self, reader: &mut Reader<'_>, root: Table<'_>) {
-        let sections = SECTIONS.iter().map(|section| section.name).filter(|name| !name.is_empty());
-        let known: Vec<&'static str> = Rows::Root.names().into_iter().chain(sections).collect();
-        reader.warn_unknown(root, &known);
-        self.root(reader, root);
-        for section in SECTIONS {
-            if let Some(entry) = entry(root.table, section.name) {
-                self.section(reader, section, entry);
+    /// A table with these keys, and the tables in it.
+    fn keys(
+        &mut self,
+        reader: &mut Reader<'_>,
+        section: &Section,
+        (rows, take): (&'static [Row], TakeValues),
+        table: Table<'_>,
+    ) {
+        let known: Vec<&'static str> =
+            rows.iter().map(|row| row.name).chain(section.children().map(Section::own_name)).collect();
+        reader.warn_unknown(table, &known);
+        let values = reader.values(table, rows);
+        take(self, reader, &values);
+        for child in section.children() {
+            if let Some(entry) = entry(table.table, child.own_name()) {
+                self.section(reader, child, entry);
             }
         }
     }
 
-    fn root(&mut self, reader: &mut Reader<'_>, root: Table<'_>) {
-        self.dialect =
-            reader.choice(root, &keys::DIALECT, |name| Dialect::ALL.into_iter().find(|dialect| dialect.name() == name));
-        self.dialect_unusable = self.dialect.is_none() && root.table.contains_key(keys::DIALECT.name);
-        self.encoding = reader.choice(root, &keys::ENCODING, |name| {
-            Encoding::NAMED.into_iter().find(|(known, _)| *known == name).map(|(_, encoding)| encoding)
-        });
-        self.channel_config = reader.text(root, &keys::CHANNEL_CONFIG);
-        self.macrocycles = reader.texts(root, &keys::MACROCYCLES);
-        self.block_skip = reader.flag(root, &keys::BLOCK_SKIP);
-        self.optional_stop = reader.flag(root, &keys::OPTIONAL_STOP);
-        self.oriented_stop = reader.flag(root, &keys::ORIENTED_STOP);
-    }
-
-    fn section(&mut self, reader: &mut Reader<'_>, section: &Section, entry: Entry<'_>) {
+    fn section(&mut self, reader: &mut Reader<'_>, section: &'static Section, entry: Entry<'_>) {
         let path = format!("{}.", section.name);
-        if let Form::List(rows) = section.form {
+        if let Form::List(rows, take) = section.form {
             for (at, table) in list(reader, section.name, entry) {
-                self.keys(reader, rows, Table { path: &path, at, table });
+                self.keys(reader, section, (rows, take), Table { path: &path, at, table });
             }
             return;
         }
@@ -119,66 +137,89 @@ impl Project {
         };
         let table = Table { path: &path, at: entry.key, table };
         match section.form {
-            Form::Map(names) => self.map(reader, names, table),
-            Form::Keys(rows) | Form::List(rows) => self.keys(reader, rows, table),
+            Form::Keys(rows, take) | Form::List(rows, take) => self.keys(reader, section, (rows, take), table),
+            Form::Map(names, take) => {
+                for (number, entry) in named(reader, names, table) {
+                    if let Some(value) = reader.taken(table, entry, names.takes(number)) {
+                        take(self, &Named { number, value, key: entry.key, at: entry.at });
+                    }
+                }
+            }
+            Form::Tables(names, rows, take) => {
+                for (number, entry) in named(reader, names, table) {
+                    let path = format!("{path}{}.", entry.name);
+                    let Some(inner) = entry.item.as_table_like() else {
+                        reader.need(path.trim_end_matches('.'), entry.at, ConfigNeed::Table);
+                        continue;
+                    };
+                    let inner = Table { path: &path, at: entry.key, table: inner };
+                    reader.warn_unknown(inner, &rows.iter().map(|row| row.name).collect::<Vec<_>>());
+                    let values = reader.values(inner, rows);
+                    take(self, reader, number, &values);
+                }
+            }
         }
     }
 
-    /// A table with these keys.
-    fn keys(&mut self, reader: &mut Reader<'_>, rows: Rows, table: Table<'_>) {
-        reader.warn_unknown(table, &rows.names());
-        let required = rows.rows().iter().filter(|row| matches!(row.default, keys::Default::Required));
-        if let Some(missing) = required.into_iter().find(|row| !table.table.contains_key(row.name)) {
-            let name = table.path.trim_end_matches('.');
-            reader.need(name, table.at, ConfigNeed::Missing { key: missing.name.to_owned() });
-        }
-        match rows {
-            Rows::Root => self.root(reader, table),
-            Rows::Axis => self.axis(reader, table),
-            Rows::Gear => self.gear(reader, table),
-            Rows::Limits => self.limits(reader, table),
-        }
+    /// What comes before all tables.
+    pub(super) fn root(&mut self, _: &mut Reader<'_>, values: &Values) {
+        self.dialect =
+            values.choice(&keys::DIALECT, |name| Dialect::ALL.into_iter().find(|dialect| dialect.name() == name));
+        self.encoding = values.choice(&keys::ENCODING, |name| {
+            Encoding::NAMED.into_iter().find(|(known, _)| *known == name).map(|(_, encoding)| encoding)
+        });
+        self.channel_config = values.text(&keys::CHANNEL_CONFIG);
+        self.macrocycles = values.texts(&keys::MACROCYCLES);
+        self.block_skip = values.flag(&keys::BLOCK_SKIP);
+        self.optional_stop = values.flag(&keys::OPTIONAL_STOP);
+        self.oriented_stop = values.flag(&keys::ORIENTED_STOP);
+        self.spindle_axis = values.choice(&keys::SPINDLE_AXIS, |name| {
+            if name == SpindleAxis::NONE { Some(SpindleAxis::None) } else { letter(name).map(SpindleAxis::Letter) }
+        });
+        self.oriented_position = values.number(&keys::ORIENTED_POSITION);
+        self.g97 = values.choice(&keys::G97_ROW, |name| G97::ALL.into_iter().find(|known| known.name() == name));
+        self.arc_centers =
+            values.choice(&keys::ARC_CENTERS, |name| ArcCenters::ALL.into_iter().find(|known| known.name() == name));
+        self.extensions = values.texts(&keys::EXTENSIONS);
     }
 
-    fn limits(&mut self, reader: &mut Reader<'_>, table: Table<'_>) {
-        self.records = reader.whole(table, &keys::RECORDS);
-        self.nesting = reader.whole(table, &keys::NESTING);
-        self.feed = reader.number(table, &keys::FEED);
-        self.arc_tolerance = reader.number(table, &keys::ARC_TOLERANCE);
+    /// `[limits]`.
+    pub(super) fn limits(&mut self, _: &mut Reader<'_>, values: &Values) {
+        self.records = values.whole(&keys::RECORDS);
+        self.nesting = values.whole(&keys::NESTING);
+        self.feed = values.number(&keys::FEED);
+        self.speed = values.whole(&keys::SPEED);
+        self.arc_tolerance = values.number(&keys::ARC_TOLERANCE);
     }
 
     /// One of `[[axes]]` (ADR-4). Without `kind` the letter decides, as on a machine without configured axes.
-    fn axis(&mut self, reader: &mut Reader<'_>, table: Table<'_>) {
-        let letter = reader.choice(table, &keys::AXIS_LETTER, |name| {
-            let mut characters = name.chars();
-            let letter = characters.next().and_then(AxisLetter::from_letter);
-            letter.filter(|_| characters.next().is_none())
-        });
-        let kind = reader.choice(table, &keys::AXIS_KIND, |name| {
+    pub(super) fn axis(&mut self, reader: &mut Reader<'_>, values: &Values) {
+        let kind = values.choice(&keys::AXIS_KIND, |name| {
             keys::AXIS_KINDS.into_iter().find(|(known, _)| *known == name).map(|(_, rotary)| rotary)
         });
-        let Some(letter) = letter else {
+        let (min, max) = (values.number(&keys::AXIS_MIN), values.number(&keys::AXIS_MAX));
+        reader.ordered(values, min, max);
+        let Some(letter) = values.choice(&keys::AXIS_LETTER, letter) else {
             return;
         };
-        let rotary = kind.map_or(letter.value.is_rotary_by_default(), |kind| kind.value);
-        let axis = Setting { value: Axis { letter: letter.value, rotary }, key: table.at, at: letter.at };
+        let axis = Axis {
+            letter: letter.value,
+            rotary: kind.map_or(letter.value.is_rotary_by_default(), |kind| kind.value),
+            min: min.map(|min| min.value),
+            max: max.map(|max| max.value),
+        };
         match self.axes.iter().find(|other| other.value.letter == letter.value) {
             Some(first) => reader.repeated(letter.value.to_string(), first.at, letter.at),
-            None => self.axes.push(axis),
+            None => self.axes.push(Setting { value: axis, key: values.at, at: letter.at }),
         }
     }
 
     /// One of `[[gears]]` (MFN-9).
-    fn gear(&mut self, reader: &mut Reader<'_>, table: Table<'_>) {
-        let m = reader.whole::<u8>(table, &keys::GEAR_M);
-        let min = reader.whole::<u32>(table, &keys::GEAR_MIN);
-        let max = reader.whole::<u32>(table, &keys::GEAR_MAX);
-        if let (Some(min), Some(max)) = (min, max)
-            && min.value > max.value
-        {
-            let name = table.path.trim_end_matches('.');
-            reader.need(name, min.at.max(max.at), ConfigNeed::Range);
-        }
+    pub(super) fn gear(&mut self, reader: &mut Reader<'_>, values: &Values) {
+        let m = values.whole::<u8>(&keys::GEAR_M);
+        let (min, max) = (values.whole::<u32>(&keys::GEAR_MIN), values.whole::<u32>(&keys::GEAR_MAX));
+        reader.ordered(values, min, max);
+        self.gear_ends.extend([(keys::GEAR_MIN.name, min), (keys::GEAR_MAX.name, max)]);
         let Some(m) = m else {
             return;
         };
@@ -186,68 +227,91 @@ impl Project {
             reader.repeated(format!("M{}", m.value), first.at, m.at);
             return;
         }
-        let (min, max) = (min.map_or(0, |min| min.value), max.map_or(9999, |max| max.value));
-        self.gears.push(Setting { value: Gear { m: m.value, min, max }, key: table.at, at: m.at });
-    }
-
-    /// A table whose keys are names of the control.
-    fn map(&mut self, reader: &mut Reader<'_>, names: Names, table: Table<'_>) {
-        let mut seen: Vec<(u16, Span)> = Vec::new();
-        for entry in entries(table.table) {
-            let Some(number) = names.number(entry.name) else {
-                reader.unknown(entry.name, entry.key, names.near(entry.name));
-                continue;
-            };
-            if let Some((_, first)) = seen.iter().find(|(other, _)| *other == number) {
-                reader.repeated(entry.name, *first, entry.key);
-                continue;
-            }
-            seen.push((number, entry.key));
-            let fixed = (names == Names::Lints).then(|| code(number)).flatten().filter(|code| !code.is_configurable());
-            if fixed.is_some() {
-                reader.need(format!("{}{}", table.path, entry.name), entry.key, ConfigNeed::ErrorLevel);
-                continue;
-            }
-            let taken = entry.item.as_value().and_then(|value| self.named(reader, names, number, value, entry));
-            if taken.is_none() {
-                let key = format!("{}{}", table.path, entry.name);
-                reader.need(key, entry.at, names.takes(number).need());
-            }
+        if let (Some(min), Some(max)) = (min, max) {
+            let gear = Gear { m: m.value, min: min.value, max: max.value };
+            self.gears.push(Setting { value: gear, key: values.at, at: m.at });
         }
     }
 
-    /// Sets what the name of that kind and number is given; `None` when the value is not what it takes.
-    fn named(&mut self, reader: &Reader<'_>, names: Names, number: u16, value: &Value, entry: Entry<'_>) -> Option<()> {
-        let takes = names.takes(number);
-        let small = u8::try_from(number).ok();
-        match names {
-            Names::Groups => {
-                let function = u8::try_from(value.as_integer()?).ok().and_then(GCode::from_number)?;
-                let value = lasting(group(number)?).find(|&code| code == function)?;
-                self.power_up.push(placed(value, entry));
-            }
-            Names::Parameters => {
-                let value = reader.number_of(value, takes)?;
-                self.parameters.push(placed((small?, value), entry));
-            }
-            Names::Operations => {
-                let operation = Operation::from_name(value.as_str()?)?;
-                self.operations.push(placed((small?, operation), entry));
-            }
-            Names::Cycles => self.cycles.push(placed((small?, whole(value, takes)?), entry)),
-            Names::Constants => self.constants.push(placed((number, reader.digits(value)?), entry)),
-            Names::Lints => {
-                let name = value.as_str()?;
-                let (_, level) = LEVELS.into_iter().find(|(known, _)| *known == name)?;
-                self.lints.push(placed((code(number)?, level), entry));
-            }
+    /// One of `[start]`.
+    pub(super) fn start(&mut self, named: &Named) {
+        let letter = AxisLetter::ALL.get(usize::from(named.number)).copied();
+        self.start.extend(named.setting(|taken| Some((letter?, taken.number()?))));
+    }
+
+    /// One of `[power-up]` (GRP-3, MFN-7).
+    pub(super) fn power_up(&mut self, named: &Named) {
+        match m_group(named.number) {
+            Some(group) => self.m_power_up.extend(named.setting(|taken| Some((group, taken.whole()?)))),
+            None => self.power_up.extend(named.setting(|taken| GCode::from_number(taken.whole()?))),
         }
-        Some(())
+    }
+
+    /// One of `[parameters]`.
+    pub(super) fn parameter(&mut self, named: &Named) {
+        let number = u8::try_from(named.number).ok();
+        self.parameters.extend(named.setting(|taken| Some((number?, taken.number()?))));
+    }
+
+    /// One of `[operations]` (PAR-9).
+    pub(super) fn operation(&mut self, named: &Named) {
+        let number = u8::try_from(named.number).ok();
+        self.operations.extend(named.setting(|taken| Some((number?, Operation::from_name(taken.text()?)?))));
+    }
+
+    /// One of `[cycles]` (GRP-6).
+    pub(super) fn cycle(&mut self, named: &Named) {
+        let number = u8::try_from(named.number).ok();
+        self.cycles.extend(named.setting(|taken| Some((number?, taken.whole()?))));
+    }
+
+    /// One of `[machine-constants]`.
+    pub(super) fn constant(&mut self, named: &Named) {
+        self.constants.extend(named.setting(|taken| Some((named.number, taken.text()?.to_owned()))));
+    }
+
+    /// One of `[corrections]` (EQU-1).
+    pub(super) fn correction(&mut self, _: &mut Reader<'_>, number: u16, values: &Values) {
+        let radius = values.number(&keys::CORRECTION_RADIUS);
+        let number = u8::try_from(number).ok();
+        self.corrections.extend(radius.and_then(|radius| radius.and_then(|value| Some((number?, value)))));
+    }
+
+    /// One of `[lints]`.
+    pub(super) fn lint(&mut self, named: &Named) {
+        let level = |name: &str| LEVELS.into_iter().find(|(known, _)| *known == name).map(|(_, level)| level);
+        self.lints.extend(named.setting(|taken| Some((code(named.number)?, level(taken.text()?)?))));
     }
 }
 
-fn placed<T>(value: T, entry: Entry<'_>) -> Setting<T> {
-    Setting { value, key: entry.key, at: entry.at }
+/// The axis of that letter.
+fn letter(name: &str) -> Option<AxisLetter> {
+    AxisLetter::ALL.into_iter().find(|letter| letter.name() == name)
+}
+
+/// The entries of a table whose keys are names of the control, with their numbers. A name that is not known, given twice,
+/// or that of an error under `[lints]` is reported and left out.
+fn named<'t>(reader: &mut Reader<'_>, names: Names, table: Table<'t>) -> Vec<(u16, Entry<'t>)> {
+    let mut found: Vec<(u16, Entry<'t>)> = Vec::new();
+    for entry in entries(table.table) {
+        let Some(number) = names.number(entry.name) else {
+            reader.unknown(entry.name, entry.key, names.near(entry.name), Some(names.known()));
+            continue;
+        };
+        if let Some((_, first)) = found.iter().find(|(other, _)| *other == number) {
+            reader.repeated(entry.name, first.key, entry.key);
+            continue;
+        }
+        found.push((number, entry));
+    }
+    found.retain(|(number, entry)| {
+        let fixed = (names == Names::Lints).then(|| code(*number)).flatten().filter(|code| !code.is_configurable());
+        if fixed.is_some() {
+            reader.need(format!("{}{}", table.path, entry.name), entry.key, ConfigNeed::ErrorLevel);
+        }
+        fixed.is_none()
+    });
+    found
 }
 
 /// The code at that place of [`Code::ALL`].
@@ -273,7 +337,9 @@ fn list<'t>(reader: &mut Reader<'_>, name: &str, entry: Entry<'t>) -> Vec<(Span,
                 }
             }
         }
-        Item::None | Item::Table(_) | Item::Value(_) => reader.need(name, entry.at, ConfigNeed::List),
+        Item::None | Item::Table(_) | Item::Value(_) => {
+            reader.need(name, entry.at, ConfigNeed::List { name: name.to_owned() });
+        }
     }
     tables
 }

@@ -1,25 +1,15 @@
 //! Values of a TOML document, taken by the rows of the table of keys: each with its places, each fault a finding.
 
-use toml_edit::{Item, TableLike, Value};
+use toml_edit::{Array, Item, TableLike, Value};
 
 use super::Takes;
-use super::keys::Row;
 use super::near::nearest;
-use super::number::parse_decimal;
-use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, LabelText, shown};
+use super::number::{parse_decimal, parse_rounding};
+use super::row::{Default, Row};
+use super::taken::{Setting, Taken, Values};
+use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, KnownNames, LabelText, NameKind, shown};
 use crate::dict::Decimal;
 use crate::text::{FileId, Location, Span};
-
-/// A value with its places.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Setting<T> {
-    /// The value.
-    pub value: T,
-    /// Its key.
-    pub key: Span,
-    /// The value as written; of a table its key.
-    pub at: Span,
-}
 
 /// A key of a table and what it holds.
 #[derive(Clone, Copy)]
@@ -43,6 +33,13 @@ pub(super) struct Table<'t> {
     pub at: Span,
     /// What it holds.
     pub table: &'t dyn TableLike,
+}
+
+impl<'t> Table<'t> {
+    /// Its name, without the point.
+    pub(super) fn name(self) -> &'t str {
+        self.path.trim_end_matches('.')
+    }
 }
 
 /// Reads one document.
@@ -72,8 +69,8 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports a key that is not known (W0705).
-    pub(super) fn unknown(&mut self, name: &str, at: Span, near: Option<String>) {
-        let finding = Finding::UnknownConfigurationKey { key: shown(name), near };
+    pub(super) fn unknown(&mut self, name: &str, at: Span, near: Option<String>, known: Option<KnownNames>) {
+        let finding = Finding::UnknownConfigurationKey { kind: NameKind::Key, key: shown(name), near, known };
         self.findings.add(Diagnostic::new(finding, self.place(at)));
     }
 
@@ -81,8 +78,17 @@ impl<'t> Reader<'t> {
     pub(super) fn warn_unknown(&mut self, table: Table<'_>, known: &[&'static str]) {
         for entry in entries(table.table) {
             if !known.contains(&entry.name) {
-                self.unknown(entry.name, entry.key, nearest(entry.name, known.iter().copied()));
+                self.unknown(entry.name, entry.key, nearest(entry.name, known.iter().copied()), None);
             }
+        }
+    }
+
+    /// Reports a lower end above its upper end, at the later of the two.
+    pub(super) fn ordered<T: PartialOrd>(&mut self, values: &Values, min: Option<Setting<T>>, max: Option<Setting<T>>) {
+        if let (Some(min), Some(max)) = (min, max)
+            && min.value > max.value
+        {
+            self.need(&values.name, min.at.max(max.at), ConfigNeed::Range);
         }
     }
 
@@ -91,107 +97,122 @@ impl<'t> Reader<'t> {
         Location { file: self.file, span }
     }
 
-    /// The value of the row's key when it is there and `read` takes it; else reports what the row takes.
-    pub(super) fn take<T>(
-        &mut self,
-        table: Table<'_>,
-        row: &Row,
-        read: impl FnOnce(&Value) -> Option<T>,
-    ) -> Option<Setting<T>> {
-        let entry = entry(table.table, row.name)?;
-        match entry.item.as_value().and_then(read) {
-            Some(value) => Some(Setting { value, key: entry.key, at: entry.at }),
-            None => {
-                self.need(format!("{}{}", table.path, row.name), entry.at, row.takes.need());
-                None
+    /// The values of a table's keys, each checked by its row: what a row does not take is reported and left out, and so
+    /// is a key that must be there and is not.
+    pub(super) fn values(&mut self, table: Table<'_>, rows: &'static [Row]) -> Values {
+        let mut required = rows.iter().filter(|row| matches!(row.default, Default::Required));
+        if let Some(missing) = required.find(|row| !table.table.contains_key(row.name)) {
+            self.need(table.name(), table.at, ConfigNeed::Missing { key: missing.name.to_owned() });
+        }
+        let mut taken = Vec::new();
+        for row in rows {
+            if let Some(entry) = entry(table.table, row.name)
+                && let Some(value) = self.taken(table, entry, row.takes)
+            {
+                taken.push((row.name, Setting { value, key: entry.key, at: entry.at }));
             }
         }
+        Values { name: table.name().to_owned(), at: table.at, taken }
     }
 
-    /// A flag.
-    pub(super) fn flag(&mut self, table: Table<'_>, row: &Row) -> Option<Setting<bool>> {
-        self.take(table, row, Value::as_bool)
+    /// The value of an entry when `takes` takes it; else it is reported.
+    pub(super) fn taken(&mut self, table: Table<'_>, entry: Entry<'_>, takes: Takes) -> Option<Taken> {
+        let key = format!("{}{}", table.path, entry.name);
+        let taken = entry.item.as_value().and_then(|value| match takes {
+            Takes::Flag => value.as_bool().map(Taken::Flag),
+            Takes::Path => value.as_str().map(|path| Taken::Text(path.to_owned())),
+            Takes::Paths => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, Some)),
+            Takes::Extensions => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, extension)),
+            Takes::OneOf(choices) => {
+                value.as_str().filter(|text| choices().contains(text)).map(|text| Taken::Text(text.to_owned()))
+            }
+            Takes::Whole { .. } | Takes::GFunction(_) | Takes::MFunction => {
+                value.as_integer().filter(|&number| takes.holds_whole(number)).map(Taken::Whole)
+            }
+            Takes::Number { .. } | Takes::ParameterValue => self.number(value, entry.at, takes).map(Taken::Number),
+            Takes::Constant => self.digits(value).map(Taken::Text),
+        });
+        if taken.is_none() && !matches!((takes, entry.item.as_array()), (Takes::Paths | Takes::Extensions, Some(_))) {
+            self.need(key, entry.at, takes.need());
+        }
+        taken
     }
 
-    /// A text.
-    pub(super) fn text(&mut self, table: Table<'_>, row: &Row) -> Option<Setting<String>> {
-        self.take(table, row, |value| value.as_str().map(str::to_owned))
-    }
-
-    /// A list of texts; one that is none is reported at its place, and the list left out.
-    pub(super) fn texts(&mut self, table: Table<'_>, row: &Row) -> Option<Setting<Vec<String>>> {
-        let list = self.take(table, row, |value| value.as_array().cloned())?;
+    /// A list of texts that `form` takes, as it gives them; what is none is reported at its place, and the list left out.
+    fn texts<'v>(
+        &mut self,
+        key: &str,
+        entry: Entry<'_>,
+        list: &'v Array,
+        takes: Takes,
+        form: fn(&'v str) -> Option<&'v str>,
+    ) -> Option<Taken> {
         let mut texts = Vec::new();
         let mut wrong = false;
-        for value in &list.value {
-            match value.as_str() {
-                Some(text) => texts.push(text.to_owned()),
+        for value in list {
+            let at = value.span().map_or(entry.at, to_span);
+            match value.as_str().and_then(form) {
+                Some(text) => texts.push((text.to_owned(), at)),
                 None => {
                     wrong = true;
-                    self.need(row.name, value.span().map_or(list.at, to_span), row.takes.need());
+                    self.need(key, at, takes.need());
                 }
             }
         }
-        if wrong { None } else { Some(Setting { value: texts, key: list.key, at: list.at }) }
+        if wrong { None } else { Some(Taken::Texts(texts)) }
     }
 
-    /// What one of the texts of a row means.
-    pub(super) fn choice<T>(
-        &mut self,
-        table: Table<'_>,
-        row: &Row,
-        meaning: impl FnOnce(&str) -> Option<T>,
-    ) -> Option<Setting<T>> {
-        self.take(table, row, |value| value.as_str().and_then(meaning))
-    }
-
-    /// A whole number in the row's range.
-    pub(super) fn whole<T: TryFrom<i64>>(&mut self, table: Table<'_>, row: &Row) -> Option<Setting<T>> {
-        self.take(table, row, |value| whole(value, row.takes))
-    }
-
-    /// A number in the row's range.
-    pub(super) fn number(&mut self, table: Table<'_>, row: &Row) -> Option<Setting<Decimal>> {
-        let text = self.text;
-        self.take(table, row, |value| number(text, value, row.takes))
-    }
-
-    /// The digits of a number, as written but for `_` and a `+`, or a text of digits.
-    pub(super) fn digits(&self, value: &Value) -> Option<String> {
+    /// The digits of a number, as written but for `_`, or a text of digits.
+    fn digits(&self, value: &Value) -> Option<String> {
         let text = match value {
-            Value::Integer(number) => number.value().to_string(),
-            Value::Float(_) => written(self.text, value)?,
+            Value::Integer(_) | Value::Float(_) => written(self.text, value)?,
             Value::String(text) => text.value().clone(),
             Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
                 return None;
             }
         };
+        let text = match value {
+            // `0x10` and its like are numbers too, but no digits that a control shows.
+            Value::Integer(number) if parse_decimal(&text).is_none() => number.value().to_string(),
+            Value::Integer(_)
+            | Value::Float(_)
+            | Value::String(_)
+            | Value::Boolean(_)
+            | Value::Datetime(_)
+            | Value::Array(_)
+            | Value::InlineTable(_) => text,
+        };
         let plain = !text.contains(['e', 'E']) || matches!(value, Value::Float(_));
         parse_decimal(&text).filter(|_| plain)?;
-        Some(text.strip_prefix('+').unwrap_or(&text).to_owned())
+        Some(text)
     }
 
-    /// A number that `takes` holds.
-    pub(super) fn number_of(&self, value: &Value, takes: Takes) -> Option<Decimal> {
-        number(self.text, value, takes)
-    }
-}
-
-/// A whole number in the range that `takes` gives.
-pub(super) fn whole<T: TryFrom<i64>>(value: &Value, takes: Takes) -> Option<T> {
-    value.as_integer().filter(|&number| takes.holds_whole(number)).and_then(|number| T::try_from(number).ok())
-}
-
-/// A number in the range that `takes` gives: a float by its digits in the text, never through binary.
-fn number(text: &str, value: &Value, takes: Takes) -> Option<Decimal> {
-    let number = match value {
-        Value::Integer(number) => Decimal::whole(*number.value()),
-        Value::Float(_) => parse_decimal(&written(text, value)?)?,
-        Value::String(_) | Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
+    /// A number in the range that `takes` gives: a float by its digits in the text, never through binary. One that is
+    /// finer than 0.001 gets W0303.
+    fn number(&mut self, value: &Value, at: Span, takes: Takes) -> Option<Decimal> {
+        let (number, exact) = match value {
+            Value::Integer(number) => (Decimal::whole(*number.value()), true),
+            Value::Float(_) => parse_rounding(&written(self.text, value)?)?,
+            Value::String(_) | Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
+                return None;
+            }
+        };
+        if !takes.holds_number(number) {
             return None;
         }
-    };
-    Some(number).filter(|&number| takes.holds_number(number))
+        if !exact {
+            let finding = Finding::FinerThanResolution { rounded: number.to_string() };
+            self.findings.add(Diagnostic::new(finding, self.place(at)));
+        }
+        Some(number)
+    }
+}
+
+/// An extension without its point.
+fn extension(text: &str) -> Option<&str> {
+    let text = text.strip_prefix('.').unwrap_or(text);
+    let good = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_';
+    if !text.is_empty() && text.bytes().all(good) { Some(text) } else { None }
 }
 
 /// A number as it stands in the text, without `_`.

@@ -2,10 +2,11 @@
 
 use std::fmt::Write;
 
-use super::keys::{Default, Row};
-use super::names::{Names, group};
+use super::MFunctions;
+use super::names::{Names, group, m_group};
+use super::row::{Default, Row};
 use super::sections::{Form, SECTIONS, Section};
-use crate::dict::{Bilingual, Lang};
+use crate::dict::{Bilingual, Dialect, GCode, Lang};
 
 const INTRODUCTION: Bilingual = Bilingual {
     en: "\
@@ -14,8 +15,8 @@ folder above it; `--config FILE` names one. Paths in it are relative to its fold
 command line says wins, value by value.
 
 A key that is not known is a warning (W0705); a value of the wrong type or outside its range is an error at its place
-(E0702), and then no program is read. Numbers are taken by their digits, without binary fractions; what is finer than
-0.001 is rounded, halves away from zero.
+(E0702), and then no program is read. Numbers are taken by their digits, without binary fractions; one that is finer
+than 0.001 is rounded, halves away from zero, with a warning (W0303). `cnc872c init` writes a file with all keys.
 ",
     cs: "\
 Konfigurace říká, pro jaký stroj programy jsou. Je to soubor TOML ve složce programu nebo v nejbližší složce nad ní;
@@ -23,8 +24,8 @@ jiný určí `--config SOUBOR`. Cesty v něm se počítají od jeho složky. Ka�
 na příkazovém řádku, hodnotu po hodnotě.
 
 Neznámý klíč je varování (W0705); hodnota nesprávného typu nebo mimo rozsah je chyba na svém místě (E0702) a žádný
-program se pak nečte. Čísla se berou podle číslic, bez dvojkových zlomků; co je jemnější než 0.001, se zaokrouhlí,
-poloviny směrem od nuly.
+program se pak nečte. Čísla se berou podle číslic, bez dvojkových zlomků; číslo s více než třemi desetinnými místy se
+zaokrouhlí, poloviny směrem od nuly, a dá varování (W0303). Soubor se všemi klíči zapíše `cnc872c init`.
 ",
 };
 
@@ -40,18 +41,29 @@ pub fn reference(lang: Lang) -> String {
 
 fn section(page: &mut String, section: &Section, lang: Lang) -> std::fmt::Result {
     let title = match section.form {
-        Form::Keys(_) if section.name.is_empty() => {
+        Form::Keys(..) if section.name.is_empty() => {
             Bilingual { en: "Before all tables", cs: "Před všemi tabulkami" }.get(lang).to_owned()
         }
-        Form::Keys(_) | Form::Map(_) => format!("`[{}]`", section.name),
-        Form::List(_) => format!("`[[{}]]`", section.name),
+        Form::Keys(..) | Form::Map(..) => format!("`[{}]`", section.name),
+        Form::Tables(..) => format!("`[{}.…]`", section.name),
+        Form::List(..) => format!("`[[{}]]`", section.name),
     };
     let mut meaning = section.meaning.get(lang).chars();
     let meaning: String = meaning.next().into_iter().flat_map(char::to_uppercase).chain(meaning).collect();
     writeln!(page, "\n## {title}\n\n{meaning}. ({})\n", section.rule)?;
+    if let Some(option) = section.option {
+        let words = Bilingual { en: "On the command line:", cs: "Na příkazovém řádku:" }.get(lang);
+        let options = option.split(", ").map(|option| format!("`{option}`")).collect::<Vec<_>>().join(", ");
+        writeln!(page, "{words} {options}.\n")?;
+    }
     match section.form {
-        Form::Keys(rows) | Form::List(rows) => keys(page, rows.rows(), lang),
-        Form::Map(names) => map(page, names, lang),
+        Form::Keys(rows, _) | Form::List(rows, _) => keys(page, rows, lang),
+        Form::Map(names, _) => map(page, names, lang),
+        Form::Tables(names, rows, _) => {
+            let words = Bilingual { en: "Names:", cs: "Jména:" }.get(lang);
+            writeln!(page, "{words} {}.\n", names.shown(lang))?;
+            keys(page, rows, lang)
+        }
     }
 }
 
@@ -63,7 +75,9 @@ fn keys(page: &mut String, rows: &[Row], lang: Lang) -> std::fmt::Result {
     writeln!(page, "{}\n|---|---|---|---|---|", head.get(lang))?;
     for row in rows {
         let (takes, default) = (row.takes.shown(lang), default(row.default, lang));
-        writeln!(page, "| `{}` | {takes} | {default} | {} | {} |", row.name, row.meaning.get(lang), row.rule)?;
+        let option = row.option.map(|option| format!(" (`{option}`)")).unwrap_or_default();
+        let (name, meaning, rule) = (row.name, row.meaning.get(lang), row.rule);
+        writeln!(page, "| `{name}`{option} | {takes} | {default} | {meaning} | {rule} |")?;
     }
     Ok(())
 }
@@ -76,6 +90,10 @@ fn default(default: Default, lang: Lang) -> String {
         Default::Whole(number) => format!("`{number}`"),
         Default::Number(number) => format!("`{number}`"),
         Default::Text(text) => format!("`\"{text}\"`"),
+        Default::Texts(texts) => {
+            let texts: Vec<_> = texts.iter().map(|text| format!("\"{text}\"")).collect();
+            format!("`[{}]`", texts.join(", "))
+        }
         Default::Words(words) => words.get(lang).to_owned(),
     }
 }
@@ -85,10 +103,19 @@ fn map(page: &mut String, names: Names, lang: Lang) -> std::fmt::Result {
     writeln!(page, "{}\n|---|---|", head.get(lang))?;
     if names == Names::Groups {
         for (name, number) in names.listed().unwrap_or_default() {
-            let default = group(number).and_then(crate::dict::GCode::power_up).map(|code| code.number().to_string());
+            let default = match m_group(number) {
+                Some(group) => {
+                    let defaults = MFunctions::standard(Dialect::default());
+                    defaults.defaults().get(usize::from(group)).copied().flatten().map(|m| m.to_string())
+                }
+                None => group(number).and_then(GCode::power_up).map(|code| code.number().to_string()),
+            };
             let word = Bilingual { en: "default", cs: "výchozí" }.get(lang);
             let takes = names.takes(number).shown(lang);
-            writeln!(page, "| `{name}` | {takes}; {word} `{}` |", default.unwrap_or_default())?;
+            match default {
+                Some(default) => writeln!(page, "| `{name}` | {takes}; {word} `{default}` |")?,
+                None => writeln!(page, "| `{name}` | {takes} |")?,
+            }
         }
         return Ok(());
     }
@@ -104,11 +131,8 @@ mod tests {
     fn every_key_in_both_languages() {
         let (en, cs) = (reference(Lang::En), reference(Lang::Cs));
         for section in SECTIONS {
-            let (Form::Keys(rows) | Form::List(rows)) = section.form else {
-                continue;
-            };
-            for row in rows.rows() {
-                let key = format!("| `{}` |", row.name);
+            for row in section.form.rows() {
+                let key = format!("| `{}`", row.name);
                 assert!(en.contains(&key) && cs.contains(&key), "{key}");
                 assert!(en.contains(row.meaning.en) && cs.contains(row.meaning.cs), "{key}");
             }

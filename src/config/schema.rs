@@ -2,54 +2,55 @@
 
 use serde_json::{Map, Value, json};
 
-use super::keys::{Default, Row, Rows};
 use super::names::Names;
-use super::sections::{Form, SECTIONS, Section};
+use super::row::{Default, Row};
+use super::sections::{Form, ROOT, Section};
 use crate::diag::Code;
 
 /// The JSON Schema (2020-12) of `cnc872c.toml`, with which editors complete and check it: what `cnc872c schema config`
 /// prints. It takes every file that is read without a finding; what it cannot say, as that an axis is there once, is
 /// left to [`configure`](super::configure()).
 pub fn schema() -> Value {
-    let mut properties = Map::new();
-    for section in SECTIONS {
-        match section.form {
-            Form::Keys(Rows::Root) => properties.extend(rows(Rows::Root)),
-            Form::Keys(_) | Form::List(_) | Form::Map(_) => {
-                properties.insert(section.name.to_owned(), described(table(section), section.meaning.en));
-            }
-        }
-    }
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "cnc872c.toml",
         "description": "Configuration of the compiler cnc872c: the machine that part programs are for.",
         "type": "object",
-        "properties": properties,
+        "properties": properties(ROOT),
         "additionalProperties": false,
     })
 }
 
+/// The keys of a table and the tables in it.
+fn properties(section: &Section) -> Map<String, Value> {
+    let mut properties = rows(section.form.rows());
+    for child in section.children() {
+        properties.insert(child.own_name().to_owned(), described(table(child), child.meaning.en));
+    }
+    properties
+}
+
 fn table(section: &Section) -> Value {
     match section.form {
-        Form::Keys(keys) => object(keys),
-        Form::List(keys) => json!({ "type": "array", "items": object(keys) }),
-        Form::Map(names) => map(names),
+        Form::Keys(keys, _) => object(keys, properties(section)),
+        Form::List(keys, _) => json!({ "type": "array", "items": object(keys, properties(section)) }),
+        Form::Map(names, _) => map(names, |number| names.takes(number).schema()),
+        Form::Tables(names, keys, _) => map(names, |_| object(keys, rows(keys))),
     }
 }
 
-fn object(keys: Rows) -> Value {
+fn object(keys: &[Row], properties: Map<String, Value>) -> Value {
     let required: Vec<_> =
-        keys.rows().iter().filter(|row| matches!(row.default, Default::Required)).map(|row| row.name).collect();
-    let mut object = json!({ "type": "object", "properties": rows(keys), "additionalProperties": false });
+        keys.iter().filter(|row| matches!(row.default, Default::Required)).map(|row| row.name).collect();
+    let mut object = json!({ "type": "object", "properties": properties, "additionalProperties": false });
     if !required.is_empty() {
         insert(&mut object, "required", json!(required));
     }
     object
 }
 
-fn rows(keys: Rows) -> Map<String, Value> {
-    keys.rows().iter().map(|row| (row.name.to_owned(), value(row))).collect()
+fn rows(keys: &[Row]) -> Map<String, Value> {
+    keys.iter().map(|row| (row.name.to_owned(), value(row))).collect()
 }
 
 fn value(row: &Row) -> Value {
@@ -59,19 +60,20 @@ fn value(row: &Row) -> Value {
         Default::Whole(number) => json!(number),
         Default::Number(number) => super::takes::json_number(number),
         Default::Text(text) => json!(text),
+        Default::Texts(texts) => json!(texts),
         Default::Nothing | Default::Required | Default::Words(_) => return value,
     };
     insert(&mut value, "default", default);
     value
 }
 
-fn map(names: Names) -> Value {
+fn map(names: Names, schema_of: impl Fn(u16) -> Value) -> Value {
     let mut map = json!({ "type": "object", "additionalProperties": false });
     if let Some(listed) = names.listed() {
         let properties: Map<String, Value> = listed
             .into_iter()
             .map(|(name, number)| {
-                let value = names.takes(number).schema();
+                let value = schema_of(number);
                 let value = match (names, Code::find(&name)) {
                     (Names::Lints, Some(code)) => described(value, code.as_str()),
                     _ => value,
@@ -83,7 +85,7 @@ fn map(names: Names) -> Value {
     }
     if let Some(pattern) = names.pattern() {
         let mut patterns = Map::new();
-        patterns.insert(pattern.to_owned(), names.takes(0).schema());
+        patterns.insert(pattern.to_owned(), schema_of(0));
         insert(&mut map, "patternProperties", Value::Object(patterns));
     }
     map
@@ -101,8 +103,11 @@ fn insert(object: &mut Value, key: &str, value: Value) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    static VALIDATOR: std::sync::LazyLock<jsonschema::Validator> =
+        std::sync::LazyLock::new(|| jsonschema::draft202012::new(&schema()).unwrap());
 
     fn as_json(item: &toml_edit::Value) -> Value {
         match item {
@@ -118,11 +123,10 @@ mod tests {
         }
     }
 
-    fn fits(text: &str) -> bool {
+    pub(in crate::config) fn fits(text: &str) -> bool {
         let document = toml_edit::Document::parse(text).unwrap();
         let table = document.into_table().into_inline_table();
-        let validator = jsonschema::draft202012::new(&schema()).unwrap();
-        validator.is_valid(&as_json(&toml_edit::Value::InlineTable(table)))
+        VALIDATOR.is_valid(&as_json(&toml_edit::Value::InlineTable(table)))
     }
 
     #[test]
@@ -151,6 +155,13 @@ mod tests {
             "[parameters]\nR1 = 70000.5",
             "[operations]\n'100' = 'add'",
             "[operations]\n'01' = 'plus'",
+            "[power-up]\nM2 = 101",
+            "[power-up]\nM7 = 10",
+            "[start]\nE = 1",
+            "spindle-axis = 'E'",
+            "extensions = ['n.c']",
+            "[[axes]]\nletter = 'X'\nmin = 'a'",
+            "[limits]\nspeed = 100000",
             "[cycles]\nG80 = 1",
             "[cycles]\nG81 = 10000",
             "[[gears]]\nm = 41\nmin = 1",
@@ -165,6 +176,8 @@ mod tests {
         }
         for text in [
             "[parameters]\nR1 = 99999999",
+            "[power-up]\nM2 = 19",
+            "spindle-axis = 'none'\nextensions = ['.H']\n[start]\nZ = -3.5",
             "[lints]\nW0214 = 'deny'\nE0109 = 'allow'",
             "[machine-constants]\nR06 = '-1.5'",
         ] {

@@ -1,13 +1,19 @@
-//! Every table of `cnc872c.toml` and what is in it; the keys themselves are in [`keys`](super::keys).
+//! Every table of `cnc872c.toml`: its keys, and the function that takes their values. The keys themselves are in
+//! [`keys`](super::keys), or beside what they configure.
 
-use super::keys::Rows;
+use super::keys;
 use super::names::Names;
+use super::project::Project;
+use super::reader::Reader;
+use super::row::Row;
+use super::taken::{Named, Values};
 use crate::dict::Bilingual;
 
 /// A table of the project file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section {
-    /// Its name; empty for what stands before all tables.
+    /// Its name; empty for what comes before all tables. A table in a table has the names of both, with a point between:
+    /// `motion.times`; the outer one is a section of its own, with keys.
     pub name: &'static str,
     /// What is in it.
     pub form: Form,
@@ -15,53 +21,115 @@ pub(super) struct Section {
     pub meaning: Bilingual,
     /// The rule.
     pub rule: &'static str,
+    /// The option of the command line that wins over it; the editor's settings have a key of its name then.
+    pub option: Option<&'static str>,
 }
+
+/// Takes the values of one table.
+pub(super) type TakeValues = fn(&mut Project, &mut Reader<'_>, &Values);
+/// Takes one name of a table with its value.
+pub(super) type TakeNamed = fn(&mut Project, &Named);
+/// Takes the values of the table of one name.
+pub(super) type TakeNamedValues = fn(&mut Project, &mut Reader<'_>, u16, &Values);
 
 /// What is in a table.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form {
-    /// These keys.
-    Keys(Rows),
-    /// A list of tables with these keys.
-    List(Rows),
-    /// Names of one kind, each with a value that depends on the name.
-    Map(Names),
+    /// These keys: `[limits]`.
+    Keys(&'static [Row], TakeValues),
+    /// A list of tables with these keys: `[[axes]]`.
+    List(&'static [Row], TakeValues),
+    /// Names of one kind, each with a value that depends on the name: `[parameters]`.
+    Map(Names, TakeNamed),
+    /// Names of one kind, each a table with these keys: `[corrections.7]`.
+    Tables(Names, &'static [Row], TakeNamedValues),
+}
+
+impl Form {
+    /// The keys of its tables.
+    pub(super) const fn rows(self) -> &'static [Row] {
+        match self {
+            Self::Keys(rows, _) | Self::List(rows, _) | Self::Tables(_, rows, _) => rows,
+            Self::Map(..) => &[],
+        }
+    }
 }
 
 const fn section(name: &'static str, form: Form, meaning: (&'static str, &'static str), rule: &'static str) -> Section {
-    Section { name, form, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule }
+    Section { name, form, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule, option: None }
 }
 
-/// Every table of the project file, in the order of the specification.
+impl Section {
+    const fn with_option(self, option: &'static str) -> Self {
+        Self { option: Some(option), ..self }
+    }
+
+    /// The name of the section that it is in: empty for the document; `None` for the document itself.
+    pub(super) fn parent(&self) -> Option<&'static str> {
+        if self.name.is_empty() { None } else { Some(self.name.rsplit_once('.').map_or("", |(parent, _)| parent)) }
+    }
+
+    /// Its name in the section that it is in.
+    pub(super) fn own_name(&self) -> &'static str {
+        self.name.rsplit_once('.').map_or(self.name, |(_, name)| name)
+    }
+
+    /// The sections in it.
+    pub(super) fn children(&self) -> impl Iterator<Item = &'static Self> {
+        let name = self.name;
+        SECTIONS.iter().filter(move |section| section.parent() == Some(name))
+    }
+}
+
+/// Whether the table of that name is a list: `[[axes]]`.
+pub(super) fn is_list(name: &str) -> bool {
+    SECTIONS.iter().any(|section| section.name == name && matches!(section.form, Form::List(..)))
+}
+
+/// What comes before all tables.
+pub(super) const ROOT: &Section =
+    &section("", Form::Keys(keys::ROOT, Project::root), ("the control and its modes", "systém a jeho režimy"), "§11");
+
+/// Every table of the project file, in the order in which the reference page shows them.
 pub(super) const SECTIONS: &[Section] = &[
-    section("", Form::Keys(Rows::Root), ("the control and its modes", "systém a jeho režimy"), "§11"),
+    *ROOT,
     section(
         "axes",
-        Form::List(Rows::Axis),
+        Form::List(keys::AXIS, Project::axis),
         (
-            "the axes in the order of the machine; without any, all nine letters X Y Z A B C U V W exist; CNC8x6 and CNC8x9 have at most six",
-            "osy v pořadí stroje; není-li uvedena žádná, existuje všech devět písmen X Y Z A B C U V W; CNC8x6 a CNC8x9 mají nejvýše šest os",
+            "the axes in the order of the machine; without any, all nine letters X Y Z A B C U V W exist; CNC8x6 and CNC8x9 have at most six, the sixth one of A, B, C",
+            "osy v pořadí stroje; není-li uvedena žádná, existuje všech devět písmen X Y Z A B C U V W; CNC8x6 a CNC8x9 mají nejvýše šest os, šestá je A, B nebo C",
         ),
         "ADR-4",
     ),
     section(
-        "power-up",
-        Form::Map(Names::Groups),
+        "start",
+        Form::Map(Names::Axes, Project::start),
         (
-            "the function of each G group that holds at program start and after M02 and M30, by its number",
-            "funkce každé skupiny G, která platí na začátku programu a po M02 a M30, svým číslem",
+            "programmed positions before the first block, by axis; X is a radius where G74 holds at power-up",
+            "programované polohy před prvním blokem, podle os; X je poloměr tam, kde po zapnutí platí G74",
         ),
-        "GRP-3",
+        "MOT-2",
+    ),
+    section(
+        "power-up",
+        Form::Map(Names::Groups, Project::power_up),
+        (
+            "the function of each G and M group that holds at program start and after M02 and M30, by its number",
+            "funkce každé skupiny G a M, která platí na začátku programu a po M02 a M30, svým číslem",
+        ),
+        "GRP-3, MFN-7",
     ),
     section(
         "parameters",
-        Form::Map(Names::Parameters),
+        Form::Map(Names::Parameters, Project::parameter),
         ("the machine's parameter table at program start", "tabulka parametrů stroje na začátku programu"),
         "PAR-5",
-    ),
+    )
+    .with_option("--param"),
     section(
         "operations",
-        Form::Map(Names::Operations),
+        Form::Map(Names::Operations, Project::operation),
         (
             "the operation behind each code `oo` of the control words of G26 to G29",
             "operace za každým kódem „oo“ v řídicích slovech funkcí G26 až G29",
@@ -70,28 +138,79 @@ pub(super) const SECTIONS: &[Section] = &[
     ),
     section(
         "cycles",
-        Form::Map(Names::Cycles),
+        Form::Map(Names::Cycles, Project::cycle),
         (
             "the macrocycle that a fixed cycle calls after each motion, by its number",
             "makrocyklus, který pevný cyklus volá po každém pohybu, svým číslem",
         ),
         "GRP-6",
     ),
-    section("gears", Form::List(Rows::Gear), ("the speed ranges of the spindle", "rozsahy otáček vřetena"), "MFN-9"),
+    section(
+        "gears",
+        Form::List(keys::GEAR, Project::gear),
+        ("the speed ranges of the spindle", "rozsahy otáček vřetena"),
+        "MFN-9",
+    ),
     section(
         "machine-constants",
-        Form::Map(Names::Constants),
+        Form::Map(Names::Constants, Project::constant),
         (
             "machine constants as the control shows them; R56 to R59 give M groups 10 to 13 on CNC8x6 and CNC8x9, four functions of two digits each",
             "strojní konstanty, jak je ukazuje systém; R56 až R59 určují u CNC8x6 a CNC8x9 M skupiny 10 až 13, každá čtyři funkce po dvou číslicích",
         ),
         "MFN-5",
     ),
-    section("limits", Form::Keys(Rows::Limits), ("where the compiler draws a line", "meze překladače"), "§11"),
     section(
-        "lints",
-        Form::Map(Names::Lints),
-        ("levels of warnings, and of E0109, by name or code", "úrovně varování a hlášení E0109, podle jména nebo kódu"),
+        "corrections",
+        Form::Tables(Names::Corrections, keys::CORRECTION, Project::correction),
+        (
+            "radius corrections by the number of D, as they are in the control's table; for the picture of the corrected path",
+            "poloměrové korekce podle čísla D, jak jsou v tabulce systému; pro obraz korigované dráhy",
+        ),
+        "EQU-1",
+    ),
+    section(
+        "limits",
+        Form::Keys(keys::LIMITS, Project::limits),
+        ("where the compiler draws a line", "meze překladače"),
         "§11",
     ),
+    section(
+        "lints",
+        Form::Map(Names::Lints, Project::lint),
+        ("levels of warnings, and of E0109, by name or code", "úrovně varování a hlášení E0109, podle jména nebo kódu"),
+        "§11",
+    )
+    .with_option("-D, -W, -A"),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique() {
+        let mut tables: Vec<_> = SECTIONS.iter().map(|section| section.name).collect();
+        tables.sort_unstable();
+        tables.dedup();
+        assert_eq!(tables.len(), SECTIONS.len());
+        for section in SECTIONS {
+            let own = section.form.rows().iter().map(|row| row.name);
+            let mut names: Vec<_> = own.chain(section.children().map(Section::own_name)).collect();
+            let count = names.len();
+            names.sort_unstable();
+            names.dedup();
+            assert_eq!(names.len(), count, "{}", section.name);
+        }
+    }
+
+    /// A table in a table is read with the outer one.
+    #[test]
+    fn each_table_is_in_one_with_keys() {
+        for section in SECTIONS {
+            let Some(parent) = section.parent() else { continue };
+            let parent = SECTIONS.iter().find(|other| other.name == parent).unwrap();
+            assert!(matches!(parent.form, Form::Keys(..)), "{}", section.name);
+        }
+    }
+}

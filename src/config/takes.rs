@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::diag::ConfigNeed;
-use crate::dict::{Decimal, GCode, GGroup, Lang, Lasting};
+use crate::dict::{Decimal, Dialect, GCode, GGroup, Lang, Lasting};
 
 /// The type and range of a value.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +34,10 @@ pub enum Takes {
     ParameterValue,
     /// The number of a G function of that group that lasts beyond its block.
     GFunction(GGroup),
+    /// The number of an M function. Which group it belongs to depends on the rest of the configuration.
+    MFunction,
+    /// A list of extensions of files, without their points.
+    Extensions,
     /// A number, or its digits as a text.
     Constant,
 }
@@ -51,13 +55,27 @@ impl Takes {
             Self::Number { min, max } => ConfigNeed::Number { min: min.to_string(), max: max.to_string() },
             Self::ParameterValue => ConfigNeed::ParameterValue,
             Self::GFunction(group) => ConfigNeed::GOfGroup { group: group.to_string() },
+            Self::MFunction => Self::M_NUMBER.need(),
+            Self::Extensions => ConfigNeed::Extensions,
             Self::Constant => ConfigNeed::Constant,
         }
     }
 
-    /// Whether the whole number is taken; only of [`Self::Whole`].
+    /// Whether the whole number is taken; only of those that take whole numbers alone.
     pub(super) fn holds_whole(self, value: i64) -> bool {
-        matches!(self, Self::Whole { min, max } if value >= min && max.is_none_or(|max| value <= max))
+        match self {
+            Self::Whole { min, max } => value >= min && max.is_none_or(|max| value <= max),
+            Self::MFunction => Self::M_NUMBER.holds_whole(value),
+            Self::GFunction(group) => lasting(group).any(|code| i64::from(code.number()) == value),
+            Self::Flag
+            | Self::Path
+            | Self::Paths
+            | Self::OneOf(_)
+            | Self::Number { .. }
+            | Self::ParameterValue
+            | Self::Extensions
+            | Self::Constant => false,
+        }
     }
 
     /// Whether the number is taken; only of [`Self::Number`] and [`Self::ParameterValue`].
@@ -71,9 +89,14 @@ impl Takes {
             | Self::OneOf(_)
             | Self::Whole { .. }
             | Self::GFunction(_)
+            | Self::MFunction
+            | Self::Extensions
             | Self::Constant => false,
         }
     }
+
+    /// The range of M numbers (§2).
+    const M_NUMBER: Self = Self::Whole { min: 0, max: Some(Dialect::Cnc872.highest_m() as i64) };
 
     /// As JSON Schema.
     pub(super) fn schema(self) -> Value {
@@ -91,6 +114,10 @@ impl Takes {
             ] }),
             Self::GFunction(group) => {
                 json!({ "enum": lasting(group).map(GCode::number).collect::<Vec<_>>() })
+            }
+            Self::MFunction => Self::M_NUMBER.schema(),
+            Self::Extensions => {
+                json!({ "type": "array", "items": { "type": "string", "pattern": "^\\.?[A-Za-z0-9_-]+$" } })
             }
             Self::Constant => json!({ "anyOf": [
                 { "type": "number" },
@@ -125,6 +152,8 @@ impl Takes {
             Self::GFunction(group) => {
                 lasting(group).map(|code| format!("`{}`", code.number())).collect::<Vec<_>>().join(", ")
             }
+            Self::MFunction => text("number of an M function of this group", "číslo M funkce této skupiny"),
+            Self::Extensions => text("list of extensions, as `[\"nc\"]`", "seznam přípon, např. `[\"nc\"]`"),
             Self::Constant => text("number, or digits as a text", "číslo, nebo číslice jako text"),
         }
     }

@@ -17,14 +17,28 @@ macrocycles = ["macros"]        # folders to search, in order; default: the prog
 block-skip = false
 optional-stop = false
 oriented-stop = true            # M19 exists on this machine
+spindle-axis = "C"              # MFN-10; "none"
+oriented-position = 0.0         # deg
+g97 = "per-minute"              # or "per-revolution": TEC-5
+arc-centers = "machine-order"   # or "plane-order": MOT-3
+extensions = ["nc", "ncp"]      # of programs, when a folder is checked; default .nc .ncp .mpf .txt, case ignored
 
 [[axes]]                        # in machine order; with none listed, ADR-4 holds
 letter = "X"
 kind = "linear"                 # or "rotary"
+min = -10.0                     # programmed coordinates outside give W0621
+max = 650.0
 
-[power-up]                      # by G group
+[[axes]]
+letter = "C"
+
+[start]                         # programmed positions before the first block
+X = 0.0
+
+[power-up]                      # by G or M group
 G0 = 0
 G5 = 53
+M2 = 5
 
 [parameters]                    # the machine's table at program start
 R10 = 25.5
@@ -43,10 +57,14 @@ max = 500
 [machine-constants]             # digits as a string, or a number as the control shows it
 R39 = 60.0
 
+[corrections.7]
+radius = 5.0
+
 [limits]
 records = 10_000_000
 nesting = 32
 feed = 24000.0
+speed = 9999                    # S; up to 99999
 arc-tolerance = 0.01
 
 [lints]                         # allow, warn, deny; by name or code; warnings, and E0109
@@ -69,13 +87,29 @@ impl Run {
     }
 
     fn of(text: &str, overrides: &Overrides) -> Self {
-        let loader = MemoryLoader::new().with("m/cnc872c.toml", text).with("m/Channel.xml", CHANNEL);
+        let mut loader = MemoryLoader::new().with("m/cnc872c.toml", text).with("m/Channel.xml", CHANNEL);
+        for folder in ["m/macros", "m/a", "m/own", "shared", "abs", "/abs", "m/../shared"] {
+            loader = loader.with(format!("{folder}/L1"), "");
+        }
         Self::with(Some("m/cnc872c.toml"), overrides, &loader)
     }
 
     /// Codes and the texts they stand at.
     fn found(&self) -> Vec<(Code, &str)> {
         self.findings.iter().map(|found| (found.code(), self.sources.slice(found.at))).collect()
+    }
+
+    /// Of a file that stands alone, with two files that are a ChannelConfig and folders `a` and `own`.
+    pub(super) fn plain(text: &str) -> Self {
+        let other = CHANNEL.replace("91", "92");
+        let loader =
+            MemoryLoader::new().with("cnc872c.toml", text).with("Channel.xml", CHANNEL).with("Other.xml", other);
+        let loader = loader.with("a/L1", "").with("own/L1", "");
+        Self::with(Some("cnc872c.toml"), &Overrides::default(), &loader)
+    }
+
+    pub(super) const fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     fn clean(text: &str) -> Settings {
@@ -98,7 +132,16 @@ fn example_of_the_specification() {
     let machine = &settings.machine;
     assert_eq!(machine.dialect, Dialect::Cnc872);
     assert_eq!(settings.macrocycles, [PathBuf::from("m/macros")]);
-    assert_eq!(machine.axes.letters(), "X");
+    assert_eq!(machine.axes.letters(), "X, C");
+    let x = machine.axes.get(0).unwrap();
+    assert_eq!((x.min, x.max), (Some(Decimal::whole(-10)), Some(Decimal::whole(650))));
+    assert_eq!((machine.spindle(), machine.spindle_is_configured()), (Some(1), true));
+    assert_eq!((machine.g97, machine.arc_centers), (G97::PerMinute, ArcCenters::MachineOrder));
+    assert_eq!(settings.extensions, ["nc", "ncp"]);
+    assert_eq!(machine.start[&AxisLetter::X], Decimal::ZERO);
+    assert_eq!(machine.m_power_up[2], Some(5));
+    assert_eq!(machine.corrections[&7], Decimal::whole(5));
+    assert_eq!(machine.limits.speed, 9999);
     assert_eq!(machine.m_functions.group(91), 10);
     assert_eq!(machine.parameters[&10], Decimal::from_thousandths(25_500));
     assert_eq!(machine.operations[&1], Operation::Add);
@@ -129,7 +172,7 @@ fn values_are_set() {
     let settings = Run::clean(
         "dialect = 'cnc8x9'\nencoding = 'kamenicky'\nblock-skip = true\noptional-stop = true\noriented-stop = false\n\
          macrocycles = ['.', '../shared', './own', '/abs']\naxes = [{ letter = 'Z' }, { letter = 'A', kind = 'linear' }, \
-         { letter = 'C' }]\npower-up = { G0 = 1, G1 = 19, G10 = 74 }\nparameters.R0 = -0.0005\nparameters.R95 = 99_999_999\n\
+         { letter = 'C' }]\npower-up = { G0 = 1, G1 = 19, G10 = 74 }\nparameters.R0 = -0.001\nparameters.R95 = 99_999_999\n\
          parameters.R1 = 1.5e1\nparameters.R2 = 0x10\n[operations]\n'2' = 'sqrt'\n[machine-constants]\nR56 = 91\nR57 = '00000092'\n\
          R06 = -1\nR340 = '0012'\n[[gears]]\nm = 44\nmin = 5\nmax = 5\n[[gears]]\nm = 41\nmin = 0\nmax = 9999\n\
          [limits]\nnesting = 1000\nfeed = 1\narc-tolerance = 0\n[lints]\nW0214 = 'deny'\nline-too-long = 'warn'\n",
@@ -164,6 +207,32 @@ fn wrong_values() {
         ("channel-config = true", "true"),
         ("macrocycles = 'macros'", "'macros'"),
         ("macrocycles = ['a', 7]", "7"),
+        ("macrocycles = ['a', 'none']", "'none'"),
+        ("extensions = 'nc'", "'nc'"),
+        ("extensions = ['nc', '']", "''"),
+        ("extensions = ['nc', 'a/b']", "'a/b'"),
+        ("spindle-axis = 'E'", "'E'"),
+        ("spindle-axis = 'c'", "'c'"),
+        ("spindle-axis = 'C'\naxes = [{ letter = 'X' }]", "'C'"),
+        ("oriented-position = 70000", "70000"),
+        ("g97 = 'iso'", "'iso'"),
+        ("arc-centers = true", "true"),
+        ("[start]\nX = 'a'", "'a'"),
+        ("[start]\nY = 1\n[[axes]]\nletter = 'X'", "Y"),
+        ("axes = [{ letter = 'X', min = 2, max = 1.999 }]", "1.999"),
+        ("axes = [{ letter = 'X', max = -2, min = 1 }]", "1"),
+        ("[corrections]\n7 = 5", "5"),
+        ("[corrections.7]\nradius = -1", "-1"),
+        ("[corrections.7]", "7"),
+        ("[power-up]\nM2 = 101", "101"),
+        ("[power-up]\nM2 = 41", "41"),
+        ("[power-up]\nM7 = 10", "10"),
+        ("[power-up]\nM10 = 92", "92"),
+        ("dialect = 'cnc8x9'\n[power-up]\nM14 = 100", "100"),
+        ("[limits]\nspeed = 100000", "100000"),
+        ("[limits]\nspeed = 0", "0"),
+        ("gears = [{ m = 41, min = 1, max = 12000 }]", "12000"),
+        ("limits.speed = 24000\ngears = [{ m = 41, min = 1, max = 24001 }]", "24001"),
         ("[dialect]", "dialect"),
         ("[[block-skip]]", "block-skip"),
         ("axes = 3", "3"),
@@ -228,6 +297,10 @@ fn unknown_keys() {
         ("[parameters]\nR96 = 5", "R96"),
         ("[parameters]\n\"R\\u0031\\u0030x\" = 5", "\"R\\u0031\\u0030x\""),
         ("[power-up]\nG4 = 26", "G4"),
+        ("[power-up]\nM15 = 1", "M15"),
+        ("[start]\nx = 1", "x"),
+        ("[corrections.100]\nradius = 1", "100"),
+        ("[corrections.7]\nradius = 1\nlength = 2", "length"),
         ("[cycles]\nG80 = 1", "G80"),
         ("[operations]\n'100' = 'add'", "'100'"),
         ("[machine-constants]\nR1000 = 1", "R1000"),
@@ -268,6 +341,61 @@ fn what_a_control_does_not_have() {
     // A dialect that is not known is one fault, not three.
     let text = "dialect = 'cnc'\nchannel-config = 'Channel.xml'\n[machine-constants]\nR56 = '03'";
     assert_eq!(Run::one(text), (Code::E0702, "'cnc'".to_owned()));
+}
+
+/// §2, §13 More: CNC8x6 and CNC8x9 have a sixth axis A, B or C.
+#[test]
+fn the_sixth_axis() {
+    let listed =
+        |letters: &str| letters.chars().map(|letter| format!("[[axes]]\nletter = '{letter}'\n")).collect::<String>();
+    let old = "dialect = 'cnc8x6'\n";
+    assert_eq!(Run::one(&format!("{old}{}", listed("XYZABU"))), (Code::E0702, "'U'".to_owned()));
+    assert_eq!(Run::one(&format!("{old}{}", listed("UVWXYZ"))), (Code::E0702, "'W'".to_owned()));
+    Run::clean(&format!("{old}{}", listed("XUVYCZ")));
+    Run::clean(&listed("XYZABU"));
+}
+
+/// MFN-7: `[power-up]` takes M groups, by the groups of the whole configuration; MFN-8: stops know the table's values.
+#[test]
+fn m_groups_at_power_up() {
+    let machine = Run::clean("channel-config = 'Channel.xml'\n[power-up]\nM2 = 19\nM10 = 91\nM14 = 70").machine;
+    assert_eq!((machine.m_power_up[2], machine.m_power_up[10], machine.m_power_up[14]), (Some(19), Some(91), Some(70)));
+    assert_eq!((machine.m_power_up[3], machine.m_functions.defaults()[2]), (Some(40), Some(5)));
+    let machine =
+        Run::clean("dialect = 'cnc8x9'\npower-up.M4 = 37\npower-up.M13 = 99\nmachine-constants.R59 = '99'").machine;
+    assert_eq!((machine.m_power_up[4], machine.m_power_up[13]), (Some(37), Some(99)));
+    let run = Run::of("[power-up]\nM7 = 10", &Overrides::default());
+    let message = run.findings[0].finding.message(Lang::Cs);
+    assert_eq!(message, "power-up.M7 nastavit nelze: funkce M skupiny 7 platí jen ve svém bloku");
+}
+
+/// MFN-10: the spindle's axis.
+#[test]
+fn the_axis_of_the_spindle() {
+    for (text, axis, configured) in [
+        ("", Some(AxisLetter::C), false),
+        ("spindle-axis = 'none'", None, false),
+        ("spindle-axis = 'B'", Some(AxisLetter::B), true),
+        ("axes = [{ letter = 'X' }, { letter = 'B' }]", Some(AxisLetter::B), false),
+        ("axes = [{ letter = 'X' }]", None, false),
+    ] {
+        let machine = Run::clean(text).machine;
+        let letter = machine.spindle().and_then(|at| machine.axes.get(at)).map(|axis| axis.letter);
+        assert_eq!((letter, machine.spindle_is_configured()), (axis, configured), "{text}");
+    }
+}
+
+/// ADR-2: numbers finer than the control resolves are said to be rounded.
+#[test]
+fn numbers_finer_than_the_resolution() {
+    for (text, at) in [
+        ("[parameters]\nR1 = 0.0004", "0.0004"),
+        ("oriented-position = 1.23456", "1.23456"),
+        ("[start]\nX = 1e-4", "1e-4"),
+    ] {
+        assert_eq!(Run::one(text), (Code::W0303, at.to_owned()), "{text}");
+    }
+    Run::clean("[parameters]\nR1 = 0.5000\nR2 = 12e-3");
 }
 
 /// §13 Configuration: options win, value by value; the checks are those of the dialect that wins.
@@ -441,7 +569,7 @@ fn messages() {
             "`power-up.G0` takes a lasting function of group G0",
             "power-up.G0 musí být trvalá funkce skupiny G0",
         ),
-        ("[parameters]\nR96 = 0", "`R96` is not a name known here", "název R96 zde není známý"),
+        ("[parameters]\nR96 = 0", "unknown key `R96`", "neznámý klíč „R96“"),
         (
             "a = 25,5",
             "the configuration cannot be read: a number has a decimal point, not a comma",

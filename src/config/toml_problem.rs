@@ -3,6 +3,7 @@
 use toml_edit::{Document, TomlError};
 
 use super::reader::to_span;
+use super::sections::is_list;
 use crate::diag::{ConfigProblem, shown};
 use crate::text::Span;
 
@@ -67,7 +68,13 @@ fn problem(text: &str, error: &TomlError) -> (ConfigProblem, Span) {
     let message = error.message();
     let there = text.get(range.clone()).unwrap_or_default();
     let problem = if message.starts_with("duplicate key") {
-        ConfigProblem::KeyTwice { key: shown(there) }
+        if is_list(there)
+            && text.get(..range.start).is_some_and(|before| before.ends_with('[') && !before.ends_with("[["))
+        {
+            ConfigProblem::ListAsTable { key: shown(there) }
+        } else {
+            ConfigProblem::KeyTwice { key: shown(there) }
+        }
     } else if message.starts_with("cannot extend value") {
         ConfigProblem::KeyHasValue { key: shown(there) }
     } else if message.contains(" string, expected `") {

@@ -125,7 +125,8 @@ bilingual! {
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
         Utf16 "it is in UTF-16; it must be in UTF-8", "je v kódování UTF-16; musí být v UTF-8";
         NotToml "this is not TOML", "toto není TOML";
-        KeyTwice { key: String } "`{key}` is there twice", "{key} je zde dvakrát";
+        KeyTwice { key: String } "`{key}` is defined twice", "{key} je zde dvakrát";
+        ListAsTable { key: String } "`[{key}]` beside `[[{key}]]`: each is written `[[{key}]]`", "[{key}] vedle [[{key}]]: každá tabulka se píše [[{key}]]";
         KeyHasValue { key: String } "`{key}` has a value already and cannot be a table too", "{key} už má hodnotu a nemůže být také tabulkou";
         KeyForm "a key has the letters a–z, digits, `-` and `_`; any other stands in quotes", "klíč má písmena a–z, číslice, - a _; jakýkoli jiný patří do uvozovek";
         NoEquals "`=` and a value are missing after a key", "za klíčem chybí = a hodnota";
@@ -164,18 +165,25 @@ bilingual! {
         Text "takes a text", "musí být text";
         Flag "takes true or false", "musí být true nebo false";
         Whole { min: i64, max: i64 } "takes a whole number from {min} to {max}", "musí být celé číslo od {min} do {max}";
+        ZeroOrOne "is 0 or 1", "je 0, nebo 1";
         Number { min: String, max: String } "takes a number from {min} to {max}", "musí být číslo od {min} do {max}";
         AtLeast { min: i64 } "takes a whole number, {min} or more", "musí být celé číslo {min} nebo větší";
         Constant "takes a number, or its digits as a text", "musí být číslo, nebo jeho číslice jako text";
         Table "takes a table", "musí být tabulka";
-        List "takes a list", "musí být seznam";
-        Texts "takes a list of texts", "musí být seznam textů";
+        List { name: String } "takes a list: each of its tables is written `[[{name}]]`", "musí být seznam: každá jeho tabulka se píše [[{name}]]";
+        Texts "takes a list of texts, as `[\"makra\"]`", "musí být seznam textů, např. [\"makra\"]";
+        Extensions "takes a list of extensions, as `[\"nc\", \"txt\"]`", "musí být seznam přípon, např. [\"nc\", \"txt\"]";
+        Folder { name: String } "names `{name}`, which is no folder", "uvádí {name}, ale taková složka není";
+        NoSuchAxis { letter: String, axes: String } "names {letter}, which `[[axes]]` does not list: {axes}", "uvádí osu {letter}, kterou [[axes]] nemá: {axes}";
+        SixthAxis { letter: String } "makes {letter} the 6th axis; on this control that is A, B or C", "má na místě 6. osy {letter}; u tohoto systému to může být A, B nebo C";
+        MOfGroup { group: u8 } "takes an M function of group {group}", "musí být M funkce skupiny {group}";
+        BlockOnly { group: u8 } "cannot be set: functions of M group {group} hold in their block only", "nastavit nelze: funkce M skupiny {group} platí jen ve svém bloku";
         OneOf { choices: String } "takes one of {choices}", "musí být jedno z: {choices}";
         Missing { key: String } "lacks `{key}`", "postrádá {key}";
-        Repeated "is there twice", "je uvedeno dvakrát";
+        Repeated "is defined twice", "je uvedeno dvakrát";
         TooManyAxes { limit: usize } "lists more axes than the control has, {limit}", "má více os než systém, tedy {limit}";
-        NotForDialect { dialect: String } "does not exist on {dialect}", "na {dialect} neexistuje";
-        ErrorLevel "is an error and stays one; only warnings and E0109 have a level", "je chyba a zůstává jí; úroveň mají jen varování a E0109";
+        NotForDialect { dialect: String } "does not exist on {dialect}", "u {dialect} neplatí";
+        ErrorLevel "is an error and cannot be switched off; only warnings and E0109 have a level", "je chyba a vypnout nejde; nastavit lze jen varování a E0109";
         Range "has a lower end above its upper end", "má dolní mez nad horní";
         GOfGroup { group: String } "takes a lasting function of group {group}", "musí být trvalá funkce skupiny {group}";
         ParameterValue "takes ±69999.999, or a whole number of up to eight digits", "musí být ±69999.999, nebo celé číslo nejvýše o osmi číslicích";
@@ -183,9 +191,32 @@ bilingual! {
 }
 
 bilingual! {
+    /// What a name in a configuration file names.
+    NameKind {
+        Key "key", "klíč";
+        Attribute "attribute", "atribut";
+        Element "element", "element";
+    }
+}
+
+bilingual! {
+    /// The names that a table knows, where they are names of the control.
+    KnownNames {
+        Groups "the groups are G0 to G11 but G4, and M2 to M14 but M7 and M9", "skupiny jsou G0 až G11 kromě G4 a M2 až M14 kromě M7 a M9";
+        Parameters "parameters are R0 to R95", "parametry jsou R0 až R95";
+        Corrections "entries are 1 to 99, by D", "položky jsou 1 až 99, podle D";
+        Operations "codes are \"00\" to \"99\"", "kódy jsou \"00\" až \"99\"";
+        Cycles "fixed cycles are G81 to G89", "pevné cykly jsou G81 až G89";
+        Constants "machine constants are R0 to R999", "strojní konstanty jsou R0 až R999";
+        Axes "axes are X, Y, Z, A, B, C, U, V, W", "osy jsou X, Y, Z, A, B, C, U, V, W";
+        Lints "`cnc872c explain` lists all codes and names", "všechny kódy a jména vypíše „cnc872c explain“";
+    }
+}
+
+bilingual! {
     /// What is wrong with one of R56–R59 (MFN-5).
     ConstantProblem {
-        Digits "has at most eight digits: four functions of two", "má nejvýše osm číslic: čtyři funkce po dvou";
+        Digits "takes at most eight digits, without sign and point: four functions of two digits", "má nejvýše osm číslic bez znaménka a tečky: čtyři funkce po dvou číslicích";
         Standard { m: u8, group: u8 } "names M{m:02}, which is fixed in M group {group}", "uvádí M{m:02}, která pevně patří do {group}. skupiny";
         Twice { m: u8 } "names M{m:02}, which is named already", "uvádí M{m:02}, která už je uvedena";
     }

@@ -15,8 +15,8 @@ mod report;
 mod shown;
 
 pub use details::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, Meant, OtherControl, ParameterNeed,
-    Problem,
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, Meant, NameKind,
+    OtherControl, ParameterNeed, Problem,
 };
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_SEVERITY};

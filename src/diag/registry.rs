@@ -6,7 +6,8 @@
 //! to write.
 
 use super::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, Meant, OtherControl, ParameterNeed,
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, Meant, NameKind,
+    OtherControl, ParameterNeed,
 };
 use crate::dict::{Address, GCode, GGroup, Lang};
 
@@ -573,13 +574,24 @@ diagnostics! {
         en "M{m:02} is configured twice with different data"
         cs "M{m:02} je nastavena dvakrát s různými údaji"
         help "keep one of the two elements" | "ponechat jen jeden z obou elementů"
-    [W0705] UnknownConfigurationKey "unknown-configuration-key" Warning { key: String, near: Option<String> }
-        en "`{key}` is not a name known here"
-        cs "název {key} zde není známý"
+    [W0705] UnknownConfigurationKey "unknown-configuration-key" Warning { kind: NameKind, key: String, near: Option<String>, known: Option<KnownNames> }
+        en ({ let kind = kind.text(Lang::En); format!("unknown {kind} `{key}`") })
+        cs ({ let kind = kind.text(Lang::Cs); format!("neznámý {kind} „{key}“") })
         help (nearest(near.as_ref(), "perhaps `", "` is meant")) | (nearest(near.as_ref(), "možná mělo být „", "“"))
+        note (known_names(known.as_ref(), Lang::En)) | (known_names(known.as_ref(), Lang::Cs))
     [E0706] MachineConstant "machine-constant" Error { constant: String, problem: ConstantProblem }
         en ({ let what = problem.text(Lang::En); format!("machine constant {constant} {what}") })
         cs ({ let what = problem.text(Lang::Cs); format!("strojní konstanta {constant} {what}") })
+    [W0708] NoMFunctions "no-m-functions" Warning {}
+        en "this ChannelConfig holds no `MFunctions`: it sets no M function"
+        cs "tento ChannelConfig neobsahuje MFunctions: žádnou M funkci nenastaví"
+        help "name the ChannelConfig that the control reads, or leave `channel-config` out"
+           | "zadat ten ChannelConfig, který čte systém, nebo channel-config vynechat"
+}
+
+/// The names that the table knows, where they can be said in a line.
+fn known_names(known: Option<&KnownNames>, lang: Lang) -> String {
+    known.map_or_else(String::new, |known| known.text(lang))
 }
 
 /// What to write after an address without a value.

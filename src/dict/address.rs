@@ -46,9 +46,29 @@ impl AxisLetter {
         }
     }
 
+    /// The letter as a text.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::X => "X",
+            Self::Y => "Y",
+            Self::Z => "Z",
+            Self::A => "A",
+            Self::B => "B",
+            Self::C => "C",
+            Self::U => "U",
+            Self::V => "V",
+            Self::W => "W",
+        }
+    }
+
     /// The axis of that upper-case letter.
     pub fn from_letter(letter: char) -> Option<Self> {
         Self::ALL.into_iter().find(|axis| axis.letter() == letter)
+    }
+
+    /// Whether planes are named after the axis: X, Y, Z (§7).
+    pub const fn is_of_the_planes(self) -> bool {
+        matches!(self, Self::X | Self::Y | Self::Z)
     }
 
     /// Whether the axis is rotary on a machine without configured axes (ADR-4).

@@ -34,6 +34,14 @@ impl Dialect {
         }
     }
 
+    /// Whether the sixth axis, the third that is not X, Y or Z, may have that letter (§2, §13 More).
+    pub const fn takes_sixth_axis(self, letter: super::AxisLetter) -> bool {
+        match self {
+            Self::Cnc8x6 | Self::Cnc8x9 => letter.is_rotary_by_default(),
+            Self::Cnc872 => true,
+        }
+    }
+
     /// Whether M groups are configured by a ChannelConfig (else by machine constants R56–R59).
     pub const fn has_channel_config(self) -> bool {
         matches!(self, Self::Cnc872)

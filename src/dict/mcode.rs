@@ -5,6 +5,9 @@ use super::{Bilingual, Dialect, Lasting};
 /// Number of M groups, group 0 not used: an array indexed by group has this length.
 pub const M_GROUPS: usize = 15;
 
+/// The groups whose functions hold in their block only (MFN-6).
+pub const MOMENTARY_GROUPS: [u8; 3] = [1, 7, 9];
+
 /// The functions that end a program.
 pub const PROGRAM_ENDS: [u8; 2] = [2, 30];
 

@@ -19,5 +19,5 @@ pub use dialect::Dialect;
 pub use gcode::{GCode, GGroup, Lasting};
 pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
-pub use mcode::{M_GROUPS, MRow, PROGRAM_ENDS, standard_m_functions};
+pub use mcode::{M_GROUPS, MOMENTARY_GROUPS, MRow, PROGRAM_ENDS, standard_m_functions};
 pub use micro::Micro;

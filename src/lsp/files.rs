@@ -160,6 +160,10 @@ impl Loader for EditorFiles {
         files
     }
 
+    fn is_folder(&self, path: &Path) -> bool {
+        self.disk.is_folder(path)
+    }
+
     fn folders(&self, folder: &Path) -> Vec<PathBuf> {
         self.disk.folders(folder)
     }

@@ -240,7 +240,7 @@ impl Executor<'_, '_> {
 
     /// The axis that is the spindle at the moment (MFN-10).
     fn spindle_axis(&self) -> Option<usize> {
-        (self.state.m(2) == Some(19)).then(|| self.settings.machine.axes.spindle()).flatten()
+        (self.state.m(2) == Some(19)).then(|| self.settings.machine.spindle()).flatten()
     }
 
     /// Puts the positions after the motion into force, and warns of axes that the program does not know (MOT-2).

@@ -64,6 +64,12 @@ pub trait Loader: Sync {
     /// The folders in a folder, sorted; links to folders are left out. None when the folder cannot be read.
     fn folders(&self, folder: &Path) -> Vec<PathBuf>;
 
+    /// Whether there is a folder at that path; the empty path is the working folder. A loader that cannot tell an empty
+    /// folder from none may say no to it.
+    fn is_folder(&self, path: &Path) -> bool {
+        path.as_os_str().is_empty() || !self.list(path).is_empty() || !self.folders(path).is_empty()
+    }
+
     /// The first bytes of a file, at most `limit`.
     ///
     /// # Errors

@@ -28,6 +28,10 @@ impl Loader for TestDisk {
         found
     }
 
+    fn is_folder(&self, path: &Path) -> bool {
+        self.root.join(path).is_dir()
+    }
+
     fn folders(&self, folder: &Path) -> Vec<PathBuf> {
         let mut found: Vec<PathBuf> = std::fs::read_dir(self.root.join(folder))
             .into_iter()

@@ -1,0 +1,4 @@
+%1 "Cisty program
+"! dialect=cnc8x9
+N10 G90 G0 X0 Y0
+N20 M30

@@ -1,0 +1,73 @@
+//! What machines differ in, and configuration names by a word.
+
+use crate::dict::{AxisLetter, Dialect};
+
+/// What G97 means (TEC-5): the sources disagree.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum G97 {
+    /// Feed per minute, no constant cutting speed, as in ISO.
+    PerMinute,
+    /// Feed per revolution with constant cutting speed.
+    PerRevolution,
+}
+
+impl G97 {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::PerMinute, Self::PerRevolution];
+
+    /// What holds on that control unless configured.
+    pub const fn of(dialect: Dialect) -> Self {
+        match dialect {
+            Dialect::Cnc8x6 | Dialect::Cnc8x9 => Self::PerRevolution,
+            Dialect::Cnc872 => Self::PerMinute,
+        }
+    }
+
+    /// As written in the project file.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::PerMinute => "per-minute",
+            Self::PerRevolution => "per-revolution",
+        }
+    }
+}
+
+/// Which of the two axes of an arc I belongs to, and which J (MOT-3).
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum ArcCenters {
+    /// I to the one that comes first in the order of the machine's axes.
+    #[default]
+    MachineOrder,
+    /// I to the one that the plane's name says first: Y in YZ, Z in ZX.
+    PlaneOrder,
+}
+
+impl ArcCenters {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::MachineOrder, Self::PlaneOrder];
+
+    /// As written in the project file.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MachineOrder => "machine-order",
+            Self::PlaneOrder => "plane-order",
+        }
+    }
+}
+
+/// Which axis the spindle is while M19 holds (MFN-10). [`Machine::spindle`](super::Machine::spindle) says what comes of it.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum SpindleAxis {
+    /// Not configured: the first of C, A, B that the machine has.
+    #[default]
+    Assumed,
+    /// That one.
+    Letter(AxisLetter),
+    /// None: the spindle is no axis.
+    None,
+}
+
+impl SpindleAxis {
+    /// [`Self::None`] as written in the project file.
+    pub const NONE: &'static str = "none";
+}
