@@ -78,13 +78,16 @@ impl Projects {
     /// Configures every program: by the project file that the user named, else by that of its folder.
     ///
     /// # Errors
-    /// When `--channel-config` meets a control that has none.
+    /// When a folder of `-L` does not exist, or `--channel-config` meets a control that has none.
     pub fn configure(
         targets: &[Target],
         named: Option<&Path>,
         overrides: &Overrides,
         loader: &dyn Loader,
     ) -> Result<Self, Failure> {
+        if let Some(folder) = overrides.macrocycles.iter().find(|folder| !loader.is_folder(folder)) {
+            return Err(Words::NoFolder { folder: folder.display().to_string() }.into());
+        }
         let mut projects = Self::default();
         for target in targets {
             if !projects.by_folder.contains_key(target.folder()) {

@@ -44,6 +44,9 @@ bilingual! {
         ChannelConfigDialect { dialect: String }
             "--channel-config does not go with {dialect}: only cnc872 has a ChannelConfig",
             "--channel-config nelze použít s {dialect}: ChannelConfig má jen cnc872";
+        NoFolder { folder: String }
+            "-L {folder}: there is no such folder",
+            "-L {folder}: taková složka není";
         LevelUnknown { option: String, name: String }
             "{option} {name}: no diagnostic has this code or name; `cnc872c explain` lists them all",
             "{option} {name}: žádné hlášení nemá tento kód ani název; všechna vypíše „cnc872c explain“";
@@ -51,8 +54,8 @@ bilingual! {
             "{option} {name}: no diagnostic has this code or name; perhaps {near} is meant",
             "{option} {name}: žádné hlášení nemá tento kód ani název; možná mělo být {near}";
         LevelOfError { option: String, name: String }
-            "{option} {name}: it is an error and stays one; only warnings and E0109 have a level",
-            "{option} {name}: je to chyba a zůstává jí; úroveň mají jen varování a E0109";
+            "{option} {name}: it is an error and cannot be switched off; only warnings and E0109 have a level",
+            "{option} {name}: je to chyba a vypnout nejde; nastavit lze jen varování a E0109";
         Parameter { text: String, fault: String }
             "--param {text}: {fault}",
             "--param {text}: {fault}";

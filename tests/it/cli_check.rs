@@ -20,8 +20,8 @@ fn found(text: &str) -> Vec<(String, String)> {
 fn levels_that_make_no_sense_are_wrong_usage() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
     place.run(&["check", "a.nc", "-D", "empty-blok"]).ends(2).says("perhaps empty-block is meant");
-    place.run(&["check", "a.nc", "-A", "E0306"]).ends(2).says("-A E0306: it is an error and stays one");
-    place.run(&["check", "a.nc", "-W", "duplicate-address"]).ends(2).says("stays one");
+    place.run(&["check", "a.nc", "-A", "E0306"]).ends(2).says("-A E0306: it is an error and cannot be switched off");
+    place.run(&["check", "a.nc", "-W", "duplicate-address"]).ends(2).says("cannot be switched off");
     place.run(&["check", "a.nc", "-A", "E0109", "-A", "line-too-long"]).ends(0);
 }
 

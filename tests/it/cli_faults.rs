@@ -179,15 +179,26 @@ fn configurations_that_are_no_files() {
     }
 }
 
-/// Search paths that are no folders hold no macrocycles; the finding says where was searched.
+/// §13 Configuration: search paths that are no folders are wrong usage on the command line, E0702 in the project file.
 #[test]
 fn search_paths_that_are_no_folders() {
     let place = Place::with(&[("a.nc", CALL.as_bytes()), ("file", b"")]);
     make_fifo(&place.path("pipe"));
     symlink("ring", place.path("ring")).unwrap();
-    let line = ["check", "a.nc", "-L", "file", "-L", "pipe", "-L", "ring", "-L", "missing"];
-    let run = place.run(&line).ends(1);
-    assert!(run.stdout.contains("note: searched: file, pipe, ring, missing"), "{run:?}");
+    symlink("folder", place.path("link")).unwrap();
+    fs::create_dir(place.path("folder")).unwrap();
+    for name in ["file", "pipe", "ring", "missing"] {
+        place
+            .run(&["check", "a.nc", "-L", "folder", "-L", name])
+            .ends(2)
+            .says(&format!("-L {name}: there is no such folder"));
+        fs::write(place.path("cnc872c.toml"), format!("macrocycles = ['folder', '{name}']\n")).unwrap();
+        let run = place.run(&["check", "a.nc", "--format", "short"]).ends(2);
+        assert!(run.stdout.starts_with("cnc872c.toml:1:26: error[E0702]"), "{run:?}");
+        fs::remove_file(place.path("cnc872c.toml")).unwrap();
+    }
+    let run = place.run(&["check", "a.nc", "-L", "folder", "-L", "link"]).ends(1);
+    assert!(run.stdout.contains("note: searched: folder, link"), "{run:?}");
 }
 
 #[test]
