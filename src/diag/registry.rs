@@ -244,10 +244,10 @@ diagnostics! {
         cs "druhé % v jednom souboru"
         help (if *bare { "delete it: a program ends with M30 or M02, and the file with `*` or with nothing" } else { "one file holds one program; put the second into a file of its own, or write `%` in a comment only" })
            | (if *bare { "vymazat ho: program končí M30 nebo M02, soubor hvězdičkou nebo ničím" } else { "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v komentáři" })
-    [E0203] WordOutsideBlock "word-outside-block" Error { word: String }
-        en "`{word}` stands before the first block"
-        cs "slovo {word} stojí před prvním blokem"
-        help "a block begins with its number: `N10 {word}`" | "blok začíná svým číslem: „N10 {word}“"
+    [E0203] WordOutsideBlock "word-outside-block" Error { word: String, more: usize, blocks: bool }
+        en (match (blocks, more) { (false, _) => "the program has no block: no line begins with a block number".to_owned(), (true, 0) => format!("`{word}` stands before the first block"), (true, 1) => format!("`{word}` and another word stand before the first block"), (true, _) => format!("`{word}` and {more} other words stand before the first block") })
+        cs (match (blocks, more) { (false, _) => "program nemá žádný blok: žádný řádek nezačíná číslem bloku".to_owned(), (true, 0) => format!("slovo {word} stojí před prvním blokem"), (true, _) => format!("slovo {word} a další ({more}) stojí před prvním blokem") })
+        help "begin each block with its number: `N10 {word}`" | "každý blok začít jeho číslem: „N10 {word}“"
     [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32 }
         en "block number N{block} is used twice in this file"
         cs "číslo bloku N{block} je v souboru dvakrát"

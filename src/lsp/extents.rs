@@ -14,10 +14,10 @@ pub(super) fn words_span(file: &ParsedFile, block: BlockId) -> Span {
     Span::new(first.start, end.max(first.end))
 }
 
-/// A block from its `N` to the last of its words and comments (BLK-9).
+/// A block from its `N` to the last of its words and of the comments behind them.
 pub(super) fn block_span(file: &ParsedFile, block: BlockId) -> Span {
     let words = words_span(file, block);
-    let comments = file.comments(block).last().map_or(words.end, |comment| comment.end);
+    let comments = file.comments_behind(block).last().map_or(words.end, |comment| comment.end);
     Span::new(words.start, words.end.max(comments))
 }
 
@@ -35,11 +35,11 @@ pub(super) fn adjoin(text: &str, before: u32, next: u32) -> bool {
     matches!(between, "\r\n" | "\n" | "\r")
 }
 
-/// The comments in the lines directly above a block: by BLK-9 they belong to the block before, to a reader to this one.
+/// The comments in the lines directly above a block.
 pub(super) fn comments_above(file: &ParsedFile, block: BlockId) -> &[Span] {
     let text = file.source.text();
     let before = match block.0.checked_sub(1) {
-        Some(before) => file.comments(BlockId(before)),
+        Some(before) => file.comments_behind(BlockId(before)),
         None => file.comments_before_blocks(),
     };
     let mut next = file.n_word(block).map_or(file.start, |word| word.start());

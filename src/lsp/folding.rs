@@ -7,7 +7,7 @@ use super::cursor::DOCUMENT;
 use super::extents::{adjoin, loops, stands_alone, words_span};
 use super::requests::{Answer, Snapshot};
 use crate::resolve::{Unit, UnitKind};
-use crate::syntax::{BlockFlags, BlockId, ParsedFile};
+use crate::syntax::{BlockId, ParsedFile};
 use crate::text::Span;
 
 /// Most ranges of a document, and of them most loops; editors take no more.
@@ -48,10 +48,7 @@ fn unit_words(file: &ParsedFile, unit: &Unit) -> Span {
 /// Comments in lines that follow each other, two at least.
 fn comment_runs(file: &ParsedFile) -> impl Iterator<Item = Span> + '_ {
     let text = file.source.text();
-    let commented = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::COMMENT));
-    let of_blocks = commented.flat_map(|block| file.comments(block));
-    let mut lines =
-        file.comments_before_blocks().iter().chain(of_blocks).filter(|c| stands_alone(text, **c)).peekable();
+    let mut lines = file.all_comments().iter().filter(|comment| stands_alone(text, **comment)).peekable();
     std::iter::from_fn(move || {
         let mut run = *lines.next()?;
         while let Some(next) = lines.next_if(|next| adjoin(text, run.end, next.start)) {

@@ -72,6 +72,7 @@ fn of_unit(file: &ParsedFile, unit: &Unit, change: Change, left: &mut usize) -> 
     let mut parts: Vec<Section> = Vec::new();
     let mut tool = None;
     let mut line_before = None;
+    let commented = !file.all_comments().is_empty();
     let next = file.flags(unit.end).has(BlockFlags::ENTRY).then(|| comments_above(file, unit.end).first()).flatten();
     for block in (unit.first.0..unit.end.0).map(BlockId) {
         if *left == 0 {
@@ -87,10 +88,11 @@ fn of_unit(file: &ParsedFile, unit: &Unit, change: Change, left: &mut usize) -> 
         if changes {
             parts.push(tool_change(file, block, tool));
         }
-        if file.flags(block).has(BlockFlags::COMMENT) {
+        let comments = if commented { file.comments_behind(block) } else { &[] };
+        if !comments.is_empty() {
             let bare = file.words(block).is_empty();
             let words_end = words_span(file, block).end;
-            for &comment in file.comments(block) {
+            for &comment in comments {
                 let own_line = comment.start >= words_end && stands_alone(text, comment);
                 let first_line = !line_before.is_some_and(|end| adjoin(text, end, comment.start));
                 // Under a line of dashes the heading is the second line.
@@ -132,7 +134,7 @@ pub(super) fn head(file: &ParsedFile, unit: &Unit) -> (Section, Option<Span>) {
     let above = comments_above(file, unit.first);
     let text = file.source.text();
     let (below, beside): (Vec<Span>, Vec<Span>) =
-        file.comments(unit.first).iter().partition(|comment| stands_alone(text, **comment));
+        file.comments_behind(unit.first).iter().partition(|comment| stands_alone(text, **comment));
     let mut titles = beside.into_iter().chain(above.iter().copied()).chain(below);
     let title = titles.find(|comment| heading(file, *comment).is_some()).or(match unit.kind {
         UnitKind::Macrocycle(_) => file.title,
@@ -163,7 +165,7 @@ fn has_m06(file: &ParsedFile, block: BlockId) -> bool {
 fn tool_change(file: &ParsedFile, block: BlockId, tool: Option<Word>) -> Section {
     let text = file.source.text();
     let head = words_span(file, block);
-    let comment = file.comments(block).iter().find(|c| c.start < head.end || !stands_alone(text, **c));
+    let comment = file.comments_behind(block).iter().find(|c| c.start < head.end || !stands_alone(text, **c));
     let number = file.number(block).map(|number| format!("N{number}"));
     let tool = match tool.map(Word::value) {
         Some(Value::Number(number)) => format!("T{number}"),

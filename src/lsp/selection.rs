@@ -36,7 +36,7 @@ fn spans(analysis: &Analysis, source: &SourceText, place: u32) -> Vec<Span> {
             around.extend([file.value_place(found.word).span, found.span]);
         }
         if let Some(block) = block_at(file, place) {
-            let comment = file.comments(block).iter().copied().find(|comment| covers(*comment, place));
+            let comment = file.comments_behind(block).iter().copied().find(|comment| covers(*comment, place));
             around.extend(comment.into_iter().flat_map(|comment| [within_quotes(source, comment), comment]));
             around.extend([words_span(file, block), block_span(file, block)]);
             let mut outer: Vec<Span> = loops(analysis)

@@ -203,7 +203,7 @@ impl<'a> Painter<'a> {
         for &word in words {
             self.word(word, flow);
         }
-        for &comment in self.file.comments(block) {
+        for &comment in self.file.comments_behind(block) {
             self.add(comment, Kind::Comment, 0);
         }
         if let Some(added) = self.painted.get_mut(from..) {
@@ -284,7 +284,7 @@ impl<'a> Painter<'a> {
     fn end(&mut self) {
         let star = Span::new(self.file.end.saturating_sub(1), self.file.end);
         let last = self.file.block_count().checked_sub(1).map(BlockId);
-        let comments = last.map_or(self.file.comments_before_blocks(), |last| self.file.comments(last));
+        let comments = last.map_or(self.file.comments_before_blocks(), |last| self.file.comments_behind(last));
         if self.file.source.slice(star) == "*" && comments.last().is_none_or(|comment| comment.end <= star.start) {
             self.add(star, Kind::Keyword, 0);
             self.unread(Span::new(star.end, self.file.source.len()));

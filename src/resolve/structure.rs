@@ -133,7 +133,9 @@ impl Context<'_, '_> {
         let (end, ended) = main_end;
         let first = BlockId(0);
         resolved.add_unit(Unit { kind: UnitKind::Main, file, first, end, entry: program });
-        if !ended {
+        // Words without any block are one error already (BLK-2).
+        let no_block = parsed.block_count() == 0 && parsed.words_outside;
+        if !ended && !no_block {
             let place = if end == first { program } else { parsed.n_place(BlockId(end.0 - 1)) };
             self.report(place, Finding::MissingProgramEnd { skipped: false });
         }

@@ -53,6 +53,11 @@ pub fn resolve_window(
 
 /// Whether nothing in the file leads out of it.
 fn concerns_itself_only(parsed: &ParsedFile, (before, after): (u32, u32)) -> bool {
+    // Whether they are empty follows from the comments around the piece too (BLK-9).
+    let last = BlockId(parsed.block_count().saturating_sub(1));
+    if parsed.words(BlockId(0)).is_empty() || parsed.words(last).is_empty() {
+        return false;
+    }
     let mut last = before;
     for block in parsed.block_ids() {
         if let Some(number) = parsed.number(block) {
@@ -111,6 +116,9 @@ mod tests {
             "N110 X1\n %5\n",
             "N110 X1 \u{1a}\n",
             "N110 X1 \0\n",
+            "N110\n",
+            "N110\nN120 X1\n",
+            "N110 X1\nN120\n",
             "N100 X1\n",
             "N110 X1\nN200 X1\n",
             "N120 X1\nN110 X1\n",

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::Word;
+use super::{Form, Word};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// Index of a block in its file.
@@ -23,7 +23,7 @@ impl BlockId {
     }
 }
 
-/// What is known of a block without looking at its words. Set while parsing and by the first look of `resolve`.
+/// What is known of a block without looking at its words. Set while parsing.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub struct BlockFlags(pub u8);
 
@@ -34,7 +34,7 @@ impl BlockFlags {
     pub const DEBRIS: Self = Self(1 << 1);
     /// Has a G, M, L or Q word, a parameter, or a faulty word: more than axis words, F, S and the like.
     pub const RICH: Self = Self(1 << 2);
-    /// Has a comment.
+    /// A comment belongs to it (BLK-9).
     pub const COMMENT: Self = Self(1 << 3);
     /// Has M02 or M30 written out.
     pub const END: Self = Self(1 << 4);
@@ -76,10 +76,14 @@ pub struct ParsedFile {
     pub file: FileId,
     /// Its text.
     pub source: Arc<SourceText>,
+    /// What it was read as.
+    pub form: Form,
     /// The `%` word; `None` in a macrocycle, or when it is missing.
     pub program: Option<Word>,
     /// The title: the text of the first comment between `%` and the first `N`, trimmed, not empty (BLK-9).
     pub title: Option<Span>,
+    /// Whether words stand before the first `N`, which belong to no block (BLK-2).
+    pub words_outside: bool,
     /// Where the part that is read begins: at `%`.
     pub start: u32,
     /// Where it ends: after `*`, or at the end of the text without its trailing Ctrl-Z and NULs.
@@ -134,15 +138,83 @@ impl ParsedFile {
         start..end
     }
 
-    /// The comments of a block, quotes included (BLK-9).
+    /// The comments that belong to a block, quotes included, in the order of the text (BLK-9): those between its words and
+    /// behind them on the same line, and those on lines of their own above it. Behind the last block all are its own.
     pub fn comments(&self, block: BlockId) -> &[Span] {
+        let start = self.comments_owned_before(block);
+        let end = self.comments_owned_before(block.next());
+        self.comments.get(start..end).unwrap_or_default()
+    }
+
+    /// How many comments belong to the program or to blocks before this one; all of them when there is no such block.
+    /// Comments are few: whose they are follows from their places.
+    fn comments_owned_before(&self, block: BlockId) -> usize {
+        let Some(n) = self.n_word(block) else { return self.comments.len() };
+        let Some(before) = block.0.checked_sub(1) else {
+            return if self.form == Form::Macrocycle { 0 } else { self.comments_before(block) };
+        };
+        let mut line_to = self.words_end(BlockId(before));
+        let mut count = self.comments.partition_point(|comment| comment.start < line_to);
+        // Those behind the last word on its line are still of the block before.
+        while let Some(comment) = self.comments.get(count).filter(|comment| comment.start < n.start()) {
+            if self.breaks_line(line_to, comment.start) {
+                break;
+            }
+            line_to = comment.end;
+            count += 1;
+        }
+        count
+    }
+
+    /// Whether a line ends between two places.
+    fn breaks_line(&self, from: u32, to: u32) -> bool {
+        let between = self.source.slice(Span::new(from.min(to), to));
+        memchr::memchr2(b'\n', b'\r', between.as_bytes()).is_some()
+    }
+
+    /// Where the last word of a block ends.
+    fn words_end(&self, block: BlockId) -> u32 {
+        let last = self.words(block).last().copied().or(self.n_word(block));
+        last.map_or(self.start, |word| word.span(self.source.text()).end)
+    }
+
+    /// Marks the blocks that comments belong to.
+    pub(super) fn mark_commented(&mut self) {
+        let mut behind: Option<BlockId> = None;
+        // The end of what is read of the line of that block's last word; `None` once the line has ended.
+        let mut line: Option<u32> = None;
+        for at in 0..self.comments.len() {
+            let Some(comment) = self.comments.get(at).copied() else { break };
+            let mut next = behind.map_or(BlockId(0), BlockId::next);
+            while self.n_word(next).is_some_and(|n| n.start() <= comment.start) {
+                behind = Some(next);
+                line = Some(self.words_end(next));
+                next = next.next();
+            }
+            line = line.filter(|end| *end > comment.start || !self.breaks_line(*end, comment.start));
+            let owner = match (behind, line) {
+                (None, _) if self.form == Form::Program => continue,
+                (Some(block), Some(end)) => {
+                    line = Some(end.max(comment.end));
+                    block
+                }
+                (Some(block), None) if next.0 >= self.block_count() => block,
+                (_, _) => next,
+            };
+            if let Some(block) = self.blocks.get_mut(owner.index()) {
+                block.flags.set(BlockFlags::COMMENT);
+            }
+        }
+    }
+
+    /// The comments between the `N` of a block and the next one, quotes included, whichever block they belong to.
+    pub fn comments_behind(&self, block: BlockId) -> &[Span] {
         let start = self.comments_before(block);
         let end = self.comments_before(block.next());
         self.comments.get(start..end).unwrap_or_default()
     }
 
-    /// How many comments stand before a block; all of them when there is no such block. Comments are few: what they belong to
-    /// is told by their places.
+    /// How many comments stand before the `N` of a block; all of them when there is no such block.
     fn comments_before(&self, block: BlockId) -> usize {
         let before = |n: Word| self.comments.partition_point(|comment| comment.start < n.start());
         self.n_word(block).map_or(self.comments.len(), before)
@@ -151,6 +223,22 @@ impl ParsedFile {
     /// The comments before the first block, quotes included.
     pub fn comments_before_blocks(&self) -> &[Span] {
         self.comments.get(..self.comments_before(BlockId(0))).unwrap_or_default()
+    }
+
+    /// The texts of the program's comments: those between its number and the first `N`, the title included, trimmed, empty
+    /// ones left out (BLK-9).
+    pub fn program_comments(&self) -> impl Iterator<Item = &str> {
+        let number_end = self.program.map_or(u32::MAX, |word| word.span(self.source.text()).end);
+        self.comments_before_blocks()
+            .iter()
+            .filter(move |comment| comment.start >= number_end)
+            .map(|comment| self.comment_text(*comment))
+            .filter(|text| !text.is_empty())
+    }
+
+    /// Every comment of the file, quotes included, in the order of the text.
+    pub fn all_comments(&self) -> &[Span] {
+        &self.comments
     }
 
     /// What is known of a block.

@@ -121,7 +121,6 @@ impl<'t> Lowering<'t> {
     }
 
     fn comment(&mut self, token: Token) {
-        self.flags.set(BlockFlags::COMMENT);
         self.comments.push(token.span());
         if token.kind == Kind::TypographicComment {
             let text = self.slice(token.span());

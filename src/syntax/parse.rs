@@ -71,15 +71,17 @@ fn parse_in(
     let parsed = ParsedFile {
         file,
         source: Arc::clone(source),
+        form,
         program: None,
         title: None,
+        words_outside: false,
         start,
         end,
         words: Vec::new(),
         comments: Vec::new(),
         blocks: Vec::new(),
     };
-    let mut whole = Whole { parsed, findings, lowercase: false, ended: false };
+    let mut whole = Whole { parsed, findings, lowercase: false, outside: None, ended: false };
     if pieces < 2 {
         whole.append(read((start, end)));
     } else {
@@ -88,7 +90,15 @@ fn parse_in(
         // The lines are wanted by what follows; finding them fits beside the reading.
         rayon::join(|| whole.read_side_by_side(&piece_bounds(text, start, end, pieces), read), || source.lines());
     }
-    let Whole { parsed, lowercase, .. } = whole;
+    let Whole { mut parsed, lowercase, outside, .. } = whole;
+    if let Some(outside) = outside {
+        // All of them are one run, whatever comments stand between them (BLK-2).
+        parsed.words_outside = true;
+        let word = crate::diag::shown(source.slice(outside.first));
+        let finding = Finding::WordOutsideBlock { word, more: outside.more, blocks: !parsed.blocks.is_empty() };
+        findings.add(Diagnostic::new(finding, at(outside.first)));
+    }
+    parsed.mark_commented();
     if lowercase {
         layout::check_case(file, text, parsed.start, parsed.end, findings);
     }
@@ -101,6 +111,7 @@ struct Whole<'f> {
     parsed: ParsedFile,
     findings: &'f mut Findings,
     lowercase: bool,
+    outside: Option<Outside>,
     /// `*` was met: what follows it is no program, whatever later pieces hold.
     ended: bool,
 }
@@ -124,7 +135,7 @@ impl Whole<'_> {
         if self.ended {
             return;
         }
-        let Self { parsed, findings, lowercase, ended } = self;
+        let Self { parsed, findings, lowercase, outside, ended } = self;
         *lowercase |= piece.lowering.lowercase;
         findings.append(piece.lowering.findings);
         let empty = parsed.blocks.is_empty() && parsed.comments.is_empty();
@@ -140,6 +151,7 @@ impl Whole<'_> {
         if let Some(header) = piece.header {
             parsed.program = header.program;
             parsed.title = header.title;
+            *outside = header.outside;
         }
         if let Some(after) = piece.end {
             layout::check_after_end(parsed.file, parsed.source.text(), after, parsed.end, findings);
@@ -175,6 +187,14 @@ pub(super) fn long_word(text: &str, start: u32) -> Span {
 struct Header {
     program: Option<Word>,
     title: Option<Span>,
+    outside: Option<Outside>,
+}
+
+/// Words that belong to no block.
+struct Outside {
+    first: Span,
+    /// How many follow the first.
+    more: usize,
 }
 
 /// Splits a text at lines where a block begins into at most `count` pieces of about the same length.
@@ -346,8 +366,10 @@ impl<'t> Reader<'t> {
                     self.report(Location { file, span }, Finding::ProgramStartInMacrocycle {});
                 }
             } else if !word.is_faulty() && after_program {
-                let shown = crate::diag::shown(text.get(span.range()).unwrap_or_default());
-                self.report(Location { file, span }, Finding::WordOutsideBlock { word: shown });
+                match &mut header.outside {
+                    Some(outside) => outside.more += 1,
+                    None => header.outside = Some(Outside { first: span, more: 0 }),
+                }
             }
         }
         let first = self.lowering.comments.iter().copied().find(|comment| comment.start >= program_end);
@@ -441,6 +463,38 @@ mod tests {
         let parsed = parse(FileId(0), &source, Form::Program, &mut Findings::new());
         let comments: Vec<&str> = parsed.comments(BlockId(0)).iter().map(|comment| source.slice(*comment)).collect();
         assert_eq!(comments, ["\"c\""]);
+    }
+
+    /// BLK-9: whose each comment is.
+    #[test]
+    fn comments_of_blocks() {
+        let owned = |text: &str, form: Form| {
+            let source = Arc::new(SourceText::from_text("t.nc", text));
+            let parsed = parse(FileId(0), &source, form, &mut Findings::new());
+            let texts = |block| {
+                let comments = parsed.comments(block);
+                assert_eq!(parsed.flags(block).has(BlockFlags::COMMENT), !comments.is_empty(), "{text:?}");
+                comments.iter().map(|comment| parsed.comment_text(*comment)).collect::<String>()
+            };
+            let program: String = parsed.program_comments().collect();
+            let blocks: Vec<String> = parsed.block_ids().map(texts).collect();
+            format!("{program}|{}", blocks.join("|"))
+        };
+        for (text, expected) in [
+            ("\"z\" %1 \"a\"\n\"b\"\n\"\" N1 X1", "ab|"),
+            ("%1\n\"a\"", "a|"),
+            ("%1\nN1 X1 \"a\"\nN2 M30", "|a|"),
+            ("%1\nN1 X1 \"a\" \"b\" N2 M30", "|ab|"),
+            ("%1\nN1 X1\n\"a\" N2 M30", "||a"),
+            ("%1\nN1 X1\r\n\"a\"\r\n\r\n\"b\"\r\nN2 M30", "||ab"),
+            ("%1\nN1 \"a\"\n\"b\"\nX1 \"c\"\n\"d\"\nN2 M30\n\"e\"", "|abc|de"),
+            ("%1\nN1\n\"a\"\nN2\n\"b\"\nN3 M30", "||a|b"),
+            ("%1\nN1 X \"a\"\n5 \"b\" Y1\nN2", "|ab|"),
+            ("%1\nN1 X1 \"a\" * \"b\"", "|a"),
+        ] {
+            assert_eq!(owned(text, Form::Program), expected, "{text:?}");
+        }
+        assert_eq!(owned("\"a\"\n%1 \"b\"\nN1 G79 L1\n\"c\"\nN2 G70", Form::Macrocycle), "b|ab|c");
     }
 
     /// Reading side by side gives what reading in one piece gives.

@@ -2,13 +2,13 @@
 
 use super::*;
 
-/// Comments of a block: trimmed, in order, up to the next N; empty ones are left out (BLK-9, LEX-6).
+/// Comments of a block: trimmed, in order; those on lines of their own are the next block's; empty ones are left out (BLK-9, LEX-6).
 #[test]
 fn comments() {
     let found = blocks(
         "%1 \"title\"\n\"before\"\nN10 \"  one\t\" X1 \"\" \"two\" \" \"\n\"three\nN20\n\"řez \\ 'x'\"\nN30 M30 \"end\"\n* \"after\"",
     );
-    assert_eq!(column(&found, "comments"), json!([["one", "two", "three"], ["řez \\ 'x'"], ["end"]]));
+    assert_eq!(column(&found, "comments"), json!([["one", "two"], ["three"], ["řez \\ 'x'", "end"]]));
 }
 
 /// Typographic quotes within a comment are text, also at its end when the line ends it (LEX-6, LEX-12).
