@@ -39,7 +39,7 @@ fn run(loader: &MemoryLoader, compile: bool) -> u64 {
     let session = Session { loader, settings: &settings, progress: None };
     let path = Path::new(NAME);
     let outcome = if compile {
-        session.compile(path, NAME, Part::default(), &mut io::sink()).expect("a sink")
+        session.compile(path, NAME, Part::default(), &mut io::sink()).expect("a sink").outcome
     } else {
         session.check(path, NAME)
     };

@@ -21,7 +21,7 @@ fuzz_target!(|data: &[u8]| {
     let settings = configure(None, &overrides, &loader, &mut sources, &mut findings);
     assert_places(&sources, &findings);
     let mut report = Report::new();
-    report.add(&sources, findings, |code| settings.severity(code));
+    report.add(&sources, findings);
     assert_rendered(&report, &[("channel.xml", bytes.len())]);
     assert!(settings.machine.m_functions.configured().all(|function| function.number <= 100));
 });

@@ -17,7 +17,7 @@ fuzz_target!(|data: &[u8]| {
     let session = Session { loader: &loader, settings: &settings, progress: None };
     let lengths = [("p.nc", bytes.len()), ("L1", bytes.len()), ("L9001.NC", bytes.len())];
     for name in ["p.nc", "L1"] {
-        assert_outcome(session.check(Path::new(name), name), &settings, &lengths);
+        assert_outcome(session.check(Path::new(name), name), &lengths);
     }
     // The library has this only when it is fuzzed.
     #[cfg(fuzzing)]

@@ -24,13 +24,15 @@ fuzz_target!(|data: &[u8]| {
     let session = Session { loader: &loader, settings: &settings, progress: None };
     let compile = |part| {
         let mut stream = Vec::new();
-        let outcome = session.compile(Path::new("p.nc"), "p.nc", part, &mut stream).expect("memory takes all");
-        (outcome, String::from_utf8(stream).expect("UTF-8"))
+        let run = session.compile(Path::new("p.nc"), "p.nc", part, &mut stream).expect("memory takes all");
+        (run, String::from_utf8(stream).expect("UTF-8"))
     };
-    let (outcome, stream) = compile(Part::default());
+    let (run, stream) = compile(Part::default());
+    let (outcome, whole) = (run.outcome, run.whole.is_some());
     let executed = outcome.executed;
     let lengths: Vec<(&str, usize)> = files.iter().map(|(name, text)| (*name, text.len())).collect();
-    let report = assert_outcome(outcome, &settings, &lengths);
+    let report = assert_outcome(outcome, &lengths);
+    assert_eq!(whole, report.errors() == 0, "a run is whole when it has no error, and only then");
     let blocks = assert_stream(&stream, report.errors() > 0, executed);
 
     let part = Part { from: u64::from(from), limit: (limit != 0).then_some(u64::from(limit)) };

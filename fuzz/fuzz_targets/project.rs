@@ -35,14 +35,16 @@ fuzz_target!(|data: &[u8]| {
     assert_places(&sources, &findings);
     let usable = !findings.has_errors();
     let mut report = Report::new();
-    report.add(&sources, findings, |code| settings.severity(code));
+    report.add(&sources, findings);
     assert_rendered(&report, &[("cnc872c.toml", bytes.len())]);
     if usable {
         let session = Session { loader: &loader, settings: &settings, progress: None };
         let mut stream = Vec::new();
-        let outcome = session.compile(Path::new("p.nc"), "p.nc", Part::default(), &mut stream).expect("memory");
-        let report = assert_outcome(outcome, &settings, &[("p.nc", PROGRAM.len())]);
+        let run = session.compile(Path::new("p.nc"), "p.nc", Part::default(), &mut stream).expect("memory");
+        let whole = run.whole.is_some();
+        let report = assert_outcome(run.outcome, &[("p.nc", PROGRAM.len())]);
         let ended = stream.windows(13).any(|window| window == b"\"kind\":\"end\",");
         assert_eq!(ended, report.errors() == 0);
+        assert_eq!(whole, ended);
     }
 });

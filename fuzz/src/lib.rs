@@ -9,8 +9,8 @@ pub mod world;
 
 use std::path::Path;
 
-use cnc872c::config::{Overrides, Settings, configure};
-use cnc872c::diag::{Diagnostic, Findings, Format, Report, render};
+use cnc872c::config::{Level, Overrides, Settings, configure};
+use cnc872c::diag::{Code, Diagnostic, Findings, Format, Report, Severity, render};
 use cnc872c::dict::{Dialect, Lang};
 use cnc872c::session::Outcome;
 use cnc872c::text::{Encoding, Loader, Location, Sources};
@@ -51,9 +51,13 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// Takes the first two bytes; the rest is the input.
+    /// Takes the first two bytes, and two more when they ask for levels; the rest is the input.
     pub fn take(data: &[u8]) -> Option<(Self, &[u8])> {
         let (&[first, second], rest) = data.split_first_chunk()?;
+        let (levels, rest) = match second & 0x20 {
+            0 => (None, rest),
+            _ => rest.split_first_chunk().map(|(&bytes, rest)| (Some(u16::from_le_bytes(bytes)), rest))?,
+        };
         let dialect = [Dialect::Cnc872, Dialect::Cnc8x6, Dialect::Cnc8x9][usize::from(first % 3)];
         let encoding =
             [Encoding::Cp852, Encoding::Windows1250, Encoding::Iso88592, Encoding::Kamenicky][usize::from(second & 3)];
@@ -63,6 +67,7 @@ impl Mode {
             block_skip: Some(first & 0x10 != 0),
             optional_stop: Some(first & 0x20 != 0),
             max_blocks: Some(MOST_BLOCKS),
+            lints: levels.map(lints).unwrap_or_default(),
             ..Overrides::default()
         };
         Some((Self { overrides, with_project: second & 0x10 != 0 }, rest))
@@ -76,6 +81,19 @@ impl Mode {
         assert!(!findings.has_errors(), "{:?}", findings.items());
         settings
     }
+}
+
+/// A level for about three of four codes that may have one, out of a seed: as `-A`, `-W` and `-D` give them.
+fn lints(seed: u16) -> Vec<(Code, Level)> {
+    let mut state = u32::from(seed) | 1;
+    let configurable = Code::ALL.iter().copied().filter(|code| code.is_configurable());
+    let level = |code| {
+        // Knuth's multiplicative steps.
+        state = state.wrapping_mul(2_654_435_769).wrapping_add(1);
+        [None, Some(Level::Allow), Some(Level::Warn), Some(Level::Deny)][(state >> 30) as usize]
+            .map(|level| (code, level))
+    };
+    configurable.filter_map(level).collect()
 }
 
 /// Places of a finding.
@@ -104,12 +122,15 @@ pub fn assert_places(sources: &Sources, findings: &Findings) {
 }
 
 /// Looks at the places of an outcome, and renders it in every form.
-pub fn assert_outcome(outcome: Outcome, settings: &Settings, lengths: &[(&str, usize)]) -> Report {
+pub fn assert_outcome(outcome: Outcome, lengths: &[(&str, usize)]) -> Report {
     assert_places(&outcome.sources, &outcome.findings);
     assert!(outcome.executed <= MOST_BLOCKS + 1, "{} blocks", outcome.executed);
-    let purpose = outcome.purpose;
+    let counted = outcome.findings.error_count();
     let mut report = Report::new();
-    report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, purpose));
+    report.add_program(&outcome.sources, outcome.findings);
+    assert_eq!(report.errors(), counted, "errors by the report and by the findings");
+    let shown = report.items().filter(|item| item.severity == Severity::Error).count();
+    assert_eq!(shown == 0, counted == 0, "an error of each code is shown");
     assert_rendered(&report, lengths);
     report
 }

@@ -185,13 +185,13 @@ fn checked(
     let (mut sources, mut findings) = (Sources::new(), Findings::new());
     let settings = configure(project.as_deref(), overrides, loader, &mut sources, &mut findings);
     let mut report = Report::new();
-    report.add(&sources, findings, |code| settings.severity(code));
+    report.add(&sources, findings);
     let configures = path.file_name().is_some_and(|name| name == PROJECT_FILE)
         || path.extension().is_some_and(|extension| extension == "xml");
     if report.errors() == 0 && !configures {
         let session = Session { loader, settings: &settings, progress: None };
         let outcome = session.check(path, &path.to_string_lossy());
-        report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
+        report.add_program(&outcome.sources, outcome.findings);
     }
     let shown = report.items().map(|item| {
         let at = item.diagnostic.at;

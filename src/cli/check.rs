@@ -14,7 +14,6 @@ use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, tell, tell_unshown};
 use super::walk::{Target, targets};
 use super::words::Words;
-use crate::config::Settings;
 use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, render};
 use crate::session::{Outcome, Session};
 use crate::text::{Location, SourceText, Sources};
@@ -74,12 +73,12 @@ fn check_all(
         if matches!(counted, Counted::Files(_)) {
             progress.advance();
         }
-        Some((outcome, settings))
+        Some(outcome)
     };
     let mut unusable = false;
-    let mut add = |(outcome, settings): (Outcome, &Settings)| {
+    let mut add = |outcome: Outcome| {
         unusable |= outcome.lacks_file();
-        report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
+        report.add_program(&outcome.sources, outcome.findings);
     };
     if let [only] = targets {
         // The threads of the pool are not started for one program.

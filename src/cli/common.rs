@@ -127,7 +127,7 @@ impl Projects {
         let mut report = Report::new();
         for configured in &mut self.configured {
             let findings = std::mem::take(&mut configured.findings);
-            report.add(&configured.sources, findings, |code| configured.settings.severity(code));
+            report.add(&configured.sources, findings);
         }
         report
     }

@@ -10,12 +10,13 @@ use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
-use super::status::{Failure, Status, tell_unshown};
+use super::status::{Failure, Status, complain, tell_unshown};
 use super::walk::Target;
 use super::words::{Words, reason};
 use crate::diag::{Format, Report, render};
 use crate::dict::Lang;
-use crate::session::{Part, Session};
+use crate::run::End;
+use crate::session::{Part, Run, Session};
 
 pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
@@ -47,23 +48,26 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let part = Part { from: args.from, limit: args.limit };
     let written = session.compile(&target.path, &target.name(), part, &mut stream);
     drop(progress);
-    let outcome = written.map_err(|error| cannot_write(error, output, locale.lang))?;
+    let Run { outcome, whole } = written.map_err(|error| cannot_write(error, output, locale.lang))?;
     let lacks_file = outcome.lacks_file();
-    report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, outcome.purpose));
-    let status = match report.errors() > 0 {
-        _ if lacks_file => Status::Unusable,
-        true => Status::Faulty,
-        false => Status::Fine,
-    };
+    report.add_program(&outcome.sources, outcome.findings);
     if let Some(output) = output
         && outcome.sources.iter().any(|(_, source)| canonical(Path::new(source.name())) == canonical(output))
     {
         return Err(refuse(output).into());
     }
-    if status == Status::Fine {
-        stream.commit().map_err(|error| cannot_write(error, output, locale.lang))?;
-    }
+    let status = match whole {
+        Some(whole) => {
+            stream.commit(whole).map_err(|error| cannot_write(error, output, locale.lang))?;
+            Status::Fine
+        }
+        None if lacks_file => Status::Unusable,
+        None => Status::Faulty,
+    };
     print(args.common.format, &report, locale);
+    if whole.is_none() && report.errors() == 0 {
+        complain(&Words::NotWhole { file: target.name() }, locale.lang);
+    }
     Ok(status)
 }
 
@@ -113,8 +117,8 @@ impl Stream {
         opened.map_err(|error| cannot_write(error, Some(output), lang))
     }
 
-    /// Puts a complete file in place.
-    fn commit(self) -> io::Result<()> {
+    /// Puts the file in place, which only the stream of a whole run is.
+    fn commit(self, _: End) -> io::Result<()> {
         match self {
             Self::Stdout(_) | Self::Direct(_) => Ok(()),
             Self::File(file) => file.commit(),

@@ -17,6 +17,9 @@ bilingual! {
         OutputIsProgram { file: String }
             "{file} is the program itself, or a macrocycle of it: the stream needs a file of its own after -o",
             "{file} je sám program nebo jeho makrocyklus: za -o patří jiný soubor";
+        NotWhole { file: String }
+            "the stream of {file} has no end: execution stopped before M02 or M30",
+            "proud bloků programu {file} nemá konec: provádění skončilo před M02 nebo M30";
         Interrupted
             "interrupted; no file is left half written",
             "přerušeno; žádný soubor nezůstal zapsaný napůl";

@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::project::Project;
 use super::taken::Setting;
-use super::{Axes, MFunctions, Machine, Overrides, Settings, SpindleAxis, channel, constants};
+use super::{Axes, MFunctions, Machine, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
 use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span};
@@ -15,7 +15,7 @@ use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, So
 ///
 /// The files read join `sources` under the names by which they were reached; paths in the project file are relative to
 /// its folder. What is wrong joins `findings` at its place: E0701 for what cannot be read, E0702–E0706 for values, W0705
-/// for unknown names. A wrong value leaves the default in force; when `findings` then has an error, the run must end with
+/// for unknown names. They get the levels of the run. A wrong value leaves the default in force; when `findings` then has an error, the run must end with
 /// status 2 before any program is read.
 pub fn configure(
     project: Option<&Path>,
@@ -44,6 +44,7 @@ pub fn configure(
     };
     let lints = values.lints.iter().map(|lint| lint.value).chain(overrides.lints.iter().copied());
     settings.lints = lints.filter(|(code, _)| code.is_configurable()).collect();
+    files.findings.set_levels(settings.levels(Purpose::Check));
     if let Some(extensions) = &values.extensions {
         settings.extensions = extensions.value.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use super::{ArcCenters, G97, MFunctions, SpindleAxis};
-use crate::diag::{Code, Severity};
+use crate::diag::{Code, Levels, Severity};
 use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, M_GROUPS, Operation};
 use crate::text::Encoding;
 
@@ -308,6 +308,11 @@ impl Settings {
             Purpose::Compile if code == Code::W0503 => Some(Severity::Error),
             Purpose::Compile | Purpose::Check => self.severity(code),
         }
+    }
+
+    /// The severities of all codes in a run for that purpose.
+    pub fn levels(&self, purpose: Purpose) -> Levels {
+        Levels::new(|code| self.severity_for(code, purpose))
     }
 }
 

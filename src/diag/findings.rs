@@ -2,42 +2,72 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use super::{Code, Diagnostic, Severity};
+use super::{Code, Diagnostic, Levels, Severity};
 use crate::text::{FileId, LineIndex, Location};
 
-/// How many errors and how many warnings are kept; the rest is counted.
-pub const LIMIT_PER_SEVERITY: usize = 10_000;
+/// How many findings of each code are kept for each file; the rest is counted.
+pub const LIMIT_PER_CODE: usize = 10_000;
 
-/// Collects findings: each code once at a place, a bounded number of each severity, the rest counted.
+/// Collects findings at the levels of the run: each code once at a place, a bounded number of each code and file, the rest
+/// counted. What is allowed is not a finding.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
+    levels: Levels,
     items: Vec<Diagnostic>,
     seen: HashSet<(Code, Location)>,
-    kept_errors: usize,
-    kept_warnings: usize,
-    beyond: BTreeMap<Code, usize>,
+    counts: BTreeMap<(FileId, Code), Count>,
+    /// Those beyond the limit included.
+    errors: usize,
+    /// The errors of which [`Levels::is_fault`] holds.
+    faults: usize,
+}
+
+/// How many findings of one code are in one file.
+#[derive(Clone, Copy, Debug, Default)]
+struct Count {
+    kept: usize,
+    beyond: usize,
 }
 
 impl Findings {
-    /// None yet.
+    /// None yet; codes have the levels of the registry.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds a finding, unless the same code was found at the same place (a subprogram executed many times).
+    /// None yet; codes have these levels.
+    pub fn with_levels(levels: Levels) -> Self {
+        Self { levels, ..Self::default() }
+    }
+
+    /// The level of each code.
+    pub const fn levels(&self) -> &Levels {
+        &self.levels
+    }
+
+    /// Gives the codes other levels, also in what was found so far: the configuration says them when it is read.
+    pub fn set_levels(&mut self, levels: Levels) {
+        let before = std::mem::replace(self, Self::with_levels(levels));
+        self.append(before);
+    }
+
+    /// Adds a finding, unless it is allowed, or the same code was found at the same place (a subprogram executed many times).
     pub fn add(&mut self, diagnostic: Diagnostic) {
-        let key = (diagnostic.code(), diagnostic.at);
-        let kept = match key.0.severity() {
-            Severity::Error => &mut self.kept_errors,
-            Severity::Warning => &mut self.kept_warnings,
-        };
-        if *kept < LIMIT_PER_SEVERITY {
+        let code = diagnostic.code();
+        if self.levels.of(code).is_none() {
+            return;
+        }
+        let key = (code, diagnostic.at);
+        let count = self.counts.entry((diagnostic.at.file, code)).or_default();
+        if count.kept < LIMIT_PER_CODE {
             if self.seen.insert(key) {
-                *kept += 1;
+                count.kept += 1;
                 self.items.push(diagnostic);
+                self.count(code, 1);
             }
         } else if !self.seen.contains(&key) {
-            *self.beyond.entry(key.0).or_default() += 1;
+            count.beyond += 1;
+            self.count(code, 1);
         }
     }
 
@@ -46,68 +76,90 @@ impl Findings {
         for diagnostic in other.items {
             self.add(diagnostic);
         }
-        for (code, count) in other.beyond {
-            *self.beyond.entry(code).or_default() += count;
+        for (key, Count { beyond, .. }) in other.counts {
+            self.add_beyond(key, beyond);
+        }
+    }
+
+    fn add_beyond(&mut self, key: (FileId, Code), beyond: usize) {
+        if beyond > 0 && self.levels.of(key.1).is_some() {
+            self.counts.entry(key).or_default().beyond += beyond;
+            self.count(key.1, beyond);
+        }
+    }
+
+    fn count(&mut self, code: Code, added: usize) {
+        if self.levels.of(code) == Some(Severity::Error) {
+            self.errors += added;
+        }
+        if self.levels.is_fault(code) {
+            self.faults += added;
         }
     }
 
     /// Keeps, of each line of a file, the first error, or the first warning when there is no error. What is beyond the limit
-    /// is counted as if it were one a line.
+    /// is counted as if it were one a line, errors first.
     pub fn keep_one_a_line(&mut self, file: FileId, lines: &LineIndex) {
+        let before = std::mem::replace(self, Self::with_levels(self.levels));
+        let severity = |code: Code| before.levels.of(code).unwrap_or(Severity::Warning);
         let mut first: BTreeMap<usize, (Severity, Location, Code)> = BTreeMap::new();
-        for item in self.items.iter().filter(|item| item.at.file == file) {
-            let key = (item.code().severity(), item.at, item.code());
+        for item in before.items.iter().filter(|item| item.at.file == file) {
+            let key = (severity(item.code()), item.at, item.code());
             let kept = first.entry(lines.line_at(item.at.span.start)).or_insert(key);
             *kept = key.min(*kept);
         }
         let mut room = lines.count().saturating_sub(first.len());
         let kept: HashSet<(Code, Location)> = first.into_values().map(|(_, at, code)| (code, at)).collect();
-        let Self { items, beyond, .. } = std::mem::take(self);
-        for item in items {
+        let mut beyond: Vec<_> = before.counts.iter().map(|(key, count)| (*key, count.beyond)).collect();
+        beyond.sort_by_key(|((found_in, code), _)| (severity(*code), *found_in, *code));
+        for item in before.items {
             if item.at.file != file || kept.contains(&(item.code(), item.at)) {
                 self.add(item);
             }
         }
-        for (code, count) in beyond {
-            let counted = count.min(room);
-            room -= counted;
-            if counted > 0 {
-                self.beyond.insert(code, counted);
+        for (key, count) in beyond {
+            let counted = if key.0 == file { count.min(room) } else { count };
+            if key.0 == file {
+                room -= counted;
             }
+            self.add_beyond(key, counted);
         }
     }
 
-    /// Whether a finding that is an error by default is among them.
-    pub fn has_errors(&self) -> bool {
-        self.kept_errors > 0
+    /// Whether an error is among them, be it kept or only counted.
+    pub const fn has_errors(&self) -> bool {
+        self.errors > 0
     }
 
-    /// How many findings are errors by default.
-    pub fn error_count(&self) -> usize {
-        // Asked after every executed block, and hardly ever is there anything beyond.
-        if self.beyond.is_empty() { self.kept_errors } else { self.kept_errors + self.beyond().0 }
+    /// How many are errors, those that are only counted included.
+    pub const fn error_count(&self) -> usize {
+        self.errors
+    }
+
+    /// How many are errors in this run and unless configured: a warning that is denied is an error that keeps nothing from
+    /// being executed.
+    pub const fn fault_count(&self) -> usize {
+        self.faults
     }
 
     /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
+    pub const fn is_empty(&self) -> bool {
         self.items.is_empty()
     }
 
-    /// Those kept so far, in the order found.
+    /// Those kept so far, in the order found. The first of each code is among them.
     pub fn items(&self) -> &[Diagnostic] {
         &self.items
     }
 
-    /// How many errors and warnings, by default level, were found beyond those kept.
-    pub fn beyond(&self) -> (usize, usize) {
-        let of =
-            |severity| self.beyond.iter().filter(|(code, _)| code.severity() == severity).map(|(_, count)| count).sum();
-        (of(Severity::Error), of(Severity::Warning))
+    /// Whether a finding of that code is among them.
+    pub fn has(&self, code: Code) -> bool {
+        self.counts.keys().any(|(_, found)| *found == code)
     }
 
-    /// How many findings of each code were found beyond those kept.
-    pub const fn beyond_by_code(&self) -> &BTreeMap<Code, usize> {
-        &self.beyond
+    /// How many findings of each code and file are only counted.
+    pub fn beyond(&self) -> impl Iterator<Item = ((FileId, Code), usize)> + '_ {
+        self.counts.iter().filter(|(_, count)| count.beyond > 0).map(|(key, count)| (*key, count.beyond))
     }
 
     /// The findings, sorted by file and place, then code.
@@ -137,6 +189,11 @@ mod tests {
         assert!(!findings.has_errors());
     }
 
+    fn long_line(at: u32) -> Diagnostic {
+        let at = Location { file: FileId(0), span: Span::new(at, at + 1) };
+        Diagnostic::new(Finding::LineTooLong { length: 81 }, at)
+    }
+
     #[test]
     fn one_a_line() {
         let lines = LineIndex::new("0123456789\n0123456789\n0123456789", 0);
@@ -150,25 +207,64 @@ mod tests {
         findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(5)));
         findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(15)));
         findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(14)));
-        findings.beyond.insert(Code::E0203, 1000);
+        findings.add_beyond((FileId(0), Code::E0203), 1000);
+        findings.add_beyond((FileId(1), Code::W0214), 7);
         findings.keep_one_a_line(FileId(0), &lines);
-        assert_eq!((findings.error_count(), findings.beyond()), (3, (1, 0)), "the third line may have one");
+        let beyond: Vec<_> = findings.beyond().collect();
+        let expected = [((FileId(0), Code::E0203), 1), ((FileId(1), Code::W0214), 7)];
+        assert_eq!((findings.error_count(), &beyond[..]), (3, &expected[..]), "the third line may have one");
         let found: Vec<_> =
             findings.into_sorted().into_iter().map(|item| (item.at.file.0, item.at.span.start)).collect();
         assert_eq!(found, [(0, 5), (0, 14), (1, 5)]);
     }
 
+    /// A warning of this run, though an error unless configured, takes no place from an error of its line.
     #[test]
-    fn what_is_not_kept_is_counted_by_code() {
+    fn one_a_line_by_the_levels_of_the_run() {
+        let lines = LineIndex::new("0123456789", 0);
+        let warn = Levels::new(|code| Some(if code == Code::E0109 { Severity::Warning } else { code.severity() }));
+        let mut findings = Findings::with_levels(warn);
+        findings.add(long_line(1));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, empty_block(8).at));
+        findings.keep_one_a_line(FileId(0), &lines);
+        assert!(findings.has_errors());
+        let codes: Vec<Code> = findings.items().iter().map(Diagnostic::code).collect();
+        assert_eq!(codes, [Code::E0212]);
+    }
+
+    #[test]
+    fn what_is_not_kept_is_counted_by_code_and_file() {
         let mut findings = Findings::new();
         for at in 0..10_003 {
             findings.add(empty_block(at));
         }
         findings.add(empty_block(7));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, empty_block(20_000).at));
         let mut all = Findings::new();
         all.append(findings);
-        assert_eq!(all.items().len(), LIMIT_PER_SEVERITY);
-        assert_eq!(all.beyond(), (0, 3));
-        assert_eq!(all.beyond_by_code(), &BTreeMap::from([(Code::W0214, 3)]));
+        assert_eq!(all.items().len(), LIMIT_PER_CODE + 1, "the first of each code is kept");
+        assert_eq!(all.beyond().collect::<Vec<_>>(), [((FileId(0), Code::W0214), 3)]);
+        assert_eq!((all.error_count(), all.fault_count()), (1, 1));
+    }
+
+    /// diagnostics.md: levels come before limits.
+    #[test]
+    fn levels_before_limits() {
+        let levels = Levels::new(|code| match code {
+            Code::E0109 => None,
+            Code::W0214 => Some(Severity::Error),
+            other => Some(other.severity()),
+        });
+        let mut findings = Findings::with_levels(levels);
+        for at in 0..10_003 {
+            findings.add(long_line(at));
+            findings.add(empty_block(at));
+        }
+        assert_eq!((findings.items().len(), findings.error_count()), (LIMIT_PER_CODE, 10_003));
+        assert_eq!(findings.fault_count(), 0, "a warning that is denied");
+        assert!(!findings.has(Code::E0109), "what is allowed is no finding");
+        findings.set_levels(Levels::default());
+        assert_eq!((findings.items().len(), findings.error_count()), (LIMIT_PER_CODE, 0));
+        assert_eq!(findings.beyond().collect::<Vec<_>>(), [((FileId(0), Code::W0214), 3)]);
     }
 }

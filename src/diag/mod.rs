@@ -9,6 +9,7 @@ pub mod explain;
 mod findings;
 mod fix;
 mod labels;
+mod levels;
 mod registry;
 mod render;
 mod report;
@@ -19,9 +20,10 @@ pub use details::{
     OtherControl, ParameterNeed, Problem,
 };
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
-pub use findings::{Findings, LIMIT_PER_SEVERITY};
+pub use findings::{Findings, LIMIT_PER_CODE};
 pub use fix::{Fixed, apply_fixes, compatible_edits};
 pub use labels::{FixTitle, LabelText};
+pub use levels::Levels;
 pub use registry::{Code, Finding, Severity};
 pub use render::{Format, render, schema, unshown};
 pub use report::{Report, Reported};

@@ -1,10 +1,9 @@
 //! The findings of a whole run over many programs, as they are rendered.
 
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
-use super::{Code, Diagnostic, Findings, LIMIT_PER_SEVERITY, Severity};
+use super::{Code, Diagnostic, Findings, LIMIT_PER_CODE, Severity};
 use crate::text::{FileId, Location, SourceText, Sources};
 
 /// A finding with the severity it has in this run.
@@ -16,24 +15,25 @@ pub struct Reported {
     pub diagnostic: Diagnostic,
 }
 
-/// Findings and how many of them.
-#[derive(Clone, Copy, Debug, Default)]
-struct Count {
-    found: usize,
-    kept: usize,
-}
-
 /// The findings of all programs of a run, each code once at a place, in the order of output: by file, the files in the
-/// order in which they were added, then by place, then by code. Bounded: of each severity [`LIMIT_PER_SEVERITY`] are
-/// kept, the rest is counted.
+/// order in which they were added, then by place, then by code. Bounded: of each code [`LIMIT_PER_CODE`] are kept for each
+/// file, the rest is counted. What is found in one file takes no place from another.
 #[derive(Debug, Default)]
 pub struct Report {
     sources: Sources,
     by_name: BTreeMap<String, Vec<FileId>>,
     items: BTreeMap<(Location, Code), Reported>,
-    errors: Count,
-    warnings: Count,
+    counts: BTreeMap<(FileId, Code), Count>,
     programs: usize,
+}
+
+/// How many findings of one code are in one file.
+#[derive(Clone, Copy, Debug)]
+struct Count {
+    kept: usize,
+    beyond: usize,
+    /// Of those beyond.
+    severity: Severity,
 }
 
 impl Report {
@@ -43,49 +43,56 @@ impl Report {
     }
 
     /// Adds the findings of one program, as [`Self::add`] does, and counts the program.
-    pub fn add_program(&mut self, sources: &Sources, findings: Findings, severity: impl Fn(Code) -> Option<Severity>) {
+    pub fn add_program(&mut self, sources: &Sources, findings: Findings) {
         self.programs += 1;
-        self.add(sources, findings, severity);
+        self.add(sources, findings);
     }
 
-    /// Adds findings, whose places are in `sources`, with the severity that each code has in this run; those without
-    /// one are allowed, and dropped. A file that another program led to already (same name, same text) is one file, and
-    /// what was found in it before is not added again. Texts that no finding is in are not kept.
-    pub fn add(&mut self, sources: &Sources, findings: Findings, severity: impl Fn(Code) -> Option<Severity>) {
-        for (&code, &count) in findings.beyond_by_code() {
-            if let Some(severity) = severity(code) {
-                self.count_mut(severity).found += count;
-            }
-        }
-        let shown: Vec<(Severity, Diagnostic)> = findings
-            .into_sorted()
-            .into_iter()
-            .filter_map(|diagnostic| Some((severity(diagnostic.code())?, diagnostic)))
-            .collect();
-        let files = self.merge(sources, &shown);
-        for (severity, mut diagnostic) in shown {
+    /// Adds findings, whose places are in `sources`, at the levels that they have. A file that another program led to already
+    /// (same name, same text) is one file; what was found in it before is not added again, and has the higher severity of the
+    /// two. Texts that no finding is in are not kept.
+    pub fn add(&mut self, sources: &Sources, findings: Findings) {
+        let levels = *findings.levels();
+        let beyond: Vec<_> = findings.beyond().collect();
+        let found = findings.into_sorted();
+        let files = self.merge(sources, &found);
+        for mut diagnostic in found {
+            let Some(severity) = levels.of(diagnostic.code()) else { continue };
             move_to(&files, &mut diagnostic);
             self.add_one(severity, diagnostic);
         }
+        for ((file, code), beyond) in beyond {
+            let (Some(&file), Some(severity)) = (files.get(&file), levels.of(code)) else { continue };
+            let count = self.count(file, code, severity);
+            count.severity = count.severity.min(severity);
+            // What two programs lead to is counted once.
+            count.beyond = count.beyond.max(beyond);
+        }
+    }
+
+    fn count(&mut self, file: FileId, code: Code, severity: Severity) -> &mut Count {
+        self.counts.entry((file, code)).or_insert(Count { kept: 0, beyond: 0, severity })
     }
 
     fn add_one(&mut self, severity: Severity, diagnostic: Diagnostic) {
-        let Count { kept, .. } = *self.count_mut(severity);
-        let Entry::Vacant(place) = self.items.entry((diagnostic.at, diagnostic.code())) else {
+        let key = (diagnostic.at, diagnostic.code());
+        if let Some(known) = self.items.get_mut(&key) {
+            known.severity = known.severity.min(severity);
             return;
-        };
-        let keep = kept < LIMIT_PER_SEVERITY;
-        if keep {
-            place.insert(Reported { severity, diagnostic });
         }
-        let count = self.count_mut(severity);
-        count.found += 1;
-        count.kept += usize::from(keep);
+        let count = self.count(key.0.file, key.1, severity);
+        if count.kept < LIMIT_PER_CODE {
+            count.kept += 1;
+            self.items.insert(key, Reported { severity, diagnostic });
+        } else {
+            count.beyond += 1;
+            count.severity = count.severity.min(severity);
+        }
     }
 
     /// Takes over the texts that the findings are in; the number here of each file of `sources`.
-    fn merge(&mut self, sources: &Sources, findings: &[(Severity, Diagnostic)]) -> BTreeMap<FileId, FileId> {
-        let mut used: Vec<FileId> = findings.iter().flat_map(|(_, diagnostic)| files_of(diagnostic)).collect();
+    fn merge(&mut self, sources: &Sources, findings: &[Diagnostic]) -> BTreeMap<FileId, FileId> {
+        let mut used: Vec<FileId> = findings.iter().flat_map(files_of).collect();
         used.sort_unstable();
         used.dedup();
         used.into_iter().filter_map(|id| Some((id, self.file(sources.get(id)?)))).collect()
@@ -104,13 +111,6 @@ impl Report {
         })
     }
 
-    fn count_mut(&mut self, severity: Severity) -> &mut Count {
-        match severity {
-            Severity::Error => &mut self.errors,
-            Severity::Warning => &mut self.warnings,
-        }
-    }
-
     /// The findings, in the order of output.
     pub fn items(&self) -> impl ExactSizeIterator<Item = &Reported> {
         self.items.values()
@@ -127,18 +127,24 @@ impl Report {
     }
 
     /// How many errors there are, those that were not kept included.
-    pub const fn errors(&self) -> usize {
-        self.errors.found
+    pub fn errors(&self) -> usize {
+        self.of_severity(Severity::Error)
     }
 
     /// How many warnings there are, those that were not kept included.
-    pub const fn warnings(&self) -> usize {
-        self.warnings.found
+    pub fn warnings(&self) -> usize {
+        self.of_severity(Severity::Warning)
+    }
+
+    fn of_severity(&self, severity: Severity) -> usize {
+        let kept = self.items.values().filter(|item| item.severity == severity).count();
+        let beyond = self.counts.values().filter(|count| count.severity == severity).map(|count| count.beyond);
+        kept + beyond.sum::<usize>()
     }
 
     /// How many findings were counted, but not kept.
-    pub const fn suppressed(&self) -> usize {
-        self.errors.found + self.warnings.found - self.errors.kept - self.warnings.kept
+    pub fn suppressed(&self) -> usize {
+        self.counts.values().map(|count| count.beyond).sum()
     }
 }
 
@@ -166,7 +172,7 @@ fn move_to(files: &BTreeMap<FileId, FileId>, diagnostic: &mut Diagnostic) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::{Finding, LabelText};
+    use crate::diag::{Finding, LabelText, Levels};
     use crate::text::Span;
 
     fn sources(files: &[(&str, &str)]) -> Sources {
@@ -182,9 +188,17 @@ mod tests {
     }
 
     fn findings(items: impl IntoIterator<Item = Diagnostic>) -> Findings {
-        let mut findings = Findings::new();
+        at_levels(Levels::default(), items)
+    }
+
+    fn at_levels(levels: Levels, items: impl IntoIterator<Item = Diagnostic>) -> Findings {
+        let mut findings = Findings::with_levels(levels);
         items.into_iter().for_each(|item| findings.add(item));
         findings
+    }
+
+    fn all(severity: Severity) -> Levels {
+        Levels::new(|_| Some(severity))
     }
 
     fn places(report: &Report) -> Vec<(String, u32)> {
@@ -196,31 +210,45 @@ mod tests {
     #[test]
     fn programs_share_their_macrocycles() {
         let mut report = Report::new();
-        let level = |code: Code| Some(code.severity());
         let first = sources(&[("a.nc", "%1 N10 N20"), ("L9001", "N1 G79 L9001 N2 N3 G70")]);
-        report.add_program(&first, findings([empty_block(1, 13), empty_block(0, 7), empty_block(0, 3)]), level);
+        report.add_program(&first, findings([empty_block(1, 13), empty_block(0, 7), empty_block(0, 3)]));
         let second = sources(&[("b.nc", "%2 N10"), ("L9002", "N1"), ("L9001", "N1 G79 L9001 N2 N3 G70")]);
-        report.add_program(&second, findings([empty_block(2, 13), empty_block(2, 16), empty_block(0, 3)]), level);
+        report.add_program(&second, findings([empty_block(2, 13), empty_block(2, 16), empty_block(0, 3)]));
         let expected = [("a.nc", 3), ("a.nc", 7), ("L9001", 13), ("L9001", 16), ("b.nc", 3)];
         assert_eq!(places(&report), expected.map(|(name, at)| (name.to_owned(), at)));
         assert_eq!((report.programs(), report.errors(), report.warnings(), report.suppressed()), (2, 0, 5, 0));
         assert_eq!(report.sources().iter().count(), 3, "texts without findings are not kept");
     }
 
+    /// diagnostics.md: a finding reached by two programs has the higher of its levels, whichever comes first.
+    #[test]
+    fn the_higher_level_of_two_programs() {
+        let [warning, error] = [Severity::Warning, Severity::Error];
+        for order in [[warning, error], [error, warning]] {
+            let mut report = Report::new();
+            for (severity, program) in order.into_iter().zip(["a.nc", "b.nc"]) {
+                let files = sources(&[(program, ""), ("L9001", "N1 N2")]);
+                report.add_program(&files, at_levels(all(severity), [empty_block(1, 3)]));
+            }
+            assert_eq!((report.errors(), report.warnings()), (1, 0), "{order:?}");
+        }
+    }
+
     #[test]
     fn a_file_that_changed_during_the_run_is_another_file() {
         let mut report = Report::new();
-        report.add_program(&sources(&[("a.nc", "N1")]), findings([empty_block(0, 0)]), |code| Some(code.severity()));
-        report.add_program(&sources(&[("a.nc", "N2")]), findings([empty_block(0, 0)]), |code| Some(code.severity()));
+        report.add_program(&sources(&[("a.nc", "N1")]), findings([empty_block(0, 0)]));
+        report.add_program(&sources(&[("a.nc", "N2")]), findings([empty_block(0, 0)]));
         assert_eq!(report.items().count(), 2);
     }
 
     #[test]
     fn severities_of_the_run() {
         let files = sources(&[("a.nc", "N1 N2")]);
-        let found = || findings([empty_block(0, 0), Diagnostic::new(Finding::TextAfterEnd {}, empty_block(0, 3).at)]);
+        let text_after_end = Diagnostic::new(Finding::TextAfterEnd {}, empty_block(0, 3).at);
+        let levels = Levels::new(|code| (code != Code::W0110).then_some(Severity::Error));
         let mut report = Report::new();
-        report.add(&files, found(), |code| (code != Code::W0110).then_some(Severity::Error));
+        report.add(&files, at_levels(levels, [empty_block(0, 0), text_after_end]));
         assert_eq!((report.programs(), report.errors(), report.warnings()), (0, 1, 0));
         assert!(report.items().all(|item| item.severity == Severity::Error));
     }
@@ -230,22 +258,23 @@ mod tests {
         let files = sources(&[("a.nc", "N1 N2"), ("unused", ""), ("L5", "N7")]);
         let label = Location { file: FileId(2), span: Span::new(0, 1) };
         let mut report = Report::new();
-        report
-            .add(&files, findings([empty_block(0, 0).with_label(label, LabelText::First)]), |_| Some(Severity::Error));
+        report.add(&files, findings([empty_block(0, 0).with_label(label, LabelText::First)]));
         let item = report.items().next().unwrap();
         assert_eq!(report.sources().get(item.diagnostic.labels[0].at.file).unwrap().name(), "L5");
     }
 
-    /// The number of findings is bounded in a run as in a program; what is left out is counted, by its level.
+    /// The number of findings of a code is bounded for each file; what is left out is counted, by its level. A file with many
+    /// takes no place from the next, and a macrocycle of two programs is counted once.
     #[test]
     fn bounded() {
-        let files = sources(&[("a.nc", "N1")]);
-        let many = |from: u32| findings((from..from + 10_005).map(|at| empty_block(0, at)));
+        let many = |file: u32| (0..10_005).map(move |at| empty_block(file, at));
         let mut report = Report::new();
-        report.add(&files, many(0), |_| Some(Severity::Error));
-        report.add(&files, many(10_000), |_| Some(Severity::Error));
-        report.add(&files, many(0), |_| None);
-        assert_eq!(report.items().count(), LIMIT_PER_SEVERITY);
-        assert_eq!((report.errors(), report.warnings(), report.suppressed()), (20_010, 0, 10_010));
+        for program in ["a.nc", "b.nc"] {
+            let files = sources(&[(program, "N1"), ("L9001", "N2")]);
+            report.add(&files, at_levels(all(Severity::Error), many(1).chain(many(0))));
+        }
+        let kept = |name: &str| places(&report).iter().filter(|(file, _)| file == name).count();
+        assert_eq!(["a.nc", "b.nc", "L9001"].map(kept), [LIMIT_PER_CODE; 3]);
+        assert_eq!((report.errors(), report.warnings(), report.suppressed()), (30_015, 0, 15));
     }
 }

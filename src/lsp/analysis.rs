@@ -100,7 +100,7 @@ pub(super) fn run(
     let (current, config_sources, config_findings) = configuration(path, files, client);
     let configured = || {
         let mut report = Report::new();
-        report.add(&config_sources, config_findings.clone(), |code| current.severity(code));
+        report.add(&config_sources, config_findings.clone());
         report
     };
     let mut report = configured();
@@ -152,7 +152,7 @@ pub(super) fn run(
     if executable {
         if let Ok(mut interim) = interim.lock() {
             let (mut report, findings) = (configured(), outcome.findings.clone());
-            report.add_program(&outcome.sources, findings, |code| settings.severity_for(code, outcome.purpose));
+            report.add_program(&outcome.sources, findings);
             *interim = Some(Found { report, read: read.clone(), misconfigured, baseline: None });
         }
         let mut marker = Marker::new(&resolved);
@@ -164,8 +164,8 @@ pub(super) fn run(
     }
     read.extend(paths(files, &outcome.sources));
     if !misconfigured {
-        let Outcome { sources, findings, purpose, .. } = outcome;
-        report.add_program(&sources, findings, |code| settings.severity_for(code, purpose));
+        let Outcome { sources, findings, .. } = outcome;
+        report.add_program(&sources, findings);
     }
     Some(Found { report, read, misconfigured, baseline })
 }

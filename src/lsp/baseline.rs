@@ -55,7 +55,6 @@ pub(super) struct Seen {
     pub(super) outcome: Outcome,
     /// The line of the document, from 0, that the piece begins with.
     pub(super) line: usize,
-    pub(super) settings: Arc<Settings>,
 }
 
 /// Takes the marks while a program is executed.
@@ -157,7 +156,7 @@ impl Baseline {
         if outcome.findings.is_empty() {
             self.settle();
         }
-        Some(Seen { outcome, line, settings: Arc::clone(&self.settings) })
+        Some(Seen { outcome, line })
     }
 
     /// The changed piece has no findings: the text as it is now is the one to compare with.

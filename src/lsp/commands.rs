@@ -10,7 +10,7 @@ use super::analysis::configuration;
 use super::edit_texts::EditText;
 use super::requests::{Answer, Refusal, Snapshot};
 use crate::diag::{Report, Severity};
-use crate::session::{Outcome, Part, Session};
+use crate::session::{Outcome, Part, Run, Session};
 
 /// The block stream of a document: `[uri]` gives `{ "text", "truncated" }`.
 pub(super) const STREAM: &str = "cnc872c.stream";
@@ -37,7 +37,7 @@ fn stream(snapshot: &Snapshot, path: &Path) -> Answer<Value> {
     let files = &snapshot.files;
     let (settings, sources, findings) = configuration(path, files, &snapshot.client);
     let mut report = Report::new();
-    report.add(&sources, findings, |code| settings.severity(code));
+    report.add(&sources, findings);
     refuse_errors(snapshot, &report)?;
 
     // The rest of a long program is not looked at.
@@ -47,11 +47,16 @@ fn stream(snapshot: &Snapshot, path: &Path) -> Answer<Value> {
     let name = path.strip_prefix(files_root(snapshot, &root)).unwrap_or(path).to_string_lossy().into_owned();
     let mut text = Vec::new();
     let part = Part { from: 0, limit: Some(RECORDS) };
-    let outcome = session.compile(path, &name, part, &mut text).map_err(|error| Refusal::new(error.to_string()))?;
-    let Outcome { sources, findings, purpose, executed, .. } = outcome;
-    report.add_program(&sources, findings, |code| settings.severity_for(code, purpose));
+    let Run { outcome, whole } =
+        session.compile(path, &name, part, &mut text).map_err(|error| Refusal::new(error.to_string()))?;
+    let Outcome { sources, findings, executed, .. } = outcome;
+    report.add_program(&sources, findings);
     refuse_errors(snapshot, &report)?;
-    Ok(json!({ "text": String::from_utf8_lossy(&text), "truncated": executed > RECORDS }))
+    let truncated = executed > RECORDS;
+    if whole.is_none() && !truncated {
+        return Err(Refusal::new(EditText::NotWhole.text(snapshot.client.lang())));
+    }
+    Ok(json!({ "text": String::from_utf8_lossy(&text), "truncated": truncated }))
 }
 
 /// The canonical root of the workspace; paths of documents are canonical.

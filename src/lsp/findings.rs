@@ -52,8 +52,8 @@ pub(super) fn in_piece(
     lang: Lang,
 ) -> BTreeMap<Uri, Vec<LspDiagnostic>> {
     let mut report = Report::new();
-    let Outcome { sources, findings, purpose, .. } = &seen.outcome;
-    report.add_program(sources, findings.clone(), |code| seen.settings.severity_for(code, *purpose));
+    let Outcome { sources, findings, .. } = &seen.outcome;
+    report.add_program(sources, findings.clone());
     let mut found = by_file(&report, files, unit, lang);
     let lines = u32::try_from(seen.line).unwrap_or(u32::MAX);
     let down = |range: &mut Range| {

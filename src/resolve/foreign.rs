@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::config::Settings;
-use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText, Severity};
+use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText};
 use crate::syntax::{ParsedFile, foreign};
 use crate::text::{Location, SourceText, Span};
 
@@ -29,7 +29,9 @@ impl Origin {
     /// When there are errors in the file, and its text is for another control: says so, and keeps of each line one finding.
     pub(super) fn point_out(self, settings: &Settings, findings: &mut Findings) {
         let file = self.place.file;
-        let wrong = findings.items().iter().any(|item| item.at.file == file && is_telling(item.code()));
+        // Text after `*` counts too: `*` ends blocks elsewhere.
+        let telling = |code| findings.levels().is_fault(code) || code == Code::W0110;
+        let wrong = findings.items().iter().any(|item| item.at.file == file && telling(item.code()));
         if !wrong || settings.severity(Code::W0113).is_none() {
             return;
         }
@@ -42,9 +44,4 @@ impl Origin {
         }
         findings.add(diagnostic);
     }
-}
-
-/// Whether a program for another control has such findings: errors, or text after `*`, which ends blocks elsewhere.
-fn is_telling(code: Code) -> bool {
-    code.severity() == Severity::Error || code == Code::W0110
 }

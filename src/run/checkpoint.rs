@@ -14,7 +14,6 @@ pub struct Checkpoint {
     incremental_warned: [bool; 9],
     unmodelled_warned: Vec<GCode>,
     unassigned_warned: [bool; 96],
-    unassigned_read: bool,
 }
 
 impl Executor<'_, '_> {
@@ -27,7 +26,6 @@ impl Executor<'_, '_> {
             incremental_warned: self.incremental_warned,
             unmodelled_warned: self.unmodelled_warned.clone(),
             unassigned_warned: self.unassigned_warned,
-            unassigned_read: self.unassigned_read,
         }
     }
 
@@ -39,6 +37,5 @@ impl Executor<'_, '_> {
         self.incremental_warned = from.incremental_warned;
         self.unmodelled_warned.clone_from(&from.unmodelled_warned);
         self.unassigned_warned = from.unassigned_warned;
-        self.unassigned_read = from.unassigned_read;
     }
 }

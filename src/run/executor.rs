@@ -62,7 +62,6 @@ pub struct Executor<'a, 'l> {
     pub(super) incremental_warned: [bool; 9],
     pub(super) unmodelled_warned: Vec<GCode>,
     pub(super) unassigned_warned: [bool; 96],
-    pub(super) unassigned_read: bool,
     /// A macrocycle that execution loaded has errors: it cannot be executed.
     pub(super) broken_macrocycle: bool,
     lines: Lines,
@@ -71,7 +70,6 @@ pub struct Executor<'a, 'l> {
     files_shown: u32,
     letters: Vec<AxisLetter>,
     executed: u64,
-    errors_before: usize,
     stop: Option<Stop>,
 }
 
@@ -86,7 +84,6 @@ impl<'a, 'l> Executor<'a, 'l> {
         purpose: Purpose,
     ) -> Self {
         let main = resolved.main().and_then(|id| resolved.unit(id).map(|unit| Frame::new(id, *unit, None)));
-        let errors_before = findings.error_count();
         Self {
             resolved,
             settings,
@@ -115,14 +112,12 @@ impl<'a, 'l> Executor<'a, 'l> {
             incremental_warned: [false; 9],
             unmodelled_warned: Vec::new(),
             unassigned_warned: [false; 96],
-            unassigned_read: false,
             broken_macrocycle: false,
             lines: Lines::default(),
             shown_files: Vec::new(),
             files_shown: 0,
             letters: settings.machine.axes.iter().map(|axis| axis.letter).collect(),
             executed: 0,
-            errors_before,
         }
     }
 
@@ -151,16 +146,6 @@ impl<'a, 'l> Executor<'a, 'l> {
     /// Blocks executed so far.
     pub const fn executed(&self) -> u64 {
         self.executed
-    }
-
-    /// Whether a parameter was read that has no value: an error of `compile` (PAR-5).
-    pub const fn read_unassigned(&self) -> bool {
-        self.unassigned_read
-    }
-
-    /// Whether execution found an error.
-    pub fn found_errors(&self) -> bool {
-        self.findings.error_count() > self.errors_before
     }
 
     /// The findings so far.

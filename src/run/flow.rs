@@ -166,9 +166,9 @@ impl Executor<'_, '_> {
     }
 
     fn load_macrocycle(&mut self, l: u32) -> Result<UnitId, MacrocycleFault> {
-        let errors = self.findings.error_count();
+        let faults = self.findings.fault_count();
         let unit = self.resolved.load_macrocycle(l, self.settings, self.library, self.sources, self.findings);
-        self.broken_macrocycle |= self.findings.error_count() > errors;
+        self.broken_macrocycle |= self.findings.fault_count() > faults;
         unit
     }
 

@@ -5,6 +5,7 @@ mod arc;
 mod arithmetic;
 mod block;
 mod checkpoint;
+mod end;
 mod executed;
 mod executor;
 mod flow;
@@ -21,7 +22,8 @@ mod technology;
 
 pub use crate::ir::{AxisList, AxisMap, Jump, MStop, MotionType};
 pub use checkpoint::Checkpoint;
+pub use end::End;
 pub use executed::{Call, Data, Executed, Feed, FeedUnit};
 pub use executor::{Executor, Stop};
 pub use moved::{ArcPath, Length, Missing, Motion};
-pub use sink::{End, Sink, Start};
+pub use sink::{Sink, Start};

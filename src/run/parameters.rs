@@ -99,7 +99,6 @@ impl Executor<'_, '_> {
             if let Some(warned @ false) = warned {
                 *warned = true;
                 self.report(Diagnostic::new(Finding::UnassignedParameter { parameter: index }, place));
-                self.unassigned_read = true;
             }
         }
         parameter.value

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::Executed;
+use super::{End, Executed};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::resolve::Resolved;
@@ -36,22 +36,6 @@ pub struct Start<'r> {
     pub resolved: &'r Resolved,
     /// With which configuration.
     pub settings: &'r Settings,
-}
-
-/// How a whole program ended.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub struct End {
-    /// M02 or M30, by number.
-    pub m: u8,
-    /// Blocks executed.
-    pub blocks: u64,
-}
-
-impl End {
-    /// `M02`, `M30`.
-    pub fn reason(self) -> String {
-        format!("M{:02}", self.m)
-    }
 }
 
 /// Nobody reads: what execution itself finds is wanted.

@@ -7,10 +7,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
-use crate::diag::{Code, Diagnostic, Finding, Findings, Problem, Severity};
+use crate::diag::{Code, Diagnostic, Finding, Findings, Problem};
 use crate::dict::AxisLetter;
 use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
-use crate::run::{Checkpoint, End, Executor, Sink, Start, Stop};
+use crate::run::{Checkpoint, End, Executor, Sink, Start};
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 pub use stream::Part;
@@ -26,12 +26,10 @@ pub const STRIDE: u64 = if cfg!(fuzzing) { 1 << 1 } else { 1 << 13 };
 pub struct Outcome {
     /// The files read; the program is file 0.
     pub sources: Sources,
-    /// The findings, unsorted, levels not yet applied.
+    /// The findings at the levels of the run, unsorted.
     pub findings: Findings,
     /// Whether the program itself could not be read, or is not what the command takes.
     pub unusable: bool,
-    /// What the run was for: it decides the severity of W0503.
-    pub purpose: Purpose,
     /// Blocks executed.
     pub executed: u64,
 }
@@ -40,9 +38,7 @@ impl Outcome {
     /// Whether a file could not be read, be it the program or a macrocycle that it calls, or the program is not what the
     /// command takes: exit status 2.
     pub fn lacks_file(&self) -> bool {
-        let unreadable = Code::E0112;
-        self.findings.items().iter().any(|found| found.code() == unreadable)
-            || self.findings.beyond_by_code().contains_key(&unreadable)
+        self.findings.has(Code::E0112)
     }
 }
 
@@ -80,16 +76,15 @@ impl Session<'_> {
     /// macrocycle, there is nothing to execute.
     pub fn run<S: Sink>(&self, path: &Path, name: &str, purpose: Purpose, sink: S) -> Run<S::Whole> {
         if purpose == Purpose::Compile && Self::is_macrocycle_name(path) {
-            let mut outcome = Outcome { purpose, ..Outcome::default() };
+            let mut outcome = self.outcome(purpose);
             self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
             return Run { outcome, whole: None };
         }
-        let (mut outcome, mut resolved) = self.resolve(path, name);
-        outcome.purpose = purpose;
-        if resolved.main().is_none() || self.has_errors(&outcome.findings, purpose) {
+        let (mut outcome, mut resolved) = self.resolve_for(path, name, purpose);
+        if resolved.main().is_none() || is_stopped(&outcome.findings, purpose) {
             return Run { outcome, whole: None };
         }
-        let whole = self.execute_into(path, &mut resolved, &mut outcome, sink);
+        let whole = self.execute_into(path, &mut resolved, &mut outcome, purpose, sink);
         Run { outcome, whole }
     }
 
@@ -100,19 +95,18 @@ impl Session<'_> {
         path: &Path,
         resolved: &mut Resolved,
         outcome: &mut Outcome,
+        purpose: Purpose,
         mut sink: S,
     ) -> Option<S::Whole> {
         let mut library = self.library(path);
-        let Outcome { sources, findings, executed, purpose, .. } = outcome;
+        let Outcome { sources, findings, executed, .. } = outcome;
         let name = sources.get(FileId(0)).map(Arc::clone);
         let name = name.as_ref().map_or("", |source| source.name());
         sink.begin(&Start { name, resolved, settings: self.settings });
         let mut executor = Executor::new(resolved, self.settings, &mut library, sources, findings, Purpose::Compile);
         let mut whole = true;
         while executor.step().is_some() {
-            if whole && (executor.found_errors() || (*purpose == Purpose::Compile && executor.read_unassigned())) {
-                whole = false;
-            }
+            whole &= !is_stopped(executor.findings(), purpose);
             if whole && executor.show(&mut sink).is_break() {
                 whole = false;
                 break;
@@ -123,19 +117,19 @@ impl Session<'_> {
             }
         }
         *executed = executor.executed();
-        let end = match executor.end() {
-            Some(Stop::End(m)) if whole => End { m, blocks: executor.executed() },
-            Some(Stop::End(_) | Stop::Halted) | None => return None,
-        };
-        if self.has_errors(findings, *purpose) {
-            return None;
-        }
-        Some(sink.end(end, findings))
+        let end = End::of(&executor).filter(|_| whole)?;
+        let made = sink.end(end, findings);
+        // The sink may have found errors at the end.
+        (!findings.has_errors()).then_some(made)
     }
 
     /// The first half of [`Self::check`]: what is found without executing the program.
     pub fn resolve(&self, path: &Path, name: &str) -> (Outcome, Resolved) {
-        let mut outcome = Outcome::default();
+        self.resolve_for(path, name, Purpose::Check)
+    }
+
+    fn resolve_for(&self, path: &Path, name: &str, purpose: Purpose) -> (Outcome, Resolved) {
+        let mut outcome = self.outcome(purpose);
         let Some(source) = self.read(path, name, &mut outcome) else { return (outcome, Resolved::default()) };
         let mut library = self.library(path);
         let Outcome { sources, findings, .. } = &mut outcome;
@@ -146,9 +140,16 @@ impl Session<'_> {
         (outcome, resolved)
     }
 
-    /// Whether the second half of [`Self::check`] follows: it is a program, and nothing written in it is wrong.
+    /// Whether the second half of [`Self::check`] follows: it is a program, and nothing written in it is wrong. A warning that is
+    /// denied does not keep it from being executed.
     pub fn can_execute(&self, resolved: &Resolved, outcome: &Outcome) -> bool {
-        resolved.main().is_some() && !self.has_errors(&outcome.findings, outcome.purpose)
+        resolved.main().is_some() && !is_stopped(&outcome.findings, Purpose::Check)
+    }
+
+    /// Nothing found yet, at the levels of the run.
+    fn outcome(&self, purpose: Purpose) -> Outcome {
+        let findings = Findings::with_levels(self.settings.levels(purpose));
+        Outcome { findings, ..Outcome::default() }
     }
 
     /// The second half of [`Self::check`]: what execution finds joins the outcome. `look` sees the executor before the first
@@ -186,10 +187,10 @@ impl Session<'_> {
         from: &Checkpoint,
         to: &Checkpoint,
     ) -> Option<Outcome> {
-        let mut outcome = Outcome::default();
+        let mut outcome = self.outcome(Purpose::Check);
         let Outcome { sources, findings, executed, .. } = &mut outcome;
         let mut resolved = resolve_window(source, between, self.settings, sources, findings)?;
-        if self.has_errors(findings, Purpose::Check) {
+        if is_stopped(findings, Purpose::Check) {
             return Some(outcome);
         }
         let blocks = resolved.file(FileId(0)).map_or(0, ParsedFile::block_count);
@@ -207,8 +208,8 @@ impl Session<'_> {
     /// Executes once more a program that has no errors, and shows every executed block to `sink`. What is found is known
     /// already.
     pub fn observe<S: Sink>(&self, path: &Path, resolved: &Resolved, sources: &Sources, sink: S) -> Option<S::Whole> {
-        let mut outcome = Outcome { sources: sources.clone(), ..Outcome::default() };
-        self.execute_into(path, &mut resolved.clone(), &mut outcome, sink)
+        let mut outcome = Outcome { sources: sources.clone(), ..self.outcome(Purpose::Check) };
+        self.execute_into(path, &mut resolved.clone(), &mut outcome, Purpose::Check, sink)
     }
 
     /// The macrocycles that the program at `path` may call.
@@ -216,15 +217,15 @@ impl Session<'_> {
         Library::new(self.loader, &self.settings.macrocycles, path)
     }
 
-    /// Compiles the program at `path` to `out`. When the outcome has errors, the stream has no `end` record.
+    /// Compiles the program at `path` to `out`. The stream has its `end` record when the run is whole, and only then.
     ///
     /// # Errors
     /// What writing to `out` gives.
-    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut (dyn Write + Send)) -> io::Result<Outcome> {
+    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut (dyn Write + Send)) -> io::Result<Run<End>> {
         let letters: Vec<AxisLetter> = self.settings.machine.axes.iter().map(|axis| axis.letter).collect();
         write_beside(out, &letters, |records| {
             let run = self.run(path, name, Purpose::Compile, JsonStream::new(records, part));
-            if records.is_closed() { Err(Closed) } else { Ok(run.outcome) }
+            if records.is_closed() { Err(Closed) } else { Ok(run) }
         })
     }
 
@@ -236,19 +237,6 @@ impl Session<'_> {
 
     fn is_cancelled(&self, executed: u64) -> bool {
         executed.is_multiple_of(PROGRESS) && self.progress.is_some_and(|progress| !progress(executed))
-    }
-
-    /// Whether a finding is an error in this run.
-    fn has_errors(&self, findings: &Findings, purpose: Purpose) -> bool {
-        findings.items().iter().any(|diagnostic| {
-            let code = diagnostic.code();
-            let severity = self.settings.severity_for(code, purpose);
-            match purpose {
-                // A warning that is denied does not keep `check` from executing the program.
-                Purpose::Check => code.severity() == Severity::Error && severity == Some(Severity::Error),
-                Purpose::Compile => severity == Some(Severity::Error),
-            }
-        })
     }
 
     fn read(&self, path: &Path, name: &str, outcome: &mut Outcome) -> Option<Arc<SourceText>> {
@@ -266,6 +254,15 @@ impl Session<'_> {
         outcome.unusable = true;
         let at = Location { file: FileId(0), span: Span::empty(0) };
         outcome.findings.add(Diagnostic::new(Finding::UnreadableFile { problem, file: None }, at));
+    }
+}
+
+/// Whether execution does not begin, or its blocks are shown no longer. A warning that is denied does not keep `check` from
+/// executing the program.
+const fn is_stopped(findings: &Findings, purpose: Purpose) -> bool {
+    match purpose {
+        Purpose::Check => findings.fault_count() > 0,
+        Purpose::Compile => findings.has_errors(),
     }
 }
 

@@ -178,7 +178,8 @@ impl<'r> JsonStream<'r> {
 }
 
 impl Sink for JsonStream<'_> {
-    type Whole = ();
+    /// Its `end` record is written.
+    type Whole = End;
 
     fn begin(&mut self, program: &Start<'_>) {
         self.records.rare(Rare::Program(program_record(program)));
@@ -197,13 +198,14 @@ impl Sink for JsonStream<'_> {
         ControlFlow::Continue(())
     }
 
-    fn end(self, end: End, _: &mut Findings) {
+    fn end(self, end: End, _: &mut Findings) -> End {
         self.records.rare(Rare::End(EndRecord {
             reason: end.reason(),
-            blocks: end.blocks,
+            blocks: end.blocks(),
             path_mm: self.totals.path(),
             path_mm_by_type: self.totals.by_type().collect(),
         }));
+        end
     }
 }
 

@@ -36,11 +36,13 @@ const POINT: u16 = 1;
 const PLUS: u16 = 1 << 1;
 const MINUS: u16 = 1 << 2;
 const ROUNDED: u16 = 1 << 3;
-/// `raw` counts ones, not thousandths.
-const WHOLE: u16 = 1 << 4;
+/// The number has no room in `raw` alone: of R, `raw` counts ones; of other addresses, `index` are its highest bits.
+const WIDE: u16 = 1 << 4;
 const PARAMETER: u16 = 1 << 5;
 const FAULTY: u16 = 1 << 6;
 const VOID: u16 = 1 << 7;
+/// The greatest number of thousandths that a word keeps: beyond every range, and within forty bits.
+const WIDEST: i64 = 500_000_000_000;
 /// The first bit of the length.
 const LENGTH: u32 = 8;
 /// Stands for this length and every longer one.
@@ -60,15 +62,30 @@ impl Word {
         let flag = |set: bool, flag: u16| if set { flag } else { 0 };
         word.flags |= flag(number.point, POINT) | flag(number.plus, PLUS);
         word.flags |= flag(number.minus, MINUS) | flag(number.rounded, ROUNDED);
-        let thousandths = number.value.thousandths();
-        if let Ok(raw) = i32::try_from(thousandths) {
-            word.raw = raw;
-        } else {
-            // Far outside every range, so that a fraction does not count.
-            word.raw = i32::try_from(thousandths / 1000).unwrap_or(i32::MAX);
-            word.flags |= WHOLE;
+        match i32::try_from(number.value.thousandths()) {
+            Ok(raw) => word.raw = raw,
+            Err(_) => word.widen(number.value),
         }
         word
+    }
+
+    /// Takes a number that has no room in `raw`. It is kept exactly as far as any range reaches; beyond that it stays out of
+    /// range, and with a fraction when it has one.
+    #[cold]
+    fn widen(&mut self, value: Decimal) {
+        let thousandths = value.thousandths();
+        if self.address != Address::R {
+            self.flags |= WIDE;
+            let [a, b, c, d, e, ..] = thousandths.clamp(-WIDEST, WIDEST).to_le_bytes();
+            self.raw = i32::from_le_bytes([a, b, c, d]);
+            self.index = e;
+        } else if let Some(whole) = value.as_whole() {
+            self.flags |= WIDE;
+            self.raw = i32::try_from(whole).unwrap_or(i32::MAX);
+        } else {
+            // A parameter has no fraction that high, nor has what stays here.
+            self.raw = if thousandths < 0 { i32::MIN } else { i32::MAX };
+        }
     }
 
     /// A word whose value is a parameter.
@@ -102,7 +119,7 @@ impl Word {
     /// Its value.
     #[inline]
     pub fn value(self) -> Value {
-        if self.flags & (VOID | PARAMETER | WHOLE) == 0 {
+        if self.flags & (VOID | PARAMETER | WIDE) == 0 {
             Value::Number(Decimal::from_thousandths(i64::from(self.raw)))
         } else if self.flags & VOID != 0 {
             Value::None
@@ -110,8 +127,18 @@ impl Word {
             let index = u8::try_from(self.raw).unwrap_or(u8::MAX);
             Value::Parameter { index, negated: self.flags & MINUS != 0 }
         } else {
-            Value::Number(Decimal::whole(i64::from(self.raw)))
+            Value::Number(self.wide())
         }
+    }
+
+    #[cold]
+    fn wide(self) -> Decimal {
+        if self.address == Address::R {
+            return Decimal::whole(i64::from(self.raw));
+        }
+        let [a, b, c, d] = self.raw.to_le_bytes();
+        let sign = if self.index & 0x80 == 0 { 0 } else { 0xff };
+        Decimal::from_thousandths(i64::from_le_bytes([a, b, c, d, self.index, sign, sign, sign]))
     }
 
     /// Its value when it is a number written out.
@@ -129,7 +156,7 @@ impl Word {
         self.number().and_then(Decimal::as_whole)
     }
 
-    /// The parameter that an R word assigns.
+    /// The parameter that an R word assigns; of other words nothing.
     pub const fn target(self) -> u8 {
         self.index
     }
@@ -263,8 +290,17 @@ mod tests {
         assert_eq!(number("X2147483.647"), Some(2_147_483_647));
         assert_eq!(number("X2147484"), Some(2_147_484_000));
         assert_eq!(number("X-2147484"), Some(-2_147_484_000));
-        assert_eq!(number("X2147484.5"), Some(2_147_484_000));
-        assert_eq!(number("X-2147484.5"), Some(-2_147_484_000));
+        assert_eq!(number("X2147484.5"), Some(2_147_484_500));
+        assert_eq!(number("X-2147484.5"), Some(-2_147_484_500));
+        assert_eq!(number("F9999999.999"), Some(9_999_999_999));
+        assert_eq!(number("X-4294967.296"), Some(-4_294_967_296));
+        assert_eq!(number("X400000000.001"), Some(400_000_000_001));
+        assert_eq!(number("X999999999999"), Some(500_000_000_000));
+        assert_eq!(number("R1=99999999"), Some(99_999_999_000));
+        assert_eq!(number("R1=-99999999"), Some(-99_999_999_000));
+        // Out of range for a parameter, as what is written.
+        assert_eq!(number("R1=99999999.5"), Some(i64::from(i32::MAX)));
+        assert_eq!(number("R1=-2147484.999"), Some(i64::from(i32::MIN)));
         assert_eq!(number("XR5"), None);
         assert_eq!(number("/"), None);
     }

@@ -18,7 +18,7 @@ const HANG: Duration = Duration::from_secs(120);
 /// Address space for each run, in MiB: threads and libraries included.
 const MEMORY_MIB: u64 = 1024;
 
-/// Most findings of each severity that a run shows (diagnostics.md: all are reported; the rest is counted).
+/// Most findings of one code in one file that a run keeps (diagnostics.md; the rest is counted).
 const SHOWN: usize = 10_000;
 
 const FORMATS: [&str; 5] = ["human", "short", "json", "sarif", "github"];
@@ -185,9 +185,8 @@ fn a_million_words_in_a_block() {
         let found = codes(&run);
         assert!(found.iter().all(|code| expected.contains(&code.as_str())), "{pair}: {found:?}");
         let shown = json["diagnostics"].as_array().unwrap().iter().filter(|finding| finding["severity"] == "error");
-        // One of those that are shown may be the line's length, an error that is a warning here.
         let shown = shown.count();
-        assert!((SHOWN - 1..=SHOWN).contains(&shown), "{pair}: {shown}");
+        assert!((SHOWN..=SHOWN * expected.len()).contains(&shown), "{pair}: {shown}");
         let (errors, beyond) = (&json["summary"]["errors"], &json["summary"]["suppressed"]);
         assert_eq!(errors.as_u64().unwrap(), shown as u64 + beyond.as_u64().unwrap(), "{pair}");
         assert!(errors.as_u64().unwrap() >= count as u64 - 100, "{pair}: {errors}");
@@ -242,7 +241,7 @@ fn a_million_findings() {
     assert!(run.stderr.ends_with(&format!("{more} more findings are counted, but not shown\n")));
 }
 
-/// Many programs with many findings: the bound is that of the run.
+/// Many programs with many findings: none takes the place of those in another.
 #[test]
 fn a_million_findings_in_many_programs() {
     let program = format!("%1\nN10 G90 G0 {}N20 M30\n", "X1\n".repeat(1001));
@@ -252,8 +251,8 @@ fn a_million_findings_in_many_programs() {
     }
     let run = bounded(&place, &["check", ".", "--format", "json"]).ends(1);
     let json = json(&run);
-    assert_eq!(json["diagnostics"].as_array().unwrap().len(), SHOWN);
-    let summary = serde_json::json!({"files": 100, "errors": 100_000, "warnings": 0, "suppressed": 100_000 - SHOWN});
+    assert_eq!(json["diagnostics"].as_array().unwrap().len(), 100_000);
+    let summary = serde_json::json!({"files": 100, "errors": 100_000, "warnings": 0});
     assert_eq!(json["summary"], summary);
 }
 

@@ -13,6 +13,7 @@ mod disk;
 mod docs;
 mod editor_queries;
 mod editors;
+mod endings;
 mod explain;
 mod faults;
 mod lsp;

@@ -126,11 +126,11 @@ pub fn findings(folder: &Path, file: &str, request: &Request) -> Vec<(Place, Sev
     let session = Session { loader: &disk, settings: &settings, progress: None };
     let outcome = if request.compile {
         let mut stream = Vec::new();
-        session.compile(Path::new(file), file, Part::default(), &mut stream).expect("memory")
+        session.compile(Path::new(file), file, Part::default(), &mut stream).expect("memory").outcome
     } else {
         session.check(Path::new(file), file)
     };
-    let severity = |code| settings.severity_for(code, outcome.purpose);
+    let severity = |code| outcome.findings.levels().of(code);
     all.extend(listed(&outcome.sources, outcome.findings.items(), severity));
     all
 }

@@ -61,18 +61,17 @@ pub fn run(loader: &dyn Loader, file: &str, request: &Request) -> Run {
     let settings = configure(project.as_deref(), &request.overrides, loader, &mut sources, &mut findings);
     let mut run = Run::default();
     let broken = findings.has_errors();
-    run.report.add(&sources, findings, |code| settings.severity(code));
+    run.report.add(&sources, findings);
     if broken {
         return run;
     }
     let session = Session { loader, settings: &settings, progress: None };
     let outcome = if request.compile {
-        session.compile(Path::new(file), file, Part::default(), &mut run.stream).unwrap()
+        session.compile(Path::new(file), file, Part::default(), &mut run.stream).unwrap().outcome
     } else {
         session.check(Path::new(file), file)
     };
     run.executed = outcome.executed;
-    let purpose = outcome.purpose;
-    run.report.add_program(&outcome.sources, outcome.findings, |code| settings.severity_for(code, purpose));
+    run.report.add_program(&outcome.sources, outcome.findings);
     run
 }

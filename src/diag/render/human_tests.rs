@@ -235,7 +235,7 @@ fn no_findings() {
     let mut report = Report::new();
     assert_eq!(human(&report, Lang::En), "no errors\n");
     for _ in 0..5 {
-        report.add_program(&Sources::new(), crate::diag::Findings::new(), |_| None);
+        report.add_program(&Sources::new(), crate::diag::Findings::new());
     }
     assert_eq!(human(&report, Lang::Cs), "5 programů: bez chyb\n");
 }

@@ -24,7 +24,7 @@ pub(super) fn report(sources: &Sources, items: impl IntoIterator<Item = Diagnost
     let mut findings = Findings::new();
     items.into_iter().for_each(|item| findings.add(item));
     let mut report = Report::new();
-    report.add_program(sources, findings, |code| Some(code.severity()));
+    report.add_program(sources, findings);
     report
 }
 

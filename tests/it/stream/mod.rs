@@ -73,7 +73,7 @@ impl Case {
         assert!(findings.items().is_empty(), "the configuration: {:?}", findings.items());
         let session = Session { loader: &loader, settings: &settings, progress: None };
         let mut out = Vec::new();
-        let outcome = session.compile(Path::new("P.NC"), "P.NC", self.part, &mut out).expect("memory");
+        let outcome = session.compile(Path::new("P.NC"), "P.NC", self.part, &mut out).expect("memory").outcome;
         let text = String::from_utf8(out).expect("UTF-8");
         let records: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).expect(line)).collect();
         for record in &records {
@@ -82,7 +82,7 @@ impl Case {
         let (mut codes, mut errors) = (Vec::new(), Vec::new());
         for found in outcome.findings.items() {
             let code = found.code().to_string();
-            if settings.severity_for(found.code(), outcome.purpose) == Some(Severity::Error) {
+            if outcome.findings.levels().of(found.code()) == Some(Severity::Error) {
                 errors.push(code.clone());
             }
             codes.push(code);

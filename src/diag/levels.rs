@@ -1,0 +1,63 @@
+//! The severity that each code has in a run.
+
+use super::{Code, Severity};
+
+/// What each code is in this run: an error, a warning, or allowed. Findings carry it from the moment they are added, so that
+/// limits, counts, the exit status and the stream all see the same severity.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Levels {
+    of: [Option<Severity>; Code::ALL.len()],
+}
+
+impl Levels {
+    /// Each code with what `severity` gives for it; `None` allows it.
+    pub fn new(severity: impl Fn(Code) -> Option<Severity>) -> Self {
+        let mut levels = Self { of: [None; Code::ALL.len()] };
+        for (slot, code) in levels.of.iter_mut().zip(Code::ALL) {
+            *slot = severity(*code);
+        }
+        levels
+    }
+
+    /// The severity of a code in this run; `None` when it is allowed.
+    pub fn of(&self, code: Code) -> Option<Severity> {
+        self.of.get(code as usize).copied().flatten()
+    }
+
+    /// Whether a finding of that code is an error in this run and unless configured: a warning that is denied is none.
+    pub fn is_fault(&self, code: Code) -> bool {
+        code.severity() == Severity::Error && self.of(code) == Some(Severity::Error)
+    }
+}
+
+impl Default for Levels {
+    /// The levels of the registry.
+    fn default() -> Self {
+        Self::new(|code| Some(code.severity()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_code_has_its_own() {
+        let levels = Levels::new(|code| match code {
+            Code::E0109 => Some(Severity::Warning),
+            Code::W0214 => Some(Severity::Error),
+            Code::W0110 => None,
+            other => Some(other.severity()),
+        });
+        for &code in Code::ALL {
+            let expected = match code {
+                Code::E0109 => Some(Severity::Warning),
+                Code::W0214 => Some(Severity::Error),
+                Code::W0110 => None,
+                other => Levels::default().of(other),
+            };
+            assert_eq!(levels.of(code), expected, "{code}");
+        }
+        assert!(!levels.is_fault(Code::E0109) && !levels.is_fault(Code::W0214) && levels.is_fault(Code::E0101));
+    }
+}
