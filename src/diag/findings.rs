@@ -250,11 +250,8 @@ mod tests {
     /// diagnostics.md: levels come before limits.
     #[test]
     fn levels_before_limits() {
-        let levels = Levels::new(|code| match code {
-            Code::E0109 => None,
-            Code::W0214 => Some(Severity::Error),
-            other => Some(other.severity()),
-        });
+        let denied = |code: Code| if code == Code::W0214 { Severity::Error } else { code.severity() };
+        let levels = Levels::new(|code| (code != Code::E0109).then(|| denied(code)));
         let mut findings = Findings::with_levels(levels);
         for at in 0..10_003 {
             findings.add(long_line(at));
