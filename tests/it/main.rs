@@ -18,6 +18,7 @@ mod explain;
 mod faults;
 mod lsp;
 mod markers;
+mod motion;
 mod model;
 mod properties;
 mod rules;

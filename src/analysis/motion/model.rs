@@ -1,0 +1,58 @@
+//! The machine as the planner sees it, in mm, degrees and seconds.
+
+/// How the control recognises that blocks join continuously (S3 A3, A4).
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum Recognition {
+    /// G23 and G24 alone decide.
+    Manual,
+    /// G23 switches it on; the angle decides.
+    #[default]
+    Automatic,
+}
+
+/// The course of the velocity.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum Profile {
+    /// Without envelope velocity (S3 A3).
+    Ramps,
+    /// Envelope velocity with constant accelerations (S3 A6).
+    #[default]
+    Linear,
+    /// Envelope velocity with limited jerk (S3 A7).
+    Parabolic,
+}
+
+/// The machine. What belongs to a dynamic set comes with each block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Model {
+    /// How joints are recognised.
+    pub recognition: Recognition,
+    /// Tolerance angle, degrees.
+    pub angle_deg: f64,
+    /// The profile.
+    pub profile: Profile,
+    /// Acceleration of working motion outside continuity, and of threads, mm/s².
+    pub accel: f64,
+    /// Acceleration of G00, mm/s².
+    pub accel_rapid: f64,
+    /// Whether G00 goes by the P and A of its dynamics.
+    pub rapid_set: bool,
+    /// Shortest time of a block in a stretch, seconds.
+    pub shortest_s: f64,
+    /// A shorter linear block breaks continuity, mm; 0: off.
+    pub break_mm: f64,
+    /// A shorter linear block is joined to its neighbour, mm; 0: off.
+    pub merge_mm: f64,
+    /// Part of the programmed velocity below which a joint has a red dot.
+    pub red: f64,
+    /// Time criterion for a rise of velocity, seconds.
+    pub raise_s: f64,
+    /// Blocks that the control sees.
+    pub look_ahead: usize,
+    /// Interpolation cycle, milliseconds; 0 where no criterion needs it.
+    pub cycle_ms: f64,
+    /// Wait at the end of a motion that is not continued, seconds.
+    pub settle_s: f64,
+    /// Gap before each block in G98, seconds.
+    pub gap_s: f64,
+}

@@ -1,0 +1,516 @@
+//! The planner: executed blocks go in, in their order; their times come out in the same order, some blocks later. Its
+//! memory does not depend on the length of the program.
+
+use std::collections::VecDeque;
+
+use super::curve;
+use super::envelope::{self, Envelope, Linked, trapezoid};
+use super::joint::{BlockCaps, JointCaps, Piece, angle_deg, early_break, half_tan, late_break};
+use super::merge::{Merged, Merger};
+use super::model::{Model, Profile};
+use super::parabola::{Curved, Parabola};
+use super::ramp::{Hump, Limits};
+use super::step::{Dynamics, Kind, Mode, Step};
+use super::times::{BlockTimes, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Velocities};
+
+/// Who gets what is planned.
+pub trait Listener {
+    /// The next block in the order of execution.
+    fn block(&mut self, block: &BlockTimes);
+    /// Stretch number `index` takes so many seconds of motion; called when its last block is planned.
+    fn stretch(&mut self, index: u64, motion_s: f64) {
+        let _ = (index, motion_s);
+    }
+    /// What the motion of a block would take without limited jerk and time criterion, in order of the motions.
+    fn no_jerk(&mut self, motion_s: f64) {
+        let _ = motion_s;
+    }
+}
+
+/// A block that waits for its times.
+#[derive(Debug)]
+struct Waiting {
+    times: BlockTimes,
+    ready: bool,
+}
+
+/// A piece in a stretch that is not planned yet.
+#[derive(Debug)]
+struct Linking {
+    piece: Piece,
+    caps: BlockCaps,
+    /// Caps of the joint before it; none at the start of the stretch.
+    joint: Option<JointCaps>,
+}
+
+/// Plans a program.
+#[derive(Debug)]
+pub struct Planner {
+    model: Model,
+    wants_phases: bool,
+    /// Tangent of half the tolerance angle.
+    allowed: f64,
+    /// Blocks in their order, from block `taken - waiting.len()` on.
+    waiting: VecDeque<Waiting>,
+    taken: u64,
+    clock: f64,
+    merger: Merger,
+    /// The motion block before, as it is written.
+    before: Option<Piece>,
+    /// Whether blocks without motion were executed since.
+    idle: bool,
+    /// A piece that may begin a stretch.
+    first: Option<Piece>,
+    /// Pieces of the stretch in hand, those that are not planned yet.
+    stretch: VecDeque<Linking>,
+    /// Whether a stretch of several pieces is in hand.
+    open: bool,
+    /// The last piece of the stretch in hand, for the joint behind it.
+    last: Option<(Piece, BlockCaps)>,
+    stretches: u64,
+    stretch_s: f64,
+    envelope: Envelope,
+    parabola: Option<Parabola>,
+    settled: VecDeque<Settled>,
+}
+
+/// What a piece of a stretch becomes.
+#[derive(Debug)]
+struct Settled {
+    time_s: f64,
+    velocities: Velocities,
+    seen: f64,
+    phases: Vec<Phase>,
+}
+
+impl Planner {
+    /// For that machine; with the phases of each motion when they are asked for.
+    pub fn new(model: Model, wants_phases: bool) -> Self {
+        let look_ahead = if model.profile == Profile::Ramps { 1 } else { model.look_ahead };
+        let parabola = (model.profile == Profile::Parabolic)
+            .then(|| Parabola::new(look_ahead, model.raise_s, wants_phases));
+        Self {
+            allowed: libm::tan((model.angle_deg / 2.0).to_radians()),
+            merger: Merger::new(model.merge_mm),
+            envelope: Envelope::new(look_ahead),
+            parabola,
+            wants_phases,
+            waiting: VecDeque::new(),
+            taken: 0,
+            clock: 0.0,
+            before: None,
+            idle: false,
+            first: None,
+            stretch: VecDeque::new(),
+            open: false,
+            last: None,
+            stretches: 0,
+            stretch_s: 0.0,
+            settled: VecDeque::new(),
+            model,
+        }
+    }
+
+    /// The machine.
+    pub const fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The next executed block.
+    pub fn push(&mut self, step: &Step, listener: &mut impl Listener) {
+        let slot = self.taken;
+        self.taken += 1;
+        let gap_s = if step.mode == Mode::Basic { self.model.gap_s } else { 0.0 };
+        let moves = step.motion.filter(|motion| motion.length != Some(0.0));
+        let times = BlockTimes {
+            seq: step.seq,
+            n: step.n,
+            file: step.file,
+            line: step.line,
+            start_s: 0.0,
+            duration_s: 0.0,
+            dwell_s: step.dwell_s.unwrap_or(0.0),
+            function_s: step.function_s,
+            settle_s: 0.0,
+            gap_s,
+            unknown: step.unmapped_cycle,
+            approach: false,
+            tool: step.tool,
+            motion: None,
+        };
+        self.waiting.push_back(Waiting { times, ready: moves.is_none() });
+        match moves {
+            None => {
+                self.idle = true;
+                self.flush(listener);
+            }
+            Some(motion) => {
+                let mut piece = Piece {
+                    slot,
+                    seq: step.seq,
+                    n: step.n,
+                    kind: motion.kind,
+                    unit: motion.unit,
+                    mode: step.mode,
+                    end_mode: step.mode,
+                    length: motion.length,
+                    from: motion.from,
+                    to: motion.to,
+                    vector: motion.vector,
+                    programmed: motion.programmed,
+                    radius: motion.radius,
+                    dynamics: motion.dynamics,
+                    dwells: step.dwell_s.is_some(),
+                    stops: step.stops,
+                    breaks_before: step.breaks_before,
+                    breaks_after: step.breaks_after,
+                    plain: step.plain,
+                    is_piece: false,
+                    with: None,
+                    broken: None,
+                    half_tan: None,
+                };
+                piece.broken = early_break(&self.model, self.before.as_ref(), self.idle, &piece);
+                self.idle = false;
+                self.before = Some(piece.clone());
+                self.merge(Some(piece), listener);
+            }
+        }
+        self.give(listener);
+    }
+
+    /// The program is over: everything comes out.
+    pub fn finish(&mut self, listener: &mut impl Listener) {
+        self.flush(listener);
+        self.give(listener);
+    }
+
+    /// Nothing after this joins what was before.
+    fn flush(&mut self, listener: &mut impl Listener) {
+        self.merge(None, listener);
+        self.end_stretch(listener);
+    }
+
+    fn merge(&mut self, piece: Option<Piece>, listener: &mut impl Listener) {
+        if self.model.merge_mm <= 0.0 {
+            if let Some(piece) = piece {
+                self.join(piece, listener);
+            }
+            return;
+        }
+        let mut out = Vec::new();
+        match piece {
+            Some(piece) => self.merger.push(piece, &mut |merged| out.push(merged)),
+            None => self.merger.flush(&mut |merged| out.push(merged)),
+        }
+        for merged in out {
+            match merged {
+                Merged::Piece(piece) => self.join(piece, listener),
+                Merged::Joined(slot) => self.mark_joined(slot),
+            }
+        }
+    }
+
+    fn waiting_at(&mut self, slot: u64) -> Option<&mut Waiting> {
+        let first = self.taken - self.waiting.len() as u64;
+        self.waiting.get_mut(usize::try_from(slot.checked_sub(first)?).ok()?)
+    }
+
+    fn mark_joined(&mut self, slot: u64) {
+        if let Some(waiting) = self.waiting_at(slot) {
+            waiting.ready = true;
+            waiting.times.motion = Some(MotionTimes {
+                kind: Kind::Linear,
+                unit: super::step::Unit::Mm,
+                length: None,
+                motion_s: None,
+                programmed: None,
+                cap: None,
+                velocities: None,
+                merged: true,
+                is_piece: false,
+                joint: None,
+                stretch: None,
+                phases: Vec::new(),
+            });
+        }
+    }
+
+    /// Takes the next piece: it goes on with the stretch in hand, or begins another.
+    fn join(&mut self, mut piece: Piece, listener: &mut impl Listener) {
+        let earlier = self.last.as_ref().map(|(last, _)| last);
+        if let Some(earlier) = earlier {
+            piece.with = Some((earlier.seq, earlier.n, earlier.kind));
+            piece.half_tan = half_tan(earlier.to, piece.from);
+            if piece.broken.is_none() {
+                piece.broken = late_break(&self.model, self.allowed, earlier, &piece);
+            }
+        }
+        if piece.broken.is_some() {
+            self.end_stretch(listener);
+            let caps = BlockCaps::of(&self.model, &piece, false);
+            self.last = Some((piece.clone(), caps));
+            self.first = Some(piece);
+            return;
+        }
+        if let Some(first) = self.first.take() {
+            self.open = true;
+            let caps = BlockCaps::of(&self.model, &first, true);
+            self.last = Some((first.clone(), caps));
+            self.link(first, caps, None, listener);
+        }
+        let caps = BlockCaps::of(&self.model, &piece, true);
+        let joint = self.last.as_ref().map(|(last, last_caps)| {
+            JointCaps::of(&self.model, (last, last_caps), (&piece, &caps))
+        });
+        self.last = Some((piece.clone(), caps));
+        self.link(piece, caps, joint, listener);
+    }
+
+    /// Adds a piece to the stretch in hand.
+    fn link(&mut self, piece: Piece, caps: BlockCaps, joint: Option<JointCaps>, listener: &mut impl Listener) {
+        let (length, cap) = (piece.length.unwrap_or(0.0), caps.least());
+        let joint_cap = joint.as_ref().map_or(0.0, JointCaps::least);
+        let Dynamics { accel, jerk, .. } = piece.dynamics;
+        self.stretch.push_back(Linking { piece, caps, joint });
+        let linear = envelope::Link { length, cap, joint: joint_cap, accel };
+        let (model, settled) = (&self.model, &mut self.settled);
+        match &mut self.parabola {
+            None => {
+                let wants = self.wants_phases;
+                self.envelope.push(linear, |link, linked| settled.push_back(straight(model, link, linked, wants)));
+            }
+            Some(parabola) => {
+                let link = curve::Link { length, cap, joint: joint_cap, limits: Limits { accel, jerk } };
+                parabola.push(link, |_, curved| settled.push_back(curved.into()));
+                self.envelope.push(linear, |link, linked| listener.no_jerk(without_jerk(link, linked)));
+            }
+        }
+        self.settle(listener);
+    }
+
+    /// Ends the stretch in hand, or what a single piece is.
+    fn end_stretch(&mut self, listener: &mut impl Listener) {
+        if self.open {
+            self.close(listener);
+        } else if let Some(piece) = self.first.take() {
+            if !piece.is_timed() {
+                self.complete_unknown(piece);
+            } else if piece.end_mode == Mode::Continuous && piece.kind.is_working() {
+                self.open = true;
+                let caps = BlockCaps::of(&self.model, &piece, true);
+                self.link(piece, caps, None, listener);
+                self.close(listener);
+            } else {
+                self.alone(piece, listener);
+            }
+        }
+    }
+
+    fn close(&mut self, listener: &mut impl Listener) {
+        let (model, settled) = (&self.model, &mut self.settled);
+        match &mut self.parabola {
+            None => {
+                let wants = self.wants_phases;
+                self.envelope.close(|link, linked| settled.push_back(straight(model, link, linked, wants)));
+            }
+            Some(parabola) => {
+                parabola.close(|_, curved| settled.push_back(curved.into()));
+                self.envelope.close(|link, linked| listener.no_jerk(without_jerk(link, linked)));
+            }
+        }
+        self.open = false;
+        self.settle(listener);
+        listener.stretch(self.stretches, self.stretch_s);
+        self.stretches += 1;
+        self.stretch_s = 0.0;
+    }
+
+    /// Gives the settled pieces of the stretch in hand their times.
+    fn settle(&mut self, listener: &mut impl Listener) {
+        while let Some(settled) = self.settled.pop_front() {
+            let Some(linking) = self.stretch.pop_front() else { break };
+            let last = !self.open && self.stretch.is_empty();
+            let alone = last && linking.joint.is_none();
+            let before = self.stretch_s;
+            self.stretch_s += settled.time_s;
+            let stretch = Some(InStretch { index: self.stretches, before_s: before, continued: !alone, time_dist_s: None });
+            self.complete(linking.piece, linking.caps, linking.joint, settled, stretch, last);
+        }
+        self.give(listener);
+    }
+
+    /// A motion outside of stretches: it begins and ends with a ramp (CNT-1).
+    fn alone(&mut self, piece: Piece, listener: &mut impl Listener) {
+        let caps = BlockCaps::of(&self.model, &piece, false);
+        let (length, cap) = (piece.length.unwrap_or(0.0), caps.least());
+        let rapid = piece.kind == Kind::Rapid;
+        let settled = if rapid && self.model.rapid_set && self.parabola.is_some() {
+            let Dynamics { accel, jerk, .. } = piece.dynamics;
+            let limits = Limits { accel, jerk };
+            let hump = Hump::new(0.0, 0.0, limits, limits, length, cap);
+            listener.no_jerk(trapezoid(length, 0.0, 0.0, cap, accel, true).0);
+            let phases = if self.wants_phases {
+                hump.phases().into_iter().filter(|phase| phase.duration_s > 0.0).collect()
+            } else {
+                Vec::new()
+            };
+            let velocities = Velocities { start: 0.0, peak: hump.peak, end: 0.0 };
+            Settled { time_s: hump.time(), velocities, seen: f64::INFINITY, phases }
+        } else {
+            let accel = if rapid { self.model.accel_rapid } else { self.model.accel };
+            let link = envelope::Link { length, cap, joint: 0.0, accel };
+            let linked = Linked { start: 0.0, end: 0.0, seen: f64::INFINITY };
+            let settled = straight_in(&link, linked, true, self.wants_phases);
+            listener.no_jerk(settled.time_s);
+            settled
+        };
+        self.complete(piece, caps, None, settled, None, true);
+    }
+
+    fn complete_unknown(&mut self, piece: Piece) {
+        let joint = self.joint(&piece, None, 0.0, f64::INFINITY, false);
+        let settle_s = self.settle_time(piece.end_mode);
+        let approach = piece.length.is_none() && piece.broken == Some(super::times::Break::Start);
+        if let Some(waiting) = self.waiting_at(piece.slot) {
+            waiting.ready = true;
+            waiting.times.unknown = true;
+            waiting.times.approach = approach;
+            waiting.times.settle_s = settle_s;
+            waiting.times.motion = Some(MotionTimes {
+                kind: piece.kind,
+                unit: piece.unit,
+                length: piece.length,
+                motion_s: None,
+                programmed: piece.programmed,
+                cap: None,
+                velocities: None,
+                merged: false,
+                is_piece: piece.is_piece,
+                joint: Some(joint),
+                stretch: None,
+                phases: Vec::new(),
+            });
+        }
+    }
+
+    fn settle_time(&self, mode: Mode) -> f64 {
+        if matches!(mode, Mode::Continuous | Mode::Tight) { self.model.settle_s } else { 0.0 }
+    }
+
+    fn complete(
+        &mut self,
+        piece: Piece,
+        caps: BlockCaps,
+        joint_caps: Option<JointCaps>,
+        settled: Settled,
+        stretch: Option<InStretch>,
+        ends: bool,
+    ) {
+        let Settled { time_s, velocities, seen, phases } = settled;
+        let joint = self.joint(&piece, joint_caps.as_ref(), velocities.start, seen, ends);
+        let settle_s = if ends { self.settle_time(piece.end_mode) } else { 0.0 };
+        if let Some(waiting) = self.waiting_at(piece.slot) {
+            waiting.ready = true;
+            waiting.times.settle_s = settle_s;
+            waiting.times.motion = Some(MotionTimes {
+                kind: piece.kind,
+                unit: piece.unit,
+                length: piece.length,
+                motion_s: Some(time_s),
+                programmed: piece.programmed,
+                cap: Some((caps.least(), caps.by)),
+                velocities: Some(velocities),
+                merged: false,
+                is_piece: piece.is_piece,
+                joint: Some(joint),
+                stretch,
+                phases,
+            });
+        }
+    }
+
+    /// The joint before a piece.
+    fn joint(&self, piece: &Piece, caps: Option<&JointCaps>, velocity: f64, seen: f64, ends: bool) -> Joint {
+        let limited_by: Option<Limit> = caps.map(|caps| caps.limit(velocity, seen));
+        let with_working = piece.with.is_some_and(|(.., kind)| kind.is_working());
+        let working = with_working && piece.kind.is_working() && piece.mode == Mode::Continuous;
+        let red = match (piece.broken, self.model.profile) {
+            (Some(_), _) => true,
+            (None, Profile::Ramps) => false,
+            (None, Profile::Linear | Profile::Parabolic) => {
+                velocity < self.model.red * piece.programmed.unwrap_or(0.0) * (1.0 - 1e-12)
+            }
+        };
+        let short = || {
+            let (Some(caps), Some(length)) = (caps, piece.length) else { return false };
+            let feed = caps.feed();
+            feed * feed > 2.0 * piece.dynamics.accel * length * (1.0 + 1e-12)
+        };
+        Joint {
+            with: piece.with.map(|(seq, ..)| seq),
+            with_n: piece.with.map(|(_, n, _)| n),
+            angle_deg: piece.half_tan.map(angle_deg),
+            broken_by: piece.broken,
+            velocity: if piece.broken.is_some() { 0.0 } else { velocity },
+            limited_by,
+            dot: working.then_some(if red { Dot::Red } else { Dot::Yellow }),
+            no_room_to_stop: self.model.profile == Profile::Ramps && ends && short(),
+        }
+    }
+
+    /// Gives the blocks that have their times.
+    fn give(&mut self, listener: &mut impl Listener) {
+        while self.waiting.front().is_some_and(|waiting| waiting.ready) {
+            let Some(Waiting { mut times, .. }) = self.waiting.pop_front() else { break };
+            let motion_s = times.motion.as_ref().and_then(|motion| motion.motion_s).unwrap_or(0.0);
+            times.start_s = self.clock;
+            times.duration_s = motion_s + times.dwell_s + times.function_s + times.settle_s + times.gap_s;
+            self.clock += times.duration_s;
+            listener.block(&times);
+        }
+    }
+}
+
+impl From<Curved> for Settled {
+    fn from(curved: Curved) -> Self {
+        let Curved { velocities, time_s, seen, phases } = curved;
+        Self { time_s, velocities, seen, phases }
+    }
+}
+
+/// A motion of a stretch with constant accelerations.
+fn straight(model: &Model, link: &envelope::Link, linked: Linked, wants_phases: bool) -> Settled {
+    let highest = linked.start.max(linked.end);
+    // VEL-9: without rising it would last less than the time criterion. From rest to rest it rises.
+    let rise = model.profile == Profile::Ramps
+        || highest <= 0.0
+        || trapezoid(link.length, linked.start, linked.end, highest, link.accel, false).0 >= model.raise_s;
+    straight_in(link, linked, rise, wants_phases)
+}
+
+fn without_jerk(link: &envelope::Link, linked: Linked) -> f64 {
+    trapezoid(link.length, linked.start, linked.end, link.cap, link.accel, true).0
+}
+
+fn straight_in(link: &envelope::Link, linked: Linked, rise: bool, wants_phases: bool) -> Settled {
+    let Linked { start, end, seen } = linked;
+    let (time_s, peak) = trapezoid(link.length, start, end, link.cap, link.accel, rise);
+    let phases = if wants_phases { trapezoid_phases(link, start, end, peak) } else { Vec::new() };
+    Settled { time_s, velocities: Velocities { start, peak, end }, seen, phases }
+}
+
+fn trapezoid_phases(link: &envelope::Link, start: f64, end: f64, peak: f64) -> Vec<Phase> {
+    let accel = link.accel;
+    let ramps = (2.0 * peak * peak - start * start - end * end) / (2.0 * accel);
+    let hold = (link.length - ramps).max(0.0);
+    let phase = |duration_s: f64, velocity: f64, acceleration: f64| Phase { duration_s, velocity, acceleration, jerk: 0.0 };
+    [
+        phase((peak - start) / accel, start, accel),
+        phase(if hold > 0.0 { hold / peak } else { 0.0 }, peak, 0.0),
+        phase((peak - end) / accel, peak, -accel),
+    ]
+    .into_iter()
+    .filter(|phase| phase.duration_s > 0.0)
+    .collect()
+}

@@ -1,0 +1,286 @@
+//! What the planner says of each block: its time, its velocities, the joint before it.
+
+use super::step::{Kind, Unit};
+use crate::dict::Decimal;
+
+/// Why a joint is not passed continuously (CNT-2), in the order in which reasons are looked for.
+#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+pub enum Break {
+    /// The first motion of the program.
+    Start,
+    /// The later block is not in G23.
+    Mode,
+    /// One of the two is G00.
+    Rapid,
+    /// Blocks without motion were executed between them.
+    NoMotion,
+    /// One is a thread or a motion to the reference point.
+    OtherMotion,
+    /// G04 in the earlier block.
+    Dwell,
+    /// M00, or M01 with optional stop, in the earlier block.
+    Stop,
+    /// An M function with BreakContEnd in the earlier block, or with BreakCont in the later one.
+    MFunction,
+    /// Length, direction or velocity of one is not known.
+    Unknown,
+    /// One does not move the first three linear axes, or the two are measured in different units.
+    Axes,
+    /// One is linear and shorter than `break-length-mm`.
+    ShortLength,
+    /// One lasts less than `shortest-block-ms`.
+    ShortTime,
+    /// The angle between the tangents is not below `angle-deg`.
+    Angle,
+}
+
+impl Break {
+    /// Every reason, in the order in which they are looked for.
+    pub const ALL: [Self; 13] = [
+        Self::Start,
+        Self::Mode,
+        Self::Rapid,
+        Self::NoMotion,
+        Self::OtherMotion,
+        Self::Dwell,
+        Self::Stop,
+        Self::MFunction,
+        Self::Unknown,
+        Self::Axes,
+        Self::ShortLength,
+        Self::ShortTime,
+        Self::Angle,
+    ];
+
+    /// As in records.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Mode => "mode",
+            Self::Rapid => "rapid",
+            Self::NoMotion => "no_motion",
+            Self::OtherMotion => "other_motion",
+            Self::Dwell => "dwell",
+            Self::Stop => "stop",
+            Self::MFunction => "m_function",
+            Self::Unknown => "unknown",
+            Self::Axes => "axes",
+            Self::ShortLength => "short_length",
+            Self::ShortTime => "short_time",
+            Self::Angle => "angle",
+        }
+    }
+}
+
+/// What gives the velocity at a continuous joint; of several the first that alone gives it.
+#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+pub enum Limit {
+    /// The programmed velocity of one of the two blocks (VEL-1).
+    Feed,
+    /// Centripetal acceleration of an arc (VEL-3).
+    Centripetal,
+    /// The shortest time of a block (VEL-6).
+    ShortestBlock,
+    /// Criterion of accuracy (VEL-4).
+    Accuracy,
+    /// Dynamic criterion (VEL-5).
+    Overload,
+    /// Stopping within the blocks that the control sees (VEL-9).
+    LookAhead,
+    /// Acceleration from or towards a slower place.
+    Ramp,
+}
+
+impl Limit {
+    /// Every limit, in the order in which they count.
+    pub const ALL: [Self; 7] = [
+        Self::Feed,
+        Self::Centripetal,
+        Self::ShortestBlock,
+        Self::Accuracy,
+        Self::Overload,
+        Self::LookAhead,
+        Self::Ramp,
+    ];
+
+    /// As in records.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Feed => "feed",
+            Self::Centripetal => "centripetal",
+            Self::ShortestBlock => "shortest_block",
+            Self::Accuracy => "accuracy",
+            Self::Overload => "overload",
+            Self::LookAhead => "look_ahead",
+            Self::Ramp => "ramp",
+        }
+    }
+}
+
+/// What gives the cap of a block (VEL-7).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum CapBy {
+    /// The programmed feed.
+    Feed,
+    /// The velocity of G00.
+    Rapid,
+    /// Centripetal acceleration.
+    Centripetal,
+    /// The shortest time of a block.
+    ShortestBlock,
+}
+
+impl CapBy {
+    /// Every one.
+    pub const ALL: [Self; 4] = [Self::Feed, Self::Rapid, Self::Centripetal, Self::ShortestBlock];
+
+    /// As in records.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Feed => "feed",
+            Self::Rapid => "rapid",
+            Self::Centripetal => "centripetal",
+            Self::ShortestBlock => "shortest_block",
+        }
+    }
+}
+
+/// The dot that the control draws at a joint (DOT-1).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Dot {
+    /// Passed continuously.
+    Yellow,
+    /// Continuity is broken, or the velocity drops.
+    Red,
+}
+
+impl Dot {
+    /// As in records.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Yellow => "yellow",
+            Self::Red => "red",
+        }
+    }
+}
+
+/// The joint between a motion block and the motion block executed before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// `seq` of the block before; of the first motion none.
+    pub with: Option<u64>,
+    /// Its block number.
+    pub with_n: Option<u32>,
+    /// Angle between the tangents, degrees; where both are known.
+    pub angle_deg: Option<f64>,
+    /// Why it is not passed continuously.
+    pub broken_by: Option<Break>,
+    /// Velocity at the joint, mm/s; 0 where it is broken.
+    pub velocity: f64,
+    /// What gives this velocity; none where the joint is broken.
+    pub limited_by: Option<Limit>,
+    /// The dot.
+    pub dot: Option<Dot>,
+    /// VEL-10: the block after it, the last of its stretch, is too short to stop from the programmed velocity.
+    pub no_room_to_stop: bool,
+}
+
+/// A part of a motion with constant jerk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase {
+    /// How long, seconds.
+    pub duration_s: f64,
+    /// Velocity at its start, mm/s.
+    pub velocity: f64,
+    /// Acceleration at its start, mm/s².
+    pub acceleration: f64,
+    /// Jerk, mm/s³.
+    pub jerk: f64,
+}
+
+/// The velocities of a motion, mm/s or deg/s.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Velocities {
+    /// At the start of the block.
+    pub start: f64,
+    /// The greatest in the block.
+    pub peak: f64,
+    /// At the end of the block.
+    pub end: f64,
+}
+
+/// Where in its stretch a motion is (CNT-5).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InStretch {
+    /// Which stretch of the program, counted from 0.
+    pub index: u64,
+    /// Seconds of motion in the stretch before it.
+    pub before_s: f64,
+    /// Whether the stretch has two blocks or more.
+    pub continued: bool,
+    /// Seconds of motion from its start to the end of the stretch (TIM-2); none while the stretch is not planned to its
+    /// end.
+    pub time_dist_s: Option<f64>,
+}
+
+/// What a motion takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionTimes {
+    /// Its kind.
+    pub kind: Kind,
+    /// What velocities are measured in: mm/s or deg/s.
+    pub unit: Unit,
+    /// Length of the block, or of the piece when blocks are joined (CNT-4).
+    pub length: Option<f64>,
+    /// Seconds; `None`: not known, or in the record of the piece that it is part of.
+    pub motion_s: Option<f64>,
+    /// Programmed velocity (VEL-1, VEL-2).
+    pub programmed: Option<f64>,
+    /// Block cap (VEL-7) and what gives it.
+    pub cap: Option<(f64, CapBy)>,
+    /// Velocities, where the time is known.
+    pub velocities: Option<Velocities>,
+    /// Part of a piece whose record stands at another block (CNT-4).
+    pub merged: bool,
+    /// Whether other blocks are joined to it: `length` is that of the piece.
+    pub is_piece: bool,
+    /// The joint before it.
+    pub joint: Option<Joint>,
+    /// Where in its stretch it is; none outside of stretches.
+    pub stretch: Option<InStretch>,
+    /// Its phases, when asked for.
+    pub phases: Vec<Phase>,
+}
+
+/// What a block takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlockTimes {
+    /// The block, as the stream counts.
+    pub seq: u64,
+    /// Its number.
+    pub n: u32,
+    /// The index of its file.
+    pub file: u32,
+    /// The line of its `N`.
+    pub line: u32,
+    /// When it starts, seconds from program start.
+    pub start_s: f64,
+    /// How long it takes, seconds (TIM-1).
+    pub duration_s: f64,
+    /// Dwell, seconds.
+    pub dwell_s: f64,
+    /// Its functions, seconds.
+    pub function_s: f64,
+    /// Wait at the end of its motion, seconds.
+    pub settle_s: f64,
+    /// Gap before it, seconds.
+    pub gap_s: f64,
+    /// Whether a time of it is not known (TIM-3).
+    pub unknown: bool,
+    /// Whether only the way to the first known position lacks a length.
+    pub approach: bool,
+    /// The tool in the spindle.
+    pub tool: Option<Decimal>,
+    /// Its motion.
+    pub motion: Option<MotionTimes>,
+}
