@@ -83,6 +83,12 @@ impl Curve {
     /// at its end. The control sees `look_ahead` blocks from each joint. A rise that does not save `raise_s` is left out.
     pub(super) fn plan(&mut self, links: &[Link], offset: f64, entry: f64, look_ahead: usize, raise_s: f64) {
         self.measure(links, look_ahead);
+        // What differs by rounding alone is the same: a ramp between both would be all rounding.
+        for cap in &mut self.caps {
+            if (*cap - entry).abs() <= 1e-11 * entry {
+                *cap = entry;
+            }
+        }
         self.begin(offset, entry);
         self.take_joints();
         if !self.settle_all() {
@@ -197,11 +203,7 @@ impl Curve {
             // The ramp begins at the lower end.
             let limits = self.limits(left.s, right.s);
             let part = limits.distance(left.v, right.v).min(way);
-            if left.v < right.v {
-                self.limits(left.s, left.s + part)
-            } else {
-                self.limits(right.s - part, right.s)
-            }
+            if left.v < right.v { self.limits(left.s, left.s + part) } else { self.limits(right.s - part, right.s) }
         };
         limits.distance(left.v, right.v) <= way * (1.0 + 1e-12) + self.tolerance
     }
@@ -299,7 +301,7 @@ impl Curve {
     /// Finds the hump behind `left`, or changes the places around it. Gives the place to go on from.
     fn settle(&mut self, left: usize) -> usize {
         let right = self.places[left].next;
-        if !self.fits(left, right) {
+        if !self.fits(left, right) && !self.level(left, right) {
             let higher = if self.places[right].v >= self.places[left].v { right } else { left };
             let back = self.places[left].prev;
             if self.drop(higher) {
@@ -319,6 +321,17 @@ impl Curve {
         }
         self.places[left].hump = Some(hump);
         right
+    }
+
+    /// Makes velocities equal that differ by rounding alone; that of the first place is settled already. Whether they were
+    /// such.
+    fn level(&mut self, left: usize, right: usize) -> bool {
+        let (l, r) = (self.places[left], self.places[right]);
+        if l.prev != NONE || r.next == NONE || (l.v - r.v).abs() > 1e-9 * l.v.max(r.v) {
+            return false;
+        }
+        self.places[right].v = l.v;
+        true
     }
 
     /// The fastest way between two places, with the limits of the blocks that its ramps cover.
@@ -504,10 +517,10 @@ impl Curve {
             let reached = links[k].limits.reach(self.places[k + 1].v, links[k].length);
             self.places[k].v = self.places[k].v.min(reached);
         }
-        for k in 0..count {
+        for (k, link) in links.iter().enumerate() {
             let (l, r) = (self.places[k], self.places[k + 1]);
-            let limits = links[k].limits;
-            let cap = links[k].cap.max(l.v).max(r.v);
+            let limits = link.limits;
+            let cap = link.cap.max(l.v).max(r.v);
             self.places[k].hump = Some(Hump::new(l.v, r.v, limits, limits, r.s - l.s, cap));
             (self.places[k].next, self.places[k + 1].prev) = (k + 1, k);
         }

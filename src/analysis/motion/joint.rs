@@ -2,8 +2,9 @@
 //! (VEL-1…VEL-7).
 
 use super::model::{Model, Profile, Recognition};
-use super::step::{Direction, Dynamics, Kind, Mode, Unit};
+use super::step::{Direction, Dynamics, Mode, Unit};
 use super::times::{Break, CapBy, Limit};
+use crate::run::MotionType;
 
 /// A motion, or a piece of several that are joined.
 #[derive(Clone, Debug)]
@@ -12,7 +13,7 @@ pub(super) struct Piece {
     pub slot: u64,
     pub seq: u64,
     pub n: u32,
-    pub kind: Kind,
+    pub kind: MotionType,
     pub unit: Unit,
     /// The function of group G2 in its first block.
     pub mode: Mode,
@@ -33,7 +34,7 @@ pub(super) struct Piece {
     pub plain: bool,
     pub is_piece: bool,
     /// The piece before it: `seq`, number, kind.
-    pub with: Option<(u64, u32, Kind)>,
+    pub with: Option<(u64, u32, MotionType)>,
     pub broken: Option<Break>,
     /// Tangent of half the angle at it; where both directions are known.
     pub half_tan: Option<f64>,
@@ -47,7 +48,7 @@ impl Piece {
 
     /// Whether its time is known.
     pub(super) fn is_timed(&self) -> bool {
-        self.length.is_some() && self.velocity().is_some() && self.kind != Kind::Reference
+        self.length.is_some() && self.velocity().is_some() && self.kind != MotionType::Reference
     }
 
     const fn has_unknown(&self) -> bool {
@@ -60,11 +61,11 @@ impl Piece {
 /// The reasons `start` … `axes` (CNT-2) between two blocks; `idle`: blocks without motion were executed between them.
 pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, later: &Piece) -> Option<Break> {
     let Some(earlier) = earlier else { return Some(Break::Start) };
-    let other = |kind: Kind| matches!(kind, Kind::Thread | Kind::Reference);
+    let other = |kind: MotionType| matches!(kind, MotionType::Thread | MotionType::Reference);
     let still = |piece: &Piece| piece.from == Direction::Still || piece.to == Direction::Still;
     if later.mode != Mode::Continuous {
         Some(Break::Mode)
-    } else if earlier.kind == Kind::Rapid || later.kind == Kind::Rapid {
+    } else if earlier.kind == MotionType::Rapid || later.kind == MotionType::Rapid {
         Some(Break::Rapid)
     } else if idle {
         Some(Break::NoMotion)
@@ -76,10 +77,7 @@ pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, la
         Some(Break::Stop)
     } else if earlier.breaks_after || later.breaks_before {
         Some(Break::MFunction)
-    } else if earlier.has_unknown()
-        || later.has_unknown()
-        || earlier.velocity().is_none()
-        || later.velocity().is_none()
+    } else if earlier.has_unknown() || later.has_unknown() || earlier.velocity().is_none() || later.velocity().is_none()
     {
         Some(Break::Unknown)
     } else {
@@ -94,9 +92,8 @@ pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, la
 /// The reasons `short_length` … `angle` between two pieces that nothing before them breaks; `allowed` is the tangent of
 /// half the tolerance angle.
 pub(super) fn late_break(model: &Model, allowed: f64, earlier: &Piece, later: &Piece) -> Option<Break> {
-    let short = |piece: &Piece| {
-        piece.kind == Kind::Linear && piece.length.is_some_and(|length| length < model.break_mm)
-    };
+    let short =
+        |piece: &Piece| piece.kind == MotionType::Linear && piece.length.is_some_and(|length| length < model.break_mm);
     let brief = |piece: &Piece| match (piece.length, piece.velocity()) {
         (Some(length), Some(velocity)) => length < model.shortest_s * velocity,
         _ => false,
@@ -145,7 +142,7 @@ impl BlockCaps {
     /// Of a piece whose time is known; `stretch`: it lies in a stretch.
     pub(super) fn of(model: &Model, piece: &Piece, stretch: bool) -> Self {
         let programmed = piece.programmed.unwrap_or(0.0);
-        let arc = matches!(piece.kind, Kind::ArcCw | Kind::ArcCcw);
+        let arc = matches!(piece.kind, MotionType::ArcCw | MotionType::ArcCcw);
         let centripetal = match piece.radius {
             Some(radius) if arc && piece.dynamics.centripetal > 0.0 => (piece.dynamics.centripetal * radius).sqrt(),
             Some(_) | None => f64::INFINITY,
@@ -157,7 +154,7 @@ impl BlockCaps {
             Some(_) | None => f64::INFINITY,
         };
         let by = if programmed <= centripetal && programmed <= shortest {
-            if piece.kind == Kind::Rapid { CapBy::Rapid } else { CapBy::Feed }
+            if piece.kind == MotionType::Rapid { CapBy::Rapid } else { CapBy::Feed }
         } else if centripetal <= shortest {
             CapBy::Centripetal
         } else {

@@ -1,7 +1,8 @@
 //! Short blocks that are joined to their neighbours before anything else (CNT-4).
 
 use super::joint::Piece;
-use super::step::{Direction, Kind, Unit};
+use super::step::{Direction, Unit};
+use crate::run::MotionType;
 
 /// Joins blocks; gives pieces in their order.
 #[derive(Debug)]
@@ -19,7 +20,7 @@ pub(super) struct Merger {
 #[derive(Debug)]
 pub(super) enum Merged {
     /// A piece.
-    Piece(Piece),
+    Piece(Box<Piece>),
     /// The block of that slot is part of a piece whose record stands elsewhere.
     Joined(u64),
 }
@@ -32,10 +33,10 @@ impl Merger {
     /// Takes a block; `piece.broken` has the reasons `start` … `axes`.
     pub(super) fn push(&mut self, piece: Piece, out: &mut impl FnMut(Merged)) {
         if self.length <= 0.0 {
-            return out(Merged::Piece(piece));
+            return out(Merged::Piece(Box::new(piece)));
         }
         if !self.open.is_empty() {
-            if piece.kind == Kind::Linear && piece.unit == Unit::Mm && piece.broken.is_none() {
+            if piece.kind == MotionType::Linear && piece.unit == Unit::Mm && piece.broken.is_none() {
                 let ends = !self.is_small(&piece);
                 self.vector = sum(self.vector, piece.vector);
                 self.open.push(piece);
@@ -60,20 +61,20 @@ impl Merger {
             self.give_up(out);
         }
         if let Some(piece) = self.held.take() {
-            out(Merged::Piece(piece));
+            out(Merged::Piece(Box::new(piece)));
         }
     }
 
     fn is_small(&self, piece: &Piece) -> bool {
         piece.plain
-            && piece.kind == Kind::Linear
+            && piece.kind == MotionType::Linear
             && piece.unit == Unit::Mm
             && piece.length.is_some_and(|length| length < self.length)
     }
 
     fn hold(&mut self, piece: Piece, out: &mut impl FnMut(Merged)) {
         if let Some(before) = self.held.replace(piece) {
-            out(Merged::Piece(before));
+            out(Merged::Piece(Box::new(before)));
         }
     }
 
@@ -102,7 +103,8 @@ impl Merger {
     /// Nothing more comes for the piece that grows: it is added to the one before, or stays as it is.
     fn give_up(&mut self, out: &mut impl FnMut(Merged)) {
         let unbroken = self.open.first().is_some_and(|first| first.broken.is_none());
-        if let Some(held) = self.held.as_mut().filter(|held| unbroken && held.kind == Kind::Linear && held.unit == Unit::Mm)
+        if let Some(held) =
+            self.held.as_mut().filter(|held| unbroken && held.kind == MotionType::Linear && held.unit == Unit::Mm)
         {
             let vector = sum(held.vector, self.vector);
             if norm(vector) > 0.0 {

@@ -21,5 +21,5 @@ mod times;
 
 pub use model::{Model, Profile, Recognition};
 pub use planner::{Listener, Planner};
-pub use step::{Direction, Dynamics, Kind, Mode, Move, Step, Unit};
+pub use step::{Direction, Dynamics, Mode, Move, Step, Unit};
 pub use times::{BlockTimes, Break, CapBy, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Velocities};

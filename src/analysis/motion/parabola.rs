@@ -182,7 +182,9 @@ impl Parabola {
         if self.wants_phases && phase.duration_s > 0.0 {
             match phases.last_mut() {
                 // Holding goes on.
-                Some(last) if last.jerk == phase.jerk && phase.jerk == 0.0 && last.acceleration == phase.acceleration => {
+                Some(last)
+                    if last.jerk == phase.jerk && phase.jerk == 0.0 && last.acceleration == phase.acceleration =>
+                {
                     last.duration_s += phase.duration_s;
                 }
                 Some(_) | None => phases.push(phase),

@@ -10,8 +10,9 @@ use super::merge::{Merged, Merger};
 use super::model::{Model, Profile};
 use super::parabola::{Curved, Parabola};
 use super::ramp::{Hump, Limits};
-use super::step::{Dynamics, Kind, Mode, Step};
+use super::step::{Dynamics, Mode, Step};
 use super::times::{BlockTimes, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Velocities};
+use crate::run::MotionType;
 
 /// Who gets what is planned.
 pub trait Listener {
@@ -87,8 +88,8 @@ impl Planner {
     /// For that machine; with the phases of each motion when they are asked for.
     pub fn new(model: Model, wants_phases: bool) -> Self {
         let look_ahead = if model.profile == Profile::Ramps { 1 } else { model.look_ahead };
-        let parabola = (model.profile == Profile::Parabolic)
-            .then(|| Parabola::new(look_ahead, model.raise_s, wants_phases));
+        let parabola =
+            (model.profile == Profile::Parabolic).then(|| Parabola::new(look_ahead, model.raise_s, wants_phases));
         Self {
             allowed: libm::tan((model.angle_deg / 2.0).to_radians()),
             merger: Merger::new(model.merge_mm),
@@ -205,7 +206,7 @@ impl Planner {
         }
         for merged in out {
             match merged {
-                Merged::Piece(piece) => self.join(piece, listener),
+                Merged::Piece(piece) => self.join(*piece, listener),
                 Merged::Joined(slot) => self.mark_joined(slot),
             }
         }
@@ -220,7 +221,7 @@ impl Planner {
         if let Some(waiting) = self.waiting_at(slot) {
             waiting.ready = true;
             waiting.times.motion = Some(MotionTimes {
-                kind: Kind::Linear,
+                kind: MotionType::Linear,
                 unit: super::step::Unit::Mm,
                 length: None,
                 motion_s: None,
@@ -260,9 +261,8 @@ impl Planner {
             self.link(first, caps, None, listener);
         }
         let caps = BlockCaps::of(&self.model, &piece, true);
-        let joint = self.last.as_ref().map(|(last, last_caps)| {
-            JointCaps::of(&self.model, (last, last_caps), (&piece, &caps))
-        });
+        let joint =
+            self.last.as_ref().map(|(last, last_caps)| JointCaps::of(&self.model, (last, last_caps), (&piece, &caps)));
         self.last = Some((piece.clone(), caps));
         self.link(piece, caps, joint, listener);
     }
@@ -334,7 +334,8 @@ impl Planner {
             let alone = last && linking.joint.is_none();
             let before = self.stretch_s;
             self.stretch_s += settled.time_s;
-            let stretch = Some(InStretch { index: self.stretches, before_s: before, continued: !alone, time_dist_s: None });
+            let stretch =
+                Some(InStretch { index: self.stretches, before_s: before, continued: !alone, time_dist_s: None });
             self.complete(linking.piece, linking.caps, linking.joint, settled, stretch, last);
         }
         self.give(listener);
@@ -344,7 +345,7 @@ impl Planner {
     fn alone(&mut self, piece: Piece, listener: &mut impl Listener) {
         let caps = BlockCaps::of(&self.model, &piece, false);
         let (length, cap) = (piece.length.unwrap_or(0.0), caps.least());
-        let rapid = piece.kind == Kind::Rapid;
+        let rapid = piece.kind == MotionType::Rapid;
         let settled = if rapid && self.model.rapid_set && self.parabola.is_some() {
             let Dynamics { accel, jerk, .. } = piece.dynamics;
             let limits = Limits { accel, jerk };
@@ -504,7 +505,8 @@ fn trapezoid_phases(link: &envelope::Link, start: f64, end: f64, peak: f64) -> V
     let accel = link.accel;
     let ramps = (2.0 * peak * peak - start * start - end * end) / (2.0 * accel);
     let hold = (link.length - ramps).max(0.0);
-    let phase = |duration_s: f64, velocity: f64, acceleration: f64| Phase { duration_s, velocity, acceleration, jerk: 0.0 };
+    let phase =
+        |duration_s: f64, velocity: f64, acceleration: f64| Phase { duration_s, velocity, acceleration, jerk: 0.0 };
     [
         phase((peak - start) / accel, start, accel),
         phase(if hold > 0.0 { hold / peak } else { 0.0 }, peak, 0.0),

@@ -227,7 +227,8 @@ impl Hump {
                 }
                 peak = next;
             }
-            peak
+            // Close to both ends the way grows by leaps of rounding: the lower side always fits.
+            if ways(peak) > way { low } else { peak }
         };
         Self { from, peak, to, rise, fall, hold: (way - ways(peak)).max(0.0) }
     }

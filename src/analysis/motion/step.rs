@@ -1,6 +1,7 @@
 //! What the planner reads of an executed block. One adapter makes it of the interpreter's blocks.
 
 use crate::dict::Decimal;
+use crate::run::MotionType;
 
 /// The function of group G2, as far as it decides how blocks join (CNT-1, CNT-2).
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -14,46 +15,6 @@ pub enum Mode {
     Basic,
     /// Any other function of the group.
     Other,
-}
-
-/// The kind of a motion.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum Kind {
-    /// G00.
-    Rapid,
-    /// G01.
-    Linear,
-    /// G02.
-    ArcCw,
-    /// G03.
-    ArcCcw,
-    /// G33.
-    Thread,
-    /// G30.
-    Reference,
-}
-
-impl Kind {
-    /// Every kind, in the order of the records.
-    pub const ALL: [Self; 6] =
-        [Self::Rapid, Self::Linear, Self::ArcCw, Self::ArcCcw, Self::Thread, Self::Reference];
-
-    /// As in records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rapid => "rapid",
-            Self::Linear => "linear",
-            Self::ArcCw => "arc_cw",
-            Self::ArcCcw => "arc_ccw",
-            Self::Thread => "thread",
-            Self::Reference => "reference",
-        }
-    }
-
-    /// Whether it is working motion: G01, G02, G03 (DOT-1).
-    pub const fn is_working(self) -> bool {
-        matches!(self, Self::Linear | Self::ArcCw | Self::ArcCcw)
-    }
 }
 
 /// What a length is measured in (MOT-6).
@@ -97,7 +58,7 @@ pub struct Dynamics {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {
     /// Its kind.
-    pub kind: Kind,
+    pub kind: MotionType,
     /// Its length; `None`: not known.
     pub length: Option<f64>,
     /// What the length is measured in.

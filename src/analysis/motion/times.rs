@@ -1,7 +1,8 @@
 //! What the planner says of each block: its time, its velocities, the joint before it.
 
-use super::step::{Kind, Unit};
+use super::step::Unit;
 use crate::dict::Decimal;
+use crate::run::MotionType;
 
 /// Why a joint is not passed continuously (CNT-2), in the order in which reasons are looked for.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
@@ -227,7 +228,7 @@ pub struct InStretch {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionTimes {
     /// Its kind.
-    pub kind: Kind,
+    pub kind: MotionType,
     /// What velocities are measured in: mm/s or deg/s.
     pub unit: Unit,
     /// Length of the block, or of the piece when blocks are joined (CNT-4).

@@ -1,8 +1,9 @@
 //! Programs for the planner, made directly: points and feeds.
 
 use cnc872c::analysis::motion::{
-    BlockTimes, Direction, Dynamics, Kind, Listener, Mode, Model, Move, Planner, Profile, Recognition, Step, Unit,
+    BlockTimes, Direction, Dynamics, Listener, Mode, Model, Move, Planner, Profile, Recognition, Step, Unit,
 };
+use cnc872c::run::MotionType;
 
 /// A machine without criteria.
 pub fn model(profile: Profile) -> Model {
@@ -57,7 +58,7 @@ pub fn line(seq: u64, vector: [f64; 3], feed: f64, dynamics: Dynamics) -> Step {
     let mut all = [0.0; 9];
     all[..3].copy_from_slice(&vector);
     let motion = Move {
-        kind: Kind::Linear,
+        kind: MotionType::Linear,
         length: Some(length),
         unit: Unit::Mm,
         from: along,

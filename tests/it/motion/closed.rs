@@ -1,6 +1,7 @@
 //! Closed forms: numbers that can be computed by hand.
 
-use cnc872c::analysis::motion::{Kind, Mode, Move, Profile};
+use cnc872c::analysis::motion::{Mode, Move, Profile};
+use cnc872c::run::MotionType;
 
 use super::build::{close, dynamics, line, lines, model, plan};
 use super::verify::verify;
@@ -48,8 +49,12 @@ fn circles_by_centripetal_acceleration() {
         let dynamics = cnc872c::analysis::motion::Dynamics { centripetal: 200.0, ..dynamics() };
         let mut step = line(0, [1.0, 0.0, 0.0], 5000.0, dynamics);
         let length = 2.0 * std::f64::consts::PI * 2.0;
-        step.motion =
-            step.motion.map(|motion| Move { kind: Kind::ArcCcw, length: Some(length), radius: Some(2.0), ..motion });
+        step.motion = step.motion.map(|motion| Move {
+            kind: MotionType::ArcCcw,
+            length: Some(length),
+            radius: Some(2.0),
+            ..motion
+        });
         let steps = [step];
         let planned = plan(&model(profile), &steps);
         verify(&model(profile), &steps, &planned.blocks);

@@ -1,7 +1,8 @@
 //! Checks a plan against the rules by integrating its phases. Nothing here is taken from the planner but its input and
 //! output.
 
-use cnc872c::analysis::motion::{BlockTimes, Direction, Kind, Mode, Model, Move, Phase, Profile, Recognition, Step};
+use cnc872c::analysis::motion::{BlockTimes, Direction, Mode, Model, Move, Phase, Profile, Recognition, Step};
+use cnc872c::run::MotionType;
 
 /// Relative error that is allowed.
 const EPS: f64 = 2e-6;
@@ -79,7 +80,7 @@ pub fn verify(model: &Model, steps: &[Step], blocks: &[BlockTimes]) {
         let times = blocks[k].motion.as_ref().unwrap();
         let joint = times.joint.as_ref().unwrap();
         let (Some(time), Some(velocities)) = (times.motion_s, times.velocities) else {
-            assert!(motion.length.is_none() || motion.programmed.is_none() || motion.kind == Kind::Reference);
+            assert!(motion.length.is_none() || motion.programmed.is_none() || motion.kind == MotionType::Reference);
             continue;
         };
         let length = motion.length.unwrap();
@@ -98,17 +99,20 @@ pub fn verify(model: &Model, steps: &[Step], blocks: &[BlockTimes]) {
         assert!((top - velocities.peak).abs() <= EPS * scale, "block {k}: peak {top}, said {}", velocities.peak);
         assert!(top <= cap * (1.0 + EPS), "block {k}: {top} above its cap {cap}");
         // Accelerations, jerks, no jump within it.
-        let rapid_curve = motion.kind == Kind::Rapid && model.rapid_set && jerk;
+        let rapid_curve = motion.kind == MotionType::Rapid && model.rapid_set && jerk;
         let accel = match (stretch, motion.kind) {
             (true, _) => motion.dynamics.accel,
-            (false, Kind::Rapid) if rapid_curve => motion.dynamics.accel,
-            (false, Kind::Rapid) => model.accel_rapid,
+            (false, MotionType::Rapid) if rapid_curve => motion.dynamics.accel,
+            (false, MotionType::Rapid) => model.accel_rapid,
             (false, _) => model.accel,
         };
         let curved = jerk && (stretch || rapid_curve);
         for phase in &times.phases {
             let last = phase.acceleration + phase.jerk * phase.duration_s;
-            assert!(phase.acceleration.abs().max(last.abs()) <= accel * (1.0 + EPS), "block {k}: {phase:?} above {accel}");
+            assert!(
+                phase.acceleration.abs().max(last.abs()) <= accel * (1.0 + EPS),
+                "block {k}: {phase:?} above {accel}"
+            );
             assert!(phase.velocity >= -EPS * scale);
             if curved {
                 assert!(phase.jerk.abs() <= motion.dynamics.jerk * (1.0 + EPS), "block {k}: {phase:?}");
