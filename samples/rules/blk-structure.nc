@@ -4,8 +4,7 @@ N20 G71 L100
 N25 G71 L200
 N30 / M02
 "   ^ W0219
- N40 G0 X5
-"^^^ E0206
+N40 G0 X5 "PRG-2 after a skippable end the main program goes on, up to G79
 N100 G79 L100
 N110 G0 X5
 N120 G70 /

@@ -32,6 +32,8 @@ impl Axis {
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub struct Axes {
     axes: Vec<Axis>,
+    /// The configuration lists them.
+    configured: bool,
     index: [Option<u8>; 9],
     /// The same by address.
     index_of: [Option<u8>; Address::ALL.len()],
@@ -50,7 +52,12 @@ impl Axes {
         }
         let of_address =
             |at: usize| Address::ALL.get(at)?.axis().and_then(|letter| index.get(letter as usize).copied()?);
-        Self { axes, index, index_of: std::array::from_fn(of_address) }
+        Self { axes, configured: true, index, index_of: std::array::from_fn(of_address) }
+    }
+
+    /// Whether the configuration lists the axes; else all nine letters are there.
+    pub const fn are_configured(&self) -> bool {
+        self.configured
     }
 
     /// In machine order.
@@ -93,7 +100,7 @@ impl Axes {
 impl Default for Axes {
     /// All nine letters, A, B and C rotary (ADR-4).
     fn default() -> Self {
-        Self::new(AxisLetter::ALL.map(Axis::of))
+        Self { configured: false, ..Self::new(AxisLetter::ALL.map(Axis::of)) }
     }
 }
 

@@ -6,6 +6,10 @@ bilingual! {
     /// What a secondary place shows.
     LabelText {
         First "the first one is here", "první je zde";
+        FirstBlock { block: u32 } "N{block} is used here first", "N{block} je poprvé zde";
+        EndHere { function: u8 } "M{function:02} is here, after subprograms", "M{function:02} je až zde, za podprogramy";
+        InPlaceOfG70 { function: u8 } "M{function:02} is here in place of G70", "místo G70 je zde M{function:02}";
+        WithoutEntry "these blocks end with G70, but no G79 begins them", "tyto bloky končí funkcí G70, ale žádné G79 je nezačíná";
         ParameterValue { parameter: u8, value: String } "R{parameter} got the value {value} here", "zde dostal R{parameter} hodnotu {value}";
         ParameterGiven { parameter: u8, value: String } "R{parameter} is {value} by the configuration or the command line", "R{parameter} má hodnotu {value} z konfigurace nebo z příkazového řádku";
         AssignedHere { parameter: u8 } "R{parameter} is assigned here", "zde se do R{parameter} přiřazuje";

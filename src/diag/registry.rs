@@ -248,25 +248,28 @@ diagnostics! {
         en (match (blocks, more) { (false, _) => "the program has no block: no line begins with a block number".to_owned(), (true, 0) => format!("`{word}` stands before the first block"), (true, 1) => format!("`{word}` and another word stand before the first block"), (true, _) => format!("`{word}` and {more} other words stand before the first block") })
         cs (match (blocks, more) { (false, _) => "program nemá žádný blok: žádný řádek nezačíná číslem bloku".to_owned(), (true, 0) => format!("slovo {word} stojí před prvním blokem"), (true, _) => format!("slovo {word} a další ({more}) stojí před prvním blokem") })
         help "begin each block with its number: `N10 {word}`" | "každý blok začít jeho číslem: „N10 {word}“"
-    [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32 }
-        en "block number N{block} is used twice in this file"
-        cs "číslo bloku N{block} je v souboru dvakrát"
-        help "give one of the blocks a number of its own" | "jednomu z bloků dát jiné číslo"
+    [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32, last: Option<u32> }
+        en (match last { Some(last) => format!("the blocks N{block} to N{last} are in this file twice"), None => format!("block number N{block} is used twice in this file") })
+        cs (match last { Some(last) => format!("bloky N{block} až N{last} jsou v souboru dvakrát"), None => format!("číslo bloku N{block} je v souboru dvakrát") })
+        help (if last.is_some() { "delete one of the copies, or renumber its blocks" } else { "give one of the blocks a number of its own" })
+           | (if last.is_some() { "jednu kopii vymazat, nebo její bloky přečíslovat" } else { "jednomu z bloků dát jiné číslo" })
         note "subprograms count too: one file, one set of block numbers"
            | "platí i pro podprogramy: v jednom souboru smí být každé číslo bloku jen jednou"
-    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool }
-        en (if *skipped { "with block skip on, the end of the program is left out" } else { "the program has no end: no block holds M02 or M30" })
-        cs (if *skipped { "při zapnutém vynechávání bloků se vynechá i konec programu" } else { "program nemá konec: v žádném bloku není M02 ani M30" })
-        help "end the main program with a block of its own: `N… M30`" | "ukončit hlavní program samostatným blokem: „N… M30“"
+    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8> }
+        en (match (late, skipped) { (Some(m), _) => format!("the main program has no end: M{m:02} is after the subprograms"), (None, true) => "with block skip on, the end of the program is left out".to_owned(), (None, false) => "the program has no end: no block holds M02 or M30".to_owned() })
+        cs (match (late, skipped) { (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
+        help (match late { Some(m) => format!("move the subprograms behind the block with M{m:02}"), None => "end the main program with a block of its own: `N… M30`".to_owned() })
+           | (match late { Some(m) => format!("podprogramy přesunout za blok s M{m:02}"), None => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
     [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32 }
         en "N{block} stands after the end of the program and in no subprogram"
         cs "blok N{block} stojí za koncem programu a nepatří do žádného podprogramu"
         help "only subprograms (`G79 L…` to `G70`) may follow M02 or M30; move it before the end, or into a subprogram"
            | "za M02 nebo M30 smějí následovat jen podprogramy (od „G79 L…“ po „G70“); blok přesunout před konec, nebo do podprogramu"
-    [E0207] UnterminatedSubprogram "unterminated-subprogram" Error { macrocycle: bool, skipped: bool }
-        en (match (macrocycle, skipped) { (_, true) => "with block skip on, the G70 that ends this unit is left out", (true, false) => "the macrocycle has no end: no block holds G70", (false, false) => "the subprogram has no end: no block up to the next one holds G70" })
-        cs (match (macrocycle, skipped) { (_, true) => "při zapnutém vynechávání bloků se vynechá i G70, které tento celek končí", (true, false) => "makrocyklus nemá konec: v žádném bloku není G70", (false, false) => "podprogram nemá konec: až po další podprogram v žádném bloku není G70" })
-        help "end it with a block that holds G70: `N… G70`" | "ukončit ho blokem s G70: „N… G70“"
+    [E0207] UnterminatedSubprogram "unterminated-subprogram" Error { macrocycle: bool, skipped: bool, last: bool, instead: Option<u8> }
+        en (match (macrocycle, skipped, last) { (_, true, _) => "with block skip on, the G70 that ends this unit is left out", (true, false, _) => "the macrocycle has no end: no block holds G70", (false, false, true) => "the subprogram has no end: no block up to the end of the file holds G70", (false, false, false) => "the subprogram has no end: no block up to the next subprogram holds G70" })
+        cs (match (macrocycle, skipped, last) { (_, true, _) => "při zapnutém vynechávání bloků se vynechá i G70, které tento celek ukončuje", (true, false, _) => "makrocyklus nemá konec: v žádném bloku není G70", (false, false, true) => "podprogram nemá konec: až do konce souboru v žádném bloku není G70", (false, false, false) => "podprogram nemá konec: až po další podprogram v žádném bloku není G70" })
+        help (match instead { Some(m @ (2 | 30)) => format!("write G70 in place of M{m:02}, which ends the whole program"), Some(m) => format!("write G70 in place of M{m:02}, which does not return to the caller here"), None => "end it with a block that holds G70: `N… G70`".to_owned() })
+           | (match instead { Some(m @ (2 | 30)) => format!("místo M{m:02}, které ukončí celý program, napsat G70"), Some(m) => format!("místo M{m:02}, které se zde do volajícího programu nevrací, napsat G70"), None => "ukončit ho blokem s G70: „N… G70“".to_owned() })
     [E0208] CrowdedSubprogramStart "crowded-subprogram-start" Error { word: String }
         en "`{word}` stands in the block that begins a subprogram"
         cs "slovo {word} stojí v úvodním bloku podprogramu"
@@ -302,7 +305,7 @@ diagnostics! {
     [W0215] ProgramEndInSubprogram "program-end-in-subprogram" Warning { function: u8 }
         en "M{function:02} in here ends the whole program, not only this unit"
         cs "M{function:02} zde ukončí celý program, nejen tento celek"
-        help "end subprograms and macrocycles with G70" | "podprogramy a makrocykly končit pomocí G70"
+        help "end subprograms and macrocycles with G70" | "podprogramy a makrocykly ukončovat funkcí G70"
     [E0216] MacrocycleNumberMismatch "macrocycle-number-mismatch" Error { file: String, expected: u32, found: Option<u32> }
         en ({ let file = crate::diag::shown(file); match found { Some(l) => format!("the file {file} holds macrocycle L{l}"), None => format!("the macrocycle {file} does not begin with G79") } })
         cs ({ let file = crate::diag::shown(file); match found { Some(l) => format!("soubor {file} obsahuje makrocyklus L{l}"), None => format!("makrocyklus {file} nezačíná funkcí G79") } })
@@ -313,17 +316,22 @@ diagnostics! {
         help "keep one of them on the search path" | "na cestě hledání nechat jen jeden"
     [E0218] BlockAfterMacrocycleEnd "block-after-macrocycle-end" Error { block: u32 }
         en "N{block} stands after the G70 that ends the macrocycle"
-        cs "blok N{block} stojí za G70, které makrocyklus končí"
+        cs "blok N{block} stojí za G70, které makrocyklus ukončuje"
         help "a macrocycle file holds one unit; move the block before G70, or into another file"
            | "soubor makrocyklu obsahuje jediný celek; blok přesunout před G70, nebo do jiného souboru"
     [W0219] SkippableStructure "skippable-structure" Warning { function: String }
-        en "`/` in the block with {function}: with block skip on, the end would be missing"
-        cs "/ v bloku s {function}: při zapnutém vynechávání bloků by konec chyběl"
+        en "`/` in the block with {function}: with block skip on, the control goes on behind it"
+        cs "/ v bloku s {function}: při zapnutém vynechávání bloků se pokračuje za ním"
         help "give {function} a block of its own without `/`" | "dát {function} do samostatného bloku bez /"
     [W0220] ProgramStartInMacrocycle "program-start-in-macrocycle" Warning {}
         en "a macrocycle file with a `%` line"
         cs "soubor makrocyklu s řádkem %"
         help "delete the `%` word: a macrocycle begins with `N… G79 L…`" | "slovo s % vymazat: makrocyklus začíná blokem „N… G79 L…“"
+    [W0221] LineWithoutNumber "line-without-number" Warning { block: u32 }
+        en (if *block == 0 { "the line does not begin with a block number: its words belong to the block above".to_owned() } else { format!("the line does not begin with a block number: its words belong to block N{block}") })
+        cs (if *block == 0 { "řádek nezačíná číslem bloku: slova patří k bloku nad ním".to_owned() } else { format!("řádek nezačíná číslem bloku: slova patří k bloku N{block}") })
+        help "begin a block of its own with `N…`, or move the words to the line of the block that they belong to"
+           | "začít samostatný blok „N…“, nebo přesunout slova na řádek bloku, ke kterému patří"
 
     [E0301] UnknownAddress "unknown-address" Error { letter: char }
         en "`{letter}` is no address of this control"
@@ -369,10 +377,11 @@ diagnostics! {
         en "more than {limit} `{address}` words in one block"
         cs "v bloku je více než {limit} slov {address}"
         help "share them out among several blocks" | "rozdělit je do více bloků"
-    [E0311] UnknownAxis "unknown-axis" Error { axis: char, axes: String }
-        en "this machine has no axis {axis}"
-        cs "stroj nemá osu {axis}"
-        help "the configured axes are {axes}" | "nastavené osy jsou {axes}"
+    [E0311] UnknownAxis "unknown-axis" Error { axis: char, axes: String, limit: Option<usize> }
+        en (match limit { Some(limit) => format!("axis {axis} is one too many: the control has {limit} axes"), None => format!("this machine has no axis {axis}") })
+        cs (match limit { Some(limit) => format!("osa {axis} je navíc: systém má {limit} os"), None => format!("stroj nemá osu {axis}") })
+        help (if limit.is_some() { format!("the program uses {axes} before it; the axes of the machine are named under [[axes]] in cnc872c.toml") } else { format!("the configured axes are {axes}") })
+           | (if limit.is_some() { format!("dřív program používá osy {axes}; osy stroje se uvádějí v [[axes]] v souboru cnc872c.toml") } else { format!("nastavené osy jsou {axes}") })
     [E0312] CorrectionDigits "length-correction-digits" Error {}
         en "`&` takes four digits, each 0, 1 or 2"
         cs "& má čtyři číslice, každou 0, 1 nebo 2"
@@ -393,14 +402,14 @@ diagnostics! {
         cs "Q v tomto bloku nic nedělá"
         help "`Q` goes with G71, G72, G73 or, as the dwell time, with G04"
            | "Q patří ke G71, G72, G73 nebo jako délka prodlevy ke G04"
-    [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool }
+    [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool, without_entry: Option<u32> }
         en (if *from_macrocycle { format!("a macrocycle cannot call subprogram L{l}: subprograms belong to the program's file") } else { format!("there is no subprogram L{l} in this file") })
         cs (if *from_macrocycle { format!("makrocyklus nemůže volat podprogram L{l}: podprogramy patří k souboru programu") } else { format!("podprogram L{l} v souboru není") })
-        help (if *macrocycle { format!("L{l} is a macrocycle: call it with `G72 L{l}`") } else if *from_macrocycle { "call a macrocycle with G72".to_owned() } else { nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
-           | (if *macrocycle { format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“") } else if *from_macrocycle { "volat makrocyklus pomocí G72".to_owned() } else { nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
-    [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool }
-        en "macrocycle L{l} is not on the search path"
-        cs "makrocyklus L{l} na cestě hledání není"
+        help (match without_entry { Some(block) => format!("if it begins with N{block}, put a block before it: `N… G79 L{l}`"), None if *macrocycle => format!("L{l} is a macrocycle: call it with `G72 L{l}`"), None if *from_macrocycle => "call a macrocycle with G72".to_owned(), None => nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
+           | (match without_entry { Some(block) => format!("začíná-li blokem N{block}, doplnit před něj blok „N… G79 L{l}“"), None if *macrocycle => format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“"), None if *from_macrocycle => "volat makrocyklus pomocí G72".to_owned(), None => nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
+    [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool, calls: usize }
+        en (if *calls > 1 { format!("macrocycle L{l} is not on the search path; {calls} blocks call it") } else { format!("macrocycle L{l} is not on the search path") })
+        cs (if *calls > 1 { format!("makrocyklus L{l} na cestě hledání není; program ho volá {calls}×") } else { format!("makrocyklus L{l} na cestě hledání není") })
         help (if *subprogram { format!("L{l} is a subprogram of this file: call it with `G71 L{l}`") } else { "name its folder with `-L` or under `macrocycles` in cnc872c.toml".to_owned() })
            | (if *subprogram { format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“") } else { "uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml".to_owned() })
         note ({ let searched = crate::diag::terminal_safe(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::terminal_safe(searched); format!("hledalo se v: {searched}") })
@@ -439,7 +448,7 @@ diagnostics! {
         help "the {function} is done once; give G04 a block of its own" | "{function} se provede jednou; G04 dát do samostatného bloku"
     [E0413] FlowAfterEnd "flow-after-end" Error { function: GCode }
         en "{function} in the block that ends the program"
-        cs "{function} v bloku, který končí program"
+        cs "{function} v bloku, který ukončuje program"
         help "give M02 or M30 a block of its own" | "M02 nebo M30 dát do samostatného bloku"
     [W0414] SubprogramCallsSubprogram "subprogram-calls-subprogram" Warning { l: Option<u32> }
         en "a subprogram calls another one with G71"

@@ -95,7 +95,9 @@ impl Marker {
     pub(super) fn finish(self, resolved: &Resolved, settings: &Settings, outcome: &Outcome) -> Option<Baseline> {
         let file = resolved.file(DOCUMENT)?;
         let blocks = u64::from(file.block_count());
-        let straight = !self.lost && outcome.findings.is_empty() && outcome.executed == blocks;
+        // How many lines begin with N decides whether others are findings (W0221).
+        let lost = self.lost || resolved.has_continuing_lines();
+        let straight = !lost && outcome.findings.is_empty() && outcome.executed == blocks;
         let rises = || {
             let mut numbers = file.block_ids().map(|block| file.number(block));
             let mut last = 0;

@@ -2,6 +2,7 @@
 
 use super::UnitKind;
 use super::forms::{FormFault, check_form};
+use super::letters::{Letters, bit};
 use crate::config::Settings;
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle, LabelText, ParameterNeed};
 use crate::dict::{Address, Decimal, GCode, GGroup, M_GROUPS, PROGRAM_ENDS};
@@ -24,6 +25,13 @@ pub(super) struct BlockChecker<'a> {
     pub(super) settings: &'a Settings,
     pub(super) file: &'a ParsedFile,
     pub(super) findings: &'a mut Findings,
+    letters: &'a Letters,
+    /// Axes that the control does not have, a bit for each address.
+    surplus: u32,
+    /// Where words begin whose values are not what their addresses take.
+    refused: Vec<u32>,
+    /// Control words whose operation is not configured, by its code.
+    operations: Vec<(i64, Diagnostic)>,
 }
 
 /// The G and M functions written in a block, and the words that go with them.
@@ -58,7 +66,24 @@ impl Functions {
     }
 }
 
-impl BlockChecker<'_> {
+impl<'a> BlockChecker<'a> {
+    /// For blocks of `file`; `letters` are the axes that its program uses.
+    pub(super) fn new(
+        settings: &'a Settings,
+        file: &'a ParsedFile,
+        letters: &'a Letters,
+        findings: &'a mut Findings,
+    ) -> Self {
+        let surplus = letters.surplus(&settings.machine);
+        Self { settings, file, findings, letters, surplus, refused: Vec::new(), operations: Vec::new() }
+    }
+
+    /// Where words begin whose values are not what their addresses take, and the control words whose operation is not
+    /// configured, by its code.
+    pub(super) fn finish(self) -> (Vec<u32>, Vec<(i64, Diagnostic)>) {
+        (self.refused, self.operations)
+    }
+
     /// Checks a block of a unit of that kind; `None`: of no unit.
     pub(super) fn check(&mut self, block: BlockId, unit: Option<UnitKind>) {
         let flags = self.file.flags(block);
@@ -103,12 +128,13 @@ impl BlockChecker<'_> {
         let mut seen = 0_u32;
         let mut repeated = false;
         for &word in words {
-            let bit = 1_u32 << (word.address as u8);
+            let bit = bit(word.address);
             repeated |= seen & bit != 0;
             seen |= bit;
             let in_range = word.number().is_some_and(|number| number.abs() <= Decimal::DIMENSION_MAX);
             let simple = in_range
                 && !word.is_rounded()
+                && self.surplus & bit == 0
                 && (word.address == Address::I
                     || word.address == Address::J
                     || self.settings.machine.axes.index_of(word.address).is_some());
@@ -222,25 +248,47 @@ impl BlockChecker<'_> {
         self.findings.add(diagnostic.with_label(self.file.word_place(first), LabelText::First));
     }
 
-    /// The form of one word (§2). One code a word, in the order of §13: axis, sign, point, digits of `&`, range, unknown G.
+    /// The form of one word (§2). What is wrong with it has its finding, and the word no value.
     fn check_word(&mut self, word: Word, functions: &Functions) {
-        if word.is_faulty() || word.is_void() {
+        if word.is_void() {
             return;
         }
+        let fits = if word.is_faulty() { self.fits(word, functions) } else { self.judge(word, functions) };
+        // The number of a block stays what jumps lead to.
+        if !fits && word.address != Address::N {
+            self.refused.push(word.start());
+        }
+    }
+
+    /// Whether a value that a fix gives has the form of its address: the word has its finding already.
+    fn fits(&self, word: Word, functions: &Functions) -> bool {
+        let dwell = word.address == Address::Q && (functions.dwell().is_some() || functions.unknown_g);
+        let mode = functions.of(GGroup::G6).map(|(code, _)| code);
+        let form = |value| check_form(&self.settings.machine, word.address, value, dwell, mode);
+        word.number().is_none_or(|value| form(value).is_ok())
+    }
+
+    /// Reports what is wrong with a word; whether it has a value that its address takes. One code a word, in the order of
+    /// §13: axis, sign, point, digits of `&`, range, unknown G.
+    fn judge(&mut self, word: Word, functions: &Functions) -> bool {
         let machine = &self.settings.machine;
         let address = word.address;
         if let Some(axis) = address.axis()
             && machine.axes.index(axis).is_none()
         {
-            let finding = Finding::UnknownAxis { axis: axis.letter(), axes: machine.axes.letters() };
+            let finding = Finding::UnknownAxis { axis: axis.letter(), axes: machine.axes.letters(), limit: None };
             self.report(word, finding);
-            return;
+            return false;
+        }
+        if let Some(axis) = address.axis().filter(|_| self.surplus & bit(address) != 0) {
+            self.report(word, self.letters.finding(machine, axis));
+            return false;
         }
         if word.has_sign() && !address.takes_sign(machine.dialect) {
             self.report_value(word, Finding::SignNotAllowed { address });
-            return;
+            return false;
         }
-        let Some(value) = word.number() else { return };
+        let Some(value) = word.number() else { return true };
         let dwell = address == Address::Q && functions.dwell().is_some();
         if word.has_point() && !address.row().form.takes_point(machine.dialect) {
             // GRP-5: `Q5.` is tolerated with G04; with a G word from a parameter it is not known.
@@ -249,7 +297,7 @@ impl BlockChecker<'_> {
             if !tolerated {
                 let fixed = point_help(address, value, dwell);
                 self.report_value(word, Finding::PointNotAllowed { address, fixed, dwell });
-                return;
+                return false;
             }
         }
         let feed_mode = functions.of(GGroup::G6).map(|(code, _)| code);
@@ -258,27 +306,28 @@ impl BlockChecker<'_> {
             Ok(()) => {}
             Err(FormFault::Digits) => {
                 self.report_value(word, Finding::CorrectionDigits {});
-                return;
+                return false;
             }
             Err(FormFault::Range(range)) => {
                 self.report_value(word, Finding::ValueOutOfRange { address, range });
-                return;
+                return false;
             }
             // A fraction without a point cannot be.
             Err(FormFault::Fraction) => {
                 let fixed = point_help(address, value, dwell);
                 self.report_value(word, Finding::PointNotAllowed { address, fixed, dwell });
-                return;
+                return false;
             }
         }
         if address == Address::G && g_code(word).is_none() {
             let number = value.as_whole().and_then(|number| u32::try_from(number).ok()).unwrap_or(0);
             self.report_value(word, Finding::UnknownG { number });
-            return;
+            return false;
         }
         if word.is_rounded() {
             self.report_value(word, Finding::FinerThanResolution { rounded: value.to_string() });
         }
+        true
     }
 
     /// Each address once (BLK-3); G and M by group, R by parameter.
@@ -371,7 +420,7 @@ impl BlockChecker<'_> {
             {
                 *slot = Some(word);
             }
-            if word.target() == RESERVED {
+            if word.target() == RESERVED && !word.is_void() {
                 self.report(word, Finding::ReservedParameter {});
             }
         }
@@ -394,26 +443,42 @@ impl BlockChecker<'_> {
 
     fn check_control_words(&mut self, function: GCode, g_word: Word, assigned: &[Option<Word>; 96], void: bool) {
         let mut missing = Vec::new();
+        let mut superfluous = Vec::new();
         let used = FIRST_CONTROL..FIRST_CONTROL + u8::try_from(function.operations()).unwrap_or(0);
         for parameter in FIRST_CONTROL..=LAST_CONTROL {
             let word = assigned.get(usize::from(parameter)).copied().flatten();
             match (used.contains(&parameter), word) {
                 (true, None) => missing.push(format!("R{parameter}")),
-                (false, Some(word)) => self.report(word, Finding::SuperfluousControlWord { function, parameter }),
+                (false, Some(word)) => superfluous.push((word, parameter)),
                 (true, Some(word)) => {
                     if let (Some(value), false) = (word.number(), word.is_faulty())
                         && value.fits_parameter()
                         && !word.is_rounded()
                         && let Err(finding) = super::structure::control_word(&self.settings.machine, value)
                     {
-                        self.report_value(word, finding);
+                        self.report_control_word(word, finding);
                     }
                 }
                 (false, None) => {}
             }
         }
-        if !missing.is_empty() && !void {
+        if missing.is_empty() {
+            for (word, parameter) in superfluous {
+                self.report(word, Finding::SuperfluousControlWord { function, parameter });
+            }
+        } else if !void {
+            // Control words in the wrong parameters are part of it.
             self.report(g_word, Finding::MissingControlWord { function, missing: missing.join(", ") });
+        }
+    }
+
+    /// An operation that is not configured is reported once for each code.
+    fn report_control_word(&mut self, word: Word, finding: Finding) {
+        if let Finding::UnknownOperation { operation, .. } = finding {
+            let diagnostic = Diagnostic::new(finding, self.file.value_place(word));
+            self.operations.push((operation, diagnostic));
+        } else {
+            self.report_value(word, finding);
         }
     }
 

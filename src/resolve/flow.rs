@@ -24,6 +24,7 @@ pub(super) fn follow_calls(context: &mut Context<'_, '_>, resolved: &mut Resolve
         resolved.followed += 1;
         follow_unit(context, resolved, unit);
     }
+    context.report_pending();
 }
 
 fn written(resolved: &Resolved, file: FileId, block: BlockId) -> Option<Written> {
@@ -74,11 +75,14 @@ fn follow_unit(context: &mut Context<'_, '_>, resolved: &mut Resolved, unit: Uni
 
 /// S4 describes G71 in the main program only (FLW-2).
 fn warn_of_inner_call(context: &mut Context<'_, '_>, resolved: &mut Resolved, unit: Unit, written: Written) {
-    if !matches!(unit.kind, UnitKind::Subprogram(_)) || resolved.subprogram_call_warned {
+    let called = l_number(written.l);
+    // A subprogram that calls itself is a ring, which has its own finding.
+    let itself = called.is_some() && unit.kind == UnitKind::Subprogram(called);
+    if !matches!(unit.kind, UnitKind::Subprogram(_)) || itself || resolved.subprogram_call_warned {
         return;
     }
     if let Some(parsed) = resolved.file(unit.file) {
-        let finding = Finding::SubprogramCallsSubprogram { l: l_number(written.l) };
+        let finding = Finding::SubprogramCallsSubprogram { l: called };
         context.findings.add(Diagnostic::new(finding, parsed.word_place(written.g)));
         resolved.subprogram_call_warned = true;
     }
@@ -99,13 +103,30 @@ fn call_subprogram(
         // It may be the one whose L is missing or malformed: that has its finding.
         return None;
     }
+    let macrocycle = context.library.find(l).is_ok();
+    let mut label = None;
+    if !from_macrocycle
+        && !macrocycle
+        && let Some((stray, known)) = context.pending.without_entry(l)
+    {
+        if known {
+            return None;
+        }
+        label = Some((stray.at, stray.block));
+    }
     let finding = Finding::UnknownSubprogram {
         l,
         near: resolved.nearest_subprogram(l),
-        macrocycle: context.library.find(l).is_ok(),
+        macrocycle,
         from_macrocycle,
+        without_entry: label.map(|(_, block)| block),
     };
-    report(context, resolved, unit, written, finding);
+    let parsed = resolved.file(unit.file)?;
+    let mut diagnostic = Diagnostic::new(finding, parsed.value_place(written.l));
+    if let Some((at, _)) = label {
+        diagnostic = diagnostic.with_label(at, LabelText::WithoutEntry);
+    }
+    context.findings.add(diagnostic);
     None
 }
 
@@ -120,16 +141,18 @@ fn call_macrocycle(
         Ok(id) => Some(Target::Unit(id)),
         Err(fault) => {
             let subprogram = resolved.subprogram(l).is_some();
-            report(context, resolved, unit, written, macrocycle_finding(fault, l, subprogram));
+            if let Some(parsed) = resolved.file(unit.file) {
+                context.pending.miss(l, fault, subprogram, parsed.value_place(written.l));
+            }
             None
         }
     }
 }
 
-/// The finding at a call whose macrocycle is not to be had.
-pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool) -> Finding {
+/// The finding at the first of `calls` calls of a macrocycle that cannot be loaded.
+pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool, calls: usize) -> Finding {
     match fault {
-        MacrocycleFault::Missing { searched } => Finding::UnknownMacrocycle { l, searched, subprogram },
+        MacrocycleFault::Missing { searched } => Finding::UnknownMacrocycle { l, searched, subprogram, calls },
         MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
         MacrocycleFault::Unreadable { file, problem } => Finding::UnreadableFile { problem, file: Some(file) },
     }

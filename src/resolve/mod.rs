@@ -4,10 +4,15 @@
 //! ranges, groups, targets, rings. What depends on values and modal state is found by `run`.
 
 mod blocks;
+mod checks;
 mod flow;
 mod foreign;
 mod forms;
+mod letters;
 mod library;
+mod lines;
+mod numbers;
+mod pending;
 mod program;
 mod rings;
 mod structure;

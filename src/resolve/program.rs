@@ -1,8 +1,9 @@
 //! A resolved program: its files, its units, and where its calls and jumps lead.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use super::letters::Letters;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{FileId, Location};
 
@@ -81,6 +82,12 @@ pub struct Resolved {
     pub(super) subprograms: BTreeMap<u32, UnitId>,
     pub(super) macrocycles: BTreeMap<u32, UnitId>,
     pub(super) subprogram_call_warned: bool,
+    /// Codes of operations that are not configured and have been reported (PAR-9).
+    pub(super) unknown_operations: BTreeSet<i64>,
+    /// The axis letters used, when the configuration does not list any (ADR-4).
+    pub(super) letters: Letters,
+    /// Some line continues a block with another word than `N` (BLK-1).
+    pub(super) continuing_lines: bool,
     /// How many units have had their calls followed.
     pub(super) followed: usize,
 }
@@ -106,6 +113,17 @@ impl Resolved {
     /// The main program; `None` when a macrocycle was resolved, or the file has no `%`.
     pub fn main(&self) -> Option<UnitId> {
         self.units().find(|(_, unit)| unit.kind == UnitKind::Main).map(|(id, _)| id)
+    }
+
+    /// Whether some line continues a block with another word than `N`: how many of them there are decides whether each is
+    /// a finding (W0221).
+    pub const fn has_continuing_lines(&self) -> bool {
+        self.continuing_lines
+    }
+
+    /// Takes note of an operation that is not configured; whether it is the first control word with that code (PAR-9).
+    pub fn is_new_operation(&mut self, operation: i64) -> bool {
+        self.unknown_operations.insert(operation)
     }
 
     /// The subprogram of that number.

@@ -1,27 +1,26 @@
 //! Splits files into units: the main program, its subprograms, a macrocycle (§5).
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
-use super::blocks::{BlockChecker, g_code};
+use super::blocks::{BlockChecker, g_code, m_number};
+use super::checks::look_at_blocks;
 use super::foreign::Origin;
+use super::letters::Letters;
+use super::numbers::REACHABLE;
+use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
-use crate::dict::{Address, Decimal, GCode};
+use crate::dict::{Address, Decimal, GCode, PROGRAM_ENDS};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
 use crate::text::{FileId, Location, SourceText, Sources, Span};
 
 /// Most subprograms of a file (PRG-4).
 const SUBPROGRAMS: usize = 99;
-/// Longer files are checked in parts of so many blocks, on all cores.
-const SIDE_BY_SIDE: u32 = 1 << 14;
-/// Jumps and calls reach numbers of four digits (FLW-5).
-const REACHABLE: u32 = 9999;
+/// M functions that end subprograms on other controls: M99, M17.
+const RETURNS_ELSEWHERE: [i64; 2] = [99, 17];
 
 /// What resolving works with.
 pub(super) struct Context<'a, 'l> {
@@ -29,6 +28,8 @@ pub(super) struct Context<'a, 'l> {
     pub(super) library: &'a mut Library<'l>,
     pub(super) sources: &'a mut Sources,
     pub(super) findings: &'a mut Findings,
+    /// What is reported when all calls have been followed.
+    pub(super) pending: Pending,
 }
 
 /// Resolves the program in `source`, and the macrocycles that its written calls lead to.
@@ -43,10 +44,9 @@ pub fn resolve_program(
     let parsed = parse(file, source, Form::Program, findings);
     let origin = Origin::of(&parsed);
     let mut resolved = Resolved::default();
-    let mut context = Context { settings, library, sources, findings };
+    let mut context = Context { settings, library, sources, findings, pending: Pending::default() };
     if let Some(word) = parsed.program {
-        let mut checker = BlockChecker { settings, file: &parsed, findings: context.findings };
-        checker.check_program_word(word);
+        BlockChecker::new(settings, &parsed, &Letters::default(), context.findings).check_program_word(word);
         context.add_program(&mut resolved, parsed);
         flow::follow_calls(&mut context, &mut resolved);
         flow::check_unused(&mut context, &resolved);
@@ -69,7 +69,7 @@ pub fn resolve_macrocycle(
     let parsed = parse(file, source, Form::Macrocycle, findings);
     let origin = Origin::of(&parsed);
     let mut resolved = Resolved::default();
-    let mut context = Context { settings, library, sources, findings };
+    let mut context = Context { settings, library, sources, findings, pending: Pending::default() };
     context.add_macrocycle(&mut resolved, parsed, l);
     flow::follow_calls(&mut context, &mut resolved);
     rings::check(&mut context, &resolved);
@@ -91,7 +91,7 @@ impl Resolved {
         sources: &mut Sources,
         findings: &mut Findings,
     ) -> Result<UnitId, MacrocycleFault> {
-        let mut context = Context { settings, library, sources, findings };
+        let mut context = Context { settings, library, sources, findings, pending: Pending::default() };
         let known = self.units.len();
         let unit = context.macrocycle(self, l)?;
         if self.units.len() > known {
@@ -122,43 +122,48 @@ impl Context<'_, '_> {
     fn add_program(&mut self, resolved: &mut Resolved, parsed: ParsedFile) {
         let program = parsed.program.map_or(Location::default(), |word| parsed.word_place(word));
         let file = FileId(0);
-        let main_end = parsed
-            .block_ids()
-            .find_map(|block| match parsed.flags(block) {
-                flags if flags.has(BlockFlags::ENTRY) => Some((block, false)),
-                flags if flags.has(BlockFlags::END) => Some((block.next(), true)),
-                _ => None,
-            })
-            .unwrap_or((BlockId(parsed.block_count()), false));
-        let (end, ended) = main_end;
+        let (end, ended) = main_end(&parsed);
         let first = BlockId(0);
         resolved.add_unit(Unit { kind: UnitKind::Main, file, first, end, entry: program });
+        let mut excused = Vec::new();
+        self.add_subprograms(resolved, &parsed, end, &mut excused);
         // Words without any block are one error already (BLK-2).
         let no_block = parsed.block_count() == 0 && parsed.words_outside;
         if !ended && !no_block {
             let place = if end == first { program } else { parsed.n_place(BlockId(end.0 - 1)) };
-            self.report(place, Finding::MissingProgramEnd { skipped: false });
+            // An end that stands behind subprograms is the one that is missing before them.
+            let late = self.pending.take_end().and_then(|block| end_word(self.settings, &parsed, block));
+            let function = late.map(|(function, _)| function);
+            let mut diagnostic = Diagnostic::new(Finding::MissingProgramEnd { skipped: false, late: function }, place);
+            if let Some((function, word)) = late {
+                diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::EndHere { function });
+            }
+            self.findings.add(diagnostic);
         }
-        self.add_subprograms(resolved, &parsed, end);
-        let (found, numbered) = look_at_blocks(self.settings, &parsed, &resolved.units);
-        self.findings.append(found);
         self.check_ends_in_main(&parsed, first, end);
-        self.findings.append(numbered.findings);
-        resolved.add_file(parsed, numbered.reachable);
+        self.add_checked(resolved, parsed, 0, &excused);
     }
 
-    fn add_subprograms(&mut self, resolved: &mut Resolved, parsed: &ParsedFile, from: BlockId) {
+    fn add_subprograms(
+        &mut self,
+        resolved: &mut Resolved,
+        parsed: &ParsedFile,
+        from: BlockId,
+        excused: &mut Vec<BlockId>,
+    ) {
         let mut block = from;
         let mut stray = false;
         let mut count = 0;
         let mut first_of: BTreeMap<u32, Word> = BTreeMap::new();
         while block.0 < parsed.block_count() {
-            if !parsed.flags(block).has(BlockFlags::ENTRY) {
+            let flags = parsed.flags(block);
+            if !flags.has(BlockFlags::ENTRY) {
                 if !stray {
-                    let finding = Finding::BlockAfterProgramEnd { block: parsed.shown_number(block) };
-                    self.report(parsed.n_place(block), finding);
+                    let number = parsed.shown_number(block);
+                    self.pending.strays.push(Stray::new(parsed.n_place(block), number));
                 }
                 stray = true;
+                self.pending.note(block, flags);
                 block = block.next();
                 continue;
             }
@@ -167,7 +172,7 @@ impl Context<'_, '_> {
             let entry = entry_place(parsed, block);
             let (end, ended) = unit_end(parsed, block);
             if !ended {
-                self.report(entry, Finding::UnterminatedSubprogram { macrocycle: false, skipped: false });
+                excused.extend(self.report_unterminated(parsed, block, end, entry, false));
             }
             if count == SUBPROGRAMS + 1 {
                 self.report(entry, Finding::TooManySubprograms {});
@@ -192,6 +197,36 @@ impl Context<'_, '_> {
             }
             block = end;
         }
+    }
+
+    /// A unit without G70 (PRG-3). Gives the block at its end that holds M02 or M30 instead: it has no finding of its own.
+    fn report_unterminated(
+        &mut self,
+        parsed: &ParsedFile,
+        first: BlockId,
+        end: BlockId,
+        entry: Location,
+        macrocycle: bool,
+    ) -> Option<BlockId> {
+        let last = end.0.checked_sub(1).map(BlockId).filter(|last| *last >= first);
+        let ends = last.and_then(|last| end_word(self.settings, parsed, last));
+        let returns = |word: &&Word| {
+            word.address == Address::M && word.whole().is_some_and(|number| RETURNS_ELSEWHERE.contains(&number))
+        };
+        let elsewhere = last.and_then(|last| parsed.words(last).iter().find(returns).copied());
+        let instead = ends.or(elsewhere.and_then(|word| Some((m_number(word, self.settings)?, word))));
+        let finding = Finding::UnterminatedSubprogram {
+            macrocycle,
+            skipped: false,
+            last: end.0 >= parsed.block_count(),
+            instead: instead.map(|(function, _)| function),
+        };
+        let mut diagnostic = Diagnostic::new(finding, entry);
+        if let Some((function, word)) = instead {
+            diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::InPlaceOfG70 { function });
+        }
+        self.findings.add(diagnostic);
+        last.filter(|_| ends.is_some())
     }
 
     /// A macrocycle file has the form of one subprogram (PRG-7).
@@ -220,8 +255,9 @@ impl Context<'_, '_> {
             let finding = Finding::MacrocycleNumberMismatch { file: name, expected: l, found: None };
             self.report(entry, finding);
         }
+        let mut excused = None;
         if !ended && (begins || empty) {
-            self.report(entry, Finding::UnterminatedSubprogram { macrocycle: true, skipped: false });
+            excused = self.report_unterminated(&parsed, first, end, entry, true);
         }
         if end.0 < parsed.block_count() {
             let finding = Finding::BlockAfterMacrocycleEnd { block: parsed.shown_number(end) };
@@ -231,11 +267,24 @@ impl Context<'_, '_> {
         let known = resolved.units.len();
         let id = resolved.add_unit(Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry });
         resolved.macrocycles.insert(l, id);
-        let (found, numbered) = look_at_blocks(self.settings, &parsed, resolved.units.get(known..).unwrap_or_default());
-        self.findings.append(found);
-        self.findings.append(numbered.findings);
-        resolved.add_file(parsed, numbered.reachable);
+        self.add_checked(resolved, parsed, known, excused.as_slice());
         id
+    }
+
+    /// Checks every block of a file, whose units are those from `units` on, and adds it.
+    fn add_checked(&mut self, resolved: &mut Resolved, mut parsed: ParsedFile, units: usize, excused: &[BlockId]) {
+        resolved.letters.read(&self.settings.machine, &parsed);
+        let units = resolved.units.get(units..).unwrap_or_default();
+        let checked = look_at_blocks(self.settings, &parsed, units, &resolved.letters, excused);
+        self.findings.append(checked.findings);
+        for (operation, diagnostic) in checked.operations {
+            if resolved.unknown_operations.insert(operation) {
+                self.findings.add(diagnostic);
+            }
+        }
+        resolved.continuing_lines |= checked.continuing_lines;
+        parsed.refuse(&checked.refused);
+        resolved.add_file(parsed, checked.reachable);
     }
 
     /// G70 ends subprograms only (PRG-5).
@@ -264,78 +313,29 @@ impl Context<'_, '_> {
     }
 }
 
-/// Checks every block of a file whose units are those, also blocks of no unit, and numbers them. Both look at all of a
-/// file: the one beside the other in a long one.
-fn look_at_blocks(settings: &Settings, parsed: &ParsedFile, units: &[Unit]) -> (Findings, Numbered) {
-    let check = || check_blocks(settings, parsed, units);
-    let number = || number_blocks(parsed);
-    if parsed.block_count() > SIDE_BY_SIDE { rayon::join(check, number) } else { (check(), number()) }
-}
-
-fn check_blocks(settings: &Settings, parsed: &ParsedFile, units: &[Unit]) -> Findings {
-    let check = |blocks: Range<u32>| {
-        let mut findings = Findings::new();
-        let mut checker = BlockChecker { settings, file: parsed, findings: &mut findings };
-        let mut units = units.iter().peekable();
-        for block in blocks.map(BlockId) {
-            while units.next_if(|unit| unit.end <= block).is_some() {}
-            let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
-            checker.check(block, unit);
-        }
-        findings
-    };
-    let count = parsed.block_count();
-    if count <= SIDE_BY_SIDE {
-        return check(0..count);
-    }
-    let parts = count.div_ceil(SIDE_BY_SIDE);
-    let part = |part: u32| part * SIDE_BY_SIDE..count.min((part + 1) * SIDE_BY_SIDE);
-    let found: Vec<Findings> = (0..parts).into_par_iter().map(|at| check(part(at))).collect();
-    let mut findings = Findings::new();
-    found.into_iter().for_each(|part| findings.append(part));
-    findings
-}
-
-/// What the numbers of a file's blocks lead to.
-struct Numbered {
-    /// Numbers that stand twice (BLK-7).
-    findings: Findings,
-    /// The first block of each number that jumps can reach, by number.
-    reachable: Vec<(u32, BlockId)>,
-}
-
-fn number_blocks(parsed: &ParsedFile) -> Numbered {
-    let mut numbered = Numbered { findings: Findings::new(), reachable: Vec::new() };
-    let mut rising = true;
-    let mut last = 0;
+/// Where the main program ends: behind its first M02 or M30 that is not skippable, or before G79; and whether it has an
+/// end at all (PRG-2).
+fn main_end(parsed: &ParsedFile) -> (BlockId, bool) {
+    let mut ended = false;
     for block in parsed.block_ids() {
-        let Some(number) = parsed.number(block) else { continue };
-        rising &= number > last;
-        last = number;
-        if number <= REACHABLE {
-            numbered.reachable.push((number, block));
+        let flags = parsed.flags(block);
+        if flags.has(BlockFlags::ENTRY) {
+            return (block, ended);
         }
-    }
-    if rising {
-        return numbered;
-    }
-    numbered.reachable.sort_unstable();
-    numbered.reachable.dedup_by_key(|(number, _)| *number);
-    let mut all: Vec<(u32, BlockId)> =
-        parsed.block_ids().filter_map(|block| Some((parsed.number(block)?, block))).collect();
-    all.sort_unstable();
-    let mut first: Option<(u32, BlockId)> = None;
-    for (number, block) in all {
-        match first {
-            Some((known, first)) if known == number => {
-                let finding = Finding::DuplicateBlockNumber { block: number };
-                let diagnostic = Diagnostic::new(finding, parsed.n_place(block));
-                numbered.findings.add(diagnostic.with_label(parsed.n_place(first), LabelText::First));
+        if flags.has(BlockFlags::END) {
+            ended = true;
+            if !flags.has(BlockFlags::SKIP) {
+                return (block.next(), true);
             }
-            _ => first = Some((number, block)),
         }
     }
-    numbered
+    (BlockId(parsed.block_count()), ended)
+}
+
+/// The M02 or M30 of a block.
+fn end_word(settings: &Settings, parsed: &ParsedFile, block: BlockId) -> Option<(u8, Word)> {
+    let end = |word: &Word| Some((m_number(*word, settings).filter(|m| PROGRAM_ENDS.contains(m))?, *word));
+    parsed.words(block).iter().find_map(end)
 }
 
 /// Where a unit that begins at `first` ends: after its first G70, before the next G79, or with the file; and whether it
@@ -435,21 +435,6 @@ mod tests {
         for (number, block) in [(5, Some(7)), (10, Some(2)), (30, Some(0)), (9999, Some(1)), (10_000, None), (20, None)]
         {
             assert_eq!(resolved.numbered(FileId(0), number), block.map(BlockId), "{number}");
-        }
-    }
-
-    /// Parts of a long file that are checked side by side leave no block out and check none twice.
-    #[test]
-    fn every_block_of_a_long_file_is_checked() {
-        let faulty = [1, 2, SIDE_BY_SIDE, SIDE_BY_SIDE + 1, 2 * SIDE_BY_SIDE, 2 * SIDE_BY_SIDE + 1, 3 * SIDE_BY_SIDE];
-        let block = |n: u32| format!("N{n} {}\n", if faulty.contains(&n) { "X99999" } else { "X1" });
-        for last in [2 * SIDE_BY_SIDE - 1, 2 * SIDE_BY_SIDE, 3 * SIDE_BY_SIDE + 1] {
-            let body: String = (1..=last).map(block).collect();
-            let (source, _, findings) = resolve(&format!("{body}N{} M30\n", last + 1));
-            let lines: Vec<u32> =
-                findings.items().iter().map(|found| source.line_column(found.at.span.start).line - 1).collect();
-            let expected: Vec<u32> = faulty.into_iter().filter(|n| *n <= last).collect();
-            assert_eq!(lines, expected, "{last}");
         }
     }
 }

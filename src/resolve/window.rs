@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use super::blocks::{BlockChecker, g_code};
+use super::letters::Letters;
+use super::lines;
 use super::{Resolved, Unit, UnitKind};
 use crate::config::Settings;
 use crate::diag::Findings;
@@ -31,7 +33,7 @@ pub fn resolve_window(
         return None;
     }
     let file = sources.add(Arc::clone(source));
-    let parsed = parse(file, source, Form::Macrocycle, findings);
+    let mut parsed = parse(file, source, Form::Macrocycle, findings);
     if !concerns_itself_only(&parsed, between) {
         return None;
     }
@@ -39,10 +41,19 @@ pub fn resolve_window(
     let (first, end) = (BlockId(0), BlockId(parsed.block_count()));
     let entry = parsed.n_place(first);
     resolved.add_unit(Unit { kind: UnitKind::Main, file: FileId(0), first, end, entry });
-    let mut checker = BlockChecker { settings, file: &parsed, findings };
+    let letters = Letters::default();
+    // Whether lines without a block number are findings follows from all lines of the program, and which axes are too many
+    // from all its letters.
+    let (_, continuing_lines) = lines::check(&parsed, &resolved.units);
+    if continuing_lines || Letters::limit(&settings.machine).is_some() {
+        return None;
+    }
+    let mut checker = BlockChecker::new(settings, &parsed, &letters, findings);
     for block in parsed.block_ids() {
         checker.check(block, Some(UnitKind::Main));
     }
+    let (refused, _) = checker.finish();
+    parsed.refuse(&refused);
     // The whole program may look like one for another control then.
     if !findings.is_empty() && is_suspicious(text) {
         return None;
@@ -117,6 +128,7 @@ mod tests {
             "N110 X1 \u{1a}\n",
             "N110 X1 \0\n",
             "N110\n",
+            "N110 X1\nY1\nN120 X2\n",
             "N110\nN120 X1\n",
             "N110 X1\nN120\n",
             "N100 X1\n",

@@ -353,13 +353,12 @@ impl<'a, 'l> Executor<'a, 'l> {
             UnitKind::Main => {
                 let last = BlockId(unit.end.0.saturating_sub(1));
                 let at = self.resolved.file(unit.file).map(|file| file.n_place(last)).unwrap_or(unit.entry);
-                (Finding::MissingProgramEnd { skipped: true }, at)
+                (Finding::MissingProgramEnd { skipped: true, late: None }, at)
             }
-            UnitKind::Subprogram(_) => {
-                (Finding::UnterminatedSubprogram { macrocycle: false, skipped: true }, unit.entry)
-            }
-            UnitKind::Macrocycle(_) => {
-                (Finding::UnterminatedSubprogram { macrocycle: true, skipped: true }, unit.entry)
+            UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
+                let macrocycle = matches!(unit.kind, UnitKind::Macrocycle(_));
+                let finding = Finding::UnterminatedSubprogram { macrocycle, skipped: true, last: false, instead: None };
+                (finding, unit.entry)
             }
         };
         self.report(Diagnostic::new(finding, at));

@@ -159,6 +159,7 @@ impl Executor<'_, '_> {
             near: self.resolved.nearest_subprogram(l),
             macrocycle: self.library.find(l).is_ok(),
             from_macrocycle,
+            without_entry: None,
         };
         let diagnostic = self.with_origin(Diagnostic::new(finding, place), word);
         self.report(diagnostic);
@@ -174,7 +175,7 @@ impl Executor<'_, '_> {
 
     fn no_macrocycle(&mut self, fault: MacrocycleFault, l: u32, place: Location, word: Option<Word>) -> Next {
         let subprogram = self.resolved.subprogram(l).is_some();
-        let mut diagnostic = Diagnostic::new(macrocycle_finding(fault, l, subprogram), place);
+        let mut diagnostic = Diagnostic::new(macrocycle_finding(fault, l, subprogram, 1), place);
         if let Some(word) = word {
             diagnostic = self.with_origin(diagnostic, word);
         }

@@ -252,6 +252,16 @@ impl ParsedFile {
         comment_text(self.source.slice(comment))
     }
 
+    /// Takes the value away from the words that begin at those places: it is not one that their addresses take.
+    pub fn refuse(&mut self, starts: &[u32]) {
+        for start in starts {
+            let at = self.words.partition_point(|word| word.start() < *start);
+            if let Some(word) = self.words.get_mut(at).filter(|word| word.start() == *start) {
+                *word = word.refused();
+            }
+        }
+    }
+
     /// A place in this file.
     pub const fn at(&self, span: Span) -> Location {
         Location { file: self.file, span }

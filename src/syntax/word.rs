@@ -102,6 +102,22 @@ impl Word {
         word
     }
 
+    /// The same word without its value, which is not one that its address takes: nothing is known of what it would have set
+    /// (§13). What is written can still be asked for: [`Self::refused_number`].
+    #[must_use]
+    pub fn refused(mut self) -> Self {
+        self.flags |= VOID;
+        self
+    }
+
+    /// The number that is written in a refused word; `None` for every other word.
+    pub fn refused_number(self) -> Option<Decimal> {
+        let refused = self.flags & (VOID | FAULTY | PARAMETER) == VOID && self.address != Address::Skip;
+        let mut written = self;
+        written.flags &= !VOID;
+        written.number().filter(|_| refused)
+    }
+
     /// The same word as an assignment to parameter `target`.
     #[must_use]
     pub fn assigning(mut self, target: u8) -> Self {

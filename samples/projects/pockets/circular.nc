@@ -5,8 +5,8 @@ N20  T3 M06                             "Freza D10 s celnim ostrim"
 N30  S3000 M03 M08
 N40  G00 X-60 Y-30
 N50  ZR90
-N60  R31=-30 R34=5 R35=60 R36=60 R37=2
-     R1=1 R40=8 R41=2                   "hloubka kapsy a trisky"
+     "hloubka kapsy R40 a trisky R41"
+N60  R31=-30 R34=5 R35=60 R36=60 R37=2 R1=1 R40=8 R41=2
 N65  G27 R5=-4404142 R6=-2420142        "cele cislo: R42 = R40/R41 - 1"
 
 N70  R30=-60                            "--- nova rada ---"

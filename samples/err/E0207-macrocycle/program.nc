@@ -1,0 +1,4 @@
+%207 "Makrocyklus s M30 misto G70
+N10 G90 G0 X0 Y0 F200
+N20 G72 L9207
+N30 M30

@@ -1,0 +1,14 @@
+%207 "M30 misto G70
+"PRG-3 M30 in place of G70 is one finding
+N10 G90 G0 X0 Y0
+N20 G71 L100
+N30 G71 L200
+N40 M30
+N100 G79 L100
+"    ^^^ E0207
+N110 G1 X10 F200
+N120 M30
+N200 G79 L200
+"    ^^^ E0207
+N210 G1 Y10
+N220 M99 "so is M99 of other controls

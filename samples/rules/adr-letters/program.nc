@@ -1,0 +1,8 @@
+"! dialect=cnc8x6
+%6 "ADR-4 six letters in the order of the text, program before macrocycles
+N10 G90 G0 A0 B0 C0 U0
+N20 G72 L9006
+N30 X0 Y0
+N40 Z0
+"   ^^ E0311
+N50 M30

@@ -1,0 +1,122 @@
+//! The checks of all blocks of a file, on all cores when it is long.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::Unit;
+use super::blocks::BlockChecker;
+use super::letters::Letters;
+use super::lines;
+use super::numbers::number_blocks;
+use crate::config::Settings;
+use crate::diag::{Diagnostic, Findings};
+use crate::syntax::{BlockId, ParsedFile};
+
+/// Longer files are checked in parts of so many blocks, on all cores.
+const SIDE_BY_SIDE: u32 = 1 << 14;
+
+/// What the look at all blocks of a file gave.
+#[derive(Default)]
+pub(super) struct Checked {
+    pub(super) findings: Findings,
+    /// Where words begin whose values are not what their addresses take.
+    pub(super) refused: Vec<u32>,
+    /// Control words whose operation is not configured, by its code: each code is reported once for a program (PAR-9).
+    pub(super) operations: Vec<(i64, Diagnostic)>,
+    /// The first block of each number that jumps can reach, by number.
+    pub(super) reachable: Vec<(u32, BlockId)>,
+    /// Some line continues a block with another word than `N`.
+    pub(super) continuing_lines: bool,
+}
+
+impl Checked {
+    fn append(&mut self, other: Self) {
+        self.findings.append(other.findings);
+        self.refused.extend(other.refused);
+        self.operations.extend(other.operations);
+    }
+}
+
+/// Checks every block of a file whose units are those, also blocks of no unit, numbers them, and looks at their lines. All
+/// look at the whole file: the one beside the other in a long one. `excused`: blocks with M02 or M30 that are part of
+/// another finding.
+pub(super) fn look_at_blocks(
+    settings: &Settings,
+    parsed: &ParsedFile,
+    units: &[Unit],
+    letters: &Letters,
+    excused: &[BlockId],
+) -> Checked {
+    let check = || check_blocks(settings, parsed, units, letters, excused);
+    let layout = || (number_blocks(parsed), lines::check(parsed, units));
+    let long = parsed.block_count() > SIDE_BY_SIDE;
+    let (mut checked, (numbered, (findings, continuing_lines))) =
+        if long { rayon::join(check, layout) } else { (check(), layout()) };
+    checked.findings.append(numbered.findings);
+    checked.findings.append(findings);
+    checked.reachable = numbered.reachable;
+    checked.continuing_lines = continuing_lines;
+    checked
+}
+
+fn check_blocks(
+    settings: &Settings,
+    parsed: &ParsedFile,
+    units: &[Unit],
+    letters: &Letters,
+    excused: &[BlockId],
+) -> Checked {
+    let check = |blocks: Range<u32>| {
+        let mut findings = Findings::new();
+        let mut checker = BlockChecker::new(settings, parsed, letters, &mut findings);
+        let mut units = units.iter().peekable();
+        for block in blocks.map(BlockId) {
+            while units.next_if(|unit| unit.end <= block).is_some() {}
+            let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
+            checker.check(block, unit.filter(|_| !excused.contains(&block)));
+        }
+        let (refused, operations) = checker.finish();
+        Checked { findings, refused, operations, ..Checked::default() }
+    };
+    let count = parsed.block_count();
+    if count <= SIDE_BY_SIDE {
+        return check(0..count);
+    }
+    let parts = count.div_ceil(SIDE_BY_SIDE);
+    let part = |part: u32| part * SIDE_BY_SIDE..count.min((part + 1) * SIDE_BY_SIDE);
+    let found: Vec<Checked> = (0..parts).into_par_iter().map(|at| check(part(at))).collect();
+    let mut checked = Checked::default();
+    found.into_iter().for_each(|part| checked.append(part));
+    checked
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::resolve::{Library, resolve_program};
+    use crate::text::{MemoryLoader, SourceText, Sources};
+
+    /// Parts of a long file that are checked side by side leave no block out and check none twice.
+    #[test]
+    fn every_block_of_a_long_file_is_checked() {
+        let faulty = [1, 2, SIDE_BY_SIDE, SIDE_BY_SIDE + 1, 2 * SIDE_BY_SIDE, 2 * SIDE_BY_SIDE + 1, 3 * SIDE_BY_SIDE];
+        let block = |n: u32| format!("N{n} {}\n", if faulty.contains(&n) { "X99999" } else { "X1" });
+        for last in [2 * SIDE_BY_SIDE - 1, 2 * SIDE_BY_SIDE, 3 * SIDE_BY_SIDE + 1] {
+            let body: String = (1..=last).map(block).collect();
+            let text = format!("%1\n{body}N{} M30\n", last + 1);
+            let source = Arc::new(SourceText::from_text("t.nc", text));
+            let (loader, settings) = (MemoryLoader::new(), Settings::default());
+            let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
+            let (mut sources, mut findings) = (Sources::new(), Findings::new());
+            resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+            let lines: Vec<u32> =
+                findings.items().iter().map(|found| source.line_column(found.at.span.start).line - 1).collect();
+            let expected: Vec<u32> = faulty.into_iter().filter(|n| *n <= last).collect();
+            assert_eq!(lines, expected, "{last}");
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Lines that a block number was forgotten on (BLK-1).
+
+use super::Unit;
+use crate::diag::{Diagnostic, Finding, Findings};
+use crate::dict::Address;
+use crate::syntax::{BlockId, ParsedFile, Word};
+use crate::text::{LineIndex, Span};
+
+/// So many lines of a unit begin with `N`, at least.
+const LEAST: usize = 5;
+
+/// Warns of lines that begin with another word than `N` and continue a block, in units where eight of ten lines with words
+/// begin with `N`. Gives whether there is any such line, warned of or not.
+pub(super) fn check(parsed: &ParsedFile, units: &[Unit]) -> (Findings, bool) {
+    let mut findings = Findings::new();
+    let mut any = false;
+    for unit in units {
+        let lines = Lines::of(parsed, unit);
+        any |= !lines.continuing.is_empty();
+        if lines.numbered < LEAST || lines.numbered * 10 < lines.with_words * 8 {
+            continue;
+        }
+        for &(word, block) in lines.continuing.iter().filter(|(word, _)| begins_line(parsed, *word)) {
+            let finding = Finding::LineWithoutNumber { block: parsed.shown_number(block) };
+            findings.add(Diagnostic::new(finding, parsed.word_place(word)));
+        }
+    }
+    (findings, any)
+}
+
+/// The lines of a unit.
+#[derive(Default)]
+struct Lines {
+    /// Those with words.
+    with_words: usize,
+    /// Those whose first word is an `N`.
+    numbered: usize,
+    /// The first word, and its block, of each of the others.
+    continuing: Vec<(Word, BlockId)>,
+}
+
+impl Lines {
+    fn of(parsed: &ParsedFile, unit: &Unit) -> Self {
+        let index = parsed.source.lines();
+        let mut lines = Self::default();
+        let mut line = 0;
+        let mut seen = None;
+        for block in (unit.first.0..unit.end.0).map(BlockId) {
+            let Some(n) = parsed.n_word(block) else { continue };
+            line = index.line_near(n.start(), line);
+            if seen != Some(line) {
+                lines.with_words += 1;
+                lines.numbered += 1;
+                seen = Some(line);
+            }
+            let words = parsed.words(block);
+            if words.last().is_none_or(|last| in_line(index, line, *last)) {
+                continue;
+            }
+            for &word in words {
+                line = index.line_near(word.start(), line);
+                if seen != Some(line) {
+                    lines.with_words += 1;
+                    lines.continuing.push((word, block));
+                    seen = Some(line);
+                }
+            }
+        }
+        lines
+    }
+}
+
+fn in_line(index: &LineIndex, line: usize, word: Word) -> bool {
+    index.start(line + 1).is_none_or(|next| word.start() < next)
+}
+
+/// Whether a word that has no finding of its own there begins its line, comments aside. A `/` there has W0213.
+fn begins_line(parsed: &ParsedFile, word: Word) -> bool {
+    if word.address == Address::Skip || (word.is_void() && word.is_faulty()) {
+        return false;
+    }
+    let lines = parsed.source.lines();
+    let mut from = lines.start(lines.line_at(word.start())).unwrap_or(word.start());
+    let comments = parsed.all_comments();
+    let first = comments.partition_point(|comment| comment.start < from);
+    let blank = |from: u32, to: u32| {
+        let text = parsed.source.slice(Span::new(from, to));
+        text.bytes().all(|byte| matches!(byte, b' ' | b'\t'))
+    };
+    for comment in comments.iter().skip(first).take_while(|comment| comment.start < word.start()) {
+        if !blank(from, comment.start) {
+            return false;
+        }
+        from = comment.end;
+    }
+    blank(from, word.start())
+}

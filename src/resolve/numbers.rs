@@ -1,0 +1,67 @@
+//! The block numbers of a file: which jumps can reach, and which stand twice (BLK-7).
+
+use crate::diag::{Diagnostic, Finding, Findings, LabelText};
+use crate::syntax::{BlockId, ParsedFile};
+
+/// Jumps and calls reach numbers of four digits (FLW-5).
+pub(super) const REACHABLE: u32 = 9999;
+
+/// What the numbers of a file's blocks lead to.
+pub(super) struct Numbered {
+    /// Numbers that stand twice.
+    pub(super) findings: Findings,
+    /// The first block of each number that jumps can reach, by number.
+    pub(super) reachable: Vec<(u32, BlockId)>,
+}
+
+/// Numbers the blocks of a file.
+pub(super) fn number_blocks(parsed: &ParsedFile) -> Numbered {
+    let mut numbered = Numbered { findings: Findings::new(), reachable: Vec::new() };
+    let mut rising = true;
+    let mut last = 0;
+    for block in parsed.block_ids() {
+        let Some(number) = parsed.number(block) else { continue };
+        rising &= number > last;
+        last = number;
+        if number <= REACHABLE {
+            numbered.reachable.push((number, block));
+        }
+    }
+    if rising {
+        return numbered;
+    }
+    numbered.reachable.sort_unstable();
+    numbered.reachable.dedup_by_key(|(number, _)| *number);
+    let mut all: Vec<(u32, BlockId)> =
+        parsed.block_ids().filter_map(|block| Some((parsed.number(block)?, block))).collect();
+    all.sort_unstable();
+    // Each block whose number stands before, with the first block that has it, in the order of the text.
+    let mut repeated: Vec<(BlockId, BlockId)> = Vec::new();
+    let mut first: Option<(u32, BlockId)> = None;
+    for (number, block) in all {
+        match first {
+            Some((known, first)) if known == number => repeated.push((block, first)),
+            _ => first = Some((number, block)),
+        }
+    }
+    repeated.sort_unstable();
+    report(parsed, &repeated, &mut numbered.findings);
+    numbered
+}
+
+/// Reports each run of blocks whose numbers are those of as many consecutive blocks before, in order: once.
+fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], findings: &mut Findings) {
+    let mut rest = repeated;
+    while let Some((&(block, first), _)) = rest.split_first() {
+        let follows = |(at, (again, before)): (u32, &(BlockId, BlockId))| {
+            *again == BlockId(block.0 + at) && *before == BlockId(first.0 + at) && *before < block
+        };
+        let count = (0..).zip(rest).take_while(|&(at, pair)| follows((at, pair))).count();
+        let last = rest.get(count.saturating_sub(1)).map_or(block, |(last, _)| *last);
+        let last = (count > 1).then(|| parsed.shown_number(last));
+        let number = parsed.shown_number(block);
+        let diagnostic = Diagnostic::new(Finding::DuplicateBlockNumber { block: number, last }, parsed.n_place(block));
+        findings.add(diagnostic.with_label(parsed.n_place(first), LabelText::FirstBlock { block: number }));
+        rest = rest.get(count.max(1)..).unwrap_or_default();
+    }
+}
