@@ -8,10 +8,11 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
-use cnc872c::config::{Purpose, Settings};
+use cnc872c::analysis::Totals;
+use cnc872c::config::Settings;
 use cnc872c::diag::Findings;
 use cnc872c::resolve::{Library, resolve_program};
-use cnc872c::run::Executor;
+use cnc872c::run::{Interpreter, Program};
 use cnc872c::session::{Part, Session};
 use cnc872c::syntax::{Form, parse, tokens};
 use cnc872c::text::{FileId, MemoryLoader, SourceText, Sources};
@@ -64,8 +65,7 @@ fn programs(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Execution alone, in executed blocks a second: with what `check` asks of it, and with the records of `compile`, which are
-/// not written.
+/// Execution alone, in executed blocks a second: as in `check`, where nobody reads, and with the lengths of all motions.
 fn expansion(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("expansion");
     group.sample_size(10);
@@ -80,18 +80,28 @@ fn expansion(criterion: &mut Criterion) {
         let source = Arc::new(SourceText::from_text(NAME, String::from_utf8(text).expect("UTF-8")));
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
         let mut library = Library::new(&loader, &settings.macrocycles, Path::new(NAME));
-        let mut resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
-        let mut execute = |purpose: Purpose| {
-            let mut executor =
-                Executor::new(&mut resolved, &settings, &mut library, &mut sources, &mut findings, purpose);
-            while let Some(record) = executor.step() {
-                black_box(record);
+        let resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+        let mut program = Program { resolved, settings: &settings, library, sources };
+        let mut execute = |totals: Option<&mut Totals>| {
+            let mut interpreter = Interpreter::new(&program);
+            let mut read = Totals::new();
+            while let Some(block) = interpreter.step(&mut program, &mut findings) {
+                if totals.is_some() {
+                    read.add(&block);
+                } else {
+                    black_box(block.seq());
+                }
             }
-            executor.executed()
+            if let Some(totals) = totals {
+                *totals = read;
+            }
+            interpreter.executed()
         };
-        group.throughput(Throughput::Elements(execute(Purpose::Check)));
-        group.bench_function(format!("{name}, no records"), |bencher| bencher.iter(|| execute(Purpose::Check)));
-        group.bench_function(format!("{name}, records"), |bencher| bencher.iter(|| execute(Purpose::Compile)));
+        group.throughput(Throughput::Elements(execute(None)));
+        group.bench_function(format!("{name}, not read"), |bencher| bencher.iter(|| execute(None)));
+        group.bench_function(format!("{name}, lengths"), |bencher| {
+            bencher.iter(|| execute(Some(&mut black_box(Totals::new()))));
+        });
     }
     group.finish();
 }

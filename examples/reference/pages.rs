@@ -27,7 +27,7 @@ pub fn pages() -> BTreeMap<String, String> {
         add("project-file", cnc872c::config::reference(lang));
     }
     let schemas = [
-        ("blocks", cnc872c::ir::schema()),
+        ("blocks", cnc872c::stream::schema()),
         ("diagnostics", cnc872c::diag::schema()),
         ("config", cnc872c::config::schema()),
     ];

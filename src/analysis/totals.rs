@@ -21,10 +21,14 @@ impl Totals {
 
     /// Adds the motion of a block.
     pub fn add(&mut self, block: &Executed<'_>) {
-        let Some(motion) = block.motion() else { return };
-        let Some(length) = motion.length().mm() else { return };
+        self.add_motion(block.motion().and_then(|motion| Some((motion.kind(), motion.length().mm()?))));
+    }
+
+    /// Adds a motion with its length in millimetres.
+    pub fn add_motion(&mut self, motion: Option<(MotionType, Micro)>) {
+        let Some((kind, length)) = motion else { return };
         self.path = self.path.plus(length);
-        if let Some(sum) = self.by_type.get_mut(motion.kind() as usize) {
+        if let Some(sum) = self.by_type.get_mut(kind as usize) {
             *sum = Some(sum.unwrap_or_default().plus(length));
         }
     }

@@ -4,11 +4,11 @@ use std::io::{self, Write};
 
 use super::args::{SchemaArgs, SchemaName};
 use super::status::{Failure, Status};
-use crate::{config, diag, ir};
+use crate::{config, diag, stream};
 
 pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
     let schema = match args.schema {
-        SchemaName::Blocks => ir::schema(),
+        SchemaName::Blocks => stream::schema(),
         SchemaName::Diagnostics => diag::schema(),
         SchemaName::Config => config::schema(),
     };

@@ -130,7 +130,7 @@ pub(super) fn run(
         !cancel.is_cancelled()
     };
     let session = Session { loader: files, settings: &settings, progress: Some(&goes_on) };
-    let (mut outcome, mut resolved) = session.resolve(path, &name);
+    let (mut outcome, resolved) = session.resolve(path, &name);
     let executable = !misconfigured && session.can_execute(&resolved, &outcome);
     if cancel.is_cancelled() {
         return None;
@@ -156,7 +156,7 @@ pub(super) fn run(
             *interim = Some(Found { report, read: read.clone(), misconfigured, baseline: None });
         }
         let mut marker = Marker::new(&resolved);
-        session.execute(path, &mut resolved, &mut outcome, |executor| marker.look(executor));
+        outcome = session.execute(path, resolved.clone(), outcome, &mut marker).outcome;
         if cancel.is_cancelled() {
             return None;
         }

@@ -1,19 +1,24 @@
 //! What is kept of a long straight program without findings, so that a change of a few blocks is judged by looking at those
 //! alone.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::cursor::DOCUMENT;
 use crate::config::Settings;
+use crate::diag::Findings;
 use crate::dict::Address;
 use crate::resolve::Resolved;
-use crate::run::{Checkpoint, Executor};
+use crate::run::{End, Executed, Program, Sink, State};
 use crate::session::{Outcome, Session};
-use crate::syntax::BlockId;
+use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{Loader, SourceText, Span};
 
 /// Programs with fewer blocks are checked anew as quickly. Fuzzing has short ones.
 const LONG: u32 = if cfg!(fuzzing) { 6 } else { 20_000 };
+
+/// Blocks between two marks. Fuzzing has short programs.
+pub(super) const STRIDE: u64 = if cfg!(fuzzing) { 1 << 1 } else { 1 << 13 };
 
 /// A place between two blocks.
 #[derive(Debug)]
@@ -24,7 +29,7 @@ struct Mark {
     before: u32,
     /// The number of the block after it.
     after: u32,
-    known: Checkpoint,
+    known: State,
 }
 
 /// A program that has no findings, no calls, no jumps, and block numbers that rise, as it was then, and where it was changed
@@ -71,21 +76,17 @@ impl Marker {
         Self { marks: Vec::new(), lost: !long || resolved.units().count() != 1 }
     }
 
-    /// Marks the place that the executor stands at.
-    pub(super) fn look(&mut self, executor: &Executor<'_, '_>) {
-        let Some(file) = executor.resolved().file(DOCUMENT) else { return };
-        let block = BlockId(u32::try_from(executor.executed()).unwrap_or(u32::MAX));
-        if self.lost || block.0 >= file.block_count() {
+    /// Marks the place before block `block`, where execution came by as many blocks as stand before it.
+    fn mark(&mut self, file: &ParsedFile, block: BlockId, state: &State) {
+        if block.0 >= file.block_count() {
             return;
         }
-        // In a straight program as many blocks were executed as stand before.
-        let straight = block.0 == 0 || executor.place().1.next() == block;
         let start = file.n_word(block).map_or(0, |word| word.start());
         let at_line = file.source.text().get(..start as usize).is_some_and(|text| text.ends_with(['\n', '\r']));
         let before = block.0.checked_sub(1).map(BlockId).map_or(Some(0), |block| file.number(block));
         match (before, file.number(block)) {
-            (Some(before), Some(after)) if straight && at_line => {
-                self.marks.push(Mark { start, before, after, known: executor.checkpoint() });
+            (Some(before), Some(after)) if at_line => {
+                self.marks.push(Mark { start, before, after, known: state.clone() });
             }
             _ => self.lost = true,
         }
@@ -112,6 +113,35 @@ impl Marker {
             changed: None,
         })
     }
+}
+
+impl Sink for &mut Marker {
+    type Whole = ();
+
+    fn begin(&mut self, program: &Program<'_>) {
+        if let (false, Some(file)) = (self.lost, program.resolved.file(DOCUMENT)) {
+            self.mark(file, BlockId(0), &State::new(program.settings));
+        }
+    }
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        let executed = block.seq() + 1;
+        if !self.lost
+            && executed.is_multiple_of(STRIDE)
+            && let Some(file) = block.file()
+        {
+            let next = BlockId(u32::try_from(executed).unwrap_or(u32::MAX));
+            // In a straight program as many blocks were executed as stand before.
+            let (place, at) = block.at();
+            self.lost = place != DOCUMENT || at.next() != next;
+            if !self.lost {
+                self.mark(file, next, block.state());
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, _: End, _: &mut Findings) {}
 }
 
 impl Baseline {

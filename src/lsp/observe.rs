@@ -128,7 +128,7 @@ pub(super) fn observe(
     blocks: impl IntoIterator<Item = BlockId>,
 ) -> Option<Observation> {
     let mut observer = Observer::new(snapshot, program, document, blocks);
-    program.session().observe(&program.path, &program.resolved, &program.sources, &mut observer);
+    program.session().observe(&program.path, program.resolved.clone(), program.sources.clone(), &mut observer);
     if snapshot.cancel.is_cancelled() {
         return None;
     }

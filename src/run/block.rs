@@ -1,107 +1,86 @@
-//! One block's words with their values, as execution finds them.
+//! The block in hand: what is written in it, what holds in it, and what it does. [`super::Executed`] shows it.
 
+use super::m_functions::MFunctionsOfBlock;
+use super::moved::Moving;
+use super::travel::Travel;
+use super::words::BlockWords;
 use crate::dict::{Decimal, GCode, GGroup};
-use crate::syntax::Word;
+use crate::syntax::BlockId;
+use crate::text::FileId;
 
-/// A word with its value; `None`: it depends on something unknown (PAR-5), or is unusable and reported.
+/// A jump that is taken.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Jump {
+    /// The number of the block jumped to.
+    pub to: u32,
+    /// The counter after lowering; `None` when the jump is not counted.
+    pub left: Option<u32>,
+}
+
+/// What a block does besides changing what is in force.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) enum Effect {
+    /// Nothing moves.
+    #[default]
+    None,
+    /// The axes of the travels move.
+    Motion(Moving),
+    /// The words are data (GRP-4).
+    Data(DataFacts),
+}
+
+/// What the words of a block with data are.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Valued {
-    pub(super) word: Word,
-    pub(super) value: Option<Decimal>,
+pub(super) struct DataFacts {
+    pub(super) g: GCode,
+    pub(super) origin: Option<GCode>,
+    pub(super) d: Option<Decimal>,
 }
 
-/// The words of the block in hand. One is reused for all blocks.
-#[derive(Debug, Default)]
-pub(super) struct BlockWords {
-    /// By place in machine order.
-    pub(super) axes: [Option<Valued>; 9],
-    pub(super) axis_count: usize,
-    pub(super) i: Option<Valued>,
-    pub(super) j: Option<Valued>,
-    pub(super) k: Option<Valued>,
-    pub(super) f: Option<Valued>,
-    pub(super) s: Option<Valued>,
-    pub(super) t: Option<Valued>,
-    pub(super) h: Option<Valued>,
-    pub(super) p: Option<Valued>,
-    pub(super) d: Option<Valued>,
-    pub(super) correction: Option<Valued>,
-    pub(super) l: Option<Valued>,
-    pub(super) q: Option<Valued>,
-    /// In written order.
-    pub(super) g: Vec<(GCode, Word)>,
-    pub(super) m: Vec<(u8, Word)>,
-    /// R words, in written order.
-    pub(super) r: Vec<Word>,
-    /// A G word whose value is not known.
-    pub(super) unknown_g: bool,
-    /// A G word takes its number from a parameter: what L and Q are for could not be told before.
-    pub(super) parametric_g: bool,
-    pub(super) skippable: bool,
+/// G functions by group, x functions included.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct InForce(pub(super) [Option<GCode>; 12]);
+
+impl InForce {
+    /// The function of a group.
+    #[inline]
+    pub(super) fn of(&self, group: GGroup) -> Option<GCode> {
+        self.0.get(group.index()).copied().flatten()
+    }
 }
 
-impl BlockWords {
-    /// Forgets the block before, touching as little memory as that takes: it is done for every block.
+/// One block, as execution finds it. One is reused for all blocks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Block {
+    pub(super) file: FileId,
+    pub(super) id: BlockId,
+    /// Its words with their values, from before it.
+    pub(super) words: BlockWords,
+    /// G functions in it.
+    pub(super) g: InForce,
+    pub(super) m: MFunctionsOfBlock,
+    pub(super) effect: Effect,
+    /// How its axes move, when they do.
+    pub(super) travels: Vec<Travel>,
+    /// The words that are data.
+    pub(super) values: Vec<(char, Decimal)>,
+    /// I, J, K where they are no centre (GRP-8).
+    pub(super) centers: Vec<(char, Decimal)>,
+    /// Parameters that it wrote, by number; without those whose value is not known.
+    pub(super) params: Vec<(u8, Decimal)>,
+    pub(super) jump: Option<Jump>,
+    /// It differs from the block before it in place, motion and positions alone.
+    pub(super) moves_on: bool,
+}
+
+impl Block {
+    /// Forgets what the block before it did. What is collected from its words is cleared where that is done.
     pub(super) fn clear(&mut self) {
-        let Self {
-            axes,
-            axis_count,
-            i,
-            j,
-            k,
-            f,
-            s,
-            t,
-            h,
-            p,
-            d,
-            correction,
-            l,
-            q,
-            g,
-            m,
-            r,
-            unknown_g,
-            parametric_g,
-            skippable,
-        } = self;
-        if *axis_count > 0 {
-            axes.fill(None);
-        }
-        (*axis_count, *i, *j, *k) = (0, None, None, None);
-        (*f, *s, *t, *h, *p, *d, *correction, *l, *q) = (None, None, None, None, None, None, None, None, None);
-        g.clear();
-        m.clear();
-        r.clear();
-        (*unknown_g, *parametric_g, *skippable) = (false, false, false);
-    }
-
-    /// The function of a group written in this block.
-    pub(super) fn written(&self, group: GGroup) -> Option<(GCode, Word)> {
-        self.g.iter().copied().find(|(code, _)| code.group() == group)
-    }
-
-    pub(super) fn has(&self, code: GCode) -> Option<Word> {
-        self.g.iter().find(|(written, _)| *written == code).map(|(_, word)| *word)
-    }
-
-    /// The first written function that makes the words data (GRP-4).
-    pub(super) fn data(&self) -> Option<GCode> {
-        self.g.iter().map(|(code, _)| *code).find(|code| code.makes_words_data())
-    }
-
-    /// The call or jump written in this block.
-    pub(super) fn flow(&self) -> Option<(GCode, Word)> {
-        self.written(GGroup::G7).filter(|(code, _)| code.is_flow())
-    }
-
-    /// The axis word that comes first in the text.
-    pub(super) fn first_axis_word(&self) -> Option<Word> {
-        self.axes.iter().flatten().map(|valued| valued.word).min_by_key(|word| word.start())
-    }
-
-    /// Axis words with their places in machine order.
-    pub(super) fn axis_words(&self) -> impl Iterator<Item = (usize, Valued)> + '_ {
-        self.axes.iter().enumerate().filter_map(|(axis, valued)| valued.map(|valued| (axis, valued)))
+        self.effect = Effect::None;
+        self.values.clear();
+        self.centers.clear();
+        self.params.clear();
+        self.jump = None;
+        self.moves_on = false;
     }
 }

@@ -1,6 +1,7 @@
 //! The one place that decides whether a run over a program is whole.
 
-use super::{Executor, Stop};
+use super::{Interpreter, Stop};
+use crate::diag::Findings;
 
 /// Proof that a program was executed to its M02 or M30, and that nothing that was found is an error in this run. Only
 /// [`End::of`] makes one. No stream has its `end` record without it, `compile` does not succeed without it, and no sink is
@@ -13,9 +14,9 @@ pub struct End {
 
 impl End {
     /// When the program ended, and has no errors.
-    pub(crate) fn of(executor: &Executor<'_, '_>) -> Option<Self> {
-        match executor.end() {
-            Some(Stop::End(m)) if !executor.findings().has_errors() => Some(Self { m, blocks: executor.executed() }),
+    pub(crate) fn of(interpreter: &Interpreter, findings: &Findings) -> Option<Self> {
+        match interpreter.end() {
+            Some(Stop::End(m)) if !findings.has_errors() => Some(Self { m, blocks: interpreter.executed() }),
             Some(Stop::End(_) | Stop::Halted) | None => None,
         }
     }

@@ -1,30 +1,22 @@
 //! An executed block, as its readers see it: typed, borrowed from execution, and worked out only as far as asked.
 
-use super::frames::Frame;
-use super::motion::Travel;
+use super::block::{Effect, Jump};
+use super::m_functions::{MStop, at_stop, gear};
 use super::moved::Motion;
-use super::state::{Position, State};
+use super::state::State;
+use super::technology::dwell;
+use super::{Interpreter, Program};
 use crate::config::Settings;
 use crate::diag::{CallKind, CallSite, Diagnostic, Finding};
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
-use crate::ir::{BlockRecord, Jump, MStop, MotionType};
-use crate::resolve::Resolved;
-use crate::syntax::{BlockId, ParsedFile};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile};
 use crate::text::{FileId, LineColumn, Location};
 
 /// One executed block: what holds in it, what it does, how execution came to it.
 #[derive(Clone, Copy, Debug)]
 pub struct Executed<'r> {
-    pub(super) record: &'r BlockRecord,
-    pub(super) resolved: &'r Resolved,
-    pub(super) settings: &'r Settings,
-    pub(super) state: &'r State,
-    pub(super) in_force: &'r [Option<GCode>; 12],
-    pub(super) travels: &'r [Travel],
-    pub(super) frames: &'r [Frame],
-    pub(super) stale: bool,
-    pub(super) file: FileId,
-    pub(super) block: BlockId,
+    pub(super) interpreter: &'r Interpreter,
+    pub(super) program: &'r Program<'r>,
 }
 
 /// A call on the way to a block.
@@ -86,9 +78,9 @@ impl FeedUnit {
 #[derive(Clone, Copy, Debug)]
 pub struct Data<'r> {
     /// The function that makes them data.
-    pub g: u8,
+    pub g: GCode,
     /// The G5 function in force, for G92 and G93.
-    pub origin: Option<u8>,
+    pub origin: Option<GCode>,
     /// D, when written.
     pub d: Option<Decimal>,
     /// The words as programmed, by letter.
@@ -98,22 +90,22 @@ pub struct Data<'r> {
 impl<'r> Executed<'r> {
     /// Which executed block it is, from 0.
     pub fn seq(&self) -> u64 {
-        self.record.seq
+        self.interpreter.executed - 1
     }
 
     /// The block number.
     pub fn n(&self) -> u32 {
-        self.record.n
+        self.file().map_or(0, |file| file.shown_number(self.interpreter.block.id))
     }
 
     /// The block in the text.
     pub const fn at(&self) -> (FileId, BlockId) {
-        (self.file, self.block)
+        (self.interpreter.block.file, self.interpreter.block.id)
     }
 
     /// Its file.
     pub fn file(&self) -> Option<&'r ParsedFile> {
-        self.resolved.file(self.file)
+        self.program.resolved.file(self.interpreter.block.file)
     }
 
     /// The name of its file, as found.
@@ -123,32 +115,33 @@ impl<'r> Executed<'r> {
 
     /// The index that streams give its file: files are counted as their first blocks are executed; the program is 0.
     pub fn file_index(&self) -> u32 {
-        self.record.file
+        self.index_of(self.interpreter.block.file)
     }
 
     /// Where its `N` stands.
     pub fn place(&self) -> Location {
-        self.file().map(|file| file.n_place(self.block)).unwrap_or_default()
+        self.file().map(|file| file.n_place(self.interpreter.block.id)).unwrap_or_default()
     }
 
     /// Line and column of its `N`, from 1; the column in characters.
     pub fn line_column(&self) -> LineColumn {
-        LineColumn { line: self.record.line, column: self.record.column }
+        let start = self.place().span.start;
+        self.file().map_or(LineColumn { line: 1, column: 1 }, |file| file.source.line_column(start))
     }
 
     /// The line of its `N`, from 1.
     pub fn line(&self) -> u32 {
-        self.record.line
+        self.line_column().line
     }
 
     /// The column of its `N` in characters, from 1.
     pub fn column(&self) -> u32 {
-        self.record.column
+        self.line_column().column
     }
 
     /// The calls that led to it, outermost first.
-    pub fn calls(&self) -> impl Iterator<Item = Call> + 'r {
-        let calls = self.frames.iter().filter_map(|frame| frame.call);
+    pub fn calls(&self) -> impl Iterator<Item = Call> + use<'r> {
+        let calls = self.interpreter.frames.iter().filter_map(|frame| frame.call);
         calls.map(|call| Call {
             by: call.by,
             l: call.l,
@@ -170,99 +163,99 @@ impl<'r> Executed<'r> {
 
     /// The jump that is taken at its end.
     pub fn jump(&self) -> Option<Jump> {
-        self.record.jump
+        self.interpreter.block.jump
     }
 
     /// Whether it carries `/`.
     pub fn skippable(&self) -> bool {
-        self.record.skippable
+        self.flags().has(BlockFlags::SKIP)
     }
 
     /// Whether it is the first executed block of the program.
     pub fn first(&self) -> bool {
-        self.record.first_block
+        self.seq() == 0
     }
 
     /// Whether it is the last one: it holds M02 or M30.
     pub fn last(&self) -> bool {
-        self.record.last_block
+        self.interpreter.block.m.end.is_some()
     }
 
     /// The function of a group in this block, functions that hold for one block included.
     pub fn g(&self, group: GGroup) -> Option<GCode> {
-        self.in_force.get(group.index()).copied().flatten()
+        self.interpreter.block.g.of(group)
     }
 
     /// The G functions written in it, in written order.
-    pub fn g_written(&self) -> impl Iterator<Item = GCode> + 'r {
-        let written: &'r [u8] = &self.record.g_set;
-        written.iter().filter_map(|number| GCode::from_number(*number))
+    pub fn g_written(&self) -> impl Iterator<Item = GCode> + use<'r> {
+        self.interpreter.block.words.g.iter().map(|(code, _)| *code)
     }
 
     /// The M function of a group, 1–14, after this block; of groups 1, 7 and 9 only one that is written in it.
     pub fn m(&self, group: usize) -> Option<u8> {
-        self.record.m.get(group).copied().flatten()
+        self.interpreter.block.m.in_force.get(group).copied().flatten()
     }
 
     /// The M functions written in it, in written order.
     pub fn m_written(&self) -> &'r [u8] {
-        &self.record.m_set
+        &self.interpreter.block.m.written
     }
 
     /// The M groups with a change mark (MFN-6), ascending.
     pub fn m_changed(&self) -> &'r [u8] {
-        &self.record.m_changed
+        &self.interpreter.block.m.changed
     }
 
     /// What M groups 2, 5 and 6 hold while the program stands after this block (MFN-8): M00, or M01 with optional stop.
     pub fn m_at_stop(&self) -> Option<MStop> {
-        self.record.m_at_stop
+        let halts = self.stop() || (self.cond_stop() && self.settings().optional_stop);
+        halts.then(|| at_stop(&self.settings().machine))
     }
 
     /// Whether an M function of it breaks continuous motion at its start.
     pub fn break_cont(&self) -> bool {
-        self.record.break_cont
+        self.interpreter.block.m.break_cont
     }
 
     /// Whether an M function of it breaks continuous motion at its end.
     pub fn break_cont_end(&self) -> bool {
-        self.record.break_cont_end
+        self.interpreter.block.m.break_cont_end
     }
 
     /// Whether an M function of it moves the machine.
     pub fn change_pos(&self) -> bool {
-        self.record.change_pos
+        self.interpreter.block.m.moves
     }
 
     /// The gear in force, 1–4 (MFN-9).
     pub fn gear(&self) -> Option<u8> {
-        self.record.gear
+        gear(&self.settings().machine, &self.interpreter.state)
     }
 
     /// How it moves.
     pub fn motion(&self) -> Option<Motion<'r>> {
-        let motion = self.record.motion.as_ref()?;
-        Some(Motion { motion, travels: self.travels, stale: self.stale })
+        let block = &self.interpreter.block;
+        match &block.effect {
+            Effect::Motion(moving) => Some(Motion { moving, travels: &block.travels }),
+            Effect::None | Effect::Data(_) => None,
+        }
     }
 
     /// Where an axis is after it, in programmed coordinates; `None` when that is not known.
     pub fn position(&self, axis: AxisLetter) -> Option<Micro> {
-        let place = self.settings.machine.axes.index(axis)?;
-        match self.state.position(place) {
-            Position::Known(value) => Some(value),
-            Position::Unknown | Position::Undetermined => None,
-        }
+        let place = self.settings().machine.axes.index(axis)?;
+        self.interpreter.state.position(place).known()
     }
 
     /// F in force.
     pub fn feed(&self) -> Option<Feed> {
-        let value = self.state.feed.value()?;
+        let value = self.interpreter.state.feed.value()?;
         Some(Feed { value, unit: self.feed_unit(), hundredth: false })
     }
 
     /// What F counts in this block, or would count (TEC-1): degrees when only rotary axes or the spindle move.
     pub fn feed_unit(&self) -> FeedUnit {
-        let axes = &self.settings.machine.axes;
+        let axes = &self.settings().machine.axes;
         let rotary = |letter| axes.index(letter).and_then(|axis| axes.get(axis)).is_some_and(|axis| axis.rotary);
         let degrees = self
             .motion()
@@ -287,57 +280,59 @@ impl<'r> Executed<'r> {
 
     /// S in force.
     pub fn s(&self) -> Option<Decimal> {
-        self.state.speed.value()
+        self.interpreter.state.speed.value()
     }
 
     /// T in force.
     pub fn t(&self) -> Option<Decimal> {
-        self.state.tool.value()
+        self.interpreter.state.tool.value()
     }
 
     /// The tool in the spindle: T at the last M06 (TEC-4). `None` before the first M06.
     pub fn tool(&self) -> Option<Decimal> {
-        self.state.in_spindle.value()
+        self.interpreter.state.in_spindle.value()
     }
 
     /// H in force.
     pub fn h(&self) -> Option<Decimal> {
-        self.state.h.value()
+        self.interpreter.state.h.value()
     }
 
     /// P in force.
     pub fn p(&self) -> Option<Decimal> {
-        self.state.p.value()
+        self.interpreter.state.p.value()
     }
 
     /// D in force.
     pub fn d(&self) -> Option<Decimal> {
-        self.state.d.value()
+        self.interpreter.state.d.value()
     }
 
     /// Whether a word of that address is written in it. Of G and M words, ask [`Self::g_written`] and [`Self::m_written`].
     pub fn written(&self, address: Address) -> bool {
-        self.file().is_some_and(|file| file.words(self.block).iter().any(|word| word.address == address))
+        let block = self.interpreter.block.id;
+        self.file().is_some_and(|file| file.words(block).iter().any(|word| word.address == address))
     }
 
     /// The four digits of `&` in force, as a number.
     pub fn length_correction(&self) -> Option<u16> {
-        self.record.length_correction
+        let digits = self.interpreter.state.correction.value().and_then(Decimal::as_whole);
+        digits.and_then(|digits| u16::try_from(digits).ok())
     }
 
     /// The dwell of G04, in seconds (GRP-5).
     pub fn dwell(&self) -> Option<Micro> {
-        self.record.dwell_s
+        dwell(&self.interpreter.block.words)
     }
 
     /// Whether it holds M00.
     pub fn stop(&self) -> bool {
-        self.record.stop
+        self.interpreter.block.m.stop == Some(0)
     }
 
     /// Whether it holds M01; with optional stop that halts, see [`Self::m_at_stop`].
     pub fn cond_stop(&self) -> bool {
-        self.record.cond_stop
+        self.interpreter.block.m.stop == Some(1)
     }
 
     /// ContinuousMode: G23 in force.
@@ -347,28 +342,31 @@ impl<'r> Executed<'r> {
 
     /// The dynamic set, 1–4, once one was chosen (GRP-7).
     pub fn dynamic_set(&self) -> Option<u8> {
-        self.state.dynamic_set
+        self.interpreter.state.dynamic_set
     }
 
     /// Its words that are data (GRP-4).
     pub fn data(&self) -> Option<Data<'r>> {
-        let data = self.record.data.as_ref()?;
-        Some(Data { g: data.g, origin: data.origin, d: data.d, values: &data.values })
+        let block = &self.interpreter.block;
+        match block.effect {
+            Effect::Data(data) => Some(Data { g: data.g, origin: data.origin, d: data.d, values: &block.values }),
+            Effect::None | Effect::Motion(_) => None,
+        }
     }
 
     /// I, J and K as written, where they are no centre of an arc (GRP-8).
     pub fn words(&self) -> &'r [(char, Decimal)] {
-        &self.record.words
+        &self.interpreter.block.centers
     }
 
     /// The parameters that it wrote, ascending, with their values after its arithmetic; without those not known.
     pub fn params(&self) -> &'r [(u8, Decimal)] {
-        &self.record.params
+        &self.interpreter.block.params
     }
 
     /// The texts of its comments, trimmed; empty ones left out.
-    pub fn comments(&self) -> impl Iterator<Item = &'r str> {
-        let block = self.block;
+    pub fn comments(&self) -> impl Iterator<Item = &'r str> + use<'r> {
+        let block = self.interpreter.block.id;
         let comments = self
             .file()
             .into_iter()
@@ -378,33 +376,31 @@ impl<'r> Executed<'r> {
 
     /// What a parameter holds after it; `None` when that is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
-        self.state.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
+        self.interpreter.state.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
     }
 
     /// The configuration that it was executed with.
     pub const fn settings(&self) -> &'r Settings {
-        self.settings
+        self.program.settings
     }
 
-    pub(crate) const fn record(&self) -> &'r BlockRecord {
-        self.record
-    }
-}
-
-impl MotionType {
-    /// Whether it is one of G01, G02 and G03.
-    pub const fn is_working(self) -> bool {
-        match self {
-            Self::Linear | Self::ArcCw | Self::ArcCcw => true,
-            Self::Rapid | Self::Thread | Self::Reference => false,
-        }
+    /// The index that streams give to a file with executed blocks; 0 for another.
+    pub fn index_of(&self, file: FileId) -> u32 {
+        self.interpreter.shown_files.get(file.0 as usize).copied().flatten().unwrap_or(0)
     }
 
-    /// Whether it is one of G02 and G03.
-    pub const fn is_arc(self) -> bool {
-        match self {
-            Self::ArcCw | Self::ArcCcw => true,
-            Self::Rapid | Self::Linear | Self::Thread | Self::Reference => false,
-        }
+    /// What is in force after it: execution can go on from a copy, see [`Interpreter::from_state`].
+    pub const fn state(&self) -> &'r State {
+        &self.interpreter.state
+    }
+
+    /// Whether it differs from the block executed before it in place, motion, positions and comments alone: a reader that
+    /// keeps what it made of that one need not make the rest anew.
+    pub(crate) const fn moves_on(&self) -> bool {
+        self.interpreter.block.moves_on
+    }
+
+    fn flags(&self) -> BlockFlags {
+        self.file().map(|file| file.flags(self.interpreter.block.id)).unwrap_or_default()
     }
 }

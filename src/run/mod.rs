@@ -1,29 +1,38 @@
-//! Executes a resolved program block by block: calls, jumps, parameters, modal state, geometry. Lazy: the state is the
-//! call frames and the modal values, whatever the program repeats.
+//! Executes a resolved program block by block: calls, jumps, parameters, modal state, geometry.
+//!
+//! [`Interpreter::step`] gives one [`Executed`] block after the other; a [`Sink`] reads them. The order of the rules in a
+//! block stands in `interpreter.rs`; each rule is a function of what it looks at.
 
 mod arc;
 mod arithmetic;
 mod block;
-mod checkpoint;
 mod end;
 mod executed;
-mod executor;
 mod flow;
 mod frames;
-mod lines;
-mod modal;
+mod functions;
+mod interpreter;
+mod m_functions;
 mod motion;
 mod moved;
 mod parameters;
+mod planes;
 mod points;
+mod program;
+mod reading;
 mod sink;
+mod site;
 mod state;
 mod technology;
+mod travel;
+mod words;
 
-pub use crate::ir::{AxisList, AxisMap, Jump, MStop, MotionType};
-pub use checkpoint::Checkpoint;
+pub use block::Jump;
 pub use end::End;
 pub use executed::{Call, Data, Executed, Feed, FeedUnit};
-pub use executor::{Executor, Stop};
-pub use moved::{ArcPath, Length, Missing, Motion};
-pub use sink::{Sink, Start};
+pub use interpreter::{Interpreter, Stop};
+pub use m_functions::MStop;
+pub use moved::{ArcPath, Length, Missing, Motion, MotionType};
+pub use program::Program;
+pub use sink::Sink;
+pub use state::State;

@@ -1,16 +1,118 @@
 //! The motion of an executed block: which axes, from where, to where, along what, how long.
 
-use super::motion::Travel;
-use super::state::Position;
-use crate::dict::{AxisLetter, Micro};
-use crate::ir::MotionType;
+use super::arc::Computed;
+use super::travel::Travel;
+use crate::dict::{AxisLetter, GCode, Micro};
 
-/// How a block moves. Lengths are millimetres, of rotary axes degrees; positions are programmed coordinates.
+/// How a block moves.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum MotionType {
+    /// G00.
+    Rapid,
+    /// G01.
+    Linear,
+    /// G02.
+    ArcCw,
+    /// G03.
+    ArcCcw,
+    /// G33.
+    Thread,
+    /// G30.
+    Reference,
+}
+
+impl MotionType {
+    /// All, in the order of the documentation.
+    pub const ALL: [Self; 6] = [Self::Rapid, Self::Linear, Self::ArcCw, Self::ArcCcw, Self::Thread, Self::Reference];
+
+    /// As written in records.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rapid => "rapid",
+            Self::Linear => "linear",
+            Self::ArcCw => "arc_cw",
+            Self::ArcCcw => "arc_ccw",
+            Self::Thread => "thread",
+            Self::Reference => "reference",
+        }
+    }
+
+    /// Whether it is one of G01, G02 and G03.
+    pub const fn is_working(self) -> bool {
+        match self {
+            Self::Linear | Self::ArcCw | Self::ArcCcw => true,
+            Self::Rapid | Self::Thread | Self::Reference => false,
+        }
+    }
+
+    /// Whether it is one of G02 and G03.
+    pub const fn is_arc(self) -> bool {
+        match self {
+            Self::ArcCw | Self::ArcCcw => true,
+            Self::Rapid | Self::Linear | Self::Thread | Self::Reference => false,
+        }
+    }
+
+    /// The motion that a function of group G0 makes; the other functions make none.
+    pub(super) const fn of(code: GCode) -> Option<Self> {
+        match code {
+            GCode::G00 => Some(Self::Rapid),
+            GCode::G01 => Some(Self::Linear),
+            GCode::G02 => Some(Self::ArcCw),
+            GCode::G03 => Some(Self::ArcCcw),
+            GCode::G30 => Some(Self::Reference),
+            GCode::G33 => Some(Self::Thread),
+            GCode::G17 | GCode::G18 | GCode::G19 | GCode::G14 | GCode::G15 | GCode::G16 => None,
+            GCode::G05 | GCode::G06 | GCode::G07 | GCode::G08 | GCode::G09 | GCode::G10 => None,
+            GCode::G23 | GCode::G24 | GCode::G98 | GCode::G40 | GCode::G41 | GCode::G42 => None,
+            GCode::G26 | GCode::G27 | GCode::G28 | GCode::G29 => None,
+            GCode::G53 | GCode::G54 | GCode::G55 | GCode::G56 | GCode::G57 | GCode::G58 | GCode::G59 => None,
+            GCode::G94 | GCode::G95 | GCode::G96 | GCode::G97 => None,
+            GCode::G70 | GCode::G71 | GCode::G72 | GCode::G73 | GCode::G79 => None,
+            GCode::G80 | GCode::G81 | GCode::G82 | GCode::G83 | GCode::G84 => None,
+            GCode::G85 | GCode::G86 | GCode::G87 | GCode::G88 | GCode::G89 => None,
+            GCode::G90 | GCode::G91 | GCode::G04 | GCode::G92 | GCode::G93 | GCode::G74 | GCode::G75 => None,
+            GCode::G34 | GCode::G35 | GCode::G36 | GCode::G37 | GCode::G38 | GCode::G39 | GCode::G31 => None,
+        }
+    }
+}
+
+/// The facts of a motion, besides how its axes travel.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Moving {
+    pub(super) kind: MotionType,
+    /// The programmed start is not where the tool stands (MOT-8).
+    pub(super) stale: bool,
+    /// The axis that is the spindle at the moment (MFN-10), by place in machine order.
+    pub(super) spindle: Option<usize>,
+    pub(super) arc: Option<ArcFacts>,
+}
+
+/// The facts of an arc.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ArcFacts {
+    /// First-named first.
+    pub(super) plane: [AxisLetter; 2],
+    /// The axis of the helix, by place in machine order.
+    pub(super) helix: Option<usize>,
+    /// At the start, in mm; `None`: unknown.
+    pub(super) radius: Option<f64>,
+    /// `None`: the start, the end or the centre is unknown.
+    pub(super) computed: Option<Computed>,
+}
+
+impl Moving {
+    fn is_rotary(&self, travel: &Travel) -> bool {
+        travel.definition.rotary || self.spindle == Some(travel.axis)
+    }
+}
+
+/// How a block moves, as its readers see it. Lengths are millimetres, of rotary axes degrees; positions are programmed
+/// coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion<'r> {
-    pub(super) motion: &'r crate::ir::Motion,
+    pub(super) moving: &'r Moving,
     pub(super) travels: &'r [Travel],
-    pub(super) stale: bool,
 }
 
 /// How long a motion is (MOT-6).
@@ -82,17 +184,17 @@ pub struct ArcPath {
 impl<'r> Motion<'r> {
     /// What kind of motion.
     pub const fn kind(&self) -> MotionType {
-        self.motion.kind
+        self.moving.kind
     }
 
     /// The axes that move, in machine order.
-    pub fn axes(&self) -> impl Iterator<Item = AxisLetter> + 'r {
-        self.motion.axes.iter()
+    pub fn axes(&self) -> impl Iterator<Item = AxisLetter> + use<'r> {
+        self.travels.iter().map(|travel| travel.definition.letter)
     }
 
     /// Whether an axis moves.
     pub fn moves(&self, axis: AxisLetter) -> bool {
-        self.motion.axes.contains(axis)
+        self.travel(axis).is_some()
     }
 
     /// Where an axis that moves stands before; `None` when that is not known.
@@ -102,65 +204,90 @@ impl<'r> Motion<'r> {
 
     /// Where an axis that moves stands after; `None` when that is not known.
     pub fn end(&self, axis: AxisLetter) -> Option<Micro> {
-        match self.kind() {
-            MotionType::Reference => None,
-            MotionType::Rapid | MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw | MotionType::Thread => {
-                self.travel(axis)?.after.known()
-            }
-        }
+        self.travel(axis).filter(|_| self.goes_as_written())?.after.known()
     }
 
     /// By how much the programmed coordinate of an axis changes, with its sign; known also of an axis that moves by G91
     /// from a position that is not.
     pub fn distance(&self, axis: AxisLetter) -> Option<Micro> {
-        match self.kind() {
-            MotionType::Reference => None,
-            MotionType::Rapid | MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw | MotionType::Thread => {
-                self.travel(axis)?.distance
-            }
-        }
+        self.travel(axis).filter(|_| self.goes_as_written())?.distance
     }
 
     /// The distance of an axis that moves by G91 from an unknown position (MOT-2); `None` for other axes.
     pub fn delta(&self, axis: AxisLetter) -> Option<Micro> {
-        let travel = self.travel(axis)?;
-        let from_unknown = travel.incremental && !matches!(travel.before, Position::Known(_));
-        self.distance(axis).filter(|_| from_unknown)
+        let from_unknown = |travel: &&Travel| travel.incremental && travel.before.known().is_none();
+        self.travel(axis).filter(|_| self.goes_as_written()).filter(from_unknown)?.distance
     }
 
     /// Whether the programmed start is not where the tool stands, after a change of origin or correction (MOT-8).
     pub const fn is_stale(&self) -> bool {
-        self.stale
+        self.moving.stale
     }
 
     /// How long it is.
     pub fn length(&self) -> Length {
-        match (self.motion.length_mm, self.motion.length_deg) {
-            (Some(length), _) => Length::Mm(length),
-            (None, Some(length)) => Length::Deg(length),
-            (None, None) if self.kind() == MotionType::Reference => Length::Missing(Missing::Reference),
-            (None, None) if self.stale => Length::Missing(Missing::Origin),
-            (None, None) => Length::Missing(Missing::Start),
+        if !self.goes_as_written() {
+            return Length::Missing(Missing::Reference);
         }
+        if self.moving.stale {
+            return Length::Missing(Missing::Origin);
+        }
+        let length = match &self.moving.arc {
+            Some(arc) => self.along_arc(arc),
+            None => self.straight(),
+        };
+        length.unwrap_or(Length::Missing(Missing::Start))
+    }
+
+    /// The length of a straight motion: the linear axes alone decide, when there are any (MOT-6).
+    fn straight(&self) -> Option<Length> {
+        let linear = self.travels.iter().any(|travel| !self.moving.is_rotary(travel));
+        let mut sum = 0.0;
+        for travel in self.travels.iter().filter(|travel| self.moving.is_rotary(travel) != linear) {
+            let distance = travel.distance?.to_f64();
+            sum += distance * distance;
+        }
+        let length = Micro::from_f64(sum.sqrt());
+        Some(if linear { Length::Mm(length) } else { Length::Deg(length) })
+    }
+
+    fn along_arc(&self, arc: &ArcFacts) -> Option<Length> {
+        let computed = arc.computed?;
+        let path = computed.radius * computed.sweep_rad;
+        let helix = arc.helix.and_then(|axis| self.travels.iter().find(|travel| travel.axis == axis));
+        let path = match helix {
+            // Axes beyond the two of an arc add to its length only when linear (§13 Motion).
+            Some(travel) if !self.moving.is_rotary(travel) => {
+                let distance = travel.distance?.to_f64();
+                (path * path + distance * distance).sqrt()
+            }
+            Some(_) | None => path,
+        };
+        Some(Length::Mm(Micro::from_f64(path)))
     }
 
     /// The arc, when it is one.
     pub fn arc(&self) -> Option<ArcPath> {
-        let motion = self.motion;
-        let plane = motion.plane?;
-        let center = motion.center.get(plane[0]).zip(motion.center.get(plane[1]));
+        let arc = self.moving.arc?;
+        let letter = |axis| self.travels.iter().find(|travel| travel.axis == axis);
         Some(ArcPath {
-            plane,
-            center: center.map(|(first, second)| [first, second]),
-            radius_mm: motion.radius_mm,
-            sweep_deg: motion.sweep_deg,
-            helix: self.axes().find(|axis| !plane.contains(axis)),
+            plane: arc.plane,
+            center: arc.computed.map(|computed| computed.center),
+            radius_mm: arc.radius.map(Micro::from_f64),
+            sweep_deg: arc.computed.map(|computed| Micro::from_f64(computed.sweep_rad.to_degrees())),
+            helix: arc.helix.and_then(letter).map(|travel| travel.definition.letter),
         })
     }
 
     /// The axis that is the spindle (M19, MFN-10), when it moves.
-    pub const fn spindle_axis(&self) -> Option<AxisLetter> {
-        self.motion.spindle_axis
+    pub fn spindle_axis(&self) -> Option<AxisLetter> {
+        let axis = self.moving.spindle?;
+        self.travels.iter().find(|travel| travel.axis == axis).map(|travel| travel.definition.letter)
+    }
+
+    /// Whether the axes go where their words say: not to the reference point.
+    fn goes_as_written(&self) -> bool {
+        self.kind() != MotionType::Reference
     }
 
     fn travel(&self, axis: AxisLetter) -> Option<&'r Travel> {

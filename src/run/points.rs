@@ -1,13 +1,17 @@
 //! Blocks of axis words and nothing else: nearly all blocks of long programs. What they do follows from what is in force,
 //! which is looked up once for a run of them; the rules of motion are those of every block.
 
-use super::block::Valued;
-use super::executor::Executor;
-use super::motion::{Reading, Travel, motion_type};
-use super::state::Held;
+use super::block::{Block, Effect};
+use super::motion::{arrive, kind_in_force, spindle};
+use super::moved::{MotionType, Moving};
+use super::site::Site;
+use super::state::State;
+use super::technology::may_lack_technology;
+use super::travel::{Reading, Travel};
+use super::words::Valued;
+use super::{functions, m_functions};
 use crate::dict::{GCode, GGroup};
-use crate::ir::MotionType;
-use crate::syntax::BlockId;
+use crate::syntax::BlockFlags;
 
 /// What blocks of axis words do while no other word comes between them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -18,113 +22,84 @@ pub(super) enum Run {
     /// More than move straight.
     Involved,
     /// They move straight, and nothing but positions changes.
-    Straight(MotionType, Reading),
+    Straight(Moving, Reading),
 }
 
-impl Executor<'_, '_> {
+impl Run {
     /// Executes a block that has no G, M, L, Q, R, `/` or `&` word and no parameter, when it only moves axes straight.
     /// `false`: it does more, and nothing is done yet.
     #[inline]
-    pub(super) fn run_point(&mut self, block: BlockId) -> bool {
-        if matches!(self.run, Run::Unknown) {
-            self.settle();
+    pub(super) fn execute(&mut self, site: &mut Site<'_>, state: &mut State, block: &mut Block) -> bool {
+        let settled = !matches!(self, Self::Unknown);
+        if !settled {
+            *self = Self::settle(site, state, block);
         }
-        let Run::Straight(kind, reading) = self.run else { return false };
-        if !self.wants_records && !reading.is_incremental() {
-            return self.pass_point(block, reading);
-        }
-        let mut travels = std::mem::take(&mut self.travels);
-        let straight = self.read_point(block, reading, &mut travels);
-        if straight {
-            self.begin_record(block);
-            let stale = std::mem::take(&mut self.state.origin_changed);
-            self.stale = stale;
-            self.run_straight(kind, stale, &travels);
-            if self.wants_records {
-                for travel in &travels {
-                    self.record.position.set(travel.definition.letter, travel.after.known());
-                }
-            }
-        }
-        self.travels = travels;
-        straight
-    }
-
-    /// The same where nobody asks for the motion: the axes are where the words say.
-    #[inline]
-    fn pass_point(&mut self, block: BlockId, reading: Reading) -> bool {
-        let Some(file) = self.resolved.file(self.file) else { return false };
-        let (words, axes) = (file.words(block), &self.settings.machine.axes);
-        if words.is_empty() || words.iter().any(|word| axes.index_of(word.address).is_none()) {
+        let Self::Straight(moving, reading) = *self else { return false };
+        if !read_travels(site, state, reading, &mut block.travels) {
             return false;
         }
-        for word in words {
-            if let Some(axis) = axes.index_of(word.address) {
-                self.state.set_position(axis, reading.target(axis, word.number()));
-            }
-        }
-        self.state.origin_changed = false;
+        let stale = std::mem::take(&mut state.origin_changed);
+        block.effect = Effect::Motion(Moving { stale, ..moving });
+        block.moves_on = settled;
+        arrive(site, state, &block.travels, true);
         true
     }
 
-    /// The motions of a block's words. `false`: there is another word.
-    #[inline]
-    fn read_point(&self, block: BlockId, reading: Reading, travels: &mut Vec<Travel>) -> bool {
-        travels.clear();
-        let Some(file) = self.resolved.file(self.file) else { return false };
-        for &word in file.words(block) {
-            let Some(axis) = self.settings.machine.axes.index_of(word.address) else { return false };
-            let Some(travel) = self.travel(axis, Valued { word, value: word.number() }, reading) else { return false };
-            // In machine order; of words for the same axis the last one counts.
-            if travels.last().is_none_or(|last| last.axis < axis) {
-                travels.push(travel);
-                continue;
-            }
-            let at = travels.partition_point(|known| known.axis < axis);
-            match travels.get_mut(at) {
-                Some(known) if known.axis == axis => *known = travel,
-                _ => travels.insert(at, travel),
-            }
-        }
-        !travels.is_empty()
-    }
-
-    /// Finds out what a block of axis words will do: puts into force, and into the record, what a block without words has.
+    /// Finds out what a block of axis words will do: brings state and block to what a block without words leaves.
     #[inline(never)]
-    fn settle(&mut self) {
-        self.words.clear();
-        self.apply_g();
-        self.track_origin();
-        self.apply_m();
-        self.record.data = None;
-        self.record.words.clear();
-        self.finish_record(false);
-        let kind = self.in_force(GGroup::G0).and_then(motion_type).unwrap_or(MotionType::Rapid);
+    fn settle(site: &mut Site<'_>, state: &mut State, block: &mut Block) -> Self {
+        block.clear();
+        block.words.clear();
+        block.g = functions::apply(site, state, &block.words);
+        functions::track_origin(state, &block.words, &block.g);
+        m_functions::apply(site, state, &block.words, &mut block.m);
+        let kind = kind_in_force(&block.g);
         let straight = match kind {
             MotionType::Rapid | MotionType::Thread => true,
-            MotionType::Linear => !self.lacks_technology(),
+            MotionType::Linear => !may_lack_technology(state, &block.g),
             MotionType::ArcCw | MotionType::ArcCcw | MotionType::Reference => false,
         };
-        let cycle = self.in_force(GGroup::G8).is_some_and(GCode::is_cycle);
-        self.run = if straight && !cycle { Run::Straight(kind, self.reading()) } else { Run::Involved };
+        let cycle = block.g.of(GGroup::G8).is_some_and(GCode::is_cycle);
+        if !straight || cycle {
+            return Self::Involved;
+        }
+        let moving = Moving { kind, stale: false, spindle: spindle(site.machine(), state), arc: None };
+        Self::Straight(moving, Reading::of(site.machine(), state, &block.g))
     }
 
-    /// Whether a working motion may have something to say about F and S (TEC-2, TEC-3).
-    fn lacks_technology(&self) -> bool {
-        let state = &self.state;
-        (state.feed == Held::None && !self.feed_warned)
-            || (state.speed == Held::None && !self.speed_warned && self.speed_reader().is_some())
-    }
-
-    /// What is known of the blocks of axis words after a block that did more. `plain`: it has no G, M or other word that
-    /// changes what is in force.
+    /// What is known of the blocks of axis words after a block that did more.
     #[inline]
-    pub(super) fn unsettle(&mut self, plain: bool) {
-        let lasts = matches!(self.run, Run::Involved) && plain && self.words.f.is_none() && self.words.s.is_none();
+    pub(super) fn unsettle(&mut self, flags: BlockFlags, block: &Block) {
+        // A block that is not rich has no G, M or other word that changes what is in force.
+        let plain = !flags.has(BlockFlags::RICH);
+        let lasts = matches!(self, Self::Involved) && plain && block.words.f.is_none() && block.words.s.is_none();
         if !lasts {
-            self.run = Run::Unknown;
+            *self = Self::Unknown;
         }
     }
+}
+
+/// The motions of a block's words. `false`: there is another word.
+#[inline]
+fn read_travels(site: &Site<'_>, state: &State, reading: Reading, travels: &mut Vec<Travel>) -> bool {
+    travels.clear();
+    let machine = site.machine();
+    for &word in site.file.words(site.block) {
+        let Some(axis) = machine.axes.index_of(word.address) else { return false };
+        let valued = Valued { word, value: word.number() };
+        let Some(travel) = reading.travel(machine, state, axis, valued) else { return false };
+        // In machine order; of words for the same axis the last one counts.
+        if travels.last().is_none_or(|last| last.axis < axis) {
+            travels.push(travel);
+            continue;
+        }
+        let at = travels.partition_point(|known| known.axis < axis);
+        match travels.get_mut(at) {
+            Some(known) if known.axis == axis => *known = travel,
+            _ => travels.insert(at, travel),
+        }
+    }
+    !travels.is_empty()
 }
 
 #[cfg(test)]
@@ -134,23 +109,30 @@ mod tests {
 
     use proptest::prelude::*;
 
-    use crate::config::{Purpose, Settings};
+    use super::*;
+    use crate::config::Settings;
     use crate::diag::Findings;
     use crate::resolve::{Library, resolve_program};
-    use crate::run::{Checkpoint, Executor};
+    use crate::run::{Interpreter, Program};
     use crate::text::{MemoryLoader, SourceText, Sources};
 
-    /// What is known after each block of a program, and the findings.
-    fn run(body: &str, purpose: Purpose) -> (Vec<Checkpoint>, Vec<String>) {
+    /// What is known after each block of a program, how each moves, and the findings.
+    fn run(body: &str, by_all_rules: bool) -> (Vec<String>, Vec<String>) {
         let (loader, settings) = (MemoryLoader::new(), Settings::default());
         let source = Arc::new(SourceText::from_text("t.nc", format!("%1\nN1 G54 G90\n{body}\nN9000 M30")));
         let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
-        let mut resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
-        let mut executor = Executor::new(&mut resolved, &settings, &mut library, &mut sources, &mut findings, purpose);
+        let resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+        let mut program = Program { resolved, settings: &settings, library, sources };
+        let mut interpreter = Interpreter::new(&program);
         let mut known = Vec::new();
-        while executor.step().is_some() {
-            known.push(executor.checkpoint());
+        loop {
+            if by_all_rules {
+                interpreter.run = Run::Involved;
+            }
+            let Some(block) = interpreter.step(&mut program, &mut findings) else { break };
+            let facts = (block.motion(), block.feed(), block.m_written(), block.m_changed(), block.dwell());
+            known.push(format!("{:?} {facts:?} {:?} {:?}", block.at(), block.state(), block.data()));
         }
         (known, findings.items().iter().map(|finding| format!("{finding:?}")).collect())
     }
@@ -183,14 +165,14 @@ mod tests {
     ];
 
     proptest! {
-        /// Checking looks at less of a motion than compiling, and knows the same after it.
+        /// Blocks of axis words do what they do by all the rules.
         #[test]
-        fn checking_knows_what_compiling_knows(picks in proptest::collection::vec(0..BLOCKS.len(), 0..30)) {
+        fn points_follow_all_rules(picks in proptest::collection::vec(0..BLOCKS.len(), 0..30)) {
             let block = |(at, pick): (usize, &usize)| format!("N{} {}\n", at + 2, BLOCKS[*pick]);
             let body: String = picks.iter().enumerate().map(block).collect();
-            let (checked, compiled) = (run(&body, Purpose::Check), run(&body, Purpose::Compile));
-            prop_assert!(!checked.0.is_empty());
-            prop_assert_eq!(checked, compiled, "{}", body);
+            let (quick, full) = (run(&body, false), run(&body, true));
+            prop_assert!(!quick.0.is_empty());
+            prop_assert_eq!(quick, full, "{}", body);
         }
     }
 }

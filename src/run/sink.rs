@@ -2,10 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use super::{End, Executed};
-use crate::config::Settings;
+use super::{End, Executed, Program};
 use crate::diag::Findings;
-use crate::resolve::Resolved;
 
 /// A reader of executed blocks. One execution may have several: a pair of sinks is a sink.
 ///
@@ -17,7 +15,7 @@ pub trait Sink {
     type Whole;
 
     /// Execution begins.
-    fn begin(&mut self, _program: &Start<'_>) {}
+    fn begin(&mut self, _program: &Program<'_>) {}
 
     /// The next executed block. Findings go to `findings`, those about this execution of the block made by
     /// [`Executed::found`]. `Break`: no more blocks are wanted, and the program is not taken for whole.
@@ -25,17 +23,6 @@ pub trait Sink {
 
     /// The program ended, and has no errors.
     fn end(self, end: End, findings: &mut Findings) -> Self::Whole;
-}
-
-/// What is executed.
-#[derive(Clone, Copy, Debug)]
-pub struct Start<'r> {
-    /// The program, as the user named it.
-    pub name: &'r str,
-    /// The program.
-    pub resolved: &'r Resolved,
-    /// With which configuration.
-    pub settings: &'r Settings,
 }
 
 /// Nobody reads: what execution itself finds is wanted.
@@ -55,7 +42,7 @@ impl Sink for () {
 impl<A: Sink, B: Sink> Sink for (A, B) {
     type Whole = (A::Whole, B::Whole);
 
-    fn begin(&mut self, program: &Start<'_>) {
+    fn begin(&mut self, program: &Program<'_>) {
         self.0.begin(program);
         self.1.begin(program);
     }

@@ -1,4 +1,4 @@
-//! Everything that is in force between two blocks.
+//! Everything that execution knows between two blocks.
 
 use crate::config::Settings;
 use crate::dict::Micro;
@@ -70,9 +70,31 @@ impl Held {
     }
 }
 
-/// What is in force.
+/// What was said already, of what is said once.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct State {
+pub(super) struct Said {
+    /// A working motion without F (TEC-2).
+    pub(super) feed: bool,
+    /// A working motion without S (TEC-3).
+    pub(super) speed: bool,
+    /// An axis moved from an unknown position (MOT-2), by place in machine order.
+    pub(super) incremental: [bool; 9],
+    /// Functions that are not modelled (GRP-8).
+    pub(super) unmodelled: Vec<GCode>,
+    /// Parameters without a value (PAR-5).
+    pub(super) unassigned: [bool; 96],
+}
+
+impl Default for Said {
+    fn default() -> Self {
+        Self { feed: false, speed: false, incremental: [false; 9], unmodelled: Vec::new(), unassigned: [false; 96] }
+    }
+}
+
+/// What is in force between two blocks. Two states that are equal lead to the same in all that follows outside of calls and
+/// jumps: execution can go on from a copy of one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
     /// Lasting G functions, by group.
     pub(super) g: [Option<GCode>; 12],
     /// M functions in force, by group.
@@ -96,11 +118,12 @@ pub(super) struct State {
     pub(super) origin_changed: bool,
     /// The G5 and G11 functions of the block before, x functions included (MOT-8).
     pub(super) last_origin: (Option<GCode>, Option<GCode>),
+    pub(super) said: Said,
 }
 
 impl State {
     /// After power-up.
-    pub(super) fn new(settings: &Settings) -> Self {
+    pub fn new(settings: &Settings) -> Self {
         let machine = &settings.machine;
         let mut parameters = [Parameter { value: None, origin: Origin::Machine }; 96];
         for (&index, &value) in &machine.parameters {
@@ -124,6 +147,7 @@ impl State {
             dynamic_set: None,
             origin_changed: false,
             last_origin: (None, None),
+            said: Said::default(),
         };
         state.last_origin = (state.modal(GGroup::G5), state.modal(GGroup::G11));
         state

@@ -1,6 +1,6 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
-mod stream;
+mod execution;
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -8,18 +8,14 @@ use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Problem};
-use crate::dict::AxisLetter;
 use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
-use crate::run::{Checkpoint, End, Executor, Sink, Start};
+use crate::run::{End, Sink, State};
+use crate::stream;
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
-pub use stream::Part;
-use stream::{Closed, JsonStream, write_beside};
+pub use execution::Execution;
 
-/// Blocks between two reports of progress.
-const PROGRESS: u64 = 1 << 16;
-/// Blocks between two looks at a checked program; [`PROGRESS`] is a multiple of it. Fuzzing has short programs.
-pub const STRIDE: u64 = if cfg!(fuzzing) { 1 << 1 } else { 1 << 13 };
+pub use crate::stream::Part;
 
 /// What a run found, with the texts that the places are in.
 #[derive(Debug, Default)]
@@ -62,65 +58,44 @@ pub struct Session<'a> {
     pub progress: Option<&'a (dyn Fn(u64) -> bool + Sync)>,
 }
 
-impl Session<'_> {
+impl<'a> Session<'a> {
     /// Checks the program or macrocycle at `path`, which the user calls `name`: everything that `check` finds.
     pub fn check(&self, path: &Path, name: &str) -> Outcome {
-        let (mut outcome, mut resolved) = self.resolve(path, name);
-        if self.can_execute(&resolved, &outcome) {
-            self.execute(path, &mut resolved, &mut outcome, |_| {});
-        }
-        outcome
+        self.run(path, name, Purpose::Check, ()).outcome
     }
 
-    /// Executes the program at `path`, which the user calls `name`, and shows each executed block to `sink`. To check a
-    /// macrocycle, there is nothing to execute.
+    /// Compiles the program at `path` to `out`. The stream has its `end` record when the run is whole, and only then.
+    ///
+    /// # Errors
+    /// What writing to `out` gives.
+    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut (dyn Write + Send)) -> io::Result<Run<End>> {
+        stream::write(out, self.settings, part, |sink| self.run(path, name, Purpose::Compile, sink))
+    }
+
+    /// Executes the program at `path`, which the user calls `name`, and shows each executed block to `sink`. Of a
+    /// macrocycle only what is written is checked.
     pub fn run<S: Sink>(&self, path: &Path, name: &str, purpose: Purpose, sink: S) -> Run<S::Whole> {
+        match self.open(path, name, purpose) {
+            Ok(execution) => show(execution, sink),
+            Err(outcome) => Run { outcome: *outcome, whole: None },
+        }
+    }
+
+    /// Resolves the program at `path`, which the user calls `name`, for an execution whose blocks the caller asks for.
+    ///
+    /// # Errors
+    /// What was found, when there is nothing to execute: the file cannot be read, has errors, or is a macrocycle.
+    pub fn open(&self, path: &Path, name: &str, purpose: Purpose) -> Result<Execution<'a>, Box<Outcome>> {
         if purpose == Purpose::Compile && Self::is_macrocycle_name(path) {
             let mut outcome = self.outcome(purpose);
             self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
-            return Run { outcome, whole: None };
+            return Err(Box::new(outcome));
         }
-        let (mut outcome, mut resolved) = self.resolve_for(path, name, purpose);
+        let (outcome, resolved) = self.resolve_for(path, name, purpose);
         if resolved.main().is_none() || is_stopped(&outcome.findings, purpose) {
-            return Run { outcome, whole: None };
+            return Err(Box::new(outcome));
         }
-        let whole = self.execute_into(path, &mut resolved, &mut outcome, purpose, sink);
-        Run { outcome, whole }
-    }
-
-    /// Shows the executed blocks of a resolved program to `sink`, up to the first that has an error; what is still to be
-    /// found after that is found without it.
-    fn execute_into<S: Sink>(
-        &self,
-        path: &Path,
-        resolved: &mut Resolved,
-        outcome: &mut Outcome,
-        purpose: Purpose,
-        mut sink: S,
-    ) -> Option<S::Whole> {
-        let mut library = self.library(path);
-        let Outcome { sources, findings, executed, .. } = outcome;
-        let name = sources.get(FileId(0)).map(Arc::clone);
-        let name = name.as_ref().map_or("", |source| source.name());
-        sink.begin(&Start { name, resolved, settings: self.settings });
-        let mut executor = Executor::new(resolved, self.settings, &mut library, sources, findings, Purpose::Compile);
-        let mut whole = true;
-        while executor.step().is_some() {
-            whole &= !is_stopped(executor.findings(), purpose);
-            if whole && executor.show(&mut sink).is_break() {
-                whole = false;
-                break;
-            }
-            if self.is_cancelled(executor.executed()) {
-                whole = false;
-                break;
-            }
-        }
-        *executed = executor.executed();
-        let end = End::of(&executor).filter(|_| whole)?;
-        let made = sink.end(end, findings);
-        // The sink may have found errors at the end.
-        (!findings.has_errors()).then_some(made)
+        Ok(Execution::new(*self, path, resolved, outcome, purpose))
     }
 
     /// The first half of [`Self::check`]: what is found without executing the program.
@@ -152,81 +127,47 @@ impl Session<'_> {
         Outcome { findings, ..Outcome::default() }
     }
 
-    /// The second half of [`Self::check`]: what execution finds joins the outcome. `look` sees the executor before the first
-    /// block and after every [`STRIDE`] blocks.
-    pub fn execute(
-        &self,
-        path: &Path,
-        resolved: &mut Resolved,
-        outcome: &mut Outcome,
-        mut look: impl FnMut(&Executor<'_, '_>),
-    ) {
-        let mut library = self.library(path);
-        let Outcome { sources, findings, executed, .. } = outcome;
-        let mut executor = Executor::new(resolved, self.settings, &mut library, sources, findings, Purpose::Check);
-        look(&executor);
-        while executor.step().is_some() {
-            if executor.executed().is_multiple_of(STRIDE) {
-                look(&executor);
-                if self.is_cancelled(executor.executed()) {
-                    break;
-                }
-            }
-        }
-        *executed = executor.executed();
+    /// The second half of [`Self::check`]: executes a resolved program and shows its blocks to `sink`. What execution finds
+    /// joins the outcome.
+    pub fn execute<S: Sink>(&self, path: &Path, resolved: Resolved, outcome: Outcome, sink: S) -> Run<S::Whole> {
+        show(Execution::new(*self, path, resolved, outcome, Purpose::Check), sink)
+    }
+
+    /// Executes once more a resolved program that has no written errors, and shows every executed block to `sink`, also those
+    /// after an error. What execution finds is known already.
+    pub fn observe(&self, path: &Path, resolved: Resolved, sources: Sources, mut sink: impl Sink) {
+        let outcome = Outcome { sources, ..self.outcome(Purpose::Check) };
+        Execution::new(*self, path, resolved, outcome, Purpose::Check).despite_errors().show(&mut sink);
     }
 
     /// Checks a piece of a long straight program alone: `source` is the text from one block up to another, whose numbers
-    /// `between` stand around it, `from` is known before it and `to` after it. The findings, with places in the piece, are
+    /// `between` stand around it, `from` is in force before it and `to` after it. The findings, with places in the piece, are
     /// those of the whole program, when that has none outside of the piece. `None` when the piece cannot be judged alone, or
     /// leads to something else than `to`.
     pub fn check_window(
         &self,
         source: &Arc<SourceText>,
         between: (u32, u32),
-        from: &Checkpoint,
-        to: &Checkpoint,
+        from: &State,
+        to: &State,
     ) -> Option<Outcome> {
         let mut outcome = self.outcome(Purpose::Check);
-        let Outcome { sources, findings, executed, .. } = &mut outcome;
-        let mut resolved = resolve_window(source, between, self.settings, sources, findings)?;
-        if is_stopped(findings, Purpose::Check) {
+        let Outcome { sources, findings, .. } = &mut outcome;
+        let resolved = resolve_window(source, between, self.settings, sources, findings)?;
+        if is_stopped(&outcome.findings, Purpose::Check) {
             return Some(outcome);
         }
         let blocks = resolved.file(FileId(0)).map_or(0, ParsedFile::block_count);
-        let mut library = self.library(Path::new(source.name()));
-        let mut executor = Executor::new(&mut resolved, self.settings, &mut library, sources, findings, Purpose::Check);
-        executor.resume(from);
-        for _ in 0..blocks {
-            executor.step()?;
-        }
-        *executed = executor.executed();
-        let converged = executor.checkpoint() == *to;
-        converged.then_some(outcome)
-    }
-
-    /// Executes once more a program that has no errors, and shows every executed block to `sink`. What is found is known
-    /// already.
-    pub fn observe<S: Sink>(&self, path: &Path, resolved: &Resolved, sources: &Sources, sink: S) -> Option<S::Whole> {
-        let mut outcome = Outcome { sources: sources.clone(), ..self.outcome(Purpose::Check) };
-        self.execute_into(path, &mut resolved.clone(), &mut outcome, Purpose::Check, sink)
+        let execution = Execution::new(*self, Path::new(source.name()), resolved, outcome, Purpose::Check);
+        let mut execution = execution.of_piece(from.clone(), u64::from(blocks));
+        execution.show(&mut ());
+        let converged = execution.leads_to(to);
+        converged.then(|| execution.finish().outcome)
     }
 
     /// The macrocycles that the program at `path` may call.
-    pub fn library(&self, path: &Path) -> Library<'_> {
+    pub fn library(&self, path: &Path) -> Library<'a> {
         Library::new(self.loader, &self.settings.macrocycles, path)
-    }
-
-    /// Compiles the program at `path` to `out`. The stream has its `end` record when the run is whole, and only then.
-    ///
-    /// # Errors
-    /// What writing to `out` gives.
-    pub fn compile(&self, path: &Path, name: &str, part: Part, out: &mut (dyn Write + Send)) -> io::Result<Run<End>> {
-        let letters: Vec<AxisLetter> = self.settings.machine.axes.iter().map(|axis| axis.letter).collect();
-        write_beside(out, &letters, |records| {
-            let run = self.run(path, name, Purpose::Compile, JsonStream::new(records, part));
-            if records.is_closed() { Err(Closed) } else { Ok(run) }
-        })
     }
 
     /// Whether the name is that of a macrocycle file: `L` and its number, with no extension, `.NC`, `.NCP`, `.MRC` or
@@ -235,8 +176,9 @@ impl Session<'_> {
         Library::number(path).is_some()
     }
 
-    fn is_cancelled(&self, executed: u64) -> bool {
-        executed.is_multiple_of(PROGRESS) && self.progress.is_some_and(|progress| !progress(executed))
+    /// Whether the caller wants more after so many blocks.
+    fn goes_on(&self, executed: u64) -> bool {
+        self.progress.is_none_or(|progress| progress(executed))
     }
 
     fn read(&self, path: &Path, name: &str, outcome: &mut Outcome) -> Option<Arc<SourceText>> {
@@ -264,6 +206,12 @@ const fn is_stopped(findings: &Findings, purpose: Purpose) -> bool {
         Purpose::Check => findings.fault_count() > 0,
         Purpose::Compile => findings.has_errors(),
     }
+}
+
+/// Shows the blocks of an execution to a sink, and what it makes of the whole program.
+fn show<S: Sink>(mut execution: Execution<'_>, mut sink: S) -> Run<S::Whole> {
+    execution.show(&mut sink);
+    execution.finish_with(sink)
 }
 
 impl std::fmt::Debug for Session<'_> {

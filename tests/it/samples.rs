@@ -26,7 +26,7 @@ const LONGEST_SOURCE: usize = 60;
 
 /// The schema of the records, compiled once.
 pub static RECORDS: LazyLock<jsonschema::Validator> =
-    LazyLock::new(|| jsonschema::validator_for(&cnc872c::ir::schema()).unwrap());
+    LazyLock::new(|| jsonschema::validator_for(&cnc872c::stream::schema()).unwrap());
 
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

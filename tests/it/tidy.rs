@@ -18,12 +18,12 @@ const LAYERS: [(&str, &[&str]); 12] = [
     ("syntax", &["text", "dict", "diag"]),
     ("config", &["text", "dict", "diag"]),
     ("resolve", &["text", "dict", "diag", "syntax", "config"]),
-    ("ir", &["text", "dict"]),
-    ("run", &["text", "dict", "diag", "syntax", "config", "resolve", "ir"]),
+    ("run", &["text", "dict", "diag", "syntax", "config", "resolve"]),
     ("analysis", &["text", "dict", "diag", "syntax", "config", "resolve", "run"]),
-    ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "analysis"]),
-    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "analysis", "session"]),
-    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "ir", "run", "analysis", "session", "lsp"]),
+    ("stream", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis"]),
+    ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
+    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
+    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "session", "lsp"]),
 ];
 
 struct Source {
@@ -92,8 +92,8 @@ fn used(text: &str) -> Vec<String> {
 
 #[test]
 fn names_after_crate() {
-    let text = "use crate::diag::{A, B};\n// crate::no\nuse crate::{text::{Span, X}, dict};\n$crate::ir::x";
-    assert_eq!(used(text), ["diag", "text", "dict", "ir"]);
+    let text = "use crate::diag::{A, B};\n// crate::no\nuse crate::{text::{Span, X}, dict};\n$crate::run::x";
+    assert_eq!(used(text), ["diag", "text", "dict", "run"]);
 }
 
 /// Layers: a module uses itself and those below it.
@@ -177,7 +177,7 @@ fn no_unfinished_code() {
 fn what_is_serialised() {
     let wrong: Vec<String> = sources("src")
         .into_iter()
-        .filter(|source| !source.name.starts_with("src/ir/") && source.name != "src/diag/render/json.rs")
+        .filter(|source| !source.name.starts_with("src/stream/") && source.name != "src/diag/render/json.rs")
         .filter(|source| {
             let derives = source.text.split("derive(").skip(1).filter_map(|rest| rest.split(')').next());
             derives.flat_map(|list| list.split(',')).any(|name| name.trim().ends_with("Serialize"))

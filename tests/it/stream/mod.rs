@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 use crate::markers::options;
 
 static SCHEMA: LazyLock<jsonschema::Validator> =
-    LazyLock::new(|| jsonschema::validator_for(&cnc872c::ir::schema()).expect("a schema"));
+    LazyLock::new(|| jsonschema::validator_for(&cnc872c::stream::schema()).expect("a schema"));
 
 /// A program with the files beside it, ready to be compiled.
 #[derive(Clone, Debug, Default)]

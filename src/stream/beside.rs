@@ -2,19 +2,12 @@
 //! is behind, the one that executes makes the text itself, so that neither waits while there is work.
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, TrySendError, channel, sync_channel};
 use std::thread::{Builder, scope};
 
-use crate::analysis::Totals;
-use crate::diag::Findings;
+use super::records::{BlockRecord, Record};
+use super::writer::Writer;
 use crate::dict::AxisLetter;
-use crate::ir::{
-    AxisRecord, BlockRecord, BlockWriter, EndRecord, FileRecord, MFunctionRecord, ProgramRecord, SCHEMA, write_end,
-    write_file, write_program,
-};
-use crate::run::{End, Executed, Sink, Start};
-use crate::text::FileId;
 
 /// Records go to the thread in batches of so many. Fuzzing has short programs.
 const BATCH: usize = if cfg!(fuzzing) { 2 } else { 512 };
@@ -25,35 +18,9 @@ const LONG: usize = 1 << 12;
 /// Batches under way at most: what writes slowly makes execution wait, not grow.
 const QUEUE: usize = 2;
 
-/// A record that is no block.
-pub(super) enum Rare {
-    Program(ProgramRecord),
-    File(FileRecord),
-    End(EndRecord),
-}
-
-/// Why no more records are taken: the writer had an error, which [`write_beside`] gives.
+/// Why no more records are taken: the writer had an error, which [`write_beside`] returns.
 #[derive(Debug)]
 pub(super) struct Closed;
-
-/// Which block records of a stream are written; `program`, `file` and `end` always are.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Part {
-    /// First `seq`.
-    pub from: u64,
-    /// Most block records; all when `None`.
-    pub limit: Option<u64>,
-}
-
-impl Part {
-    const fn contains(self, seq: u64) -> bool {
-        seq >= self.from
-            && match self.limit {
-                Some(limit) => seq - self.from < limit,
-                None => true,
-            }
-    }
-}
 
 /// A piece of the stream: text, and behind it records.
 #[derive(Default)]
@@ -63,21 +30,21 @@ struct Batch {
     blocks: Vec<BlockRecord>,
     used: usize,
     /// Other records, each with the number of block records before it.
-    rare: Vec<(usize, Rare)>,
+    rare: Vec<(usize, Record)>,
 }
 
 impl Batch {
     /// Makes text of the records.
-    fn write(&mut self, writer: &mut BlockWriter) {
+    fn write(&mut self, writer: &mut Writer) {
         let Self { text, blocks, used, rare } = self;
         let mut rare = rare.drain(..).peekable();
         for (at, record) in blocks.iter().take(*used).enumerate() {
             while let Some((_, record)) = rare.next_if(|(before, _)| *before <= at) {
-                write_rare(text, &record);
+                writer.write_record(text, &record);
             }
             writer.write(text, record);
         }
-        rare.for_each(|(_, record)| write_rare(text, &record));
+        rare.for_each(|(_, record)| writer.write_record(text, &record));
         *used = 0;
     }
 }
@@ -87,14 +54,6 @@ fn is_long(record: &BlockRecord) -> bool {
     size_of_val(record.calls.as_slice()) + comments > LONG
 }
 
-fn write_rare(text: &mut Vec<u8>, record: &Rare) {
-    match record {
-        Rare::Program(record) => write_program(text, record),
-        Rare::File(record) => write_file(text, record),
-        Rare::End(record) => write_end(text, record),
-    }
-}
-
 /// Where execution puts its records.
 pub(super) struct Records {
     batch: Batch,
@@ -102,7 +61,7 @@ pub(super) struct Records {
     count: usize,
     /// The thread is behind: the text of this batch is made here.
     here: bool,
-    writer: BlockWriter,
+    writer: Writer,
     full: SyncSender<Batch>,
     written: Receiver<Batch>,
     closed: bool,
@@ -136,9 +95,9 @@ impl Records {
     }
 
     /// The next record of another kind.
-    pub(super) fn rare(&mut self, record: Rare) {
+    pub(super) fn rare(&mut self, record: Record) {
         let Batch { text, used, rare, .. } = &mut self.batch;
-        if self.here { write_rare(text, &record) } else { rare.push((*used, record)) }
+        if self.here { self.writer.write_record(text, &record) } else { rare.push((*used, record)) }
     }
 
     fn hand_on(&mut self) -> Result<(), Closed> {
@@ -163,87 +122,6 @@ impl Records {
     }
 }
 
-/// The stream, as a reader of executed blocks.
-pub(super) struct JsonStream<'r> {
-    records: &'r mut Records,
-    part: Part,
-    totals: Totals,
-    next_file: u32,
-}
-
-impl<'r> JsonStream<'r> {
-    pub(super) fn new(records: &'r mut Records, part: Part) -> Self {
-        Self { records, part, totals: Totals::new(), next_file: 1 }
-    }
-}
-
-impl Sink for JsonStream<'_> {
-    /// Its `end` record is written.
-    type Whole = End;
-
-    fn begin(&mut self, program: &Start<'_>) {
-        self.records.rare(Rare::Program(program_record(program)));
-    }
-
-    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
-        let record = block.record();
-        if record.file == self.next_file {
-            self.next_file += 1;
-            self.records.rare(Rare::File(FileRecord { index: record.file, name: block.file_name().to_owned() }));
-        }
-        self.totals.add(block);
-        if self.part.contains(record.seq) && self.records.block(record).is_err() {
-            return ControlFlow::Break(());
-        }
-        ControlFlow::Continue(())
-    }
-
-    fn end(self, end: End, _: &mut Findings) -> End {
-        self.records.rare(Rare::End(EndRecord {
-            reason: end.reason(),
-            blocks: end.blocks(),
-            path_mm: self.totals.path(),
-            path_mm_by_type: self.totals.by_type().collect(),
-        }));
-        end
-    }
-}
-
-fn program_record(start: &Start<'_>) -> ProgramRecord {
-    let machine = &start.settings.machine;
-    let file = start.resolved.file(FileId(0));
-    let number = file.and_then(|file| file.program).and_then(|word| word.whole());
-    ProgramRecord {
-        schema: SCHEMA.to_owned(),
-        generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
-        dialect: machine.dialect.name().to_owned(),
-        number: number.and_then(|number| u32::try_from(number).ok()).unwrap_or(0),
-        title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
-        file: start.name.to_owned(),
-        axes: machine
-            .axes
-            .iter()
-            .map(|axis| AxisRecord {
-                letter: axis.letter.to_string(),
-                kind: if axis.rotary { "rotary" } else { "linear" }.to_owned(),
-            })
-            .collect(),
-        block_skip: start.settings.block_skip,
-        optional_stop: start.settings.optional_stop,
-        m_functions: machine
-            .m_functions
-            .configured()
-            .map(|function| MFunctionRecord {
-                no: function.number,
-                group: function.group,
-                break_cont: function.break_cont,
-                break_cont_end: function.break_cont_end,
-                change_pos: function.change_pos,
-            })
-            .collect(),
-    }
-}
-
 /// Runs `execute`, and beside it writes to `out` the records that it gives, for a machine with these axes.
 ///
 /// # Errors
@@ -258,8 +136,8 @@ pub(super) fn write_beside<T>(
         let (full, batches) = sync_channel(QUEUE);
         let (done, written) = channel();
         let thread = Builder::new().name("writer".to_owned());
-        let thread = thread.spawn_scoped(scope, || write(out, BlockWriter::new(axes), batches, done))?;
-        let writer = BlockWriter::new(axes);
+        let thread = thread.spawn_scoped(scope, || write(out, Writer::new(axes), batches, done))?;
+        let writer = Writer::new(axes);
         let mut records =
             Records { batch: Batch::default(), count: 0, here: false, writer, full, written, closed: false };
         let result = execute(&mut records).and_then(|result| records.hand_on().map(|()| result));
@@ -271,7 +149,7 @@ pub(super) fn write_beside<T>(
 
 fn write(
     out: &mut (dyn Write + Send),
-    mut writer: BlockWriter,
+    mut writer: Writer,
     batches: Receiver<Batch>,
     done: Sender<Batch>,
 ) -> io::Result<()> {
@@ -290,12 +168,13 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
+    use crate::stream::records::FileRecord;
 
     fn put(records: &mut Records, count: u64) -> Result<(), Closed> {
         for seq in 0..count {
             if seq % 700 == 0 {
                 let index = u32::try_from(seq).unwrap_or(0);
-                records.rare(Rare::File(FileRecord { index, name: "a".to_owned() }));
+                records.rare(Record::File(FileRecord { index, name: "a".to_owned() }));
             }
             records.block(&BlockRecord {
                 seq,

@@ -1,11 +1,11 @@
 //! The JSON of records, written without intermediate values. Each function takes its record apart by pattern, so that a
 //! new field does not compile until it is written.
 
-use super::{
-    AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, Jump, MFunctionRecord, MStop, Motion,
-    ProgramRecord,
+use super::records::{
+    AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, MFunctionRecord, Motion, ProgramRecord, Record,
 };
 use crate::dict::{AxisLetter, Decimal, Micro};
+use crate::run::{Jump, MStop};
 use crate::text::is_unsafe;
 
 /// A field's key with its comma and colon, as bytes of known length.
@@ -21,7 +21,7 @@ macro_rules! key {
 }
 
 /// Writes the `program` record and its line end.
-pub fn write_program(out: &mut Vec<u8>, record: &ProgramRecord) {
+fn write_program(out: &mut Vec<u8>, record: &ProgramRecord) {
     let ProgramRecord { schema, generator, dialect, number, title, file, axes, block_skip, optional_stop, m_functions } =
         record;
     let mut room = Vec::new();
@@ -57,7 +57,7 @@ pub fn write_program(out: &mut Vec<u8>, record: &ProgramRecord) {
 }
 
 /// Writes a `file` record and its line end.
-pub fn write_file(out: &mut Vec<u8>, record: &FileRecord) {
+fn write_file(out: &mut Vec<u8>, record: &FileRecord) {
     let FileRecord { index, name } = record;
     let mut room = Vec::new();
     let line = Line::new(&mut room).put(br#"{"kind":"file""#);
@@ -66,7 +66,7 @@ pub fn write_file(out: &mut Vec<u8>, record: &FileRecord) {
 }
 
 /// Writes the `end` record and its line end.
-pub fn write_end(out: &mut Vec<u8>, record: &EndRecord) {
+fn write_end(out: &mut Vec<u8>, record: &EndRecord) {
     let EndRecord { reason, blocks, path_mm, path_mm_by_type } = record;
     let mut room = Vec::new();
     let mut line = Line::new(&mut room).put(br#"{"kind":"end""#);
@@ -111,9 +111,9 @@ impl<T: Default> Default for Repeated<T> {
     }
 }
 
-/// Writes `block` records.
+/// Writes records.
 #[derive(Debug)]
-pub struct BlockWriter {
+pub(super) struct Writer {
     axes: Vec<AxisLetter>,
     /// Room for a line.
     room: Vec<u8>,
@@ -128,14 +128,24 @@ struct Parts {
     m: Repeated<[Option<u8>; 15]>,
 }
 
-impl BlockWriter {
+impl Writer {
     /// For a machine with these axes, in its order.
-    pub fn new(axes: &[AxisLetter]) -> Self {
+    pub(super) fn new(axes: &[AxisLetter]) -> Self {
         Self { axes: axes.to_vec(), room: Vec::new(), parts: Parts::default() }
     }
 
+    /// Writes a record and its line end.
+    pub(super) fn write_record(&mut self, out: &mut Vec<u8>, record: &Record) {
+        match record {
+            Record::Program(record) => write_program(out, record),
+            Record::File(record) => write_file(out, record),
+            Record::Block(record) => self.write(out, record),
+            Record::End(record) => write_end(out, record),
+        }
+    }
+
     /// Writes a `block` record and its line end.
-    pub fn write(&mut self, out: &mut Vec<u8>, record: &BlockRecord) {
+    pub(super) fn write(&mut self, out: &mut Vec<u8>, record: &BlockRecord) {
         let Self { axes, room, parts } = self;
         out.extend_from_slice(block(Line::new(room), record, axes, parts).text());
     }

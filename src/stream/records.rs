@@ -1,4 +1,4 @@
-//! The records of the stream. Fields that are `false`, empty or absent are left out when written, except where a field
+//! The records of the stream, one type a kind, and the list of the kinds. Fields that are `false`, empty or absent are left out when written, except where a field
 //! says otherwise.
 
 use std::collections::BTreeMap;
@@ -6,9 +6,25 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 
 use crate::dict::{AxisLetter, Decimal, Micro};
+use crate::run::{Jump, MStop, MotionType};
 
 /// Name and version of the stream's form.
 pub const SCHEMA: &str = "cnc872c.blocks/1";
+
+/// One line of the stream: the kinds of records, for writing and schema alike.
+#[derive(Debug, JsonSchema)]
+#[schemars(tag = "kind", rename_all = "lowercase", title = "Record of the block stream cnc872c.blocks/1")]
+pub enum Record {
+    /// The first one.
+    Program(ProgramRecord),
+    /// Before the first block of another file.
+    File(FileRecord),
+    /// An executed block.
+    #[expect(dead_code, reason = "blocks come by the million: they are handed on in batches, without the box")]
+    Block(Box<BlockRecord>),
+    /// The last one.
+    End(EndRecord),
+}
 
 /// The first record: what the stream was made from and for.
 #[derive(Clone, Debug, JsonSchema)]
@@ -107,11 +123,6 @@ impl AxisMap {
     pub const fn is_empty(&self) -> bool {
         self.present == 0
     }
-
-    /// No value for any axis.
-    pub fn clear(&mut self) {
-        *self = Self::default();
-    }
 }
 
 /// Some axes, in machine order.
@@ -129,11 +140,6 @@ impl AxisList {
             *slot = Some(axis);
             self.count += 1;
         }
-    }
-
-    /// Whether the axis is among them.
-    pub fn contains(&self, axis: AxisLetter) -> bool {
-        self.letters.contains(&Some(axis))
     }
 
     /// In order.
@@ -162,6 +168,7 @@ pub struct BlockRecord {
     #[schemars(default)]
     pub calls: Vec<Call>,
     /// The jump that is taken at the end of this block.
+    #[schemars(with = "Option<JumpRecord>")]
     pub jump: Option<Jump>,
     /// The block carries `/` (and was executed).
     #[schemars(default)]
@@ -323,31 +330,22 @@ pub struct Call {
     pub of: u32,
 }
 
-/// A jump that is taken.
-#[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
-#[schemars(deny_unknown_fields)]
-pub struct Jump {
+/// The schema of a jump.
+#[derive(JsonSchema)]
+#[schemars(rename = "Jump", deny_unknown_fields)]
+#[expect(dead_code, reason = "the schema is all it is for")]
+pub struct JumpRecord {
     /// The block jumped to.
-    pub to: u32,
+    to: u32,
     /// The counter after lowering; left out when uncounted.
-    pub left: Option<u32>,
+    left: Option<u32>,
 }
 
-/// What M groups 2, 5 and 6 hold while the program stands.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub struct MStop {
-    /// Group 2: the spindle.
-    pub spindle: u8,
-    /// Group 5: coolant 1 and 2.
-    pub coolant_12: u8,
-    /// Group 6: coolant 3 and 4.
-    pub coolant_34: u8,
-}
-
-/// How a block moves.
-#[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
-#[schemars(rename_all = "snake_case")]
-pub enum MotionType {
+/// The schema of the kinds of motion.
+#[derive(JsonSchema)]
+#[schemars(rename = "MotionType", rename_all = "snake_case")]
+#[expect(dead_code, reason = "the schema is all it is for")]
+pub enum MotionName {
     /// G00.
     Rapid,
     /// G01.
@@ -362,29 +360,12 @@ pub enum MotionType {
     Reference,
 }
 
-impl MotionType {
-    /// All, in the order of the documentation.
-    pub const ALL: [Self; 6] = [Self::Rapid, Self::Linear, Self::ArcCw, Self::ArcCcw, Self::Thread, Self::Reference];
-
-    /// As written in records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rapid => "rapid",
-            Self::Linear => "linear",
-            Self::ArcCw => "arc_cw",
-            Self::ArcCcw => "arc_ccw",
-            Self::Thread => "thread",
-            Self::Reference => "reference",
-        }
-    }
-}
-
 /// The motion of a block.
 #[derive(Clone, Copy, Debug, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct Motion {
     /// What kind.
-    #[schemars(rename = "type")]
+    #[schemars(rename = "type", with = "MotionName")]
     pub kind: MotionType,
     /// Axes that move: those written in the block, in machine order (AxNCxMove).
     #[schemars(with = "Vec<String>")]

@@ -1,0 +1,283 @@
+//! The interpreter: one step is one executed block.
+
+use super::block::Block;
+use super::executed::Executed;
+use super::flow::{Flow, Next, check_late_words};
+use super::frames::Frame;
+use super::points::Run;
+use super::program::Program;
+use super::site::{Site, report};
+use super::state::State;
+use super::{functions, m_functions, motion, parameters, reading, technology};
+use crate::diag::{Diagnostic, Finding, Findings};
+use crate::dict::{GCode, GGroup};
+use crate::resolve::{Unit, UnitKind};
+use crate::syntax::{BlockFlags, BlockId};
+use crate::text::FileId;
+
+/// Why execution went no further.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Stop {
+    /// M02 or M30, by number.
+    End(u8),
+    /// A finding, or something unknown, ends the flattening.
+    Halted,
+}
+
+/// What is done between a block and the next: what a call or a jump leads to.
+#[derive(Clone, Debug)]
+struct Pending {
+    block: BlockId,
+    next: Next,
+    /// The block holds G70 written out.
+    returns: bool,
+}
+
+/// Executes a program. Ask for blocks with [`Self::step`] until it gives none. Its memory is what is in force and the calls that
+/// are open, whatever the program repeats. A copy goes on by itself from where the original stands, over the same [`Program`].
+#[derive(Clone, Debug)]
+pub struct Interpreter {
+    pub(super) state: State,
+    pub(super) frames: Vec<Frame>,
+    /// The block in hand.
+    pub(super) block: Block,
+    pub(super) run: Run,
+    pending: Option<Pending>,
+    /// The index that streams show for each file: files are counted as their first blocks are executed.
+    pub(super) shown_files: Vec<Option<u32>>,
+    pub(super) executed: u64,
+    /// A macrocycle that execution loaded has errors: nothing is called any more.
+    broken: bool,
+    stop: Option<Stop>,
+}
+
+impl Interpreter {
+    /// Ready for the first block of the main program. The program has no error so far.
+    pub fn new(program: &Program<'_>) -> Self {
+        let resolved = &program.resolved;
+        let main = resolved.main().and_then(|id| resolved.unit(id).map(|unit| Frame::new(id, *unit, None)));
+        Self {
+            state: State::new(program.settings),
+            stop: main.is_none().then_some(Stop::Halted),
+            frames: main.into_iter().collect(),
+            block: Block::default(),
+            run: Run::Unknown,
+            pending: None,
+            shown_files: Vec::new(),
+            executed: 0,
+            broken: false,
+        }
+    }
+
+    /// The same, with `state` in place of what holds after power-up.
+    pub fn from_state(program: &Program<'_>, state: State) -> Self {
+        Self { state, ..Self::new(program) }
+    }
+
+    /// Executes the next block. `None` at the end of the program, or where it cannot go on; [`Self::end`] gives which.
+    #[inline]
+    pub fn step<'r>(&'r mut self, program: &'r mut Program<'_>, findings: &mut Findings) -> Option<Executed<'r>> {
+        while self.stop.is_none() {
+            match self.advance(program, findings) {
+                Ok(true) => return Some(Executed { interpreter: self, program }),
+                Ok(false) => {}
+                Err(stop) => {
+                    self.stop = Some(stop);
+                    if matches!(stop, Stop::End(_)) {
+                        return Some(Executed { interpreter: self, program });
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// How the program ended; `None` while it runs.
+    pub const fn end(&self) -> Option<Stop> {
+        self.stop
+    }
+
+    /// Blocks executed so far.
+    pub const fn executed(&self) -> u64 {
+        self.executed
+    }
+
+    /// What is in force after the last step.
+    pub const fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// One block: executed (`true`) or skipped.
+    #[inline]
+    fn advance(&mut self, program: &mut Program<'_>, findings: &mut Findings) -> Result<bool, Stop> {
+        if let Some(pending) = self.pending.take() {
+            self.proceed(program, pending)?;
+        }
+        let Some(frame) = self.frames.last_mut() else { return Err(Stop::Halted) };
+        let (unit, block) = (frame.unit, frame.next);
+        self.block.file = unit.file;
+        self.block.id = block;
+        let Some(file) = program.resolved.file(unit.file) else { return Err(Stop::Halted) };
+        if block >= unit.end {
+            self.report_missing_end(program, unit, findings);
+            return Err(Stop::Halted);
+        }
+        let flags = file.flags(block);
+        if program.settings.block_skip && flags.has(BlockFlags::SKIP) {
+            frame.next = block.next();
+            return Ok(false);
+        }
+        if self.executed == program.settings.machine.limits.records {
+            self.report_limit(program, findings);
+            return Err(Stop::Halted);
+        }
+        self.count_file(unit.file);
+        if !flags.has(BlockFlags::RICH) {
+            let Self { state, frames, block: in_hand, run, .. } = self;
+            let mut site = Site { file, block, settings: program.settings, frames, findings };
+            if run.execute(&mut site, state, in_hand) {
+                self.executed += 1;
+                if let Some(frame) = self.frames.last_mut() {
+                    frame.next = block.next();
+                }
+                return Ok(true);
+            }
+        }
+        let stop = self.execute(program, findings, flags);
+        self.executed += 1;
+        self.run.unsettle(flags, &self.block);
+        stop
+    }
+
+    /// Executes a block by all the rules, in their order.
+    fn execute(&mut self, program: &mut Program<'_>, findings: &mut Findings, flags: BlockFlags) -> Result<bool, Stop> {
+        let Self { state, frames, block, broken, .. } = self;
+        let Some(file) = program.resolved.file(block.file) else { return Err(Stop::Halted) };
+        let mut site = Site { file, block: block.id, settings: program.settings, frames, findings };
+        block.clear();
+        reading::read(&mut site, state, &mut block.words);
+        block.g = functions::apply(&mut site, state, &block.words);
+        functions::track_origin(state, &block.words, &block.g);
+        technology::hold(state, &block.words);
+        m_functions::apply(&mut site, state, &block.words, &mut block.m);
+        let moved = motion::apply(&mut site, state, block);
+        m_functions::forget_positions(state, &block.m);
+        parameters::apply(&mut site, state, block);
+        check_late_words(&mut site, state, &block.words);
+        let end = block.m.end;
+        let (id, returns) = (block.id, flags.has(BlockFlags::RETURN) && frames.len() > 1);
+        let next = Flow { program, findings, frames, state, block, broken }.next(moved, end.is_some());
+        match end {
+            Some(end) => return Err(Stop::End(end)),
+            // The block itself was executed; what would follow is not.
+            None if matches!(next, Next::Halt) => self.stop = Some(Stop::Halted),
+            None => self.pending = Some(Pending { block: id, next, returns }),
+        }
+        Ok(true)
+    }
+
+    /// Puts what a block does at its end into effect.
+    fn proceed(&mut self, program: &Program<'_>, pending: Pending) -> Result<(), Stop> {
+        let Pending { block, next, returns } = pending;
+        let Some(frame) = self.frames.last_mut() else { return Err(Stop::Halted) };
+        match next {
+            Next::Halt => return Err(Stop::Halted),
+            Next::Continue => {
+                frame.next = block.next();
+                if returns {
+                    self.leave();
+                }
+            }
+            // A jump leaves the unit nowhere, and so the block's G70 has nothing to end.
+            Next::Jump(target) => frame.next = target,
+            Next::Call { unit, call, cycle } => {
+                frame.next = block.next();
+                frame.returns |= returns;
+                let Some(&called) = program.resolved.unit(unit) else { return Err(Stop::Halted) };
+                let mut frame = Frame::new(unit, called, Some(call));
+                if cycle {
+                    frame.suspended_cycle = self.state.modal(GGroup::G8);
+                    self.state.set_modal(GCode::G80);
+                }
+                self.frames.push(frame);
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends a pass of the unit in hand: the next pass, or back behind the call.
+    fn leave(&mut self) {
+        loop {
+            let Some(frame) = self.frames.last_mut() else { return };
+            frame.returns = false;
+            if frame.next_pass() {
+                return;
+            }
+            if let Some(cycle) = frame.suspended_cycle.take() {
+                self.state.set_modal(cycle);
+            }
+            self.frames.pop();
+            // A block that calls a macrocycle by the cycle map may itself end its unit.
+            match self.frames.last() {
+                Some(caller) if caller.returns => {}
+                _ => return,
+            }
+        }
+    }
+
+    /// Gives a file its index in streams, when this is its first block.
+    #[inline]
+    fn count_file(&mut self, file: FileId) {
+        let at = file.0 as usize;
+        if !matches!(self.shown_files.get(at), Some(Some(_))) {
+            self.count_new_file(at);
+        }
+    }
+
+    #[cold]
+    fn count_new_file(&mut self, at: usize) {
+        let shown = self.shown_files.iter().flatten().count();
+        if self.shown_files.len() <= at {
+            self.shown_files.resize(at + 1, None);
+        }
+        if let Some(slot) = self.shown_files.get_mut(at) {
+            *slot = u32::try_from(shown).ok();
+        }
+    }
+
+    /// BLK-10: a skipped end is a missing end.
+    fn report_missing_end(&self, program: &Program<'_>, unit: Unit, findings: &mut Findings) {
+        let (finding, at) = match unit.kind {
+            UnitKind::Main => {
+                let last = BlockId(unit.end.0.saturating_sub(1));
+                let at = program.resolved.file(unit.file).map_or(unit.entry, |file| file.n_place(last));
+                (Finding::MissingProgramEnd { skipped: true, late: None }, at)
+            }
+            UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
+                let macrocycle = matches!(unit.kind, UnitKind::Macrocycle(_));
+                let finding = Finding::UnterminatedSubprogram { macrocycle, skipped: true, last: false, instead: None };
+                (finding, unit.entry)
+            }
+        };
+        report(&self.frames, Diagnostic::new(finding, at), findings);
+    }
+
+    /// FLW-9: names the calls and jumps that multiply.
+    fn report_limit(&self, program: &Program<'_>, findings: &mut Findings) {
+        let mut repeats = Vec::new();
+        for frame in &self.frames {
+            if let Some(call) = frame.call.filter(|call| call.of > 1) {
+                repeats.push(format!("N{} {} L{} ×{}", call.n, call.by.name(), call.l, call.of));
+            }
+            for (block, counter) in &frame.counters {
+                let n = program.resolved.file(frame.unit.file).map_or(0, |file| file.shown_number(*block));
+                repeats.push(format!("N{n} G73 ×{}", counter.of));
+            }
+        }
+        repeats.truncate(12);
+        let limit = program.settings.machine.limits.records;
+        let finding = Finding::ExpansionLimit { limit, repeats: repeats.join(", ") };
+        let at = program.resolved.file(self.block.file).map(|file| file.n_place(self.block.id)).unwrap_or_default();
+        report(&self.frames, Diagnostic::new(finding, at), findings);
+    }
+}

@@ -1,0 +1,86 @@
+//! One block's words with their values, as execution finds them.
+
+use crate::dict::{Decimal, GCode, GGroup};
+use crate::syntax::Word;
+
+/// A word with its value; `None`: it depends on something unknown (PAR-5), or is unusable and reported.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Valued {
+    pub(super) word: Word,
+    pub(super) value: Option<Decimal>,
+}
+
+/// The words of the block in hand. One is reused for all blocks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct BlockWords {
+    /// By place in machine order.
+    pub(super) axes: [Option<Valued>; 9],
+    pub(super) axis_count: usize,
+    pub(super) i: Option<Valued>,
+    pub(super) j: Option<Valued>,
+    pub(super) k: Option<Valued>,
+    pub(super) f: Option<Valued>,
+    pub(super) s: Option<Valued>,
+    pub(super) t: Option<Valued>,
+    pub(super) h: Option<Valued>,
+    pub(super) p: Option<Valued>,
+    pub(super) d: Option<Valued>,
+    pub(super) correction: Option<Valued>,
+    pub(super) l: Option<Valued>,
+    pub(super) q: Option<Valued>,
+    /// In written order.
+    pub(super) g: Vec<(GCode, Word)>,
+    pub(super) m: Vec<(u8, Word)>,
+    /// R words, in written order.
+    pub(super) r: Vec<Word>,
+    /// A G word whose value is not known.
+    pub(super) unknown_g: bool,
+    /// A G word takes its number from a parameter: what L and Q are for could not be told before.
+    pub(super) parametric_g: bool,
+}
+
+impl BlockWords {
+    /// Forgets the block before, touching as little memory as that takes: it is done for every block.
+    pub(super) fn clear(&mut self) {
+        let Self { axes, axis_count, i, j, k, f, s, t, h, p, d, correction, l, q, g, m, r, unknown_g, parametric_g } =
+            self;
+        if *axis_count > 0 {
+            axes.fill(None);
+        }
+        (*axis_count, *i, *j, *k) = (0, None, None, None);
+        (*f, *s, *t, *h, *p, *d, *correction, *l, *q) = (None, None, None, None, None, None, None, None, None);
+        g.clear();
+        m.clear();
+        r.clear();
+        (*unknown_g, *parametric_g) = (false, false);
+    }
+
+    /// The function of a group written in this block.
+    pub(super) fn written(&self, group: GGroup) -> Option<(GCode, Word)> {
+        self.g.iter().copied().find(|(code, _)| code.group() == group)
+    }
+
+    pub(super) fn has(&self, code: GCode) -> Option<Word> {
+        self.g.iter().find(|(written, _)| *written == code).map(|(_, word)| *word)
+    }
+
+    /// The first written function that makes the words data (GRP-4).
+    pub(super) fn data(&self) -> Option<GCode> {
+        self.g.iter().map(|(code, _)| *code).find(|code| code.makes_words_data())
+    }
+
+    /// The call or jump written in this block.
+    pub(super) fn flow(&self) -> Option<(GCode, Word)> {
+        self.written(GGroup::G7).filter(|(code, _)| code.is_flow())
+    }
+
+    /// The axis word that comes first in the text.
+    pub(super) fn first_axis_word(&self) -> Option<Word> {
+        self.axes.iter().flatten().map(|valued| valued.word).min_by_key(|word| word.start())
+    }
+
+    /// Axis words with their places in machine order.
+    pub(super) fn axis_words(&self) -> impl Iterator<Item = (usize, Valued)> + '_ {
+        self.axes.iter().enumerate().filter_map(|(axis, valued)| valued.map(|valued| (axis, valued)))
+    }
+}

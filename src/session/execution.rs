@@ -1,0 +1,170 @@
+//! One execution of one program: the only loop over executed blocks there is.
+
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use super::{Outcome, Run, Session, is_stopped};
+use crate::config::Purpose;
+use crate::diag::Findings;
+use crate::resolve::Resolved;
+use crate::run::{End, Executed, Interpreter, Program, Sink, State};
+
+/// Blocks between two reports of progress.
+const PROGRESS: u64 = 1 << 16;
+
+/// An execution under way. [`Session::run`] shows its blocks to a sink; who needs more asks for them with [`Self::step`],
+/// and who must know later blocks before an earlier one follows with a second interpreter: see [`Self::follow`].
+#[derive(Debug)]
+pub struct Execution<'a> {
+    session: Session<'a>,
+    program: Program<'a>,
+    interpreter: Interpreter,
+    outcome: Outcome,
+    purpose: Purpose,
+    /// No error was found, and nobody gave up.
+    whole: bool,
+    /// Blocks after an error are shown as well.
+    despite_errors: bool,
+    /// Somebody wants the findings no more.
+    given_up: bool,
+    /// Most blocks that are executed.
+    most: u64,
+}
+
+impl<'a> Execution<'a> {
+    /// Ready for the first block of a resolved program without errors. The outcome is that of resolving it.
+    pub(super) fn new(
+        session: Session<'a>,
+        path: &Path,
+        resolved: Resolved,
+        mut outcome: Outcome,
+        purpose: Purpose,
+    ) -> Self {
+        let library = session.library(path);
+        let sources = std::mem::take(&mut outcome.sources);
+        let program = Program { resolved, settings: session.settings, library, sources };
+        let interpreter = Interpreter::new(&program);
+        Self {
+            session,
+            program,
+            interpreter,
+            outcome,
+            purpose,
+            whole: true,
+            despite_errors: false,
+            given_up: false,
+            most: u64::MAX,
+        }
+    }
+
+    /// The same for so many blocks of a piece of a program, before which `state` is in force.
+    pub(super) fn of_piece(self, state: State, most: u64) -> Self {
+        let interpreter = Interpreter::from_state(&self.program, state);
+        Self { interpreter, most, ..self }
+    }
+
+    /// The same, with blocks after an error shown as well: for what is known of a program that is not right yet.
+    #[must_use]
+    pub fn despite_errors(self) -> Self {
+        Self { despite_errors: true, ..self }
+    }
+
+    /// The program.
+    pub const fn program(&self) -> &Program<'a> {
+        &self.program
+    }
+
+    /// An interpreter of the program as it stands now; before the first step, one that stands before the first block.
+    pub fn interpreter(&self) -> Interpreter {
+        self.interpreter.clone()
+    }
+
+    /// The next block of what is a whole program so far, and where findings about it go. `None` at its end, where it cannot
+    /// go on, when a block has an error, and when the run is cancelled: [`Self::finish`] gives which.
+    #[inline]
+    pub fn step(&mut self) -> Option<(Executed<'_>, &mut Findings)> {
+        let executed = self.interpreter.executed();
+        if !(self.whole || self.despite_errors) || self.is_over(executed) {
+            return None;
+        }
+        let block = self.interpreter.step(&mut self.program, &mut self.outcome.findings)?;
+        let findings = &mut self.outcome.findings;
+        if is_stopped(findings, self.purpose) {
+            self.whole = false;
+            if !self.despite_errors {
+                return None;
+            }
+        }
+        Some((block, findings))
+    }
+
+    /// The next block of an interpreter that follows this execution: that is not ahead of it. What it finds is found already.
+    pub fn follow<'r>(&'r mut self, follower: &'r mut Interpreter) -> Option<Executed<'r>> {
+        if follower.executed() >= self.interpreter.executed() {
+            return None;
+        }
+        follower.step(&mut self.program, &mut Findings::new())
+    }
+
+    /// Nobody wants more: the program is not taken for whole.
+    pub const fn give_up(&mut self) {
+        self.whole = false;
+        self.given_up = true;
+    }
+
+    /// Shows the blocks to a sink, up to the first that has an error.
+    pub(super) fn show(&mut self, sink: &mut impl Sink) {
+        sink.begin(&self.program);
+        let mut wanted = ControlFlow::Continue(());
+        while let Some((block, findings)) = self.step() {
+            wanted = sink.block(&block, findings);
+            if wanted.is_break() {
+                break;
+            }
+        }
+        if wanted.is_break() {
+            self.give_up();
+        }
+    }
+
+    /// Finds what is still to be found, and gives how the program ended; `None` when it has errors, or was not executed to its
+    /// end.
+    fn end(&mut self) -> Option<End> {
+        while !self.is_over(self.interpreter.executed())
+            && self.interpreter.step(&mut self.program, &mut self.outcome.findings).is_some()
+        {}
+        self.outcome.executed = self.interpreter.executed();
+        End::of(&self.interpreter, &self.outcome.findings).filter(|_| self.whole)
+    }
+
+    /// Ends the run: what it found, and how the program ended; `None` when it has errors, or was not executed to its end.
+    pub fn finish(mut self) -> Run<End> {
+        let whole = self.end();
+        Run { whole, outcome: self.into_outcome() }
+    }
+
+    /// The same, with what a sink made of the program.
+    pub(super) fn finish_with<S: Sink>(mut self, sink: S) -> Run<S::Whole> {
+        let made = self.end().map(|end| sink.end(end, &mut self.outcome.findings));
+        // The sink may have found errors at the end.
+        let whole = made.filter(|_| !self.outcome.findings.has_errors());
+        Run { whole, outcome: self.into_outcome() }
+    }
+
+    /// Whether so many blocks were executed as wanted, and that leads to `state`.
+    pub(super) fn leads_to(&self, state: &State) -> bool {
+        self.interpreter.executed() == self.most && self.interpreter.state() == state
+    }
+
+    fn into_outcome(self) -> Outcome {
+        Outcome { sources: self.program.sources, ..self.outcome }
+    }
+
+    /// Whether no more blocks are executed after so many.
+    fn is_over(&mut self, executed: u64) -> bool {
+        if executed.is_multiple_of(PROGRESS) && executed > 0 && !self.session.goes_on(executed) {
+            self.give_up();
+        }
+        self.given_up || executed == self.most
+    }
+}

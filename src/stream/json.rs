@@ -1,0 +1,140 @@
+//! The stream as a reader of executed blocks.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+
+use super::beside::{Closed, Records, write_beside};
+use super::records::{AxisRecord, EndRecord, FileRecord, MFunctionRecord, ProgramRecord, Record, SCHEMA};
+use super::row::Rows;
+use crate::analysis::Totals;
+use crate::config::Settings;
+use crate::diag::Findings;
+use crate::dict::AxisLetter;
+use crate::run::{End, Executed, Program, Sink};
+use crate::text::FileId;
+
+/// Which block records of a stream are written; `program`, `file` and `end` always are.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Part {
+    /// First `seq`.
+    pub from: u64,
+    /// Most block records; all when `None`.
+    pub limit: Option<u64>,
+}
+
+impl Part {
+    const fn contains(self, seq: u64) -> bool {
+        seq >= self.from
+            && match self.limit {
+                Some(limit) => seq - self.from < limit,
+                None => true,
+            }
+    }
+}
+
+/// Writes to `out` the stream of the program that `run` shows to the sink. Its text is made and written in a thread beside
+/// execution.
+///
+/// # Errors
+/// What `out` says, and when the system gives no thread.
+pub fn write<T>(
+    out: &mut (dyn Write + Send),
+    settings: &Settings,
+    part: Part,
+    run: impl FnOnce(JsonStream<'_>) -> T,
+) -> io::Result<T> {
+    let letters: Vec<AxisLetter> = settings.machine.axes.iter().map(|axis| axis.letter).collect();
+    write_beside(out, &letters, |records| {
+        let result = run(JsonStream::new(records, part));
+        if records.is_closed() { Err(Closed) } else { Ok(result) }
+    })
+}
+
+/// The stream, as a reader of executed blocks.
+pub struct JsonStream<'r> {
+    records: &'r mut Records,
+    part: Part,
+    totals: Totals,
+    rows: Rows,
+    next_file: u32,
+}
+
+impl<'r> JsonStream<'r> {
+    fn new(records: &'r mut Records, part: Part) -> Self {
+        Self { records, part, totals: Totals::new(), rows: Rows::default(), next_file: 1 }
+    }
+}
+
+impl std::fmt::Debug for JsonStream<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("JsonStream").field("part", &self.part).finish_non_exhaustive()
+    }
+}
+
+impl Sink for JsonStream<'_> {
+    /// Its `end` record is written.
+    type Whole = End;
+
+    fn begin(&mut self, program: &Program<'_>) {
+        self.records.rare(Record::Program(program_record(program)));
+    }
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        let index = block.file_index();
+        if index == self.next_file {
+            self.next_file += 1;
+            self.records.rare(Record::File(FileRecord { index, name: block.file_name().to_owned() }));
+        }
+        let row = self.rows.of(block);
+        self.totals.add_motion(row.motion.as_ref().and_then(|motion| Some((motion.kind, motion.length_mm?))));
+        if self.part.contains(row.seq) && self.records.block(row).is_err() {
+            return ControlFlow::Break(());
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, end: End, _: &mut Findings) -> End {
+        self.records.rare(Record::End(EndRecord {
+            reason: end.reason(),
+            blocks: end.blocks(),
+            path_mm: self.totals.path(),
+            path_mm_by_type: self.totals.by_type().collect(),
+        }));
+        end
+    }
+}
+
+fn program_record(program: &Program<'_>) -> ProgramRecord {
+    let machine = &program.settings.machine;
+    let file = program.resolved.file(FileId(0));
+    let number = file.and_then(|file| file.program).and_then(|word| word.whole());
+    ProgramRecord {
+        schema: SCHEMA.to_owned(),
+        generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
+        dialect: machine.dialect.name().to_owned(),
+        number: number.and_then(|number| u32::try_from(number).ok()).unwrap_or(0),
+        title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
+        file: program.name().to_owned(),
+        axes: machine
+            .axes
+            .iter()
+            .map(|axis| AxisRecord {
+                letter: axis.letter.to_string(),
+                kind: if axis.rotary { "rotary" } else { "linear" }.to_owned(),
+            })
+            .collect(),
+        block_skip: program.settings.block_skip,
+        optional_stop: program.settings.optional_stop,
+        m_functions: machine
+            .m_functions
+            .configured()
+            .map(|function| MFunctionRecord {
+                no: function.number,
+                group: function.group,
+                break_cont: function.break_cont,
+                break_cont_end: function.break_cont_end,
+                change_pos: function.change_pos,
+            })
+            .collect(),
+    }
+}

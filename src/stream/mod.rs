@@ -1,0 +1,14 @@
+//! The block stream: a sink that writes executed blocks as records, and their schema. The only serialised form of a program;
+//! its records are nobody else's business.
+
+mod beside;
+mod json;
+mod lines;
+mod records;
+mod row;
+mod schema;
+mod writer;
+
+pub use json::{JsonStream, Part, write};
+pub use records::SCHEMA;
+pub use schema::schema;

@@ -1,0 +1,136 @@
+//! From an executed block to its row in the stream.
+
+use super::lines::Lines;
+use super::records::{AxisList, AxisMap, BlockRecord, Call, Data, Motion};
+use crate::dict::{Address, AxisLetter, GCode, GGroup};
+use crate::run::Executed;
+
+/// Makes rows, one from the other: hardly anything differs from one block to the next.
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    row: BlockRecord,
+    lines: Lines,
+}
+
+impl Rows {
+    /// The row of a block.
+    pub(super) fn of(&mut self, block: &Executed<'_>) -> &BlockRecord {
+        let follows = self.row.seq.checked_add(1) == Some(block.seq()) && block.seq() > 1;
+        self.place(block);
+        if !follows || !block.moves_on() {
+            self.fill(block);
+        }
+        self.row.first_block = block.first();
+        self.fill_motion(block);
+        &self.row
+    }
+
+    fn place(&mut self, block: &Executed<'_>) {
+        let (file, id) = block.at();
+        let row = &mut self.row;
+        row.seq = block.seq();
+        row.n = block.n();
+        row.file = block.file_index();
+        if let Some(parsed) = block.file() {
+            let place = self.lines.of(file, parsed, id);
+            row.line = place.line;
+            row.column = place.column;
+        }
+        row.comments.clear();
+        row.comments.extend(block.comments().map(str::to_owned));
+    }
+
+    /// All that does not change while blocks only move axes.
+    fn fill(&mut self, block: &Executed<'_>) {
+        let row = &mut self.row;
+        let calls = block.calls().map(|call| Call {
+            by: call.by.name(),
+            l: call.l,
+            file: block.index_of(call.file),
+            n: call.n,
+            pass: call.pass,
+            of: call.of,
+        });
+        row.calls.clear();
+        row.calls.extend(calls);
+        row.jump = block.jump();
+        row.skippable = block.skippable();
+        row.last_block = block.last();
+        row.g = GGroup::ALL.map(|group| block.g(group).map(GCode::number));
+        row.g_set.clear();
+        row.g_set.extend(block.g_written().map(GCode::number));
+        row.m = std::array::from_fn(|group| block.m(group));
+        row.m_set.clear();
+        row.m_set.extend_from_slice(block.m_written());
+        row.m_changed.clear();
+        row.m_changed.extend_from_slice(block.m_changed());
+        row.m_at_stop = block.m_at_stop();
+        row.break_cont = block.break_cont();
+        row.break_cont_end = block.break_cont_end();
+        row.change_pos = block.change_pos();
+        row.gear = block.gear();
+        row.feed = block.feed().map(|feed| feed.value);
+        row.rev_feed = block.rev_feed();
+        row.const_cut_speed = block.const_cut_speed();
+        (row.s, row.t, row.h, row.p, row.d) = (block.s(), block.t(), block.h(), block.p(), block.d());
+        row.f_set = block.written(Address::F);
+        row.s_set = block.written(Address::S);
+        row.t_set = block.written(Address::T);
+        row.h_set = block.written(Address::H);
+        row.p_set = block.written(Address::P);
+        row.d_set = block.written(Address::D);
+        row.length_correction = block.length_correction();
+        row.dwell_s = block.dwell();
+        row.stop = block.stop();
+        row.cond_stop = block.cond_stop();
+        row.continuous_mode = block.continuous_mode();
+        row.dynamic_set = block.dynamic_set();
+        row.data = block.data().map(|data| Data {
+            g: data.g.number(),
+            origin: data.origin.map(GCode::number),
+            d: data.d,
+            values: data.values.to_vec(),
+        });
+        row.words.clear();
+        row.words.extend_from_slice(block.words());
+        row.params.clear();
+        row.params.extend_from_slice(block.params());
+    }
+
+    fn fill_motion(&mut self, block: &Executed<'_>) {
+        self.row.motion = block.motion().map(|motion| {
+            let (mut axes, mut delta, mut center) = (AxisList::default(), AxisMap::default(), AxisMap::default());
+            for axis in motion.axes() {
+                axes.push(axis);
+                if let Some(distance) = motion.delta(axis) {
+                    delta.set(axis, Some(distance));
+                }
+            }
+            let arc = motion.arc();
+            for (axis, value) in arc.iter().flat_map(|arc| arc.plane.into_iter().zip(arc.center.into_iter().flatten()))
+            {
+                center.set(axis, Some(value));
+            }
+            let length = motion.length();
+            Motion {
+                kind: motion.kind(),
+                axes,
+                delta,
+                length_mm: length.mm(),
+                length_deg: length.deg(),
+                plane: arc.map(|arc| arc.plane),
+                center,
+                radius_mm: arc.and_then(|arc| arc.radius_mm),
+                sweep_deg: arc.and_then(|arc| arc.sweep_deg),
+                spindle_axis: motion.spindle_axis(),
+            }
+        });
+        let mut position = AxisMap::default();
+        for letter in AxisLetter::ALL {
+            if let Some(value) = block.position(letter) {
+                position.set(letter, Some(value));
+            }
+        }
+        self.row.position = position;
+    }
+}
