@@ -11,18 +11,15 @@ use crate::run::{Jump, MStop, MotionType};
 /// Name and version of the stream's form.
 pub const SCHEMA: &str = "cnc872c.blocks/1";
 
-/// One line of the stream: the kinds of records, for writing and schema alike.
+// The list of the kinds of records, for writing and schema alike.
+/// One line of the stream.
 #[derive(Debug, JsonSchema)]
 #[schemars(tag = "kind", rename_all = "lowercase", title = "Record of the block stream cnc872c.blocks/1")]
 pub enum Record {
-    /// The first one.
     Program(ProgramRecord),
-    /// Before the first block of another file.
     File(FileRecord),
-    /// An executed block.
     #[expect(dead_code, reason = "blocks come by the million: they are handed on in batches, without the box")]
     Block(Box<BlockRecord>),
-    /// The last one.
     End(EndRecord),
 }
 
