@@ -14,12 +14,13 @@ pub(super) struct Numbered {
     pub(super) reachable: Vec<(u32, BlockId)>,
 }
 
-/// Numbers the blocks of a file.
+/// Numbers the blocks of a file, without those of a second program in it.
 pub(super) fn number_blocks(parsed: &ParsedFile) -> Numbered {
     let mut numbered = Numbered { findings: Findings::new(), reachable: Vec::new() };
     let mut rising = true;
     let mut last = 0;
-    for block in parsed.block_ids() {
+    let blocks = || (0..parsed.program_end().0).map(BlockId);
+    for block in blocks() {
         let Some(number) = parsed.number(block) else { continue };
         rising &= number > last;
         last = number;
@@ -32,8 +33,7 @@ pub(super) fn number_blocks(parsed: &ParsedFile) -> Numbered {
     }
     numbered.reachable.sort_unstable();
     numbered.reachable.dedup_by_key(|(number, _)| *number);
-    let mut all: Vec<(u32, BlockId)> =
-        parsed.block_ids().filter_map(|block| Some((parsed.number(block)?, block))).collect();
+    let mut all: Vec<(u32, BlockId)> = blocks().filter_map(|block| Some((parsed.number(block)?, block))).collect();
     all.sort_unstable();
     // Each block whose number stands before, with the first block that has it, in the order of the text.
     let mut repeated: Vec<(BlockId, BlockId)> = Vec::new();

@@ -155,7 +155,8 @@ impl Context<'_, '_> {
         let mut stray = false;
         let mut count = 0;
         let mut first_of: BTreeMap<u32, Word> = BTreeMap::new();
-        while block.0 < parsed.block_count() {
+        let program_end = parsed.program_end();
+        while block < program_end {
             let flags = parsed.flags(block);
             if !flags.has(BlockFlags::ENTRY) {
                 if !stray {

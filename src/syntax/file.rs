@@ -84,6 +84,8 @@ pub struct ParsedFile {
     pub title: Option<Span>,
     /// Whether words stand before the first `N`, which belong to no block (BLK-2).
     pub words_outside: bool,
+    /// Where a second `%` with a number begins a line: what follows it is another program (LEX-1).
+    pub second_program: Option<u32>,
     /// Where the part that is read begins: at `%`.
     pub start: u32,
     /// Where it ends: after `*`, or at the end of the text without its trailing Ctrl-Z and NULs.
@@ -102,6 +104,15 @@ impl ParsedFile {
     /// All blocks, in the order of the text.
     pub fn block_ids(&self) -> impl DoubleEndedIterator<Item = BlockId> + use<> {
         (0..self.block_count()).map(BlockId)
+    }
+
+    /// One past the last block of the file's own program: what follows a second `%` with a number is another one.
+    pub fn program_end(&self) -> BlockId {
+        let end = self.second_program.map_or(self.blocks.len(), |second| {
+            self.blocks
+                .partition_point(|block| self.words.get(block.first_word as usize).is_some_and(|n| n.start() < second))
+        });
+        BlockId(u32::try_from(end).unwrap_or(u32::MAX))
     }
 
     /// The `N` word of a block.

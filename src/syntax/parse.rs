@@ -75,6 +75,7 @@ fn parse_in(
         program: None,
         title: None,
         words_outside: false,
+        second_program: None,
         start,
         end,
         words: Vec::new(),
@@ -153,6 +154,7 @@ impl Whole<'_> {
             parsed.title = header.title;
             *outside = header.outside;
         }
+        parsed.second_program = parsed.second_program.or(piece.second_program);
         if let Some(after) = piece.end {
             layout::check_after_end(parsed.file, parsed.source.text(), after, parsed.end, findings);
             parsed.end = after;
@@ -226,6 +228,8 @@ struct Reader<'t> {
     /// A `%` was met, or stands in another piece.
     program_seen: bool,
     header: Option<Header>,
+    /// Where a second `%` with a number begins a line.
+    second_program: Option<u32>,
     /// Where `*` ends the program, when it stands in this piece.
     end: Option<u32>,
     /// Tokens that are being gathered, and where blocks begin among them: kept for their memory.
@@ -244,6 +248,7 @@ impl<'t> Reader<'t> {
             first,
             program_seen: !first,
             header: None,
+            second_program: None,
             end: None,
             batch: Vec::new(),
             cuts: Vec::new(),
@@ -317,6 +322,10 @@ impl<'t> Reader<'t> {
     }
 
     fn second_program_start(&mut self, token: Token) {
+        let before = self.lowering.text.get(..token.start as usize).unwrap_or_default().trim_end_matches([' ', '\t']);
+        if token.kind == Kind::Word && before.ends_with(['\n', '\r']) && self.second_program.is_none() {
+            self.second_program = Some(token.start);
+        }
         let place = Location { file: self.lowering.file, span: token.span() };
         self.lowering
             .findings

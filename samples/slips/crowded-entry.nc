@@ -1,0 +1,10 @@
+%1 "pohyb v uvodnim bloku podprogramu
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G71 L100
+N50 M30
+N100 G79 L100 X10
+"             ^^^ E0208
+N110 G1 X40 F300
+N130 G70

@@ -1,0 +1,8 @@
+%1 "skok na blok, ktery neni
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 X10 F300
+N50 X0 G73 L45 Q2
+"           ^^ E0406
+N60 M30

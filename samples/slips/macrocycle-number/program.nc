@@ -1,0 +1,6 @@
+%1 "makrocyklus s cislem jineho
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G72 L9001
+N50 M30

@@ -1,0 +1,11 @@
+%1 "zapomenute N na jednom radku
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 X50
+Y50
+N70 X0
+N80 G0 Z50
+N90 M30
+"@ 7:1-7:4 W0221

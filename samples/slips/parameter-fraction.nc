@@ -1,0 +1,12 @@
+%1 "cislo podprogramu z parametru s desetinami
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 R1=100.5
+N50 G71 LR1
+"       ^^^ E0510
+N60 M30
+N100 G79 L100
+N110 G1 X40 F300
+N120 Y40
+N130 G70

@@ -1,0 +1,7 @@
+%1 "parametr bez hodnoty
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 XR10 F300
+"      ^^^^ W0503
+N50 M30

@@ -1,0 +1,10 @@
+%1 "dva programy v souboru
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 X40 F300
+N50 M30
+%2
+N10 G0 X0
+N20 M30
+"@ 7:1-7:3 E0202

@@ -1,0 +1,9 @@
+"! dialect=cnc8x6
+%1 "sedm os na CNC8x6
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 A0 B0 C0
+N50 U10
+"   ^^^ E0311
+N60 M30

@@ -1,0 +1,8 @@
+%1 "lomitko pred cislem bloku
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 X40 F300
+/ N50 Y40
+N60 M30
+"@ 6:1-6:2 W0213
