@@ -57,11 +57,7 @@ impl Loader for DiskLoader {
         if !data.is_file() {
             return Err(io::ErrorKind::Unsupported.into());
         }
-        let file = open(path)?;
-        match halves(&file, data.len()) {
-            Some(bytes) => Ok(bytes),
-            None => read_bounded(file, data.len()),
-        }
+        read_bounded(open(path)?, data.len())
     }
 
     fn size(&self, path: &Path) -> Option<u64> {
@@ -189,34 +185,6 @@ fn read_bounded(source: impl Read, expected: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Files below this many bytes are read by one thread: two would not be done sooner.
-#[cfg(unix)]
-const LONG: u64 = 1 << 22;
-
-/// Reads a long file of that length, its halves side by side. `None` when it is not long, or has another length by now.
-#[cfg(unix)]
-fn halves(file: &File, length: u64) -> Option<Vec<u8>> {
-    use std::os::unix::fs::FileExt;
-    if !(LONG..=LIMIT).contains(&length) || rayon::current_num_threads() == 1 {
-        return None;
-    }
-    let room = usize::try_from(length).ok()?;
-    // Zeroed memory cannot be asked for with an answer when there is none.
-    Vec::<u8>::new().try_reserve_exact(room).ok()?;
-    let mut bytes = vec![0; room];
-    let (first, second) = bytes.split_at_mut(room / 2);
-    let middle = first.len() as u64;
-    let (first, second) = rayon::join(|| file.read_exact_at(first, 0), || file.read_exact_at(second, middle));
-    first.and(second).ok()?;
-    file.metadata().is_ok_and(|data| data.len() == length).then_some(bytes)
-}
-
-/// Elsewhere a file has one place to read from.
-#[cfg(not(unix))]
-fn halves(_: &File, _: u64) -> Option<Vec<u8>> {
-    None
-}
-
 /// The folder of a bare file name is the current one.
 fn here(path: &Path) -> &Path {
     if path.as_os_str().is_empty() { Path::new(".") } else { path }
@@ -231,25 +199,4 @@ fn is_pipe(kind: FileType) -> bool {
 #[cfg(not(unix))]
 fn is_pipe(_: FileType) -> bool {
     false
-}
-
-#[cfg(all(test, unix))]
-mod tests {
-    use std::io::Write;
-
-    use super::*;
-
-    /// A file that another length is known of is left to be read from its beginning to its end.
-    #[test]
-    fn halves_of_a_long_file() {
-        let mut file = tempfile::tempfile().unwrap();
-        let bytes: Vec<u8> = (0..LONG + 4321).map(|at| u8::try_from(at % 251).unwrap()).collect();
-        file.write_all(&bytes).unwrap();
-        let length = bytes.len() as u64;
-        let expected = (rayon::current_num_threads() > 1).then_some(bytes);
-        assert!(halves(&file, length) == expected);
-        for other in [length - 1, length + 1, length + LONG, LONG, LONG - 1] {
-            assert_eq!(halves(&file, other), None, "{other}");
-        }
-    }
 }
