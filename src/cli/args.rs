@@ -55,6 +55,7 @@ pub(super) enum Command {
     Check(CheckArgs),
     Compile(CompileArgs),
     Explain(ExplainArgs),
+    Init(InitArgs),
     Lsp(LspArgs),
     Schema(SchemaArgs),
     Completions(CompletionsArgs),
@@ -70,7 +71,11 @@ pub(super) struct CheckArgs {
     #[arg(long)]
     pub fix: bool,
     #[arg(long)]
+    pub diff: bool,
+    #[arg(long)]
     pub deny_warnings: bool,
+    #[arg(long)]
+    pub allow_empty: bool,
     #[command(flatten)]
     pub common: CommonArgs,
 }
@@ -170,6 +175,15 @@ pub(super) struct ExplainArgs {
     pub names: Vec<String>,
 }
 
+/// `init`.
+#[derive(Debug, Args)]
+pub(super) struct InitArgs {
+    #[arg(value_name = "DIR")]
+    pub folder: Option<PathBuf>,
+    #[arg(long, value_name = "DIALECT")]
+    pub dialect: Option<Dialect>,
+}
+
 /// `lsp`.
 #[derive(Debug, Args)]
 pub(super) struct LspArgs {
@@ -212,4 +226,35 @@ pub(super) struct ManArgs {
 pub(super) struct HelpArgs {
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    /// What `check` and `compile` can say over the project file is what the table of its keys says they can.
+    #[test]
+    fn options_are_those_of_the_keys() {
+        #[derive(Parser)]
+        struct Common {
+            #[command(flatten)]
+            common: CommonArgs,
+        }
+        // How to show findings, and which project file.
+        let own = ["--format", "--config", "-h"];
+        let command = Common::command();
+        let name = |arg: &Arg| match (arg.get_long(), arg.get_short()) {
+            (Some(long), _) => format!("--{long}"),
+            (None, Some(short)) => format!("-{short}"),
+            (None, None) => arg.get_id().to_string(),
+        };
+        let mut given: Vec<_> =
+            command.get_arguments().map(name).filter(|name| !own.contains(&name.as_str())).collect();
+        let mut expected = crate::config::options();
+        given.sort_unstable();
+        expected.sort_unstable();
+        assert_eq!(given, expected);
+    }
 }

@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use rayon::prelude::*;
 
 use super::args::CheckArgs;
-use super::common::{Projects, overrides};
+use super::common::{Origins, Projects, overrides};
 use super::disk::DiskLoader;
-use super::fix::fix_all;
+use super::fix::{diff_all, fix_all};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, tell, tell_unshown};
-use super::walk::{Target, targets};
+use super::walk::{Found, Target, targets};
 use super::words::Words;
 use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, render};
 use crate::session::{Outcome, Session};
@@ -23,29 +23,73 @@ const AT_ONCE: usize = 1024;
 
 pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
-    let (targets, barren) = targets(&args.paths);
     let loader = DiskLoader::new(args.paths.iter().map(PathBuf::as_path));
+    let origins = Origins { named: args.common.config.as_deref(), overrides: &overrides, loader: &loader };
+    let mut projects = Projects::default();
+    let found = targets(&args.paths, &mut |folder| projects.extensions(folder, origins));
+    tell_unsearched(&found, locale);
+    let targets = found.targets;
     if let Some(stream) = targets.iter().find(|target| args.fix && loader.is_stream(&target.path)) {
         return Err(Words::FixNeedsFile { file: stream.name() }.into());
     }
-    for folder in barren {
-        tell(&Words::NoPrograms { folder: folder.to_string_lossy().into_owned() }, locale.lang);
+    projects.configure(&targets, origins)?;
+    if args.diff {
+        return show_diff(&targets, projects, &loader, args, locale);
     }
-    let mut projects = Projects::configure(&targets, args.common.config.as_deref(), &overrides, &loader)?;
     let mut report = projects.report();
-    let mut unusable = report.errors() > 0;
+    let mut unusable = report.errors() > 0 || (targets.is_empty() && !args.allow_empty);
     if !unusable {
         if args.fix {
             unusable = fix_all(&targets, &projects, &loader, locale.lang);
         }
         unusable |= check_all(&targets, &projects, &loader, locale, &mut report);
     }
-    print(args.common.format, &report, locale)?;
+    // Where nothing was checked, "no errors" would say too much.
+    let nothing = targets.is_empty() && report.items().len() == 0;
+    if !nothing || !matches!(args.common.format, Format::Human | Format::Short) {
+        print(args.common.format, &report, locale)?;
+    }
     Ok(match report.errors() > 0 || (args.deny_warnings && report.warnings() > 0) {
         _ if unusable => Status::Unusable,
         true => Status::Faulty,
         false => Status::Fine,
     })
+}
+
+/// `--diff`: what `--fix` would change, and nothing else on standard output.
+fn show_diff(
+    targets: &[Target],
+    mut projects: Projects,
+    loader: &DiskLoader,
+    args: &CheckArgs,
+    locale: Locale,
+) -> Result<Status, Failure> {
+    let report = projects.report();
+    if report.errors() > 0 {
+        print(args.common.format, &report, locale)?;
+        return Ok(Status::Unusable);
+    }
+    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    let (some, unreadable) = diff_all(targets, &projects, loader, locale, &mut out)?;
+    Ok(match (unreadable || (targets.is_empty() && !args.allow_empty), some) {
+        (true, _) => Status::Unusable,
+        (false, true) => Status::Faulty,
+        (false, false) => Status::Fine,
+    })
+}
+
+/// Says what a search of folders did not find, or left alone.
+fn tell_unsearched(found: &Found, locale: Locale) {
+    let named = |path: &PathBuf| path.to_string_lossy().into_owned();
+    for folder in &found.barren {
+        tell(&Words::NoPrograms { folder: named(folder) }, locale.lang);
+    }
+    for link in &found.outward {
+        tell(&Words::OutwardLink { link: named(link) }, locale.lang);
+    }
+    for link in &found.dangling {
+        tell(&Words::DanglingLink { link: named(link) }, locale.lang);
+    }
 }
 
 /// Checks the programs on all cores, and adds what is found in their order. Whether one could not be read.

@@ -1,6 +1,6 @@
 //! From the options that `check` and `compile` have in common to the settings of each program.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::args::CommonArgs;
@@ -65,6 +65,16 @@ struct Configured {
     findings: Findings,
 }
 
+/// Where settings come from.
+#[derive(Clone, Copy)]
+pub(super) struct Origins<'a> {
+    /// The project file that the user named.
+    pub named: Option<&'a Path>,
+    /// What the command line says.
+    pub overrides: &'a Overrides,
+    pub loader: &'a dyn Loader,
+}
+
 /// The settings of programs, each project file read once.
 #[derive(Debug, Default)]
 pub(super) struct Projects {
@@ -79,39 +89,46 @@ impl Projects {
     ///
     /// # Errors
     /// When a folder of `-L` does not exist, or `--channel-config` meets a control that has none.
-    pub fn configure(
-        targets: &[Target],
-        named: Option<&Path>,
-        overrides: &Overrides,
-        loader: &dyn Loader,
-    ) -> Result<Self, Failure> {
-        if let Some(folder) = overrides.macrocycles.iter().find(|folder| !loader.is_folder(folder)) {
+    pub fn configure(&mut self, targets: &[Target], origins: Origins<'_>) -> Result<(), Failure> {
+        let mut folders = origins.overrides.macrocycles.iter();
+        if let Some(folder) = folders.find(|folder| !origins.loader.is_folder(folder)) {
             return Err(Words::NoFolder { folder: folder.display().to_string() }.into());
         }
-        let mut projects = Self::default();
-        for target in targets {
-            if !projects.by_folder.contains_key(target.folder()) {
-                let file = named.map(Path::to_path_buf).or_else(|| find_project(target.folder(), loader));
-                let index = projects.load(file, overrides, loader);
-                projects.by_folder.insert(target.folder().to_path_buf(), index);
-            }
-        }
-        if overrides.channel_config.is_some() {
-            let mut dialects = projects.configured.iter().map(|configured| configured.settings.machine.dialect);
+        let used: BTreeSet<usize> = targets.iter().map(|target| self.of_folder(target.folder(), origins)).collect();
+        if origins.overrides.channel_config.is_some() {
+            let used = used.iter().filter_map(|&index| self.configured.get(index));
+            let mut dialects = used.map(|configured| configured.settings.machine.dialect);
             if let Some(dialect) = dialects.find(|dialect| !dialect.has_channel_config()) {
                 return Err(Words::ChannelConfigDialect { dialect: dialect.name().to_owned() }.into());
             }
         }
-        Ok(projects)
+        Ok(())
     }
 
-    fn load(&mut self, file: Option<PathBuf>, overrides: &Overrides, loader: &dyn Loader) -> usize {
+    /// The extensions that programs of a folder have.
+    pub fn extensions(&mut self, folder: &Path, origins: Origins<'_>) -> Vec<String> {
+        let index = self.of_folder(folder, origins);
+        self.configured.get(index).map(|configured| configured.settings.extensions.clone()).unwrap_or_default()
+    }
+
+    /// The index of what the programs of a folder are configured by.
+    fn of_folder(&mut self, folder: &Path, origins: Origins<'_>) -> usize {
+        if let Some(&index) = self.by_folder.get(folder) {
+            return index;
+        }
+        let file = origins.named.map(Path::to_path_buf).or_else(|| find_project(folder, origins.loader));
+        let index = self.load(file, origins);
+        self.by_folder.insert(folder.to_path_buf(), index);
+        index
+    }
+
+    fn load(&mut self, file: Option<PathBuf>, origins: Origins<'_>) -> usize {
         let identity = file.as_deref().map(canonical);
         if let Some(index) = self.configured.iter().position(|known| known.file == identity) {
             return index;
         }
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
-        let settings = configure(file.as_deref(), overrides, loader, &mut sources, &mut findings);
+        let settings = configure(file.as_deref(), origins.overrides, origins.loader, &mut sources, &mut findings);
         self.configured.push(Configured { file: identity, settings, sources, findings });
         self.configured.len() - 1
     }
@@ -125,7 +142,9 @@ impl Projects {
     /// What is wrong with the project files.
     pub fn report(&mut self) -> Report {
         let mut report = Report::new();
-        for configured in &mut self.configured {
+        let mut in_order: Vec<&mut Configured> = self.configured.iter_mut().collect();
+        in_order.sort_by(|a, b| a.file.cmp(&b.file));
+        for configured in in_order {
             let findings = std::mem::take(&mut configured.findings);
             report.add(&configured.sources, findings);
         }

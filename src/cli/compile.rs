@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::Path;
 
 use super::args::CompileArgs;
-use super::common::{Projects, overrides};
+use super::common::{Origins, Projects, overrides};
 use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
@@ -20,8 +20,7 @@ use crate::session::{Part, Run, Session};
 
 pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
-    let target = Target { path: args.file.clone(), problem: None };
-    let targets = [target];
+    let targets = [Target::named(args.file.clone())];
     let [target] = &targets;
     let loader = DiskLoader::new([target.path.as_path()]);
     let output = args.output.as_deref().filter(|output| !is_stdin(output));
@@ -31,7 +30,9 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     {
         return Err(refuse(output).into());
     }
-    let mut projects = Projects::configure(&targets, args.common.config.as_deref(), &overrides, &loader)?;
+    let mut projects = Projects::default();
+    let named = args.common.config.as_deref();
+    projects.configure(&targets, Origins { named, overrides: &overrides, loader: &loader })?;
     let mut report = projects.report();
     let settings = projects.settings(target).filter(|_| report.errors() == 0);
     let Some(settings) = settings else {

@@ -118,6 +118,11 @@ impl Entry {
         self.kind.map_or_else(|| self.path.is_file(), |kind| kind.is_file())
     }
 
+    /// Whether it is a link that leads to nothing, or round in a circle.
+    pub fn is_dangling(&self) -> bool {
+        self.is_link() && fs::metadata(&self.path).is_err()
+    }
+
     /// Whether it is a symbolic link, or may be one.
     pub const fn is_link(&self) -> bool {
         self.kind.is_none()
@@ -140,21 +145,35 @@ pub fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
     Ok(found.into_iter().map(|(name, kind)| Entry { path: folder.join(name), kind }).collect())
 }
 
-/// Whether the file holds that byte, read piece by piece.
+/// Whether a line of the file begins with `%` and a digit, blanks between them allowed; read piece by piece. Zeros and
+/// byte-order marks are passed over, so that a program in UTF-16 is one too.
 ///
 /// # Errors
 /// When it cannot be read.
-pub fn holds_byte(path: &Path, byte: u8) -> io::Result<bool> {
+pub fn begins_program(path: &Path) -> io::Result<bool> {
     let mut file = open(path)?;
     let mut piece = vec![0; 1 << 16];
+    // Whether a line begins here, and whether `%` was there.
+    let (mut begins, mut percent) = (true, false);
     loop {
         let length = match file.read(&mut piece) {
             Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
             read => read?,
         };
         let read = piece.get(..length).unwrap_or_default();
-        if read.is_empty() || memchr::memchr(byte, read).is_some() {
-            return Ok(!read.is_empty());
+        if read.is_empty() {
+            return Ok(false);
+        }
+        for byte in read {
+            match byte {
+                b'0'..=b'9' if percent => return Ok(true),
+                0 => {}
+                0xef | 0xbb | 0xbf | 0xff | 0xfe if begins => {}
+                b' ' | b'\t' if percent => {}
+                b'\r' | b'\n' => (begins, percent) = (true, false),
+                b'%' if begins => (begins, percent) = (false, true),
+                _ => (begins, percent) = (false, false),
+            }
         }
     }
 }

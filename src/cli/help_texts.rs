@@ -59,7 +59,7 @@ Příklady:
   cnc872c explain E0306                        co hlášení znamená
   cnc872c explain G73                          co funkce dělá
 
-Návratový kód: 0 bez chyb, 1 programy mají chyby, 2 nebylo možné pracovat.",
+Návratový kód: 0 bez chyb, 1 programy mají chyby, 2 nešlo zkontrolovat.",
         },
     ),
     about(
@@ -72,6 +72,7 @@ Examples:
   cnc872c check flange.nc               one program
   cnc872c check .                       all programs in this folder and the folders in it
   cnc872c check --fix flange.nc         also mends what has one clear fix
+  cnc872c check --diff .                shows what --fix would change
   cnc872c check -L macros flange.nc     macrocycles L… are in the folder macros
   cnc872c check --param R10=25.5 a.nc   R10 comes from the machine's table
   cnc872c check -A empty-block -D W0414 a.nc
@@ -79,12 +80,14 @@ Examples:
   postprocessor | cnc872c check -       from standard input
 
 Findings go to standard output. Exit status: 0 no errors, 1 errors found (or warnings, with
---deny-warnings), 2 a file cannot be read, or the configuration or the command line is wrong.",
+--deny-warnings), 2 a file cannot be read, no program is found, or the configuration or the command
+line is wrong.",
             cs: "\
 Příklady:
   cnc872c check priruba.nc              jeden program
   cnc872c check .                       všechny programy v této složce a ve složkách v ní
   cnc872c check --fix priruba.nc        a také opraví, co má jedinou jasnou opravu
+  cnc872c check --diff .                ukáže, co by --fix změnilo
   cnc872c check -L makra priruba.nc     makrocykly L… jsou ve složce makra
   cnc872c check --param R10=25.5 a.nc   R10 má hodnotu z tabulky stroje
   cnc872c check -A empty-block -D W0414 a.nc
@@ -92,7 +95,8 @@ Příklady:
   postprocesor | cnc872c check -        ze standardního vstupu
 
 Hlášení jdou na standardní výstup. Návratový kód: 0 bez chyb, 1 nalezeny chyby (s --deny-warnings
-i varování), 2 soubor nelze přečíst, nebo je chyba v konfiguraci či na příkazovém řádku.",
+i varování), 2 soubor nelze přečíst, žádný program se nenašel, nebo je chyba v konfiguraci či na
+příkazovém řádku.",
         },
     ),
     about(
@@ -119,7 +123,7 @@ Příklady:
   cnc872c compile priruba.nc | jq 'select(.kind == \"block\") | .position'
 
 Hlášení jdou na standardní chybový výstup. Proud je úplný, když končí záznamem „end“. Návratový
-kód: 0 úplný, 1 program má chyby, 2 nebylo možné pracovat; SOUBOR pak zůstane, jak byl.",
+kód: 0 úplný, 1 program má chyby, 2 nešlo zkontrolovat; SOUBOR pak zůstane, jak byl.",
         },
     ),
     about(
@@ -141,6 +145,27 @@ Příklady:
   cnc872c explain duplicate-address   nebo podle názvu
   cnc872c explain G73 M19             funkce
   cnc872c explain '&' X               adresy",
+        },
+    ),
+    about(
+        "init",
+        "Writes a commented project file cnc872c.toml, never over an existing one",
+        "Zapíše soubor projektu cnc872c.toml s poznámkami, existující nikdy nepřepíše",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c init                     into this folder, for the CNC872
+  cnc872c init --dialect cnc8x9    for another control
+  cnc872c init programs --lang cs  into the folder programs, comments in Czech
+
+All defaults are in the file; what has none is an example behind #.",
+            cs: "\
+Příklady:
+  cnc872c init                     do této složky, pro CNC872
+  cnc872c init --dialect cnc8x9    pro jiný systém
+  cnc872c init programy --lang en  do složky programy, poznámky anglicky
+
+V souboru jsou všechny výchozí hodnoty; kde žádná není, je za # příklad.",
         },
     ),
     about(
@@ -237,9 +262,11 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "paths",
         Arguments,
         "Programs, macrocycles, folders to search for them, or - for standard input. A folder is searched with the \
-         folders in it for .nc .ncp .mpf .txt and macrocycles L…, hidden files left out",
+         folders in it for .nc .ncp .mpf .txt with a line that begins with % and a number, and for macrocycles L…; \
+         hidden files and links that lead out are left out",
         "Programy, makrocykly, složky k prohledání, nebo - pro standardní vstup. Ve složce a ve složkách v ní se \
-         hledají soubory .nc .ncp .mpf .txt a makrocykly L…, skryté soubory se vynechají",
+         hledají soubory .nc .ncp .mpf .txt s řádkem, který začíná znakem % a číslem, a makrocykly L…; skryté soubory \
+         a odkazy vedoucí ven se vynechají",
     ),
     arg(
         "compile",
@@ -255,6 +282,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Codes or names of findings, functions, addresses. None: the list of all findings",
         "Kódy nebo názvy hlášení, funkce, adresy. Nic: seznam všech hlášení",
     ),
+    arg("init", "folder", Arguments, "The folder, else this one", "Složka; jinak tato"),
+    arg("init", "dialect", Options, "The control, else cnc872", "Řídicí systém; jinak cnc872"),
     arg(
         "lsp",
         "stdio",
@@ -274,10 +303,24 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     ),
     arg(
         "check",
+        "diff",
+        Options,
+        "Show what --fix would change, as a unified diff, and change nothing. Exit with status 1 when there is something",
+        "Ukázat, co by --fix změnilo (unified diff), a nic neměnit. Je-li co měnit, skončit kódem 1",
+    ),
+    arg(
+        "check",
         "deny_warnings",
         Options,
         "Exit with status 1 when there are warnings",
         "Skončit kódem 1 i při varováních",
+    ),
+    arg(
+        "check",
+        "allow_empty",
+        Options,
+        "Exit with status 0 when no program is found",
+        "Skončit kódem 0, i když se žádný program nenajde",
     ),
     arg(
         "compile",
@@ -286,7 +329,13 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Write to this file. It is replaced when the stream is complete, and left as it was otherwise",
         "Zapsat do tohoto souboru. Nahradí se, až když je proud úplný, jinak zůstane, jak byl",
     ),
-    arg("compile", "from", Options, "Leave out the blocks before this seq", "Vynechat bloky před tímto seq"),
+    arg(
+        "compile",
+        "from",
+        Options,
+        "Leave out the blocks before this seq, the number of the record; not N",
+        "Vynechat bloky před tímto seq, pořadím záznamu; ne N",
+    ),
     arg("compile", "limit", Options, "Write at most so many blocks", "Zapsat nejvýše tolik bloků"),
     arg("", "format", Options, "How findings are shown", "Jak se hlášení vypíšou"),
     arg(
@@ -300,8 +349,10 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "",
         "config",
         Machine,
-        "The project file, else cnc872c.toml in the program's folder or the nearest folder above it",
-        "Soubor projektu; jinak cnc872c.toml ve složce programu nebo v nejbližší nad ní",
+        "The project file, else cnc872c.toml in the program's folder or the nearest folder above it; for standard input \
+         in the working folder",
+        "Soubor projektu; jinak cnc872c.toml ve složce programu nebo v nejbližší nad ní; pro standardní vstup v pracovní \
+         složce",
     ),
     arg(
         "",
@@ -344,8 +395,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "",
         "deny",
         Levels,
-        "Make this warning an error, by code or name; of several about one the last counts",
-        "Z tohoto varování udělat chybu, podle kódu nebo názvu; při opakování platí poslední",
+        "Make this warning an error, by code or name (`cnc872c explain` lists them); if repeated, the last one wins",
+        "Z tohoto varování udělat chybu, podle kódu nebo názvu (vypíše je „cnc872c explain“); při opakování platí poslední",
     ),
     arg("", "warn", Levels, "Make it a warning", "Udělat z něj varování"),
     arg("", "allow", Levels, "Do not show it", "Nevypisovat ho"),

@@ -4,11 +4,13 @@ mod args;
 mod check;
 mod common;
 mod compile;
+mod diff;
 mod disk;
 mod explain;
 mod fix;
 mod help;
 mod help_texts;
+mod init;
 mod locale;
 mod lsp;
 mod page;
@@ -52,6 +54,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
         Command::Check(args) => check::run(args, locale),
         Command::Compile(args) => compile::run(args, locale),
         Command::Explain(args) => explain::run(args, locale),
+        Command::Init(args) => init::run(args, locale),
         Command::Lsp(_) => lsp::run(locale),
         Command::Schema(args) => schema::run(args),
         Command::Completions(args) => shell::completions(args, locale),

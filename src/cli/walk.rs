@@ -4,25 +4,38 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::disk::{canonical, entries, holds_byte, is_stdin};
+use super::disk::{Entry, begins_program, canonical, entries, is_stdin};
 use crate::session::Session;
-
-/// Extensions of files that may be programs, in either case.
-const EXTENSIONS: [&str; 4] = ["nc", "ncp", "mpf", "txt"];
-
-/// Files of this extension hold notes as often as programs.
-const NOTES: &str = "txt";
+use crate::text::BrokenLink;
 
 /// One file to look at.
 #[derive(Debug)]
 pub struct Target {
     /// The file.
     pub path: PathBuf,
-    /// Why it cannot be looked at, when that is known already: a folder that cannot be searched.
+    /// How it was found.
+    pub origin: Origin,
+    /// Why it cannot be looked at, when that is known already: a folder that cannot be searched, a link to no file.
     pub problem: Option<io::Error>,
 }
 
+/// How a file was found. Files that nobody named are changed with more care.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Origin {
+    /// The user named it.
+    Named,
+    /// A search of a folder found it.
+    Searched,
+    /// A search of a folder found a link to it, or to a folder that it is in.
+    Linked,
+}
+
 impl Target {
+    /// A file that the user named.
+    pub const fn named(path: PathBuf) -> Self {
+        Self { path, origin: Origin::Named, problem: None }
+    }
+
     /// The file as the user named it.
     pub fn name(&self) -> String {
         self.path.to_string_lossy().into_owned()
@@ -34,29 +47,40 @@ impl Target {
     }
 }
 
-/// The programs that `paths` mean, each file once: in the order named, those of a folder sorted. Also the folders among
-/// them that hold none.
-pub fn targets(paths: &[PathBuf]) -> (Vec<Target>, Vec<PathBuf>) {
+/// What the user means.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// The programs, each file once: in the order named, those of a folder sorted.
+    pub targets: Vec<Target>,
+    /// Named folders that hold none.
+    pub barren: Vec<PathBuf>,
+    /// Links that were not followed: they lead out of the folder that is searched.
+    pub outward: Vec<PathBuf>,
+    /// Links that lead nowhere and have no name of a program; one that has is a target with a problem.
+    pub dangling: Vec<PathBuf>,
+}
+
+/// The programs that `paths` mean. `extensions` gives those of the programs of a folder, without points.
+pub fn targets(paths: &[PathBuf], extensions: &mut dyn FnMut(&Path) -> Vec<String>) -> Found {
     let mut search = Search::default();
-    let mut barren = Vec::new();
     for path in paths {
-        let before = search.found.len();
+        let before = search.found.targets.len();
         if !is_stdin(path) && path.is_dir() {
             // What is found in the working folder is named as it is there.
-            search.folder(if path.as_os_str() == "." { Path::new("") } else { path });
-            if search.found.len() == before && !search.met_again {
-                barren.push(path.clone());
+            search.folder(if path.as_os_str() == "." { Path::new("") } else { path }, extensions);
+            if search.found.targets.len() == before && !search.met_again {
+                search.found.barren.push(path.clone());
             }
         } else {
             search.add(path.clone());
         }
     }
-    (search.found, barren)
+    search.found
 }
 
 #[derive(Default)]
 struct Search {
-    found: Vec<Target>,
+    found: Found,
     files: BTreeSet<PathBuf>,
     folders: BTreeSet<PathBuf>,
     /// Whether the folder searched last held something found before.
@@ -67,24 +91,25 @@ impl Search {
     /// Adds a program that the user named.
     fn add(&mut self, path: PathBuf) {
         let identity = if is_stdin(&path) { path.clone() } else { canonical(&path) };
-        self.add_once(path, identity);
+        self.add_once(Target::named(path), identity);
     }
 
-    fn add_once(&mut self, path: PathBuf, identity: PathBuf) {
+    fn add_once(&mut self, target: Target, identity: PathBuf) {
         if self.files.insert(identity) {
-            self.found.push(Target { path, problem: None });
+            self.found.targets.push(target);
         } else {
             self.met_again = true;
         }
     }
 
-    /// Searches a folder and those in it, links followed, each once. Hidden ones are left out: what is in `.git` is not
-    /// meant.
-    fn folder(&mut self, root: &Path) {
+    /// Searches a folder and those in it, each once, and links that stay in it. Hidden ones are left out: what is in
+    /// `.git` is not meant.
+    fn folder(&mut self, root: &Path, extensions: &mut dyn FnMut(&Path) -> Vec<String>) {
         self.met_again = false;
-        let mut open = vec![root.to_path_buf()];
-        let mut found = Vec::new();
-        while let Some(folder) = open.pop() {
+        let border = canonical(root);
+        let mut open = vec![(root.to_path_buf(), Origin::Searched)];
+        let mut found: Vec<(Target, PathBuf)> = Vec::new();
+        while let Some((folder, origin)) = open.pop() {
             let identity = canonical(&folder);
             if !self.folders.insert(identity.clone()) {
                 self.met_again = true;
@@ -93,43 +118,57 @@ impl Search {
             let entries = match entries(&folder) {
                 Ok(entries) => entries,
                 Err(error) => {
-                    found.push((folder, Err(error)));
+                    found.push((Target { path: folder, origin, problem: Some(error) }, identity));
                     continue;
                 }
             };
+            let extensions = extensions(&folder);
             for entry in entries.into_iter().filter(|entry| !is_hidden(&entry.path)) {
+                let (identity, origin) = match entry.path.file_name() {
+                    Some(name) if !entry.is_link() => (identity.join(name), origin),
+                    _ => (canonical(&entry.path), Origin::Linked),
+                };
+                let named_so = Session::is_macrocycle_name(&entry.path) || has_extension(&entry.path, &extensions);
+                let outward = entry.is_link() && !identity.starts_with(&border);
+                if outward && (entry.is_folder() || (named_so && entry.is_file())) {
+                    self.found.outward.push(entry.path);
+                    continue;
+                }
                 if entry.is_folder() {
-                    open.push(entry.path);
-                } else if is_program_name(&entry.path) && entry.is_file() && !is_mere_text(&entry.path) {
-                    let identity = match entry.path.file_name() {
-                        Some(name) if !entry.is_link() => identity.join(name),
-                        _ => canonical(&entry.path),
-                    };
-                    found.push((entry.path, Ok(identity)));
+                    open.push((entry.path, origin));
+                } else if entry.is_dangling() {
+                    if named_so {
+                        let problem = Some(BrokenLink::error());
+                        found.push((Target { path: entry.path, origin, problem }, identity));
+                    } else {
+                        self.found.dangling.push(entry.path);
+                    }
+                } else if named_so && entry.is_file() && is_program(&entry) {
+                    found.push((Target { path: entry.path, origin, problem: None }, identity));
                 }
             }
         }
-        found.sort_by(|(a, _), (b, _)| a.cmp(b));
-        for (path, identity) in found {
-            match identity {
-                Ok(identity) => self.add_once(path, identity),
-                Err(error) => self.found.push(Target { path, problem: Some(error) }),
+        found.sort_by(|(a, _), (b, _)| a.path.cmp(&b.path));
+        for (target, identity) in found {
+            if target.problem.is_some() {
+                self.found.targets.push(target);
+            } else {
+                self.add_once(target, identity);
             }
         }
+        self.found.outward.sort_unstable();
+        self.found.dangling.sort_unstable();
     }
 }
 
-fn is_program_name(path: &Path) -> bool {
-    EXTENSIONS.into_iter().any(|extension| has_extension(path, extension)) || Session::is_macrocycle_name(path)
+/// Whether the file is a macrocycle by its name, or holds the start of a program. What cannot be read is left to those
+/// who say why.
+fn is_program(entry: &Entry) -> bool {
+    Session::is_macrocycle_name(&entry.path) || begins_program(&entry.path).unwrap_or(true)
 }
 
-/// Whether it is no program after all: a `.txt` without `%` that is no macrocycle.
-fn is_mere_text(path: &Path) -> bool {
-    has_extension(path, NOTES) && !Session::is_macrocycle_name(path) && matches!(holds_byte(path, b'%'), Ok(false))
-}
-
-fn has_extension(path: &Path, extension: &str) -> bool {
-    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(extension))
+fn has_extension(path: &Path, extensions: &[String]) -> bool {
+    path.extension().is_some_and(|own| extensions.iter().any(|extension| own.eq_ignore_ascii_case(extension)))
 }
 
 fn is_hidden(path: &Path) -> bool {
@@ -139,6 +178,7 @@ fn is_hidden(path: &Path) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::EXTENSIONS;
 
     fn tree(files: &[&str]) -> tempfile::TempDir {
         let folder = tempfile::tempdir().unwrap();
@@ -153,6 +193,15 @@ mod tests {
     #[expect(clippy::disallowed_methods, reason = "a test makes the files it searches")]
     fn put(path: &Path, text: &str) {
         std::fs::write(path, text).unwrap();
+    }
+
+    fn targets(paths: &[PathBuf]) -> (Vec<Target>, Vec<PathBuf>) {
+        let found = search(paths);
+        (found.targets, found.barren)
+    }
+
+    fn search(paths: &[PathBuf]) -> Found {
+        super::targets(paths, &mut |_| EXTENSIONS.iter().map(|&extension| extension.to_owned()).collect())
     }
 
     fn names(folder: &Path, found: &[Target]) -> Vec<String> {
@@ -188,25 +237,60 @@ mod tests {
         assert_eq!(barren, [folder.path().to_path_buf()]);
     }
 
+    /// A line that begins with `%` and a digit, as UTF-16 too; macrocycles are known by their names.
     #[test]
     fn texts_without_a_program_start_are_left_out_when_searched() {
         let folder = tree(&[]);
-        for (name, text) in [("notes.txt", "buy oil"), ("part.txt", "text % 1"), ("L5.txt", "N1 G79 L5")] {
+        let utf16: String = "\u{feff}%1\r\nN1 M30".chars().map(|c| format!("{c}\0")).collect();
+        for (name, text, is_program) in [
+            ("1.txt", "buy oil", false),
+            ("2.txt", "done 80 %, 5 holes left\n100 % 5", false),
+            ("3.nc", "N10 X1\nN20 M30", false),
+            ("4.nc", "header\r%1 N1 M30", true),
+            ("5.txt", "\u{feff}%123", true),
+            ("6.ncp", "x\n% 5 N1 M30", true),
+            ("7.mpf", "%\nO2107", false),
+            ("8.nc", utf16.as_str(), true),
+            ("L5.txt", "N1 G79 L5", true),
+        ] {
             put(&folder.path().join(name), text);
+            let (found, _) = targets(&[folder.path().to_path_buf()]);
+            assert_eq!(names(folder.path(), &found).contains(&name.to_owned()), is_program, "{name}");
         }
-        let (found, _) = targets(&[folder.path().to_path_buf()]);
-        assert_eq!(names(folder.path(), &found), ["L5.txt", "part.txt"]);
-        let (named, _) = targets(&[folder.path().join("notes.txt")]);
-        assert_eq!(names(folder.path(), &named), ["notes.txt"]);
+        let (named, _) = targets(&[folder.path().join("1.txt")]);
+        assert_eq!(names(folder.path(), &named), ["1.txt"]);
+    }
+
+    #[test]
+    fn each_folder_has_its_extensions() {
+        let folder = tree(&["a.tap", "a.nc", "sub/b.TAP", "sub/b.nc"]);
+        let mut extensions = |folder: &Path| vec![if folder.ends_with("sub") { "tap" } else { "nc" }.to_owned()];
+        let found = super::targets(&[folder.path().to_path_buf()], &mut extensions);
+        assert_eq!(names(folder.path(), &found.targets), ["a.nc", "sub/b.TAP"]);
     }
 
     #[cfg(unix)]
     #[test]
-    fn rings_of_links_end() {
-        let folder = tree(&["a/part.nc"]);
-        std::os::unix::fs::symlink(folder.path(), folder.path().join("a/up")).unwrap();
-        std::os::unix::fs::symlink("self", folder.path().join("self")).unwrap();
-        let (found, _) = targets(&[folder.path().to_path_buf()]);
-        assert_eq!(names(folder.path(), &found), ["a/part.nc"]);
+    fn links_that_stay_in_the_folder_are_followed() {
+        use std::os::unix::fs::symlink;
+        let outside = tree(&["part.nc", "more/c.nc"]);
+        let folder = tree(&["in/a.nc", "b.nc"]);
+        let at = |name: &str| folder.path().join(name);
+        symlink(folder.path(), at("in/up")).unwrap();
+        symlink("self", at("self")).unwrap();
+        symlink("nothing", at("gone.nc")).unwrap();
+        symlink("in/a.nc", at("link.nc")).unwrap();
+        symlink(outside.path().join("part.nc"), at("out.nc")).unwrap();
+        symlink(outside.path().join("part.nc"), at("out.sh")).unwrap();
+        symlink(outside.path().join("more"), at("more")).unwrap();
+        let found = search(&[folder.path().to_path_buf()]);
+        assert_eq!(names(folder.path(), &found.targets), ["b.nc", "gone.nc", "in/a.nc"]);
+        let origins: Vec<_> = found.targets.iter().map(|target| (target.origin, target.problem.is_some())).collect();
+        assert_eq!(origins, [(Origin::Searched, false), (Origin::Linked, true), (Origin::Searched, false)]);
+        assert_eq!(found.outward, [at("more"), at("out.nc")]);
+        assert_eq!(found.dangling, [at("self")]);
+        // One that is named is read wherever it leads.
+        let (named, _) = targets(&[at("out.nc"), at("link.nc")]);
+        assert_eq!(names(folder.path(), &named), ["out.nc", "link.nc"]);
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::diag::{Problem, terminal_safe};
+use crate::diag::{Code, Problem, terminal_safe};
 use crate::dict::{Bilingual, Lang, bilingual};
 
 bilingual! {
@@ -24,14 +24,37 @@ bilingual! {
             "interrupted; no file is left half written",
             "přerušeno; žádný soubor nezůstal zapsaný napůl";
         NoPrograms { folder: String }
-            "no program found in {folder}; programs are files .nc .ncp .mpf .txt with %, and macrocycles L…",
-            "ve složce {folder} není žádný program; hledají se soubory .nc .ncp .mpf .txt se znakem % a makrocykly L…";
+            "no program found in {folder}; programs are files .nc .ncp .mpf .txt (or `extensions` of the project file) \
+             with a line that begins with % and a number, and macrocycles L…",
+            "ve složce {folder} není žádný program; hledají se soubory .nc .ncp .mpf .txt (nebo extensions z projektu), \
+             v nichž řádek začíná znakem % a číslem, a makrocykly L…";
+        OutwardLink { link: String }
+            "{link}: not searched, the link leads out of the folder",
+            "{link}: neprohledáno, odkaz vede ven ze složky";
+        DanglingLink { link: String }
+            "{link}: the link leads to no file",
+            "{link}: odkaz nevede k žádnému souboru";
         FixedOne { file: String }
             "{file}: 1 fix applied",
             "{file}: provedena 1 oprava";
         Fixed { file: String, count: usize }
             "{file}: {count} fixes applied",
             "{file}: provedeno oprav: {count}";
+        FixApplied { file: String, line: u32, column: u32, code: Code, title: String }
+            "  {file}:{line}:{column}: {code} {title}",
+            "  {file}:{line}:{column}: {code} {title}";
+        FixesNotListed { file: String, more: usize }
+            "  {file}: {more} more",
+            "  {file}: dalších {more}";
+        FixLink { file: String }
+            "{file}: not fixed, because a link leads to it: name the file to fix it",
+            "{file}: neopraveno, vede k němu odkaz: k opravě soubor uvést jménem";
+        FixForeign { file: String }
+            "{file}: not fixed, because it does not look like a program for this control: name the file to fix it",
+            "{file}: neopraveno, nevypadá jako program pro tento systém: k opravě soubor uvést jménem";
+        CannotRead { file: String, reason: String }
+            "{file}: cannot be read: {reason}",
+            "{file}: nelze přečíst: {reason}";
         FixElsewhere { file: String, count: usize }
             "{file}: not fixed, because it is not among the files to check; fixes offered: {count}",
             "{file}: neopraveno, není mezi kontrolovanými soubory; nabízených oprav: {count}";
@@ -47,6 +70,15 @@ bilingual! {
         ChannelConfigDialect { dialect: String }
             "--channel-config does not go with {dialect}: only cnc872 has a ChannelConfig",
             "--channel-config nelze použít s {dialect}: ChannelConfig má jen cnc872";
+        Written { file: String }
+            "{file} is written; its comments say what to set",
+            "{file} je zapsán; co nastavit, říkají poznámky v něm";
+        FileExists { file: String }
+            "{file} exists, and stays as it is",
+            "{file} už existuje a zůstává, jak je";
+        NoSuchFolder { folder: String }
+            "{folder}: there is no such folder",
+            "{folder}: taková složka není";
         NoFolder { folder: String }
             "-L {folder}: there is no such folder",
             "-L {folder}: taková složka není";

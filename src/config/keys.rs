@@ -74,7 +74,8 @@ pub(super) const CHANNEL_CONFIG: Row = row(
     ),
     "MFN-2",
 )
-.with_option("--channel-config");
+.with_option("--channel-config")
+.with_example("\"Channel.xml\"");
 pub(super) const MACROCYCLES: Row = row(
     "macrocycles",
     Takes::Paths,
@@ -85,7 +86,8 @@ pub(super) const MACROCYCLES: Row = row(
     ),
     "PRG-6",
 )
-.with_option("-L");
+.with_option("-L")
+.with_example("[\"macros\"]");
 pub(super) const BLOCK_SKIP: Row = row(
     "block-skip",
     Takes::Flag,
@@ -121,7 +123,8 @@ pub(super) const SPINDLE_AXIS: Row = row(
         "rotační osa, kterou je vřeteno po dobu platnosti M19; `\"none\"`: vřeteno osou není",
     ),
     "MFN-10",
-);
+)
+.with_example("\"C\"");
 pub(super) const ORIENTED_POSITION: Row = row(
     "oriented-position",
     DIMENSION,
@@ -132,10 +135,7 @@ pub(super) const ORIENTED_POSITION: Row = row(
 pub(super) const G97_ROW: Row = row(
     "g97",
     Takes::OneOf(g97_meanings),
-    words(
-        "`\"per-minute\"` on CNC872, else `\"per-revolution\"`",
-        "u CNC872 `\"per-minute\"`, jinak `\"per-revolution\"`",
-    ),
+    Default::ByDialect(|dialect| format!("\"{}\"", G97::of(dialect).name())),
     (
         "what G97 means: feed per minute without constant cutting speed, or feed per revolution with it",
         "význam G97: posuv za minutu bez konstantní řezné rychlosti, nebo posuv na otáčku s ní",
@@ -185,14 +185,16 @@ pub(super) const AXIS_LETTER: Row = row(
     Default::Required,
     ("letter of the axis, each once", "písmeno osy, každé jednou"),
     "ADR-4",
-);
+)
+.with_example("\"X\"");
 pub(super) const AXIS_KIND: Row = row(
     "kind",
     Takes::OneOf(axis_kinds),
     words("`\"rotary\"` for A, B and C, `\"linear\"` for the others", "`\"rotary\"` pro A, B a C, jinak `\"linear\"`"),
     ("whether the axis travels (millimetres) or turns (degrees)", "zda osa jezdí (milimetry), nebo se otáčí (stupně)"),
     "ADR-4",
-);
+)
+.with_example("\"linear\"");
 pub(super) const AXIS_MIN: Row = row(
     "min",
     DIMENSION,
@@ -202,7 +204,8 @@ pub(super) const AXIS_MIN: Row = row(
         "nejmenší programovaná souřadnice v mm nebo stupních; menší dá varování",
     ),
     "§11",
-);
+)
+.with_example("-10.0");
 pub(super) const AXIS_MAX: Row = row(
     "max",
     DIMENSION,
@@ -212,7 +215,8 @@ pub(super) const AXIS_MAX: Row = row(
         "největší programovaná souřadnice v mm nebo stupních; větší dá varování",
     ),
     "§11",
-);
+)
+.with_example("650.0");
 /// One of `[[axes]]`.
 pub(super) const AXIS: &[Row] = &[AXIS_LETTER, AXIS_KIND, AXIS_MIN, AXIS_MAX];
 
@@ -225,14 +229,16 @@ pub(super) const GEAR_M: Row = row(
     Default::Required,
     ("the function of the range, M41 to M44, each once", "funkce rozsahu, M41 až M44, každá jednou"),
     "MFN-9",
-);
+)
+.with_example("41");
 pub(super) const GEAR_MIN: Row = row(
     "min",
     Takes::Whole { min: 0, max: Some(HIGHEST_SPEED) },
     Default::Required,
     ("least speed of the range in rev/min", "nejnižší otáčky rozsahu v ot/min"),
     "MFN-9",
-);
+)
+.with_example("20");
 pub(super) const GEAR_MAX: Row = row(
     "max",
     Takes::Whole { min: 0, max: Some(HIGHEST_SPEED) },
@@ -242,7 +248,8 @@ pub(super) const GEAR_MAX: Row = row(
         "nejvyšší otáčky rozsahu v ot/min, ne pod `min`, ne nad `limits.speed`",
     ),
     "MFN-9",
-);
+)
+.with_example("500");
 /// One of `[[gears]]`.
 pub(super) const GEAR: &[Row] = &[GEAR_M, GEAR_MIN, GEAR_MAX];
 
@@ -264,7 +271,7 @@ pub(super) const NESTING: Row = row(
 pub(super) const FEED: Row = row(
     "feed",
     Takes::Number { min: Decimal::whole(1), max: Decimal::whole(9_999_999) },
-    words("24000; 99999 on CNC872", "24000; u CNC872 99999"),
+    Default::ByDialect(|dialect| dialect.highest_feed().to_string()),
     ("greatest feed per minute in mm/min (G94, G96)", "nejvyšší posuv za minutu v mm/min (G94, G96)"),
     "TEC-1",
 );
@@ -294,7 +301,8 @@ pub(super) const CORRECTION_RADIUS: Row = row(
     Default::Required,
     ("radius of the tool in mm", "poloměr nástroje v mm"),
     "EQU-1",
-);
+)
+.with_example("5.0");
 /// One of `[corrections]`.
 pub(super) const CORRECTION: &[Row] = &[CORRECTION_RADIUS];
 
@@ -317,6 +325,7 @@ mod tests {
             | Default::Whole(_)
             | Default::Number(_)
             | Default::Texts(_)
+            | Default::ByDialect(_)
             | Default::Words(_) => "",
         };
         assert_eq!(text(DIALECT), machine.dialect.name());

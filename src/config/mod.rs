@@ -1,9 +1,11 @@
 //! The machine that a program is for: project file, ChannelConfig and machine constants become one validated [`Machine`].
 
 mod channel;
+mod client;
 mod configure;
 mod constants;
 mod find;
+mod init;
 mod keys;
 mod machine;
 mod mfunctions;
@@ -23,8 +25,10 @@ mod takes;
 mod toml_problem;
 mod xml;
 
+pub use client::client_overrides;
 pub use configure::configure;
 pub use find::{PROJECT_FILE, find_project};
+pub use init::initial;
 pub use machine::{Axes, Axis, EXTENSIONS, Gear, Level, Limits, Machine, Purpose, Settings};
 pub use mfunctions::{MFunction, MFunctions};
 pub use modes::{ArcCenters, G97, SpindleAxis};
@@ -32,6 +36,8 @@ pub use number::{ParameterFault, parse_decimal, parse_parameter};
 pub use overrides::Overrides;
 pub use reference::reference;
 pub use schema::schema;
+#[cfg(test)]
+pub(crate) use sections::options;
 use takes::Takes;
 
 #[cfg(test)]

@@ -84,6 +84,10 @@ fn keys(page: &mut String, rows: &[Row], lang: Lang) -> std::fmt::Result {
 
 fn default(default: Default, lang: Lang) -> String {
     match default {
+        Default::ByDialect(value) => {
+            let values = Dialect::ALL.map(|dialect| format!("{}: `{}`", dialect.name(), value(dialect)));
+            values.join(", ")
+        }
         Default::Nothing => "–".to_owned(),
         Default::Required => Bilingual { en: "must be there", cs: "musí být uvedeno" }.get(lang).to_owned(),
         Default::Flag(flag) => format!("`{flag}`"),

@@ -2,7 +2,7 @@
 //! `init`, `explain` and the editor's settings are all made of rows.
 
 use super::Takes;
-use crate::dict::{Bilingual, Decimal};
+use crate::dict::{Bilingual, Decimal, Dialect};
 
 /// A key with a value.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +19,8 @@ pub(super) struct Row {
     pub rule: &'static str,
     /// The option of the command line that wins over it; the editor's settings have a key of its name then.
     pub option: Option<&'static str>,
+    /// A value as TOML, for keys that have no default to show.
+    pub example: &'static str,
 }
 
 /// What holds without a key.
@@ -38,11 +40,18 @@ pub(super) enum Default {
     Text(&'static str),
     /// These texts.
     Texts(&'static [&'static str]),
+    /// A value as TOML that depends on the control.
+    ByDialect(fn(Dialect) -> String),
     /// Something that depends.
     Words(Bilingual),
 }
 
 impl Row {
+    /// With a value to show.
+    pub(super) const fn with_example(self, example: &'static str) -> Self {
+        Self { example, ..self }
+    }
+
     /// With an option of the command line.
     pub(super) const fn with_option(self, option: &'static str) -> Self {
         Self { option: Some(option), ..self }
@@ -57,7 +66,7 @@ pub(super) const fn row(
     meaning: (&'static str, &'static str),
     rule: &'static str,
 ) -> Row {
-    Row { name, takes, default, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule, option: None }
+    Row { name, takes, default, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule, option: None, example: "" }
 }
 
 /// A default in words, English and Czech.

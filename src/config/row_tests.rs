@@ -1,11 +1,14 @@
 //! Every row of the table of keys is read, and checked by what it says: these tests know no key by name.
 
 use super::Takes;
+use super::init::literal;
+use super::names::Names;
 use super::row::{Default, Row};
 use super::schema::tests::fits;
-use super::sections::{Form, ROOT, SECTIONS, Section};
+use super::sections::{Form, ROOT, SECTIONS, Section, options};
 use super::tests::Run;
 use crate::diag::Code;
+use crate::dict::Dialect;
 
 /// Values that the row takes, as TOML, each of which must lead to other settings.
 fn taken(takes: Takes) -> Vec<String> {
@@ -52,7 +55,7 @@ fn with_key(section: &Section, row: &Row, value: &str) -> String {
 }
 
 /// One of the names.
-fn name_of(names: super::names::Names) -> String {
+fn name_of(names: Names) -> String {
     let tried = ["X", "G81", "R39", "R5", "7", "W0214", "rapid", "M06"];
     tried.into_iter().find(|name| names.number(name).is_some()).unwrap().to_owned()
 }
@@ -118,11 +121,32 @@ fn each_key_is_checked_by_its_row() {
     }
 }
 
+/// What `init` and `explain` show is what the rows take; each key without a default has something to show.
+#[test]
+fn examples_are_taken() {
+    let clean = |text: &str| {
+        let run = Run::plain(text);
+        assert!(run.findings.is_empty(), "{text}{:?}", run.findings);
+    };
+    for section in SECTIONS {
+        for row in section.form.rows() {
+            match literal(row, Dialect::default()) {
+                Some(value) => clean(&with_key(section, row, &value)),
+                None => clean(&with_key(section, row, row.example)),
+            }
+        }
+        match section.form {
+            Form::Map(Names::Groups, _) | Form::Keys(..) | Form::List(..) => {}
+            Form::Map(..) => clean(&format!("[{}]\n{}\n", section.name, section.example)),
+            Form::Tables(names, ..) => assert!(names.number(section.example).is_some(), "{}", section.name),
+        }
+    }
+}
+
 /// What the command line can say over the file is a key that editors can set too, and the other way round.
 #[test]
 fn options_are_unique() {
-    let rows = SECTIONS.iter().flat_map(|section| section.form.rows()).filter_map(|row| row.option);
-    let mut options: Vec<_> = rows.chain(SECTIONS.iter().filter_map(|section| section.option)).collect();
+    let mut options = options();
     let count = options.len();
     options.sort_unstable();
     options.dedup();

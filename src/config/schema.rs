@@ -61,7 +61,7 @@ fn value(row: &Row) -> Value {
         Default::Number(number) => super::takes::json_number(number),
         Default::Text(text) => json!(text),
         Default::Texts(texts) => json!(texts),
-        Default::Nothing | Default::Required | Default::Words(_) => return value,
+        Default::Nothing | Default::Required | Default::ByDialect(_) | Default::Words(_) => return value,
     };
     insert(&mut value, "default", default);
     value

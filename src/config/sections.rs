@@ -23,6 +23,8 @@ pub(super) struct Section {
     pub rule: &'static str,
     /// The option of the command line that wins over it; the editor's settings have a key of its name then.
     pub option: Option<&'static str>,
+    /// For names of the control: one with a value, as TOML; for tables by name, one of the names.
+    pub example: &'static str,
 }
 
 /// Takes the values of one table.
@@ -56,12 +58,16 @@ impl Form {
 }
 
 const fn section(name: &'static str, form: Form, meaning: (&'static str, &'static str), rule: &'static str) -> Section {
-    Section { name, form, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule, option: None }
+    Section { name, form, meaning: Bilingual { en: meaning.0, cs: meaning.1 }, rule, option: None, example: "" }
 }
 
 impl Section {
     const fn with_option(self, option: &'static str) -> Self {
         Self { option: Some(option), ..self }
+    }
+
+    const fn with_example(self, example: &'static str) -> Self {
+        Self { example, ..self }
     }
 
     /// The name of the section that it is in: empty for the document; `None` for the document itself.
@@ -79,6 +85,13 @@ impl Section {
         let name = self.name;
         SECTIONS.iter().filter(move |section| section.parent() == Some(name))
     }
+}
+
+/// The options of the command line that win over the project file, as `--dialect`.
+#[cfg(test)]
+pub fn options() -> Vec<&'static str> {
+    let rows = SECTIONS.iter().flat_map(|section| section.form.rows()).filter_map(|row| row.option);
+    rows.chain(SECTIONS.iter().filter_map(|section| section.option)).flat_map(|option| option.split(", ")).collect()
 }
 
 /// Whether the table of that name is a list: `[[axes]]`.
@@ -110,7 +123,8 @@ pub(super) const SECTIONS: &[Section] = &[
             "programované polohy před prvním blokem, podle os; X je poloměr tam, kde po zapnutí platí G74",
         ),
         "MOT-2",
-    ),
+    )
+    .with_example("X = 0.0"),
     section(
         "power-up",
         Form::Map(Names::Groups, Project::power_up),
@@ -126,6 +140,7 @@ pub(super) const SECTIONS: &[Section] = &[
         ("the machine's parameter table at program start", "tabulka parametrů stroje na začátku programu"),
         "PAR-5",
     )
+    .with_example("R10 = 25.5")
     .with_option("--param"),
     section(
         "operations",
@@ -135,7 +150,8 @@ pub(super) const SECTIONS: &[Section] = &[
             "operace za každým kódem „oo“ v řídicích slovech funkcí G26 až G29",
         ),
         "PAR-9",
-    ),
+    )
+    .with_example("\"01\" = \"add\""),
     section(
         "cycles",
         Form::Map(Names::Cycles, Project::cycle),
@@ -144,7 +160,8 @@ pub(super) const SECTIONS: &[Section] = &[
             "makrocyklus, který pevný cyklus volá po každém pohybu, svým číslem",
         ),
         "GRP-6",
-    ),
+    )
+    .with_example("G81 = 8100"),
     section(
         "gears",
         Form::List(keys::GEAR, Project::gear),
@@ -159,7 +176,8 @@ pub(super) const SECTIONS: &[Section] = &[
             "strojní konstanty, jak je ukazuje systém; R56 až R59 určují u CNC8x6 a CNC8x9 M skupiny 10 až 13, každá čtyři funkce po dvou číslicích",
         ),
         "MFN-5",
-    ),
+    )
+    .with_example("R39 = 60.0"),
     section(
         "corrections",
         Form::Tables(Names::Corrections, keys::CORRECTION, Project::correction),
@@ -168,7 +186,8 @@ pub(super) const SECTIONS: &[Section] = &[
             "poloměrové korekce podle čísla D, jak jsou v tabulce systému; pro obraz korigované dráhy",
         ),
         "EQU-1",
-    ),
+    )
+    .with_example("7"),
     section(
         "limits",
         Form::Keys(keys::LIMITS, Project::limits),
@@ -181,6 +200,7 @@ pub(super) const SECTIONS: &[Section] = &[
         ("levels of warnings, and of E0109, by name or code", "úrovně varování a hlášení E0109, podle jména nebo kódu"),
         "§11",
     )
+    .with_example("empty-block = \"allow\"")
     .with_option("-D, -W, -A"),
 ];
 

@@ -104,7 +104,7 @@ impl Run {
         let other = CHANNEL.replace("91", "92");
         let loader =
             MemoryLoader::new().with("cnc872c.toml", text).with("Channel.xml", CHANNEL).with("Other.xml", other);
-        let loader = loader.with("a/L1", "").with("own/L1", "");
+        let loader = loader.with("a/L1", "").with("own/L1", "").with("macros/L1", "");
         Self::with(Some("cnc872c.toml"), &Overrides::default(), &loader)
     }
 

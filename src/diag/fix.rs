@@ -11,8 +11,8 @@ use crate::text::{FileId, SourceText, Span};
 pub struct Fixed {
     /// Its bytes.
     pub bytes: Vec<u8>,
-    /// How many fixes were applied. Those that overlap others wait for a next round.
-    pub count: usize,
+    /// Which fixes were applied, by their places among those given. Those that overlap others wait for a next round.
+    pub applied: Vec<usize>,
 }
 
 /// Applies `fixes` to `bytes`, of which `source` is the text and `file` its number in the places. A fix is applied as a
@@ -24,8 +24,8 @@ pub fn apply_fixes<'a>(
     bytes: &[u8],
     fixes: impl IntoIterator<Item = &'a Fix>,
 ) -> Fixed {
-    let (edits, count) = take(source, file, fixes);
-    Fixed { bytes: splice(source, bytes, &edits), count }
+    let (edits, applied) = take(source, file, fixes);
+    Fixed { bytes: splice(source, bytes, &edits), applied }
 }
 
 /// The edits that [`apply_fixes`] would make, in the order of the text.
@@ -38,15 +38,16 @@ pub fn compatible_edits<'a>(
     edits.into_iter().map(|(start, (end, text))| (Span::new(start, end), text))
 }
 
-/// The edits of those fixes that can be applied together, by where they begin, and how many fixes these are.
+/// The edits of those fixes that can be applied together, by where they begin, and which fixes these are.
 fn take<'a>(
     source: &SourceText,
     file: FileId,
     fixes: impl IntoIterator<Item = &'a Fix>,
-) -> (BTreeMap<u32, (u32, &'a str)>, usize) {
+) -> (BTreeMap<u32, (u32, &'a str)>, Vec<usize>) {
     let mut taken = Taken::default();
-    let count = fixes.into_iter().filter(|fix| taken.take(source, file, &fix.edits)).count();
-    (taken.edits, count)
+    let fixes = fixes.into_iter().enumerate();
+    let applied = fixes.filter(|(_, fix)| taken.take(source, file, &fix.edits)).map(|(at, _)| at).collect();
+    (taken.edits, applied)
 }
 
 /// Edits that do not overlap, by where they begin: where they end, and the text.
@@ -127,7 +128,7 @@ mod tests {
     fn applied(bytes: &[u8], fixes: &[Fix]) -> (Vec<u8>, usize) {
         let source = SourceText::decode("a.nc", bytes.to_vec(), Encoding::Cp852).unwrap();
         let fixed = apply_fixes(&source, FileId(0), bytes, fixes);
-        (fixed.bytes, fixed.count)
+        (fixed.bytes, fixed.applied.len())
     }
 
     /// LEX-13: what stands around a fix keeps its bytes, in UTF-8 and in a code page.

@@ -3,12 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
-use serde_json::{Map, Value};
+use serde_json::Value;
 
-use crate::config::{Level, Overrides, parse_parameter};
-use crate::diag::Code;
+use crate::config::{Overrides, client_overrides};
 use crate::dict::Lang;
-use crate::text::Encoding;
 
 /// The section of the client's configuration.
 pub(super) const SECTION: &str = "cnc872c";
@@ -23,124 +21,24 @@ pub(super) struct ClientSettings {
 }
 
 /// Reads the settings. Folders and files in them are relative to `folder`, the root of the workspace. Values that cannot
-/// be used are left out, and named in what comes with the settings.
+/// be used are left out, and named in what comes with the settings. Keys of others (the extension's own) are left alone.
 pub(super) fn read(settings: &Value, folder: &Path) -> (ClientSettings, Vec<String>) {
-    let mut reader = Reader { folder, result: ClientSettings::default(), wrong: Vec::new() };
-    if let Value::Object(object) = settings {
-        reader.object(object, "");
-    }
-    (reader.result, reader.wrong)
-}
-
-struct Reader<'a> {
-    folder: &'a Path,
-    result: ClientSettings,
-    wrong: Vec<String>,
-}
-
-impl Reader<'_> {
-    fn object(&mut self, object: &Map<String, Value>, before: &str) {
-        for (key, value) in object {
-            let key = format!("{before}{key}");
-            if !value.is_null() && !self.value(&key, value) {
-                self.wrong.push(format!("{SECTION}.{key}: {value}"));
-            }
-        }
-    }
-
-    /// Takes the value of a key; whether it could be taken. Keys of others (the extension's own) are left alone.
-    fn value(&mut self, key: &str, value: &Value) -> bool {
-        let overrides = &mut self.result.overrides;
-        match key {
-            "language" => match value.as_str() {
-                Some("auto" | "") => self.result.lang = None,
-                Some(name) => match Lang::from_str(name, true) {
-                    Ok(lang) => self.result.lang = Some(lang),
-                    Err(_) => return false,
-                },
-                None => return false,
-            },
-            "dialect" => return named(value, &mut overrides.dialect),
-            "encoding" => return named::<Encoding>(value, &mut overrides.encoding),
-            "block-skip" => return flag(value, &mut overrides.block_skip),
-            "optional-stop" => return flag(value, &mut overrides.optional_stop),
-            "channel-config" => match value.as_str() {
-                Some("") => {}
-                Some(path) => overrides.channel_config = Some(self.folder.join(path)),
-                None => return false,
-            },
-            "macrocycles" => match value.as_array() {
-                Some(folders) => {
-                    overrides.macrocycles =
-                        folders.iter().filter_map(Value::as_str).map(|f| self.folder.join(f)).collect();
-                    return overrides.macrocycles.len() == folders.len();
-                }
-                None => return false,
-            },
-            "limits" => {
-                if let Value::Object(limits) = value {
-                    self.object(limits, "limits.");
+    let Value::Object(object) = settings else { return (ClientSettings::default(), Vec::new()) };
+    let (overrides, mut wrong) = client_overrides(object, folder);
+    let mut lang = None;
+    if let Some(value) = object.get("language").filter(|value| !value.is_null()) {
+        match value.as_str() {
+            Some("auto" | "") => {}
+            name => {
+                lang = name.and_then(|name| Lang::from_str(name, true).ok());
+                if lang.is_none() {
+                    wrong.push(format!("language: {value}"));
                 }
             }
-            "limits.records" => match value.as_u64() {
-                Some(records) if records > 0 => overrides.max_blocks = Some(records),
-                _ => return false,
-            },
-            "parameters" => return self.parameters(value),
-            "lints" => return self.lints(value),
-            _ => {}
         }
-        true
     }
-
-    fn parameters(&mut self, value: &Value) -> bool {
-        let Value::Object(parameters) = value else { return false };
-        let mut good = true;
-        for (name, value) in parameters {
-            let value = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-            match parse_parameter(&format!("{name}={value}")) {
-                Ok(parameter) => self.result.overrides.parameters.push(parameter),
-                Err(_) => good = false,
-            }
-        }
-        good
-    }
-
-    fn lints(&mut self, value: &Value) -> bool {
-        let Value::Object(lints) = value else { return false };
-        let mut good = true;
-        for (name, level) in lints {
-            let code = Code::find(name).filter(|code| code.is_configurable());
-            let level = match level.as_str() {
-                Some("allow") => Some(Level::Allow),
-                Some("warn") => Some(Level::Warn),
-                Some("deny") => Some(Level::Deny),
-                _ => None,
-            };
-            match (code, level) {
-                (Some(code), Some(level)) => self.result.overrides.lints.push((code, level)),
-                _ => good = false,
-            }
-        }
-        good
-    }
-}
-
-/// A value of a closed set, by its name on the command line; an empty text is no value.
-fn named<T: ValueEnum>(value: &Value, place: &mut Option<T>) -> bool {
-    match value.as_str() {
-        Some("") => true,
-        Some(name) => {
-            *place = T::from_str(name, true).ok();
-            place.is_some()
-        }
-        None => false,
-    }
-}
-
-fn flag(value: &Value, place: &mut Option<bool>) -> bool {
-    *place = value.as_bool();
-    place.is_some()
+    let wrong = wrong.into_iter().map(|wrong| format!("{SECTION}.{wrong}")).collect();
+    (ClientSettings { lang, overrides }, wrong)
 }
 
 /// The path of a folder's URI.
@@ -166,6 +64,7 @@ mod tests {
 
     use super::*;
     use crate::dict::Dialect;
+    use crate::text::Encoding;
 
     #[test]
     fn every_key() {

@@ -8,6 +8,8 @@ mod cli_check;
 mod cli_compile;
 mod cli_faults;
 mod cli_fix;
+mod cli_init;
+mod cli_walk;
 mod dialects;
 mod disk;
 mod docs;

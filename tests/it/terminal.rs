@@ -338,7 +338,7 @@ fn nothing_raw_of_names_on_disk() {
         fresh();
         let run = place.run(&["check", "--fix", "-L", &macros, &name, "--lang", lang]);
         assert_safe(&run.stderr, "what was fixed");
-        assert_eq!(run.stderr.lines().count(), 2, "the program, and the macrocycle that stays: {run:?}");
+        assert_eq!(run.stderr.lines().count(), 3, "the program, its fix, and the macrocycle that stays: {run:?}");
     }
     assert_told(&place, &["compile", &name, "-o", &name]);
     crate::cli::make_fifo(&place.path(&format!("pipe{h}")));

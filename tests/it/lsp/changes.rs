@@ -295,7 +295,7 @@ fn fixing_all_is_check_fix() {
             let items = run.report.items().filter(|item| Some(item.diagnostic.at.file) == own);
             let fixes = items.filter_map(|item| item.diagnostic.fixes.first());
             let fixed = apply_fixes(&source, own.unwrap_or_default(), expected.as_bytes(), fixes);
-            if fixed.count == 0 {
+            if fixed.applied.is_empty() {
                 break;
             }
             expected = String::from_utf8(fixed.bytes).unwrap();

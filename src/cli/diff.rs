@@ -1,0 +1,150 @@
+//! `check --diff`: what fixing would change, as a unified diff.
+
+use std::ops::Range;
+
+use crate::diag::terminal_safe;
+use crate::text::{Encoding, SourceText};
+
+/// Lines that a hunk shows around what changes.
+const CONTEXT: usize = 3;
+
+/// The lines of a file, each with its line feed; a diff knows no other line ends.
+pub fn lines(bytes: &[u8]) -> Vec<Vec<u8>> {
+    bytes.split_inclusive(|&byte| byte == b'\n').map(<[u8]>::to_vec).collect()
+}
+
+/// The lines of a file as a terminal may have them: decoded, no control characters, line ends alike.
+pub fn safe_lines(bytes: &[u8], encoding: Encoding) -> Vec<Vec<u8>> {
+    let Ok(source) = SourceText::decode("", bytes.to_vec(), encoding) else { return Vec::new() };
+    let line = |line: &str| {
+        let text = line.trim_end_matches(['\r', '\n']);
+        let end = if line.ends_with('\n') { "\n" } else { "" };
+        format!("{}{end}", terminal_safe(text)).into_bytes()
+    };
+    source.text().split_inclusive('\n').map(line).collect()
+}
+
+/// The unified diff of a file, `---` and `+++` with its name included; nothing when the lines are the same. `colors`
+/// marks what goes and what comes.
+pub fn unified(name: &str, before: &[Vec<u8>], after: &[Vec<u8>], colors: bool) -> Vec<u8> {
+    let changes = changes(before, after);
+    let mut out = Vec::new();
+    if changes.is_empty() {
+        return out;
+    }
+    let name = terminal_safe(name);
+    out.extend_from_slice(format!("--- {name}\n+++ {name}\n").as_bytes());
+    let near = |a: &Change, b: &Change| b.before.start - a.before.end <= 2 * CONTEXT;
+    for hunk in changes.chunk_by(near) {
+        self::hunk(&mut out, hunk, before, after, colors);
+    }
+    out
+}
+
+/// Lines that are replaced by others; either may be none.
+#[derive(Clone, Debug, Eq, PartialEq)]
+struct Change {
+    before: Range<usize>,
+    after: Range<usize>,
+}
+
+/// What differs. Fixes keep lines, so lines of one number belong together; when there are more or fewer, all between the
+/// first and the last difference is replaced.
+fn changes(before: &[Vec<u8>], after: &[Vec<u8>]) -> Vec<Change> {
+    let mut changes: Vec<Change> = Vec::new();
+    if before.len() == after.len() {
+        for (at, _) in before.iter().zip(after).enumerate().filter(|(_, (a, b))| a != b) {
+            match changes.last_mut().filter(|last| last.before.end == at) {
+                Some(last) => (last.before.end, last.after.end) = (at + 1, at + 1),
+                None => changes.push(Change { before: at..at + 1, after: at..at + 1 }),
+            }
+        }
+        return changes;
+    }
+    let same = before.iter().zip(after).take_while(|(a, b)| a == b).count();
+    let rest = before.len().min(after.len()) - same;
+    let tail = before.iter().rev().zip(after.iter().rev()).take(rest).take_while(|(a, b)| a == b).count();
+    changes.push(Change { before: same..before.len() - tail, after: same..after.len() - tail });
+    changes
+}
+
+fn hunk(out: &mut Vec<u8>, changes: &[Change], before: &[Vec<u8>], after: &[Vec<u8>], colors: bool) {
+    let (Some(first), Some(last)) = (changes.first(), changes.last()) else { return };
+    let lead = first.before.start.min(CONTEXT);
+    let trail = (before.len() - last.before.end).min(CONTEXT);
+    let header = |range: Range<usize>| match range.len() {
+        // Without lines the number is that of the line before.
+        0 => format!("{},0", range.start),
+        1 => format!("{}", range.start + 1),
+        length => format!("{},{length}", range.start + 1),
+    };
+    let old = header(first.before.start - lead..last.before.end + trail);
+    let new = header(first.after.start - lead..last.after.end + trail);
+    out.extend_from_slice(format!("@@ -{old} +{new} @@\n").as_bytes());
+    let mut at = first.before.start - lead;
+    for change in changes {
+        write(out, b' ', before.get(at..change.before.start), None);
+        write(out, b'-', before.get(change.before.clone()), colors.then_some("\u{1b}[31m"));
+        write(out, b'+', after.get(change.after.clone()), colors.then_some("\u{1b}[32m"));
+        at = change.before.end;
+    }
+    write(out, b' ', before.get(at..at + trail), None);
+}
+
+fn write(out: &mut Vec<u8>, sign: u8, lines: Option<&[Vec<u8>]>, color: Option<&str>) {
+    for line in lines.unwrap_or_default() {
+        let text = line.strip_suffix(b"\n").unwrap_or(line);
+        out.extend_from_slice(color.unwrap_or_default().as_bytes());
+        out.push(sign);
+        out.extend_from_slice(text);
+        if color.is_some() {
+            out.extend_from_slice(b"\x1b[0m");
+        }
+        out.push(b'\n');
+        if text.len() == line.len() {
+            out.extend_from_slice(b"\\ No newline at end of file\n");
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn diff(before: &str, after: &str) -> String {
+        String::from_utf8(unified("a.nc", &lines(before.as_bytes()), &lines(after.as_bytes()), false)).unwrap()
+    }
+
+    #[test]
+    fn lines_that_are_alike() {
+        assert_eq!(diff("", ""), "");
+        assert_eq!(diff("%1\nN1 M30\n", "%1\nN1 M30\n"), "");
+    }
+
+    #[test]
+    fn a_hunk_for_changes_that_are_near() {
+        let text =
+            |x: &str| format!("1\n2\n3\n4\n5 {x}\n6\n7\n8\n9\n10\n11 {x}\n12\n13\n14\n15\n16\n17\n18\n19 {x}\r\n20");
+        assert_eq!(
+            diff(&text("x"), &text("X")),
+            "--- a.nc\n+++ a.nc\n@@ -2,13 +2,13 @@\n 2\n 3\n 4\n-5 x\n+5 X\n 6\n 7\n 8\n 9\n 10\n-11 x\n+11 X\n 12\n 13\n 14\n\
+             @@ -16,5 +16,5 @@\n 16\n 17\n 18\n-19 x\r\n+19 X\r\n 20\n\\ No newline at end of file\n"
+        );
+    }
+
+    #[test]
+    fn lines_more_or_fewer() {
+        assert_eq!(diff("a\nb\n", "a\nx\ny\nb\n"), "--- a.nc\n+++ a.nc\n@@ -1,2 +1,4 @@\n a\n+x\n+y\n b\n");
+        assert_eq!(diff("", "a\n"), "--- a.nc\n+++ a.nc\n@@ -0,0 +1 @@\n+a\n");
+        assert_eq!(diff("a", "a\n"), "--- a.nc\n+++ a.nc\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+a\n");
+        assert_eq!(diff("a\na\n", "a\n"), "--- a.nc\n+++ a.nc\n@@ -1,2 +1 @@\n a\n-a\n");
+    }
+
+    /// LEX-13: on a terminal the text is decoded, and nothing in it acts on the terminal.
+    #[test]
+    fn lines_for_a_terminal() {
+        let lines = safe_lines(b"\"p\xfd\xa1ruba\x1b[2J\r\nx", Encoding::Cp852);
+        let shown: Vec<_> = lines.iter().map(|line| String::from_utf8_lossy(line)).collect();
+        assert_eq!(shown, ["\"příruba\\u{1b}[2J\n", "x"]);
+    }
+}

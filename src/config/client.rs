@@ -1,0 +1,140 @@
+//! The settings of an editor: JSON whose keys are those of the project file that the command line has an option for. They
+//! are read by the same rows as the project file.
+
+use std::path::Path;
+
+use serde_json::{Map, Value};
+
+use super::Overrides;
+use super::project::Project;
+use super::sections::{Form, ROOT, SECTIONS, Section};
+use super::taken::Setting;
+use crate::diag::Findings;
+use crate::text::{FileId, SourceText};
+
+/// What the settings of an editor say over the project files, folders and files in them relative to `folder`; and the
+/// keys whose values cannot be used, as `limits.records: -1`. Keys that have no option on the command line are those of
+/// others, and left alone; so is what is `null`.
+pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overrides, Vec<String>) {
+    let mut wrong = Vec::new();
+    let mut texts = Vec::new();
+    for section in SECTIONS {
+        let Some(values) = object_of(section, settings) else { continue };
+        for row in section.form.rows().iter().filter(|row| row.option.is_some()) {
+            let Some(value) = values.get(row.name) else { continue };
+            let key =
+                if section.name.is_empty() { row.name.to_owned() } else { format!("{}.{}", section.name, row.name) };
+            texts.push((format!("{key} = {}\n", toml(value)), key, value));
+        }
+    }
+    for section in SECTIONS.iter().filter(|section| section.option.is_some()) {
+        match (settings.get(section.name), section.form) {
+            (Some(value @ Value::Object(names)), Form::Map(..)) => {
+                let lines = names.iter().map(|(name, value)| format!("{} = {}\n", quoted(name), toml(value)));
+                let text = format!("[{}]\n{}", section.name, lines.collect::<String>());
+                texts.push((text, section.name.to_owned(), value));
+            }
+            (Some(value), _) => texts.push((String::new(), section.name.to_owned(), value)),
+            (None, _) => {}
+        }
+    }
+    let mut overrides = Overrides::default();
+    for (text, key, value) in texts {
+        // An empty text is how editors say that nothing is set.
+        if value.is_null() || value.as_str() == Some("") {
+            continue;
+        }
+        let mut findings = Findings::new();
+        let project = Project::read(&SourceText::from_text("", &text), FileId(0), &mut findings);
+        if text.is_empty() || !findings.into_sorted().is_empty() {
+            wrong.push(format!("{key}: {value}"));
+        }
+        take(&mut overrides, project, folder);
+    }
+    (overrides, wrong)
+}
+
+/// The settings of one table: those before all tables, `{"limits": {…}}`.
+fn object_of<'s>(section: &Section, settings: &'s Map<String, Value>) -> Option<&'s Map<String, Value>> {
+    if section.name == ROOT.name { Some(settings) } else { settings.get(section.name)?.as_object() }
+}
+
+/// The value as TOML; of an object something that no row takes. Numbers in quotes are numbers.
+fn toml(value: &Value) -> String {
+    match value {
+        Value::String(text) if super::parse_decimal(text).is_some() => text.clone(),
+        Value::String(text) => quoted(text),
+        Value::Array(list) => format!("[{}]", list.iter().map(toml).collect::<Vec<_>>().join(", ")),
+        Value::Bool(_) | Value::Number(_) => value.to_string(),
+        Value::Null | Value::Object(_) => "{}".to_owned(),
+    }
+}
+
+fn quoted(text: &str) -> String {
+    toml_edit::Value::from(text).to_string()
+}
+
+fn take(overrides: &mut Overrides, project: Project, folder: &Path) {
+    let value = |flag: Option<Setting<bool>>| flag.map(|flag| flag.value);
+    overrides.dialect = overrides.dialect.or(project.dialect.map(|dialect| dialect.value));
+    overrides.encoding = overrides.encoding.or(project.encoding.map(|encoding| encoding.value));
+    overrides.block_skip = overrides.block_skip.or(value(project.block_skip));
+    overrides.optional_stop = overrides.optional_stop.or(value(project.optional_stop));
+    overrides.max_blocks = overrides.max_blocks.or(project.records.map(|records| records.value));
+    if let Some(path) = project.channel_config {
+        overrides.channel_config = Some(folder.join(path.value));
+    }
+    let folders = project.macrocycles.into_iter().flat_map(|folders| folders.value);
+    overrides.macrocycles.extend(folders.map(|(name, _)| folder.join(name)));
+    overrides.parameters.extend(project.parameters.into_iter().map(|parameter| parameter.value));
+    overrides.lints.extend(project.lints.into_iter().map(|lint| lint.value));
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    fn read(settings: &Value) -> (Overrides, Vec<String>) {
+        client_overrides(settings.as_object().unwrap(), Path::new("/w"))
+    }
+
+    /// Each key that the command line has an option for is one of the editor's.
+    #[test]
+    fn each_option_is_a_setting() {
+        let nothing = format!("{:?}", Overrides::default());
+        for section in SECTIONS {
+            for row in section.form.rows().iter().filter(|row| row.option.is_some()) {
+                let value = match row.takes.schema() {
+                    schema if schema["enum"].is_array() => schema["enum"][0].clone(),
+                    schema if schema["type"] == "boolean" => json!(true),
+                    schema if schema["type"] == "array" => json!(["a"]),
+                    schema if schema["type"] == "integer" => json!(7),
+                    _ => json!("a"),
+                };
+                let object = json!({ row.name: value });
+                let object = if section.name.is_empty() { object } else { json!({ section.name: object }) };
+                let (overrides, wrong) = read(&object);
+                assert!(wrong.is_empty() && format!("{overrides:?}") != nothing, "{object}: {overrides:?} {wrong:?}");
+            }
+            if section.option.is_some() {
+                let name = if section.name == "lints" { ("W0214", "allow") } else { ("R1", "2.5") };
+                let object = json!({ section.name: { name.0: name.1 } });
+                let (overrides, wrong) = read(&object);
+                assert!(wrong.is_empty() && format!("{overrides:?}") != nothing, "{object}: {overrides:?} {wrong:?}");
+            }
+        }
+    }
+
+    /// A part of a key that cannot be used does not hide the rest.
+    #[test]
+    fn wrong_parts() {
+        let (overrides, wrong) = read(&json!({ "parameters": { "R1": 2, "R99": 1, "R2": 0.00001 }, "lints": [] }));
+        assert_eq!(wrong.len(), 2, "{wrong:?}");
+        assert_eq!(overrides.parameters.len(), 2);
+        let (overrides, wrong) = read(&json!({ "dialect": "a\"b\n", "macrocycles": ["a", 7], "block-skip": {} }));
+        assert_eq!(wrong.len(), 3, "{wrong:?}");
+        assert_eq!(format!("{overrides:?}"), format!("{:?}", Overrides::default()));
+    }
+}

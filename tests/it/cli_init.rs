@@ -1,0 +1,35 @@
+//! `init`: a project file to begin with.
+
+use crate::cli::{GOOD, Place};
+
+#[test]
+fn a_file_for_each_control() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("sub/a.nc", GOOD.as_bytes())]);
+    let run = place.run(&["init"]).ends(0);
+    assert!(run.stdout.is_empty() && run.stderr.starts_with("cnc872c.toml is written"), "{run:?}");
+    place.run(&["init", "sub", "--dialect", "cnc8x9", "--lang", "cs"]).ends(0).says("sub/cnc872c.toml je zapsán");
+    let text = |name: &str| String::from_utf8(place.read(name)).unwrap();
+    assert!(text("cnc872c.toml").contains("\ndialect = \"cnc872\"\n"));
+    assert!(text("cnc872c.toml").contains("\ng97 = \"per-minute\"\n"));
+    let czech = text("sub/cnc872c.toml");
+    assert!(czech.contains("\ndialect = \"cnc8x9\"\n") && czech.contains("\nfeed = 24000\n"), "{czech}");
+    assert!(czech.contains("# Řídicí systém, pro který programy jsou"), "{czech}");
+    place.run(&["check", "a.nc", "sub/a.nc", "--deny-warnings"]).ends(0);
+}
+
+/// A file that is there stays, whatever it is; so does a link.
+#[test]
+fn nothing_is_overwritten() {
+    let place = Place::with(&[("cnc872c.toml", b"mine"), ("folder/x", b""), ("dir/cnc872c.toml/x", b"")]);
+    place.run(&["init"]).ends(2).says("cnc872c.toml exists, and stays as it is");
+    place.run(&["init", "."]).ends(2).says("exists");
+    assert_eq!(place.read("cnc872c.toml"), b"mine");
+    place.run(&["init", "dir"]).ends(2);
+    place.run(&["init", "nothing"]).ends(2).says("nothing: there is no such folder");
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("elsewhere", place.path("folder/cnc872c.toml")).unwrap();
+        place.run(&["init", "folder", "--lang", "cs"]).ends(2).says("už existuje");
+        assert!(!place.path("folder/elsewhere").exists());
+    }
+}
