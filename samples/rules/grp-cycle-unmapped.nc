@@ -1,6 +1,7 @@
 %122 "GRP-6 without a map the record carries the cycle
 N10 G90 G0 X0 Y0 Z0 F100
 N20 G81 X10 Z-5 I2 J3 K4
+"   ^^^ W0612
 N30 X20 G71 L100
 N40 X30 K1
 N50 G80 M30

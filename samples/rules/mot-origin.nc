@@ -37,6 +37,8 @@ N270 G34
 N280 G0 X20 Y0 "any motion ends the state"
 N290 G3 X0 I-10
 N300 G93 X0 Y0
-N310 X20 I10
-"    ^^^ W0610
+N310 X20 I10 "the tool stands where G93 says"
+N312 G93 G55 X0
+N314 G2 X0 Y0 I10
+"    ^^ W0610
 N320 M30

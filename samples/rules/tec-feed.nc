@@ -4,7 +4,7 @@ N20 G95 F0.15
 N30 G1 X5
 N40 F100 X6
 "    ^^^ E0302
-N50 G97
+N50 G95
 N60 F150.5 X7
 "    ^^^^^ E0302
 N70 F99.999
@@ -16,5 +16,9 @@ N110 G94
 N120 F0.999
 "     ^^^^^ E0302
 N130 F1
-N140 G95 X9 "TEC-1 a feed in force is not checked again"
+N140 G95 X9 "TEC-1 its range is not checked again, its unit is"
+"        ^^ W0615
+N142 X10 "once for each F"
+N144 G0 G94 X11
+N146 G1 G97 X12 "per minute on CNC872"
 N150 M30

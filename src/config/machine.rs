@@ -236,6 +236,16 @@ impl Machine {
         }
     }
 
+    /// Whether F counts millimetres per revolution under a function of group G6 (TEC-1, TEC-5).
+    pub fn feeds_per_revolution(&self, mode: GCode) -> bool {
+        mode == GCode::G95 || (mode == GCode::G97 && self.g97 == G97::PerRevolution)
+    }
+
+    /// Whether the cutting speed is constant under a function of group G6 (TEC-5).
+    pub fn cuts_at_constant_speed(&self, mode: GCode) -> bool {
+        mode == GCode::G96 || (mode == GCode::G97 && self.g97 == G97::PerRevolution)
+    }
+
     /// Whether configuration names the spindle's axis: then its words under M03 and M04 are errors, and M03, M04 and M05
     /// make its position unknown (MFN-10).
     pub const fn spindle_is_configured(&self) -> bool {

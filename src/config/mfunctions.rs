@@ -1,6 +1,6 @@
 //! The M functions of a machine: the standard ones and those that configuration adds (MFN-1…MFN-5).
 
-use crate::dict::{Dialect, Lasting, M_GROUPS, standard_m_functions};
+use crate::dict::{Dialect, Lasting, M_GROUPS, REDUCED_FEED, standard_m_functions};
 
 /// The group that everything not listed belongs to.
 const REST: u8 = 14;
@@ -63,6 +63,11 @@ impl MFunctions {
     /// The function of that number, 0–100.
     pub fn get(&self, number: u8) -> Option<MFunction> {
         self.functions.get(usize::from(number)).copied()
+    }
+
+    /// Whether the function in force in its group reduces the feed to a hundredth (M37, TEC-6); on CNC872 none does.
+    pub fn reduces_feed(&self, in_force: Option<u8>) -> bool {
+        in_force == Some(REDUCED_FEED) && self.get(REDUCED_FEED).is_some_and(|function| function.standard)
     }
 
     /// The group of that number; 14 for numbers that no table holds.

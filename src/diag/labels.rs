@@ -18,6 +18,9 @@ bilingual! {
         UnitBegins { l: u32 } "L{l} begins here", "L{l} začíná zde";
         MacrocycleFile { name: String } "one of them: {name}", "jeden z nich: {name}";
         ShowsIt "this line shows it", "je to vidět na tomto řádku";
+        FeedPerRevolution "written as a feed per revolution", "zadáno jako posuv na otáčku";
+        FeedPerMinute "written as a feed per minute", "zadáno jako posuv za minutu";
+        PositionLost { m: u8 } "M{m:02} moves the machine: from here on the position is not known", "M{m:02} hýbe strojem: od tohoto místa není poloha známa";
         GearHere { m: u8 } "M{m} is programmed here", "zde je programováno M{m}";
     }
 }

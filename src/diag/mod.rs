@@ -8,6 +8,7 @@ mod diagnostic;
 pub mod explain;
 mod findings;
 mod fix;
+mod geometry;
 mod labels;
 mod levels;
 mod registry;
@@ -22,6 +23,7 @@ pub use details::{
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_CODE};
 pub use fix::{Fixed, apply_fixes, compatible_edits};
+pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;
 pub use registry::{Code, Finding, Severity};

@@ -6,10 +6,10 @@
 //! to write.
 
 use super::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, Meant, NameKind,
-    OtherControl, ParameterNeed,
+    ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, Meant,
+    NameKind, OtherControl, ParameterNeed, PlaneFault, SpindleFault,
 };
-use crate::dict::{Address, GCode, GGroup, Lang};
+use crate::dict::{Address, GCode, GGroup, Lang, Plane};
 
 /// How serious a finding is, unless configured.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -513,18 +513,26 @@ diagnostics! {
         cs "pracovní pohyb dřív, než program zadal posuv"
         help "write `F` in this block or before it; otherwise the feed of the program before stays in force"
            | "zadat F v tomto bloku nebo před ním; jinak platí posuv z předchozího programu"
-    [E0602] MissingArcCenter "missing-arc-center" Error { radius_word: bool }
+    [E0602] MissingArcCenter "missing-arc-center" Error { radius_word: bool, by: Option<String> }
         en "an arc without its centre: `I` and `J` are missing or zero"
         cs "oblouk bez středu: I a J chybí nebo jsou nulové"
         help "write the distances from the start to the centre: `I` along the first axis of the arc, `J` along the second"
-           | "doplnit vzdálenosti od počátku oblouku ke středu: I v první ose oblouku, J ve druhé"
-        note (if *radius_word { "`R` is a parameter on this control, never a radius" } else { "" })
-           | (if *radius_word { "R je v tomto systému parametr, nikdy poloměr" } else { "" })
-    [E0603] ArcRadiusMismatch "arc-radius-mismatch" Error { start: String, end: String }
+           | "doplnit vzdálenosti od začátku oblouku ke středu: I v první ose oblouku, J ve druhé"
+        note (match (by, *radius_word) {
+                (_, true) => "`R` is a parameter on this control, never a radius".to_owned(),
+                (Some(by), false) => format!("it is an arc because {by} is in force"),
+                (None, false) => String::new(),
+            })
+           | (match (by, *radius_word) {
+                (_, true) => "R je v tomto systému parametr, nikdy poloměr".to_owned(),
+                (Some(by), false) => format!("obloukem je proto, že platí {by}"),
+                (None, false) => String::new(),
+            })
+    [E0603] ArcRadiusMismatch "arc-radius-mismatch" Error { start: String, end: String, points: Box<ArcPoints>, meant: ArcMeant }
         en "the radius is {start} at the start of the arc and {end} at its end"
-        cs "poloměr na počátku oblouku je {start}, na konci {end}"
-        help "mend `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the centre"
-           | "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od počátku oblouku, ne souřadnice středu"
+        cs "poloměr na začátku oblouku je {start}, na konci {end}"
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
+        note (points.text(Lang::En)) | (points.text(Lang::Cs))
     [W0604] MissingSpindleSpeed "missing-spindle-speed" Warning { function: GCode }
         en "working motion under {function} before the program sets a spindle speed"
         cs "pracovní pohyb při {function} dřív, než program zadal otáčky"
@@ -534,7 +542,7 @@ diagnostics! {
         cs "osa {axis} se pohybuje přírůstkem z polohy, kterou program nezná"
         help "program {axis} absolutely (G90) first" | "nejdřív najet osou {axis} absolutně (G90)"
     [W0606] ArcFromUnknown "arc-from-unknown" Warning { axes: String }
-        en "the arc starts from a position that the program does not know ({axes})"
+        en "the arc starts from a position that is not known ({axes})"
         cs "oblouk začíná v poloze, kterou program nezná ({axes})"
         help "program {axes} absolutely (G90) before the arc" | "před obloukem najet absolutně (G90) osami: {axes}"
     [E0607] SpeedOutsideGear "speed-outside-gear" Error { s: u32, m: u8, min: u32, max: u32 }
@@ -560,13 +568,53 @@ diagnostics! {
         help "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX"
            | "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX"
     [W0612] FunctionNotModelled "function-not-modelled" Warning { function: GCode }
-        en "what {function} does is not modelled: the record shows the programmed path"
-        cs "účinek {function} se nemodeluje: záznam ukazuje programovanou dráhu"
+        en (if function.is_cycle() { format!("how the fixed cycle {function} moves is not known: its blocks have no motion here") } else { format!("what {function} does is not modelled: the record shows the programmed path") })
+        cs (if function.is_cycle() { format!("jak se pevný cyklus {function} pohybuje, není známo: jeho bloky zde nemají žádný pohyb") } else { format!("účinek {function} se nemodeluje: záznam ukazuje programovanou dráhu") })
+        help (if function.is_cycle() { format!("name the macrocycle that the machine runs for it in the project file: `[cycles]`, `{function} = …`") } else { String::new() })
+           | (if function.is_cycle() { format!("uvést v projektovém souboru makrocyklus, který stroj při něm provádí: [cycles], {function} = …") } else { String::new() })
     [W0613] HelixWithoutG09 "helix-without-g09" Warning {}
         en "an arc with a third axis, but G09 is not in force"
         cs "oblouk s třetí osou, ale neplatí G09"
         help "program G09 for a helix, or move the third axis in a block of its own"
            | "pro šroubovici zadat G09, nebo třetí osou jet v samostatném bloku"
+    [E0614] SpindleTurn "spindle-turn" Error { axis: char, fault: SpindleFault }
+        en ({ let why = fault.text(Lang::En); format!("axis {axis} is the spindle: {why}") })
+        cs ({ let why = fault.text(Lang::Cs); format!("osa {axis} je vřeteno: {why}") })
+        help (fault.help(Lang::En)) | (fault.help(Lang::Cs))
+    [W0615] FeedUnitChanged "feed-unit-changed" Warning { feed: String, function: GCode, per_revolution: bool }
+        en (if *per_revolution { format!("F{feed} was written as mm/min, and {function} takes it as {feed} mm per revolution") } else { format!("F{feed} was written as mm per revolution, and {function} takes it as {feed} mm/min") })
+        cs (if *per_revolution { format!("F{feed} bylo zadáno v mm/min a při {function} platí jako {feed} mm na otáčku") } else { format!("F{feed} bylo zadáno v mm na otáčku a při {function} platí jako {feed} mm/min") })
+        help "write `F` anew in the block with {function} or before this motion" | "zadat F znovu v bloku s {function}, nebo před tímto pohybem"
+    [W0616] PlaneMismatch "plane-mismatch" Warning { plane: Plane, fault: PlaneFault, meant: Option<Plane> }
+        en ({ let why = fault.text(Lang::En); let name = plane.name; format!("{} is the plane {name} here: {why}", plane.function) })
+        cs ({ let why = fault.text(Lang::Cs); let name = plane.name; format!("{} je zde rovina {name}: {why}", plane.function) })
+        help (meant.map_or_else(String::new, |meant| format!("the plane {} is {}", meant.name, meant.function)))
+           | (meant.map_or_else(String::new, |meant| format!("rovina {} je {}", meant.name, meant.function)))
+        note "the planes serve the radius corrections G41 and G42; G18 and G19 are the reverse of ISO"
+           | "roviny slouží poloměrovým korekcím G41 a G42; G18 a G19 jsou proti ISO prohozené"
+    [W0617] NoGearForSpeed "no-gear-for-speed" Warning { s: u32, gears: String }
+        en "S{s} is in no spindle range, so M40 chooses none"
+        cs "otáčky S{s} nespadají do žádného rozsahu, M40 tedy žádný nevybere"
+        help "program a speed that a range holds: {gears}" | "zadat otáčky, které některý rozsah má: {gears}"
+    [W0618] CorrectionWithoutEntry "correction-without-entry" Warning { function: GCode }
+        en "{function} before the program chooses a correction `D`"
+        cs "{function} dřív, než program zvolil korekci D"
+        help "write `D` with the number of the tool's correction in this block or before it"
+           | "zadat D s číslem korekce nástroje v tomto bloku nebo před ním"
+    [W0619] SpindleStopped "spindle-stopped" Warning { thread: bool }
+        en (if *thread { "a thread is cut while the spindle is stopped (M05)" } else { "a working motion while the spindle is stopped (M05)" })
+        cs (if *thread { "řezání závitu při zastaveném vřetenu (M05)" } else { "pracovní pohyb při zastaveném vřetenu (M05)" })
+        help "start the spindle with M03 or M04 first" | "nejdřív spustit vřeteno funkcí M03 nebo M04"
+    [W0620] ToolChangeWithoutTool "tool-change-without-tool" Warning {}
+        en "M06 before the program names a tool"
+        cs "M06 dřív, než program zvolil nástroj"
+        help "write `T` with the number of the tool in this block or before it"
+           | "zadat T s číslem nástroje v tomto bloku nebo před ním"
+    [W0621] OutsideTravel "outside-travel" Warning { axis: char, value: String, limit: String, above: bool }
+        en (if *above { format!("{axis}{value} is beyond the travel of the axis, which ends at {limit}") } else { format!("{axis}{value} is beyond the travel of the axis, which begins at {limit}") })
+        cs (if *above { format!("{axis}{value} je mimo rozsah pohybu osy, který končí na {limit}") } else { format!("{axis}{value} je mimo rozsah pohybu osy, který začíná na {limit}") })
+        help "check the value, G90 or G91, and the origin; the travel is `min` and `max` of the axis in the project file"
+           | "zkontrolovat hodnotu, G90 nebo G91 a počátek; rozsah je min a max osy v projektovém souboru"
 
     [E0701] UnreadableConfiguration "unreadable-configuration" Error { reason: ConfigProblem }
         en ({ let why = reason.text(Lang::En); format!("the configuration cannot be read: {why}") })

@@ -8,6 +8,9 @@ pub const M_GROUPS: usize = 15;
 /// The groups whose functions hold in their block only (MFN-6).
 pub const MOMENTARY_GROUPS: [u8; 3] = [1, 7, 9];
 
+/// Feed reduced 1:100 (TEC-6).
+pub const REDUCED_FEED: u8 = 37;
+
 /// The functions that end a program.
 pub const PROGRAM_ENDS: [u8; 2] = [2, 30];
 

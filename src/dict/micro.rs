@@ -47,10 +47,28 @@ impl Micro {
         Self(self.0.saturating_sub(other.0))
     }
 
+    /// Without its sign.
+    #[must_use]
+    pub const fn abs(self) -> Self {
+        Self(self.0.saturating_abs())
+    }
+
     /// Half of it, exactly for every programmed value (MOT-1: diameters).
     #[must_use]
     pub const fn half(self) -> Self {
         Self(self.0 / 2)
+    }
+}
+
+/// All decimals that are not zero: `12.5`, `-0.000001`, `3`.
+impl std::fmt::Display for Micro {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (sign, value) = (if self.0 < 0 { "-" } else { "" }, self.0.unsigned_abs());
+        let (whole, fraction) = (value / 1_000_000, format!("{:06}", value % 1_000_000));
+        match fraction.trim_end_matches('0') {
+            "" => write!(f, "{sign}{whole}"),
+            fraction => write!(f, "{sign}{whole}.{fraction}"),
+        }
     }
 }
 

@@ -11,6 +11,7 @@ mod gcode;
 mod lang;
 mod mcode;
 mod micro;
+mod plane;
 
 pub use address::{Address, AddressRow, AxisLetter, ValueForm};
 pub use arithmetic::Operation;
@@ -19,5 +20,6 @@ pub use dialect::Dialect;
 pub use gcode::{GCode, GGroup, Lasting};
 pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
-pub use mcode::{M_GROUPS, MOMENTARY_GROUPS, MRow, PROGRAM_ENDS, standard_m_functions};
+pub use mcode::{M_GROUPS, MOMENTARY_GROUPS, MRow, PROGRAM_ENDS, REDUCED_FEED, standard_m_functions};
 pub use micro::Micro;
+pub use plane::{Plane, PlaneAxis};

@@ -20,7 +20,7 @@ pub fn feed_range(machine: &Machine, mode: Option<GCode>) -> (Decimal, Decimal) 
     let per_revolution = (Decimal::from_thousandths(1), Decimal::from_thousandths(99_999));
     let per_minute = (Decimal::whole(1), machine.limits.feed);
     match mode {
-        Some(GCode::G95 | GCode::G97) => per_revolution,
+        Some(mode) if machine.feeds_per_revolution(mode) => per_revolution,
         Some(_) => per_minute,
         None => (per_revolution.0, per_revolution.1.max(per_minute.1)),
     }
@@ -62,7 +62,7 @@ pub fn check_form(
         ValueForm::Feed => {
             let (min, max) = feed_range(machine, feed);
             let unit = match feed {
-                Some(GCode::G95 | GCode::G97) => " mm/rev",
+                Some(mode) if machine.feeds_per_revolution(mode) => " mm/rev",
                 Some(_) => " mm/min",
                 None => "",
             };

@@ -1,7 +1,8 @@
 //! An executed block, as its readers see it: typed, borrowed from execution, and worked out only as far as asked.
 
 use super::block::{Effect, Jump};
-use super::m_functions::{MStop, at_stop, gear};
+use super::gears::gear;
+use super::m_functions::{MStop, at_stop, halts};
 use super::moved::Motion;
 use super::state::State;
 use super::technology::dwell;
@@ -208,8 +209,7 @@ impl<'r> Executed<'r> {
 
     /// What M groups 2, 5 and 6 hold while the program stands after this block (MFN-8): M00, or M01 with optional stop.
     pub fn m_at_stop(&self) -> Option<MStop> {
-        let halts = self.stop() || (self.cond_stop() && self.settings().optional_stop);
-        halts.then(|| at_stop(&self.settings().machine))
+        halts(self.settings(), &self.interpreter.block.m).then(|| at_stop(&self.settings().machine))
     }
 
     /// Whether an M function of it breaks continuous motion at its start.
@@ -224,7 +224,7 @@ impl<'r> Executed<'r> {
 
     /// Whether an M function of it moves the machine.
     pub fn change_pos(&self) -> bool {
-        self.interpreter.block.m.moves
+        self.interpreter.block.m.moves_before || self.interpreter.block.m.moves_after
     }
 
     /// The gear in force, 1–4 (MFN-9).
@@ -250,7 +250,7 @@ impl<'r> Executed<'r> {
     /// F in force.
     pub fn feed(&self) -> Option<Feed> {
         let value = self.interpreter.state.feed.value()?;
-        Some(Feed { value, unit: self.feed_unit(), hundredth: false })
+        Some(Feed { value, unit: self.feed_unit(), hundredth: self.interpreter.state.feed_reduced })
     }
 
     /// What F counts in this block, or would count (TEC-1): degrees when only rotary axes or the spindle move.
@@ -270,12 +270,12 @@ impl<'r> Executed<'r> {
 
     /// RevFeed: F counts per revolution of the spindle.
     pub fn rev_feed(&self) -> bool {
-        matches!(self.g(GGroup::G6), Some(GCode::G95 | GCode::G97))
+        self.g(GGroup::G6).is_some_and(|mode| self.settings().machine.feeds_per_revolution(mode))
     }
 
     /// ConstCutSpeed: the cutting speed is constant.
     pub fn const_cut_speed(&self) -> bool {
-        matches!(self.g(GGroup::G6), Some(GCode::G96 | GCode::G97))
+        self.g(GGroup::G6).is_some_and(|mode| self.settings().machine.cuts_at_constant_speed(mode))
     }
 
     /// S in force.

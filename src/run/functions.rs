@@ -2,22 +2,27 @@
 
 use super::block::InForce;
 use super::site::Site;
-use super::state::{Held, State};
+use super::state::{AxisSet, Held, Noted, State};
 use super::words::BlockWords;
 use crate::diag::Finding;
-use crate::dict::{Decimal, GGroup, Lasting};
+use crate::dict::{Decimal, GCode, GGroup, Lasting};
+use crate::text::Location;
 
 /// Puts the G functions of the block into force, and gives what holds in it: x functions hold in it only.
 pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords) -> InForce {
     for &(code, word) in &words.g {
         match code.lasting() {
-            Lasting::Modal | Lasting::Default => state.set_modal(code),
+            Lasting::Modal | Lasting::Default => {
+                state.set_modal(code);
+                if code.group() == GGroup::G0 {
+                    state.origins.motion = Noted(Some((site.file.shown_number(site.block), site.word_place(word))));
+                }
+            }
             Lasting::Block => {}
         }
         // GRP-8: what G05–G08 do is not modelled; said once of each.
-        if !code.is_modelled() && !state.said.unmodelled.contains(&code) {
-            state.said.unmodelled.push(code);
-            site.found(Finding::FunctionNotModelled { function: code }, site.word_place(word));
+        if !code.is_modelled() {
+            report_unmodelled(site, state, code, site.word_place(word));
         }
     }
     let mut in_force = InForce(state.g);
@@ -27,6 +32,14 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords) 
         }
     }
     in_force
+}
+
+/// W0612, once for each function.
+pub(super) fn report_unmodelled(site: &mut Site<'_>, state: &mut State, function: GCode, at: Location) {
+    if !state.said.unmodelled.contains(&function) {
+        state.said.unmodelled.push(function);
+        site.found(Finding::FunctionNotModelled { function }, at);
+    }
 }
 
 /// Notes whether the origin, a conversion or a correction changed since the block before (MOT-8).
@@ -46,5 +59,7 @@ pub(super) fn track_origin(state: &mut State, words: &BlockWords, g: &InForce) {
         changed |= corrected && new != state.d;
         state.d = new;
     }
-    state.origin_changed |= changed;
+    if changed {
+        state.unsettled = AxisSet::ALL;
+    }
 }

@@ -7,8 +7,8 @@ use super::frames::Frame;
 use super::points::Run;
 use super::program::Program;
 use super::site::{Site, report};
-use super::state::State;
-use super::{functions, m_functions, motion, parameters, reading, technology};
+use super::state::{Origins, State};
+use super::{functions, m_functions, motion, parameters, reading, technology, warnings};
 use crate::diag::{Diagnostic, Finding, Findings};
 use crate::dict::{GCode, GGroup};
 use crate::resolve::{Unit, UnitKind};
@@ -70,7 +70,9 @@ impl Interpreter {
     }
 
     /// The same, with `state` in place of what holds after power-up.
-    pub fn from_state(program: &Program<'_>, state: State) -> Self {
+    pub fn from_state(program: &Program<'_>, mut state: State) -> Self {
+        // The places were those of another text.
+        state.origins = Origins::default();
         Self { state, ..Self::new(program) }
     }
 
@@ -134,7 +136,8 @@ impl Interpreter {
         self.count_file(unit.file);
         if !flags.has(BlockFlags::RICH) {
             let Self { state, frames, block: in_hand, run, .. } = self;
-            let mut site = Site { file, block, settings: program.settings, frames, findings };
+            let mut site =
+                Site { resolved: &program.resolved, file, block, settings: program.settings, frames, findings };
             if run.execute(&mut site, state, in_hand) {
                 self.executed += 1;
                 if let Some(frame) = self.frames.last_mut() {
@@ -153,15 +156,17 @@ impl Interpreter {
     fn execute(&mut self, program: &mut Program<'_>, findings: &mut Findings, flags: BlockFlags) -> Result<bool, Stop> {
         let Self { state, frames, block, broken, .. } = self;
         let Some(file) = program.resolved.file(block.file) else { return Err(Stop::Halted) };
-        let mut site = Site { file, block: block.id, settings: program.settings, frames, findings };
+        let mut site =
+            Site { resolved: &program.resolved, file, block: block.id, settings: program.settings, frames, findings };
         block.clear();
         reading::read(&mut site, state, &mut block.words);
         block.g = functions::apply(&mut site, state, &block.words);
         functions::track_origin(state, &block.words, &block.g);
-        technology::hold(state, &block.words);
-        m_functions::apply(&mut site, state, &block.words, &mut block.m);
+        technology::hold(&site, state, &block.words);
+        m_functions::apply(&mut site, state, &block.words, &block.g, &mut block.m);
+        warnings::check_tool(&mut site, state, &block.words);
         let moved = motion::apply(&mut site, state, block);
-        m_functions::forget_positions(state, &block.m);
+        m_functions::finish(&site, state, &block.m);
         parameters::apply(&mut site, state, block);
         check_late_words(&mut site, state, &block.words);
         let end = block.m.end;

@@ -1,15 +1,21 @@
 //! The M functions of a block (§8).
 
-use super::parameters::with_origin;
+use super::block::InForce;
 use super::site::Site;
-use super::state::{Position, State};
+use super::state::{Noted, Position, State};
 use super::words::BlockWords;
-use crate::config::{Gear, Machine};
-use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Decimal, M_GROUPS, PROGRAM_ENDS};
+use super::{gears, spindle};
+use crate::config::{Machine, Settings};
+use crate::diag::Finding;
+use crate::dict::{M_GROUPS, PROGRAM_ENDS};
 
 /// Groups whose value is shown only in the block that programs them (MFN-6).
 const MOMENTARY: [usize; 3] = [1, 7, 9];
+
+/// Groups whose functions M02 and M30 send, whether they change or not (MFN-6).
+const SENT_AT_END: [usize; 3] = [2, 5, 6];
+/// The group of M36 and M37 (TEC-6).
+const FEED_RATE: usize = 4;
 
 /// What M groups 2, 5 and 6 hold while the program stands.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -33,28 +39,37 @@ pub(super) struct MFunctionsOfBlock {
     pub(super) changed: Vec<u8>,
     pub(super) break_cont: bool,
     pub(super) break_cont_end: bool,
-    /// One of them moves the machine.
-    pub(super) moves: bool,
+    /// One of them moves the machine before the block's own motion (MFN-4).
+    pub(super) moves_before: bool,
+    /// One of them moves the machine at the end of the block.
+    pub(super) moves_after: bool,
     /// M00 or M01.
     pub(super) stop: Option<u8>,
     /// M02 or M30.
     pub(super) end: Option<u8>,
-    /// The block has no M word, and this says so: for the next such block it need not be said again.
+    /// The block has no M word and no S, and this says so: for the next such block it need not be said again.
     settled: bool,
 }
 
 /// Puts the M functions of the block into force (MFN-6…MFN-10).
-pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, m: &mut MFunctionsOfBlock) {
-    if words.m.is_empty() && m.settled {
-        check_gear(site, state, words);
+pub(super) fn apply(
+    site: &mut Site<'_>,
+    state: &mut State,
+    words: &BlockWords,
+    g: &InForce,
+    m: &mut MFunctionsOfBlock,
+) {
+    if words.m.is_empty() && words.s.is_none() && m.settled {
         return;
     }
-    m.settled = words.m.is_empty();
+    m.settled = words.m.is_empty() && words.s.is_none();
     m.written.clear();
     m.changed.clear();
-    (m.break_cont, m.break_cont_end, m.moves) = (false, false, false);
+    (m.break_cont, m.break_cont_end) = (false, false);
+    (m.moves_before, m.moves_after) = (false, false);
     (m.stop, m.end) = (None, None);
     let mut changed = [false; M_GROUPS];
+    let spindle_before = state.m(spindle::SPINDLE);
     for &(number, word) in &words.m {
         let Some(function) = site.machine().m_functions.get(number) else { continue };
         let group = usize::from(function.group);
@@ -63,7 +78,12 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
             *changed = true;
         }
         m.written.push(number);
-        m.moves |= function.change_pos;
+        if function.change_pos {
+            // At its end by its own attributes, else before the block's motion (MFN-4).
+            let at_end = function.break_cont_end && !function.break_cont;
+            *(if at_end { &mut m.moves_after } else { &mut m.moves_before }) = true;
+            state.origins.moved = Noted(Some((number, site.word_place(word))));
+        }
         m.break_cont |= function.break_cont;
         m.break_cont_end |= function.break_cont_end;
         match number {
@@ -76,10 +96,16 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
             _ => {}
         }
     }
+    state.feed_reduced = site.machine().m_functions.reduces_feed(state.m(FEED_RATE));
     if m.end.is_some() {
         reset(site.machine(), state, &mut changed);
     }
-    check_gear(site, state, words);
+    let gear = gears::gear(site.machine(), state);
+    if let Some(changed) = changed.get_mut(gears::RANGES) {
+        *changed |= state.m(gears::RANGES) == Some(gears::BY_SPEED) && gear != state.gear;
+    }
+    state.gear = gear;
+    gears::check(site, state, words, g);
     m.in_force = state.m;
     m.changed.extend((0..).zip(changed).filter_map(|(group, changed)| changed.then_some(group)));
     for group in MOMENTARY {
@@ -87,14 +113,19 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
             *held = None;
         }
     }
+    if m.moves_before {
+        state.positions = [Position::Unknown; 9];
+    }
+    spindle::apply(site.machine(), state, words, spindle_before);
 }
 
-/// M02 and M30 set the groups to their `+` values, and mark those that change (MFN-6, MFN-7).
+/// M02 and M30 set the groups to what holds at power-up; those that change are marked, groups 2, 5 and 6 always, since M05,
+/// M09 and M53 are sent (MFN-6, MFN-7).
 fn reset(machine: &Machine, state: &mut State, changed: &mut [bool; M_GROUPS]) {
-    let defaults = *machine.m_functions.defaults();
-    for ((held, default), changed) in state.m.iter_mut().zip(defaults).zip(changed) {
+    let defaults = machine.m_power_up;
+    for (group, ((held, default), changed)) in state.m.iter_mut().zip(defaults).zip(changed).enumerate() {
         if let Some(default) = default {
-            *changed |= *held != Some(default);
+            *changed |= *held != Some(default) || SENT_AT_END.contains(&group);
             *held = Some(default);
         }
     }
@@ -110,42 +141,18 @@ pub(super) fn at_stop(machine: &Machine) -> MStop {
     }
 }
 
-/// The range in force, or the one that M40 chooses by S (MFN-9).
-pub(super) fn gear(machine: &Machine, state: &State) -> Option<u8> {
-    match state.m(3) {
-        Some(m @ 41..=44) => Some(m - 40),
-        Some(40) => {
-            let speed = state.speed.value()?.as_whole()?;
-            let fits = |gear: &&Gear| i64::from(gear.min) <= speed && speed <= i64::from(gear.max);
-            machine.gears.iter().filter(fits).map(|gear| gear.m - 40).min()
-        }
-        Some(_) | None => None,
-    }
-}
-
-/// S outside the range of the gear programmed (MFN-9): in blocks that write S or M41–M44.
-fn check_gear(site: &mut Site<'_>, state: &State, words: &BlockWords) {
-    let Some(m @ 41..=44) = state.m(3) else { return };
-    let m_word = words.m.iter().find(|(number, _)| (41..=44).contains(number)).map(|(_, word)| *word);
-    let s_word = words.s.map(|valued| valued.word);
-    let Some(word) = s_word.or(m_word) else { return };
-    let gear = site.machine().gears.iter().copied().find(|gear| gear.m == m);
-    let speed = state.speed.value().and_then(Decimal::as_whole).and_then(|speed| u32::try_from(speed).ok());
-    let (Some(gear), Some(s)) = (gear, speed) else { return };
-    if gear.min <= s && s <= gear.max {
-        return;
-    }
-    let finding = Finding::SpeedOutsideGear { s, m, min: gear.min, max: gear.max };
-    let mut diagnostic = Diagnostic::new(finding, site.word_place(word));
-    if let (Some(m_word), Some(_)) = (m_word, s_word) {
-        diagnostic = diagnostic.with_label(site.word_place(m_word), LabelText::GearHere { m });
-    }
-    site.report(with_origin(state, diagnostic, word));
-}
-
-/// After a block that moves the machine by an M function all positions are unknown (MFN-4).
-pub(super) fn forget_positions(state: &mut State, m: &MFunctionsOfBlock) {
-    if m.moves {
+/// What happens to positions at the end of the block: an M function may move the machine (MFN-4), and START after a stop
+/// orients the spindle again (MFN-10).
+pub(super) fn finish(site: &Site<'_>, state: &mut State, m: &MFunctionsOfBlock) {
+    if m.moves_after {
         state.positions = [Position::Unknown; 9];
     }
+    if halts(site.settings, m) && spindle::axis(site.machine(), state).is_some() {
+        spindle::orient(site.machine(), state);
+    }
+}
+
+/// Whether the program stands at the end of the block (MFN-8): M00, and M01 with optional stop.
+pub(super) fn halts(settings: &Settings, m: &MFunctionsOfBlock) -> bool {
+    m.stop == Some(0) || (m.stop == Some(1) && settings.optional_stop)
 }

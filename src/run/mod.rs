@@ -4,6 +4,7 @@
 //! block stands in `interpreter.rs`; each rule is a function of what it looks at.
 
 mod arc;
+mod arc_findings;
 mod arithmetic;
 mod block;
 mod end;
@@ -11,6 +12,7 @@ mod executed;
 mod flow;
 mod frames;
 mod functions;
+mod gears;
 mod interpreter;
 mod m_functions;
 mod motion;
@@ -22,9 +24,11 @@ mod program;
 mod reading;
 mod sink;
 mod site;
+mod spindle;
 mod state;
 mod technology;
 mod travel;
+mod warnings;
 mod words;
 
 pub use block::Jump;

@@ -2,16 +2,17 @@
 
 use super::arc::{self, Arc};
 use super::block::{Block, DataFacts, Effect, InForce};
+use super::functions::report_unmodelled;
 use super::moved::{ArcFacts, MotionType, Moving};
-use super::parameters::with_origin;
-use super::planes;
 use super::site::Site;
-use super::state::{Position, State};
-use super::technology::{check_working_motion, choose_dynamic_set};
+use super::state::{AxisSet, Position, State};
+use super::technology::choose_dynamic_set;
 use super::travel::{Reading, Travel};
+use super::warnings::check_travel;
 use super::words::{BlockWords, Valued};
+use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
-use crate::diag::{CenterPlace, Diagnostic, Finding};
+use crate::diag::{CenterPlace, Finding};
 use crate::dict::{Decimal, GCode, GGroup, Micro};
 use crate::text::Location;
 
@@ -32,11 +33,6 @@ pub(super) fn kind_in_force(g: &InForce) -> MotionType {
     g.of(GGroup::G0).and_then(MotionType::of).unwrap_or(MotionType::Rapid)
 }
 
-/// The axis that is the spindle at the moment (MFN-10), by place in machine order.
-pub(super) fn spindle(machine: &Machine, state: &State) -> Option<usize> {
-    (state.m(2) == Some(19)).then(|| machine.spindle()).flatten()
-}
-
 /// Executes the motion or the data words of the block.
 pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -> Moved {
     let words = &block.words;
@@ -52,6 +48,10 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
         return Moved::No;
     }
     let kind = kind_in_force(&block.g);
+    if let Some(cycle) = unmapped_cycle(site.machine(), words, &block.g, kind) {
+        apply_unmapped_cycle(site, state, block, cycle);
+        return Moved::No;
+    }
     let centered = words.i.is_some() || words.j.is_some();
     let full_circle = kind.is_arc() && words.axis_count == 0 && centered && words.has(GCode::G23).is_none();
     let is_arc = kind.is_arc() && (words.axis_count > 0 || full_circle);
@@ -61,14 +61,16 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
         return Moved::No;
     }
     let at = place(site, words);
-    if kind.is_working() {
-        check_working_motion(site, state, g, at);
+    if kind.is_working() || kind == MotionType::Thread {
+        warnings::check_motion(site, state, g, kind == MotionType::Thread, at);
     }
-    let stale = std::mem::take(&mut state.origin_changed);
-    let mut moving = Moving { kind, stale, spindle: spindle(site.machine(), state), arc: None };
     let reading = Reading::of(site.machine(), state, g);
     travels.clear();
     travels.extend(words.axis_words().filter_map(|(axis, word)| reading.travel(site.machine(), state, axis, word)));
+    spindle::check(site, state, travels);
+    let plane = if kind.is_arc() { planes::axes_of(&site.machine().axes, planes::in_force(g)) } else { None };
+    let stale = settle_origin(state, travels, plane);
+    let mut moving = Moving { kind, stale, spindle: spindle::axis(site.machine(), state), arc: None };
     if kind == MotionType::Reference {
         for travel in travels.iter() {
             state.set_position(travel.axis, Position::Unknown);
@@ -88,6 +90,47 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
     }
     *effect = Effect::Motion(moving);
     if full_circle || kind == MotionType::Reference { Moved::WithoutCycle } else { Moved::Yes }
+}
+
+/// The fixed cycle in force, when a block with axis words does what nobody knows (GRP-6): no configuration maps it.
+fn unmapped_cycle(machine: &Machine, words: &BlockWords, g: &InForce, kind: MotionType) -> Option<GCode> {
+    let cycle = g.of(GGroup::G8).filter(|code| code.is_cycle())?;
+    let unknown =
+        words.axis_count > 0 && kind != MotionType::Reference && !machine.cycles.contains_key(&cycle.number());
+    unknown.then_some(cycle)
+}
+
+/// A block whose motion only the control knows: its words are kept as they are, its axes are unknown after it.
+fn apply_unmapped_cycle(site: &mut Site<'_>, state: &mut State, block: &mut Block, cycle: GCode) {
+    let Block { words, g, travels, centers, .. } = block;
+    let written = words.has(cycle).or_else(|| words.first_axis_word());
+    let at = written.map_or_else(|| site.block_place(), |word| site.word_place(word));
+    report_unmodelled(site, state, cycle, at);
+    let reading = Reading::of(site.machine(), state, g);
+    travels.clear();
+    travels.extend(words.axis_words().filter_map(|(axis, word)| reading.travel(site.machine(), state, axis, word)));
+    spindle::check(site, state, travels);
+    for (axis, valued) in words.axis_words() {
+        state.set_position(axis, Position::Undetermined);
+        if let (Some(definition), Some(value)) = (site.machine().axes.get(axis), valued.value) {
+            centers.push((definition.letter.letter(), value));
+        }
+    }
+    let dynamic = choose_dynamic_set(site, state, words);
+    for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
+        if !(letter == 'I' && dynamic) {
+            centers.extend(valued.and_then(|valued| valued.value).map(|value| (letter, value)));
+        }
+    }
+}
+
+/// Whether the motion's programmed start is not where the tool stands (MOT-8): of one of its axes is enough. `plane`: the
+/// axes of the plane in force, which an arc moves too. Any motion ends that state.
+#[inline]
+pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option<[usize; 2]>) -> bool {
+    let unsettled = std::mem::take(&mut state.unsettled);
+    let by_plane = plane.filter(|_| travels.len() < 2).into_iter().flatten();
+    travels.iter().map(|travel| travel.axis).chain(by_plane).any(|axis| unsettled.contains(axis))
 }
 
 /// Where a finding about an arc or a motion stands: its G word if written, else its first axis word.
@@ -156,7 +199,13 @@ fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, functio
         origin: g.of(GGroup::G5).filter(|_| table && !corrections_only),
         d: words.d.and_then(|valued| valued.value),
     });
-    state.origin_changed = true;
+    state.unsettled = AxisSet::ALL;
+    if words.has(GCode::G93).is_some() {
+        // The named axes stand at the programmed coordinates (GRP-4).
+        for (axis, _) in words.axis_words() {
+            state.unsettled.remove(axis);
+        }
+    }
 }
 
 /// Puts the positions after the motion into force, and warns of axes that the program does not know (MOT-2).
@@ -166,6 +215,7 @@ pub(super) fn arrive(site: &mut Site<'_>, state: &mut State, travels: &[Travel],
         if travel.incremental && travel.before == Position::Unknown && travel.distance.is_some() && warn {
             warn_incremental(site, state, travel);
         }
+        check_travel(site, state, travel);
         state.set_position(travel.axis, travel.after);
     }
 }
@@ -189,30 +239,29 @@ fn find_arc(
     travels: &mut Vec<Travel>,
 ) -> Option<ArcFacts> {
     let machine = site.machine();
-    let plane = planes::in_force(&machine.axes, g);
-    let Some((pair, helix)) = planes::of_arc(&plane, travels) else {
-        let name = plane.name;
-        let plane = g.of(GGroup::G1).map_or_else(|| name.to_owned(), |code| format!("{name} ({code})"));
+    let plane = planes::in_force(g);
+    let Some((pair, helix)) = planes::of_arc(planes::axes_of(&machine.axes, plane), travels) else {
+        let plane = format!("{} ({})", plane.name, plane.function);
         site.found(Finding::ArcAxes { plane, many: travels.len() > 3 }, at);
         return None;
     };
     if helix.is_some() && g.of(GGroup::G2) != Some(GCode::G09) {
         site.found(Finding::HelixWithoutG09 {}, at);
     }
-    if words.axis_count == 0 {
-        stay(machine, state, pair, travels);
-    }
+    arc_findings::check_plane(site, g, at, pair);
+    stay(machine, state, pair, travels);
     let named = planes::named(&machine.axes, pair);
     let [first, second] = named.map(|axis| machine.axes.get(axis).map(|axis| axis.letter));
     let mut arc = ArcFacts { plane: [first?, second?], helix, radius: None, computed: None };
-    let Some(to_center) = center(site, words, named, at) else { return Some(arc) };
+    let Some(to_center) = center(site, state, words, g, named, at) else { return Some(arc) };
     arc.radius = Some(arc::radius(to_center));
     let Some([start, end]) = ends(site, state, named, travels, at) else { return Some(arc) };
     let counter_clockwise = moving.kind == MotionType::ArcCcw;
-    let computed = Arc { start, end, to_center, counter_clockwise }.compute();
+    let path = Arc { start, end, to_center, counter_clockwise };
+    let computed = path.compute();
     let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
     if !arc::radii_agree(&computed, tolerance) {
-        report_radii(site, state, words, at, computed.radius, computed.end_radius);
+        arc_findings::radii(site, state, words, at, named, (&path, &computed));
     }
     if moving.stale {
         site.found(Finding::ArcAfterOriginChange {}, at);
@@ -221,29 +270,38 @@ fn find_arc(
     Some(arc)
 }
 
-/// A full circle without axis words moves the two axes of the plane, back to where they stood (MOT-3).
-fn stay(machine: &Machine, state: &State, [one, other]: [usize; 2], travels: &mut Vec<Travel>) {
-    for axis in [one.min(other), one.max(other)] {
+/// Both axes of an arc move, also one that no word names: it comes back to where it stood (MOT-3).
+fn stay(machine: &Machine, state: &State, pair: [usize; 2], travels: &mut Vec<Travel>) {
+    for axis in pair {
         let Some(definition) = machine.axes.get(axis) else { continue };
-        let before = state.position(axis);
-        let distance = Some(Micro::ZERO);
-        travels.push(Travel { axis, definition, before, after: before, distance, incremental: false, word: None });
+        if let Err(at) = travels.binary_search_by_key(&axis, |travel| travel.axis) {
+            let before = state.position(axis);
+            let distance = Some(Micro::ZERO);
+            let stays = Travel { axis, definition, before, after: before, distance, incremental: false, word: None };
+            travels.insert(at, stays);
+        }
     }
 }
 
 /// The way from the start of an arc to its centre, along its axes, first-named first. `None`: it is unknown, or missing
 /// and reported.
-fn center(site: &mut Site<'_>, words: &BlockWords, named: [usize; 2], at: Location) -> Option<[Micro; 2]> {
+fn center(
+    site: &mut Site<'_>,
+    state: &State,
+    words: &BlockWords,
+    g: &InForce,
+    named: [usize; 2],
+    at: Location,
+) -> Option<[Micro; 2]> {
     let value = |word: Option<Valued>| word.map_or(Some(Decimal::ZERO), |valued| valued.value);
     let (i, j) = (value(words.i)?, value(words.j)?);
     if i == Decimal::ZERO && j == Decimal::ZERO {
-        let radius_word = !words.r.is_empty();
-        site.found(Finding::MissingArcCenter { radius_word }, at);
+        arc_findings::missing_center(site, state, words, g, at);
         return None;
     }
-    // I is along the earlier axis of the machine, J along the later one, also for G19 (MOT-3).
     let [i, j] = [Micro::from(i), Micro::from(j)];
-    Some(if named[0] > named[1] { [j, i] } else { [i, j] })
+    let [for_i, _] = arc_findings::center_axes(site.machine(), named);
+    Some(if for_i == named[0] { [i, j] } else { [j, i] })
 }
 
 /// Start and end of an arc along its axes. `None`: one is unknown.
@@ -260,33 +318,8 @@ fn ends(
         travel.map_or_else(|| state.position(axis), |travel| travel.after)
     });
     let (Some(start_u), Some(start_v)) = (start[0].known(), start[1].known()) else {
-        let unknown: Vec<String> = named
-            .into_iter()
-            .zip(start)
-            .filter(|(_, position)| *position == Position::Unknown)
-            .filter_map(|(axis, _)| site.machine().axes.get(axis))
-            .map(|axis| axis.letter.to_string())
-            .collect();
-        if !unknown.is_empty() {
-            site.found(Finding::ArcFromUnknown { axes: unknown.join(", ") }, at);
-        }
+        arc_findings::unknown_start(site, state, at, named, start);
         return None;
     };
     Some([[start_u, start_v], [end[0].known()?, end[1].known()?]])
-}
-
-/// E0603 stands at I, else at J (§13 Motion).
-fn report_radii(site: &mut Site<'_>, state: &State, words: &BlockWords, at: Location, start: f64, end: f64) {
-    let word = words.i.or(words.j).map(|valued| valued.word);
-    let place = word.map_or(at, |word| site.word_place(word));
-    let shown = |radius: f64| {
-        let text = format!("{radius:.4}");
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
-    let finding = Finding::ArcRadiusMismatch { start: shown(start), end: shown(end) };
-    let diagnostic = Diagnostic::new(finding, place);
-    site.report(match word {
-        Some(word) => with_origin(state, diagnostic, word),
-        None => diagnostic,
-    });
 }

@@ -2,14 +2,14 @@
 //! which is looked up once for a run of them; the rules of motion are those of every block.
 
 use super::block::{Block, Effect};
-use super::motion::{arrive, kind_in_force, spindle};
+use super::motion::{arrive, kind_in_force, settle_origin};
 use super::moved::{MotionType, Moving};
 use super::site::Site;
 use super::state::State;
-use super::technology::may_lack_technology;
 use super::travel::{Reading, Travel};
+use super::warnings::may_lack;
 use super::words::Valued;
-use super::{functions, m_functions};
+use super::{functions, m_functions, spindle};
 use crate::dict::{GCode, GGroup};
 use crate::syntax::BlockFlags;
 
@@ -38,7 +38,7 @@ impl Run {
         if !read_travels(site, state, reading, &mut block.travels) {
             return false;
         }
-        let stale = std::mem::take(&mut state.origin_changed);
+        let stale = settle_origin(state, &block.travels, None);
         block.effect = Effect::Motion(Moving { stale, ..moving });
         block.moves_on = settled;
         arrive(site, state, &block.travels, true);
@@ -52,18 +52,20 @@ impl Run {
         block.words.clear();
         block.g = functions::apply(site, state, &block.words);
         functions::track_origin(state, &block.words, &block.g);
-        m_functions::apply(site, state, &block.words, &mut block.m);
+        m_functions::apply(site, state, &block.words, &block.g, &mut block.m);
         let kind = kind_in_force(&block.g);
         let straight = match kind {
-            MotionType::Rapid | MotionType::Thread => true,
-            MotionType::Linear => !may_lack_technology(state, &block.g),
+            MotionType::Rapid => true,
+            MotionType::Thread => !may_lack(site, state, &block.g, true),
+            MotionType::Linear => !may_lack(site, state, &block.g, false),
             MotionType::ArcCw | MotionType::ArcCcw | MotionType::Reference => false,
         };
         let cycle = block.g.of(GGroup::G8).is_some_and(GCode::is_cycle);
-        if !straight || cycle {
+        let axis = spindle::axis(site.machine(), state);
+        if !straight || cycle || axis.is_some() || spindle::turns(site.machine(), state) {
             return Self::Involved;
         }
-        let moving = Moving { kind, stale: false, spindle: spindle(site.machine(), state), arc: None };
+        let moving = Moving { kind, stale: false, spindle: axis, arc: None };
         Self::Straight(moving, Reading::of(site.machine(), state, &block.g))
     }
 
@@ -132,7 +134,9 @@ mod tests {
             }
             let Some(block) = interpreter.step(&mut program, &mut findings) else { break };
             let facts = (block.motion(), block.feed(), block.m_written(), block.m_changed(), block.dwell());
-            known.push(format!("{:?} {facts:?} {:?} {:?}", block.at(), block.state(), block.data()));
+            // When it is looked up whether the program starts the spindle decides nothing.
+            let state = State { turns_spindle: None, ..block.state().clone() };
+            known.push(format!("{:?} {facts:?} {state:?} {:?}", block.at(), block.data()));
         }
         (known, findings.items().iter().map(|finding| format!("{finding:?}")).collect())
     }

@@ -3,11 +3,13 @@
 use super::frames::Frame;
 use crate::config::{Machine, Settings};
 use crate::diag::{CallSite, Diagnostic, Finding, Findings};
+use crate::resolve::Resolved;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::Location;
 
 /// The block in hand in its file, on its machine; its findings carry the calls that led to it.
 pub(super) struct Site<'e> {
+    pub(super) resolved: &'e Resolved,
     pub(super) file: &'e ParsedFile,
     pub(super) block: BlockId,
     pub(super) settings: &'e Settings,

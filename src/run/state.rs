@@ -70,6 +70,45 @@ impl Held {
     }
 }
 
+/// Where something in force came from, for the texts of findings. It decides nothing: two states that differ in it only lead
+/// to the same.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Noted<T>(pub(super) Option<T>);
+
+impl<T> PartialEq for Noted<T> {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+/// Places that texts of findings name.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Origins {
+    /// The F in force.
+    pub(super) feed: Noted<Location>,
+    /// The number of the block that wrote the G0 function in force, and its word.
+    pub(super) motion: Noted<(u32, Location)>,
+    /// The M function that moved the machine last (MFN-4), and its word.
+    pub(super) moved: Noted<(u8, Location)>,
+}
+
+/// Axes, a bit for each place in machine order.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(super) struct AxisSet(u16);
+
+impl AxisSet {
+    /// Every axis.
+    pub(super) const ALL: Self = Self(u16::MAX);
+
+    pub(super) const fn remove(&mut self, axis: usize) {
+        self.0 &= !(1 << axis);
+    }
+
+    pub(super) const fn contains(self, axis: usize) -> bool {
+        self.0 & (1 << axis) != 0
+    }
+}
+
 /// What was said already, of what is said once.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Said {
@@ -77,6 +116,14 @@ pub(super) struct Said {
     pub(super) feed: bool,
     /// A working motion without S (TEC-3).
     pub(super) speed: bool,
+    /// W0615, for the F in force.
+    pub(super) feed_unit: bool,
+    /// W0618.
+    pub(super) no_entry: bool,
+    /// W0619.
+    pub(super) spindle_stopped: bool,
+    /// W0620.
+    pub(super) no_tool: bool,
     /// An axis moved from an unknown position (MOT-2), by place in machine order.
     pub(super) incremental: [bool; 9],
     /// Functions that are not modelled (GRP-8).
@@ -87,7 +134,17 @@ pub(super) struct Said {
 
 impl Default for Said {
     fn default() -> Self {
-        Self { feed: false, speed: false, incremental: [false; 9], unmodelled: Vec::new(), unassigned: [false; 96] }
+        Self {
+            feed: false,
+            speed: false,
+            feed_unit: false,
+            no_entry: false,
+            spindle_stopped: false,
+            no_tool: false,
+            incremental: [false; 9],
+            unmodelled: Vec::new(),
+            unassigned: [false; 96],
+        }
     }
 }
 
@@ -114,8 +171,18 @@ pub struct State {
     pub(super) correction: Held,
     /// GRP-7.
     pub(super) dynamic_set: Option<u8>,
-    /// The programmed position is not where the tool stands (MOT-8).
-    pub(super) origin_changed: bool,
+    /// The axes whose programmed position is not where the tool stands (MOT-8).
+    pub(super) unsettled: AxisSet,
+    /// Whether the F in force was written as a feed per revolution; `None` when nobody knows (W0615).
+    pub(super) feed_per_revolution: Option<bool>,
+    /// F counts a hundredth (M37, TEC-6), in the block in hand before M02 and M30 reset it.
+    pub(super) feed_reduced: bool,
+    /// The gear of the block before (MFN-6).
+    pub(super) gear: Option<u8>,
+    /// Whether the program starts the spindle anywhere, once that was looked up (TEC-7).
+    pub(super) turns_spindle: Option<bool>,
+    /// For texts.
+    pub(super) origins: Origins,
     /// The G5 and G11 functions of the block before, x functions included (MOT-8).
     pub(super) last_origin: (Option<GCode>, Option<GCode>),
     pub(super) said: Said,
@@ -131,10 +198,16 @@ impl State {
                 *parameter = Parameter { value: Some(value), origin: Origin::Configured };
             }
         }
+        let mut positions = [Position::Unknown; 9];
+        for (letter, value) in &machine.start {
+            if let Some(slot) = machine.axes.index(*letter).and_then(|axis| positions.get_mut(axis)) {
+                *slot = Position::Known(Micro::from(*value));
+            }
+        }
         let mut state = Self {
             g: machine.power_up,
-            m: *machine.m_functions.defaults(),
-            positions: [Position::Unknown; 9],
+            m: machine.m_power_up,
+            positions,
             parameters,
             feed: Held::None,
             speed: Held::None,
@@ -145,7 +218,12 @@ impl State {
             d: Held::None,
             correction: Held::None,
             dynamic_set: None,
-            origin_changed: false,
+            unsettled: AxisSet::default(),
+            feed_per_revolution: None,
+            feed_reduced: false,
+            gear: None,
+            turns_spindle: None,
+            origins: Origins::default(),
             last_origin: (None, None),
             said: Said::default(),
         };

@@ -155,7 +155,7 @@ fn m52_is_on_and_m53_off() {
     let blocks = blocks("", "%1\nN10 M52\nN20 M0\nN30 M30\n");
     assert_eq!(blocks.iter().map(|block| &block["m"][6]).collect::<Vec<_>>(), [52, 52, 53]);
     assert_eq!(block(&blocks, 20)["m_at_stop"]["6"], 53);
-    assert_eq!(block(&blocks, 30)["m_changed"], json!([1, 6]));
+    assert_eq!(block(&blocks, 30)["m_changed"], json!([1, 2, 5, 6]));
 }
 
 /// ADR-2, PAR-8, §13: halves are rounded away from zero, also below it.

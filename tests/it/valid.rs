@@ -1,5 +1,6 @@
 //! Random valid programs: no findings, and a stream that is what the model's own interpreter says.
 
+use cnc872c::diag::Code;
 use cnc872c::text::MemoryLoader;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -7,7 +8,7 @@ use serde_json::Value;
 use crate::markers::{Request, options};
 use crate::model::{Executed, LETTERS, listing, program};
 use crate::properties::cases;
-use crate::run::run;
+use crate::run::{Run, run};
 use crate::samples::RECORDS;
 
 /// How far a length in the stream may be from one computed in floating point.
@@ -70,10 +71,12 @@ proptest! {
             options(&mut request.overrides, "--block-skip");
         }
         let checked = run(&loader, "p.nc", &request);
-        assert_eq!(checked.codes(), [], "\n{}", listing(&program));
+        // Programs made at random cut before they start the spindle, and break lines anywhere.
+        let codes = |run: &Run| run.codes().into_iter().filter(|code| ![Code::W0619, Code::W0221].contains(code)).collect::<Vec<_>>();
+        assert_eq!(codes(&checked), [], "\n{}", listing(&program));
         request.compile = true;
         let compiled = run(&loader, "p.nc", &request);
-        assert_eq!(compiled.codes(), []);
+        assert_eq!(codes(&compiled), []);
         assert_eq!((checked.executed, compiled.executed), (executed.len() as u64, executed.len() as u64), "{}", listing(&program));
 
         let records = compiled.records();

@@ -1,5 +1,5 @@
 %192 "everything configured
-N10 G90 G0 XR10 Y0 C0 Z5
+N10 G90 G0 XR10 Y0 C0 Z5 S100 M3
 N20
 N30 L5 Q5
 "   ^^ W0402

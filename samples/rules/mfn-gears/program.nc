@@ -11,9 +11,15 @@ N70 M42 S2000
 N80 M41
 "   ^^^ E0607
 N90 G0 X5 "neither S nor M41 to M44 is written"
-N100 M40 S9999 "not with M40"
+N100 M40 S9999
+"        ^^^^^ W0617
 N110 S10 M42
 "    ^^^ E0607
 N120 M40
+"    ^^^ W0617
 N130 S5
+"    ^^ W0617
+N132 G96
+N134 S7000 "what S means here is in no source"
+N136 G94 S50
 N140 M30

@@ -67,7 +67,7 @@ fn words_as_written() {
     );
     assert_eq!(
         column(&found, "words"),
-        json!([{"K": 1.5}, {"I": 2, "J": 3, "K": 4}, {"K": 5}, {"I": 1, "J": 0, "K": 2}, {"K": 7}, {"I": 8}, null])
+        json!([{"K": 1.5}, {"I": 2, "J": 3, "K": 4}, {"K": 5}, {"I": 1, "J": 0, "K": 2}, {"Z": -5, "K": 7}, {"I": 8}, null])
     );
     assert_eq!(found[0]["motion"], json!({"type": "thread", "axes": ["Z"], "length_mm": 10}));
     assert_eq!(found[3]["motion"]["center"], json!({"X": 1, "Y": 0}));
@@ -182,17 +182,20 @@ fn oriented_spindle() {
     let found = blocks(
         "%1\nN10 C0 A0\nN20 M19 C90\nN30 A10\nN40 X0 C100\nN50 M05 C110\nN60 C120\nN70 M19\nN80 G01 C0 F10\nN90 M30",
     );
+    // M19 puts the spindle at 0; M05 in force again leaves it anywhere.
     let motions = column(&found, "motion");
     assert_eq!(motions[1], json!({"type": "rapid", "axes": ["C"], "length_deg": 90, "spindle_axis": "C"}));
     assert_eq!(motions[2], json!({"type": "rapid", "axes": ["A"], "length_deg": 10}));
     assert_eq!(motions[3], json!({"type": "rapid", "axes": ["X", "C"], "spindle_axis": "C"}));
-    assert_eq!(motions[4], json!({"type": "rapid", "axes": ["C"], "length_deg": 10}));
-    assert_eq!(motions[7], json!({"type": "linear", "axes": ["C"], "length_deg": 120, "spindle_axis": "C"}));
+    assert_eq!(motions[4], json!({"type": "rapid", "axes": ["C"]}));
+    assert_eq!(motions[5], json!({"type": "rapid", "axes": ["C"], "length_deg": 10}));
+    assert_eq!(motions[7], json!({"type": "linear", "axes": ["C"], "length_deg": 0, "spindle_axis": "C"}));
     assert_eq!(found[4]["position"]["C"], 110);
+    assert_eq!(found[6]["position"]["C"], 0);
     assert_eq!(entries(&found, "m", 2), json!([5, 19, 19, 19, 5, 5, 19, 19, 5]));
     let linear = "[[axes]]\nletter = \"X\"\nkind = \"linear\"\n[[axes]]\nletter = \"B\"\nkind = \"linear\"\n\
         [[axes]]\nletter = \"A\"\nkind = \"linear\"\n";
     let found = case("%1\nN10 A0 B0\nN20 A5 B5\nN30 M19 A9\nN40 M30").config(linear).blocks();
     assert_eq!(found[1]["motion"]["length_mm"], json!(7.071_068));
-    assert_eq!(found[2]["motion"], json!({"type": "rapid", "axes": ["A"], "length_deg": 4, "spindle_axis": "A"}));
+    assert_eq!(found[2]["motion"], json!({"type": "rapid", "axes": ["A"], "length_deg": 9, "spindle_axis": "A"}));
 }

@@ -19,7 +19,7 @@ fn shortest_program() {
                 "first_block": true, "last_block": true,
                 "g": [0, 17, 98, 40, null, 53, 94, 70, 80, 90, 75, 34],
                 "m": [null, 30, 5, 40, null, 9, 53, null, 48, null, null, null, null, null, null],
-                "m_set": [30], "m_changed": [1]}),
+                "m_set": [30], "m_changed": [1, 2, 5, 6]}),
             json!({"kind": "end", "reason": "M30", "blocks": 1, "path_mm": 0}),
         ]
     );
@@ -86,14 +86,14 @@ fn m_groups() {
     assert_eq!(column(&found, "m_set"), json!([[3, 8, 99], null, [3], [6, 10, 49], [41, 51, 20], [4, 7, 30]]));
 }
 
-/// `M03 M30` marks group 2 and shows 05; M05 M02 marks it too, an unchanged group 2 is not marked (§13 Records).
+/// M02 and M30 send M05, M09 and M53: groups 2, 5 and 6 are marked whether they change or not (MFN-6).
 #[test]
 fn m_marks_of_the_end() {
     let end = |words: &str| blocks(&format!("%1\nN10 {words}"))[0].clone();
-    assert_fields(&end("M03 M30"), &json!({"m_changed": [1, 2]}));
+    assert_fields(&end("M03 M30"), &json!({"m_changed": [1, 2, 5, 6]}));
     assert_eq!(end("M03 M30")["m"][2], 5);
-    assert_fields(&end("M05 M02"), &json!({"m_changed": [1, 2], "m_set": [5, 2]}));
-    assert_fields(&end("M02"), &json!({"m_changed": [1]}));
+    assert_fields(&end("M05 M02"), &json!({"m_changed": [1, 2, 5, 6], "m_set": [5, 2]}));
+    assert_fields(&end("M02"), &json!({"m_changed": [1, 2, 5, 6]}));
 }
 
 /// M00 and M01: what holds while the program stands, and after START (MFN-8).
@@ -107,7 +107,7 @@ fn stops() {
     assert_eq!(entries(&off, "m", 5), json!([7, 7, 7, 7, 7, 9, 9]));
     assert_eq!(entries(&off, "m", 6), json!([52, 52, 52, 50, 50, 50, 53]));
     assert_eq!(entries(&off, "m", 1), json!([null, 0, 1, 0, null, 1, 30]));
-    assert_eq!(column(&off, "m_changed"), json!([[2, 5, 6], [1], [1], [1, 2, 6], null, [1, 5], [1, 2, 6]]));
+    assert_eq!(column(&off, "m_changed"), json!([[2, 5, 6], [1], [1], [1, 2, 6], null, [1, 5], [1, 2, 5, 6]]));
     assert_eq!(column(&off, "stop"), json!([null, true, null, true, null, null, null]));
     assert_eq!(column(&off, "cond_stop"), json!([null, null, true, null, null, true, null]));
     let stream = case(program).args("--optional-stop").whole();
@@ -122,11 +122,11 @@ fn m_by_dialect() {
     let old = case(program).args("--dialect=cnc8x9").blocks();
     assert_eq!(entries(&old, "m", 4), json!([37, 36, 37, 36]));
     assert_eq!(entries(&old, "m", 14), json!([null, null, null, null]));
-    assert_eq!(old[3]["m_changed"], json!([1, 4, 5]));
+    assert_eq!(old[3]["m_changed"], json!([1, 2, 4, 5, 6]));
     let new = blocks(program);
     assert_eq!(entries(&new, "m", 4), json!([null, null, null, null]));
     assert_eq!(entries(&new, "m", 14), json!([37, 36, 37, 37]));
-    assert_eq!(new[3]["m_changed"], json!([1, 5]));
+    assert_eq!(new[3]["m_changed"], json!([1, 2, 5, 6]));
 }
 
 /// R56–R59 name groups 10–13 (MFN-5); the record lists them with their group only (§13 Records).
@@ -143,7 +143,7 @@ fn m_groups_of_machine_constants() {
     assert_eq!(entries(&found, "m", 10), json!([92, 91, 91]));
     assert_eq!(entries(&found, "m", 13), json!([70, 70, 70]));
     assert_eq!(entries(&found, "m", 14), json!([null, 95, 95]));
-    assert_eq!(column(&found, "m_changed"), json!([[10, 13], [10, 14], [1]]));
+    assert_eq!(column(&found, "m_changed"), json!([[10, 13], [10, 14], [1, 2, 5, 6]]));
 }
 
 const CHANNEL: &str = "<C><MFunctions><MFunc No=\"6\" BreakCont=\"1\" ChangePos=\"1\"/><MFunc No=\"36\" GroupNo=\"4\"/>\
@@ -164,13 +164,13 @@ fn m_functions_of_a_channel() {
     let found = stream.blocks();
     assert_fields(
         &found[1],
-        &json!({"break_cont": true, "break_cont_end": true, "change_pos": true, "position": null, "m_changed": [4, 9],
-            "motion": {"type": "rapid", "axes": ["X", "Y"], "length_mm": 5}}),
+        &json!({"break_cont": true, "break_cont_end": true, "change_pos": true, "position": {"X": 13, "Y": 9}, "m_changed": [4, 9],
+            "motion": {"type": "rapid", "axes": ["X", "Y"]}}),
     );
     assert_fields(
         &found[2],
-        &json!({"break_cont": null, "break_cont_end": null, "change_pos": null, "position": {"X": 20},
-            "motion": {"type": "rapid", "axes": ["X"]}}),
+        &json!({"break_cont": null, "break_cont_end": null, "change_pos": null, "position": {"X": 20, "Y": 9},
+            "motion": {"type": "rapid", "axes": ["X"], "length_mm": 7}}),
     );
     assert_eq!(entries(&found, "m", 4), json!([null, 37, 37, 36, 36]));
     assert_eq!(entries(&found, "m", 12), json!([null, null, null, 100, 100]));
@@ -191,8 +191,9 @@ fn gears() {
 /// Feed and what it means (TEC-1, TEC-5).
 #[test]
 fn feeds() {
-    let found =
-        blocks("%1\nN10\nN20 F120.5\nN30\nN40 G95\nN50 F0.2\nN60 G96\nN70 G97 F99.999\nN80 G94 F24000\nN90 M30");
+    let found = case("%1\nN10\nN20 F120.5\nN30\nN40 G95\nN50 F0.2\nN60 G96\nN70 G97 F99.999\nN80 G94 F24000\nN90 M30")
+        .args("--dialect=cnc8x9")
+        .blocks();
     assert_eq!(column(&found, "feed"), json!([null, 120.5, 120.5, 120.5, 0.2, 0.2, 99.999, 24000, 24000]));
     assert_eq!(column(&found, "f_set"), json!([null, true, null, null, true, null, true, true, null]));
     assert_eq!(column(&found, "rev_feed"), json!([null, null, null, true, true, null, true, null, null]));

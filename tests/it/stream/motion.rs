@@ -127,12 +127,12 @@ fn arcs_with_the_fourth_axis() {
 fn half_and_full_circles() {
     assert_eq!(
         arc("G02 X20 I10"),
-        json!({"type": "arc_cw", "axes": ["X"], "length_mm": 31.415_927, "plane": "XY", "center": {"X": 10, "Y": 0},
+        json!({"type": "arc_cw", "axes": ["X", "Y"], "length_mm": 31.415_927, "plane": "XY", "center": {"X": 10, "Y": 0},
             "radius_mm": 10, "sweep_deg": 180})
     );
     assert_eq!(
         arc("G19 G03 Z-20 J-10"),
-        json!({"type": "arc_ccw", "axes": ["Z"], "length_mm": 31.415_927, "plane": "ZX", "center": {"X": 0, "Z": -10},
+        json!({"type": "arc_ccw", "axes": ["X", "Z"], "length_mm": 31.415_927, "plane": "ZX", "center": {"X": 0, "Z": -10},
             "radius_mm": 10, "sweep_deg": 180})
     );
     let full = json!({"type": "arc_cw", "axes": ["X", "Y"], "length_mm": 31.415_927, "plane": "XY",

@@ -243,7 +243,7 @@ proptest! {
             let moved: Vec<&str> =
                 after["motion"]["axes"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
             for letter in ["X", "Y", "Z", "A", "U"] {
-                let set = moved.contains(&letter) || after["data"]["g"] == 93 || after["change_pos"] == true;
+                let set = moved.contains(&letter) || after["data"]["g"] == 93 || after["change_pos"] == true || after["words"].get(letter).is_some();
                 if !set {
                     prop_assert_eq!(&before["position"][letter], &after["position"][letter]);
                 }

@@ -1,0 +1,73 @@
+//! What findings about arcs, planes and the spindle name, in both languages.
+
+use crate::dict::{Lang, bilingual};
+
+bilingual! {
+    /// What was probably meant by I and J that do not fit.
+    ArcMeant {
+        Nothing "correct `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the centre", "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od začátku oblouku, ne souřadnice středu";
+        Coordinates { words: String } "`I` and `J` fit as coordinates of the centre, but they are distances from the start: write `{words}`", "I a J vyhovují jako souřadnice středu, jsou to ale vzdálenosti od začátku oblouku: napsat „{words}“";
+        Exchanged { words: String } "`I` and `J` fit when exchanged: write `{words}`; which axis `I` belongs to is `arc-centers` in the project file", "I a J vyhovují, když se vymění: napsat „{words}“; ke které ose patří I, určuje arc-centers v projektovém souboru";
+    }
+}
+
+bilingual! {
+    /// Why a word of the spindle's axis cannot be executed.
+    SpindleFault {
+        Turning { m: u8 } "it cannot be positioned while M{m:02} turns it", "nelze ho polohovat, když se otáčí (M{m:02})";
+        TooFar { degrees: String } "one block turns it by {degrees}°, and 69999.999° is the most", "jeden blok ho otáčí o {degrees}°, nejvýše smí o 69999.999°";
+    }
+}
+
+impl SpindleFault {
+    /// What to write instead.
+    pub fn help(&self, lang: Lang) -> &'static str {
+        match (self, lang) {
+            (Self::Turning { .. }, Lang::En) => "program M19 first",
+            (Self::Turning { .. }, Lang::Cs) => "nejdřív zadat M19",
+            (Self::TooFar { .. }, Lang::En) => "split the turn into several blocks",
+            (Self::TooFar { .. }, Lang::Cs) => "rozdělit otočení do několika bloků",
+        }
+    }
+}
+
+bilingual! {
+    /// How a plane does not fit.
+    PlaneFault {
+        MissingAxis { axes: String } "the machine has no axis {axes}", "stroj nemá osu {axes}";
+        OtherAxes { axes: String, correction: String } "the arc moves {axes}, and {correction} corrects the radius in the plane only", "oblouk se pohybuje v osách {axes} a {correction} koriguje poloměr jen v rovině";
+    }
+}
+
+/// Start, centre and end of an arc, along its two axes in machine order, in mm.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct ArcPoints {
+    /// The letters of the axes.
+    pub axes: [char; 2],
+    /// Where it starts.
+    pub start: [String; 2],
+    /// Its centre by I and J.
+    pub center: [String; 2],
+    /// Where it ends.
+    pub end: [String; 2],
+    /// X is shown as a radius, while the program writes diameters (G74).
+    pub diameters: bool,
+}
+
+impl ArcPoints {
+    /// As a note.
+    pub fn text(&self, lang: Lang) -> String {
+        let point = |[first, second]: &[String; 2]| format!("{}{first} {}{second}", self.axes[0], self.axes[1]);
+        let (start, center, end) = (point(&self.start), point(&self.center), point(&self.end));
+        match (lang, self.diameters) {
+            (Lang::En, false) => format!("start {start}, centre {center}, end {end}"),
+            (Lang::Cs, false) => format!("začátek {start}, střed {center}, konec {end}"),
+            (Lang::En, true) => format!(
+                "start {start}, centre {center}, end {end}; these X are radii (G74 programs diameters, I is a radius)"
+            ),
+            (Lang::Cs, true) => format!(
+                "začátek {start}, střed {center}, konec {end}; X jsou zde poloměry (při G74 se programuje průměr, I je poloměr)"
+            ),
+        }
+    }
+}

@@ -1,0 +1,135 @@
+//! What is said about arcs that cannot be right (MOT-4): with advice that leads to what was meant.
+
+use super::arc::{self, Arc, Computed};
+use super::block::InForce;
+use super::parameters::with_origin;
+use super::planes;
+use super::site::Site;
+use super::state::{Position, State};
+use super::words::BlockWords;
+use crate::config::{ArcCenters, Machine};
+use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Finding, LabelText, PlaneFault};
+use crate::dict::{AxisLetter, GCode, GGroup, Micro};
+use crate::text::Location;
+
+/// The axes that I and J belong to (MOT-3): in the order of the machine, also for G19, or as configured in that of the plane's
+/// name. Pairs that no plane names keep the order of the machine.
+pub(super) fn center_axes(machine: &Machine, named: [usize; 2]) -> [usize; 2] {
+    match machine.arc_centers {
+        ArcCenters::PlaneOrder => named,
+        ArcCenters::MachineOrder => [named[0].min(named[1]), named[0].max(named[1])],
+    }
+}
+
+/// W0616: under a radius correction an arc in other axes than those of the plane in force.
+pub(super) fn check_plane(site: &mut Site<'_>, g: &InForce, at: Location, pair: [usize; 2]) {
+    let Some(correction) = g.of(GGroup::G3).filter(|code| *code != GCode::G40) else { return };
+    let axes = &site.machine().axes;
+    let (plane, meant) = (planes::in_force(g), planes::of_pair(axes, pair));
+    if meant == Some(plane) {
+        return;
+    }
+    let letters: Vec<String> = planes::named(axes, pair)
+        .into_iter()
+        .filter_map(|axis| axes.get(axis))
+        .map(|axis| axis.letter.to_string())
+        .collect();
+    let fault = PlaneFault::OtherAxes { axes: letters.join(", "), correction: correction.to_string() };
+    site.found(Finding::PlaneMismatch { plane, fault, meant }, at);
+}
+
+/// E0602, with what makes the block an arc when it does not say so itself.
+pub(super) fn missing_center(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &InForce, at: Location) {
+    let modal = words.written(GGroup::G0).is_none();
+    let function = g.of(GGroup::G0).map_or_else(String::new, |code| code.to_string());
+    let origin = state.origins.motion.0.filter(|_| modal);
+    let by = origin.map(|(n, _)| format!("{function} (N{n})"));
+    let finding = Finding::MissingArcCenter { radius_word: !words.r.is_empty(), by };
+    let mut diagnostic = Diagnostic::new(finding, at);
+    if let Some((_, place)) = origin {
+        diagnostic = diagnostic.with_label(place, LabelText::InForce { function });
+    }
+    site.report(diagnostic);
+}
+
+/// W0606, with the M function that moved the machine.
+pub(super) fn unknown_start(site: &mut Site<'_>, state: &State, at: Location, axes: [usize; 2], start: [Position; 2]) {
+    let unknown: Vec<String> = axes
+        .into_iter()
+        .zip(start)
+        .filter(|(_, position)| *position == Position::Unknown)
+        .filter_map(|(axis, _)| site.machine().axes.get(axis))
+        .map(|axis| axis.letter.to_string())
+        .collect();
+    if unknown.is_empty() {
+        return;
+    }
+    let mut diagnostic = Diagnostic::new(Finding::ArcFromUnknown { axes: unknown.join(", ") }, at);
+    if let Some((m, place)) = state.origins.moved.0 {
+        diagnostic = diagnostic.with_label(place, LabelText::PositionLost { m });
+    }
+    site.report(diagnostic);
+}
+
+/// E0603 at I, else at J, with start, centre and end, and what I and J probably are.
+pub(super) fn radii(
+    site: &mut Site<'_>,
+    state: &State,
+    words: &BlockWords,
+    at: Location,
+    named: [usize; 2],
+    (arc, computed): (&Arc, &Computed),
+) {
+    let machine = site.machine();
+    let word = words.i.or(words.j).map(|valued| valued.word);
+    let place = word.map_or(at, |word| site.word_place(word));
+    let radius = |radius: f64| {
+        let text = format!("{radius:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    };
+    let [for_i, for_j] = center_axes(machine, named);
+    let letter = |axis: usize| machine.axes.get(axis).map_or(' ', |axis| axis.letter.letter());
+    let in_order = |pair: [Micro; 2]| if for_i == named[0] { pair } else { [pair[1], pair[0]] };
+    let text = |pair: [Micro; 2]| in_order(pair).map(|value| value.to_string());
+    let diameters = state.modal(GGroup::G10) == Some(GCode::G74)
+        && machine.axes.index(AxisLetter::X).is_some_and(|x| named.contains(&x));
+    let points = ArcPoints {
+        axes: [letter(for_i), letter(for_j)],
+        start: text(arc.start),
+        center: text(computed.center),
+        end: text(arc.end),
+        diameters,
+    };
+    let finding = Finding::ArcRadiusMismatch {
+        start: radius(computed.radius),
+        end: radius(computed.end_radius),
+        points: Box::new(points),
+        meant: meant_center(machine, arc, in_order),
+    };
+    let diagnostic = Diagnostic::new(finding, place);
+    site.report(match word {
+        Some(word) => with_origin(state, diagnostic, word),
+        None => diagnostic,
+    });
+}
+
+/// Whether I and J fit as coordinates of the centre, or exchanged.
+fn meant_center(machine: &Machine, arc: &Arc, in_order: impl Fn([Micro; 2]) -> [Micro; 2]) -> ArcMeant {
+    let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
+    let fits = |to_center: [Micro; 2]| {
+        to_center != [Micro::ZERO; 2] && arc::radii_agree(&Arc { to_center, ..*arc }.compute(), tolerance)
+    };
+    let words = |to_center: [Micro; 2]| {
+        let [i, j] = in_order(to_center);
+        format!("I{i} J{j}")
+    };
+    let [u, v] = arc.to_center;
+    let (absolute, exchanged) = ([u.minus(arc.start[0]), v.minus(arc.start[1])], [v, u]);
+    if fits(absolute) {
+        ArcMeant::Coordinates { words: words(absolute) }
+    } else if fits(exchanged) {
+        ArcMeant::Exchanged { words: words(exchanged) }
+    } else {
+        ArcMeant::Nothing
+    }
+}

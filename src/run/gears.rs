@@ -1,0 +1,69 @@
+//! The gear of the spindle (MFN-9): which one M40 chooses, whether S fits.
+
+use super::block::InForce;
+use super::parameters::with_origin;
+use super::site::Site;
+use super::state::State;
+use super::words::BlockWords;
+use crate::config::Machine;
+use crate::diag::{Diagnostic, Finding, LabelText};
+use crate::dict::{Decimal, GGroup};
+use crate::syntax::Word;
+
+/// The group of spindle ranges.
+pub(super) const RANGES: usize = 3;
+/// The range follows from S.
+pub(super) const BY_SPEED: u8 = 40;
+
+/// The gear in force, 1–4: by M41–M44, or the lowest that S fits under M40.
+pub(super) fn gear(machine: &Machine, state: &State) -> Option<u8> {
+    match state.m(RANGES) {
+        Some(m @ 41..=44) => Some(m - BY_SPEED),
+        Some(BY_SPEED) => {
+            let speed = speed(state)?;
+            let gears = machine.gears.iter();
+            gears.filter(|gear| gear.min <= speed && speed <= gear.max).map(|gear| gear.m - BY_SPEED).min()
+        }
+        Some(_) | None => None,
+    }
+}
+
+fn speed(state: &State) -> Option<u32> {
+    state.speed.value().and_then(Decimal::as_whole).and_then(|speed| u32::try_from(speed).ok())
+}
+
+/// S outside the range of the gear programmed (E0607), or in no gear that M40 could choose (W0617): in blocks that write S or
+/// M40–M44. Not while the cutting speed is constant: what S means then is in no source.
+pub(super) fn check(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &InForce) {
+    let machine = site.machine();
+    if machine.gears.is_empty() {
+        return;
+    }
+    let m_word = words.m.iter().find(|(m, _)| usize::from(machine.m_functions.group(*m)) == RANGES);
+    let m_word: Option<Word> = m_word.map(|(_, word)| *word);
+    let s_word = words.s.map(|valued| valued.word);
+    let (Some(word), Some(m), Some(s)) = (s_word.or(m_word), state.m(RANGES), speed(state)) else { return };
+    if g.of(GGroup::G6).is_some_and(|mode| machine.cuts_at_constant_speed(mode)) {
+        return;
+    }
+    let finding = if m == BY_SPEED {
+        if gear(machine, state).is_some() {
+            return;
+        }
+        let gears: Vec<String> =
+            machine.gears.iter().map(|gear| format!("M{} {}–{}", gear.m, gear.min, gear.max)).collect();
+        Finding::NoGearForSpeed { s, gears: gears.join(", ") }
+    } else {
+        match machine.gears.iter().find(|gear| gear.m == m) {
+            Some(gear) if s < gear.min || gear.max < s => {
+                Finding::SpeedOutsideGear { s, m, min: gear.min, max: gear.max }
+            }
+            Some(_) | None => return,
+        }
+    };
+    let mut diagnostic = Diagnostic::new(finding, site.word_place(word));
+    if let (Some(m_word), Some(_)) = (m_word, s_word) {
+        diagnostic = diagnostic.with_label(site.word_place(m_word), LabelText::GearHere { m });
+    }
+    site.report(with_origin(state, diagnostic, word));
+}

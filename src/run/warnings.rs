@@ -1,0 +1,136 @@
+//! What a motion or a tool change lacks (TEC-1…TEC-7), each said once in a program, and the travel of the axes (W0621).
+
+use super::block::InForce;
+use super::parameters::with_origin;
+use super::site::Site;
+use super::spindle::SPINDLE;
+use super::state::{Held, State};
+use super::travel::Travel;
+use super::words::BlockWords;
+use crate::diag::{Diagnostic, Finding, LabelText};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::syntax::Word;
+use crate::text::{FileId, Location};
+
+/// Spindle stop, and what turns it.
+const STOPPED: u8 = 5;
+const TURNING: [i64; 2] = [3, 4];
+/// Tool change.
+const TOOL_CHANGE: u8 = 6;
+
+/// What a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a spindle that
+/// turns (W0619).
+pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, g: &InForce, thread: bool, at: Location) {
+    if !thread {
+        if state.feed == Held::None && !state.said.feed {
+            state.said.feed = true;
+            site.found(Finding::MissingFeed {}, at);
+        }
+        check_feed_unit(site, state, g, at);
+    }
+    if let Some(function) = speed_reader(site, g)
+        && state.speed == Held::None
+        && !state.said.speed
+    {
+        state.said.speed = true;
+        site.found(Finding::MissingSpindleSpeed { function }, at);
+    }
+    if lacks_spindle(site, state, thread) {
+        state.said.spindle_stopped = true;
+        site.found(Finding::SpindleStopped { thread }, at);
+    }
+}
+
+/// Whether [`check_motion`] may have something to say.
+pub(super) fn may_lack(site: &Site<'_>, state: &mut State, g: &InForce, thread: bool) -> bool {
+    let feed = !thread && ((state.feed == Held::None && !state.said.feed) || differing_unit(site, state, g).is_some());
+    let speed = state.speed == Held::None && !state.said.speed && speed_reader(site, g).is_some();
+    feed || speed || lacks_spindle(site, state, thread)
+}
+
+/// The G6 function in force, when a motion under it needs S (TEC-3).
+fn speed_reader(site: &Site<'_>, g: &InForce) -> Option<GCode> {
+    let machine = site.machine();
+    let needs = |mode: &GCode| machine.feeds_per_revolution(*mode) || machine.cuts_at_constant_speed(*mode);
+    g.of(GGroup::G6).filter(needs)
+}
+
+/// The G6 function in force, when F was written under one of the other unit and that was not said yet (TEC-1).
+fn differing_unit(site: &Site<'_>, state: &State, g: &InForce) -> Option<GCode> {
+    let mode = g.of(GGroup::G6)?;
+    let differs = state.feed_per_revolution? != site.machine().feeds_per_revolution(mode);
+    (differs && !state.said.feed_unit && state.feed.value().is_some()).then_some(mode)
+}
+
+fn check_feed_unit(site: &mut Site<'_>, state: &mut State, g: &InForce, at: Location) {
+    let (Some(function), Some(feed)) = (differing_unit(site, state, g), state.feed.value()) else { return };
+    state.said.feed_unit = true;
+    let per_revolution = site.machine().feeds_per_revolution(function);
+    let mut diagnostic =
+        Diagnostic::new(Finding::FeedUnitChanged { feed: feed.to_string(), function, per_revolution }, at);
+    if let Some(place) = state.origins.feed.0 {
+        let written = if per_revolution { LabelText::FeedPerMinute } else { LabelText::FeedPerRevolution };
+        diagnostic = diagnostic.with_label(place, written);
+    }
+    site.report(diagnostic);
+}
+
+/// Whether the spindle stands where it should turn, and nobody said so yet (TEC-7).
+fn lacks_spindle(site: &Site<'_>, state: &mut State, thread: bool) -> bool {
+    state.m(SPINDLE) == Some(STOPPED)
+        && !state.said.spindle_stopped
+        && (thread || *state.turns_spindle.get_or_insert_with(|| program_turns_spindle(site)))
+}
+
+/// Whether M03 or M04 is written in the program's file or a macrocycle that it names: else the spindle is none of the
+/// program's business.
+fn program_turns_spindle(site: &Site<'_>) -> bool {
+    let turns = |word: &Word| {
+        word.address == Address::M && word.number().and_then(Decimal::as_whole).is_some_and(|m| TURNING.contains(&m))
+    };
+    let mut files = (0..).map_while(|file| site.resolved.file(FileId(file)));
+    files.any(|file| file.block_ids().any(|block| file.words(block).iter().any(turns)))
+}
+
+/// G41 or G42 with no D in force (W0618), M06 with no T (W0620).
+pub(super) fn check_tool(site: &mut Site<'_>, state: &mut State, words: &BlockWords) {
+    let correction = words.written(GGroup::G3).filter(|(code, _)| *code != GCode::G40);
+    if let Some((function, word)) = correction
+        && state.d == Held::None
+        && !state.said.no_entry
+    {
+        state.said.no_entry = true;
+        site.found(Finding::CorrectionWithoutEntry { function }, site.word_place(word));
+    }
+    let change = words.m.iter().find(|(m, _)| *m == TOOL_CHANGE).map(|(_, word)| *word);
+    if let Some(word) = change
+        && state.tool == Held::None
+        && !state.said.no_tool
+    {
+        state.said.no_tool = true;
+        site.found(Finding::ToolChangeWithoutTool {}, site.word_place(word));
+    }
+}
+
+/// A target outside the configured travel (W0621), X under diameter programming as a diameter.
+#[inline]
+pub(super) fn check_travel(site: &mut Site<'_>, state: &State, travel: &Travel) {
+    if travel.definition.min.is_some() || travel.definition.max.is_some() {
+        check_limits(site, state, travel);
+    }
+}
+
+fn check_limits(site: &mut Site<'_>, state: &State, travel: &Travel) {
+    let axis = travel.definition;
+    let (Some(after), Some(word)) = (travel.after.known(), travel.word) else { return };
+    let diameter = axis.letter == AxisLetter::X && state.modal(GGroup::G10) == Some(GCode::G74);
+    let value = if diameter { after.plus(after) } else { after };
+    let (limit, above) = match (axis.min, axis.max) {
+        (Some(min), _) if value < Micro::from(min) => (min, false),
+        (_, Some(max)) if value > Micro::from(max) => (max, true),
+        _ => return,
+    };
+    let (value, limit) = (value.to_string(), limit.to_string());
+    let finding = Finding::OutsideTravel { axis: axis.letter.letter(), value, limit, above };
+    site.report(with_origin(state, Diagnostic::new(finding, site.value_or_word(word)), word));
+}
