@@ -1,5 +1,5 @@
 %402 "L bez volani
-"FLW-7 L without G71 G72 G73 G79
+"FLW-7 L without G71 G72 G73 G79"
 N10 G90 G0 X0 Y0
 N20 L100 X5
 "   ^^^^ W0402

@@ -1,5 +1,5 @@
 %403 "Q bez pouziti
-"FLW-7 Q without G04 G71 G72 G73
+"FLW-7 Q without G04 G71 G72 G73"
 N10 G90 G0 X0 Y0
 N20 G0 X5 Q3
 "         ^^ W0403

@@ -267,13 +267,13 @@ fn is_shown(diagnostic: &Diagnostic, settings: &Settings) -> bool {
 
 /// The fix of a finding in the program's own file. Of several, which exclude each other, the first.
 fn fix_of(diagnostic: &Diagnostic) -> Option<&Fix> {
-    if diagnostic.file() == PROGRAM { diagnostic.fixes.first() } else { None }
+    if diagnostic.file() == PROGRAM { diagnostic.certain_fix() } else { None }
 }
 
 /// How many findings in other files have fixes, by the file's name.
 fn fixes_elsewhere(sources: &Sources, found: &[&Diagnostic]) -> BTreeMap<String, usize> {
     let mut counts = BTreeMap::new();
-    for diagnostic in found.iter().filter(|item| item.file() != PROGRAM && !item.fixes.is_empty()) {
+    for diagnostic in found.iter().filter(|item| item.file() != PROGRAM && item.certain_fix().is_some()) {
         if let Some(source) = sources.get(diagnostic.file()) {
             *counts.entry(source.name().to_owned()).or_default() += 1;
         }

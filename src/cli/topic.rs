@@ -53,7 +53,7 @@ impl Topic {
             (Some(Address::G | Address::M), _) if !rest.is_empty() => Err(Unknown::Name(nearest(name))),
             (Some(address), _) if rest.is_empty() || is_value(rest) => Ok(Self::Address(address)),
             (None, _) if rest.is_empty() && letter.is_ascii_alphabetic() => {
-                Err(Unknown::Word(Finding::UnknownAddress { letter: letter.to_ascii_uppercase() }))
+                Err(Unknown::Word(Finding::unknown_address(letter)))
             }
             _ => Err(Unknown::Name(nearest(name))),
         }
@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn unknown_names_get_a_hint() {
         assert_eq!(Topic::find("G21"), Err(Unknown::Word(Finding::UnknownG { number: 21 })));
-        assert_eq!(Topic::find("O"), Err(Unknown::Word(Finding::UnknownAddress { letter: 'O' })));
+        assert_eq!(Topic::find("O"), Err(Unknown::Word(Finding::unknown_address('O'))));
         assert_eq!(Topic::find("M101"), Err(Unknown::M(101)));
         assert_eq!(Topic::find("duplicate-adress"), Err(Unknown::Name(Some("duplicate-address"))));
         assert_eq!(Topic::find("W0306"), Err(Unknown::Name(Some("E0306"))));

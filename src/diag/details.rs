@@ -51,21 +51,31 @@ bilingual! {
 bilingual! {
     /// What was probably meant by characters that the control does not know.
     Meant {
-        Nothing "delete it; text for people stands in a comment between quotes: `\"comment\"`", "vymazat; text pro člověka patří do komentáře v uvozovkách: \"komentář\"";
+        Nothing "delete it; if it is meant as a comment, put it between quotes: `\"comment\"`", "vymazat; má-li to být komentář, dát ho do uvozovek: \"komentář\"";
+        Control "delete it; it does not show in an editor", "vymazat ho; v editoru nemusí být vidět";
         Without { characters: String } "write the word without `{characters}`", "napsat slovo bez „{characters}“";
-        Comment "comments stand between quotes: `\"comment\"`", "komentář se píše do uvozovek: \"komentář\"";
+        Comment "put comments between quotes: `\"comment\"`", "komentář se píše do uvozovek: \"komentář\"";
         Minus "write the plain minus of the keyboard: `-`", "napsat obyčejné minus z klávesnice: „-“";
         Blank { code: String } "write a plain blank; this one is {code}", "napsat obyčejnou mezeru; toto je {code}";
         LookAlike { code: String } "write it anew in plain letters and digits; this character is {code}", "napsat znovu obyčejnými písmeny a číslicemi; tento znak je {code}";
+        BlockEnd "delete it: a block ends where the next `N` begins", "vymazat ho: blok končí tam, kde začíná další N";
+        Variable { written: String } "there are no variables `#`; write a parameter: `{written}`", "proměnné # zde nejsou; napsat parametr: „{written}“";
         Expression "there are no variables `#` and no expressions; write a parameter, as in `XR10`; G26 to G29 compute", "proměnné # ani výrazy zde nejsou; napsat parametr, například „XR10“; počítají G26 až G29";
+        ProgramName "a program is named by its number: `%1`", "program se označuje číslem: „%1“";
     }
 }
+
+/// What looks like a minus.
+pub const MINUS: [char; 5] = ['−', '–', '—', '‐', '‑'];
 
 impl Meant {
     /// What those characters suggest.
     pub fn of(text: &str) -> Self {
         let code = |character: char| format!("U+{:04X}", u32::from(character));
-        if text.contains(['−', '–', '—', '‐', '‑']) {
+        if !text.is_empty() && text.chars().all(crate::text::is_unsafe) {
+            return Self::Control;
+        }
+        if text.contains(MINUS) {
             Self::Minus
         } else if text.contains(['#', '[', ']']) {
             Self::Expression
@@ -90,6 +100,11 @@ impl Meant {
         let characters: String = text.chars().filter(|character| !belongs(character)).collect();
         Self::Without { characters: super::shown(&characters) }
     }
+}
+
+/// Whether it is a blank, but not one that the control knows.
+pub fn is_blank(character: char) -> bool {
+    !character.is_ascii() && character.is_whitespace()
 }
 
 bilingual! {
@@ -246,7 +261,7 @@ impl ParameterNeed {
             (Self::Whole, Lang::En) => format!("{address} takes a whole number"),
             (Self::Whole, Lang::Cs) => format!("{address} musí být celé číslo"),
             (Self::Range(range), Lang::En) => format!("{address} takes {range}"),
-            (Self::Range(range), Lang::Cs) => format!("{address} má rozsah {range}"),
+            (Self::Range(range), Lang::Cs) => format!("{address} má rozsah {}", super::advice::range_cs(range)),
             (Self::CorrectionDigits, Lang::En) => format!("{address} takes four digits, each 0, 1 or 2"),
             (Self::CorrectionDigits, Lang::Cs) => format!("{address} má čtyři číslice, každou 0, 1 nebo 2"),
             (Self::WrittenOut(function), Lang::En) => format!("{function} must be written out"),

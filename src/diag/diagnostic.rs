@@ -77,6 +77,8 @@ pub struct Fix {
     pub title: FixTitle,
     /// Replacements that do not overlap.
     pub edits: Vec<Edit>,
+    /// Whether it is what was meant beyond doubt, so that a machine may apply it by itself; else it is only offered.
+    pub certain: bool,
 }
 
 /// One replacement.
@@ -84,7 +86,7 @@ pub struct Fix {
 pub struct Edit {
     /// What is replaced.
     pub at: Location,
-    /// By what; ASCII, so that it is the same in every code page.
+    /// By what; ASCII, so that it is the same in every code page, but for the whole text of a file in UTF-16.
     pub text: String,
 }
 
@@ -108,9 +110,27 @@ impl Diagnostic {
 
     /// With a fix that replaces one place.
     #[must_use]
-    pub fn with_fix(mut self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
-        self.fixes.push(Fix { title, edits: vec![Edit { at, text: text.into() }] });
+    pub fn with_fix(self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
+        self.with_edits(title, vec![Edit { at, text: text.into() }])
+    }
+
+    /// With a fix of several edits.
+    #[must_use]
+    pub fn with_edits(mut self, title: FixTitle, edits: Vec<Edit>) -> Self {
+        self.fixes.push(Fix { title, edits, certain: true });
         self
+    }
+
+    /// With a change of one place that is offered, but not applied by itself.
+    #[must_use]
+    pub fn with_offer(mut self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
+        self.fixes.push(Fix { title, edits: vec![Edit { at, text: text.into() }], certain: false });
+        self
+    }
+
+    /// The fix that a machine may apply by itself.
+    pub fn certain_fix(&self) -> Option<&Fix> {
+        self.fixes.iter().find(|fix| fix.certain)
     }
 
     /// The file it is in.

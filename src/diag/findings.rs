@@ -204,9 +204,9 @@ mod tests {
         for found in [empty_block(12), empty_block(3), empty_block(1), elsewhere] {
             findings.add(found);
         }
-        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(5)));
-        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(15)));
-        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, at(14)));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram { finishing: false }, at(5)));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram { finishing: false }, at(15)));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram { finishing: false }, at(14)));
         findings.add_beyond((FileId(0), Code::E0203), 1000);
         findings.add_beyond((FileId(1), Code::W0214), 7);
         findings.keep_one_a_line(FileId(0), &lines);
@@ -225,7 +225,7 @@ mod tests {
         let warn = Levels::new(|code| Some(if code == Code::E0109 { Severity::Warning } else { code.severity() }));
         let mut findings = Findings::with_levels(warn);
         findings.add(long_line(1));
-        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, empty_block(8).at));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram { finishing: false }, empty_block(8).at));
         findings.keep_one_a_line(FileId(0), &lines);
         assert!(findings.has_errors());
         let codes: Vec<Code> = findings.items().iter().map(Diagnostic::code).collect();
@@ -239,7 +239,7 @@ mod tests {
             findings.add(empty_block(at));
         }
         findings.add(empty_block(7));
-        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram {}, empty_block(20_000).at));
+        findings.add(Diagnostic::new(Finding::EndOutsideSubprogram { finishing: false }, empty_block(20_000).at));
         let mut all = Findings::new();
         all.append(findings);
         assert_eq!(all.items().len(), LIMIT_PER_CODE + 1, "the first of each code is kept");

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::{Edit, Fix};
-use crate::text::{FileId, SourceText, Span};
+use crate::text::{Encoding, FileId, SourceText, Span};
 
 /// A file after some of its fixes.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -62,7 +62,10 @@ impl<'a> Taken<'a> {
         let usable = |edit: &Edit| {
             let Span { start, end } = edit.at.span;
             let boundary = |offset: u32| source.text().is_char_boundary(offset as usize);
-            edit.at.file == file && start <= end && boundary(start) && boundary(end) && edit.text.is_ascii()
+            // A file in UTF-16 is only written anew as a whole, in UTF-8.
+            let whole = start == 0 && end == source.len();
+            let writable = if source.encoding().is_utf16() { whole } else { edit.text.is_ascii() };
+            edit.at.file == file && start <= end && boundary(start) && boundary(end) && writable
         };
         if edits.is_empty() || !edits.iter().all(usable) {
             return false;
@@ -93,9 +96,9 @@ impl<'a> Taken<'a> {
 /// Puts the edits into the bytes. Offsets in the bytes are counted along: [`SourceText::byte_offset`] begins at the start
 /// of the file each time.
 fn splice(source: &SourceText, bytes: &[u8], edits: &BTreeMap<u32, (u32, &str)>) -> Vec<u8> {
-    let single_byte = source.encoding().is_single_byte();
+    let encoding = source.encoding();
     let length = |span: Span| {
-        if single_byte { source.slice(span).chars().count() } else { span.len() as usize }
+        if encoding == Encoding::Utf8 { span.len() as usize } else { encoding.length(source.slice(span)) }
     };
     let mut result = Vec::with_capacity(bytes.len() + edits.len());
     let (mut text_at, mut byte_at) = (0, 0);
@@ -114,7 +117,7 @@ fn splice(source: &SourceText, bytes: &[u8], edits: &BTreeMap<u32, (u32, &str)>)
 mod tests {
     use super::*;
     use crate::diag::FixTitle;
-    use crate::text::{Encoding, Location};
+    use crate::text::Location;
 
     fn edit(start: usize, end: usize, text: &str) -> Edit {
         let span = Span::new(u32::try_from(start).unwrap(), u32::try_from(end).unwrap());
@@ -122,7 +125,7 @@ mod tests {
     }
 
     fn fix(edits: impl Into<Vec<Edit>>) -> Fix {
-        Fix { title: FixTitle::UpperCase, edits: edits.into() }
+        Fix { title: FixTitle::UpperCase, edits: edits.into(), certain: true }
     }
 
     fn applied(bytes: &[u8], fixes: &[Fix]) -> (Vec<u8>, usize) {
@@ -144,6 +147,14 @@ mod tests {
         let at = utf8.find("n10").unwrap();
         let fixed = applied(utf8.as_bytes(), &[fix([edit(at, at + 1, "N")])]);
         assert_eq!(fixed, ("\u{feff}%1 \"ř\" N10\r".as_bytes().to_vec(), 1));
+    }
+
+    /// LEX-13: a file in UTF-16 is written anew in UTF-8.
+    #[test]
+    fn utf16_becomes_utf8() {
+        let text = "\u{feff}%1 \"ř\" n10";
+        let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert_eq!(applied(&bytes, &[fix([edit(0, text.len(), &text[3..])])]), (text.as_bytes()[3..].to_vec(), 1));
     }
 
     #[test]

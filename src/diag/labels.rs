@@ -29,7 +29,11 @@ bilingual! {
     /// What a fix does.
     FixTitle {
         Write { text: String } "write `{text}`", "napsat „{text}“";
-        PlainQuote "write the plain quote `\"`", "napsat obyčejné uvozovky \"";
+        PlainQuotes "write plain quotes `\"`", "napsat obyčejné uvozovky \"";
+        Utf8 "write the file in UTF-8", "zapsat soubor v UTF-8";
+        PlainBlank "write a plain blank", "napsat obyčejnou mezeru";
+        Comment "make a comment of it, between quotes", "udělat z toho komentář v uvozovkách";
+        Delete { text: String } "delete `{text}`", "vymazat „{text}“";
         UpperCase "write addresses in upper case", "psát adresy velkými písmeny";
         MoveSkip { block: u32 } "move `/` behind N{block}", "přesunout „/“ za N{block}";
     }

@@ -3,6 +3,7 @@
 //! A [`Finding`] is a row of the registry with its fields filled in; a [`Diagnostic`] is a finding at a place. There is no
 //! other way to tell a user that something is wrong with a program.
 
+mod advice;
 mod details;
 mod diagnostic;
 pub mod explain;
@@ -16,9 +17,12 @@ mod render;
 mod report;
 mod shown;
 
+pub use advice::{
+    AddressMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant, UnusedMeant,
+};
 pub use details::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, Meant, NameKind,
-    OtherControl, ParameterNeed, Problem,
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, MINUS, Meant, NameKind,
+    OtherControl, ParameterNeed, Problem, is_blank,
 };
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_CODE};

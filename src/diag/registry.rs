@@ -5,9 +5,11 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
+use super::advice::{control_digits, foreign_g, of_group, other_range, range_cs, value_wanted};
 use super::{
-    ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, Meant,
-    NameKind, OtherControl, ParameterNeed, PlaneFault, SpindleFault,
+    AddressMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem,
+    DwellMeant, KnownNames, Meant, NameKind, NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault,
+    PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedMeant,
 };
 use crate::dict::{Address, GCode, GGroup, Lang, Plane};
 
@@ -171,22 +173,22 @@ fn nearest<T: std::fmt::Display>(candidate: Option<&T>, before: &str, after: &st
 
 diagnostics! {
     [E0101] UnknownCharacter "unknown-character" Error { text: String, meant: Meant }
-        en "`{text}` means nothing to the control"
-        cs ({ let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") })
+        en (match super::shown::control_name(text) { Some(name) => format!("the character {name} means nothing to the control"), None => format!("`{text}` means nothing to the control") })
+        cs (match super::shown::control_name(text) { Some(name) => format!("znak {name} řídicí systém nezná"), None => { let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") } })
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0102] SplitNumber "split-number" Error { joined: String }
         en "a blank stands inside a number"
         cs "mezera uvnitř čísla"
-        help "write `{joined}`, or give the second number an address of its own"
-           | "napsat „{joined}“, nebo druhému číslu doplnit adresu"
+        help (if joined.is_empty() { "write the parameter or the number, not both".to_owned() } else { format!("write `{joined}`, or give the second number an address of its own") })
+           | (if joined.is_empty() { "napsat buď parametr, nebo číslo".to_owned() } else { format!("napsat „{joined}“, nebo druhému číslu doplnit adresu") })
         note "blanks may stand between the address and its number, never inside the number or after its sign"
            | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
-    [E0103] MissingValue "missing-value" Error { address: String, beyond: bool }
+    [E0103] MissingValue "missing-value" Error { address: String, beyond: bool, arc: bool }
         en "`{address}` has no value"
         cs "adresa {address} nemá hodnotu"
-        help (value_wanted(address, Lang::En)) | (value_wanted(address, Lang::Cs))
-        note (if *beyond { "a line end or a comment between an address and its number leaves the address without a value" } else if address.starts_with('R') { "R is a parameter on this control, never a radius or a height; the centre of an arc is given by I and J" } else { "" })
-           | (if *beyond { "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty" } else if address.starts_with('R') { "R je v tomto systému parametr, nikdy poloměr ani výška; střed oblouku udávají I a J" } else { "" })
+        help (value_wanted(address, *arc, Lang::En)) | (value_wanted(address, *arc, Lang::Cs))
+        note (if *beyond { "a line end or a comment between an address and its number leaves the address without a value" } else if address.starts_with('R') { "R is a parameter on this control, never a radius or a height" } else { "" })
+           | (if *beyond { "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty" } else if address.starts_with('R') { "R je v tomto systému parametr, nikdy poloměr ani výška" } else { "" })
     [E0104] DecimalComma "decimal-comma" Error { fixed: String }
         en "a decimal comma"
         cs "desetinná čárka"
@@ -198,10 +200,11 @@ diagnostics! {
         help "write the plain quote `\"`" | "napsat obyčejné uvozovky \""
         note "the control takes only the plain quote for the border of a comment; all that follows would be read as words"
            | "systém ohraničuje komentáře jen obyčejnými uvozovkami; text za jinými by četl jako slova programu"
-    [E0106] MalformedNumber "malformed-number" Error { text: String }
-        en "`{text}` is not a number of a word"
-        cs "„{text}“ není číslo slova"
-        help (number_form(text, Lang::En)) | (number_form(text, Lang::Cs))
+    [E0106] MalformedNumber "malformed-number" Error { text: String, meant: NumberMeant }
+        en (meant.message(text, Lang::En))
+        cs (meant.message(text, Lang::Cs))
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
+        note (meant.note(Lang::En)) | (meant.note(Lang::Cs))
     [E0107] LetterForDigit "letter-for-digit" Error { fixed: String }
         en "a letter stands where a digit is meant"
         cs "místo číslice je písmeno"
@@ -216,14 +219,15 @@ diagnostics! {
         cs "řádek má {length} znaků; systém jich čte 80"
         help "break the line between two words: a block may go on in the next line, a comment may not"
            | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, komentář ne"
-    [W0110] TextAfterEnd "text-after-end" Warning {}
-        en "the control never reads what stands after `*`"
-        cs "text za hvězdičkou systém nikdy nečte"
-        help "move it before `*`, or make it a comment" | "přesunout před hvězdičku, nebo z něj udělat komentář"
-    [E0111] StrayText "stray-text" Error { text: String }
+    [W0110] TextAfterEnd "text-after-end" Warning { program: bool }
+        en (if *program { "a second program after `*`: the control never reads it" } else { "the control never reads what follows `*`" })
+        cs (if *program { "za hvězdičkou je druhý program, systém ho nikdy nečte" } else { "text za hvězdičkou systém nikdy nečte" })
+        help (if *program { "put it into a file of its own" } else { "move it before `*`, or make it a comment" })
+           | (if *program { "dát ho do samostatného souboru" } else { "přesunout před hvězdičku, nebo z něj udělat komentář" })
+    [E0111] StrayText "stray-text" Error { text: String, meant: TextMeant }
         en "`{text}` is text outside a comment"
         cs "„{text}“ je text mimo komentář"
-        help "put text for people between quotes: `\"{text}\"`" | "text pro člověka dát do uvozovek: \"{text}\""
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0112] UnreadableFile "unreadable-file" Error { problem: crate::diag::Problem, file: Option<String> }
         en ({ let (file, reason) = (file.as_deref().unwrap_or("the file"), problem.text(Lang::En)); format!("{file} cannot be read: {reason}") })
         cs ({ let (file, reason) = (file.as_deref().unwrap_or("soubor"), problem.text(Lang::Cs)); format!("{file} nelze přečíst: {reason}") })
@@ -234,6 +238,19 @@ diagnostics! {
            | "nechat ho vygenerovat postprocesorem pro tento systém; co změnit ručně, řekne „cnc872c explain W0113“"
         note "of each line only the first finding is shown; `-A other-control` shows all"
            | "z každého řádku je jen první hlášení; všechna ukáže volba -A other-control"
+    [W0114] CommentSwallowsWords "comment-swallows-words" Warning { words: String }
+        en "the comment has no closing quote and swallows `{words}`"
+        cs "komentář bez koncových uvozovek spolkl „{words}“"
+        help "if these are words of the program, close the comment before them; if they are a part of the comment, behind them"
+           | "patří-li do programu, ukončit komentář uvozovkami před nimi; patří-li do komentáře, až za nimi"
+    [E0115] Utf16 "utf-16" Error {}
+        en "the file is in UTF-16; the control reads single bytes"
+        cs "soubor je v kódování UTF-16; systém čte jednotlivé bajty"
+        help "save it as UTF-8, or in the code page of the control" | "uložit ho jako UTF-8, nebo v kódové stránce systému"
+    [W0116] OtherMeaning "other-meaning" Warning { meant: OtherMeaning }
+        en (meant.text(Lang::En))
+        cs (meant.text(Lang::Cs))
+        help (meant.help(Lang::En)) | (meant.help(Lang::Cs))
 
     [E0201] MissingProgramStart "missing-program-start" Error {}
         en "no `%`: the control would ignore the whole file"
@@ -288,11 +305,11 @@ diagnostics! {
         en "no G71 calls subprogram L{l}"
         cs "podprogram L{l} žádné G71 nevolá"
         help "call it with `G71 L{l}`, or delete it" | "zavolat ho pomocí „G71 L{l}“, nebo ho vymazat"
-    [E0212] EndOutsideSubprogram "end-outside-subprogram" Error {}
-        en "G70 in the main program"
-        cs "G70 v hlavním programu"
-        help "G70 ends subprograms and macrocycles; the main program ends with M02 or M30"
-           | "G70 končí podprogramy a makrocykly; hlavní program končí M02 nebo M30"
+    [E0212] EndOutsideSubprogram "end-outside-subprogram" Error { finishing: bool }
+        en (if *finishing { "G70 with the words of a turning cycle" } else { "G70 in the main program" })
+        cs (if *finishing { "G70 se slovy soustružnického cyklu" } else { "G70 v hlavním programu" })
+        help (if *finishing { "turning cycles do not exist here, G70 ends a subprogram: write the contour as blocks" } else { "G70 ends subprograms and macrocycles; the main program ends with M02 or M30" })
+           | (if *finishing { "soustružnické cykly zde nejsou, G70 ukončuje podprogram: konturu vypsat po blocích" } else { "G70 ukončuje podprogramy a makrocykly; hlavní program končí M02 nebo M30" })
     [W0213] SkipBeforeBlockNumber "skip-before-block-number" Warning { block: u32 }
         en (if *block == 0 { "this `/` belongs to the block before it".to_owned() } else { format!("this `/` belongs to block N{block}, before it") })
         cs (if *block == 0 { "toto / patří k předchozímu bloku".to_owned() } else { format!("toto / patří k předchozímu bloku N{block}") })
@@ -333,30 +350,28 @@ diagnostics! {
         help "begin a block of its own with `N…`, or move the words to the line of the block that they belong to"
            | "začít samostatný blok „N…“, nebo přesunout slova na řádek bloku, ke kterému patří"
 
-    [E0301] UnknownAddress "unknown-address" Error { letter: char }
-        en "`{letter}` is no address of this control"
-        cs "{letter} není adresa tohoto systému"
-        help (if *letter == 'O' { "programs are numbered with `%`; for the digit zero write `0`" } else { "delete the word, or write the address that was meant" })
-           | (if *letter == 'O' { "čísla programů se píší s %; číslice nula je „0“" } else { "slovo vymazat, nebo napsat adresu, která byla míněna" })
+    [E0301] UnknownAddress "unknown-address" Error { address: String, meant: AddressMeant }
+        en "`{address}` is no address of this control"
+        cs "{address} není adresa tohoto systému"
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String }
         en "{address} takes {range}"
-        cs ({ let range = range.replace("/rev", "/ot"); format!("{address} má rozsah {range}") })
+        cs ({ let range = range_cs(range); format!("{address} má rozsah {range}") })
         help (other_range(*address, range, Lang::En)) | (other_range(*address, range, Lang::Cs))
     [W0303] FinerThanResolution "finer-than-resolution" Warning { rounded: String }
-        en "finer than the control resolves: taken as {rounded}"
-        cs "jemnější, než systém rozliší: platí {rounded}"
+        en "more than three decimals: the control takes {rounded}"
+        cs "víc než tři desetinná místa: systém vezme {rounded}"
         help "write three decimals at most" | "psát nejvýše tři desetinná místa"
-    [E0304] PointNotAllowed "decimal-point-not-allowed" Error { address: Address, fixed: String, dwell: bool }
-        en (if *dwell { "the dwell takes whole units of 10 ms".to_owned() } else { format!("{address} takes no decimal point") })
-        cs (if *dwell { "prodleva se zadává v celých jednotkách po 10 ms".to_owned() } else { format!("{address} nesmí mít desetinnou tečku") })
-        help (if fixed.is_empty() { String::new() } else if *dwell { format!("when seconds are meant, write `{fixed}`") } else { format!("write `{fixed}`") })
-           | (if fixed.is_empty() { String::new() } else if *dwell { format!("jsou-li míněny sekundy, napsat „{fixed}“") } else { format!("napsat „{fixed}“") })
+    [E0304] PointNotAllowed "decimal-point-not-allowed" Error { address: Address, meant: PointMeant }
+        en (if meant.is_dwell() { "the dwell takes whole units of 10 ms".to_owned() } else { format!("{address} takes no decimal point") })
+        cs (if meant.is_dwell() { "prodleva se zadává v celých jednotkách po 10 ms".to_owned() } else { format!("{address} nesmí mít desetinnou tečku") })
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0305] SignNotAllowed "sign-not-allowed" Error { address: Address }
         en "{address} takes no sign"
         cs "{address} nesmí mít znaménko"
         help "write the number without it" | "napsat číslo bez něj"
     [E0306] DuplicateAddress "duplicate-address" Error { address: String }
-        en "`{address}` stands twice in this block"
+        en "`{address}` is written twice in this block"
         cs "{address} je v bloku dvakrát"
         help "keep one of them, or begin a new block with `N…`" | "nechat jen jedno slovo, nebo začít nový blok „N…“"
     [E0307] ConflictingG "conflicting-g-functions" Error { first: GCode, second: GCode, group: GGroup }
@@ -366,9 +381,11 @@ diagnostics! {
            | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
     [E0308] ConflictingM "conflicting-m-functions" Error { first: u8, second: u8, group: u8 }
         en "M{first:02} and M{second:02} are both of M group {group}"
-        cs "M{first:02} a M{second:02} jsou obě z {group}. skupiny M funkcí"
+        cs ({ let of = of_group(*group); format!("M{first:02} a M{second:02} jsou obě {of} skupiny M funkcí") })
         help "one function of a group per block: delete one, or give it a block of its own"
            | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
+        note (if *group >= 10 { "functions that the machine builder added are in the groups that the configuration gives: `channel-config`, or R56–R59 of `machine-constants`" } else { "" })
+           | (if *group >= 10 { "funkce výrobce stroje jsou ve skupinách podle konfigurace: channel-config, nebo R56–R59 v machine-constants" } else { "" })
     [E0309] UnknownG "unknown-g-function" Error { number: u32 }
         en "G{number:02} is no function of this control"
         cs "G{number:02} není funkce tohoto systému"
@@ -388,18 +405,18 @@ diagnostics! {
         help "one digit for each axis: 0 no correction, 1 or 2 its direction; for example `&0010`"
            | "každé ose patří jedna číslice: 0 bez korekce, 1 nebo 2 směr; například „&0010“"
 
-    [E0401] MissingTarget "missing-target" Error { function: GCode }
+    [E0401] MissingTarget "missing-target" Error { function: GCode, meant: TargetMeant }
         en "{function} without `L`"
         cs "{function} bez L"
-        help (if *function == GCode::G73 { "write the number of the block to jump to: `L10`" } else if *function == GCode::G72 { "write the number of the macrocycle: `L9001`" } else { "write the number of the subprogram: `L100`" })
-           | (if *function == GCode::G73 { "doplnit číslo bloku, na který se skáče: „L10“" } else if *function == GCode::G72 { "doplnit číslo makrocyklu: „L9001“" } else { "doplnit číslo podprogramu: „L100“" })
-    [W0402] UnusedTarget "unused-target" Warning {}
-        en "`L` does nothing in this block"
-        cs "L v tomto bloku nic nedělá"
-        help "`L` goes with G71, G72, G73 or G79" | "L patří ke G71, G72, G73 nebo G79"
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
+        note (meant.note(*function, Lang::En)) | (meant.note(*function, Lang::Cs))
+    [W0402] UnusedTarget "unused-target" Warning { meant: UnusedMeant }
+        en "`L` has no use in this block"
+        cs "L zde nemá význam"
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [W0403] UnusedRepeat "unused-repeat" Warning {}
-        en "`Q` does nothing in this block"
-        cs "Q v tomto bloku nic nedělá"
+        en "`Q` has no use in this block"
+        cs "Q zde nemá význam"
         help "`Q` goes with G71, G72, G73 or, as the dwell time, with G04"
            | "Q patří ke G71, G72, G73 nebo jako délka prodlevy ke G04"
     [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool, without_entry: Option<u32> }
@@ -438,10 +455,10 @@ diagnostics! {
            | "je-li to záměr, zvýšit records v [limits], nebo --max-blocks"
         note (if repeats.is_empty() { String::new() } else { format!("what multiplies here: {repeats}") })
            | (if repeats.is_empty() { String::new() } else { format!("co se zde násobí: {repeats}") })
-    [E0411] MissingDwell "missing-dwell" Error {}
+    [E0411] MissingDwell "missing-dwell" Error { meant: DwellMeant }
         en "G04 without `Q`"
         cs "G04 bez Q"
-        help "write the dwell in units of 10 ms: `Q100` is one second" | "doplnit délku prodlevy po 10 ms: „Q100“ je jedna sekunda"
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [W0412] DwellTakesRepeat "dwell-takes-repeat" Warning { function: GCode }
         en "`Q` is the dwell of G04 here, not the repeats of {function}"
         cs "Q je zde délka prodlevy G04, ne počet opakování {function}"
@@ -493,11 +510,13 @@ diagnostics! {
         cs (match field { Some(number) => format!("řídicí slovo uvádí parametr R{number}; jsou jen R0 až R95"), None => "řídicí slovo je celé číslo nejvýše o osmi číslicích".to_owned() })
         help "its digits are `oo aa bb rr`: operation, first operand, second operand, result"
            | "číslice jsou „oo aa bb rr“: operace, první operand, druhý operand, výsledek"
-    [E0508] UnknownOperation "unknown-operation" Error { operation: i64 }
-        en "the configuration does not say which operation {operation:02} is"
-        cs "konfigurace neříká, která operace je {operation:02}"
-        help "name it in cnc872c.toml, after the machine's manual: `[operations]`, `\"{operation:02}\" = \"add\"`"
-           | "pojmenovat ji v cnc872c.toml podle příručky stroje: [operations], \"{operation:02}\" = \"add\""
+    [E0508] UnknownOperation "unknown-operation" Error { operation: i64, digits: i64 }
+        en "the configuration does not say what operation {operation:02} means"
+        cs "význam kódu operace {operation:02} není v konfiguraci uveden"
+        help "if the control word is right, add the code to cnc872c.toml, by the machine's manual: `[operations]`, `\"{operation:02}\" = \"…\"`"
+           | "je-li řídicí slovo správně, doplnit kód do cnc872c.toml podle příručky stroje: [operations], \"{operation:02}\" = \"…\""
+        note ({ let split = control_digits(*digits); format!("the control word is read as {split}: operation, first operand, second operand, result") })
+           | ({ let split = control_digits(*digits); format!("řídicí slovo se čte jako {split}: operace, první operand, druhý operand, výsledek") })
     [E0509] ArithmeticError "arithmetic-error" Error { what: ArithmeticFault }
         en (what.text(Lang::En))
         cs (what.text(Lang::Cs))
@@ -555,8 +574,8 @@ diagnostics! {
         cs "stroj nemá podle konfigurace orientovaný stop M19"
         help "use M05; when the machine has it, set `oriented-stop = true`" | "použít M05; má-li ho stroj, nastavit oriented-stop = true"
     [E0609] CenterWordNotUsable "center-word-not-usable" Error { letter: char, place: CenterPlace }
-        en ({ let why = place.text(Lang::En); format!("`{letter}` does nothing in this block: {why}") })
-        cs ({ let why = place.text(Lang::Cs); format!("{letter} v tomto bloku nic nedělá: {why}") })
+        en ({ let why = place.text(Lang::En); format!("`{letter}` has no use in this block: {why}") })
+        cs ({ let why = place.text(Lang::Cs); format!("{letter} zde nemá význam: {why}") })
         help "delete it, or program the function that it belongs to" | "vymazat ho, nebo zadat funkci, ke které patří"
     [W0610] ArcAfterOriginChange "arc-after-origin-change" Warning {}
         en "an arc right after a change of origin or correction: its start is not where the tool stands"
@@ -649,110 +668,4 @@ diagnostics! {
 /// The names that the table knows, where they can be said in a line.
 fn known_names(known: Option<&KnownNames>, lang: Lang) -> String {
     known.map_or_else(String::new, |known| known.text(lang))
-}
-
-/// What to write after an address without a value.
-fn value_wanted(address: &str, lang: Lang) -> String {
-    let (en, cs) = ("write its number on the same line", "napsat číslo na tentýž řádek");
-    let example = match address {
-        "L" => "100",
-        "Q" => "2",
-        "F" => "200",
-        "&" => "0010",
-        "N" | "%" | "G" | "M" | "D" | "H" | "P" => "1",
-        "R" => {
-            return match lang {
-                Lang::En => "write the number of the parameter: `R10`".to_owned(),
-                Lang::Cs => "doplnit číslo parametru: „R10“".to_owned(),
-            };
-        }
-        parameter if parameter.starts_with('R') => {
-            return match lang {
-                Lang::En => format!("write the value that the parameter shall have: `{parameter}=0`"),
-                Lang::Cs => format!("doplnit hodnotu, kterou má parametr dostat: „{parameter}=0“"),
-            };
-        }
-        _ => {
-            return match lang {
-                Lang::En => format!("{en}: `{address}0` when zero is meant"),
-                Lang::Cs => format!("{cs}; je-li míněna nula: „{address}0“"),
-            };
-        }
-    };
-    match lang {
-        Lang::En => format!("{en}, for example `{address}{example}`"),
-        Lang::Cs => format!("{cs}, například „{address}{example}“"),
-    }
-}
-
-/// What a number looks like, told to whoever wrote `text`.
-fn number_form(text: &str, lang: Lang) -> &'static str {
-    let after_digit = |pair: (char, char)| pair.0.is_ascii_digit() && matches!(pair.1, '+' | '-');
-    let dense = || text.chars().filter(|character| !matches!(character, ' ' | '\t'));
-    let sum = dense().zip(dense().skip(1)).any(after_digit);
-    let (en, cs) = if sum && text.contains(['R', 'r']) {
-        (
-            "there are no expressions; G26 to G29 compute with parameters",
-            "výrazy se psát nedají; s parametry počítají G26 až G29",
-        )
-    } else if text.contains('=') {
-        (
-            "one `=` may stand between a parameter and its value: `R10=5`; other words have none: `X45`",
-            "jedno = smí stát mezi parametrem a jeho hodnotou: „R10=5“; ostatní slova se píší bez něj: „X45“",
-        )
-    } else {
-        (
-            "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own \
-             address",
-            "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou \
-             adresou",
-        )
-    };
-    match lang {
-        Lang::En => en,
-        Lang::Cs => cs,
-    }
-}
-
-/// What was probably meant by a value that the address does not take.
-fn other_range(address: Address, range: &str, lang: Lang) -> &'static str {
-    let (en, cs) = if address == Address::P {
-        (
-            "P is an auxiliary function here; a call takes `L`, the dwell of G04 is `Q`",
-            "P je zde pomocná funkce; volání má „L“, prodlevu G04 udává „Q“",
-        )
-    } else if address == Address::F && range.ends_with("/rev") {
-        (
-            "under G95 and G97 the feed is in mm per revolution: a quarter of a millimetre is `F0.25`",
-            "při G95 a G97 je posuv v mm na otáčku: čtvrt milimetru je „F0.25“",
-        )
-    } else if address == Address::F && range.ends_with("/min") {
-        (
-            "under G94 and G96 the feed is in mm per minute; G95 takes it per revolution",
-            "při G94 a G96 je posuv v mm za minutu; na otáčku se zadává při G95",
-        )
-    } else {
-        ("", "")
-    };
-    match lang {
-        Lang::En => en,
-        Lang::Cs => cs,
-    }
-}
-
-/// What a G number of other controls is called here, as far as it can be told.
-fn foreign_g(number: u32, lang: Lang) -> &'static str {
-    let (en, cs) = match number {
-        20 | 21 => ("lengths are always millimetres here", "délky jsou zde vždy v milimetrech"),
-        28 => ("the reference point is approached by G30", "do reference se najíždí funkcí G30"),
-        43 | 44 | 49 => ("length corrections are chosen with `&` and `D`", "délkové korekce se volí adresami & a D"),
-        52 => ("origins are shifted by G54–G59, G92 and G93", "počátky se posouvají funkcemi G54–G59, G92 a G93"),
-        65 | 66 => ("a macrocycle is called by G72", "makrocyklus se volá funkcí G72"),
-        99 => ("a subprogram ends with G70", "podprogram končí funkcí G70"),
-        _ => ("delete it, or write the function that was meant", "vymazat ji, nebo napsat funkci, která byla míněna"),
-    };
-    match lang {
-        Lang::En => en,
-        Lang::Cs => cs,
-    }
 }

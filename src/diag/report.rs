@@ -245,7 +245,7 @@ mod tests {
     #[test]
     fn severities_of_the_run() {
         let files = sources(&[("a.nc", "N1 N2")]);
-        let text_after_end = Diagnostic::new(Finding::TextAfterEnd {}, empty_block(0, 3).at);
+        let text_after_end = Diagnostic::new(Finding::TextAfterEnd { program: false }, empty_block(0, 3).at);
         let levels = Levels::new(|code| (code != Code::W0110).then_some(Severity::Error));
         let mut report = Report::new();
         report.add(&files, at_levels(levels, [empty_block(0, 0), text_after_end]));

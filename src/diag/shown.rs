@@ -28,6 +28,33 @@ fn push_safe(result: &mut String, character: char) {
     }
 }
 
+/// The name of the control character that `text` is, once or repeated. The text is one that [`shown`] made.
+pub(super) fn control_name(text: &str) -> Option<String> {
+    let escaped = text.strip_prefix("\\u{")?;
+    let (code, _) = escaped.split_once('}')?;
+    let unit = format!("\\u{{{code}}}");
+    let rest = text.replace(&unit, "");
+    if !matches!(rest.as_str(), "" | "…") {
+        return None;
+    }
+    let character = u32::from_str_radix(code, 16).ok().and_then(char::from_u32)?;
+    let code = u32::from(character);
+    let name = match character {
+        '\0' => "NUL",
+        '\u{7}' => "BEL",
+        '\u{8}' => "BS",
+        '\u{b}' => "VT",
+        '\u{c}' => "FF",
+        '\u{11}' => "XON",
+        '\u{13}' => "XOFF",
+        '\u{1a}' => "Ctrl-Z",
+        '\u{1b}' => "ESC",
+        '\u{7f}' => "DEL",
+        _ => return Some(format!("U+{code:04X}")),
+    };
+    Some(format!("{name} ({code:02X}h)"))
+}
+
 /// `text` for a message: control characters and bidirectional marks as `\u{…}`, shortened in the middle of nowhere.
 pub fn shown(text: &str) -> String {
     let mut result = String::new();

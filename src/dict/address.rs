@@ -231,6 +231,11 @@ impl Address {
         self.row().letter
     }
 
+    /// Whether it is a dimensional word: one whose value may have a decimal point in every dialect (ADR-1).
+    pub const fn is_dimensional(self) -> bool {
+        matches!(self.row().form, Dimension | Parameter | Feed)
+    }
+
     /// Whether a sign may stand before the value (ADR-1).
     pub const fn takes_sign(self, dialect: Dialect) -> bool {
         if matches!(self.row().form, Auxiliary) { matches!(dialect, Dialect::Cnc872) } else { self.row().sign }

@@ -162,7 +162,7 @@ impl<'a> OfDocument<'a> {
                     title: fix.title.text(client.lang()),
                     kind: Some(CodeActionKind::QuickFix),
                     diagnostics: Some(vec![converter.diagnostic(item, &mut places)]),
-                    is_preferred: (fixes.len() == 1).then_some(true),
+                    is_preferred: (fixes.len() == 1 && fix.certain).then_some(true),
                     edit,
                     ..CodeAction::default()
                 });
@@ -173,7 +173,7 @@ impl<'a> OfDocument<'a> {
 
     /// All fixes, of several of one finding the first. Fixes that overlap others wait for a next round, as in `check --fix`.
     fn fix_all(&self) -> Option<CodeAction> {
-        let fixes = self.items().filter_map(|item| item.diagnostic.fixes.first());
+        let fixes = self.items().filter_map(|item| item.diagnostic.certain_fix());
         let edits: Vec<(Span, &str)> = compatible_edits(self.source, self.file?, fixes).collect();
         if edits.is_empty() {
             return None;
@@ -206,7 +206,7 @@ impl<'a> OfDocument<'a> {
             document.source = Arc::clone(&source);
             let outcome = Session { loader: &files, settings, progress: None }.check(path, name);
             let shown = outcome.findings.items().iter().filter(|item| settings.severity(item.code()).is_some());
-            let fixes = shown.filter(|item| item.file() == FileId(0)).filter_map(|item| item.fixes.first());
+            let fixes = shown.filter(|item| item.file() == FileId(0)).filter_map(|item| item.certain_fix());
             let edits: Vec<(Span, &str)> = compatible_edits(&source, FileId(0), fixes).collect();
             if edits.is_empty() {
                 break;

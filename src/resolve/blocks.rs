@@ -4,7 +4,10 @@ use super::UnitKind;
 use super::forms::{FormFault, check_form};
 use super::letters::{Letters, bit};
 use crate::config::Settings;
-use crate::diag::{Diagnostic, Finding, Findings, FixTitle, LabelText, ParameterNeed};
+use crate::diag::{
+    Diagnostic, DwellMeant, Finding, Findings, FixTitle, LabelText, OtherMeaning, ParameterNeed, PointMeant,
+    TargetMeant, UnusedMeant,
+};
 use crate::dict::{Address, Decimal, GCode, GGroup, M_GROUPS, PROGRAM_ENDS};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::{Location, Span};
@@ -57,8 +60,20 @@ impl Functions {
         self.g.get(group.index()).copied().flatten().filter(|_| !clash)
     }
 
+    /// M98, which calls a subprogram on other controls.
+    fn calls_elsewhere(&self) -> Option<Word> {
+        self.m.iter().flatten().find(|(number, _)| *number == 98).map(|(_, word)| *word)
+    }
+
     fn flow(&self) -> Option<(GCode, Word)> {
         self.of(GGroup::G7).filter(|(code, _)| code.is_flow())
+    }
+
+    /// Whether the word assigns a parameter that the arithmetic of the block takes as a control word (PAR-7).
+    fn is_control_word(&self, word: Word) -> bool {
+        let count = self.of(GGroup::G4).map_or(0, |(function, _)| function.operations());
+        let at = word.target().checked_sub(FIRST_CONTROL).filter(|_| word.address == Address::R);
+        at.is_some_and(|at| usize::from(at) < count)
     }
 
     fn dwell(&self) -> Option<Word> {
@@ -107,7 +122,8 @@ impl<'a> BlockChecker<'a> {
         }
         self.check_repeated(words);
         self.check_technology(&functions, flags);
-        self.check_flow_words(&functions);
+        self.check_flow_words(words, &functions);
+        self.check_other_meanings(words, &functions);
         self.check_parameters(words, &functions);
         if flags.has(BlockFlags::SKIP) {
             self.check_skip(block, words, &functions, flags, unit);
@@ -295,8 +311,8 @@ impl<'a> BlockChecker<'a> {
             let tolerated =
                 address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.unknown_g);
             if !tolerated {
-                let fixed = point_help(address, value, dwell);
-                self.report_value(word, Finding::PointNotAllowed { address, fixed, dwell });
+                let meant = point_meant(address, value, dwell);
+                self.report_value(word, Finding::PointNotAllowed { address, meant });
                 return false;
             }
         }
@@ -314,8 +330,8 @@ impl<'a> BlockChecker<'a> {
             }
             // A fraction without a point cannot be.
             Err(FormFault::Fraction) => {
-                let fixed = point_help(address, value, dwell);
-                self.report_value(word, Finding::PointNotAllowed { address, fixed, dwell });
+                let meant = point_meant(address, value, dwell);
+                self.report_value(word, Finding::PointNotAllowed { address, meant });
                 return false;
             }
         }
@@ -324,7 +340,9 @@ impl<'a> BlockChecker<'a> {
             self.report_value(word, Finding::UnknownG { number });
             return false;
         }
-        if word.is_rounded() {
+        // A control word with a fraction is none (PAR-8), however fine it is.
+        let malformed = !value.is_whole() && functions.is_control_word(word);
+        if word.is_rounded() && !malformed {
             self.report_value(word, Finding::FinerThanResolution { rounded: value.to_string() });
         }
         true
@@ -365,7 +383,7 @@ impl<'a> BlockChecker<'a> {
         }
         if let Some(dwell) = functions.dwell() {
             match (functions.q, functions.flow()) {
-                (None, _) => self.report(dwell, Finding::MissingDwell {}),
+                (None, _) => self.report(dwell, Finding::MissingDwell { meant: DwellMeant::Units }),
                 (Some(q), Some((function, _))) => self.report(q, Finding::DwellTakesRepeat { function }),
                 (Some(_), None) => {}
             }
@@ -373,11 +391,16 @@ impl<'a> BlockChecker<'a> {
     }
 
     /// What L and Q are for (FLW-7).
-    fn check_flow_words(&mut self, functions: &Functions) {
+    fn check_flow_words(&mut self, words: &[Word], functions: &Functions) {
         let taker = functions.of(GGroup::G7).filter(|(code, _)| *code != GCode::G70);
         match (taker, functions.l) {
-            (Some((function, word)), None) => self.report(word, Finding::MissingTarget { function }),
-            (None, Some(l)) if !functions.unknown_g && !l.is_faulty() => self.report(l, Finding::UnusedTarget {}),
+            (Some((function, word)), None) => {
+                let only_g = words.iter().all(|word| word.address == Address::G);
+                let millimetres = function == GCode::G71 && only_g;
+                let meant = if millimetres { TargetMeant::Millimetres } else { TargetMeant::of(function) };
+                self.report(word, Finding::MissingTarget { function, meant });
+            }
+            (None, Some(l)) if !functions.unknown_g && !l.is_faulty() => self.report_unused_target(words, functions, l),
             (Some((GCode::G79, _)), Some(l)) => {
                 if let Value::Parameter { index, .. } = l.value()
                     && !l.is_faulty()
@@ -402,6 +425,35 @@ impl<'a> BlockChecker<'a> {
             && functions.of(GGroup::G7).is_none_or(|(code, _)| code != GCode::G79)
         {
             self.report(q, Finding::UnusedRepeat {});
+        }
+    }
+
+    /// L without use: other controls write tables and calls with it.
+    fn report_unused_target(&mut self, words: &[Word], functions: &Functions, l: Word) {
+        let spiral = functions.of(GGroup::G2).is_some_and(|(code, _)| code == GCode::G10);
+        let called = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
+        let meant = if spiral {
+            UnusedMeant::Tables
+        } else if let (Some(_), Some(number), Some(count)) = (functions.calls_elsewhere(), called, l.whole()) {
+            UnusedMeant::Call { written: format!("G71 L{number} Q{count}") }
+        } else {
+            UnusedMeant::Target
+        };
+        self.report(l, Finding::UnusedTarget { meant });
+    }
+
+    /// Words that are legal here, but are written for what they mean on other controls.
+    fn check_other_meanings(&mut self, words: &[Word], functions: &Functions) {
+        let of = |address: Address| words.iter().copied().find(|word| word.address == address);
+        if let (Some(m), None, Some(p)) = (functions.calls_elsewhere(), functions.l, of(Address::P))
+            && let Some(number) = p.whole().filter(|number| (1..=99).contains(number))
+        {
+            self.report(m, Finding::OtherMeaning { meant: OtherMeaning::Call { l: number } });
+        }
+        let table = functions.of(GGroup::G10).is_some_and(|(code, _)| code == GCode::G92);
+        let only_speed = !words.iter().any(|word| word.address.axis().is_some() || word.address == Address::D);
+        if let Some(s) = of(Address::S).filter(|s| table && only_speed && !s.is_faulty()) {
+            self.report(s, Finding::OtherMeaning { meant: OtherMeaning::SpeedLimit });
         }
     }
 
@@ -453,7 +505,6 @@ impl<'a> BlockChecker<'a> {
                 (true, Some(word)) => {
                     if let (Some(value), false) = (word.number(), word.is_faulty())
                         && value.fits_parameter()
-                        && !word.is_rounded()
                         && let Err(finding) = super::structure::control_word(&self.settings.machine, value)
                     {
                         self.report_control_word(word, finding);
@@ -577,14 +628,20 @@ impl<'a> BlockChecker<'a> {
     }
 }
 
-/// What the help says to write instead of a value with a point.
-fn point_help(address: Address, value: Decimal, dwell: bool) -> String {
+/// What was meant by a value with a point.
+fn point_meant(address: Address, value: Decimal, dwell: bool) -> PointMeant {
     if dwell {
         // GRP-5: units of 10 ms.
         let units = (value.thousandths() + 5) / 10;
-        return if (0..10_000).contains(&units) { format!("{address}{units}") } else { String::new() };
+        let written = (0..10_000).contains(&units).then(|| format!("{address}{units}"));
+        return written.map_or(PointMeant::Dwell, |written| PointMeant::Seconds { written });
     }
-    value.as_whole().map(|whole| format!("{address}{whole}")).unwrap_or_default()
+    match (address, value.as_whole()) {
+        (_, Some(whole)) => PointMeant::Whole { written: format!("{address}{whole}") },
+        (Address::G, None) if value.thousandths() / 1000 == 54 => PointMeant::Origin,
+        (Address::G | Address::M, None) => PointMeant::Function,
+        (_, None) => PointMeant::Plain,
+    }
 }
 
 /// The G function that a word writes out.

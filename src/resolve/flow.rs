@@ -103,6 +103,10 @@ fn call_subprogram(
         // It may be the one whose L is missing or malformed: that has its finding.
         return None;
     }
+    if written.l.is_faulty() {
+        // It has its finding: what its fix makes of it is a guess.
+        return None;
+    }
     let macrocycle = context.library.find(l).is_ok();
     let mut label = None;
     if !from_macrocycle
@@ -185,6 +189,10 @@ fn jump(
 
 /// Reports at the number of the L word.
 fn report(context: &mut Context<'_, '_>, resolved: &Resolved, unit: Unit, written: Written, finding: Finding) {
+    if written.l.is_faulty() {
+        // It has its finding: what its fix makes of it is a guess.
+        return;
+    }
     if let Some(parsed) = resolved.file(unit.file) {
         context.findings.add(Diagnostic::new(finding, parsed.value_place(written.l)));
     }
@@ -204,8 +212,11 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         }
         // A G71 that clashes with another function of its group names it too.
         if words.iter().any(|word| g_code(*word) == Some(GCode::G71)) {
-            let l = words.iter().copied().find(|word| word.address == Address::L);
-            named.extend(l.and_then(l_number));
+            let l = words.iter().copied().find(|word| word.address == Address::L).and_then(l_number);
+            // Of a number that no subprogram has, the one that it offers was meant.
+            let known =
+                |l: u32| if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l) };
+            named.extend(l.and_then(known));
         }
     }
     for (&l, &UnitId(id)) in &resolved.subprograms {

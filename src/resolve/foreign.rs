@@ -29,9 +29,11 @@ impl Origin {
     /// When there are errors in the file, and its text is for another control: says so, and keeps of each line one finding.
     pub(super) fn point_out(self, settings: &Settings, findings: &mut Findings) {
         let file = self.place.file;
-        // Text after `*` counts too: `*` ends blocks elsewhere.
+        // Text after `*` counts too: `*` ends blocks elsewhere. A program number written as elsewhere is one slip, with a fix.
         let telling = |code| findings.levels().is_fault(code) || code == Code::W0110;
-        let wrong = findings.items().iter().any(|item| item.at.file == file && telling(item.code()));
+        let slip = |finding: &Finding| matches!(finding, Finding::MissingValue { address, .. } if address == "%");
+        let tells = |item: &Diagnostic| item.at.file == file && telling(item.code()) && !slip(&item.finding);
+        let wrong = findings.items().iter().any(tells);
         if !wrong || settings.severity(Code::W0113).is_none() {
             return;
         }

@@ -44,17 +44,24 @@ pub fn check_form(
     let within = |min: Decimal, max: Decimal, unit: &str| {
         if min <= value && value <= max { Ok(()) } else { Err(FormFault::Range(format!("{min}–{max}{unit}"))) }
     };
-    let dimension = || {
-        if value.abs() <= Decimal::DIMENSION_MAX { Ok(()) } else { Err(FormFault::Range("±69999.999".to_owned())) }
+    let dimension = |unit: &str| {
+        if value.abs() <= Decimal::DIMENSION_MAX { Ok(()) } else { Err(FormFault::Range(format!("±69999.999{unit}"))) }
     };
     match form {
         ValueForm::None => Ok(()),
         ValueForm::Whole { max, .. } if dwell && address == Address::Q => {
-            within(Decimal::ZERO, Decimal::whole(max), "")
+            within(Decimal::ZERO, Decimal::whole(max), " × 10 ms")
         }
-        ValueForm::Whole { min, max } => within(Decimal::whole(min), Decimal::whole(max), ""),
-        ValueForm::Dimension => dimension(),
-        ValueForm::Auxiliary if form.takes_point(machine.dialect) => dimension(),
+        ValueForm::Whole { min, max } => {
+            let unit = if address == Address::S { " rev/min" } else { "" };
+            within(Decimal::whole(min), Decimal::whole(max), unit)
+        }
+        ValueForm::Dimension => {
+            let axis = address.axis().and_then(|letter| machine.axes.index(letter));
+            let rotary = axis.and_then(|axis| machine.axes.get(axis)).is_some_and(|axis| axis.rotary);
+            dimension(if rotary { "°" } else { " mm" })
+        }
+        ValueForm::Auxiliary if form.takes_point(machine.dialect) => dimension(""),
         ValueForm::Auxiliary => within(Decimal::whole(1), Decimal::whole(99), ""),
         ValueForm::Technological => within(Decimal::ZERO, Decimal::whole(i64::from(machine.dialect.highest_m())), ""),
         ValueForm::Parameter if value.fits_parameter() => Ok(()),
@@ -64,7 +71,15 @@ pub fn check_form(
             let unit = match feed {
                 Some(mode) if machine.feeds_per_revolution(mode) => " mm/rev",
                 Some(_) => " mm/min",
-                None => "",
+                None if min <= value && value <= max => "",
+                None => {
+                    let range = |mode: GCode, unit: &str| {
+                        let (min, max) = feed_range(machine, Some(mode));
+                        format!("{min}–{max} {unit}")
+                    };
+                    let (minute, revolution) = (range(GCode::G94, "mm/min"), range(GCode::G95, "mm/rev"));
+                    return Err(FormFault::Range(format!("{minute}, {revolution}")));
+                }
             };
             within(min, max, unit)
         }

@@ -15,6 +15,7 @@ mod numbers;
 mod pending;
 mod program;
 mod rings;
+mod spelling;
 mod structure;
 mod window;
 

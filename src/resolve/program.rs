@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::letters::Letters;
+use super::spelling;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{FileId, Location};
 
@@ -131,9 +132,9 @@ impl Resolved {
         self.subprograms.get(&l).copied()
     }
 
-    /// The number of a subprogram that is nearest to `l`.
+    /// The number of a subprogram that is nearest to `l` by spelling.
     pub fn nearest_subprogram(&self, l: u32) -> Option<u32> {
-        self.subprograms.keys().copied().min_by_key(|number| number.abs_diff(l))
+        self.subprograms.keys().copied().min_by_key(|number| spelling::distance(*number, l))
     }
 
     /// Where the call or jump of a block leads, when it is written with digits and exists.
@@ -158,10 +159,16 @@ impl Resolved {
         numbered.get(at).map(|(_, block)| *block)
     }
 
-    /// The number of a block of the unit that is nearest to `number`.
+    /// The number of a block of the unit that is nearest to `number` by spelling; when all differ in more than one digit,
+    /// the one that is nearest in value.
     pub fn nearest_block(&self, unit: &Unit, number: u32) -> Option<u32> {
         let file = self.files.get(unit.file.0 as usize)?;
         let inside = |(_, block): &&(u32, BlockId)| unit.contains(*block);
+        let exists = |number: &u32| self.numbered(unit.file, *number).is_some_and(|block| unit.contains(block));
+        let slip = spelling::slips(number).filter(exists).min_by_key(|slip| spelling::distance(*slip, number));
+        if slip.is_some() {
+            return slip;
+        }
         let (below, above) = file.numbered.split_at(file.numbered.partition_point(|(found, _)| *found <= number));
         let below = below.iter().rev().find(inside);
         let above = above.iter().find(inside);

@@ -294,7 +294,7 @@ impl Context<'_, '_> {
             if parsed.flags(block).has(BlockFlags::RETURN)
                 && let Some(&word) = parsed.words(block).iter().find(|word| g_code(**word) == Some(GCode::G70))
             {
-                self.report(parsed.word_place(word), Finding::EndOutsideSubprogram {});
+                self.report(parsed.word_place(word), Finding::EndOutsideSubprogram { finishing: false });
             }
         }
     }
@@ -401,7 +401,9 @@ pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Fi
     let digits = whole.abs();
     let operation_code = digits / 1_000_000;
     let operation = u8::try_from(operation_code).ok().and_then(|code| machine.operations.get(&code)).copied();
-    let Some(operation) = operation else { return Err(Finding::UnknownOperation { operation: operation_code }) };
+    let Some(operation) = operation else {
+        return Err(Finding::UnknownOperation { operation: operation_code, digits });
+    };
     let field = |unit: i64| {
         let field = (digits / unit) % 100;
         match u8::try_from(field) {

@@ -113,7 +113,7 @@ mod tests {
             "N101 X1\n",
             "n110 X1\r",
             "N110 G1 X1 Y2 F100\nN120 M8 S100 T1 \"c\"\nN199 G91 X,5\n",
-            "N110 G4 X1\n",
+            "N110 G4 M8\n",
             "N110 G2 X5 I5\n",
         ] {
             assert!(is_judged(piece), "{piece:?}");

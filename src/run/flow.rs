@@ -8,7 +8,7 @@ use super::program::Program;
 use super::site::{Site, report};
 use super::state::State;
 use super::words::BlockWords;
-use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
+use crate::diag::{CallKind, Diagnostic, DwellMeant, Finding, Findings, LabelText, TargetMeant, UnusedMeant};
 use crate::dict::{Decimal, GCode, GGroup};
 use crate::resolve::{MacrocycleFault, Target, UnitId, UnitKind, macrocycle_finding, ring_text};
 use crate::syntax::{BlockId, ParsedFile, Word};
@@ -35,15 +35,18 @@ pub(super) fn check_late_words(site: &mut Site<'_>, state: &State, words: &Block
     let taker = words.written(GGroup::G7).filter(|(code, _)| *code != GCode::G70);
     match (taker, words.l) {
         (Some((function, word)), None) if word.is_parametric() => {
-            let diagnostic = Diagnostic::new(Finding::MissingTarget { function }, site.word_place(word));
+            let diagnostic = Diagnostic::new(
+                Finding::MissingTarget { function, meant: TargetMeant::of(function) },
+                site.word_place(word),
+            );
             site.report(with_origin(state, diagnostic, word));
         }
-        (None, Some(l)) => site.found(Finding::UnusedTarget {}, site.word_place(l.word)),
+        (None, Some(l)) => site.found(Finding::UnusedTarget { meant: UnusedMeant::Target }, site.word_place(l.word)),
         _ => {}
     }
     match (words.has(GCode::G04), words.q, words.flow()) {
         (Some(word), None, _) if word.is_parametric() => {
-            let diagnostic = Diagnostic::new(Finding::MissingDwell {}, site.word_place(word));
+            let diagnostic = Diagnostic::new(Finding::MissingDwell { meant: DwellMeant::Units }, site.word_place(word));
             site.report(with_origin(state, diagnostic, word));
         }
         (Some(_), Some(q), Some((function, _))) => {

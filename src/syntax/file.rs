@@ -48,6 +48,11 @@ impl BlockFlags {
         self.0 & flags.0 == flags.0
     }
 
+    /// Takes `flags` away.
+    pub const fn clear(&mut self, flags: Self) {
+        self.0 &= !flags.0;
+    }
+
     /// Sets `flags`.
     pub const fn set(&mut self, flags: Self) {
         self.0 |= flags.0;

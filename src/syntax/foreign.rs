@@ -55,7 +55,7 @@ const fn row(speaks_for: Speaks, weight: i32, shapes: &'static [&'static str]) -
 /// for the ends of the line. Block numbers and `/` before the line's words are not looked at, unless the shape begins
 /// with `||`. A shape that begins with `(` or `;` is compared with the line's comments too.
 const ROWS: &[Row] = &[
-    row(FANUC, 3, &["||On|", "||On(|", "||:n|", "||:n(|"]),
+    row(FANUC, 2, &["||On|", "||On(|", "||:n|", "||:n(|"]),
     row(FANUC, 2, &["||<x>|", "||<x>(|"]),
     row(FANUC, 3, &["|IF[t]GOTO", "|IF[t]THEN", "|WHILE[t]DOd", "#3000=", "#3006=", "DPRNT["]),
     row(FANUC, 3, &["G65Pddd", "G66Pddd", "M98Pddd"]),

@@ -25,8 +25,16 @@ pub(super) enum Item {
     Assignment { target: Token, sign: Option<Token>, number: Token, pieces: Vec<Token> },
     /// An address with a sign, blanks, and a number.
     SplitSign { address: Token, number: Token, pieces: Vec<Token> },
-    /// An address with `=` and a number, or a parameter with several `=`.
+    /// R with `=` and a number, or a parameter with several `=`.
     ForeignAssignment { address: Token, number: Token },
+    /// R and what is no number of a parameter: `R-5`.
+    Radius { first: Token, last: Token },
+    /// A sign before a word: `-X10`.
+    SignFirst { sign: Token, word: Token },
+    /// A parameter with `=` and characters that the control does not know: `R10=−5`.
+    OddValue { target: Token, value: Token },
+    /// A word, or something like one, that a single token holds: [`Kind::PrintedWord`] and the like.
+    Foreign(Token),
     /// An address or R word without a value; a number beyond a line end or comments (then they are `Some`) was meant
     /// for it.
     Valueless { address: Token, end: Token, comments: Option<Vec<Token>> },
@@ -103,10 +111,29 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .then(pieces)
         .map(|((address, number), pieces)| Item::SplitSign { address, number, pieces });
     let foreign = any()
-        .filter(|token: &Token| matches!(token.kind, Kind::Letter | Kind::SignedLetter | Kind::BareR))
+        .filter(|token: &Token| token.kind == Kind::BareR)
         .then_ignore(one(Kind::Equals))
         .then(number)
         .map(|(address, number)| Item::ForeignAssignment { address, number });
+    let radius = one(Kind::BareR).then(number).map(|(first, last)| Item::Radius { first, last });
+    let sign_first = one(Kind::Sign).then(one(Kind::Word)).map(|(sign, word)| Item::SignFirst { sign, word });
+    let odd_value = parameter
+        .then_ignore(one(Kind::Equals))
+        .then(one(Kind::Unknown))
+        .map(|(target, value)| Item::OddValue { target, value });
+    let single = any()
+        .filter(|token: &Token| {
+            matches!(
+                token.kind,
+                Kind::PrintedWord
+                    | Kind::AssignedWord
+                    | Kind::NamedValue
+                    | Kind::Variable
+                    | Kind::ForeignStart
+                    | Kind::JumpTarget
+            )
+        })
+        .map(Item::Foreign);
     let double = parameter
         .then_ignore(one(Kind::Equals).repeated().at_least(2))
         .then(number)
@@ -127,8 +154,18 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .foldl(stray_token.repeated(), |(first, _), last| (first, last))
         .map(|(first, last)| Item::Stray { first, last });
 
-    let text_token = any()
-        .filter(|token: &Token| matches!(token.kind, Kind::Text | Kind::Number | Kind::LooseNumber | Kind::Unknown));
+    let text_token = any().filter(|token: &Token| {
+        matches!(
+            token.kind,
+            Kind::Text
+                | Kind::Number
+                | Kind::LooseNumber
+                | Kind::Unknown
+                | Kind::Equals
+                | Kind::Sign
+                | Kind::ForeignComment
+        )
+    });
     let text = one(Kind::Text)
         .map(|token| (token, token))
         .foldl(text_token.repeated(), |(first, _), last| (first, last))
@@ -143,9 +180,13 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         parametric,
         split_sign,
         foreign,
+        radius,
         double,
+        odd_value,
         valueless,
+        single,
         one(Kind::Skip).map(Item::Skip),
+        sign_first,
         stray,
         text,
         any().map(Item::Debris),

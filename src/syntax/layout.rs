@@ -1,7 +1,7 @@
 //! What is judged by lines and characters: their length, case, and what follows the end.
 
 use super::{Kind, tokens};
-use crate::diag::{Diagnostic, Edit, Finding, Findings, Fix, FixTitle};
+use crate::diag::{Diagnostic, Edit, Finding, Findings, FixTitle};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// Most characters of a line (LEX-7).
@@ -28,6 +28,14 @@ pub(super) fn check_lines(file: FileId, source: &SourceText, start: u32, end: u3
     }
 }
 
+/// Reports a file in UTF-16, with a fix that writes all of it in UTF-8 (LEX-13).
+pub(super) fn report_utf16(file: FileId, source: &SourceText, findings: &mut Findings) {
+    let at = |span: Span| Location { file, span };
+    let text = source.text().get(source.first_offset() as usize..).unwrap_or_default();
+    let diagnostic = Diagnostic::new(Finding::Utf16 {}, at(Span::empty(source.first_offset())));
+    findings.add(diagnostic.with_fix(FixTitle::Utf8, at(Span::new(0, source.len())), text));
+}
+
 /// Where the text ends that is read: before a trailing run of blanks and line ends that holds a Ctrl-Z or NUL (LEX-8).
 pub(super) fn end_of_text(text: &str) -> u32 {
     let kept = text.trim_end_matches(['\u{1a}', '\0', ' ', '\t', '\r', '\n']);
@@ -36,43 +44,32 @@ pub(super) fn end_of_text(text: &str) -> u32 {
     u32::try_from(end).unwrap_or(u32::MAX)
 }
 
-/// Reports the first line of what stands after `*` and is no comment (LEX-9).
+/// Reports the first line of what stands after `*` and is no comment (LEX-9). A `%` there begins a second program.
 pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, findings: &mut Findings) {
     let is_text = |kind: Kind| !matches!(kind, Kind::Comment | Kind::TypographicComment | Kind::LineEnd);
     let mut rest = tokens(text, after, end).skip_while(|token| !is_text(token.kind));
     if let Some(first) = rest.next() {
-        let last = rest.take_while(|token| is_text(token.kind)).last().unwrap_or(first);
+        let last = rest.by_ref().take_while(|token| is_text(token.kind)).last().unwrap_or(first);
         let span = first.span().to(last.span());
-        findings.add(Diagnostic::new(Finding::TextAfterEnd {}, Location { file, span }));
+        let starts = |start: u32| text.as_bytes().get(start as usize) == Some(&b'%');
+        let program = starts(first.start) || rest.take(FAR).any(|token| starts(token.start));
+        findings.add(Diagnostic::new(Finding::TextAfterEnd { program }, Location { file, span }));
     }
 }
 
-/// Reports lower-case addresses, once, with a fix of them all (LEX-11). Called when there is one.
-pub(super) fn check_case(file: FileId, text: &str, start: u32, end: u32, findings: &mut Findings) {
-    let mut edits = Vec::new();
-    for token in tokens(text, start, end) {
-        if token.kind == Kind::End {
-            break;
-        }
-        let has_address = matches!(
-            token.kind,
-            Kind::Word
-                | Kind::Parameter
-                | Kind::Letter
-                | Kind::BareR
-                | Kind::SignedLetter
-                | Kind::LooseWord
-                | Kind::LooseParameter
-        );
-        let letter = text.as_bytes().get(token.start as usize).copied().unwrap_or(0);
-        if has_address && letter.is_ascii_lowercase() {
-            let at = Location { file, span: Span::new(token.start, token.start + 1) };
-            edits.push(Edit { at, text: char::from(letter.to_ascii_uppercase()).to_string() });
-        }
-    }
+/// So many tokens behind `*` are looked at for a second program.
+const FAR: usize = 1 << 12;
+
+/// Reports lower-case addresses, once, with a fix of them all (LEX-11): `places` are theirs.
+pub(super) fn check_case(file: FileId, text: &str, places: &[u32], findings: &mut Findings) {
+    let edit = |&place: &u32| {
+        let letter = text.as_bytes().get(place as usize).copied().unwrap_or(b'?');
+        let at = Location { file, span: Span::new(place, place + 1) };
+        Edit { at, text: char::from(letter.to_ascii_uppercase()).to_string() }
+    };
+    let edits: Vec<Edit> = places.iter().map(edit).collect();
     if let Some(first) = edits.first().map(|edit| edit.at) {
-        let mut diagnostic = Diagnostic::new(Finding::LowercaseAddress { count: edits.len() }, first);
-        diagnostic.fixes.push(Fix { title: FixTitle::UpperCase, edits });
-        findings.add(diagnostic);
+        let finding = Finding::LowercaseAddress { count: edits.len() };
+        findings.add(Diagnostic::new(finding, first).with_edits(FixTitle::UpperCase, edits));
     }
 }

@@ -2,9 +2,9 @@
 
 use super::grammar::Item;
 use super::number::Number;
-use super::{BlockFlags, Kind, Token, Word};
-use crate::diag::{Diagnostic, Finding, Findings, FixTitle, Meant, shown};
-use crate::dict::{Address, GCode, PROGRAM_ENDS};
+use super::{BlockFlags, Kind, Token, Word, swallowed};
+use crate::diag::{Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, shown};
+use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
 use crate::text::{FileId, Location, Span};
 
 /// Where the words, comments and findings of a run of blocks are collected.
@@ -17,25 +17,40 @@ pub(super) struct Lowering<'t> {
     /// What is known of the block in hand.
     pub(super) flags: BlockFlags,
     pub(super) findings: Findings,
-    pub(super) lowercase: bool,
+    /// Findings of the block in hand: what is around them may say what was meant.
+    pub(super) pending: Vec<Diagnostic>,
+    /// Where addresses in lower case stand, in words without a finding (LEX-11).
+    pub(super) lowercase: Vec<u32>,
     /// Where the first word stands.
     pub(super) first_word: Option<Span>,
+    /// Whether an arc is in force after the last word, in the order of the text; `None`: no function of its group yet.
+    pub(super) arc: Option<bool>,
+    /// Where the text that is read begins.
+    pub(super) from: u32,
+    /// The block in hand has a function that other controls write with other words: its end is looked at.
+    pub(super) candidate: bool,
 }
 
 /// The highest parameter is R95.
-const PARAMETERS: u8 = 96;
+pub(super) const PARAMETERS: u8 = 96;
+/// The typographic quotes (LEX-12).
+const TYPOGRAPHIC: [char; 3] = ['“', '”', '„'];
 
 impl<'t> Lowering<'t> {
-    pub(super) fn new(text: &'t str, file: FileId) -> Self {
+    pub(super) fn new(text: &'t str, file: FileId, from: u32) -> Self {
         Self {
             text,
             file,
+            from,
             words: Vec::new(),
             comments: Vec::new(),
             flags: BlockFlags::default(),
             findings: Findings::new(),
-            lowercase: false,
+            pending: Vec::new(),
+            lowercase: Vec::new(),
             first_word: None,
+            arc: None,
+            candidate: false,
         }
     }
 
@@ -52,18 +67,18 @@ impl<'t> Lowering<'t> {
             }
             Item::ForeignAssignment { address, number } => {
                 let span = address.span().to(number.span());
-                self.void_word(address, span, |text| Finding::MalformedNumber { text });
+                self.void_word(address, span, |text| Finding::MalformedNumber { text, meant: NumberMeant::EqualsForm });
             }
             Item::Valueless { address, end, comments } => {
-                let name = self.slice(address.span()).to_ascii_uppercase();
-                let name: String =
-                    name.chars().filter(|character| !matches!(character, ' ' | '\t' | '+' | '-' | '.' | ',')).collect();
-                let finding = Finding::MissingValue { address: name, beyond: comments.is_some() };
-                self.void_word(address, address.span().to(end.span()), |_| finding);
+                self.valueless(address, end, comments.is_some());
                 for comment in comments.unwrap_or_default() {
                     self.comment(comment);
                 }
             }
+            Item::Radius { first, last } => self.radius(first, first.span().to(last.span())),
+            Item::SignFirst { sign, word } => self.sign_first(sign, word),
+            Item::OddValue { target, value } => self.odd_value(target, value),
+            Item::Foreign(token) => self.foreign(token),
             Item::Skip(token) => {
                 self.flags.set(BlockFlags::SKIP);
                 self.flags.set(BlockFlags::RICH);
@@ -73,74 +88,75 @@ impl<'t> Lowering<'t> {
             Item::Stray { first, last } => {
                 let span = first.span().to(last.span());
                 let text = shown(self.slice(span));
-                self.debris(span, Finding::MalformedNumber { text });
-            }
-            Item::Text { first, last } => {
-                let span = first.span().to(last.span());
-                let text = self.slice(span);
-                let finding = if text.is_ascii() {
-                    Finding::StrayText { text: shown(text) }
-                } else {
-                    Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment }
+                let meant = match Number::parse(text.as_bytes()) {
+                    Some(_) => NumberMeant::NoAddress,
+                    None if text.contains('=') => NumberMeant::EqualsForm,
+                    None => NumberMeant::Form,
                 };
-                self.debris(span, finding);
+                self.debris(span, Finding::MalformedNumber { text, meant });
             }
-            Item::Debris(token) if token.kind == Kind::GarbledWord => {
-                let text = self.slice(token.span());
-                let meant = Meant::inside(text.get(1..).unwrap_or_default());
-                self.void_word(token, token.span(), |text| Finding::UnknownCharacter { text, meant });
-            }
-            Item::Debris(token) => {
-                let text = self.slice(token.span());
-                let foreign = token.kind == Kind::ForeignComment;
-                let meant = if foreign { Meant::Comment } else { Meant::of(text) };
-                self.debris(token.span(), Finding::UnknownCharacter { text: shown(text), meant });
-            }
+            Item::Text { first, last } => self.stray_text(first.span().to(last.span())),
+            Item::Debris(token) if token.kind == Kind::GarbledWord => self.garbled(token),
+            Item::Debris(token) if token.kind == Kind::ForeignComment => self.foreign_comment(token),
+            Item::Debris(token) => self.unknown(token),
         }
     }
 
-    fn slice(&self, span: Span) -> &'t str {
+    pub(super) fn slice(&self, span: Span) -> &'t str {
         self.text.get(span.range()).unwrap_or_default()
     }
 
-    fn byte(&self, at: u32) -> u8 {
+    pub(super) fn byte(&self, at: u32) -> u8 {
         self.text.as_bytes().get(at as usize).copied().unwrap_or(0)
     }
 
-    fn at(&self, span: Span) -> Location {
+    pub(super) fn at(&self, span: Span) -> Location {
         Location { file: self.file, span }
     }
 
-    fn report(&mut self, span: Span, finding: Finding) {
-        self.findings.add(Diagnostic::new(finding, self.at(span)));
+    pub(super) fn report(&mut self, span: Span, finding: Finding) {
+        self.pending.push(Diagnostic::new(finding, self.at(span)));
     }
 
-    fn debris(&mut self, span: Span, finding: Finding) {
+    pub(super) fn debris(&mut self, span: Span, finding: Finding) {
         self.flags.set(BlockFlags::DEBRIS);
         self.report(span, finding);
     }
 
     fn comment(&mut self, token: Token) {
         self.comments.push(token.span());
+        let text = self.slice(token.span());
         if token.kind == Kind::TypographicComment {
-            let text = self.slice(token.span());
-            for (at, quote) in text.char_indices().filter(|(_, character)| matches!(character, '“' | '”' | '„')) {
-                let start = token.start + u32::try_from(at).unwrap_or(0);
-                let place = self.at(Span::new(start, start + u32::try_from(quote.len_utf8()).unwrap_or(0)));
-                let diagnostic = Diagnostic::new(Finding::TypographicQuote { quote }, place);
-                self.findings.add(diagnostic.with_fix(FixTitle::PlainQuote, place, "\""));
+            self.typographic_comment(token, text);
+        } else if text.len() < 2 || !text.ends_with('"') {
+            let inner = Span::new(token.start + 1, token.end);
+            if let Some(words) = swallowed::words(self.text, inner) {
+                let finding = Finding::CommentSwallowsWords { words: shown(self.slice(words).trim_end()) };
+                self.report(words, finding);
             }
         }
     }
 
+    /// One finding for the quotes of a comment, at the first (LEX-12).
+    fn typographic_comment(&mut self, token: Token, text: &str) {
+        let mut edits = Vec::new();
+        for (at, quote) in text.char_indices().filter(|(_, character)| TYPOGRAPHIC.contains(character)) {
+            let start = token.start + u32::try_from(at).unwrap_or(0);
+            let place = self.at(Span::new(start, start + u32::try_from(quote.len_utf8()).unwrap_or(0)));
+            edits.push(Edit { at: place, text: "\"".to_owned() });
+        }
+        if let (Some(quote), Some(place)) = (text.chars().next(), edits.first().map(|edit| edit.at)) {
+            let diagnostic = Diagnostic::new(Finding::TypographicQuote { quote }, place);
+            self.pending.push(diagnostic.with_edits(FixTitle::PlainQuotes, edits));
+        }
+    }
+
     /// The address of a word, or the finding that there is none.
-    fn address(&mut self, start: u32, word: Span) -> Option<Address> {
+    pub(super) fn address(&mut self, start: u32, word: Span) -> Option<Address> {
         let byte = self.byte(start);
-        self.lowercase |= byte.is_ascii_lowercase();
         let address = Address::from_byte(byte);
         if address.is_none() {
-            let letter = char::from(byte.to_ascii_uppercase());
-            self.debris(word, Finding::UnknownAddress { letter });
+            self.debris(word, Finding::unknown_address(char::from(byte)));
         }
         address
     }
@@ -167,6 +183,9 @@ impl<'t> Lowering<'t> {
     #[inline]
     pub(super) fn push(&mut self, word: Word, span: Span) {
         self.first_word.get_or_insert(span);
+        if !word.is_faulty() {
+            self.note_case(span.start);
+        }
         let speaks_of_flow = matches!(
             word.address,
             Address::G
@@ -188,17 +207,31 @@ impl<'t> Lowering<'t> {
                 if PROGRAM_ENDS.contains(&number) {
                     self.flags.set(BlockFlags::END);
                 }
-            } else if number == GCode::G70.number() {
+                self.words.push(word);
+                return;
+            }
+            self.candidate |= Self::is_candidate(number);
+            if number == GCode::G70.number() {
                 self.flags.set(BlockFlags::RETURN);
             } else if number == GCode::G79.number() {
                 self.flags.set(BlockFlags::ENTRY);
+            } else if let Some(code) = GCode::from_number(number).filter(|code| code.group() == GGroup::G0) {
+                self.arc = Some(matches!(code, GCode::G02 | GCode::G03));
             }
         }
         self.words.push(word);
     }
 
+    /// Notes an address in lower case.
+    #[inline]
+    fn note_case(&mut self, at: u32) {
+        if self.byte(at).is_ascii_lowercase() {
+            self.lowercase.push(at);
+        }
+    }
+
     /// A word that no fix gives a value: it is in the block, and takes no part in what follows.
-    fn void_word(&mut self, token: Token, span: Span, finding: impl FnOnce(String) -> Finding) {
+    pub(super) fn void_word(&mut self, token: Token, span: Span, finding: impl FnOnce(String) -> Finding) {
         let Some(address) = self.address(token.start, span) else { return };
         let text = shown(self.slice(span));
         self.report(span, finding(text));
@@ -211,14 +244,14 @@ impl<'t> Lowering<'t> {
         let Some(address) = self.address(token.start, span) else { return };
         let run = String::from_utf8_lossy(self.number_text(token)).into_owned();
         let prefix = char::from(self.byte(token.start).to_ascii_uppercase()).to_string();
-        match self.mend(run, pieces, &prefix, span) {
+        match self.mend(run, pieces, address, &prefix, span) {
             Some(number) => self.push(Word::with_number(address, span, number).faulty(), span),
             None => self.push(Word::bare(address, span).faulty(), span),
         }
     }
 
-    /// Reads a faulty number as its fix would write it, and reports what is wrong with it.
-    fn mend(&mut self, run: String, pieces: &[Token], prefix: &str, span: Span) -> Option<Number> {
+    /// Reads a faulty number as its fix would write it, and reports what is wrong with it. Without a fix it has no value.
+    fn mend(&mut self, run: String, pieces: &[Token], address: Address, prefix: &str, span: Span) -> Option<Number> {
         let mut joined = run;
         for piece in pieces {
             joined.push_str(self.slice(piece.span()));
@@ -226,32 +259,45 @@ impl<'t> Lowering<'t> {
         let comma = joined.contains(',');
         let letter = joined.contains(['o', 'O', 'l']);
         let fixed = joined.replace(',', ".").replace(['o', 'O'], "0").replace('l', "1");
+        // A comma behind a number parts it from the next word.
+        let fixed = if joined.ends_with(',') { fixed.trim_end_matches('.') } else { fixed.as_str() };
         let number = Number::parse(fixed.as_bytes());
         let fixed = format!("{prefix}{fixed}");
+        let malformed = |text: &str| {
+            let meant = printed_number(joined.as_str(), prefix);
+            Finding::MalformedNumber { text: shown(text), meant }
+        };
         let finding = match number {
             Some(_) if comma => Finding::DecimalComma { fixed: shown(&fixed) },
             Some(_) if letter => Finding::LetterForDigit { fixed: shown(&fixed) },
             Some(_) if pieces.is_empty() => return number,
             Some(_) => Finding::SplitNumber { joined: shown(&fixed) },
             None if fixed.bytes().any(|byte| byte.is_ascii_digit() && !prefix.as_bytes().contains(&byte)) => {
-                Finding::MalformedNumber { text: shown(self.slice(span)) }
+                malformed(self.slice(span))
             }
-            None if joined.len() > 2 => Finding::MalformedNumber { text: shown(self.slice(span)) },
-            None => Finding::MissingValue { address: shown(prefix.trim_end_matches('=')), beyond: false },
+            None if joined.len() > 2 => malformed(self.slice(span)),
+            None => {
+                let address = shown(prefix.trim_end_matches('='));
+                Finding::MissingValue { address, beyond: false, arc: false }
+            }
         };
+        // Of words without a decimal point two may have been written as one, `M0 3`: joining is offered, and its value
+        // taken for what follows, so that one slip stays one finding.
+        let doubtful = matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
         let mended = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
-        let mut diagnostic = Diagnostic::new(finding, place);
-        if mended {
-            diagnostic = diagnostic.with_fix(FixTitle::Write { text: shown(&fixed) }, place, fixed);
-        }
-        self.findings.add(diagnostic);
+        let title = FixTitle::Write { text: shown(&fixed) };
+        let diagnostic = Diagnostic::new(finding, place);
+        self.pending.push(match (mended, doubtful) {
+            (false, _) => diagnostic,
+            (true, true) => diagnostic.with_offer(title, place, fixed),
+            (true, false) => diagnostic.with_fix(title, place, fixed),
+        });
         number.filter(|_| mended)
     }
 
     /// The number of a parameter, 0–95, and whether it has a finding already.
-    fn parameter(&mut self, token: Token) -> (Option<u8>, bool) {
-        self.lowercase |= self.byte(token.start).is_ascii_lowercase();
+    pub(super) fn parameter(&mut self, token: Token) -> (Option<u8>, bool) {
         let digits = self.number_text(token);
         let number_start = token.end - u32::try_from(digits.len()).unwrap_or(0);
         let number_span = Span::new(number_start, token.end);
@@ -278,7 +324,7 @@ impl<'t> Lowering<'t> {
             let place = self.at(number_span);
             let shown = shown(&format!("R{text}"));
             let diagnostic = Diagnostic::new(Finding::LetterForDigit { fixed: shown.clone() }, self.at(token.span()));
-            self.findings.add(diagnostic.with_fix(FixTitle::Write { text: shown }, place, text));
+            self.pending.push(diagnostic.with_fix(FixTitle::Write { text: shown }, place, text));
         }
         (number, letters)
     }
@@ -293,53 +339,79 @@ impl<'t> Lowering<'t> {
             self.push(Word::bare(address, whole).faulty(), whole);
             return;
         }
-        let (source, mut faulty) = self.parameter(parameter);
+        let (source, faulty) = self.parameter(parameter);
         let Some(source) = source else {
             self.push(Word::bare(address, whole).faulty(), whole);
             return;
         };
         let sign = (token.kind == Kind::SignedLetter).then(|| self.byte(token.end - 1));
         let gap = sign.is_some() && token.end != parameter.start;
-        if !faulty && (gap || !pieces.is_empty()) {
-            self.split_parameter(span, pieces, gap && pieces.is_empty(), Span::new(token.end, parameter.start));
-            faulty = true;
-        }
         let word = Word::with_parameter(address, span, source, sign);
-        self.push(if faulty { word.faulty() } else { word }, span);
-    }
-
-    /// A blank after the sign of a parameter, or a number after a parameter that stands for one.
-    fn split_parameter(&mut self, span: Span, pieces: &[Token], gap: bool, blanks: Span) {
-        if pieces.iter().any(|piece| matches!(self.byte(piece.start), b'+' | b'-')) {
-            self.report(span, Finding::MalformedNumber { text: shown(self.slice(span)) });
+        if !pieces.is_empty() {
+            if !faulty {
+                self.parameter_and_number(span, pieces);
+            }
+            self.push(Word::bare(address, span).faulty(), span);
             return;
         }
-        let joined: String = self.slice(span).chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
-        let mut diagnostic = Diagnostic::new(Finding::SplitNumber { joined: shown(&joined) }, self.at(span));
-        if gap {
-            diagnostic = diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, self.at(blanks), "");
+        if gap && !faulty {
+            self.split_sign(span, Span::new(token.end, parameter.start));
         }
-        self.findings.add(diagnostic);
+        self.push(if faulty || gap { word.faulty() } else { word }, span);
+        if !faulty && !gap {
+            self.note_case(parameter.start);
+        }
+    }
+
+    /// A number behind a parameter that stands for one.
+    fn parameter_and_number(&mut self, span: Span, pieces: &[Token]) {
+        let text = self.slice(span);
+        let computed = pieces.iter().any(|piece| matches!(self.byte(piece.start), b'+' | b'-'));
+        self.report(
+            span,
+            if computed {
+                Finding::MalformedNumber { text: shown(text), meant: NumberMeant::Computed }
+            } else {
+                Finding::SplitNumber { joined: String::new() }
+            },
+        );
+    }
+
+    /// A blank behind the sign of a parameter.
+    fn split_sign(&mut self, span: Span, blanks: Span) {
+        let joined: String = self.slice(span).chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
+        let diagnostic = Diagnostic::new(Finding::SplitNumber { joined: shown(&joined) }, self.at(span));
+        let fix = FixTitle::Write { text: shown(&joined) };
+        self.pending.push(diagnostic.with_fix(fix, self.at(blanks), ""));
     }
 
     fn copy(&mut self, target: Token, sign: Option<Token>, source: Token, pieces: &[Token]) {
         let span = pieces.last().map_or(target.span().to(source.span()), |last| target.span().to(last.span()));
         let (target_number, target_faulty) = self.parameter(target);
         let (source_number, source_faulty) = self.parameter(source);
-        let mut faulty = target_faulty || source_faulty;
+        let faulty = target_faulty || source_faulty;
+        let void = Word::bare(Address::R, span).faulty();
         let (Some(target_number), Some(source_number)) = (target_number, source_number) else {
-            self.push(Word::bare(Address::R, span).faulty(), span);
+            self.push(target_number.map_or(void, |target| void.assigning(target)), span);
             return;
         };
+        if !pieces.is_empty() {
+            if !faulty {
+                self.parameter_and_number(span, pieces);
+            }
+            self.push(void.assigning(target_number), span);
+            return;
+        }
         let gap = sign.is_some_and(|sign| sign.end != source.start);
-        if !faulty && (gap || !pieces.is_empty()) {
-            let blanks = Span::new(sign.map_or(source.start, |sign| sign.end), source.start);
-            self.split_parameter(span, pieces, gap && pieces.is_empty(), blanks);
-            faulty = true;
+        if gap && !faulty {
+            self.split_sign(span, Span::new(sign.map_or(source.start, |sign| sign.end), source.start));
         }
         let sign = sign.map(|sign| self.byte(sign.start));
         let word = Word::with_parameter(Address::R, span, source_number, sign).assigning(target_number);
-        self.push(if faulty { word.faulty() } else { word }, span);
+        self.push(if faulty || gap { word.faulty() } else { word }, span);
+        if !faulty && !gap {
+            self.note_case(source.start);
+        }
     }
 
     fn assignment(&mut self, target: Token, sign: Option<Token>, number: Token, pieces: &[Token]) {
@@ -363,7 +435,7 @@ impl<'t> Lowering<'t> {
             if sign.is_some() {
                 self.mend_split_sign(&run, pieces, number, &prefix, span)
             } else {
-                self.mend(run, pieces, &prefix, span)
+                self.mend(run, pieces, Address::R, &prefix, span)
             }
         };
         let word = match value {
@@ -387,9 +459,33 @@ impl<'t> Lowering<'t> {
             let joined = format!("{prefix}{run}");
             let place = self.at(span);
             let diagnostic = Diagnostic::new(Finding::SplitNumber { joined: shown(&joined) }, place);
-            self.findings.add(diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, place, joined));
+            self.pending.push(diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, place, joined));
             return Number::parse(run.as_bytes());
         }
-        self.mend(run.to_owned(), &more, prefix, span)
+        self.mend(run.to_owned(), &more, Address::R, prefix, span)
     }
 }
+
+/// What something that is no number may mean, `prefix` standing before it: programs print numbers with exponents.
+pub(super) fn printed_number(run: &str, prefix: &str) -> NumberMeant {
+    let run: String = run.chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
+    if run.to_ascii_lowercase().contains("nan") || run.to_ascii_lowercase().contains("in") {
+        return NumberMeant::NotANumber;
+    }
+    if !run.contains(['e', 'E']) {
+        let sum = run.chars().zip(run.chars().skip(1)).any(|(one, next)| one.is_ascii_digit() && "+-".contains(next));
+        return if sum && prefix.starts_with('R') { NumberMeant::Computed } else { NumberMeant::Form };
+    }
+    let thousandths = run.parse::<f64>().ok().map(|value| (value * 1000.0).round());
+    match thousandths.filter(|value| value.abs() <= DIMENSION_MAX) {
+        #[allow(clippy::cast_possible_truncation, reason = "checked against the range above")]
+        Some(value) => {
+            let written = Decimal::from_thousandths(value as i64);
+            NumberMeant::Exponent { written: format!("{prefix}{written}") }
+        }
+        None => NumberMeant::ExponentForm,
+    }
+}
+
+/// The largest dimension, in thousandths.
+const DIMENSION_MAX: f64 = 69_999_999.0;

@@ -5,12 +5,15 @@
 
 mod file;
 mod foreign;
+mod foreign_words;
 mod grammar;
+mod idioms;
 mod layout;
 mod lower;
 mod number;
 mod parse;
 mod plain;
+mod swallowed;
 mod token;
 mod word;
 

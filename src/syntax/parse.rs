@@ -52,6 +52,9 @@ fn parse_in(
     let text = source.text();
     let end = layout::end_of_text(text);
     let at = |span: Span| Location { file, span };
+    if source.encoding().is_utf16() {
+        layout::report_utf16(file, source, findings);
+    }
     let start = match form {
         Form::Macrocycle => source.first_offset(),
         Form::Program => match memchr::memchr(b'%', text.as_bytes()) {
@@ -64,7 +67,7 @@ fn parse_in(
     };
     let start = start.min(end);
     let read = |(from, to): (u32, u32)| {
-        let mut reader = Reader::new(text, file, form, from == start, to - from);
+        let mut reader = Reader::new(text, file, form, from == start, (from, to));
         reader.read(from, to, short_way);
         reader
     };
@@ -82,7 +85,7 @@ fn parse_in(
         comments: Vec::new(),
         blocks: Vec::new(),
     };
-    let mut whole = Whole { parsed, findings, lowercase: false, outside: None, ended: false };
+    let mut whole = Whole { parsed, findings, lowercase: Vec::new(), outside: None, ended: false };
     if pieces < 2 {
         whole.append(read((start, end)));
     } else {
@@ -100,9 +103,7 @@ fn parse_in(
         findings.add(Diagnostic::new(finding, at(outside.first)));
     }
     parsed.mark_commented();
-    if lowercase {
-        layout::check_case(file, text, parsed.start, parsed.end, findings);
-    }
+    layout::check_case(file, text, &lowercase, findings);
     layout::check_lines(file, source, parsed.start, parsed.end, findings);
     parsed
 }
@@ -111,7 +112,8 @@ fn parse_in(
 struct Whole<'f> {
     parsed: ParsedFile,
     findings: &'f mut Findings,
-    lowercase: bool,
+    /// Where addresses in lower case stand.
+    lowercase: Vec<u32>,
     outside: Option<Outside>,
     /// `*` was met: what follows it is no program, whatever later pieces hold.
     ended: bool,
@@ -137,7 +139,7 @@ impl Whole<'_> {
             return;
         }
         let Self { parsed, findings, lowercase, outside, ended } = self;
-        *lowercase |= piece.lowering.lowercase;
+        lowercase.extend(piece.lowering.lowercase);
         findings.append(piece.lowering.findings);
         let empty = parsed.blocks.is_empty() && parsed.comments.is_empty();
         if empty && parsed.words.capacity() < piece.lowering.words.len() {
@@ -178,7 +180,7 @@ pub(super) fn long_word(text: &str, start: u32) -> Span {
         }
         item.push(token);
     }
-    let mut lowering = Lowering::new(text, FileId(0));
+    let mut lowering = Lowering::new(text, FileId(0), start);
     let _ = grammar::block().parse_with_state(&item, &mut SimpleState(&mut lowering));
     // `/` is no word that a value could follow.
     lowering.first_word.or(item.first().map(|token| token.span())).unwrap_or(Span::empty(start))
@@ -218,6 +220,24 @@ fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)>
     bounds
 }
 
+/// Whether a block number stands right behind G71, G72 or G73 on a line with no other word than Q behind it: it is the
+/// target, without its L.
+fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
+    let Some(last) = before.last().filter(|last| last.kind == Kind::Word && token.kind == Kind::Word) else {
+        return false;
+    };
+    let word = bytes.get(last.span().range()).unwrap_or_default();
+    let flow = matches!(word, [b'G' | b'g', b'7', b'1'..=b'3']);
+    let rest = bytes.get(token.end as usize..).unwrap_or_default();
+    let rest = rest.split(|byte| matches!(byte, b'\r' | b'\n' | b'"')).next().unwrap_or_default().trim_ascii();
+    let count = match rest {
+        [] => true,
+        [b'Q' | b'q', count @ ..] => count.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b' ' | b'\t')),
+        _ => false,
+    };
+    flow && count
+}
+
 /// Reads one piece of a text.
 struct Reader<'t> {
     lowering: Lowering<'t>,
@@ -238,9 +258,9 @@ struct Reader<'t> {
 }
 
 impl<'t> Reader<'t> {
-    fn new(text: &'t str, file: FileId, form: Form, first: bool, length: u32) -> Self {
-        let mut lowering = Lowering::new(text, file);
-        lowering.words.reserve(length as usize / 8);
+    fn new(text: &'t str, file: FileId, form: Form, first: bool, (from, to): (u32, u32)) -> Self {
+        let mut lowering = Lowering::new(text, file, from);
+        lowering.words.reserve((to - from) as usize / 8);
         Self {
             lowering,
             blocks: Vec::new(),
@@ -281,16 +301,23 @@ impl<'t> Reader<'t> {
         let mut cuts = std::mem::take(&mut self.cuts);
         cuts.clear();
         let mut stopped = end;
-        for token in tokens(text, start, end) {
+        for mut token in tokens(text, start, end) {
             if token.kind == Kind::End {
                 self.end = Some(token.end);
                 break;
             }
             let with_address = matches!(
                 token.kind,
-                Kind::Word | Kind::LooseWord | Kind::Letter | Kind::SignedLetter | Kind::GarbledWord
+                Kind::Word
+                    | Kind::LooseWord
+                    | Kind::Letter
+                    | Kind::SignedLetter
+                    | Kind::GarbledWord
+                    | Kind::AssignedWord
+                    | Kind::ForeignStart
             );
             match bytes.get(token.start as usize).filter(|_| with_address) {
+                Some(b'N' | b'n') if is_jump_target(bytes, &batch, token) => token.kind = Kind::JumpTarget,
                 Some(b'N' | b'n') => {
                     if batch.len() >= BATCH {
                         self.parse_batch(&batch, &cuts);
@@ -348,6 +375,7 @@ impl<'t> Reader<'t> {
             state.flags = BlockFlags::default();
             // Accepts every sequence of tokens, so there is no error to look at.
             let _ = parser.parse_with_state(batch.get(from..to).unwrap_or_default(), &mut state);
+            state.finish_block(first_word as usize);
             blocks.push(Block { first_word, flags: state.flags });
         }
     }
@@ -359,6 +387,7 @@ impl<'t> Reader<'t> {
             let parser = grammar::block();
             let mut state = SimpleState(&mut self.lowering);
             let _ = parser.parse_with_state(batch, &mut state);
+            state.finish_block(0);
         }
         let text = self.lowering.text;
         let file = self.lowering.file;

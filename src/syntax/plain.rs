@@ -25,8 +25,13 @@ pub(super) fn plain_blocks(lowering: &mut Lowering<'_>, blocks: &mut Vec<Block>,
     while block_begins(bytes, at as usize) {
         let first_word = lowering.words.len();
         lowering.flags = BlockFlags::default();
-        let Some(after) = plain_block(lowering, bytes, at) else {
+        let arc = lowering.arc;
+        let plain = plain_block(lowering, bytes, at);
+        // Words that other controls write with such functions are told from ours at the end of a block.
+        let candidate = std::mem::take(&mut lowering.candidate);
+        let Some(after) = plain.filter(|_| !candidate) else {
             lowering.words.truncate(first_word);
+            lowering.arc = arc;
             break;
         };
         blocks.push(Block { first_word: u32::try_from(first_word).unwrap_or(u32::MAX), flags: lowering.flags });

@@ -47,30 +47,62 @@ pub enum Kind {
     /// An address other than R with something like a number: `X1,5`, `X1O0`, `X--5`, `Xl0`, `X.`.
     #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[Ool])[+\-.,0-9Oo]*", priority = 20)]
     LooseWord,
+    /// A dimensional address with a number as programs print it: `X1.5E-05`, `XNaN`, `X-inf`; `FMAX`.
+    #[regex(
+        r"[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?(([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn]|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])",
+        priority = 25
+    )]
+    PrintedWord,
     /// R with something like a number: `R1O`, `R1.5`.
     #[regex(r"[Rr]([ \t]*[0-9]+[.,Oo]|[Ool])[.,0-9Oo]*", priority = 20)]
     LooseParameter,
-    /// Something like a number without an address: `1,5`, `--5`.
-    #[regex(r"[+\-.,0-9][+\-.,0-9Oo]*", priority = 10)]
+    /// Something like a number without an address: `1,5`, `--5`, `1.5E-05`.
+    #[regex(
+        r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn]|[Ii][Nn][Ff])",
+        priority = 10
+    )]
     LooseNumber,
+    /// An address other than R, with `=`, as other controls write it: `Z=R32`, `X=IC(5)`, `S1=1000`.
+    #[regex(
+        r#"[A-QS-Za-qs-z&%][ \t]*[0-9]*[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[ \t]*"[^"\r\n]*"|[^ \t\r\n"*]+)"#,
+        priority = 30
+    )]
+    AssignedWord,
+    /// A name with `=` and a value: `CR=5`, `LIMS=2000`. `RO=` is R with a letter for its number.
+    #[regex(
+        r#"([A-QS-Za-qs-zÀ-ž][A-Za-zÀ-ž]+|[Rr][A-NP-Za-km-np-zÀ-ž][A-Za-zÀ-ž]*)[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[^ \t\r\n"*]+)?"#,
+        priority = 30
+    )]
+    NamedValue,
+    /// A variable of other controls, with its value or without: `#50=0`.
+    #[regex(
+        r#"#([0-9]+|<[A-Za-z0-9_]*>|\[[^\]\r\n"]*\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#,
+        priority = 30
+    )]
+    Variable,
+    /// The block number behind `G73`, where its target belongs: `G73 N20`. The lexer reads it as a word; its place tells.
+    JumpTarget,
+    /// `%` alone, and on the next line a program number as other controls write it: `O2107`.
+    #[regex(r"%[ \t]*(\r\n|\n|\r)[ \t]*[Oo][0-9]+", priority = 45)]
+    ForeignStart,
     /// A comment whose border is a typographic quote (LEX-12).
     #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", priority = 40)]
     TypographicComment,
-    /// A word with characters in it that the control does not know: `X#1`, `X−5`, `X[R1+5]`.
-    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„();'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„();'`\[\]]+|[ \t]*\[[^\]"\r\n]*\])"#, priority = 15)]
+    /// A word with characters in it that the control does not know: `X#1`, `X−5`, `X[R1+5]`, `X(5)`.
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[[^\]"\r\n]*\]|\([^)"\r\n]*\))|%_[A-Za-z0-9_]*"#, priority = 15)]
     GarbledWord,
     /// A comment as other controls write it.
     #[regex(
-        r"\([^)\r\n]*\)|'[^'\r\n]*'|`[^`\r\n]*`|;[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž][^\r\n]*",
+        r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|`[^`\r\n]*`|(;[ \t]*([A-Za-zÀ-ž][A-Za-zÀ-ž]|[0-9=*+\-])|(#|//)[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#,
         priority = 40,
         allow_greedy = true
     )]
     ForeignComment,
-    /// Three letters or more in a row.
-    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž][A-Za-zÀ-ž]+", priority = 8)]
+    /// Two letters or more in a row.
+    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž]+", priority = 8)]
     Text,
     /// Characters that the control does not know.
-    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„]+([+\\-.,]*[0-9]+)*", priority = 2)]
+    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]+([+\\-.,]*[0-9]+)*", priority = 2)]
     Unknown,
 }
 
@@ -91,6 +123,9 @@ impl Token {
         Span::new(self.start, self.end)
     }
 }
+
+/// Longer runs of letters before a number are names: `CYCLE81`.
+const MOST: usize = 3;
 
 /// The tokens of `text` from `start` up to `end`.
 pub fn tokens(text: &str, start: u32, end: u32) -> impl Iterator<Item = Token> + '_ {
@@ -120,32 +155,65 @@ impl Iterator for Tokens<'_> {
         let kind = self.lexer.next()?.unwrap_or(Kind::Unknown);
         let span = self.lexer.span();
         let token = Token { kind, start: offset(span.start), end: offset(span.end) };
-        if kind == Kind::Text { Some(self.text_token(token)) } else { Some(token) }
+        Some(if kind == Kind::Text {
+            self.text_token(token)
+        } else if kind == Kind::Skip {
+            self.skip_token(token)
+        } else {
+            token
+        })
     }
 }
 
 impl Tokens<'_> {
+    /// `//` at the beginning of a line makes a comment of it, as in other languages.
+    fn skip_token(&mut self, token: Token) -> Token {
+        let bytes = self.text.as_bytes();
+        if token.end != token.start + 1 || bytes.get(token.end as usize) != Some(&b'/') {
+            return token;
+        }
+        let before = bytes.get(..token.start as usize).unwrap_or_default();
+        let line = before.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
+        if !matches!(line, None | Some(b'\n' | b'\r')) {
+            return token;
+        }
+        let rest = bytes.get(token.end as usize..).unwrap_or_default();
+        let end = token.end + offset(rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count());
+        self.restart(end);
+        Token { kind: Kind::ForeignComment, end, ..token }
+    }
+
     /// A run of letters is text, but its last letter may be the address of a word (`XYZ5`), and letters O after the first
     /// may stand for digits (`GOOX10`).
     fn text_token(&mut self, token: Token) -> Token {
         let bytes = self.text.as_bytes();
         let run = bytes.get(token.span().range()).unwrap_or_default();
+        let letters = self.text.get(token.span().range()).unwrap_or_default().chars().take(MOST + 1).count();
         let rest = bytes.get(token.end as usize..).unwrap_or_default();
         let follows = rest.iter().find(|byte| !matches!(byte, b' ' | b'\t'));
         let is_address = run.last().is_some_and(u8::is_ascii_alphabetic)
-            && follows.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'='))
-            && (rest.first() == follows || run.len() == 3);
+            && follows.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.'))
+            && (rest.first() == follows || letters <= MOST);
         if !is_address {
             return token;
         }
         let kept = Token { end: token.end - 1, ..token };
+        if letters == 2 {
+            // A letter without a value, then a word.
+            self.restart(kept.end);
+            return Token { kind: letter_kind(bytes, kept.start), ..kept };
+        }
         let zeros = run.get(1..run.len() - 1).is_some_and(|run| run.iter().all(|byte| matches!(byte, b'o' | b'O')));
         let first_is_address = run.first().is_some_and(u8::is_ascii_alphabetic);
         if first_is_address && zeros {
             self.restart(kept.end);
             return Token { kind: Kind::LooseWord, ..kept };
         }
-        if kept.end - kept.start >= 3 {
+        if letters > MOST {
+            // `CYCLE81` is a name; digits behind one belong to it.
+            return token;
+        }
+        if !run.is_ascii() {
             self.restart(kept.end);
             return kept;
         }

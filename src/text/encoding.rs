@@ -19,7 +19,18 @@ pub enum Encoding {
     /// The code of the Kamenický brothers (CP895), of Czech DOS machines.
     #[value(name = "kamenicky")]
     Kamenicky,
+    /// UTF-16, the lower byte of each unit first: told by its bytes, and no encoding of part programs.
+    #[value(skip)]
+    Utf16Le,
+    /// UTF-16, the higher byte first.
+    #[value(skip)]
+    Utf16Be,
 }
+
+/// So many bytes are looked at for UTF-16 without a byte-order mark.
+const HEAD: usize = 256;
+/// So many characters the first line must have for that.
+const LEAST: usize = 4;
 
 /// The upper half of Kamenický's code page: 0x80–0xAF its own, the rest as in code page 437.
 const KAMENICKY: [char; 128] = [
@@ -37,6 +48,8 @@ impl Encoding {
         match self {
             Self::Utf8 => String::from_utf8_lossy(bytes).into_owned(),
             Self::Cp852 => oem_cp::decode_string_complete_table(bytes, &oem_cp::code_table::DECODING_TABLE_CP852),
+            Self::Utf16Le => encoding_rs::UTF_16LE.decode_without_bom_handling(bytes).0.into_owned(),
+            Self::Utf16Be => encoding_rs::UTF_16BE.decode_without_bom_handling(bytes).0.into_owned(),
             Self::Windows1250 => encoding_rs::WINDOWS_1250.decode_without_bom_handling(bytes).0.into_owned(),
             Self::Iso88592 => encoding_rs::ISO_8859_2.decode_without_bom_handling(bytes).0.into_owned(),
             Self::Kamenicky => bytes
@@ -59,7 +72,43 @@ impl Encoding {
 
     /// Whether each byte of the file is one character.
     pub const fn is_single_byte(self) -> bool {
-        !matches!(self, Self::Utf8)
+        !matches!(self, Self::Utf8 | Self::Utf16Le | Self::Utf16Be)
+    }
+
+    /// Whether the file is in UTF-16.
+    pub const fn is_utf16(self) -> bool {
+        matches!(self, Self::Utf16Le | Self::Utf16Be)
+    }
+
+    /// How many bytes of the file a text has that was decoded from it.
+    pub fn length(self, text: &str) -> usize {
+        match self {
+            Self::Utf8 => text.len(),
+            Self::Utf16Le | Self::Utf16Be => 2 * text.encode_utf16().count(),
+            Self::Cp852 | Self::Windows1250 | Self::Iso88592 | Self::Kamenicky => text.chars().count(),
+        }
+    }
+
+    /// UTF-16, when the bytes begin with its byte-order mark, or nearly every second byte of the first line is zero
+    /// (LEX-13).
+    pub(super) fn utf16(bytes: &[u8]) -> Option<Self> {
+        match bytes {
+            [0xff, 0xfe, ..] => return Some(Self::Utf16Le),
+            [0xfe, 0xff, ..] => return Some(Self::Utf16Be),
+            _ => {}
+        }
+        let head = bytes.get(..HEAD).unwrap_or(bytes);
+        let line_end = |pair: &[u8]| matches!(pair, [0, b'\n' | b'\r'] | [b'\n' | b'\r', 0]);
+        let line = || head.chunks_exact(2).take_while(|pair| !line_end(pair));
+        let count = line().count();
+        let low = line().filter(|pair| matches!(pair, [0, other] if *other != 0)).count();
+        let high = line().filter(|pair| matches!(pair, [other, 0] if *other != 0)).count();
+        let nearly = |zeros: usize| count >= LEAST && zeros * 4 >= count * 3;
+        match (nearly(high), nearly(low)) {
+            (true, _) => Some(Self::Utf16Le),
+            (_, true) => Some(Self::Utf16Be),
+            (false, false) => None,
+        }
     }
 }
 
@@ -80,6 +129,22 @@ mod tests {
             characters.dedup();
             assert_eq!(characters.len(), 256, "{encoding:?} maps two bytes to one character");
         }
+    }
+
+    /// LEX-13: UTF-16 is told by its mark, or by the zeros of its first line.
+    #[test]
+    fn utf16() {
+        let units = |text: &str, swap: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(swap).collect::<Vec<u8>>();
+        for text in ["\u{feff}%1", "%1 \"příruba\"\r\nN10 X5", "%123\n"] {
+            assert_eq!(Encoding::utf16(&units(text, u16::to_le_bytes)), Some(Encoding::Utf16Le), "{text}");
+            assert_eq!(Encoding::utf16(&units(text, u16::to_be_bytes)), Some(Encoding::Utf16Be), "{text}");
+        }
+        for bytes in [&b"%1\0\0\0\0\0\0"[..], b"%1\0", b"%1 X5\r\nN1 Y\0\x1a", b"", b"%\x001\0"] {
+            assert_eq!(Encoding::utf16(bytes), None, "{bytes:?}");
+        }
+        let text = "%1 \"ř😀\" X5";
+        assert_eq!(Encoding::Utf16Le.decode(&units(text, u16::to_le_bytes)), text);
+        assert_eq!(Encoding::Utf16Be.length(text), units(text, u16::to_be_bytes).len());
     }
 
     #[test]

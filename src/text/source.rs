@@ -35,20 +35,23 @@ pub struct SourceText {
 }
 
 impl SourceText {
-    /// Decodes `bytes`: as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A byte-order mark is kept in the
+    /// Decodes `bytes`: as UTF-16 when they are that, as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A byte-order mark is kept in the
     /// text, and skipped by [`Self::first_offset`] (LEX-8).
     ///
     /// # Errors
     /// [`DecodeError::TooLarge`] when the text has 4 GiB or more.
     pub fn decode(name: impl Into<String>, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
-        let (text, encoding) = match String::from_utf8(bytes) {
-            Ok(text) => (text, Encoding::Utf8),
-            Err(error) => (fallback.decode(error.as_bytes()), fallback),
+        let (text, encoding) = match Encoding::utf16(&bytes) {
+            Some(wide) => (wide.decode(&bytes), wide),
+            None => match String::from_utf8(bytes) {
+                Ok(text) => (text, Encoding::Utf8),
+                Err(error) => (fallback.decode(error.as_bytes()), fallback),
+            },
         };
         if u32::try_from(text.len()).is_err() {
             return Err(DecodeError::TooLarge);
         }
-        let bom = encoding == Encoding::Utf8 && text.starts_with('\u{feff}');
+        let bom = !encoding.is_single_byte() && text.starts_with('\u{feff}');
         Ok(Self { name: name.into(), text, encoding, bom, lines: OnceLock::new() })
     }
 
@@ -116,10 +119,10 @@ impl SourceText {
 
     /// Offset in the bytes of the file of `offset` in the text.
     pub fn byte_offset(&self, offset: u32) -> u64 {
-        if self.encoding.is_single_byte() {
-            self.slice(Span::new(0, offset)).chars().count() as u64
-        } else {
+        if self.encoding == Encoding::Utf8 {
             u64::from(offset)
+        } else {
+            self.encoding.length(self.slice(Span::new(0, offset))) as u64
         }
     }
 

@@ -222,7 +222,7 @@ fn an_unknown_name_gets_the_nearest_one() {
     place.run(&["explain", "duplicate-adress"]).ends(2).says("perhaps duplicate-address is meant");
     place.run(&["explain", "W0306"]).ends(2).says("perhaps E0306 is meant");
     place.run(&["explain", "G28.1"]).ends(2).says("no such diagnostic, function or address");
-    place.run(&["explain", "G21"]).ends(2).says("always millimetres");
+    place.run(&["explain", "G21"]).ends(2).says("always in millimetres");
     let both = place.run(&["explain", "nonsense", "G04"]).ends(2);
     assert!(both.stdout.contains("dwell") && both.stderr.contains("nonsense"), "{both:?}");
 }

@@ -24,6 +24,10 @@ pub struct Request {
 
 /// The lines of a file, split at LF only, as text: markers are ASCII whatever the code page.
 fn lines(bytes: &[u8]) -> Vec<String> {
+    if let Some(wide) = bytes.strip_prefix(&[0xff, 0xfe]) {
+        let units: Vec<u16> = wide.chunks(2).map(|pair| u16::from_le_bytes([pair[0], pair[1]])).collect();
+        return String::from_utf16(&units).unwrap().lines().map(str::to_owned).collect();
+    }
     bytes
         .split(|byte| *byte == b'\n')
         .map(|line| line.iter().map(|byte| char::from(*byte)).collect::<String>().trim_end_matches('\r').to_owned())

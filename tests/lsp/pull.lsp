@@ -22,7 +22,7 @@ N30 M30
       "codeDescription": {
         "href": "cnc872c:/explain/en/E0306.md"
       },
-      "message": "`X` stands twice in this block\nhelp: keep one of them, or begin a new block with `N…`",
+      "message": "`X` is written twice in this block\nhelp: keep one of them, or begin a new block with `N…`",
       "range": {
         "end": {
           "character": 9,

@@ -48,7 +48,7 @@ mod tests {
     #[test]
     fn commands() {
         insta::assert_snapshot!(rendered(Format::Github, &samples::plain(), Lang::En, true), @"
-        ::error file=part.nc,line=2,col=14,endLine=2,endColumn=16,title=E0306::`X` stands twice in this block%0Akeep one of them, or begin a new block with `N…`
+        ::error file=part.nc,line=2,col=14,endLine=2,endColumn=16,title=E0306::`X` is written twice in this block%0Akeep one of them, or begin a new block with `N…`
         ::error file=part.nc,line=3,col=9,endLine=3,endColumn=14,title=E0104::a decimal comma%0Athe control knows the decimal point only: write `X36.12`
         ::warning file=part.nc,line=4,col=1,endLine=4,endColumn=4,title=W0214::block N30 is empty%0Adelete it, or say in a comment what it is for
         ");

@@ -95,8 +95,13 @@ impl Human<'_> {
             calls(&self.places, diagnostic, self.lang).into_iter().map(|call| (words::note(self.lang), call)).collect();
         remarks.extend(diagnostic.finding.note(self.lang).map(|note| (words::note(self.lang), note)));
         let help = diagnostic.finding.help(self.lang);
-        let titles = diagnostic.fixes.iter().map(|fix| fix.title.text(self.lang));
-        let unsaid = titles.filter(|title| help.as_ref().is_none_or(|help| !help.contains(title)));
+        // A help says already what the fix does, unless it cannot name what the fix writes.
+        let unsaid = diagnostic.fixes.iter().filter(|fix| match (&help, &fix.title) {
+            (None, _) => true,
+            (Some(help), crate::diag::FixTitle::Write { text }) => !help.contains(text.as_str()),
+            (Some(_), _) => false,
+        });
+        let unsaid = unsaid.map(|fix| fix.title.text(self.lang));
         remarks.extend(help.iter().cloned().chain(unsaid).map(|help| (words::help(self.lang), help)));
         remarks
     }
@@ -112,7 +117,7 @@ impl Human<'_> {
         if report.suppressed() > 0 {
             writeln!(out, "{}", words::suppressed(report.suppressed(), self.lang))?;
         }
-        let fixable = report.items().filter(|item| !item.diagnostic.fixes.is_empty()).count();
+        let fixable = report.items().filter(|item| item.diagnostic.certain_fix().is_some()).count();
         if fixable > 0 {
             writeln!(out, "{}", words::fixable(fixable, self.lang))?;
         }

@@ -16,7 +16,7 @@ fn human(report: &Report, lang: Lang) -> String {
 #[test]
 fn labels_in_english() {
     insta::assert_snapshot!(human(&samples::plain(), Lang::En), @"
-    error[E0306]: `X` stands twice in this block
+    error[E0306]: `X` is written twice in this block
        ╭─[ part.nc:2:14 ]
        │
      2 │ N10 G0 X0 Y0 X5
@@ -140,7 +140,7 @@ fn terminals_get_nothing_raw() {
 fn in_colour() {
     let text = rendered(Format::Human, &samples::plain(), Lang::En, true);
     insta::assert_snapshot!(text.replace('\u{1b}', "^"), @"
-    ^[1;31merror[E0306]^[0m^[1m: `X` stands twice in this block^[0m
+    ^[1;31merror[E0306]^[0m^[1m: `X` is written twice in this block^[0m
        ^[38;5;246m╭─[^[0m part.nc:2:14 ^[38;5;246m]^[0m
        ^[38;5;246m│^[0m
      ^[38;5;246m2 │^[0m ^[38;5;249mN10 G0 ^[0m^[36mX0^[0m^[38;5;249m Y0 ^[0m^[31mX5^[0m
@@ -254,7 +254,7 @@ fn a_line_of_ten_megabytes() {
     let text = human(&samples::report(&sources, items), Lang::En);
     let shown = text.lines().take(18).collect::<Vec<_>>().join("\n");
     insta::assert_snapshot!(shown, @r#"
-    error[E0306]: `X` stands twice in this block
+    error[E0306]: `X` is written twice in this block
        ╭─[ a.nc:2:4000007 ]
        │
      2 │ …" "ř" "ř" "ř" "ř" "ř" "ř" "ř" X5 X6 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1…
@@ -265,7 +265,7 @@ fn a_line_of_ten_megabytes() {
        │ help: keep one of them, or begin a new block with `N…`
     ───╯
 
-    error[E0306]: `X` stands twice in this block
+    error[E0306]: `X` is written twice in this block
        ╭─[ a.nc:2:4001207 ]
        │
      2 │ …" "ř" "ř" "ř" "ř" "ř" "ř" "ř" X5 X6 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1…Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1 Y1…

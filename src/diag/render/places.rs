@@ -18,12 +18,19 @@ struct File<'a> {
     source: &'a Arc<SourceText>,
     /// Number of characters before each multiple of [`STEP`]; counted at the first use.
     characters: OnceCell<Vec<u32>>,
+    /// The same of units of UTF-16, for a file in it.
+    units: OnceCell<Vec<u32>>,
 }
 
 impl<'a> Places<'a> {
     /// Of these texts.
     pub fn new(sources: &'a Sources) -> Self {
-        Self { files: sources.iter().map(|(_, source)| File { source, characters: OnceCell::new() }).collect() }
+        Self {
+            files: sources
+                .iter()
+                .map(|(_, source)| File { source, characters: OnceCell::new(), units: OnceCell::new() })
+                .collect(),
+        }
     }
 
     /// The text of a file.
@@ -63,8 +70,11 @@ impl<'a> Places<'a> {
             return (0, 0);
         };
         let Span { start, end } = at.span;
-        let byte = |offset: u32| {
-            u64::from(if file.source.encoding().is_single_byte() { file.characters_before(offset) } else { offset })
+        let encoding = file.source.encoding();
+        let byte = |offset: u32| match (encoding.is_single_byte(), encoding.is_utf16()) {
+            (true, _) => u64::from(file.characters_before(offset)),
+            (_, true) => 2 * u64::from(file.units_before(offset)),
+            (false, false) => u64::from(offset),
         };
         (byte(start), byte(end.max(start)))
     }
@@ -72,19 +82,33 @@ impl<'a> Places<'a> {
 
 impl File<'_> {
     fn characters_before(&self, offset: u32) -> u32 {
+        self.count_before(offset, &self.characters, count_characters)
+    }
+
+    fn units_before(&self, offset: u32) -> u32 {
+        self.count_before(offset, &self.units, count_units)
+    }
+
+    fn count_before(&self, offset: u32, counts: &OnceCell<Vec<u32>>, count: fn(&[u8]) -> u32) -> u32 {
         let text = self.source.text().as_bytes();
         let offset = (offset as usize).min(text.len());
-        let counts = self.characters.get_or_init(|| {
+        let counts = counts.get_or_init(|| {
             let chunks = text.chunks(STEP).scan(0, |before, chunk| {
-                *before += count_characters(chunk);
+                *before += count(chunk);
                 Some(*before)
             });
             std::iter::once(0).chain(chunks).collect()
         });
         let step = offset / STEP;
         let before = counts.get(step).copied().unwrap_or(0);
-        before + count_characters(text.get(step * STEP..offset).unwrap_or_default())
+        before + count(text.get(step * STEP..offset).unwrap_or_default())
     }
+}
+
+/// How many units of UTF-16 the characters have that begin in these bytes of UTF-8.
+fn count_units(bytes: &[u8]) -> u32 {
+    let wide = bytes.iter().filter(|&&byte| byte >= 0xF0).count();
+    count_characters(bytes) + u32::try_from(wide).unwrap_or(0)
 }
 
 /// How many characters begin in these bytes of UTF-8; fits 32 bits, because texts do.

@@ -3,6 +3,7 @@
 use super::{Format, render};
 use crate::diag::{
     CallKind, CallSite, Diagnostic, Finding, Findings, FixTitle, LabelText, ParameterNeed, Problem, Report, Severity,
+    TextMeant,
 };
 use crate::dict::{Address, AxisLetter, Lang};
 use crate::text::{Encoding, FileId, Location, SourceText, Sources, Span};
@@ -103,9 +104,12 @@ pub(super) fn hostile() -> Report {
     let bytes = "%1\nN1\t\"\u{1b}[2J\u{7f}\u{202e}\" \u{85}\u{b}\u{c}\u{2028}X\u{7}\r\nN2".as_bytes();
     let sources = sources(&[("a\u{202e}\n\u{1b}]0;x\u{7}b.nc", bytes)]);
     let text = "\u{7}\u{1b}[31m".to_owned();
-    let stray = Diagnostic::new(Finding::StrayText { text: text.clone() }, find(&sources, 0, "X\u{7}", 0))
-        .with_label(find(&sources, 0, "\u{202e}", 0), LabelText::MacrocycleFile { name: text.clone() })
-        .with_fix(FixTitle::Write { text: text.clone() }, find(&sources, 0, "X\u{7}", 0), text);
+    let stray = Diagnostic::new(
+        Finding::StrayText { text: text.clone(), meant: TextMeant::Comment { text: text.clone() } },
+        find(&sources, 0, "X\u{7}", 0),
+    )
+    .with_label(find(&sources, 0, "\u{202e}", 0), LabelText::MacrocycleFile { name: text.clone() })
+    .with_fix(FixTitle::Write { text: text.clone() }, find(&sources, 0, "X\u{7}", 0), text);
     report(&sources, [stray])
 }
 

@@ -183,6 +183,7 @@ const fn registered_name(encoding: Encoding) -> Option<&'static str> {
         Encoding::Cp852 => Some("IBM852"),
         Encoding::Windows1250 => Some("windows-1250"),
         Encoding::Iso88592 => Some("ISO-8859-2"),
+        Encoding::Utf16Le | Encoding::Utf16Be => Some("UTF-16"),
         Encoding::Kamenicky => None,
     }
 }

@@ -30,7 +30,7 @@ mod tests {
     #[test]
     fn a_line_each() {
         insta::assert_snapshot!(rendered(Format::Short, &samples::plain(), Lang::En, true), @"
-        part.nc:2:14: error[E0306]: `X` stands twice in this block
+        part.nc:2:14: error[E0306]: `X` is written twice in this block
         part.nc:3:9: error[E0104]: a decimal comma
         part.nc:4:1: warning[W0214]: block N30 is empty
         ");

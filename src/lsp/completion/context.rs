@@ -152,6 +152,12 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::LooseWord
         | Kind::LooseParameter
         | Kind::LooseNumber
+        | Kind::PrintedWord
+        | Kind::AssignedWord
+        | Kind::NamedValue
+        | Kind::Variable
+        | Kind::JumpTarget
+        | Kind::ForeignStart
         | Kind::GarbledWord
         | Kind::ForeignComment
         | Kind::Text
@@ -170,6 +176,12 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::LooseWord
         | Kind::LooseParameter
         | Kind::LooseNumber
+        | Kind::PrintedWord
+        | Kind::AssignedWord
+        | Kind::NamedValue
+        | Kind::Variable
+        | Kind::JumpTarget
+        | Kind::ForeignStart
         | Kind::GarbledWord
         | Kind::ForeignComment
         | Kind::Text
@@ -202,6 +214,12 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
         | Kind::LooseWord
         | Kind::LooseParameter
         | Kind::LooseNumber
+        | Kind::PrintedWord
+        | Kind::AssignedWord
+        | Kind::NamedValue
+        | Kind::Variable
+        | Kind::JumpTarget
+        | Kind::ForeignStart
         | Kind::TypographicComment
         | Kind::GarbledWord
         | Kind::ForeignComment

@@ -1,0 +1,340 @@
+//! What the texts of some diagnostics advise, in both languages: closed sets of what was probably meant.
+
+use crate::dict::{Address, GCode, Lang, bilingual};
+
+bilingual! {
+    /// What was probably meant by something that is no number (E0106).
+    NumberMeant {
+        Form "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own address", "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou adresou";
+        NoAddress "write it behind its address, on the same line", "napsat ho za jeho adresu na tentýž řádek";
+        Computed "there are no expressions; G26 to G29 compute with parameters", "výrazy se psát nedají; s parametry počítají G26 až G29";
+        Exponent { written: String } "a number has no exponent: write `{written}`", "číslo se píše bez exponentu: „{written}“";
+        ExponentForm "a number has no exponent: write out its digits", "číslo se píše bez exponentu, všemi číslicemi";
+        NotANumber "whatever wrote the file had no value here; write the number that was meant", "program, který soubor vytvořil, zde neměl platnou hodnotu; napsat číslo, které bylo míněno";
+        Fastest "rapid motion is programmed by G00; a feed is a number: `F200`", "rychloposuv se programuje funkcí G00; posuv je číslo: „F200“";
+        Equals { written: String } "write it without `=`: `{written}`", "napsat bez rovnítka: „{written}“";
+        EqualsForm "only an assignment to a parameter has `=`, and only one: `R10=5`; all other words are written without: `X45`", "rovnítko patří jen do přiřazení parametru, a to jediné: „R10=5“; ostatní slova se píší bez něj: „X45“";
+        Distance "write the number without a name: under G91 it is a distance, under G90 a coordinate", "napsat jen číslo: při G91 je to přírůstek, při G90 souřadnice";
+        SignBehind { written: String } "write the sign behind the address: `{written}`", "znaménko psát až za adresu: „{written}“";
+        Radius "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start", "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
+        Parameter "R takes the number of a parameter, 0 to 95, and its value: `R10=5.5`", "R má číslo parametru 0 až 95 a jeho hodnotu: „R10=5.5“";
+    }
+}
+
+impl NumberMeant {
+    /// What is wrong with `text`.
+    pub(super) fn message(&self, text: &str, lang: Lang) -> String {
+        let of_number =
+            matches!(self, Self::Form | Self::Exponent { .. } | Self::ExponentForm | Self::NotANumber | Self::Fastest);
+        match (lang, of_number, *self == Self::NoAddress) {
+            (Lang::En, _, true) => format!("the number `{text}` has no address"),
+            (Lang::Cs, _, true) => format!("číslo {text} nemá adresu"),
+            (Lang::En, true, false) => format!("`{text}` is not a valid number"),
+            (Lang::Cs, true, false) => format!("„{text}“ není platné číslo"),
+            (Lang::En, false, false) => format!("`{text}` is not a valid word"),
+            (Lang::Cs, false, false) => format!("„{text}“ není platné slovo"),
+        }
+    }
+
+    /// Why it is so.
+    pub(super) fn note(&self, lang: Lang) -> &'static str {
+        match (self, lang) {
+            (Self::Radius | Self::Parameter, Lang::En) => {
+                "R is a parameter on this control, never a radius or a height"
+            }
+            (Self::Radius | Self::Parameter, Lang::Cs) => "R je v tomto systému parametr, nikdy poloměr ani výška",
+            _ => "",
+        }
+    }
+}
+
+bilingual! {
+    /// What was probably meant by a name that is no address (E0301).
+    AddressMeant {
+        Word "delete the word, or write the address that was meant", "slovo vymazat, nebo napsat adresu, která byla míněna";
+        Zero "a program is numbered with `%`; the digit zero is `0`", "číslo programu se píše s %; číslice nula je „0“";
+        Radius "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start", "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
+        Rounding "corners are not rounded or chamfered by a word: write the arc or the line as a block of its own", "zaoblení ani zkosení rohu se slovem nezadává: napsat oblouk nebo úsečku jako samostatný blok";
+        Polar "polar coordinates do not exist here: write those of the axes", "polární souřadnice zde nejsou: napsat souřadnice os";
+        Spindle "M19 orients the spindle; its angle is the word of the spindle axis: `C90`", "vřeteno polohuje M19; úhel udává slovo osy vřetena: „C90“";
+        SpeedLimit "the program cannot limit the speed; `S` is the speed itself", "omezit otáčky program neumí; S jsou přímo otáčky";
+        Named "an address is one letter; values with names are parameters: `R10=5`", "adresa je jediné písmeno; pojmenované hodnoty jsou zde parametry: „R10=5“";
+    }
+}
+
+impl super::Finding {
+    /// A letter that is no address.
+    pub fn unknown_address(letter: char) -> Self {
+        let letter = letter.to_ascii_uppercase();
+        let meant = if letter == 'O' { AddressMeant::Zero } else { AddressMeant::Word };
+        Self::UnknownAddress { address: letter.to_string(), meant }
+    }
+}
+
+impl AddressMeant {
+    /// What a name with a value suggests.
+    pub fn by_name(name: &str) -> Self {
+        match name.to_ascii_uppercase().as_str() {
+            "CR" | "AR" => Self::Radius,
+            "RND" | "RNDM" | "CHF" | "CHR" | "RN" => Self::Rounding,
+            "AP" | "RP" => Self::Polar,
+            "SPOS" | "SPOSA" => Self::Spindle,
+            "LIMS" => Self::SpeedLimit,
+            _ => Self::Named,
+        }
+    }
+}
+
+bilingual! {
+    /// What was probably meant by text outside a comment (E0111).
+    TextMeant {
+        Comment { text: String } "if it is meant as a comment, put it between quotes: `\"{text}\"`", "má-li to být komentář, dát ho do uvozovek: \"{text}\"";
+        Message "a message to the operator is a comment here: write the text alone, between quotes", "hlášení pro obsluhu je zde komentář: napsat jen text v uvozovkách";
+    }
+}
+
+bilingual! {
+    /// What was probably meant by a call or jump without L (E0401).
+    TargetMeant {
+        Subprogram "write the number of the subprogram: `L100`", "doplnit číslo podprogramu: „L100“";
+        OneOf { known: String } "write the number of the subprogram; this file has {known}", "doplnit číslo podprogramu; v souboru jsou {known}";
+        Millimetres "delete it if millimetres are meant: lengths are always in millimetres; if a call is meant, write the number of the subprogram: `L100`", "měla-li být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, doplnit číslo podprogramu: „L100“";
+        Macrocycle "write the number of the macrocycle: `L9001`", "doplnit číslo makrocyklu: „L9001“";
+        Block "write the number of the block to jump to: `L10`", "doplnit číslo bloku, na který se skáče: „L10“";
+        Written { written: String } "the number is written with `L`: `{written}`", "cíl se píše s L: „{written}“";
+        Turning "turning cycles do not exist here: write the passes as blocks, or call a macrocycle by `G72 L…`", "soustružnické cykly zde nejsou: vypsat třísky po blocích, nebo volat makrocyklus „G72 L…“";
+        Drilling "the drilling cycles are G81 to G89 here", "vrtací cykly jsou zde G81 až G89";
+    }
+}
+
+impl TargetMeant {
+    /// The plain advice for a call or jump without L.
+    pub const fn of(function: GCode) -> Self {
+        if matches!(function, GCode::G73) {
+            Self::Block
+        } else if matches!(function, GCode::G72) {
+            Self::Macrocycle
+        } else {
+            Self::Subprogram
+        }
+    }
+
+    /// What the function does here, where it is taken for something else.
+    pub(super) fn note(&self, function: GCode, lang: Lang) -> String {
+        if !matches!(self, Self::Turning | Self::Drilling) {
+            return String::new();
+        }
+        let (en, cs) = if function == GCode::G73 {
+            ("jumps to a block", "skáče na blok")
+        } else if function == GCode::G72 {
+            ("calls a macrocycle", "volá makrocyklus")
+        } else {
+            ("calls a subprogram", "volá podprogram")
+        };
+        match lang {
+            Lang::En => format!("{function} {en} on this control"),
+            Lang::Cs => format!("{function} v tomto systému {cs}"),
+        }
+    }
+}
+
+bilingual! {
+    /// What was probably meant by a dwell without Q (E0411).
+    DwellMeant {
+        Units "write the dwell in units of 10 ms: `Q100` is one second", "doplnit délku prodlevy po 10 ms: „Q100“ je jedna sekunda";
+        Written { written: String } "the dwell is written with `Q`, in units of 10 ms: `{written}`", "délka prodlevy se píše s Q v jednotkách po 10 ms: „{written}“";
+    }
+}
+
+/// What to write after an address without a value; `arc`: in a block with an arc.
+pub(super) fn value_wanted(address: &str, arc: bool, lang: Lang) -> String {
+    let (en, cs) = ("write its number on the same line", "napsat číslo na tentýž řádek");
+    let example = match address {
+        "L" => "100",
+        "Q" => "2",
+        "F" => "200",
+        "&" => "0010",
+        "N" | "%" | "G" | "M" | "D" | "H" | "P" => "1",
+        parameter if parameter.starts_with('R') && arc => return NumberMeant::Radius.text(lang),
+        "R" => {
+            return match lang {
+                Lang::En => "write the number of the parameter: `R10`".to_owned(),
+                Lang::Cs => "doplnit číslo parametru: „R10“".to_owned(),
+            };
+        }
+        parameter if parameter.starts_with('R') => {
+            return match lang {
+                Lang::En => format!("write the value that the parameter gets: `{parameter}=…`"),
+                Lang::Cs => format!("doplnit hodnotu, kterou má parametr dostat: „{parameter}=…“"),
+            };
+        }
+        _ => {
+            return match lang {
+                Lang::En => format!("{en}: `{address}0` if zero is meant"),
+                Lang::Cs => format!("{cs}; je-li míněna nula: „{address}0“"),
+            };
+        }
+    };
+    match lang {
+        Lang::En => format!("{en}, for example `{address}{example}`"),
+        Lang::Cs => format!("{cs}, například „{address}{example}“"),
+    }
+}
+
+bilingual! {
+    /// What was probably meant by a decimal point where none may stand (E0304).
+    PointMeant {
+        Plain "write a whole number", "napsat celé číslo";
+        Whole { written: String } "write `{written}`", "napsat „{written}“";
+        Dwell "`Q100` is one second", "„Q100“ je jedna sekunda";
+        Seconds { written: String } "if seconds are meant, write `{written}`", "jsou-li míněny sekundy, napsat „{written}“";
+        Origin "the origins are G53 to G59", "počátky jsou G53 až G59";
+        Function "functions have whole numbers of two digits", "funkce mají jen dvoumístná celá čísla";
+    }
+}
+
+impl PointMeant {
+    /// Whether it is about the dwell of G04.
+    pub(super) const fn is_dwell(&self) -> bool {
+        matches!(self, Self::Dwell | Self::Seconds { .. })
+    }
+}
+
+bilingual! {
+    /// What was probably meant by an L without use (W0402).
+    UnusedMeant {
+        Target "`L` goes with G71, G72, G73 or G79", "L patří ke G71, G72, G73 nebo G79";
+        Call { written: String } "M98 calls nothing here; a subprogram is called by `{written}`", "M98 zde nevolá podprogram; volá ho „{written}“";
+        Tables "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59", "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59";
+    }
+}
+
+bilingual! {
+    /// A legal word that is written for what it means on other controls (W0116).
+    OtherMeaning {
+        Call { l: i64 } "M98 does not call subprogram L{l} on this control", "M98 v tomto systému podprogram L{l} nevolá";
+        SpeedLimit "G92 does not limit the speed on this control", "G92 v tomto systému neomezuje otáčky";
+    }
+}
+
+impl OtherMeaning {
+    /// What to write instead.
+    pub(super) fn help(&self, lang: Lang) -> String {
+        match (self, lang) {
+            (Self::Call { l }, Lang::En) => format!("a subprogram is called by `G71 L{l}`"),
+            (Self::Call { l }, Lang::Cs) => format!("podprogram volá „G71 L{l}“"),
+            (Self::SpeedLimit, Lang::En) => {
+                "G92 writes tables, and `S` is the speed itself: write it without G92".to_owned()
+            }
+            (Self::SpeedLimit, Lang::Cs) => "G92 zapisuje tabulky a S jsou přímo otáčky: napsat je bez G92".to_owned(),
+        }
+    }
+}
+
+/// A range in Czech.
+pub(super) fn range_cs(range: &str) -> String {
+    range.replace("/rev", "/ot").replace("rev/", "ot/")
+}
+
+/// `ze 3.`, `z 8.`: a group of M functions by number, in the genitive with its preposition.
+pub(super) fn of_group(group: u8) -> String {
+    let preposition = if matches!(group, 3 | 4 | 7 | 13 | 14) { "ze" } else { "z" };
+    format!("{preposition} {group}.")
+}
+
+/// The digits of a control word as it is read: `00 01 50 43`.
+pub(super) fn control_digits(digits: i64) -> String {
+    let pair = |unit: i64| format!("{:02}", (digits / unit) % 100);
+    [1_000_000, 10_000, 100, 1].map(pair).join(" ")
+}
+
+/// What was probably meant by a value that the address does not take.
+pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static str {
+    let (en, cs) = match address {
+        Address::P => (
+            "P is an auxiliary function here; a call takes `L`, the dwell of G04 is `Q`",
+            "P je zde pomocná funkce; volání má „L“, prodlevu G04 udává „Q“",
+        ),
+        Address::F if range.contains("/min") && range.contains("/rev") => (
+            "mm/rev holds under G95; under G94 the feed is in mm per minute",
+            "mm/ot platí při G95; při G94 je posuv v mm za minutu",
+        ),
+        Address::F if range.ends_with("/rev") => (
+            "under this function the feed is in mm per revolution: a quarter of a millimetre is `F0.25`",
+            "při této funkci je posuv v mm na otáčku: čtvrt milimetru je „F0.25“",
+        ),
+        Address::F => (
+            "the feed is in mm per minute here; under G95 it is in mm per revolution",
+            "posuv je zde v mm za minutu; na otáčku se zadává při G95",
+        ),
+        Address::L => (
+            "subprograms, macrocycles and targets of jumps have numbers of at most four digits",
+            "podprogramy, makrocykly a cíle skoků mají nejvýše čtyřmístná čísla",
+        ),
+        Address::D => ("corrections are switched off by `&0000` and G40", "korekce se vypínají pomocí „&0000“ a G40"),
+        Address::G | Address::M => ("functions have two digits", "funkce mají dvě číslice"),
+        Address::S => (
+            "for a machine that turns faster set `speed` under [limits] in cnc872c.toml",
+            "má-li stroj vyšší otáčky, nastavit speed v [limits] v souboru cnc872c.toml",
+        ),
+        address if address.axis().is_some() => (
+            "a number without a decimal point counts whole millimetres or degrees, not thousandths",
+            "číslo bez desetinné tečky jsou celé milimetry nebo stupně, ne tisíciny",
+        ),
+        Address::Program
+        | Address::N
+        | Address::Skip
+        | Address::X
+        | Address::Y
+        | Address::Z
+        | Address::A
+        | Address::B
+        | Address::C
+        | Address::U
+        | Address::V
+        | Address::W
+        | Address::I
+        | Address::J
+        | Address::K
+        | Address::R
+        | Address::Correction
+        | Address::Q
+        | Address::H
+        | Address::T => ("", ""),
+    };
+    match lang {
+        Lang::En => en,
+        Lang::Cs => cs,
+    }
+}
+
+/// What a G number of other controls is called here, as far as it can be told.
+pub(super) fn foreign_g(number: u32, lang: Lang) -> &'static str {
+    let (en, cs) = match number {
+        20 | 21 => ("lengths are always in millimetres here", "délky jsou zde vždy v milimetrech"),
+        28 => ("the reference point is approached by G30", "do reference se najíždí funkcí G30"),
+        32 | 76 => ("threads are cut by G33", "závit se řeže funkcí G33"),
+        43 | 44 | 49 => ("length corrections are chosen by `&` and `D`", "délkové korekce se volí adresami & a D"),
+        50 => (
+            "conversions are cancelled by G34; the program cannot limit the speed",
+            "přepočty ruší G34; omezit otáčky program neumí",
+        ),
+        51 => ("coordinates are scaled by G36", "měřítko se zadává funkcí G36"),
+        52 => ("origins are shifted by G54–G59, G92 and G93", "počátky se posouvají funkcemi G54–G59, G92 a G93"),
+        60 | 61 => ("the basic state without continuous motion is G98", "základní stav bez plynulé jízdy je G98"),
+        62 | 64 => ("continuous motion is G23", "plynulá jízda je G23"),
+        65 | 66 => ("a macrocycle is called by G72", "makrocyklus se volá funkcí G72"),
+        67 => (
+            "a macrocycle is called by G72, in each block anew",
+            "makrocyklus se volá funkcí G72, v každém bloku znovu",
+        ),
+        68 => ("a plane is transformed by G38 or G39", "rovina se transformuje funkcí G38 nebo G39"),
+        69 => ("conversions are cancelled by G34", "přepočty ruší G34"),
+        99 => ("a subprogram ends with G70", "podprogram se ukončuje funkcí G70"),
+        _ => ("delete it, or write the function that was meant", "vymazat ji, nebo napsat funkci, která byla míněna"),
+    };
+    match lang {
+        Lang::En => en,
+        Lang::Cs => cs,
+    }
+}

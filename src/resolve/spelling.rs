@@ -1,0 +1,80 @@
+//! How near two numbers are as they are written.
+
+/// A sort key: how many digits have to be put in, left out, changed, or exchanged with their neighbours to make one of
+/// the other, and then how far they are from each other.
+pub(super) fn distance(one: u32, other: u32) -> (usize, u32) {
+    (digits_apart(&one.to_string(), &other.to_string()), one.abs_diff(other))
+}
+
+/// The optimal string alignment of two numbers: ten digits at most, so that a table of all pairs is small.
+fn digits_apart(one: &str, other: &str) -> usize {
+    let (one, other) = (one.as_bytes(), other.as_bytes());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=other.len()).collect()];
+    for (at, digit) in one.iter().enumerate() {
+        let mut row = vec![at + 1];
+        for (column, wanted) in other.iter().enumerate() {
+            let cell = |row: &[usize], column: usize| row.get(column).copied().unwrap_or(usize::MAX / 2);
+            let above = rows.get(at).map(Vec::as_slice).unwrap_or_default();
+            let changed = cell(above, column) + usize::from(digit != wanted);
+            let mut least = changed.min(cell(above, column + 1) + 1).min(cell(&row, column) + 1);
+            if let (Some(before), Some(left)) = (at.checked_sub(1), column.checked_sub(1))
+                && one.get(before) == Some(wanted)
+                && other.get(left) == Some(digit)
+            {
+                let exchanged = rows.get(before).map_or(usize::MAX / 2, |row| cell(row, left));
+                least = least.min(exchanged + 1);
+            }
+            row.push(least);
+        }
+        rows.push(row);
+    }
+    rows.last().and_then(|row| row.last()).copied().unwrap_or(0)
+}
+
+/// The numbers of at most four digits that one slip makes of `number`.
+pub(super) fn slips(number: u32) -> impl Iterator<Item = u32> {
+    let digits: Vec<u8> = number.to_string().into_bytes();
+    let mut texts: Vec<Vec<u8>> = Vec::new();
+    for at in 0..=digits.len() {
+        let (before, behind) = digits.split_at(at);
+        for digit in b'0'..=b'9' {
+            texts.push([before, &[digit], behind].concat());
+            if let Some((_, behind)) = behind.split_first() {
+                texts.push([before, &[digit], behind].concat());
+            }
+        }
+        if let Some((_, behind)) = behind.split_first() {
+            texts.push([before, behind].concat());
+        }
+        if let [first, second, behind @ ..] = behind {
+            texts.push([before, &[*second, *first], behind].concat());
+        }
+    }
+    let value = |text: Vec<u8>| String::from_utf8(text).ok()?.parse::<u32>().ok();
+    texts.into_iter().filter_map(value).filter(move |slip| *slip != number && (1..=9999).contains(slip))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn apart() {
+        for (one, other, apart) in [(3, 30, 1), (3, 10, 2), (12, 21, 1), (100, 101, 1), (5, 5, 0), (1234, 43, 3)] {
+            assert_eq!((distance(one, other).0, distance(other, one).0), (apart, apart), "{one} {other}");
+        }
+    }
+
+    /// Every slip is one apart, and there is none besides.
+    #[test]
+    fn all_slips() {
+        for number in [3, 40, 101, 1234, 9999] {
+            let mut found: Vec<u32> = slips(number).collect();
+            found.sort_unstable();
+            found.dedup();
+            let expected: Vec<u32> = (1..=9999).filter(|other| distance(number, *other).0 == 1).collect();
+            let without_zeros: Vec<u32> = found.iter().copied().filter(|slip| expected.contains(slip)).collect();
+            assert_eq!(without_zeros, expected, "{number}");
+        }
+    }
+}

@@ -1,0 +1,387 @@
+//! Words and signs as other controls, programs and text processors write them: each is one finding, with what is written
+//! here instead, as a fix where that is certain.
+
+use super::lower::{Lowering, PARAMETERS, printed_number};
+use super::number::Number;
+use super::{BlockFlags, Kind, Token, Word};
+use crate::diag::{
+    AddressMeant, Diagnostic, Edit, Finding, FixTitle, MINUS, Meant, NumberMeant, TextMeant, is_blank, shown,
+};
+use crate::dict::{Address, GCode};
+use crate::text::Span;
+
+/// What stands where a number should.
+enum Written {
+    Number(Number),
+    /// A parameter, and the sign before it.
+    Parameter(u8, Option<u8>),
+}
+
+/// The value that `text` is, when nothing else is in it.
+fn written(text: &str) -> Option<Written> {
+    if let Some(number) = Number::parse(text.as_bytes()) {
+        return Some(Written::Number(number));
+    }
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let sign = text.as_bytes().first().copied().filter(|_| unsigned.len() < text.len());
+    let digits = unsigned.strip_prefix(['R', 'r'])?;
+    parameter_number(digits).map(|number| Written::Parameter(number, sign))
+}
+
+fn parameter_number(digits: &str) -> Option<u8> {
+    let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+    digits.parse().ok().filter(|number| whole && *number < PARAMETERS)
+}
+
+impl Lowering<'_> {
+    pub(super) fn foreign(&mut self, token: Token) {
+        let handle = [
+            (Kind::PrintedWord, Self::printed_word as fn(&mut Self, Token)),
+            (Kind::AssignedWord, Self::assigned_word),
+            (Kind::NamedValue, Self::named_value),
+            (Kind::Variable, Self::variable),
+            (Kind::ForeignStart, Self::foreign_start),
+            (Kind::JumpTarget, Self::jump_target),
+        ];
+        if let Some((_, handle)) = handle.into_iter().find(|(kind, _)| *kind == token.kind) {
+            handle(self, token);
+        }
+    }
+
+    /// A finding with a fix that writes `text` over all of it.
+    fn report_with_text(&mut self, span: Span, finding: Finding, text: String) {
+        let place = self.at(span);
+        let title = FixTitle::Write { text: shown(&text) };
+        self.pending.push(Diagnostic::new(finding, place).with_fix(title, place, text));
+    }
+
+    fn push_written(&mut self, address: Address, span: Span, written: &Written) {
+        let word = match written {
+            Written::Number(number) => Word::with_number(address, span, *number),
+            Written::Parameter(number, sign) => Word::with_parameter(address, span, *number, *sign),
+        };
+        self.push(word.faulty(), span);
+    }
+
+    fn push_void(&mut self, address: Address, span: Span) {
+        self.push(Word::bare(address, span).faulty(), span);
+    }
+
+    /// `X1.5E-05`, `XNaN`, `FMAX`.
+    fn printed_word(&mut self, token: Token) {
+        let span = token.span();
+        let Some(address) = self.address(token.start, span) else { return };
+        let text = self.slice(span);
+        let number = text.get(1..).unwrap_or_default();
+        let prefix = address.to_string();
+        let fastest = ["max", "auto"].iter().any(|name| number.eq_ignore_ascii_case(name));
+        let meant = if fastest { NumberMeant::Fastest } else { printed_number(number, &prefix) };
+        let finding = Finding::MalformedNumber { text: shown(text), meant: meant.clone() };
+        if let NumberMeant::Exponent { written } = meant
+            && let Some(value) = Number::parse(written.get(1..).unwrap_or_default().as_bytes())
+            // A feed of zero is none.
+            && (address != Address::F || value.value.thousandths() != 0)
+        {
+            self.report_with_text(span, finding, written);
+            self.push_written(address, span, &Written::Number(value));
+        } else {
+            self.report(span, finding);
+            self.push_void(address, span);
+        }
+    }
+
+    /// `Z=R32`, `X=5`, `X=IC(5)`, `S1=1000`.
+    fn assigned_word(&mut self, token: Token) {
+        let span = token.span();
+        let Some(address) = self.address(token.start, span) else { return };
+        let text = self.slice(span);
+        let (name, value) = text.split_once('=').unwrap_or((text, ""));
+        let value = value.trim_matches([' ', '\t']);
+        let plain = name.trim_end_matches([' ', '\t']).len() == 1;
+        let numbered = matches!(address, Address::N | Address::Program);
+        let value_written =
+            written(value).filter(|written| plain && !(numbered && matches!(written, Written::Parameter(..))));
+        let upper = value.to_ascii_uppercase();
+        if let Some(written) = value_written {
+            let text_here = format!("{address}{upper}");
+            let meant = NumberMeant::Equals { written: shown(&text_here) };
+            let finding = Finding::MalformedNumber { text: shown(text), meant };
+            self.report_with_text(span, finding, text_here);
+            self.push_written(address, span, &written);
+            return;
+        }
+        let computed = upper.contains('R') && upper.contains(['+', '-', '*', '/']);
+        let meant = if upper.starts_with("IC(") || upper.starts_with("AC(") {
+            NumberMeant::Distance
+        } else if computed {
+            NumberMeant::Computed
+        } else {
+            NumberMeant::EqualsForm
+        };
+        self.report(span, Finding::MalformedNumber { text: shown(text), meant });
+        self.push_void(address, span);
+    }
+
+    /// `CR=5`, `LIMS=2000`.
+    fn named_value(&mut self, token: Token) {
+        let span = token.span();
+        let name = self.slice(span).split(['=', ' ', '\t']).next().unwrap_or_default();
+        let meant = AddressMeant::by_name(name);
+        let radius = meant == AddressMeant::Radius;
+        self.debris(span, Finding::UnknownAddress { address: shown(name), meant });
+        if radius {
+            // The centre of the arc was given, in a way that is none here.
+            self.push_void(Address::I, span);
+        }
+    }
+
+    /// `#50=0`.
+    fn variable(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        let (name, value) = text.split_once('=').unwrap_or((text, ""));
+        let target = parameter_number(name.trim_matches(['#', ' ', '\t']));
+        let value = value.trim_matches([' ', '\t']);
+        let as_parameter = value.strip_prefix('#').map(|digits| format!("R{digits}"));
+        let value = as_parameter.as_deref().unwrap_or(value);
+        if let (Some(target), Some(written)) = (target, written(value)) {
+            let text_here = format!("R{target}={}", value.to_ascii_uppercase());
+            let meant = Meant::Variable { written: shown(&text_here) };
+            self.report_with_text(span, Finding::UnknownCharacter { text: shown(text), meant }, text_here);
+            let word = match written {
+                Written::Number(number) => Word::with_number(Address::R, span, number),
+                Written::Parameter(number, sign) => Word::with_parameter(Address::R, span, number, sign),
+            };
+            self.push(word.assigning(target).faulty(), span);
+            return;
+        }
+        self.debris(span, Finding::UnknownCharacter { text: shown(text), meant: Meant::Expression });
+        if let Some(target) = target {
+            self.push(Word::bare(Address::R, span).assigning(target).faulty(), span);
+        }
+    }
+
+    /// `%`, and on the next line `O2107`.
+    fn foreign_start(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        let digits = text.trim_start_matches(|character: char| !character.is_ascii_digit());
+        let text_here = format!("%{digits}");
+        let percent = self.at(Span::new(token.start, token.start + 1));
+        let finding = Finding::MissingValue { address: "%".to_owned(), beyond: false, arc: false };
+        let title = FixTitle::Write { text: shown(&text_here) };
+        self.pending.push(Diagnostic::new(finding, percent).with_fix(title, self.at(span), text_here));
+        match Number::parse(digits.as_bytes()) {
+            Some(number) => self.push_written(Address::Program, span, &Written::Number(number)),
+            None => self.push_void(Address::Program, span),
+        }
+    }
+
+    /// The block number that stands behind G71, G72 or G73, where the `L` of its target belongs.
+    fn jump_target(&mut self, token: Token) {
+        let span = token.span();
+        let number = self.slice(span).get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let last = self.words.last().copied().filter(|word| word.address == Address::G);
+        let code = last.and_then(|word| word.whole()).and_then(|number| u8::try_from(number).ok());
+        let function = code.and_then(GCode::from_number).unwrap_or(GCode::G73);
+        let place = self.at(last.map_or(span, |word| word.span(self.text)));
+        let text = format!("L{number}");
+        let meant = crate::diag::TargetMeant::Written { written: shown(&text) };
+        let title = FixTitle::Write { text: shown(&text) };
+        let letter = self.at(Span::new(token.start, token.start + 1));
+        let diagnostic = Diagnostic::new(Finding::MissingTarget { function, meant }, place);
+        self.pending.push(diagnostic.with_fix(title, letter, "L"));
+        match Number::parse(number.as_bytes()) {
+            Some(number) => self.push_written(Address::L, span, &Written::Number(number)),
+            None => self.push_void(Address::L, span),
+        }
+    }
+
+    /// An address or a parameter without a value.
+    pub(super) fn valueless(&mut self, address: Token, end: Token, beyond: bool) {
+        let span = address.span().to(end.span());
+        let text = self.slice(address.span());
+        if address.kind == Kind::LooseParameter && text.contains(['.', ',']) {
+            self.radius(address, span);
+            return;
+        }
+        let name: String = text
+            .chars()
+            .filter(|character| !matches!(character, ' ' | '\t' | '+' | '-' | '.' | ','))
+            .map(|character| character.to_ascii_uppercase())
+            .collect();
+        let digits = name.strip_prefix('R').unwrap_or_default();
+        let target = parameter_number(digits);
+        if !digits.is_empty() && target.is_none() {
+            self.parameter(address);
+            self.push_void(Address::R, span);
+            return;
+        }
+        let finding = Finding::MissingValue { address: name, beyond, arc: false };
+        let Some(address) = self.address(address.start, span) else { return };
+        self.report(span, finding);
+        let word = Word::bare(address, span).faulty();
+        self.push(target.map_or(word, |target| word.assigning(target)), span);
+    }
+
+    /// R and something that is no number of a parameter: `R5.5`, `R-5`.
+    pub(super) fn radius(&mut self, address: Token, span: Span) {
+        self.void_word(address, span, |text| Finding::MalformedNumber { text, meant: NumberMeant::Parameter });
+    }
+
+    /// `-X10`.
+    pub(super) fn sign_first(&mut self, sign: Token, word: Token) {
+        let span = sign.span().to(word.span());
+        let Some(address) = self.address(word.start, span) else { return };
+        let minus = self.byte(sign.start) == b'-';
+        let text = self.slice(word.span());
+        let number = text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let signed = if minus { format!("-{number}") } else { number.to_owned() };
+        let value = Number::parse(signed.as_bytes()).filter(|_| address.is_dimensional());
+        match value {
+            Some(value) => {
+                let text_here = format!("{address}{signed}");
+                let meant = NumberMeant::SignBehind { written: shown(&text_here) };
+                let finding = Finding::MalformedNumber { text: shown(self.slice(span)), meant };
+                self.report_with_text(span, finding, text_here);
+                self.push_written(address, span, &Written::Number(value));
+            }
+            None => {
+                let finding = Finding::MalformedNumber { text: shown(self.slice(span)), meant: NumberMeant::Form };
+                self.report(span, finding);
+                self.push_void(address, span);
+            }
+        }
+    }
+
+    /// `R10=−5`.
+    pub(super) fn odd_value(&mut self, target: Token, value: Token) {
+        let span = target.span().to(value.span());
+        let (number, _) = self.parameter(target);
+        let Some(number) = number else {
+            self.push_void(Address::R, span);
+            return;
+        };
+        let text = self.slice(value.span());
+        let plain = text.replace(MINUS, "-");
+        match Number::parse(plain.as_bytes()) {
+            Some(value_here) => {
+                let finding = Finding::UnknownCharacter { text: shown(text), meant: Meant::of(text) };
+                self.report_with_text(value.span(), finding, plain);
+                self.push(Word::with_number(Address::R, span, value_here).assigning(number).faulty(), span);
+            }
+            None => {
+                let finding = Finding::UnknownCharacter { text: shown(text), meant: Meant::of(text) };
+                self.report(value.span(), finding);
+                self.push(Word::bare(Address::R, span).assigning(number).faulty(), span);
+            }
+        }
+    }
+
+    /// A word with characters in it that the control does not know.
+    pub(super) fn garbled(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        let rest = text.get(1..).unwrap_or_default();
+        if text.starts_with("%_") {
+            self.void_word(token, span, |text| Finding::UnknownCharacter { text, meant: Meant::ProgramName });
+            return;
+        }
+        let blank = |character: char| is_blank(character) || matches!(character, ' ' | '\t');
+        let number = rest.trim_start_matches(blank).replace(MINUS, "-");
+        let number = match number.strip_prefix('#') {
+            Some(digits) if parameter_number(digits).is_some() => format!("R{digits}"),
+            _ => number,
+        };
+        let letter = self.byte(token.start).to_ascii_uppercase();
+        let address = Address::from_byte(letter).filter(|address| {
+            *address != Address::R && !(number.starts_with('R') && matches!(address, Address::N | Address::Program))
+        });
+        if let (Some(address), Some(written)) = (address, written(&number)) {
+            let text_here = format!("{address}{number}");
+            let meant = if number.starts_with('R') {
+                Meant::Variable { written: shown(&text_here) }
+            } else {
+                Meant::inside(rest)
+            };
+            self.report_with_text(span, Finding::UnknownCharacter { text: shown(text), meant }, text_here);
+            self.push_written(address, span, &written);
+            return;
+        }
+        let meant = Meant::inside(rest);
+        self.void_word(token, span, |text| Finding::UnknownCharacter { text, meant });
+    }
+
+    /// Text that is no comment.
+    pub(super) fn stray_text(&mut self, span: Span) {
+        let text = self.slice(span);
+        let message =
+            text.strip_prefix("MSG").and_then(|rest| rest.trim_start_matches([' ', '\t']).strip_prefix("(\""));
+        if let Some(inner) = message.and_then(|rest| rest.strip_suffix("\")")).filter(|inner| !inner.contains('"')) {
+            let end = span.end - 2;
+            let start = end - u32::try_from(inner.len()).unwrap_or(0);
+            let edits = vec![
+                Edit { at: self.at(Span::new(span.start, start)), text: "\"".to_owned() },
+                Edit { at: self.at(Span::new(end, span.end)), text: "\"".to_owned() },
+            ];
+            let finding = Finding::StrayText { text: shown(text), meant: TextMeant::Message };
+            self.flags.set(BlockFlags::DEBRIS);
+            self.pending.push(Diagnostic::new(finding, self.at(span)).with_edits(FixTitle::Comment, edits));
+            return;
+        }
+        let finding = if text.is_ascii() {
+            let meant = TextMeant::Comment { text: shown(text) };
+            Finding::StrayText { text: shown(text), meant }
+        } else {
+            Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment }
+        };
+        self.debris(span, finding);
+    }
+
+    /// A comment as other controls write it: `(text)`, `; text`, `{text}`, `// text`, `# text`.
+    pub(super) fn foreign_comment(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        let inner = text.trim_start_matches("//").trim_start_matches(['(', '{', '\'', '`', ';', '#']);
+        let opening = span.len() - u32::try_from(inner.len()).unwrap_or(0);
+        let closed = inner.ends_with([')', '}', '\'', '`']) && !text.starts_with([';', '#', '/']);
+        let body = inner.get(..inner.len() - usize::from(closed)).unwrap_or_default();
+        let finding = Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment };
+        self.flags.set(BlockFlags::DEBRIS);
+        let mut diagnostic = Diagnostic::new(finding, self.at(span));
+        if body.trim().is_empty() {
+            diagnostic = diagnostic.with_fix(FixTitle::Delete { text: shown(text) }, self.at(span), "");
+        } else if !body.contains('"') {
+            let blanks = body.len() - body.trim_start_matches([' ', '\t']).len();
+            let start = span.start + opening + u32::try_from(blanks).unwrap_or(0);
+            let kept = body.trim_matches([' ', '\t']);
+            let end = start + u32::try_from(kept.len()).unwrap_or(0);
+            let quote = |from: u32, to: u32| Edit { at: self.at(Span::new(from, to)), text: "\"".to_owned() };
+            let edits = vec![quote(span.start, start), quote(end, span.end)];
+            diagnostic = diagnostic.with_edits(FixTitle::Comment, edits);
+        }
+        self.pending.push(diagnostic);
+    }
+
+    /// Characters that mean nothing.
+    pub(super) fn unknown(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        self.flags.set(BlockFlags::DEBRIS);
+        let rest = self.text.get(span.end as usize..).unwrap_or_default();
+        let line_ends = rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']) || rest.trim().is_empty();
+        let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
+        let place = self.at(span);
+        self.pending.push(if text == ";" && line_ends {
+            let title = FixTitle::Delete { text: ";".to_owned() };
+            Diagnostic::new(finding(Meant::BlockEnd), place).with_fix(title, place, "")
+        } else if text.chars().all(is_blank) {
+            Diagnostic::new(finding(Meant::of(text)), place).with_fix(FixTitle::PlainBlank, place, " ")
+        } else if text.chars().all(|character| MINUS.contains(&character)) && text.chars().count() == 1 {
+            let title = FixTitle::Write { text: "-".to_owned() };
+            Diagnostic::new(finding(Meant::Minus), place).with_fix(title, place, "-")
+        } else {
+            Diagnostic::new(finding(Meant::of(text)), place)
+        });
+    }
+}

@@ -1,0 +1,191 @@
+//! What is told at the end of a block: the words of one mistake become one finding, and what stands around a word says
+//! what was meant by it.
+
+use super::lower::Lowering;
+use super::{BlockFlags, Kind, Word, tokens};
+use crate::diag::{Code, Diagnostic, DwellMeant, Finding, FixTitle, NumberMeant, TargetMeant, shown};
+use crate::dict::{Address, Decimal, GCode, GGroup};
+use crate::syntax::number::Number;
+
+/// So far back a G02 or G03 is looked for that is in force where a part of a long text begins.
+const FAR: u32 = 1 << 20;
+/// A dwell without a point is taken for milliseconds from here on: nobody writes so many seconds.
+const MILLISECONDS: i64 = 100;
+/// Longest dwell, in units of 10 ms.
+const LONGEST: i64 = 9999;
+
+impl Lowering<'_> {
+    /// Whether a word of the block in hand may be written as other controls do, so that its end has to be looked at.
+    pub(super) const fn is_candidate(number: u8) -> bool {
+        matches!(number, 4 | 70..=73)
+    }
+
+    /// Ends a block whose words begin at `first` in the arena, its `N` included.
+    pub(super) fn finish_block(&mut self, first: usize) {
+        if std::mem::take(&mut self.candidate) {
+            self.turning_cycle(first);
+            self.dwell(first);
+        }
+        if self.pending.is_empty() {
+            return;
+        }
+        self.radius_in_arc(first);
+        for diagnostic in self.pending.drain(..) {
+            self.findings.add(diagnostic);
+        }
+    }
+
+    fn block_words(&self, first: usize) -> &[Word] {
+        self.words.get(first..).unwrap_or_default()
+    }
+
+    fn g_word(&self, first: usize, codes: &[GCode]) -> Option<(usize, GCode, Word)> {
+        let words = (first..).zip(self.block_words(first));
+        let mut found = words.filter_map(|(at, word)| {
+            let number = word.whole().filter(|_| word.address == Address::G && !word.is_faulty())?;
+            let code = u8::try_from(number).ok().and_then(GCode::from_number)?;
+            codes.contains(&code).then_some((at, code, *word))
+        });
+        found.next()
+    }
+
+    /// G71, G72, G73 with the words of a turning or drilling cycle of other controls, G70 with those of a finishing cycle.
+    fn turning_cycle(&mut self, first: usize) {
+        let has = |address: Address| self.block_words(first).iter().any(|word| word.address == address);
+        let radius = self.block_words(first).iter().any(|word| word.address == Address::R && word.is_void());
+        let place = |word: Word| self.at(word.span(self.text));
+        let diagnostic = if let Some((_, _, g)) = self.g_word(first, &[GCode::G70]) {
+            if !has(Address::P) || !has(Address::Q) {
+                return;
+            }
+            Diagnostic::new(Finding::EndOutsideSubprogram { finishing: true }, place(g))
+        } else if let Some((_, function, g)) = self.g_word(first, &[GCode::G71, GCode::G72, GCode::G73]) {
+            let cycle = radius || [Address::U, Address::W, Address::P].into_iter().any(has);
+            if has(Address::L) || !cycle {
+                return;
+            }
+            let drilling = function == GCode::G73 && has(Address::Z) && !has(Address::P);
+            let meant = if drilling { TargetMeant::Drilling } else { TargetMeant::Turning };
+            Diagnostic::new(Finding::MissingTarget { function, meant }, place(g))
+        } else {
+            return;
+        };
+        self.pending.retain(|found| is_about_comments(found.code()));
+        self.pending.push(diagnostic);
+        self.flags.clear(BlockFlags::RETURN);
+        let text = self.text;
+        for word in self.words.iter_mut().skip(first).filter(|word| word.address != Address::N) {
+            *word = Word::bare(word.address, word.span(text)).faulty().assigning(word.target());
+        }
+    }
+
+    /// G04 with its time in another word than Q: `G04 P500`, `G04 X0.5`, `G04 F0.5` (GRP-5).
+    fn dwell(&mut self, first: usize) {
+        let Some((_, _, g)) = self.g_word(first, &[GCode::G04]) else { return };
+        let mut others = (first..)
+            .zip(self.block_words(first))
+            .filter(|(_, word)| !matches!(word.address, Address::N | Address::G | Address::M | Address::Skip));
+        let (Some((at, &time)), None) = (others.next(), others.next()) else { return };
+        let known = matches!(time.address, Address::P | Address::X | Address::U | Address::F);
+        let Some(value) = time.number().filter(|value| known && !time.is_faulty() && value.thousandths() > 0) else {
+            return;
+        };
+        let seconds = time.has_point() || time.address == Address::F;
+        let units = match value.as_whole() {
+            Some(whole) if !seconds => (whole >= MILLISECONDS).then_some((whole + 5) / 10),
+            Some(_) | None => Some((value.thousandths() + 5) / 10),
+        };
+        let units = units.filter(|units| (1..=LONGEST).contains(units));
+        let span = time.span(self.text);
+        let place = self.at(span);
+        let text = units.map(|units| format!("Q{units}"));
+        let meant = match &text {
+            Some(text) => DwellMeant::Written { written: text.clone() },
+            None => DwellMeant::Units,
+        };
+        let mut diagnostic = Diagnostic::new(Finding::MissingDwell { meant }, self.at(g.span(self.text)));
+        if let Some(text) = text {
+            diagnostic = diagnostic.with_fix(FixTitle::Write { text: shown(&text) }, place, text);
+        }
+        self.pending.retain(|found| is_about_comments(found.code()));
+        self.pending.push(diagnostic);
+        let word = match units {
+            Some(units) => {
+                let number = Number { value: Decimal::whole(units), ..Number::default() };
+                Word::with_number(Address::Q, span, number)
+            }
+            None => Word::bare(Address::Q, span),
+        };
+        if let Some(slot) = self.words.get_mut(at) {
+            *slot = word.faulty();
+        }
+    }
+
+    /// R without `=` in a block with an arc is meant as its radius.
+    fn radius_in_arc(&mut self, first: usize) {
+        let is_radius = |diagnostic: &Diagnostic| {
+            matches!(&diagnostic.finding, Finding::MissingValue { address, .. } if address.starts_with('R'))
+                || matches!(&diagnostic.finding, Finding::MalformedNumber { meant: NumberMeant::Parameter, .. })
+        };
+        let Some(span) = self.pending.iter().find(|found| is_radius(found)).map(|found| found.at.span) else { return };
+        if !self.arc_in_force() {
+            return;
+        }
+        for diagnostic in &mut self.pending {
+            if !is_radius(diagnostic) {
+                continue;
+            }
+            if let Finding::MissingValue { arc, .. } = &mut diagnostic.finding {
+                *arc = true;
+            } else if let Finding::MalformedNumber { meant, .. } = &mut diagnostic.finding {
+                *meant = NumberMeant::Radius;
+            }
+        }
+        let centered = self.block_words(first).iter().any(|word| matches!(word.address, Address::I | Address::J));
+        if !centered {
+            // The centre was given, in a way that is none here.
+            self.push(Word::bare(Address::I, span).faulty(), span);
+        }
+    }
+
+    /// Whether G02 or G03 is in force after the last word, in the order of the text.
+    fn arc_in_force(&mut self) -> bool {
+        let arc = self.arc.unwrap_or_else(|| arc_before(self.text, self.from));
+        self.arc = Some(arc);
+        arc
+    }
+}
+
+/// Whether the last function of group G0 before `end` is an arc.
+fn arc_before(text: &str, end: u32) -> bool {
+    let bytes = text.as_bytes();
+    let least = end.saturating_sub(FAR) as usize;
+    let mut to = end as usize;
+    while to > least {
+        let head = bytes.get(least..to.saturating_sub(1)).unwrap_or_default();
+        let from = memchr::memrchr2(b'\n', b'\r', head).map_or(least, |at| least + at + 1);
+        if let Some(code) = last_motion(text, from, to) {
+            return matches!(code, GCode::G02 | GCode::G03);
+        }
+        to = from;
+    }
+    false
+}
+
+/// The last function of group G0 in a line.
+fn last_motion(text: &str, from: usize, to: usize) -> Option<GCode> {
+    let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+    let from = (from..to).find(|at| text.is_char_boundary(*at))?;
+    let codes = tokens(text, place(from), place(to)).filter_map(|token| {
+        let word = text.get(token.span().range()).filter(|_| token.kind == Kind::Word)?;
+        let number = word.strip_prefix(['G', 'g'])?.trim_matches([' ', '\t']);
+        let code = number.parse().ok().and_then(GCode::from_number)?;
+        (code.group() == GGroup::G0).then_some(code)
+    });
+    codes.last()
+}
+
+/// Whether a finding is about a comment, not about a word.
+const fn is_about_comments(code: Code) -> bool {
+    matches!(code, Code::E0105 | Code::W0114)
+}
