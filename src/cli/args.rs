@@ -54,6 +54,7 @@ pub(super) enum ColorWhen {
 pub(super) enum Command {
     Check(CheckArgs),
     Compile(CompileArgs),
+    View(ViewArgs),
     Explain(ExplainArgs),
     Init(InitArgs),
     Lsp(LspArgs),
@@ -91,6 +92,23 @@ pub(super) struct CompileArgs {
     pub from: u64,
     #[arg(long, value_name = "N")]
     pub limit: Option<u64>,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// `view`.
+#[derive(Debug, Args)]
+pub(super) struct ViewArgs {
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[arg(long)]
+    pub open: bool,
+    #[arg(long, value_name = "SEQ", default_value_t = 0)]
+    pub from: u64,
+    #[arg(long, value_name = "N")]
+    pub blocks: Option<u64>,
     #[command(flatten)]
     pub common: CommonArgs,
 }

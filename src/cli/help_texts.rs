@@ -48,6 +48,7 @@ pub(super) const COMMANDS: &[CommandText] = &[
 Examples:
   cnc872c check flange.nc                    every mistake, at its place
   cnc872c compile flange.nc -o flange.jsonl  the blocks as the control executes them
+  cnc872c view flange.nc --open              its path, in the browser
   cnc872c explain E0306                      what a finding means
   cnc872c explain G73                        what a function does
 
@@ -56,6 +57,7 @@ Exit status: 0 no errors, 1 the programs have errors, 2 it could not run.",
 Příklady:
   cnc872c check priruba.nc                     všechny chyby, každá na svém místě
   cnc872c compile priruba.nc -o priruba.jsonl  bloky tak, jak je systém provede
+  cnc872c view priruba.nc --open               dráha v prohlížeči
   cnc872c explain E0306                        co hlášení znamená
   cnc872c explain G73                          co funkce dělá
 
@@ -124,6 +126,33 @@ Příklady:
 
 Hlášení jdou na standardní chybový výstup. Proud je úplný, když končí záznamem „end“. Návratový
 kód: 0 úplný, 1 program má chyby, 2 nešlo zkontrolovat; SOUBOR pak zůstane, jak byl.",
+        },
+    ),
+    about(
+        "view",
+        "Draws the path of a program: a page with the path in three dimensions beside the text, or a picture",
+        "Nakreslí dráhu programu: stránku s dráhou v prostoru vedle textu, nebo obrázek",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c view flange.nc                 writes flange.nc.html, one file that opens in any browser
+  cnc872c view flange.nc --open          and opens it
+  cnc872c view flange.nc -o flange.html  under another name
+  cnc872c view flange.nc --blocks 500    the first 500 executed blocks only
+
+The page shows the path, the text, what holds at each block, velocities and times; nothing is fetched.
+A program with errors is drawn as far as it can be executed. Exit status: 0 no errors, 1 the program has
+errors, 2 nothing could be drawn.",
+            cs: "\
+Příklady:
+  cnc872c view priruba.nc                  zapíše priruba.nc.html, jediný soubor pro kterýkoli prohlížeč
+  cnc872c view priruba.nc --open           a otevře jej
+  cnc872c view priruba.nc -o priruba.html  pod jiným jménem
+  cnc872c view priruba.nc --blocks 500     jen prvních 500 provedených bloků
+
+Stránka ukazuje dráhu, text, stav v každém bloku, rychlosti a časy; nic odnikud nestahuje. Program
+s chybami je nakreslen, kam až jde provést. Návratový kód: 0 bez chyb, 1 program má chyby, 2 nebylo
+možné nic nakreslit.",
         },
     ),
     about(
@@ -276,6 +305,13 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Program, nebo - pro standardní vstup. Makrocyklus se překládá s programem, který ho volá",
     ),
     arg(
+        "view",
+        "file",
+        Arguments,
+        "The program, or - for standard input. A macrocycle is drawn with the program that calls it",
+        "Program, nebo - pro standardní vstup. Makrocyklus se kreslí s programem, který ho volá",
+    ),
+    arg(
         "explain",
         "names",
         Arguments,
@@ -337,6 +373,28 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Vynechat bloky před tímto seq, pořadím záznamu; ne N",
     ),
     arg("compile", "limit", Options, "Write at most so many blocks", "Zapsat nejvýše tolik bloků"),
+    arg(
+        "view",
+        "output",
+        Options,
+        "Write to this file instead of FILE.html beside the program",
+        "Zapsat do tohoto souboru místo SOUBOR.html vedle programu",
+    ),
+    arg("view", "open", Options, "Open the page when it is written", "Zapsanou stránku otevřít"),
+    arg(
+        "view",
+        "from",
+        Options,
+        "Leave out the executed blocks before this seq",
+        "Vynechat provedené bloky před tímto seq",
+    ),
+    arg(
+        "view",
+        "blocks",
+        Options,
+        "Draw the first N executed blocks only",
+        "Nakreslit jen prvních N provedených bloků",
+    ),
     arg("", "format", Options, "How findings are shown", "Jak se hlášení vypíšou"),
     arg(
         "",

@@ -11,6 +11,8 @@ use crate::dict::Lang;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Locale {
     pub lang: Lang,
+    /// That of `--lang`, when it is given.
+    pub chosen: Option<Lang>,
     pub color: ColorWhen,
 }
 
@@ -19,7 +21,11 @@ impl Locale {
     pub fn find(arguments: &[OsString]) -> Self {
         let lang = option(arguments, "--lang").and_then(|value| Lang::from_str(&value, false).ok());
         let color = option(arguments, "--color").and_then(|value| ColorWhen::from_str(&value, false).ok());
-        Self { lang: lang.unwrap_or_else(|| from_environment(environment)), color: color.unwrap_or_default() }
+        Self {
+            lang: lang.unwrap_or_else(|| from_environment(environment)),
+            chosen: lang,
+            color: color.unwrap_or_default(),
+        }
     }
 
     /// Whether to colour a stream.
@@ -91,7 +97,7 @@ mod tests {
     #[test]
     fn colours_are_for_terminals_that_want_them() {
         let colors = |color, is_terminal, set: &[(&str, &str)]| {
-            Locale { lang: Lang::En, color }.colors_in(is_terminal, |name| get(set, name))
+            Locale { lang: Lang::En, chosen: None, color }.colors_in(is_terminal, |name| get(set, name))
         };
         assert!(colors(ColorWhen::Auto, true, &[("TERM", "xterm")]));
         assert!(!colors(ColorWhen::Auto, true, &[("TERM", "xterm"), ("NO_COLOR", "1")]));

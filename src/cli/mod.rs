@@ -21,6 +21,7 @@ mod shell;
 mod status;
 mod topic;
 mod usage;
+mod view;
 mod walk;
 mod words;
 
@@ -53,6 +54,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
     match command {
         Command::Check(args) => check::run(args, locale),
         Command::Compile(args) => compile::run(args, locale),
+        Command::View(args) => view::run(args, locale),
         Command::Explain(args) => explain::run(args, locale),
         Command::Init(args) => init::run(args, locale),
         Command::Lsp(_) => lsp::run(locale),

@@ -20,6 +20,18 @@ bilingual! {
         NotWhole { file: String }
             "the stream of {file} has no end: execution stopped before M02 or M30",
             "proud bloků programu {file} nemá konec: provádění skončilo před M02 nebo M30";
+        PictureIsProgram { file: String }
+            "{file} is the program itself, or a macrocycle of it: the picture needs a file of its own after -o",
+            "{file} je sám program nebo jeho makrocyklus: pro obrázek patří za -o jiný soubor";
+        PictureNeedsName
+            "a program from standard input has no name for its picture: name a file after -o",
+            "program ze standardního vstupu nemá jméno pro obrázek: za -o uvést soubor";
+        PictureWritten { file: String }
+            "written: {file}",
+            "zapsáno: {file}";
+        CannotOpen { file: String, reason: String }
+            "{file} is written, but cannot be opened: {reason}",
+            "{file} je zapsán, ale nelze jej otevřít: {reason}";
         Interrupted
             "interrupted; no file is left half written",
             "přerušeno; žádný soubor nezůstal zapsaný napůl";

@@ -51,7 +51,7 @@ pub struct Feed {
 }
 
 /// What F counts in a block (TEC-1).
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
 pub enum FeedUnit {
     /// mm/min.
     MmPerMinute,

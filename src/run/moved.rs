@@ -5,7 +5,7 @@ use super::travel::Travel;
 use crate::dict::{AxisLetter, GCode, Micro};
 
 /// How a block moves.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub enum MotionType {
     /// G00.
     Rapid,
@@ -145,7 +145,7 @@ impl Length {
 }
 
 /// Why the length of a motion is not known.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub enum Missing {
     /// A distance is not known: the start of an axis (MOT-2), or a value that only the machine has (PAR-5).
     Start,

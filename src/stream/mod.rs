@@ -7,8 +7,10 @@ mod lines;
 mod records;
 mod row;
 mod schema;
+mod single;
 mod writer;
 
 pub use json::{JsonStream, Part, write};
 pub use records::SCHEMA;
 pub use schema::schema;
+pub(crate) use single::SingleRecord;

@@ -9,6 +9,7 @@ mod cli_compile;
 mod cli_faults;
 mod cli_fix;
 mod cli_init;
+mod cli_view;
 mod cli_walk;
 mod dialects;
 mod disk;

@@ -11,7 +11,7 @@ use crate::samples::root;
 const LONGEST: usize = 800;
 
 /// Which top-level modules each may use.
-const LAYERS: [(&str, &[&str]); 12] = [
+const LAYERS: [(&str, &[&str]); 13] = [
     ("text", &[]),
     ("dict", &[]),
     ("diag", &["text", "dict"]),
@@ -21,9 +21,13 @@ const LAYERS: [(&str, &[&str]); 12] = [
     ("run", &["text", "dict", "diag", "syntax", "config", "resolve"]),
     ("analysis", &["text", "dict", "diag", "syntax", "config", "resolve", "run"]),
     ("stream", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis"]),
+    ("view", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
     ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
-    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
-    ("cli", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "session", "lsp"]),
+    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "view", "session"]),
+    (
+        "cli",
+        &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "view", "session", "lsp"],
+    ),
 ];
 
 struct Source {

@@ -1,0 +1,132 @@
+//! Columns and their header as one deflated stream, and that stream as text of a page.
+
+use flate2::{Compress, Compression, FlushCompress};
+use rayon::prelude::*;
+
+use super::column::{Column, Form};
+
+/// Bytes that are deflated together; pieces are independent of one another, so that all processors work.
+const PIECE: usize = 1 << 19;
+
+/// Deflate level: of the higher ones the columns get no shorter, only slower.
+const LEVEL: u32 = 5;
+
+/// The columns of a page by name, with a header of JSON.
+#[derive(Debug, Default)]
+pub(super) struct Container {
+    columns: Vec<(String, Form)>,
+    bytes: Vec<u8>,
+}
+
+impl Container {
+    /// Packs columns under their names, on all processors.
+    pub fn add_all(&mut self, columns: Vec<(String, &Column)>) {
+        let filled = columns.into_par_iter().filter(|(_, column)| column.len() > 0);
+        let packed: Vec<(String, Form, Vec<u8>)> = filled
+            .map(|(name, column)| {
+                let mut bytes = Vec::new();
+                let form = column.pack(&mut bytes);
+                (name, form, bytes)
+            })
+            .collect();
+        for (name, form, bytes) in packed {
+            self.bytes.extend_from_slice(&bytes);
+            self.columns.push((name, form));
+        }
+    }
+
+    /// The stream: the length of the header in four bytes, the header (the object of `fields`, with `columns` added),
+    /// the columns; deflated.
+    pub fn finish(self, mut fields: serde_json::Map<String, serde_json::Value>) -> Vec<u8> {
+        let forms = self.columns.iter().map(|(name, form)| {
+            let Form { count, order, sparse, wide, bytes } = *form;
+            serde_json::json!([name, count, order, u8::from(sparse), u8::from(wide), bytes])
+        });
+        fields.insert("columns".into(), forms.collect());
+        let header = serde_json::Value::Object(fields).to_string().into_bytes();
+        let mut head = u32::try_from(header.len()).unwrap_or(u32::MAX).to_le_bytes().to_vec();
+        head.extend_from_slice(&header);
+        let pieces: Vec<&[u8]> = head.chunks(PIECE).chain(self.bytes.chunks(PIECE)).collect();
+        let deflated: Vec<Vec<u8>> = pieces.into_par_iter().map(deflate).collect();
+        let mut stream = deflated.concat();
+        // The last block: empty.
+        stream.extend_from_slice(&[3, 0]);
+        stream
+    }
+}
+
+/// One piece of a raw deflate stream, whole bytes of it, without the last block.
+fn deflate(piece: &[u8]) -> Vec<u8> {
+    let mut out = Vec::with_capacity(piece.len() / 2 + 64);
+    let mut state = Compress::new(Compression::new(LEVEL), false);
+    loop {
+        let done = usize::try_from(state.total_in()).unwrap_or(usize::MAX);
+        let written = out.len();
+        let rest = piece.get(done..).unwrap_or_default();
+        // Memory is always there: the vector grows. An error cannot come from a valid state.
+        let ended = state.compress_vec(rest, &mut out, FlushCompress::Sync).is_err();
+        if ended || (out.len() < out.capacity() && state.total_in() >= piece.len() as u64) {
+            return out;
+        }
+        if out.len() == written || out.len() == out.capacity() {
+            out.reserve(piece.len() / 4 + 64);
+        }
+    }
+}
+
+/// Bytes as text that HTML keeps as it is: seven bits a character. The three characters that a page would change stand
+/// two bytes wide. 17 % longer than the bytes; base 64 is 33 %.
+pub(super) fn text(bytes: &[u8]) -> String {
+    let mut out = String::with_capacity(bytes.len() * 8 / 7 + bytes.len() / 32 + 16);
+    let (mut held, mut bits) = (0_u32, 0);
+    let put = |out: &mut String, seven: u32| match u8::try_from(seven & 127).unwrap_or_default() {
+        0 => out.push('¡'),
+        b'\r' => out.push('¢'),
+        b'<' => out.push('£'),
+        other => out.push(char::from(other)),
+    };
+    for byte in bytes {
+        held = held << 8 | u32::from(*byte);
+        bits += 8;
+        while bits >= 7 {
+            bits -= 7;
+            put(&mut out, held >> bits);
+        }
+        held &= (1 << bits) - 1;
+    }
+    if bits > 0 {
+        put(&mut out, held << (7 - bits));
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Read;
+
+    #[test]
+    fn pieces_make_one_stream() {
+        let mut container = Container::default();
+        let mut column = Column::default();
+        for row in 0..1_500_000_i64 {
+            column.push(row * row % 100_003);
+        }
+        container.add_all(vec![("test".to_owned(), &column)]);
+        let stream = container.finish(serde_json::Map::new());
+        let mut inflated = Vec::new();
+        flate2::read::DeflateDecoder::new(&stream[..]).read_to_end(&mut inflated).unwrap();
+        let header = u32::from_le_bytes(inflated[..4].try_into().unwrap()) as usize;
+        let json: serde_json::Value = serde_json::from_slice(&inflated[4..4 + header]).unwrap();
+        let form = &json["columns"][0];
+        assert_eq!((form[0].as_str(), form[1].as_u64()), (Some("test"), Some(1_500_000)));
+        assert_eq!(inflated.len() as u64, 4 + header as u64 + form[5].as_u64().unwrap());
+    }
+
+    #[test]
+    fn text_is_seven_bits_a_character() {
+        assert_eq!(text(&[0, 0, 0, 0, 0, 0, 0]), "¡".repeat(8));
+        // 0001101 0111100 1000001 0
+        assert_eq!(text(&[0b0001_1010, 0b1111_0010, 0b0000_1000]), "¢£A¡");
+    }
+}

@@ -1,0 +1,119 @@
+//! The data of a page: header and columns, packed.
+
+use serde_json::{Map, Value, json};
+
+use super::container::Container;
+use super::rows::Rows;
+use super::text::Text;
+
+/// Name and version of the form.
+pub const SCHEMA: &str = "cnc872c.path/1";
+
+/// What the header of a page says besides its rows.
+#[derive(Debug, Default)]
+pub(super) struct About {
+    /// The program record of the stream.
+    pub program: Map<String, Value>,
+    /// The records `machine` and `total` of the motion stream.
+    pub motion: Option<[Value; 2]>,
+    /// Blocks executed of the whole program.
+    pub blocks: u64,
+    /// Whether the program ended with M02 or M30, without errors.
+    pub whole: bool,
+    pub findings: Vec<Value>,
+    pub equidistant: Option<Value>,
+}
+
+/// Packs rows and texts.
+pub(super) fn pack(rows: &Rows, about: About) -> Vec<u8> {
+    let mut container = Container::default();
+    let mut per = Map::new();
+    let (text, positions) = rayon::join(|| Text::of(rows), || positions(rows));
+    let named = |name: &'static str, column| (name.to_owned(), column);
+    let mut columns = vec![
+        named("row.block", &rows.block),
+        named("row.before", &rows.before),
+        named("row.state", &rows.state),
+        named("row.extra", &rows.extra),
+        named("row.shape", &rows.shape),
+        named("row.feed", &rows.feed),
+        named("block.n", &rows.files.n),
+        named("block.line", &rows.files.line),
+        named("block.column", &rows.files.column),
+        named("seq.context", &rows.context_of),
+        named("seq.left", &rows.left),
+        named("context.parent", &rows.contexts.parent),
+        named("context.block", &rows.contexts.block),
+        named("context.call", &rows.contexts.call),
+        named("context.pass", &rows.contexts.pass),
+        named("context.of", &rows.contexts.of),
+    ];
+    if !rows.plain {
+        columns.push(named("seq.row", &rows.row_of));
+    }
+    for (name, tally) in &positions {
+        per.insert(name.clone(), json!(tally.per()));
+        columns.push((name.clone(), tally.column()));
+    }
+    let [first, second] = &rows.arcs;
+    // Both columns count in the same parts.
+    let arcs = super::tally::alike(first, second);
+    per.insert("arc".to_owned(), json!(arcs[0].per()));
+    for (name, tally) in ["arc.0", "arc.1"].into_iter().zip(&arcs) {
+        columns.push(named(name, tally.column()));
+    }
+    columns.push(named("text.skeleton", &text.skeleton));
+    let mut foretold = Map::new();
+    for (letter, column, foretell) in &text.numbers {
+        if *foretell {
+            foretold.insert(letter.to_string(), json!("row"));
+        }
+        columns.push((format!("text.{letter}"), column));
+    }
+    container.add_all(columns);
+    let files: Vec<Value> = rows
+        .files
+        .iter()
+        .zip(&text.heads)
+        .map(|(file, head)| json!({ "name": file.source.name(), "blocks": file.starts.len(), "head": head }))
+        .collect();
+    let mut header = Map::new();
+    let mut put = |name: &str, value: Value| drop(header.insert(name.to_owned(), value));
+    put("schema", json!(SCHEMA));
+    put("generator", json!(concat!("cnc872c ", env!("CARGO_PKG_VERSION"))));
+    put("program", Value::Object(about.program));
+    if let Some([machine, total]) = about.motion {
+        put("machine", machine);
+        put("total", total);
+    }
+    put("files", Value::Array(files));
+    put("blocks", json!(about.blocks));
+    put("from", json!(rows.part.from));
+    put("count", json!(rows.count()));
+    put("whole", json!(about.whole));
+    put("states", Value::Array(rows.states.values().to_vec()));
+    put("extras", Value::Array(rows.extras.values().to_vec()));
+    put("shapes", Value::Array(rows.shapes.values().to_vec()));
+    put("calls", Value::Array(rows.contexts.called().to_vec()));
+    put("codes", json!([]));
+    put("skeletons", json!(text.skeletons));
+    put("foretold", Value::Object(foretold));
+    put("per", Value::Object(per));
+    put("findings", Value::Array(about.findings));
+    if let Some(equidistant) = about.equidistant {
+        put("equidistant", equidistant);
+    }
+    container.finish(header)
+}
+
+/// The columns of positions, of the axes that are ever known.
+fn positions(rows: &Rows) -> Vec<(String, super::tally::Tally)> {
+    let coded = |axis: usize| {
+        rows.positions.coded(axis, |row| {
+            let shape = rows.shape.get(row).and_then(|shape| rows.shape_keys.get(usize::try_from(shape).ok()?));
+            shape.is_some_and(|shape| shape.coded & (1 << axis) != 0)
+        })
+    };
+    let named = rows.letters.iter().enumerate().map(|(axis, letter)| (format!("pos.{letter}"), coded(axis)));
+    named.filter(|(_, tally)| tally.len() > 0).collect()
+}

@@ -1,0 +1,61 @@
+//! The page: one file of HTML with the viewer, its styles and the data. Nothing is fetched.
+
+use super::container::text;
+use crate::dict::Lang;
+
+/// The viewer, built from `web/` (see `web/build.mjs`).
+const VIEWER: &str = include_str!("viewer/viewer.js");
+/// Its styles.
+const STYLES: &str = include_str!("viewer/viewer.css");
+
+/// The page for the data of a program. `lang`: the language when it is not the browser's.
+pub fn page(data: &[u8], name: &str, lang: Option<Lang>) -> String {
+    let data = text(data);
+    let lang = lang.map_or("", |lang| match lang {
+        Lang::En => "en",
+        Lang::Cs => "cs",
+    });
+    let mut page = String::with_capacity(data.len() + VIEWER.len() + STYLES.len() + 2048);
+    page.push_str("<!doctype html>\n<html lang=\"");
+    page.push_str(if lang.is_empty() { "en" } else { lang });
+    page.push_str("\" data-lang=\"");
+    page.push_str(lang);
+    page.push_str("\">\n<head>\n<meta charset=\"utf-8\">\n");
+    page.push_str(
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; ",
+    );
+    page.push_str("style-src 'unsafe-inline'; img-src data: blob:\">\n");
+    page.push_str("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
+    page.push_str(&escaped(name));
+    page.push_str("</title>\n<style>");
+    page.push_str(STYLES);
+    page.push_str(
+        "</style>\n</head>\n<body>\n<noscript>JavaScript</noscript>\n<script type=\"text/plain\" id=\"cnc872c-data\">",
+    );
+    page.push_str(&data);
+    page.push_str("</script>\n<script>");
+    page.push_str(VIEWER);
+    page.push_str("</script>\n</body>\n</html>\n");
+    page
+}
+
+/// Text between tags.
+fn escaped(text: &str) -> String {
+    let safe = |character: char| if character.is_control() { '\u{FFFD}' } else { character };
+    text.chars().map(safe).collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_page_embeds_ends_no_script() {
+        assert!(!VIEWER.contains("</script"), "web/build.mjs writes <\\/script");
+        assert!(!VIEWER.contains("<!--"));
+        assert!(!STYLES.contains("</style"));
+        let page = page(&[60; 100], "<a> & b", None);
+        assert_eq!(page.matches("</script>").count(), 2);
+        assert!(page.contains("<title>&lt;a&gt; &amp; b</title>"));
+    }
+}

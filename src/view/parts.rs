@@ -1,0 +1,135 @@
+//! Parts of records that many blocks have in common: each is kept once, as JSON.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+
+use serde_json::{Map, Value};
+
+use crate::dict::{Decimal, GCode, GGroup};
+use crate::run::{Executed, FeedUnit};
+
+/// Fields that the page keeps elsewhere, or works out.
+const ELSEWHERE: [&str; 11] =
+    ["kind", "seq", "n", "file", "line", "column", "calls", "first_block", "last_block", "position", "feed"];
+
+/// Fields that belong to what the block does, not to what is in force.
+const DOES: [&str; 20] = [
+    "skippable",
+    "g_set",
+    "m_set",
+    "m_changed",
+    "m_at_stop",
+    "break_cont",
+    "break_cont_end",
+    "change_pos",
+    "t_set",
+    "h_set",
+    "p_set",
+    "d_set",
+    "s_set",
+    "f_set",
+    "dwell_s",
+    "stop",
+    "cond_stop",
+    "data",
+    "words",
+    "params",
+];
+
+/// Different values, each once, in the order in which they came.
+#[derive(Debug)]
+pub(super) struct Interned<K> {
+    known: HashMap<K, u32>,
+    last: Option<(K, u32)>,
+    values: Vec<Value>,
+}
+
+impl<K> Default for Interned<K> {
+    fn default() -> Self {
+        Self { known: HashMap::new(), last: None, values: Vec::new() }
+    }
+}
+
+impl<K: Clone + Eq + Hash> Interned<K> {
+    /// The index of a value by its key; `make` gives the value when the key is new.
+    pub fn get(&mut self, key: K, make: impl FnOnce() -> Value) -> u32 {
+        if let Some((_, index)) = self.last.as_ref().filter(|(last, _)| *last == key) {
+            return *index;
+        }
+        let next = u32::try_from(self.values.len()).unwrap_or(u32::MAX);
+        let index = *self.known.entry(key.clone()).or_insert_with(|| {
+            self.values.push(make());
+            next
+        });
+        self.last = Some((key, index));
+        index
+    }
+
+    pub fn values(&self) -> &[Value] {
+        &self.values
+    }
+}
+
+/// All that is in force in a block but positions and F: equal keys, equal JSON.
+#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
+pub(super) struct StateKey {
+    g: [Option<GCode>; 12],
+    m: [Option<u8>; 15],
+    gear: Option<u8>,
+    unit: Option<(FeedUnit, bool)>,
+    words: [Option<Decimal>; 6],
+    length_correction: Option<u16>,
+    dynamic_set: Option<u8>,
+}
+
+impl StateKey {
+    pub fn of(block: &Executed<'_>) -> Self {
+        let mut g = [None; 12];
+        for (slot, group) in g.iter_mut().zip(GGroup::ALL) {
+            *slot = block.g(group);
+        }
+        let mut m = [None; 15];
+        for (group, slot) in m.iter_mut().enumerate() {
+            *slot = block.m(group);
+        }
+        Self {
+            g,
+            m,
+            gear: block.gear(),
+            unit: block.feed().map(|feed| (feed.unit, feed.hundredth)),
+            words: [block.s(), block.t(), block.h(), block.p(), block.d(), block.tool()],
+            length_correction: block.length_correction(),
+            dynamic_set: block.dynamic_set(),
+        }
+    }
+}
+
+/// The parts of a record.
+pub(super) struct Parts {
+    /// What is in force.
+    pub state: Map<String, Value>,
+    /// What the block does, but for its motion.
+    pub does: Map<String, Value>,
+    /// Its motion, without what the page works out.
+    pub motion: Map<String, Value>,
+}
+
+/// Takes the JSON of a record apart.
+pub(super) fn parts(json: &[u8]) -> Parts {
+    let record: Map<String, Value> = serde_json::from_slice(json).unwrap_or_default();
+    let mut parts = Parts { state: Map::new(), does: Map::new(), motion: Map::new() };
+    for (name, value) in record {
+        match (name.as_str(), value) {
+            (name, _) if ELSEWHERE.contains(&name) => {}
+            ("motion", Value::Object(motion)) => parts.motion = motion,
+            ("jump", Value::Object(mut jump)) => {
+                jump.remove("left");
+                parts.does.insert(name, Value::Object(jump));
+            }
+            ("comments", value) => drop(parts.does.insert(name, value)),
+            (does, value) if DOES.contains(&does) => drop(parts.does.insert(name, value)),
+            (_, value) => drop(parts.state.insert(name, value)),
+        }
+    }
+    parts
+}

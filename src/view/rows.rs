@@ -1,0 +1,494 @@
+//! Executed blocks as rows of a page: what each was, so that its record can be made again. Executions that are equal in
+//! all but their `seq`, calls and time share a row, so that the passes of a loop cost nothing.
+
+use std::collections::HashMap;
+
+use serde_json::{Map, Value};
+
+use super::arcs::{self, Swept};
+use super::calls::Contexts;
+use super::column::Column;
+use super::files::Files;
+use super::parts::{Interned, StateKey, parts};
+use super::positions::{Known, Positions};
+use super::shapes::{ArcAxes, LengthUnit, ShapeKey};
+use super::tally::Tally;
+use crate::dict::{Address, AxisLetter, Micro};
+use crate::run::{Executed, Length, Motion};
+use crate::stream::SingleRecord;
+
+/// Rows that are remembered, so that equal ones are found, at most.
+const REMEMBERED: usize = 1 << 21;
+
+/// Which executed blocks a page holds.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Part {
+    /// The first.
+    pub from: u64,
+    /// No more than so many from the first block of the program on (R387).
+    pub blocks: Option<u64>,
+}
+
+/// The rows of a program.
+#[derive(Debug)]
+pub(super) struct Rows {
+    pub part: Part,
+    pub letters: Vec<AxisLetter>,
+    pub files: Files,
+    pub states: Interned<StateKey>,
+    pub extras: Interned<String>,
+    pub shapes: Interned<ShapeKey>,
+    /// By index in `shapes`.
+    pub shape_keys: Vec<ShapeKey>,
+    pub contexts: Contexts,
+    /// By row.
+    pub block: Column,
+    pub before: Column,
+    pub state: Column,
+    pub extra: Column,
+    pub shape: Column,
+    pub feed: Column,
+    pub positions: Positions,
+    /// From start to centre, of rows whose shape has an arc.
+    pub arcs: [Tally; 2],
+    /// These rows, ascending.
+    arc_rows: Vec<u32>,
+    /// By executed block: its row, its calls, one more than the counter of its jump.
+    pub row_of: Column,
+    pub context_of: Column,
+    pub left: Column,
+    /// Whether each executed block has a row of its own.
+    pub plain: bool,
+    /// By block of the text: whether it was executed.
+    visited: Vec<bool>,
+    equal: HashMap<u128, u32>,
+    /// Positions after the block before.
+    stand: Known,
+    last_row: u32,
+    last: Last,
+    records: SingleRecord,
+}
+
+impl Rows {
+    /// For a machine with these axes.
+    pub fn new(letters: Vec<AxisLetter>, part: Part) -> Self {
+        let mut rows = Self {
+            part,
+            files: Files::default(),
+            states: Interned::default(),
+            extras: Interned::default(),
+            shapes: Interned::default(),
+            shape_keys: Vec::new(),
+            contexts: Contexts::default(),
+            block: Column::default(),
+            before: Column::default(),
+            state: Column::default(),
+            extra: Column::default(),
+            shape: Column::default(),
+            feed: Column::default(),
+            positions: Positions::new(letters.len()),
+            arcs: Default::default(),
+            arc_rows: Vec::new(),
+            row_of: Column::default(),
+            context_of: Column::default(),
+            left: Column::default(),
+            plain: true,
+            visited: Vec::new(),
+            equal: HashMap::new(),
+            stand: Known::default(),
+            last_row: 0,
+            last: Last::default(),
+            records: SingleRecord::new(&letters),
+            letters,
+        };
+        rows.extras.get(String::new(), || Value::Object(Map::new()));
+        rows
+    }
+
+    /// From start to centre of the arc of a row, along the axes of its plane; 0 where it has none.
+    pub fn to_center(&self, row: usize) -> [Micro; 2] {
+        let place = u32::try_from(row).ok().and_then(|row| self.arc_rows.binary_search(&row).ok());
+        let at = |tally: &Tally| place.and_then(|place| tally.get(place)).unwrap_or_default();
+        let [first, second] = &self.arcs;
+        [at(first), at(second)]
+    }
+
+    /// How many executed blocks it holds.
+    pub fn count(&self) -> usize {
+        self.row_of.len()
+    }
+
+    /// The next executed block of the program.
+    pub fn add(&mut self, block: &Executed<'_>) {
+        let seq = block.seq();
+        let inside = seq >= self.part.from && self.part.blocks.is_none_or(|blocks| seq < blocks);
+        if let Some(file) = block.file() {
+            self.files.add(block.file_index(), file);
+        }
+        if inside && self.block.len() == 0 {
+            self.begin(block);
+        }
+        let after = self.known_after(block);
+        if inside {
+            self.add_row(block, &after);
+        }
+        self.stand = after;
+    }
+
+    /// Row 0: what holds before the first block.
+    fn begin(&mut self, block: &Executed<'_>) {
+        if block.seq() == 0 {
+            for (axis, letter) in self.letters.iter().enumerate() {
+                let motion = block.motion().filter(|motion| motion.moves(*letter));
+                let value = motion.map_or_else(|| block.position(*letter), |motion| motion.start(*letter));
+                self.stand.set(axis, value);
+            }
+        }
+        let stand = self.stand;
+        let key = ShapeKey { known: stand.bits(), coded: stand.bits(), ..ShapeKey::default() };
+        let shape = self.shape(key, block);
+        let state = self.state(block);
+        self.push_row(0, 0, state, 0, shape, 0, &stand);
+    }
+
+    fn known_after(&self, block: &Executed<'_>) -> Known {
+        let mut known = Known::default();
+        for (axis, letter) in self.letters.iter().enumerate() {
+            known.set(axis, block.position(*letter));
+        }
+        known
+    }
+
+    fn add_row(&mut self, block: &Executed<'_>, after: &Known) {
+        let (_, id) = block.at();
+        let index = self.files.block(block.file_index(), id);
+        let moved = block.motion().map(|motion| self.moved(block, motion, after));
+        let moved = moved.unwrap_or_default();
+        let key = ShapeKey { known: after.bits(), coded: after.changed_from(&self.stand), ..moved.shape };
+        let shape = self.shape(key, block);
+        let Last { state, extra, feed, context } = self.parts(block, moved.special);
+        self.context_of.push(i64::from(context));
+        self.left.push(block.jump().and_then(|jump| jump.left).map_or(0, |left| i64::from(left) + 1));
+        let row = self.equal_row(index, [shape, state, extra], feed, after, moved.to_center).unwrap_or_else(|| {
+            let row = self.push_row(index, self.last_row, state, extra, shape, feed, after);
+            if let Some(to_center) = moved.to_center {
+                self.arc_rows.push(row);
+                for (column, value) in self.arcs.iter_mut().zip(to_center) {
+                    column.push(value);
+                }
+            }
+            row
+        });
+        self.plain &= row as usize == self.row_of.len() + 1;
+        self.row_of.push(i64::from(row));
+        self.last_row = row;
+    }
+
+    /// What the block has in common with others. One that only moves on differs in nothing from the block before.
+    fn parts(&mut self, block: &Executed<'_>, special: Special) -> Last {
+        let moves_on = block.moves_on() && self.count() > 0;
+        let Last { state, feed, context, .. } = if moves_on {
+            self.last
+        } else {
+            let state = self.state(block);
+            let feed = block.feed().map_or(0, |feed| feed.value.thousandths());
+            Last { state, extra: 0, feed, context: self.contexts.find(block, &self.files) }
+        };
+        let uncommented = |(_, id)| block.file().is_some_and(|file| file.comments(id).is_empty());
+        let extra = if moves_on && special == Special::default() && uncommented(block.at()) {
+            0
+        } else {
+            self.extra(block, special)
+        };
+        self.last = Last { state, extra, feed, context };
+        self.last
+    }
+
+    /// The row of an equal execution, when there is one; else the next row is remembered.
+    fn equal_row(
+        &mut self,
+        index: u32,
+        parts: [u32; 3],
+        feed: i64,
+        after: &Known,
+        to_center: Option<[Micro; 2]>,
+    ) -> Option<u32> {
+        let place = index as usize;
+        if self.visited.len() <= place {
+            self.visited.resize(place + 1, false);
+        }
+        let again = self.visited.get_mut(place).is_some_and(|visited| std::mem::replace(visited, true));
+        // The first pass over a text is never equal to anything; what is repeated is remembered from its second pass on.
+        if !again {
+            return None;
+        }
+        let mut hash = Hash::new();
+        hash.add(u64::from(index));
+        for part in parts {
+            hash.add(u64::from(part));
+        }
+        hash.add(feed.cast_unsigned());
+        for known in [&self.stand, after] {
+            hash.add(u64::from(known.bits()));
+            for value in known.values() {
+                hash.add(value.millionths().cast_unsigned());
+            }
+        }
+        for value in to_center.into_iter().flatten() {
+            hash.add(value.millionths().cast_unsigned());
+        }
+        let next = u32::try_from(self.block.len()).unwrap_or(u32::MAX);
+        let full = self.equal.len() >= REMEMBERED;
+        match self.equal.get(&hash.value()) {
+            Some(row) => Some(*row),
+            None if full => None,
+            None => {
+                self.equal.insert(hash.value(), next);
+                None
+            }
+        }
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "one for each column")]
+    fn push_row(
+        &mut self,
+        block: u32,
+        before: u32,
+        state: u32,
+        extra: u32,
+        shape: u32,
+        feed: i64,
+        stand: &Known,
+    ) -> u32 {
+        let row = u32::try_from(self.block.len()).unwrap_or(u32::MAX);
+        self.block.push(i64::from(block));
+        self.before.push(if row == 0 { 0 } else { i64::from(row) - 1 - i64::from(before) });
+        self.state.push(i64::from(state));
+        self.extra.push(i64::from(extra));
+        self.shape.push(i64::from(shape));
+        self.feed.push(feed);
+        self.positions.push(stand);
+        row
+    }
+
+    fn state(&mut self, block: &Executed<'_>) -> u32 {
+        let Self { states, records, .. } = self;
+        states.get(StateKey::of(block), || Value::Object(parts(records.of(block)).state))
+    }
+
+    fn shape(&mut self, key: ShapeKey, block: &Executed<'_>) -> u32 {
+        let Self { shapes, shape_keys, records, letters, .. } = self;
+        shapes.get(key, || {
+            shape_keys.push(key);
+            let mut motion = if key.kind.is_some() { parts(records.of(block)).motion } else { Map::new() };
+            for computed in ["start", "delta", "length_mm", "length_deg", "center", "radius_mm", "sweep_deg"] {
+                motion.remove(computed);
+            }
+            key.json(letters, motion)
+        })
+    }
+
+    fn extra(&mut self, block: &Executed<'_>, special: Special) -> u32 {
+        if special == Special::default() && is_plain(block) {
+            let written = block.written(Address::F);
+            let fields =
+                || if written { Map::from_iter([("f_set".to_owned(), Value::Bool(true))]) } else { Map::new() };
+            return self.extras.get(String::from(if written { "f" } else { "" }), || Value::Object(fields()));
+        }
+        let mut parts = parts(self.records.of(block));
+        let mut motion = std::mem::take(&mut parts.motion);
+        motion.retain(|name, _| match name.as_str() {
+            "start" => special.start,
+            "delta" => special.delta,
+            "length_mm" | "length_deg" => special.length,
+            "center" | "radius_mm" | "sweep_deg" => special.arc,
+            _ => false,
+        });
+        if !motion.is_empty() {
+            parts.does.insert("motion".to_owned(), Value::Object(motion));
+        }
+        let value = Value::Object(parts.does);
+        self.extras.get(value.to_string(), || value)
+    }
+
+    /// What the page works out of a motion, and where it would be wrong.
+    fn moved(&self, block: &Executed<'_>, motion: Motion<'_>, after: &Known) -> Moved {
+        let mut found = Moved::default();
+        let shape = &mut found.shape;
+        shape.kind = Some(motion.kind());
+        shape.spindle = motion.spindle_axis();
+        let axes = &block.settings().machine.axes;
+        let is_rotary =
+            |axis: usize| axes.get(axis).is_some_and(|axis| axis.rotary || motion.spindle_axis() == Some(axis.letter));
+        let arc = motion.arc();
+        let mut linear = false;
+        for (axis, letter) in self.letters.iter().enumerate().filter(|(_, letter)| motion.moves(**letter)) {
+            shape.axes |= 1 << axis;
+            linear |= !is_rotary(axis);
+            found.special.delta |= motion.delta(*letter).is_some();
+            if let Some(start) = motion.start(*letter) {
+                shape.started |= 1 << axis;
+                found.special.start |= self.stand.get(axis) != Some(start);
+            }
+        }
+        if found.special.start {
+            shape.started = 0;
+        }
+        for axis in (0..self.letters.len()).filter(|axis| shape.axes & (1 << axis) != 0) {
+            if is_rotary(axis) != linear {
+                shape.measured |= 1 << axis;
+            }
+        }
+        shape.missing = match motion.length() {
+            Length::Missing(why) => Some(why),
+            Length::Mm(_) | Length::Deg(_) => None,
+        };
+        let swept = arc.and_then(|arc| self.swept(&arc, shape, after, motion));
+        if let Some(arc) = arc {
+            shape.plane = self.place(arc.plane[0]).zip(self.place(arc.plane[1]));
+            match swept {
+                Some(swept) => {
+                    shape.arc = shape.plane.map(|(first, second)| ArcAxes { first, second });
+                    found.to_center = Some(swept.to_center);
+                    found.special.arc =
+                        arc.radius_mm != Some(swept.radius()) || arc.sweep_deg != Some(swept.sweep_deg());
+                }
+                None => found.special.arc = arc.radius_mm.is_some() || arc.center.is_some(),
+            }
+        }
+        let (written, unit) = match motion.length() {
+            Length::Mm(length) => (length, LengthUnit::Mm),
+            Length::Deg(length) => (length, LengthUnit::Deg),
+            Length::Missing(_) => return found,
+        };
+        if self.length(shape, after, swept) == Some(written) {
+            shape.length = Some(unit);
+        } else {
+            found.special.length = true;
+        }
+        found
+    }
+
+    fn place(&self, letter: AxisLetter) -> Option<usize> {
+        self.letters.iter().position(|known| *known == letter)
+    }
+
+    /// The arc as the page computes it.
+    fn swept(&self, arc: &crate::run::ArcPath, shape: &ShapeKey, after: &Known, motion: Motion<'_>) -> Option<Swept> {
+        let center = arc.center?;
+        let [u, v] = [self.place(arc.plane[0])?, self.place(arc.plane[1])?];
+        let bits = (1 << u) | (1 << v);
+        // A full circle without axis words moves both axes of its plane.
+        if shape.axes & !shape.started & bits != 0 {
+            return None;
+        }
+        let start = [self.stand.get(u)?, self.stand.get(v)?];
+        let end = [after.get(u)?, after.get(v)?];
+        Some(arcs::sweep(start, end, center, motion.kind()))
+    }
+
+    /// The length as the page computes it; `None` when it cannot.
+    fn length(&self, shape: &ShapeKey, after: &Known, swept: Option<Swept>) -> Option<Micro> {
+        let is_arc = shape.kind.is_some_and(crate::run::MotionType::is_arc);
+        if is_arc && swept.is_none() {
+            return None;
+        }
+        let path = swept.map_or(0.0, |swept| swept.path());
+        let mut sum = path * path;
+        let mut others = false;
+        let in_arc = |axis: usize| shape.arc.is_some_and(|arc| axis == arc.first || axis == arc.second);
+        for axis in (0..self.letters.len()).filter(|axis| shape.measured & (1 << axis) != 0 && !in_arc(*axis)) {
+            if shape.started & (1 << axis) == 0 {
+                return None;
+            }
+            let distance = after.get(axis)?.minus(self.stand.get(axis)?).to_f64();
+            sum += distance * distance;
+            others = true;
+        }
+        Some(Micro::from_f64(if others { sum.sqrt() } else { path }))
+    }
+}
+
+/// What a block's motion gives its row.
+#[derive(Clone, Copy, Debug, Default)]
+struct Moved {
+    shape: ShapeKey,
+    to_center: Option<[Micro; 2]>,
+    special: Special,
+}
+
+/// Where the page would compute something else than the record has: that is kept as written.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+struct Special {
+    start: bool,
+    length: bool,
+    arc: bool,
+    delta: bool,
+}
+
+/// Whether a block does nothing but move, perhaps with a new F.
+fn is_plain(block: &Executed<'_>) -> bool {
+    let (_, id) = block.at();
+    let Some(file) = block.file() else { return false };
+    let plain = |address: Address| match address {
+        Address::X | Address::Y | Address::Z | Address::A | Address::B | Address::C => true,
+        Address::U | Address::V | Address::W | Address::I | Address::J | Address::K | Address::F => true,
+        Address::N
+        | Address::G
+        | Address::M
+        | Address::R
+        | Address::S
+        | Address::T
+        | Address::H
+        | Address::P
+        | Address::D
+        | Address::L
+        | Address::Q
+        | Address::Correction
+        | Address::Skip
+        | Address::Program => false,
+    };
+    file.words(id).iter().all(|word| plain(word.address))
+        && file.comments(id).is_empty()
+        && block.words().is_empty()
+        && block.data().is_none()
+        && !block.skippable()
+}
+
+/// What a row has in common with others.
+#[derive(Clone, Copy, Debug, Default)]
+struct Last {
+    state: u32,
+    extra: u32,
+    feed: i64,
+    context: u32,
+}
+
+/// 128 bits that differ for different numbers; the same on every machine.
+struct Hash(u64, u64);
+
+impl Hash {
+    const fn new() -> Self {
+        Self(0x9E37_79B9_7F4A_7C15, 0xC2B2_AE3D_27D4_EB4F)
+    }
+
+    fn add(&mut self, value: u64) {
+        let fold = |a: u64, b: u64| {
+            let [low, high] = {
+                let product = u128::from(a) * u128::from(b);
+                let bytes = product.to_le_bytes();
+                let half = |at: usize| {
+                    bytes.iter().skip(at).take(8).rev().fold(0_u64, |sum, byte| sum << 8 | u64::from(*byte))
+                };
+                [half(0), half(8)]
+            };
+            low ^ high
+        };
+        self.0 = fold(self.0 ^ value, 0xA076_1D64_78BD_642F).rotate_left(23) ^ self.1;
+        self.1 = fold(self.1 ^ value, 0xE703_7ED1_A0B4_28DB).wrapping_add(self.0);
+    }
+
+    fn value(&self) -> u128 {
+        u128::from(self.0) << 64 | u128::from(self.1)
+    }
+}

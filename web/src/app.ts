@@ -1,0 +1,158 @@
+// What the page shows: the program, the block in hand, what is chosen. Everything that looks at it listens to its events.
+
+import type { Container } from './data/columns.ts';
+import type { Header } from './data/header.ts';
+import { Program } from './data/program.ts';
+import { Text } from './data/text.ts';
+import { Times } from './data/times.ts';
+import { Path } from './scene/path.ts';
+
+export const COLOURS = ['motion', 'feed', 'velocity', 'tool', 'set', 'time'] as const;
+export type ColourBy = (typeof COLOURS)[number];
+
+/** What is shown besides the path. */
+export interface Shown {
+  red: boolean;
+  yellow: boolean;
+  numbers: boolean;
+  equidistant: boolean;
+  rapids: boolean;
+  grid: boolean;
+}
+
+/** What is left out of the picture by hand. */
+export interface Filter {
+  /** Tools that are hidden; null stands for none in the spindle. */
+  tools: Set<number | null>;
+  /** Units that are hidden: `0` the main program, else file and L. */
+  units: Set<string>;
+  /** Only executed blocks from … to …, as indices. */
+  from: number;
+  to: number;
+}
+
+interface Events {
+  select: { index: number | null; by: 'script' | 'user' | 'play' };
+  data: undefined;
+  colour: undefined;
+  shown: undefined;
+  filter: undefined;
+  language: undefined;
+  theme: undefined;
+  measure: undefined;
+}
+
+export class App {
+  program!: Program;
+  path!: Path;
+  text!: Text;
+  times: Times | undefined;
+  current: number | null = null;
+  colourBy: ColourBy = 'motion';
+  readonly shown: Shown = { red: true, yellow: true, numbers: true, equidistant: true, rapids: true, grid: true };
+  filter: Filter = { tools: new Set(), units: new Set(), from: 0, to: 0 };
+  readonly #listeners = new Map<keyof Events, ((value: never) => void)[]>();
+
+  constructor(data: Container<Header>) {
+    this.#read(data);
+  }
+
+  #read(data: Container<Header>): void {
+    this.program = new Program(data);
+    this.path = new Path(this.program);
+    this.text = new Text(data, this.program);
+    this.times = data.has('time.code') ? new Times(data, this.program) : undefined;
+    this.filter = { tools: new Set(), units: new Set(), from: 0, to: Math.max(this.program.count - 1, 0) };
+  }
+
+  /** Shows other data, such as those of the program after a change. The block in hand stays when it is there. */
+  replace(data: Container<Header>): void {
+    const before = this.current === null ? null : this.place(this.current);
+    this.#read(data);
+    this.current = null;
+    this.emit('data', undefined);
+    if (before !== null) {
+      const executions = this.program.executionsAt(before.file, before.line);
+      this.select(executions[0] ?? null, 'script');
+    }
+  }
+
+  on<E extends keyof Events>(event: E, listener: (value: Events[E]) => void): void {
+    const listeners = this.#listeners.get(event) ?? [];
+    listeners.push(listener);
+    this.#listeners.set(event, listeners);
+  }
+
+  emit<E extends keyof Events>(event: E, value: Events[E]): void {
+    for (const listener of this.#listeners.get(event) ?? []) {
+      (listener as (value: Events[E]) => void)(value);
+    }
+  }
+
+  get header(): Header {
+    return this.program.header;
+  }
+
+  /** Takes an executed block in hand. */
+  select(index: number | null, by: 'script' | 'user' | 'play' = 'user'): void {
+    if (index !== this.current) {
+      this.current = index;
+      this.emit('select', { index, by });
+    }
+  }
+
+  /** Where the text of an executed block stands. */
+  place(index: number): { seq: number; file: number; line: number; block: number } {
+    const block = this.program.block[this.program.rowOf(index)]!;
+    return { seq: this.program.from + index, file: this.program.fileOf(block), line: this.program.line[block]!, block };
+  }
+
+  /** The step to the block before or after the one in hand. */
+  step(by: number): void {
+    const { count } = this.program;
+    if (count > 0) {
+      const from = this.current ?? (by > 0 ? -1 : count);
+      this.select(Math.min(Math.max(from + by, 0), count - 1));
+    }
+  }
+
+  /** The step to another execution of the block in hand. */
+  stepPass(by: number): void {
+    if (this.current === null) {
+      return;
+    }
+    const executions = this.program.executionsOf(this.place(this.current).block);
+    const at = executions.indexOf(this.current) + by;
+    if (at >= 0 && at < executions.length) {
+      this.select(executions[at]!);
+    }
+  }
+
+  /** Whether a filter leaves an executed block out of the picture. */
+  isHidden(index: number): boolean {
+    const { filter, program } = this;
+    if (index < filter.from || index > filter.to) {
+      return true;
+    }
+    if (filter.tools.size > 0) {
+      const tool = program.header.states[program.state[program.rowOf(index)]!]!['tool'];
+      if (filter.tools.has(typeof tool === 'number' ? tool : null)) {
+        return true;
+      }
+    }
+    return filter.units.size > 0 && filter.units.has(this.unitOf(index));
+  }
+
+  /** Whether anything is filtered. */
+  get isFiltered(): boolean {
+    const { tools, units, from, to } = this.filter;
+    return tools.size > 0 || units.size > 0 || from > 0 || to < this.program.count - 1 || !this.shown.rapids;
+  }
+
+  /** The unit that an executed block belongs to: empty for the main program, else by what the last call called. */
+  unitOf(index: number): string {
+    const calls = this.program.calls(index);
+    const last = calls[calls.length - 1];
+    return last === undefined ? '' : `${last['by'] === 'G71' ? 'G71' : 'G72'} L${String(last['l'])}`;
+  }
+}

@@ -1,0 +1,91 @@
+// What the header of a page's data holds. src/view writes it.
+
+/** A value as JSON has it. */
+export type Json = null | boolean | number | string | Json[] | { [key: string]: Json };
+
+/** Fields of a record by name. */
+export interface Fields {
+  [key: string]: Json;
+}
+
+/** What rows have in common about their motion and positions. */
+export interface Shape {
+  /** Letters of the axes whose position is known after the block. */
+  k?: string;
+  /** Letters of those whose value is in the column of positions; the others stand where they stood. */
+  c?: string;
+  /** The motion, without numbers. */
+  m?: Fields;
+  /** Letters of the axes whose start is known. */
+  s?: string;
+  /** What the length is measured in, when it is known. */
+  l?: 'mm' | 'deg';
+  /** Letters of the axes that make the length. */
+  a?: string;
+  /** The axes of an arc whose centre is known, first-named first. */
+  r?: string;
+}
+
+/** What a finding says, in both languages. */
+export interface PageFinding {
+  code: string;
+  name: string;
+  severity: 'error' | 'warning' | 'note';
+  message: { en: string; cs: string };
+  /** Index of the file; absent when it is no file of the page. */
+  file?: number;
+  line?: number;
+  column?: number;
+  path?: string;
+}
+
+/** What motions have in common about their times, by code. */
+export interface TimeCode {
+  /** The criterion of the block cap. */
+  cap_by?: string;
+  /** The joint with the motion before, without numbers. */
+  joint?: { broken_by?: string; limited_by?: string; dot?: 'red' | 'yellow'; angle?: boolean; with?: boolean };
+  merged?: boolean;
+  /** Which numbers the record has. */
+  has: string;
+}
+
+/** One piece of the equidistant path. */
+export interface EquidistantPiece {
+  seq: number;
+  /** Points, three coordinates each, in mm. */
+  points: number[];
+  /** The element collides. */
+  bad?: boolean;
+}
+
+export interface Header {
+  schema: string;
+  generator: string;
+  /** The record of the program, as the block stream has it. */
+  program: Fields & { name: string; axes: { letter: string; kind: string }[]; number: number; title?: string };
+  /** The records `machine` and `total` of the motion stream. */
+  machine?: Fields;
+  total?: Fields;
+  /** Files in the order of their indices: name, number of blocks, the text before the first of them. */
+  files: { name: string; blocks: number; head: string }[];
+  /** Blocks of the whole program that were executed. */
+  blocks: number;
+  /** The first seq in the page, and how many follow. */
+  from: number;
+  count: number;
+  /** The program ended with M02 or M30; else with an error. */
+  whole: boolean;
+  states: Fields[];
+  extras: Fields[];
+  shapes: Shape[];
+  calls: { by: string; l: number }[];
+  codes: TimeCode[];
+  skeletons: string[];
+  /** By letter: what the numbers in the text are foretold from. */
+  foretold: { [letter: string]: 'row' };
+  /** Parts of a millimetre or degree that numbers count, by column. */
+  per: { [column: string]: number };
+  findings: PageFinding[];
+  equidistant?: { radii: { [d: string]: number }; pieces: EquidistantPiece[] };
+}

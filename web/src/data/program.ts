@@ -1,0 +1,416 @@
+// An executed program: what each executed block was, as the page's data holds it, and its record made again.
+
+import type { Container, Numbers } from './columns.ts';
+import type { Fields, Header, Json, Shape } from './header.ts';
+import { micro } from './numbers.ts';
+
+/** What a shape says, for quick reading: a bit for each axis of the machine. */
+interface ShapeBits {
+  known: number;
+  coded: number;
+}
+
+/** An executed program. Executed blocks are counted from the first in the page: `index` is `seq - from`. */
+export class Program {
+  readonly header: Header;
+  /** Letters of the axes, in the order of the machine. */
+  readonly letters: string[];
+  /** How many rows: different executions of blocks. Row 0 is what holds before the first block. */
+  readonly rows: number;
+  /** By row: which block of the text. */
+  readonly block: Numbers;
+  /** By row: the row whose positions are those before it. */
+  readonly before: Numbers;
+  readonly state: Numbers;
+  readonly extra: Numbers;
+  readonly shape: Numbers;
+  /** By row: F in thousandths. */
+  readonly feed: Numbers;
+  /** Positions by axis and row, in parts of a millimetre or degree. Unknown ones hold where the axis is first known. */
+  readonly position: Numbers[];
+  /** Parts of a millimetre or degree, by axis. */
+  readonly per: number[];
+  /** Vectors from start to centre along the axes of the plane, of rows whose shape has `r`, in parts of a millimetre. */
+  readonly center: [Numbers, Numbers];
+  readonly centerPer: number;
+  /** By row: where its vector is in `center`, -1 without one. Absent when no row has one. */
+  readonly centerAt: Int32Array | undefined;
+  /** By block: number, line and column of its N. */
+  readonly n: Numbers;
+  readonly line: Numbers;
+  readonly column: Numbers;
+  /** By file: its first block; one more at the end. */
+  readonly firstBlock: number[];
+
+  readonly #rowOf: Numbers;
+  readonly #contextOf: Numbers;
+  readonly #left: Numbers;
+  readonly #contexts: { parent: Numbers; block: Numbers; call: Numbers; pass: Numbers; of: Numbers };
+  readonly #bits: ShapeBits[];
+  #lastIndex: Int32Array | undefined;
+  #firstIndex: Int32Array | undefined;
+  #byPlace: { keyOf: Int32Array; start: Int32Array; members: Int32Array } | undefined;
+
+  constructor(data: Container<Header>) {
+    const header = data.header;
+    this.header = header;
+    this.letters = header.program.axes.map((axis) => axis.letter);
+    this.block = data.take('row.block');
+    this.rows = this.block.length;
+    this.before = data.take('row.before');
+    for (let row = 0; row < this.rows; row += 1) {
+      this.before[row] = Math.max(row - 1 - this.before[row]!, 0);
+    }
+    this.state = data.take('row.state');
+    this.extra = data.take('row.extra');
+    this.shape = data.take('row.shape');
+    this.feed = data.take('row.feed');
+    const bits = (letters: string | undefined): number =>
+      this.letters.reduce((sum, letter, axis) => (letters?.includes(letter) ? sum | (1 << axis) : sum), 0);
+    this.#bits = header.shapes.map((shape) => ({ known: bits(shape.k), coded: bits(shape.c) }));
+    this.per = this.letters.map((letter) => header.per[`pos.${letter}`] ?? 1000);
+    this.position = this.letters.map((letter, axis) => this.#readPositions(data.take(`pos.${letter}`), axis));
+    this.center = [data.take('arc.0'), data.take('arc.1')];
+    this.centerPer = header.per['arc'] ?? 1000;
+    this.centerAt = this.#placeCenters();
+    this.n = data.take('block.n');
+    this.line = data.take('block.line');
+    this.column = data.take('block.column');
+    this.firstBlock = [0];
+    for (const file of header.files) {
+      this.firstBlock.push(this.firstBlock[this.firstBlock.length - 1]! + file.blocks);
+    }
+    this.#rowOf = data.take('seq.row');
+    this.#contextOf = data.take('seq.context');
+    this.#left = data.take('seq.left');
+    this.#contexts = {
+      parent: data.take('context.parent'),
+      block: data.take('context.block'),
+      call: data.take('context.call'),
+      pass: data.take('context.pass'),
+      of: data.take('context.of'),
+    };
+  }
+
+  /** The column of an axis holds the values that are new; the others stand where they stood before. */
+  #readPositions(coded: Numbers, axis: number): Numbers {
+    const bit = 1 << axis;
+    const bits = this.#bits;
+    const wide = coded instanceof Float64Array;
+    const positions: Numbers = wide ? new Float64Array(this.rows) : new Int32Array(this.rows);
+    let next = 0;
+    for (let row = 0; row < this.rows; row += 1) {
+      const shape = bits[this.shape[row]!]!;
+      if (shape.coded & bit) {
+        positions[row] = coded[next]!;
+        next += 1;
+      } else if (shape.known & bit) {
+        positions[row] = positions[this.before[row]!]!;
+      }
+    }
+    // An unknown coordinate is drawn where the axis is first known to stand; behind the last, where it last stood.
+    let known: number | undefined;
+    for (let row = this.rows - 1; row >= 0; row -= 1) {
+      if (bits[this.shape[row]!]!.known & bit) {
+        known = positions[row]!;
+      } else if (known !== undefined) {
+        positions[row] = known;
+      }
+    }
+    if (known !== undefined) {
+      for (let row = this.rows - 1; row >= 0 && !(bits[this.shape[row]!]!.known & bit); row -= 1) {
+        positions[row] = this.#lastKnown(positions, bit);
+      }
+    }
+    return positions;
+  }
+
+  #lastKnown(positions: Numbers, bit: number): number {
+    for (let row = this.rows - 1; row >= 0; row -= 1) {
+      if (this.#bits[this.shape[row]!]!.known & bit) {
+        return positions[row]!;
+      }
+    }
+    return 0;
+  }
+
+  #placeCenters(): Int32Array | undefined {
+    if (this.center[0].length === 0) {
+      return undefined;
+    }
+    const at = new Int32Array(this.rows).fill(-1);
+    const arcs = this.header.shapes.map((shape) => shape.r !== undefined);
+    let next = 0;
+    for (let row = 0; row < this.rows; row += 1) {
+      if (arcs[this.shape[row]!]) {
+        at[row] = next;
+        next += 1;
+      }
+    }
+    return at;
+  }
+
+  /** How many executed blocks the page holds. */
+  get count(): number {
+    return this.header.count;
+  }
+
+  get from(): number {
+    return this.header.from;
+  }
+
+  /** The row of an executed block. */
+  rowOf(index: number): number {
+    return this.#rowOf.length > 0 ? this.#rowOf[index]! : index + 1;
+  }
+
+  shapeOf(row: number): Shape {
+    return this.header.shapes[this.shape[row]!]!;
+  }
+
+  isKnown(row: number, axis: number): boolean {
+    return (this.#bits[this.shape[row]!]!.known & (1 << axis)) !== 0;
+  }
+
+  /** Where an axis stands after a row. */
+  positionOf(row: number, axis: number): number {
+    return this.position[axis]![row]! / this.per[axis]!;
+  }
+
+  /** The last executed block that a row stands for. */
+  lastIndexOf(row: number): number {
+    if (this.#rowOf.length === 0) {
+      return row - 1;
+    }
+    if (this.#lastIndex === undefined) {
+      this.#lastIndex = new Int32Array(this.rows).fill(-1);
+      for (let index = 0; index < this.count; index += 1) {
+        this.#lastIndex[this.#rowOf[index]!] = index;
+      }
+    }
+    return this.#lastIndex[row]!;
+  }
+
+  /** The first executed block that a row stands for. */
+  firstIndexOf(row: number): number {
+    if (this.#rowOf.length === 0) {
+      return row - 1;
+    }
+    if (this.#firstIndex === undefined) {
+      this.#firstIndex = new Int32Array(this.rows).fill(-1);
+      for (let index = this.count - 1; index >= 0; index -= 1) {
+        this.#firstIndex[this.#rowOf[index]!] = index;
+      }
+    }
+    return this.#firstIndex[row]!;
+  }
+
+  /** The file of a block. */
+  fileOf(block: number): number {
+    let file = 0;
+    while (block >= this.firstBlock[file + 1]!) {
+      file += 1;
+    }
+    return file;
+  }
+
+  /** All executions of the blocks that begin in a line of a file, ascending, as indices. */
+  executionsAt(file: number, line: number): number[] {
+    const block = this.blockAt(file, line);
+    return block === undefined ? [] : this.executionsOf(block);
+  }
+
+  /** The first block whose N stands in a line of a file. */
+  blockAt(file: number, line: number): number | undefined {
+    let low = this.firstBlock[file] ?? 0;
+    let high = this.firstBlock[file + 1] ?? 0;
+    const end = high;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.line[middle]! < line) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low < end && this.line[low] === line ? low : undefined;
+  }
+
+  /** All executions of a block, and of those that begin in its line: the same block is the same file and line. */
+  executionsOf(block: number): number[] {
+    this.#byPlace ??= this.#groupByPlace();
+    const { keyOf, start, members } = this.#byPlace;
+    const key = keyOf[block]!;
+    return Array.from(members.subarray(start[key]!, start[key + 1]!));
+  }
+
+  #groupByPlace(): { keyOf: Int32Array; start: Int32Array; members: Int32Array } {
+    const blocks = this.n.length;
+    const keyOf = new Int32Array(blocks);
+    let keys = -1;
+    for (let file = 0; file + 1 < this.firstBlock.length; file += 1) {
+      let line = -1;
+      for (let block = this.firstBlock[file]!; block < this.firstBlock[file + 1]!; block += 1) {
+        if (this.line[block] !== line) {
+          line = this.line[block]!;
+          keys += 1;
+        }
+        keyOf[block] = keys;
+      }
+    }
+    const start = new Int32Array(keys + 2);
+    for (let index = 0; index < this.count; index += 1) {
+      start[keyOf[this.block[this.rowOf(index)]!]! + 1]! += 1;
+    }
+    for (let key = 0; key <= keys; key += 1) {
+      start[key + 1]! += start[key]!;
+    }
+    const next = start.slice();
+    const members = new Int32Array(this.count);
+    for (let index = 0; index < this.count; index += 1) {
+      const key = keyOf[this.block[this.rowOf(index)]!]!;
+      members[next[key]!] = index;
+      next[key]! += 1;
+    }
+    return { keyOf, start, members };
+  }
+
+  /** The calls that led to an executed block, outermost first. */
+  calls(index: number): Fields[] {
+    const calls: Fields[] = [];
+    let context = this.#contextOf[index] ?? 0;
+    const contexts = this.#contexts;
+    while (context > 0) {
+      const at = context - 1;
+      const block = contexts.block[at]!;
+      const call = this.header.calls[contexts.call[at]!]!;
+      calls.push({
+        by: call.by,
+        l: call.l,
+        file: this.fileOf(block),
+        n: this.n[block]!,
+        line: this.line[block]!,
+        pass: contexts.pass[at]!,
+        of: contexts.of[at]!,
+      });
+      context = contexts.parent[at]!;
+    }
+    return calls.reverse();
+  }
+
+  /** The record of an executed block, as the block stream has it. */
+  record(index: number): Fields {
+    const row = this.rowOf(index);
+    const block = this.block[row]!;
+    const record: Fields = {
+      kind: 'block',
+      seq: this.from + index,
+      n: this.n[block]!,
+      file: this.fileOf(block),
+      line: this.line[block]!,
+      column: this.column[block]!,
+    };
+    const calls = this.calls(index);
+    if (calls.length > 0) {
+      record['calls'] = calls;
+    }
+    const shape = this.shapeOf(row);
+    const state = this.header.states[this.state[row]!]!;
+    const { motion: about, ...extra } = this.header.extras[this.extra[row]!]! as Fields & { motion?: Fields };
+    Object.assign(record, structuredClone(state), structuredClone(extra));
+    const left = this.#left[index] ?? 0;
+    if (left > 0) {
+      (record['jump'] as Fields)['left'] = left - 1;
+    }
+    if (this.from + index === 0) {
+      record['first_block'] = true;
+    }
+    if (this.header.whole && this.from + index === this.header.blocks - 1) {
+      record['last_block'] = true;
+    }
+    if ('feed_unit' in state) {
+      record['feed'] = this.feed[row]! / 1000;
+    }
+    const position = this.#values(row, shape.k);
+    if (Object.keys(position).length > 0) {
+      record['position'] = position;
+    }
+    if (shape.m !== undefined) {
+      record['motion'] = { ...this.motion(row, shape), ...structuredClone(about) };
+    }
+    return record;
+  }
+
+  #values(row: number, letters: string | undefined): Fields {
+    const values: Fields = {};
+    for (const letter of letters ?? '') {
+      values[letter] = this.positionOf(row, this.letters.indexOf(letter));
+    }
+    return values;
+  }
+
+  /** Vector from start to centre of an arc, along the axes of its plane, in millimetres. */
+  toCenter(row: number): [number, number] {
+    const at = this.centerAt?.[row] ?? -1;
+    return [this.center[0][at]! / this.centerPer, this.center[1][at]! / this.centerPer];
+  }
+
+  /** The angle that an arc turns through, in radians, positive; negative for clockwise ones. */
+  sweep(row: number, shape: Shape): number {
+    const [u, v] = [this.letters.indexOf(shape.r![0]!), this.letters.indexOf(shape.r![1]!)];
+    const before = this.before[row]!;
+    const [toU, toV] = this.toCenter(row);
+    const endU = this.positionOf(row, u) - this.positionOf(before, u) - toU;
+    const endV = this.positionOf(row, v) - this.positionOf(before, v) - toV;
+    // In whole millionths, so that an end on the ray of the start is found.
+    const [fromU, fromV, atU, atV] = [-toU, -toV, endU, endV].map((value) => Math.round(value * 1e6)) as [number, number, number, number];
+    const cross = fromU * atV - fromV * atU;
+    const dot = fromU * atU + fromV * atV;
+    const clockwise = shape.m?.['type'] === 'arc_cw';
+    const turn = clockwise ? -Math.atan2(cross, dot) : Math.atan2(cross, dot);
+    const sweep = turn <= 0 ? turn + 2 * Math.PI : turn;
+    return clockwise ? -sweep : sweep;
+  }
+
+  /** The motion of a row with its numbers. */
+  motion(row: number, shape: Shape): Fields {
+    const motion: Fields = structuredClone(shape.m!);
+    const before = this.before[row]!;
+    const start = this.#values(before, shape.s);
+    if (Object.keys(start).length > 0) {
+      motion['start'] = start;
+    }
+    const sweep = shape.r === undefined ? 0 : this.sweep(row, shape);
+    let arc = 0;
+    if (shape.r !== undefined) {
+      const [toU, toV] = this.toCenter(row);
+      const radius = Math.sqrt(toU * toU + toV * toV);
+      const center = (letter: string, to: number): Json =>
+        micro(this.positionOf(before, this.letters.indexOf(letter)) + to);
+      motion['center'] = { [shape.r[0]!]: center(shape.r[0]!, toU), [shape.r[1]!]: center(shape.r[1]!, toV) };
+      motion['radius_mm'] = micro(radius);
+      motion['sweep_deg'] = micro((Math.abs(sweep) * 180) / Math.PI);
+      arc = radius * Math.abs(sweep);
+    }
+    if (shape.l !== undefined) {
+      motion[`length_${shape.l}`] = micro(this.#length(row, shape, arc));
+    }
+    return motion;
+  }
+
+  #length(row: number, shape: Shape, arc: number): number {
+    const before = this.before[row]!;
+    let sum = arc * arc;
+    let others = 0;
+    for (const letter of shape.a ?? '') {
+      if (shape.r?.includes(letter)) {
+        continue;
+      }
+      const axis = this.letters.indexOf(letter);
+      const distance = (this.position[axis]![row]! - this.position[axis]![before]!) / this.per[axis]!;
+      sum += distance * distance;
+      others += 1;
+    }
+    return others === 0 ? arc : Math.sqrt(sum);
+  }
+}

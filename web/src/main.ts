@@ -1,0 +1,125 @@
+// The page: reads its data, builds itself, draws the path.
+
+import './styles.css';
+
+import { api, connect, type Api } from './api.ts';
+import { App } from './app.ts';
+import { bytesOfText, Container, inflate } from './data/columns.ts';
+import type { Header } from './data/header.ts';
+import { type Lang, language, setLanguage, t } from './i18n.ts';
+import { View } from './scene/view.ts';
+import { Chart } from './ui/chart.ts';
+import { Code } from './ui/code.ts';
+import { h, labelled, retell } from './ui/dom.ts';
+import { filter } from './ui/filter.ts';
+import { Help } from './ui/help.ts';
+import { findings, joints } from './ui/lists.ts';
+import { measure } from './ui/measure.ts';
+import { Player } from './ui/player.ts';
+import { State } from './ui/state.ts';
+import { tabs } from './ui/tabs.ts';
+import { legend, title, toolbar } from './ui/toolbar.ts';
+
+declare global {
+  interface Window {
+    cnc872c: Api;
+  }
+}
+
+/** The language of the page: the one it was made for, else the browser's. */
+function chooseLanguage(): Lang {
+  const made = document.documentElement.dataset['lang'];
+  if (made === 'en' || made === 'cs') {
+    return made;
+  }
+  const wanted = navigator.languages.map((tag) => tag.toLowerCase().split('-')[0]);
+  return wanted.find((tag): tag is Lang => tag === 'en' || tag === 'cs') ?? 'en';
+}
+
+async function readData(): Promise<Container<Header>> {
+  const holder = document.getElementById('cnc872c-data')!;
+  const bytes = bytesOfText(holder.textContent ?? '');
+  // The text is not needed any more: it would take memory.
+  holder.remove();
+  return new Container<Header>(await inflate(bytes));
+}
+
+function build(app: App): { view: View; player: Player; say: (lang: Lang) => void } {
+  const stage = h('div', { class: 'stage' });
+  const help = new Help();
+  const root = h('div', { class: 'page' });
+  const say = (lang: Lang): void => {
+    setLanguage(lang);
+    document.documentElement.lang = lang;
+    retell(root);
+    view.describe();
+    app.emit('language', undefined);
+  };
+  root.append(h('header', { class: 'top' }, title(app)));
+  const main = h('main', {}, labelled(h('section', { class: 'picture' }, stage), 'path'));
+  root.append(main);
+  document.body.append(root, help.element);
+  const view = new View(app, stage);
+  root.querySelector('header')!.append(toolbar(app, view, say, () => help.open()));
+  stage.append(legend(app, view));
+  const player = new Player(app, view);
+  const side = labelled(h('aside', {}), 'details');
+  side.append(
+    new Code(app).element,
+    tabs('details', [
+      ['block', new State(app).element],
+      ['joints', joints(app)],
+      ['findings', findings(app)],
+      ['measure', measure(app, view)],
+      ['filter', filter(app)],
+    ]),
+  );
+  main.append(side);
+  root.append(h('footer', {}, new Chart(app, view).element, player.element));
+  view.canvas.addEventListener('keydown', (event) => {
+    const actions: { [key: string]: () => void } = {
+      ',': () => app.step(-1),
+      '.': () => app.step(1),
+      '[': () => app.stepPass(-1),
+      ']': () => app.stepPass(1),
+      ' ': () => player.toggle(),
+      '?': () => help.open(),
+    };
+    const action = event.ctrlKey || event.altKey || event.metaKey ? undefined : actions[event.key];
+    if (action !== undefined) {
+      event.preventDefault();
+      action();
+    }
+  });
+  say(language());
+  return { view, player, say };
+}
+
+async function start(): Promise<void> {
+  setLanguage(chooseLanguage());
+  document.documentElement.lang = language();
+  let drawn!: () => void;
+  let failed!: (error: unknown) => void;
+  const ready = new Promise<void>((resolve, reject) => {
+    drawn = resolve;
+    failed = reject;
+  });
+  // Whoever asks before the data are read waits for `ready`.
+  window.cnc872c = { ready } as Api;
+  ready.catch(() => undefined);
+  try {
+    const app = new App(await readData());
+    const { view, player, say } = build(app);
+    view.drawNow();
+    window.cnc872c = api(app, view, player, say, ready);
+    connect(app, window.cnc872c);
+    drawn();
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    document.body.append(h('p', { class: 'failure', role: 'alert' }, t('cannotRead', { reason })));
+    failed(error);
+    throw error;
+  }
+}
+
+void start();

@@ -1,0 +1,277 @@
+// What stands over the path: the block in hand, numbers at red dots, start and end, labels of the grid, the axes, the
+// scale, measured points.
+
+import { t } from '../i18n.ts';
+import type { Vector } from './camera.ts';
+import { css } from './colours.ts';
+import { roundStep, type GridLabel } from './grid.ts';
+import type { View } from './view.ts';
+
+export interface MeasurePoint {
+  index: number;
+  point: Vector;
+}
+
+type Box = [number, number, number, number];
+
+/** Texts that do not cover one another. */
+class Labels {
+  readonly #context: CanvasRenderingContext2D;
+  readonly #taken: Box[] = [];
+
+  constructor(context: CanvasRenderingContext2D) {
+    this.#context = context;
+  }
+
+  /** Whether a box is free; it is taken then. */
+  take(box: Box): boolean {
+    const covers = this.#taken.some(([a, b, c, d]) => box[0] < c && a < box[2] && box[1] < d && b < box[3]);
+    if (!covers) {
+      this.#taken.push(box);
+    }
+    return !covers;
+  }
+
+  box(text: string, x: number, y: number): Box {
+    const width = this.#context.measureText(text).width;
+    return [x - 2, y - 11, x + width + 2, y + 4];
+  }
+
+  draw(text: string, x: number, y: number, ink: string, halo: string): void {
+    const context = this.#context;
+    context.lineWidth = 3;
+    context.strokeStyle = halo;
+    context.strokeText(text, x, y);
+    context.fillStyle = ink;
+    context.fillText(text, x, y);
+  }
+}
+
+export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: GridLabel[]): void {
+  const context = canvas.getContext('2d')!;
+  const ratio = canvas.width / Math.max(view.camera.width, 1);
+  const { camera, theme, app } = view;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+  context.clearRect(0, 0, camera.width, camera.height);
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  context.font = '11px system-ui, sans-serif';
+  const background = css(theme.background);
+  const labels = new Labels(context);
+  labels.take([0, camera.height - 70, 76, camera.height]);
+  labels.take([camera.width - 150, camera.height - 34, camera.width, camera.height]);
+  drawSelection(view, context);
+  if (app.shown.numbers && app.shown.red) {
+    drawNumbers(view, labels, background);
+  }
+  drawEnds(view, context, labels, background);
+  for (const { at, outward, text } of gridLabels) {
+    const from = camera.project(at);
+    const to = camera.project(at.map((value, i) => value + outward[i]!) as Vector);
+    const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
+    const width = context.measureText(text).width;
+    const x = from.x + ((to.x - from.x) / length) * (10 + width / 2) - width / 2;
+    const y = from.y + ((to.y - from.y) / length) * 12 + 4;
+    if (x > 2 && y > 10 && x + width < camera.width - 2 && y < camera.height - 2 && labels.take(labels.box(text, x, y))) {
+      context.fillStyle = theme.faint;
+      context.fillText(text, x, y);
+    }
+  }
+  drawMeasured(view, context, labels, background);
+  drawAxes(view, context);
+  drawScale(view, context);
+}
+
+function drawSelection(view: View, context: CanvasRenderingContext2D): void {
+  const { app, camera, theme } = view;
+  if (app.current === null) {
+    return;
+  }
+  const row = app.program.rowOf(app.current);
+  const { path } = app;
+  const stand = (point: Vector, size: number): void => {
+    const { x, y } = camera.project(point);
+    context.beginPath();
+    context.arc(x, y, size, 0, 2 * Math.PI);
+    context.fillStyle = theme.selection;
+    context.fill();
+    context.lineWidth = 2;
+    context.strokeStyle = theme.selectionEdge;
+    context.stroke();
+  };
+  if (!path.hasLine(row)) {
+    stand(path.point(row), 6);
+    return;
+  }
+  const parts = path.isArc(row) ? Math.min(path.chords(row, 0.2 / camera.scale), 360) : 1;
+  const places = Array.from({ length: parts + 1 }, (_, part) => camera.project(path.at(row, part / parts)));
+  for (const [width, colour] of [
+    [6, theme.selectionEdge],
+    [3.2, theme.selection],
+  ] as const) {
+    context.beginPath();
+    places.forEach(({ x, y }, i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+    context.lineWidth = width;
+    context.strokeStyle = colour;
+    context.stroke();
+  }
+  // An arrow in the middle shows the way.
+  const length = places.slice(1).reduce((sum, at, i) => sum + Math.hypot(at.x - places[i]!.x, at.y - places[i]!.y), 0);
+  if (length > 24) {
+    const middle = camera.project(path.at(row, 0.5));
+    const before = camera.project(path.at(row, 0.49));
+    const angle = Math.atan2(middle.y - before.y, middle.x - before.x);
+    context.save();
+    context.translate(middle.x, middle.y);
+    context.rotate(angle);
+    context.beginPath();
+    context.moveTo(8, 0);
+    context.lineTo(-5, -6);
+    context.lineTo(-5, 6);
+    context.closePath();
+    context.fillStyle = theme.selection;
+    context.fill();
+    context.lineWidth = 1.2;
+    context.strokeStyle = theme.selectionEdge;
+    context.stroke();
+    context.restore();
+  }
+  stand(path.at(row, view.share ?? 1), 5);
+}
+
+function drawNumbers(view: View, labels: Labels, background: string): void {
+  const { app, camera, theme } = view;
+  let drawn = 0;
+  for (const { index, point } of view.redDots()) {
+    const { x, y } = camera.project(point);
+    if (x < 0 || y < 0 || x > camera.width || y > camera.height) {
+      continue;
+    }
+    const text = `N${app.program.n[app.place(index).block]!}`;
+    for (const [dx, dy] of [
+      [8, -6],
+      [8, 14],
+      [-8 - 7 * text.length, -6],
+    ] as const) {
+      if (labels.take(labels.box(text, x + dx, y + dy))) {
+        labels.draw(text, x + dx, y + dy, theme.ink, background);
+        drawn += 1;
+        break;
+      }
+    }
+    if (drawn >= 400) {
+      return;
+    }
+  }
+}
+
+function drawEnds(view: View, context: CanvasRenderingContext2D, labels: Labels, background: string): void {
+  const { path } = view.app;
+  const first = path.rows[0];
+  const last = path.rows[path.rows.length - 1];
+  if (first === undefined || last === undefined) {
+    return;
+  }
+  const { theme, camera } = view;
+  const start = camera.project(path.start(first));
+  const end = camera.project(path.point(last));
+  context.lineWidth = 1.6;
+  context.strokeStyle = theme.ink;
+  context.fillStyle = background;
+  context.beginPath();
+  context.moveTo(start.x - 4, start.y - 5);
+  context.lineTo(start.x + 6, start.y);
+  context.lineTo(start.x - 4, start.y + 5);
+  context.closePath();
+  context.fill();
+  context.stroke();
+  context.beginPath();
+  context.rect(end.x - 4, end.y - 4, 8, 8);
+  context.fill();
+  context.stroke();
+  for (const [{ x, y }, text] of [
+    [start, t('startMark')],
+    [end, t('endMark')],
+  ] as const) {
+    for (const dy of [16, -10]) {
+      if (labels.take(labels.box(text, x + 7, y + dy))) {
+        labels.draw(text, x + 7, y + dy, theme.faint, background);
+        break;
+      }
+    }
+  }
+}
+
+function drawMeasured(view: View, context: CanvasRenderingContext2D, labels: Labels, background: string): void {
+  const { camera, measured, theme } = view;
+  const places = measured.map(({ point }) => camera.project(point));
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 1.5;
+  if (places.length === 2) {
+    context.setLineDash([5, 4]);
+    context.beginPath();
+    context.moveTo(places[0]!.x, places[0]!.y);
+    context.lineTo(places[1]!.x, places[1]!.y);
+    context.stroke();
+    context.setLineDash([]);
+    const [a, b] = [measured[0]!.point, measured[1]!.point];
+    const text = `${Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]).toFixed(3)} mm`;
+    const [x, y] = [(places[0]!.x + places[1]!.x) / 2 + 8, (places[0]!.y + places[1]!.y) / 2 - 6];
+    labels.draw(text, x, y, theme.ink, background);
+  }
+  for (const { x, y } of places) {
+    context.beginPath();
+    context.moveTo(x - 7, y);
+    context.lineTo(x + 7, y);
+    context.moveTo(x, y - 7);
+    context.lineTo(x, y + 7);
+    context.stroke();
+  }
+}
+
+function drawAxes(view: View, context: CanvasRenderingContext2D): void {
+  const { camera, theme } = view;
+  const [cx, cy] = [38, camera.height - 34];
+  const axes = ['X', 'Y', 'Z'].map((letter, i) => ({
+    letter,
+    colour: theme.axes[i]!,
+    x: camera.right[i]! * 26,
+    y: -camera.up[i]! * 26,
+    depth: camera.towards[i]!,
+  }));
+  axes.sort((a, b) => a.depth - b.depth);
+  context.font = 'bold 11px system-ui, sans-serif';
+  for (const { letter, colour, x, y } of axes) {
+    context.strokeStyle = colour;
+    context.fillStyle = colour;
+    context.lineWidth = 2;
+    context.beginPath();
+    context.moveTo(cx, cy);
+    context.lineTo(cx + x, cy + y);
+    context.stroke();
+    const length = Math.hypot(x, y);
+    if (length > 6) {
+      context.fillText(letter, cx + (x / length) * (length + 8) - 4, cy + (y / length) * (length + 8) + 4);
+    }
+  }
+  context.font = '11px system-ui, sans-serif';
+}
+
+function drawScale(view: View, context: CanvasRenderingContext2D): void {
+  const { camera, theme } = view;
+  const step = roundStep(50 / camera.scale);
+  const width = step * camera.scale;
+  const [right, y] = [camera.width - 16, camera.height - 14];
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 1.5;
+  context.lineCap = 'butt';
+  context.beginPath();
+  context.moveTo(right - width, y - 4);
+  context.lineTo(right - width, y);
+  context.lineTo(right, y);
+  context.lineTo(right, y - 4);
+  context.stroke();
+  const text = `${Number(step.toPrecision(12))} mm`;
+  context.fillStyle = theme.ink;
+  context.fillText(text, right - width / 2 - context.measureText(text).width / 2, y - 6);
+}

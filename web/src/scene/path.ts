@@ -1,0 +1,251 @@
+// The lines of the path: which rows have one, and their shape in space.
+
+import type { Shape } from '../data/header.ts';
+import type { Program } from '../data/program.ts';
+import type { Box, Vector } from './camera.ts';
+
+/** What is done along a line. */
+export const enum Kind {
+  Rapid = 0,
+  Linear = 1,
+  Arc = 2,
+  Thread = 3,
+}
+
+interface LineShape {
+  kind: Kind;
+  arc: boolean;
+  /** Start or end of one of X, Y, Z is not known. */
+  unknown: boolean;
+}
+
+/** Where the three axes of space are among those of the machine, -1 where it has none. */
+function spaceAxes(program: Program): Vector {
+  return ['X', 'Y', 'Z'].map((letter) => program.letters.indexOf(letter)) as Vector;
+}
+
+/** What a shape draws; nothing when it moves none of X, Y, Z. */
+function lineOf(shape: Shape): LineShape | undefined {
+  const type = shape.m?.['type'];
+  const moved = ((shape.m?.['axes'] ?? []) as string[]).filter((letter) => 'XYZ'.includes(letter));
+  if (typeof type !== 'string' || moved.length === 0) {
+    return undefined;
+  }
+  const arc = type.startsWith('arc');
+  const known = moved.every((letter) => shape.s?.includes(letter) && shape.k?.includes(letter));
+  const unknown = !known || type === 'reference' || (arc && shape.r === undefined);
+  const kind = type === 'rapid' ? Kind.Rapid : arc ? Kind.Arc : type === 'thread' ? Kind.Thread : Kind.Linear;
+  return { kind, arc, unknown };
+}
+
+/** The lines of a program, by row. */
+export class Path {
+  readonly program: Program;
+  /** Rows with a line, ascending. */
+  readonly rows: Int32Array;
+  /** Around all lines, and around the working ones. */
+  readonly box: Box;
+  readonly workingBox: Box;
+  /** Executed blocks whose line is not drawn because its start or end is not known. */
+  readonly unknown: number;
+  /** Executed blocks with a line. */
+  readonly segments: number;
+  readonly #axes: Vector;
+  readonly #shapes: (LineShape | undefined)[];
+
+  constructor(program: Program) {
+    this.program = program;
+    this.#axes = spaceAxes(program);
+    this.#shapes = program.header.shapes.map(lineOf);
+    const [X, Y, Z] = this.#axes;
+    const rows = new Int32Array(program.rows);
+    const columns = [X, Y, Z].map((axis) => program.position[axis]);
+    const hasLine = new Uint8Array(program.rows);
+    let count = 0;
+    for (let row = 1; row < program.rows; row += 1) {
+      const line = this.#shapes[program.shape[row]!];
+      if (line === undefined) {
+        continue;
+      }
+      if (line.unknown) {
+        hasLine[row] = 2;
+        continue;
+      }
+      const before = program.before[row]!;
+      const moves = columns.some((column) => column !== undefined && column[row] !== column[before]);
+      if (moves || (line.arc && this.#isArcInSpace(row))) {
+        hasLine[row] = 1;
+        rows[count] = row;
+        count += 1;
+      }
+    }
+    this.rows = rows.slice(0, count);
+    const executions = [0, count, 0];
+    if (program.count + 1 === program.rows) {
+      executions[2] = hasLine.reduce((sum, kind) => sum + (kind === 2 ? 1 : 0), 0);
+    } else {
+      executions[1] = 0;
+      for (let index = 0; index < program.count; index += 1) {
+        executions[hasLine[program.rowOf(index)]!]! += 1;
+      }
+    }
+    this.segments = executions[1]!;
+    this.unknown = executions[2]!;
+    [this.box, this.workingBox] = this.#boxes();
+  }
+
+  #isArcInSpace(row: number): boolean {
+    const shape = this.program.shapeOf(row);
+    return [...(shape.r ?? '')].some((letter) => 'XYZ'.includes(letter));
+  }
+
+  kind(row: number): Kind {
+    return this.#shapes[this.program.shape[row]!]!.kind;
+  }
+
+  isArc(row: number): boolean {
+    return this.#shapes[this.program.shape[row]!]?.arc === true;
+  }
+
+  /** Whether a row has a line. */
+  hasLine(row: number): boolean {
+    let low = 0;
+    let high = this.rows.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.rows[middle]! < row) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low < this.rows.length && this.rows[low] === row;
+  }
+
+  /** Where the tool stands after a row, in millimetres; 0 along an axis that the machine has not. */
+  point(row: number): Vector {
+    return this.#axes.map((axis) => (axis < 0 ? 0 : this.program.positionOf(row, axis))) as Vector;
+  }
+
+  start(row: number): Vector {
+    return this.point(this.program.before[row]!);
+  }
+
+  /** The point of a line at a share of its way, 0 to 1. */
+  at(row: number, share: number): Vector {
+    const from = this.start(row);
+    const to = this.point(row);
+    const point = from.map((value, i) => value + (to[i]! - value) * share) as Vector;
+    if (!this.isArc(row)) {
+      return point;
+    }
+    const { program } = this;
+    const shape = program.shapeOf(row);
+    const [u, v] = [program.letters.indexOf(shape.r![0]!), program.letters.indexOf(shape.r![1]!)];
+    const [toU, toV] = program.toCenter(row);
+    const before = program.before[row]!;
+    const radius = Math.hypot(toU, toV);
+    const endU = program.positionOf(row, u) - program.positionOf(before, u) - toU;
+    const endV = program.positionOf(row, v) - program.positionOf(before, v) - toV;
+    const angle = Math.atan2(-toV, -toU) + program.sweep(row, shape) * share;
+    // Start and end may lie a little differently far from the centre.
+    const far = radius + (Math.hypot(endU, endV) - radius) * share;
+    const [x, y] = [
+      program.positionOf(before, u) + toU + far * Math.cos(angle),
+      program.positionOf(before, v) + toV + far * Math.sin(angle),
+    ];
+    for (const [axis, value] of [
+      [u, x],
+      [v, y],
+    ] as const) {
+      const place = this.#axes.indexOf(axis);
+      if (place >= 0) {
+        point[place] = value;
+      }
+    }
+    return point;
+  }
+
+  /** The direction of a line at its start or end, of length 1 unless it has none. */
+  direction(row: number, atEnd: boolean): Vector {
+    const [a, b] = this.isArc(row) ? (atEnd ? [1 - 1e-6, 1] : [0, 1e-6]) : [0, 1];
+    const [from, to] = [this.at(row, a!), this.at(row, b!)];
+    const step = to.map((value, i) => value - from[i]!) as Vector;
+    const length = Math.hypot(...step);
+    return length > 0 ? (step.map((value) => value / length) as Vector) : step;
+  }
+
+  /** Into how many chords an arc is cut so that none is further from it than `deviation` millimetres. */
+  chords(row: number, deviation: number): number {
+    if (!this.isArc(row)) {
+      return 1;
+    }
+    const { program } = this;
+    const radius = Math.hypot(...program.toCenter(row));
+    const sweep = Math.abs(program.sweep(row, program.shapeOf(row)));
+    const step = radius > deviation ? 2 * Math.acos(1 - deviation / radius) : Math.PI / 2;
+    return Math.min(Math.max(Math.ceil(sweep / step), Math.ceil((sweep * 4) / Math.PI), 2), 720);
+  }
+
+  /** How long a line is in space. */
+  length(row: number): number {
+    const parts = this.chords(row, 1e-3);
+    let length = 0;
+    let from = this.start(row);
+    for (let part = 1; part <= parts; part += 1) {
+      const to = this.at(row, part / parts);
+      length += Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+      from = to;
+    }
+    return length;
+  }
+
+  #boxes(): [Box, Box] {
+    const empty = (): Box => ({ min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] });
+    const all = empty();
+    const working = empty();
+    const { program } = this;
+    const [X, Y, Z] = this.#axes;
+    const include = (box: Box, i: number, value: number): void => {
+      if (value < box.min[i]!) {
+        box.min[i] = value;
+      }
+      if (value > box.max[i]!) {
+        box.max[i] = value;
+      }
+    };
+    [X, Y, Z].forEach((axis, i) => {
+      const position = program.position[axis];
+      const per = program.per[axis] ?? 1;
+      for (const row of this.rows) {
+        const works = this.kind(row) !== Kind.Rapid;
+        for (const at of [row, program.before[row]!]) {
+          const value = position === undefined ? 0 : position[at]! / per;
+          include(all, i, value);
+          if (works) {
+            include(working, i, value);
+          }
+        }
+      }
+    });
+    for (const row of this.rows) {
+      if (this.isArc(row)) {
+        const parts = this.chords(row, 1e-3);
+        for (let part = 1; part < parts; part += 1) {
+          this.at(row, part / parts).forEach((value, i) => {
+            include(all, i, value);
+            include(working, i, value);
+          });
+        }
+      }
+    }
+    for (const box of [all, working]) {
+      if (box.min[0] > box.max[0]) {
+        const stand = this.program.rows > 0 ? this.point(this.program.rows - 1) : ([0, 0, 0] as Vector);
+        box.min = [...stand];
+        box.max = [...stand];
+      }
+    }
+    return [all, working];
+  }
+}

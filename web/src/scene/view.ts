@@ -1,0 +1,471 @@
+// The picture: canvases, camera, hands and keys.
+
+import type { App } from '../app.ts';
+import { t } from '../i18n.ts';
+import { Camera, type Plane, type Vector } from './camera.ts';
+import { DARK, LIGHT, type Legend, type Theme, colour, paint } from './colours.ts';
+import { Gl, hardwareContext } from './gl.ts';
+import { grid, type GridLabel } from './grid.ts';
+import { Lines } from './lines.ts';
+import { drawMarks, type MeasurePoint } from './marks.ts';
+import { pick } from './pick.ts';
+import { Raster } from './raster.ts';
+import type { Dots, Renderer } from './renderer.ts';
+
+/** So many chords are drawn in every frame while the picture moves; of more, every so-many-th. */
+const FLUENT = 200_000;
+/** With more yellow dots than these in sight, they wait until there are fewer. */
+const MOST_YELLOW = 4000;
+/** The picture rests after so many milliseconds without a move. */
+const REST = 120;
+
+export type Standard = Plane | 'fit';
+
+export class View {
+  readonly app: App;
+  readonly element: HTMLElement;
+  readonly canvas: HTMLCanvasElement;
+  readonly camera = new Camera();
+  theme: Theme = LIGHT;
+  legend: Legend = { kind: 'names', items: [] };
+  lines!: Lines;
+  /** Asked for points of the path by a click, instead of a block. */
+  onPoint: ((point: MeasurePoint) => void) | undefined;
+  measured: MeasurePoint[] = [];
+  /** Where the tool stands within the block in hand while it plays, 0 to 1. */
+  share: number | undefined;
+  /** Called after each picture. */
+  onDrawn: ((facts: { thinned: boolean; yellowHidden: boolean }) => void) | undefined;
+  onLegend: (() => void) | undefined;
+  readonly #marks: HTMLCanvasElement;
+  readonly #renderer: Renderer;
+  #wanted = false;
+  #moving = false;
+  #restTimer = 0;
+  #dots: Dots = { points: new Float32Array(0), red: new Uint8Array(0) };
+  #allDots: { points: Float32Array; red: Uint8Array; index: Int32Array } | undefined;
+  #dotsFor = '';
+  #yellowHidden = false;
+  #standard: Standard = 'iso';
+  #untouched = true;
+  #slow = 1;
+
+  constructor(app: App, element: HTMLElement) {
+    this.app = app;
+    this.element = element;
+    this.canvas = document.createElement('canvas');
+    this.canvas.id = 'path';
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute('role', 'application');
+    this.#marks = document.createElement('canvas');
+    this.#marks.className = 'marks';
+    this.#marks.setAttribute('aria-hidden', 'true');
+    element.append(this.canvas, this.#marks);
+    this.#renderer = makeRenderer(this.canvas);
+    element.dataset['renderer'] = this.#renderer.name;
+    const dark = window.matchMedia('(prefers-color-scheme: dark)');
+    const themed = (): void => {
+      this.theme = dark.matches ? DARK : LIGHT;
+    };
+    themed();
+    dark.addEventListener('change', () => {
+      themed();
+      this.repaint();
+      app.emit('theme', undefined);
+    });
+    this.#load();
+    app.on('data', () => this.#load());
+    app.on('colour', () => this.repaint());
+    app.on('filter', () => this.#rebuild());
+    app.on('shown', () => this.#rebuild());
+    app.on('select', () => this.request());
+    app.on('language', () => this.request());
+    new ResizeObserver(() => this.#resize()).observe(element);
+    this.#hands();
+    this.#keys();
+    this.#resize();
+  }
+
+  get rendererName(): string {
+    return this.#renderer.name;
+  }
+
+  #load(): void {
+    this.measured = [];
+    this.#allDots = undefined;
+    this.#dotsFor = '';
+    this.#rebuild();
+    if (this.#untouched) {
+      this.look(this.#startPlane());
+      this.#untouched = true;
+    }
+  }
+
+  /** A flat program is seen from above, or from where its plane is. */
+  #startPlane(): Plane {
+    const { min, max } = this.app.path.box;
+    const size = min.map((low, i) => max[i]! - low);
+    const missing = [0, 1, 2].filter((i) => size[i]! < 1e-9);
+    return missing.length === 1 ? (['YZ', 'XZ', 'XY'] as const)[missing[0]!]! : 'iso';
+  }
+
+  #rebuild(): void {
+    const { app } = this;
+    const deviation = Math.max(0.4 / this.camera.scale, 1e-5);
+    const hidden = app.isFiltered
+      ? (row: number): boolean =>
+          (!app.shown.rapids && app.path.kind(row) === 0) ||
+          (app.isHidden(app.program.lastIndexOf(row)) && app.isHidden(app.program.firstIndexOf(row)))
+      : undefined;
+    this.lines = new Lines(app.path, deviation, hidden);
+    this.#renderer.changed('points');
+    this.#dotsFor = '';
+    this.repaint();
+  }
+
+  /** Gives the lines their colours again. */
+  repaint(): void {
+    this.legend = paint(this.app, this.lines, this.theme, this.app.colourBy);
+    this.#renderer.changed('colours');
+    this.onLegend?.();
+    this.request();
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.element;
+    if (clientWidth === 0 || clientHeight === 0) {
+      return;
+    }
+    const refit = this.#untouched;
+    this.camera.width = clientWidth;
+    this.camera.height = clientHeight;
+    const ratio = window.devicePixelRatio || 1;
+    this.#renderer.resize(clientWidth, clientHeight, ratio);
+    this.#marks.width = Math.round(clientWidth * ratio);
+    this.#marks.height = Math.round(clientHeight * ratio);
+    if (refit) {
+      this.#fit();
+    }
+    this.drawNow();
+  }
+
+  /** Shows a plane, or all of the path from where it is seen. */
+  look(standard: Standard): void {
+    if (standard !== 'fit') {
+      this.camera.look(standard);
+      this.#standard = standard;
+    }
+    this.#fit();
+    this.#untouched = false;
+    this.request();
+  }
+
+  get standard(): Standard {
+    return this.#standard;
+  }
+
+  #fit(): void {
+    this.camera.fit(this.app.path.box, [52, 48, 52, 48]);
+  }
+
+  /** The picture is drawn anew before the next frame. */
+  request(): void {
+    if (!this.#wanted) {
+      this.#wanted = true;
+      requestAnimationFrame(() => {
+        this.#wanted = false;
+        this.#draw();
+      });
+    }
+  }
+
+  /** The hand moves the picture: it need not be complete until it rests. */
+  #moved(): void {
+    this.#untouched = false;
+    this.#moving = true;
+    window.clearTimeout(this.#restTimer);
+    this.#restTimer = window.setTimeout(() => {
+      this.#moving = false;
+      this.request();
+    }, REST);
+    this.request();
+  }
+
+  drawNow(): void {
+    this.#draw();
+  }
+
+  #draw(): void {
+    const { app, camera, theme } = this;
+    if (!this.#moving) {
+      this.refine();
+    }
+    const { lines } = this;
+    const step = this.#moving ? Math.max(Math.ceil((lines.count / FLUENT) * this.#slow), 1) : 1;
+    const begun = performance.now();
+    const empty = { underlay: { points: [], colours: [] }, labels: [] as GridLabel[] };
+    const { underlay, labels } = app.shown.grid ? grid(app.path.box, camera, theme) : empty;
+    this.#chooseDots();
+    this.#withEquidistant(underlay);
+    const matrix = camera.matrix();
+    this.#renderer.draw({
+      background: theme.background,
+      matrix,
+      underlay,
+      lines,
+      until: lines.count,
+      step,
+      width: lines.count > 60_000 ? 1 : 1.5,
+      dots: this.#dots,
+      dotColours: { red: theme.red, yellow: theme.yellow, edge: theme.dotEdge },
+    });
+    drawMarks(this, this.#marks, labels);
+    const took = performance.now() - begun;
+    if (this.#moving && lines.count > FLUENT) {
+      this.#slow = Math.min(Math.max(this.#slow * (took > 45 ? 1.5 : took < 20 ? 0.8 : 1), 1), 16);
+    }
+    this.onDrawn?.({ thinned: step > 1, yellowHidden: this.#yellowHidden });
+  }
+
+  /** Cuts arcs into as many chords as they need at this scale. */
+  refine(): void {
+    if (this.lines.isCoarse(this.camera.scale)) {
+      this.lines = new Lines(this.app.path, 0.25 / this.camera.scale, this.lines.filter);
+      this.legend = paint(this.app, this.lines, this.theme, this.app.colourBy);
+      this.#renderer.changed('points');
+    }
+  }
+
+  #withEquidistant(underlay: { points: Vector[]; colours: number[] }): void {
+    const { header, shown } = this.app;
+    if (header.equidistant === undefined || !shown.equidistant) {
+      return;
+    }
+    for (const piece of header.equidistant.pieces) {
+      const { points } = piece;
+      for (let at = 0; at + 5 < points.length; at += 3) {
+        underlay.points.push(
+          [points[at]!, points[at + 1]!, points[at + 2]!],
+          [points[at + 3]!, points[at + 4]!, points[at + 5]!],
+        );
+        underlay.colours.push(piece.bad ? this.theme.collision : this.theme.equidistant);
+      }
+    }
+  }
+
+  /** All dots of the page, with their places. */
+  #dotPlaces(): { points: Float32Array; red: Uint8Array; index: Int32Array } {
+    if (this.#allDots === undefined) {
+      const dots = this.app.times?.dots() ?? [];
+      const { program, path } = this.app;
+      const points = new Float32Array(3 * dots.length);
+      const red = new Uint8Array(dots.length);
+      const index = new Int32Array(dots.length);
+      dots.forEach((dot, at) => {
+        points.set(path.start(program.rowOf(dot.index)), 3 * at);
+        red[at] = dot.red ? 1 : 0;
+        index[at] = dot.index;
+      });
+      this.#allDots = { points, red, index };
+    }
+    return this.#allDots;
+  }
+
+  /** Places of the red dots that may be numbered, with their blocks. */
+  redDots(): { index: number; point: Vector }[] {
+    const { points, red, index } = this.#dotPlaces();
+    const found: { index: number; point: Vector }[] = [];
+    for (let at = 0; at < red.length; at += 1) {
+      if (red[at] === 1 && !(this.app.isFiltered && this.app.isHidden(index[at]!))) {
+        found.push({ index: index[at]!, point: [points[3 * at]!, points[3 * at + 1]!, points[3 * at + 2]!] });
+      }
+    }
+    return found;
+  }
+
+  #chooseDots(): void {
+    const { app, camera } = this;
+    const all = this.#dotPlaces();
+    const { red: showRed, yellow: showYellow } = app.shown;
+    const many = all.red.length > MOST_YELLOW;
+    // Few dots are the same whatever is in sight.
+    const key = `${showRed} ${showYellow} ${many ? `${camera.matrix().join(' ')} ${camera.width} ${camera.height}` : ''}`;
+    if (key === this.#dotsFor) {
+      return;
+    }
+    this.#dotsFor = key;
+    const m = camera.matrix();
+    const chosen: number[] = [];
+    let yellow = 0;
+    for (let at = 0; at < all.red.length; at += 1) {
+      const isRed = all.red[at] === 1;
+      if (isRed ? !showRed : !showYellow) {
+        continue;
+      }
+      if (app.isFiltered && app.isHidden(all.index[at]!)) {
+        continue;
+      }
+      if (many) {
+        const [x, y, z] = [all.points[3 * at]!, all.points[3 * at + 1]!, all.points[3 * at + 2]!];
+        const px = m[0]! * x + m[1]! * y + m[2]! * z + m[3]!;
+        const py = m[4]! * x + m[5]! * y + m[6]! * z + m[7]!;
+        if (px < 0 || py < 0 || px > camera.width || py > camera.height) {
+          continue;
+        }
+      }
+      if (!isRed) {
+        yellow += 1;
+        if (yellow > MOST_YELLOW) {
+          continue;
+        }
+      }
+      chosen.push(at);
+    }
+    this.#yellowHidden = yellow > MOST_YELLOW;
+    const kept = this.#yellowHidden ? chosen.filter((at) => all.red[at] === 1) : chosen;
+    const points = new Float32Array(3 * kept.length);
+    const red = new Uint8Array(kept.length);
+    kept.forEach((at, i) => {
+      points.set(all.points.subarray(3 * at, 3 * at + 3), 3 * i);
+      red[i] = all.red[at]!;
+    });
+    this.#dots = { points, red };
+  }
+
+  /** The executed block whose line runs by a place of the canvas, as an index. */
+  pick(x: number, y: number): number | null {
+    this.refine();
+    return pick(this, x, y)?.index ?? null;
+  }
+
+  #hands(): void {
+    const { canvas, camera } = this;
+    const pointers = new Map<number, { x: number; y: number }>();
+    let travelled = 0;
+    let pressed = 0;
+    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    canvas.addEventListener('pointerdown', (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      pointers.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
+      travelled = 0;
+      pressed = event.button;
+      canvas.focus({ preventScroll: true });
+      event.preventDefault();
+    });
+    canvas.addEventListener('pointermove', (event) => {
+      const before = pointers.get(event.pointerId);
+      if (before === undefined) {
+        return;
+      }
+      const now = { x: event.offsetX, y: event.offsetY };
+      const [dx, dy] = [now.x - before.x, now.y - before.y];
+      travelled += Math.abs(dx) + Math.abs(dy);
+      if (travelled < 3 && pointers.size === 1) {
+        return;
+      }
+      if (pointers.size === 2) {
+        const other = [...pointers].find(([id]) => id !== event.pointerId)![1];
+        const far = (a: { x: number; y: number }): number => Math.hypot(a.x - other.x, a.y - other.y) || 1;
+        camera.pan(dx / 2, dy / 2);
+        camera.zoom(far(now) / far(before), (now.x + other.x) / 2, (now.y + other.y) / 2);
+      } else if (event.shiftKey || pressed === 2 || pressed === 1) {
+        camera.pan(dx, dy);
+      } else {
+        camera.turn(-dx * 0.008, -dy * 0.008);
+      }
+      pointers.set(event.pointerId, now);
+      this.#moved();
+    });
+    const released = (event: PointerEvent): void => {
+      const known = pointers.delete(event.pointerId);
+      if (known && travelled < 3 && event.type === 'pointerup' && event.button === 0) {
+        this.#clicked(event.offsetX, event.offsetY);
+      }
+    };
+    canvas.addEventListener('pointerup', released);
+    canvas.addEventListener('pointercancel', released);
+    canvas.addEventListener(
+      'wheel',
+      (event) => {
+        event.preventDefault();
+        const lines = event.deltaMode === 1 ? 24 : 1;
+        camera.zoom(Math.exp(-event.deltaY * lines * 0.0015), event.offsetX, event.offsetY);
+        this.#moved();
+      },
+      { passive: false },
+    );
+  }
+
+  #clicked(x: number, y: number): void {
+    const found = pick(this, x, y);
+    if (this.onPoint !== undefined) {
+      if (found !== null) {
+        this.onPoint({ index: found.index, point: found.point });
+      }
+      return;
+    }
+    if (found !== null) {
+      this.app.select(found.index);
+    }
+  }
+
+  /** What keys do in the path; those that are not for the camera are left to others. */
+  #keys(): void {
+    const { camera } = this;
+    this.canvas.addEventListener('keydown', (event) => {
+      if (event.ctrlKey || event.altKey || event.metaKey) {
+        return;
+      }
+      const turn = Math.PI / 24;
+      const far = 40;
+      const arrows: { [key: string]: [number, number] } = {
+        ArrowLeft: [-1, 0],
+        ArrowRight: [1, 0],
+        ArrowUp: [0, -1],
+        ArrowDown: [0, 1],
+      };
+      const arrow = arrows[event.key];
+      if (arrow !== undefined) {
+        const [x, y] = arrow;
+        if (event.shiftKey) {
+          camera.pan(x * far, y * far);
+        } else {
+          camera.turn(-x * turn, -y * turn);
+        }
+      } else if (event.key === '+' || event.key === '=') {
+        camera.zoom(1.25);
+      } else if (event.key === '-' || event.key === '_') {
+        camera.zoom(0.8);
+      } else if (event.key === 'Home') {
+        this.look('fit');
+      } else {
+        return;
+      }
+      event.preventDefault();
+      this.#moved();
+    });
+  }
+
+  /** What the canvas says to those who do not see it. */
+  describe(): void {
+    this.canvas.setAttribute('aria-label', t('canvas'));
+  }
+
+  /** The colour of the equidistant, for the legend. */
+  get equidistantColour(): number {
+    return this.theme.equidistant ?? colour('#0000ff');
+  }
+}
+
+function makeRenderer(canvas: HTMLCanvasElement): Renderer {
+  const forced = window.location.hash === '#draw=gl';
+  const gl = window.location.hash === '#draw=software' ? null : hardwareContext(canvas, forced);
+  if (gl !== null) {
+    return new Gl(gl);
+  }
+  const context = canvas.getContext('2d', { alpha: false });
+  if (context === null) {
+    throw new Error('canvas');
+  }
+  return new Raster(canvas, context);
+}

@@ -1,0 +1,68 @@
+// Elements, with texts that follow the language.
+
+import { type Key, t } from '../i18n.ts';
+
+type Child = Node | string | null | undefined;
+type Attributes = { [name: string]: string | number | boolean | ((event: never) => void) | undefined };
+
+/** An element with attributes, listeners (`onclick`) and children. */
+export function h<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Attributes = {},
+  ...children: Child[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === 'function') {
+      element.addEventListener(name.slice(2), value as EventListener);
+    } else if (value === true) {
+      element.setAttribute(name, '');
+    } else if (value !== undefined && value !== false) {
+      element.setAttribute(name, String(value));
+    }
+  }
+  element.append(...children.filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+/** An element whose text is that of a key. */
+export function said<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  key: Key,
+  attributes: Attributes = {},
+): HTMLElementTagNameMap[K] {
+  return h(tag, { ...attributes, 'data-t': key }, t(key));
+}
+
+/** An element whose accessible name is the text of a key. */
+export function labelled<E extends HTMLElement>(element: E, key: Key): E {
+  element.dataset['tLabel'] = key;
+  element.setAttribute('aria-label', t(key));
+  return element;
+}
+
+/** Gives every text of a part of the page the language in force. */
+export function retell(root: ParentNode): void {
+  for (const element of root.querySelectorAll<HTMLElement>('[data-t]')) {
+    element.textContent = t(element.dataset['t'] as Key);
+  }
+  for (const element of root.querySelectorAll<HTMLElement>('[data-t-label]')) {
+    element.setAttribute('aria-label', t(element.dataset['tLabel'] as Key));
+  }
+}
+
+/** A number with at most so many decimals, without trailing zeros. */
+export function shown(value: number, decimals = 3): string {
+  return Number.isFinite(value) ? String(Number(value.toFixed(decimals))) : '–';
+}
+
+/** Seconds as h:mm:ss.s, or seconds alone when there are few. */
+export function clock(seconds: number): string {
+  if (seconds < 60) {
+    return `${seconds.toFixed(seconds < 10 ? 2 : 1)} s`;
+  }
+  const whole = Math.floor(seconds);
+  const two = (value: number): string => String(value).padStart(2, '0');
+  const rest = (seconds - whole).toFixed(1).slice(1);
+  return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}${rest}`;
+}

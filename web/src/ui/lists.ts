@@ -1,0 +1,105 @@
+// The red dots, and the findings.
+
+import type { App } from '../app.ts';
+import { named, t } from '../i18n.ts';
+import { h, shown } from './dom.ts';
+
+/** So many red dots are listed at once; a button shows more. */
+const AT_ONCE = 300;
+
+/** The red dots with number, angle, velocity, why, and what limits. */
+export function joints(app: App): HTMLElement {
+  const element = h('div', { class: 'joints' });
+  let listed = AT_ONCE;
+  const tell = (): void => {
+    const { times, program } = app;
+    if (times === undefined) {
+      element.replaceChildren(h('p', { class: 'empty' }, t('noMotion')));
+      return;
+    }
+    const red = times.dots().filter((dot) => dot.red);
+    if (red.length === 0) {
+      element.replaceChildren(h('p', { class: 'empty' }, t('noRed')));
+      return;
+    }
+    const items = red.slice(0, listed).map(({ index }) => {
+      const joint = times.joint(index)!;
+      const place = app.place(index);
+      const why = joint.broken_by !== undefined ? named('broken', joint.broken_by) : named('limited', joint.limited_by ?? '');
+      const facts = [
+        joint.angle_deg === undefined ? '' : `${shown(joint.angle_deg, 1)}°`,
+        `${shown(joint.feed, 0)} mm/min`,
+        why,
+      ];
+      const button = h(
+        'button',
+        { type: 'button', 'data-seq': place.seq, onclick: () => app.select(index) },
+        h('span', { class: 'n' }, `N${program.n[place.block]!}`),
+        ...facts.map((fact) => h('span', {}, fact)),
+      );
+      return h('li', {}, button);
+    });
+    const list = h('ol', { 'aria-label': t('joints') }, ...items);
+    element.replaceChildren(list);
+    if (red.length > listed) {
+      element.append(
+        h('button', { type: 'button', class: 'more', onclick: () => more() }, t('more', { n: red.length - listed })),
+      );
+    }
+    mark();
+  };
+  const more = (): void => {
+    listed *= 4;
+    tell();
+  };
+  const mark = (): void => {
+    const seq = app.current === null ? -1 : app.program.from + app.current;
+    for (const button of element.querySelectorAll('[data-seq]')) {
+      button.toggleAttribute('aria-current', button.getAttribute('data-seq') === String(seq));
+    }
+  };
+  tell();
+  app.on('data', tell);
+  app.on('language', tell);
+  app.on('select', mark);
+  return element;
+}
+
+/** What the compiler found in the program. */
+export function findings(app: App): HTMLElement {
+  const element = h('div', { class: 'findings' });
+  const tell = (): void => {
+    const { findings, files } = app.header;
+    if (findings.length === 0) {
+      element.replaceChildren(h('p', { class: 'empty' }, t('noFindings')));
+      return;
+    }
+    const lang = t('error') === 'error' ? 'en' : 'cs';
+    const items = findings.map((finding) => {
+      const name = finding.file === undefined ? finding.path : files[finding.file]?.name;
+      const place = finding.line === undefined ? '' : `${name ?? ''}:${finding.line}:${finding.column ?? 1}`;
+      const show = (): void => {
+        const executions = finding.file === undefined ? [] : app.program.executionsAt(finding.file, finding.line ?? 0);
+        if (executions.length > 0) {
+          app.select(executions[0]!);
+        }
+      };
+      return h(
+        'li',
+        { class: finding.severity },
+        h(
+          'button',
+          { type: 'button', onclick: show },
+          h('span', { class: 'code' }, finding.code),
+          h('span', { class: 'place' }, ` ${t(finding.severity)} ${place}`),
+          h('span', { class: 'message' }, finding.message[lang]),
+        ),
+      );
+    });
+    element.replaceChildren(h('ul', { 'aria-label': t('findings') }, ...items));
+  };
+  tell();
+  app.on('data', tell);
+  app.on('language', tell);
+  return element;
+}

@@ -1,0 +1,110 @@
+// Distances, boxes, path and time of a stretch.
+
+import type { App } from '../app.ts';
+import { type Key, t } from '../i18n.ts';
+import type { Box } from '../scene/camera.ts';
+import type { View } from '../scene/view.ts';
+import { clock, h, shown } from './dom.ts';
+
+export function measure(app: App, view: View): HTMLElement {
+  const element = h('div', { class: 'measure' });
+  let stretch: { from: number; to: number } | undefined;
+  const box = (key: Key, { min, max }: Box): HTMLElement => {
+    const rows = ['X', 'Y', 'Z'].map((letter, i) =>
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'row' }, letter),
+        ...[min[i]!, max[i]!, max[i]! - min[i]!].map((value) => h('td', {}, shown(value))),
+      ),
+    );
+    const head = ['', t('from'), t('to'), t('size')].map((name) =>
+      name === '' ? h('td') : h('th', { scope: 'col' }, name),
+    );
+    return h('table', {}, h('caption', {}, t(key)), h('tr', {}, ...head), ...rows);
+  };
+  const tell = (): void => {
+    const { path } = app;
+    const { measured } = view;
+    const distance = h('section', {}, h('h3', {}, t('distance')));
+    if (measured.length === 2) {
+      const [a, b] = [measured[0]!.point, measured[1]!.point];
+      const parts = a.map((value, i) => shown(Math.abs(b[i]! - value)));
+      distance.append(
+        h('p', { class: 'result' }, `${shown(Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]))} mm`),
+        h('p', {}, `ΔX ${parts[0]} · ΔY ${parts[1]} · ΔZ ${parts[2]}`),
+      );
+    } else if (view.onPoint !== undefined) {
+      distance.append(h('p', {}, t(measured.length === 0 ? 'pickFirst' : 'pickSecond')));
+    }
+    distance.append(
+      h('button', { type: 'button', 'aria-pressed': String(view.onPoint !== undefined), onclick: pickPoints }, t('pickPoints')),
+      h('button', { type: 'button', onclick: clear, disabled: measured.length === 0 }, t('clear')),
+    );
+    element.replaceChildren(distance, stretchPart(), box('boxWorking', path.workingBox), box('boxAll', path.box));
+  };
+  const pickPoints = (): void => {
+    view.measured = [];
+    view.onPoint = (point) => {
+      view.measured = [...view.measured, point];
+      if (view.measured.length === 2) {
+        view.onPoint = undefined;
+      }
+      view.request();
+      tell();
+    };
+    view.request();
+    tell();
+  };
+  const clear = (): void => {
+    view.measured = [];
+    view.onPoint = undefined;
+    view.request();
+    tell();
+  };
+  const stretchPart = (): HTMLElement => {
+    const section = h('section', {}, h('h3', {}, t('stretch')));
+    const set = (end: 'from' | 'to') => (): void => {
+      if (app.current !== null) {
+        stretch = { from: app.current, to: app.current, ...stretch, [end]: app.current };
+        tell();
+      }
+    };
+    if (stretch !== undefined) {
+      const [from, to] = [Math.min(stretch.from, stretch.to), Math.max(stretch.from, stretch.to)];
+      let length = 0;
+      for (let index = from; index <= to; index += 1) {
+        const row = app.program.rowOf(index);
+        if (app.path.hasLine(row)) {
+          length += app.path.length(row);
+        }
+      }
+      const n = (index: number): string => `N${app.program.n[app.place(index).block]!}`;
+      const rows: [string, string][] = [
+        [`${n(from)} … ${n(to)}`, `${to - from + 1} ${t('blocks')}`],
+        [t('pathLength'), `${shown(length)} mm`],
+      ];
+      if (app.times !== undefined) {
+        rows.push([t('time'), clock(app.times.startOf(to) + app.times.durationOf(to) - app.times.startOf(from))]);
+      }
+      section.append(h('dl', {}, ...rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])));
+    }
+    section.append(
+      h('button', { type: 'button', onclick: set('from'), disabled: app.current === null }, t('setFrom')),
+      h('button', { type: 'button', onclick: set('to'), disabled: app.current === null }, t('setTo')),
+    );
+    return section;
+  };
+  tell();
+  app.on('data', () => {
+    stretch = undefined;
+    tell();
+  });
+  app.on('language', tell);
+  app.on('select', ({ by }) => {
+    if (by !== 'play') {
+      tell();
+    }
+  });
+  return element;
+}

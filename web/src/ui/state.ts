@@ -1,0 +1,222 @@
+// What holds at the block in hand, and how execution came to it.
+
+import type { App } from '../app.ts';
+import type { Fields } from '../data/header.ts';
+import { type Key, named, t } from '../i18n.ts';
+import { clock, h, shown } from './dom.ts';
+
+/** The record of an executed block with that of its motion: one flat object. */
+export function currentRecord(app: App): Fields | null {
+  if (app.current === null) {
+    return null;
+  }
+  const { program, times } = app;
+  const block = program.block[program.rowOf(app.current)]!;
+  const passes = program.executionsOf(block).filter((index) => index !== app.current);
+  return {
+    ...program.record(app.current),
+    ...times?.record(app.current),
+    passes: passes.map((index) => program.from + index),
+  };
+}
+
+const two = (value: number): string => String(value).padStart(2, '0');
+const at = (record: Fields, name: string): Fields => (record[name] ?? {}) as Fields;
+const list = (record: Fields, name: string): number[] => (record[name] ?? []) as number[];
+
+export class State {
+  readonly element = h('div', { class: 'state' });
+  readonly #app: App;
+  #wanted = false;
+
+  constructor(app: App) {
+    this.#app = app;
+    const later = (): void => {
+      if (!this.#wanted) {
+        this.#wanted = true;
+        requestAnimationFrame(() => {
+          this.#wanted = false;
+          this.#tell();
+        });
+      }
+    };
+    app.on('select', later);
+    app.on('data', later);
+    app.on('language', later);
+    this.#tell();
+  }
+
+  #tell(): void {
+    const record = currentRecord(this.#app);
+    if (record === null) {
+      this.element.replaceChildren(h('p', { class: 'empty' }, t('noBlock')));
+      return;
+    }
+    const parts = [
+      this.#head(record),
+      this.#position(record),
+      this.#functions(record, 'gGroups', 'G', list(record, 'g'), new Set(list(record, 'g_set'))),
+      this.#functions(record, 'mGroups', 'M', list(record, 'm').slice(1), new Set(list(record, 'm_set'))),
+      this.#words(record),
+      this.#motion(record),
+      this.#velocity(record),
+      this.#parameters(record),
+    ];
+    this.element.replaceChildren(...parts.filter((part) => part !== null));
+  }
+
+  #section(key: Key, ...children: (Node | string)[]): HTMLElement {
+    return h('section', {}, h('h3', {}, t(key)), ...children);
+  }
+
+  #rows(rows: [string, string][]): HTMLElement {
+    return h('dl', {}, ...rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
+  }
+
+  #head(record: Fields): HTMLElement {
+    const { header } = this.#app;
+    const file = header.files[record['file'] as number]!;
+    const heading = h('p', { class: 'which' }, h('strong', {}, `N${String(record['n'])}`), ` · seq ${String(record['seq'])} · ${file.name}:${String(record['line'])}`);
+    const children: Node[] = [heading];
+    const calls = (record['calls'] ?? []) as Fields[];
+    if (calls.length > 0) {
+      const items = calls.map((call) =>
+        h('li', {}, `N${String(call['n'])} ${String(call['by'])} L${String(call['l'])}, ${t('pass')} ${String(call['pass'])} ${t('of')} ${String(call['of'])}`),
+      );
+      children.push(h('ol', { class: 'calls', 'aria-label': t('calls') }, ...items));
+    }
+    const passes = record['passes'] as number[];
+    if (passes.length > 0) {
+      const before = passes.filter((seq) => seq < (record['seq'] as number)).length;
+      const text = t('executionOf', { i: before + 1, n: passes.length + 1 });
+      const step = (by: number): (() => void) => () => this.#app.stepPass(by);
+      children.push(
+        h(
+          'p',
+          { class: 'passes' },
+          h('button', { type: 'button', 'aria-label': t('previousPass'), onclick: step(-1), disabled: before === 0 }, '['),
+          ` ${text} `,
+          h('button', { type: 'button', 'aria-label': t('nextPass'), onclick: step(1), disabled: before === passes.length }, ']'),
+        ),
+      );
+    }
+    const comments = (record['comments'] ?? []) as string[];
+    if (comments.length > 0) {
+      children.push(h('p', { class: 'comments' }, comments.join(' · ')));
+    }
+    return h('section', {}, ...children);
+  }
+
+  #position(record: Fields): HTMLElement {
+    const position = at(record, 'position');
+    const moved = new Set((at(record, 'motion')['axes'] ?? []) as string[]);
+    const cells = this.#app.header.program.axes
+      .filter(({ letter }) => letter in position || moved.has(letter))
+      .map(({ letter, kind }) => {
+        const value = position[letter];
+        const text = typeof value === 'number' ? `${value.toFixed(3)}${kind === 'rotary' ? '°' : ''}` : t('unknown');
+        return h('span', { class: moved.has(letter) ? 'cell moved' : 'cell' }, h('b', {}, letter), text);
+      });
+    return this.#section('position', h('div', { class: 'cells' }, ...cells));
+  }
+
+  #functions(_: Fields, key: Key, letter: string, values: (number | null)[], written: Set<number>): HTMLElement {
+    const cells = values
+      .filter((value) => value !== null)
+      .map((value) => h('span', { class: written.has(value) ? 'chip written' : 'chip' }, `${letter}${two(value)}`));
+    return this.#section(key, h('div', { class: 'chips' }, ...cells));
+  }
+
+  #words(record: Fields): HTMLElement | null {
+    const rows: [string, string][] = [];
+    if (typeof record['feed'] === 'number') {
+      const scale = typeof record['feed_scale'] === 'number' ? ` × ${record['feed_scale']}` : '';
+      rows.push(['F', `${shown(record['feed'])} ${String(record['feed_unit'] ?? '')}${scale}`]);
+    }
+    for (const [name, field] of [
+      ['S', 's'],
+      ['T', 't'],
+      ['T (M06)', 'tool'],
+      ['D', 'd'],
+      ['H', 'h'],
+      ['P', 'p'],
+      ['&', 'length_correction'],
+      ['I (G23)', 'dynamic_set'],
+    ] as const) {
+      if (record[field] !== undefined) {
+        rows.push([name, String(record[field])]);
+      }
+    }
+    return rows.length === 0 ? null : this.#section('words', this.#rows(rows));
+  }
+
+  #motion(record: Fields): HTMLElement | null {
+    const motion = at(record, 'motion');
+    const type = motion['type'];
+    if (typeof type !== 'string') {
+      return null;
+    }
+    const rows: [string, string][] = [['', t(type as Key)]];
+    for (const [field, key, unit] of [
+      ['length_mm', 'length', 'mm'],
+      ['length_deg', 'length', '°'],
+      ['radius_mm', 'radius', 'mm'],
+      ['sweep_deg', 'sweep', '°'],
+    ] as const) {
+      const value = motion[field];
+      if (typeof value === 'number') {
+        rows.push([t(key), `${shown(value)} ${unit}`]);
+      }
+    }
+    return this.#section('mapped', this.#rows(rows));
+  }
+
+  #velocity(record: Fields): HTMLElement | null {
+    if (typeof record['start_s'] !== 'number' && record['joint'] === undefined) {
+      return null;
+    }
+    const rows: [string, string][] = [];
+    const number = (key: Key, field: string, unit: string, decimals = 1): void => {
+      const value = record[field];
+      if (typeof value === 'number') {
+        rows.push([t(key), `${shown(value, decimals)} ${unit}`]);
+      }
+    };
+    if (typeof record['start_s'] === 'number') {
+      rows.push([t('start'), clock(record['start_s'])]);
+    }
+    number('duration', 'duration_s', 's', 3);
+    number('programmed', 'programmed', 'mm/min');
+    number('cap', 'cap', 'mm/min');
+    number('atStart', 'start', 'mm/min');
+    number('peak', 'peak', 'mm/min');
+    number('atEnd', 'end', 'mm/min');
+    const section = this.#section('times', this.#rows(rows));
+    const joint = at(record, 'joint');
+    if (record['joint'] !== undefined) {
+      const parts: [string, string][] = [];
+      const broken = joint['broken_by'];
+      const limited = joint['limited_by'];
+      parts.push(['', typeof broken === 'string' ? `${t('broken')}: ${named('broken', broken)}` : t('continuous')]);
+      if (typeof joint['angle_deg'] === 'number') {
+        parts.push([t('angle'), `${shown(joint['angle_deg'], 2)}°`]);
+      }
+      if (typeof joint['feed'] === 'number') {
+        parts.push([t('velocities'), `${shown(joint['feed'], 1)} mm/min`]);
+      }
+      if (typeof limited === 'string') {
+        parts.push([t('limit'), named('limited', limited)]);
+      }
+      if (joint['dot'] === 'red' || joint['dot'] === 'yellow') {
+        parts.push([t('dot'), t(joint['dot'])]);
+      }
+      section.append(h('h3', {}, t('joint')), this.#rows(parts));
+    }
+    return section;
+  }
+
+  #parameters(record: Fields): HTMLElement | null {
+    const rows = Object.entries(at(record, 'params')).map(([name, value]): [string, string] => [name, String(value)]);
+    return rows.length === 0 ? null : this.#section('changed', this.#rows(rows));
+  }
+}
