@@ -255,17 +255,23 @@ impl<'r> Executed<'r> {
 
     /// What F counts in this block, or would count (TEC-1): degrees when only rotary axes or the spindle move.
     pub fn feed_unit(&self) -> FeedUnit {
-        let axes = &self.settings().machine.axes;
-        let rotary = |letter| axes.index(letter).and_then(|axis| axes.get(axis)).is_some_and(|axis| axis.rotary);
-        let degrees = self
-            .motion()
-            .is_some_and(|motion| motion.axes().all(|axis| rotary(axis) || motion.spindle_axis() == Some(axis)));
+        let degrees = self.motion().is_some_and(|motion| motion.is_in_degrees());
         match (self.rev_feed(), degrees) {
             (false, false) => FeedUnit::MmPerMinute,
             (true, false) => FeedUnit::MmPerRevolution,
             (false, true) => FeedUnit::DegPerMinute,
             (true, true) => FeedUnit::DegPerRevolution,
         }
+    }
+
+    /// Whether the machine moves at a hundredth of F (M37, TEC-6).
+    pub const fn feed_is_hundredth(&self) -> bool {
+        self.interpreter.state.feed_reduced
+    }
+
+    /// The line of a place in the program or a macrocycle, from 1.
+    pub fn line_of(&self, at: Location) -> u32 {
+        self.program.resolved.file(at.file).map_or(1, |file| file.source.line_column(at.span.start).line)
     }
 
     /// RevFeed: F counts per revolution of the spindle.

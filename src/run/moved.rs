@@ -135,6 +135,14 @@ impl Length {
         }
     }
 
+    /// Why it is not known.
+    pub const fn missing(self) -> Option<Missing> {
+        match self {
+            Self::Missing(missing) => Some(missing),
+            Self::Mm(_) | Self::Deg(_) => None,
+        }
+    }
+
     /// In degrees, when it is measured in them.
     pub const fn deg(self) -> Option<Micro> {
         match self {
@@ -239,9 +247,19 @@ impl<'r> Motion<'r> {
         length.unwrap_or(Length::Missing(Missing::Start))
     }
 
-    /// The length of a straight motion: the linear axes alone decide, when there are any (MOT-6).
+    /// Whether the motion is measured in degrees (MOT-6): no linear axis is in it, or linear ones are named that do not move,
+    /// beside rotary ones. An arc never is.
+    pub fn is_in_degrees(&self) -> bool {
+        let mut linear = self.travels.iter().filter(|travel| !self.moving.is_rotary(travel)).peekable();
+        let rotary = self.travels.iter().any(|travel| self.moving.is_rotary(travel));
+        self.moving.arc.is_none()
+            && rotary
+            && (linear.peek().is_none() || linear.all(|travel| travel.distance == Some(Micro::ZERO)))
+    }
+
+    /// The length of a straight motion: the linear axes alone decide, when one of them moves (MOT-6).
     fn straight(&self) -> Option<Length> {
-        let linear = self.travels.iter().any(|travel| !self.moving.is_rotary(travel));
+        let linear = !self.is_in_degrees();
         let mut sum = 0.0;
         for travel in self.travels.iter().filter(|travel| self.moving.is_rotary(travel) != linear) {
             let distance = travel.distance?.to_f64();

@@ -4,12 +4,14 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 
 use super::beside::{Closed, Records, write_beside};
-use super::records::{AxisRecord, EndRecord, FileRecord, MFunctionRecord, ProgramRecord, Record, SCHEMA};
+use super::records::{
+    AxisMap, AxisRecord, EndRecord, FileRecord, GearRecord, MFunctionRecord, ProgramRecord, Record, SCHEMA,
+};
 use super::row::Rows;
 use crate::analysis::Totals;
 use crate::config::Settings;
 use crate::diag::Findings;
-use crate::dict::AxisLetter;
+use crate::dict::{AxisLetter, Micro};
 use crate::run::{End, Executed, Program, Sink};
 use crate::text::FileId;
 
@@ -76,7 +78,7 @@ impl Sink for JsonStream<'_> {
     type Whole = End;
 
     fn begin(&mut self, program: &Program<'_>) {
-        self.records.rare(Record::Program(program_record(program)));
+        self.records.rare(Record::Program(Box::new(program_record(program))));
     }
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
@@ -114,7 +116,8 @@ fn program_record(program: &Program<'_>) -> ProgramRecord {
         dialect: machine.dialect.name().to_owned(),
         number: number.and_then(|number| u32::try_from(number).ok()).unwrap_or(0),
         title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
-        file: program.name().to_owned(),
+        comments: file.map_or_else(Vec::new, |file| file.program_comments().map(str::to_owned).collect()),
+        name: program.name().to_owned(),
         axes: machine
             .axes
             .iter()
@@ -125,6 +128,20 @@ fn program_record(program: &Program<'_>) -> ProgramRecord {
             .collect(),
         block_skip: program.settings.block_skip,
         optional_stop: program.settings.optional_stop,
+        parameters: machine.parameters.iter().map(|(index, value)| (*index, *value)).collect(),
+        start: {
+            let mut start = AxisMap::default();
+            for (letter, value) in &machine.start {
+                start.set(*letter, Some(Micro::from(*value)));
+            }
+            start
+        },
+        gears: machine.gears.iter().map(|gear| GearRecord { m: gear.m, min: gear.min, max: gear.max }).collect(),
+        cycles: machine.cycles.iter().map(|(cycle, macrocycle)| (*cycle, *macrocycle)).collect(),
+        g97: machine.g97.name().to_owned(),
+        arc_centers: machine.arc_centers.name().to_owned(),
+        arc_tolerance: machine.limits.arc_tolerance,
+        spindle_axis: machine.spindle().and_then(|axis| machine.axes.get(axis)).map(|axis| axis.letter),
         m_functions: machine
             .m_functions
             .configured()

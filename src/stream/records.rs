@@ -6,17 +6,17 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 
 use crate::dict::{AxisLetter, Decimal, Micro};
-use crate::run::{Jump, MStop, MotionType};
+use crate::run::{FeedUnit, Jump, MStop, Missing, MotionType};
 
 /// Name and version of the stream's form.
-pub const SCHEMA: &str = "cnc872c.blocks/1";
+pub const SCHEMA: &str = "cnc872c.blocks/2";
 
 // The list of the kinds of records, for writing and schema alike.
 /// One line of the stream.
 #[derive(Debug, JsonSchema)]
-#[schemars(tag = "kind", rename_all = "lowercase", title = "Record of the block stream cnc872c.blocks/1")]
+#[schemars(tag = "kind", rename_all = "lowercase", title = "Record of the block stream cnc872c.blocks/2")]
 pub enum Record {
-    Program(ProgramRecord),
+    Program(Box<ProgramRecord>),
     File(FileRecord),
     #[expect(dead_code, reason = "blocks come by the million: they are handed on in batches, without the box")]
     Block(Box<BlockRecord>),
@@ -27,18 +27,23 @@ pub enum Record {
 #[derive(Clone, Debug, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct ProgramRecord {
-    /// `cnc872c.blocks/1`.
+    /// `cnc872c.blocks/2`.
+    #[schemars(extend("const" = SCHEMA))]
     pub schema: String,
     /// Name and version of the compiler.
     pub generator: String,
-    /// `cnc8x6`, `cnc8x9`, `cnc872`.
+    /// The control.
+    #[schemars(extend("enum" = ["cnc8x6", "cnc8x9", "cnc872"]))]
     pub dialect: String,
     /// The number after `%`.
     pub number: u32,
     /// The title (BLK-9).
     pub title: Option<String>,
+    /// All comments between the number and the first `N`, the title included; empty ones left out.
+    #[schemars(default)]
+    pub comments: Vec<String>,
     /// The program, as the user named it; its index is 0.
-    pub file: String,
+    pub name: String,
     /// The axes, in the order of the machine.
     pub axes: Vec<AxisRecord>,
     /// Whether skippable blocks were left out.
@@ -47,9 +52,45 @@ pub struct ProgramRecord {
     /// Whether M01 stops.
     #[schemars(default)]
     pub optional_stop: bool,
+    /// Values of parameters given for program start.
+    #[schemars(with = "Numbers", default)]
+    pub parameters: Vec<(u8, Decimal)>,
+    /// Programmed positions given for program start.
+    #[schemars(with = "Numbers", default)]
+    pub start: AxisMap,
+    /// The gear table (MFN-9).
+    #[schemars(default)]
+    pub gears: Vec<GearRecord>,
+    /// Fixed cycles that are macrocycles: number of the macrocycle by function (GRP-6).
+    #[schemars(with = "BTreeMap<String, u32>", default)]
+    pub cycles: Vec<(u8, u32)>,
+    /// What G97 means (TEC-5).
+    #[schemars(extend("enum" = ["per-minute", "per-revolution"]))]
+    pub g97: String,
+    /// Which axes I and J of an arc belong to (MOT-3).
+    #[schemars(extend("enum" = ["machine-order", "plane-order"]))]
+    pub arc_centers: String,
+    /// How far the radii of an arc may differ, in mm (MOT-4).
+    #[schemars(with = "f64")]
+    pub arc_tolerance: Decimal,
+    /// The axis that the spindle is under M19; left out when there is none (MFN-10).
+    #[schemars(with = "Option<String>")]
+    pub spindle_axis: Option<AxisLetter>,
     /// Every M function that configuration names, by number.
     #[schemars(default)]
     pub m_functions: Vec<MFunctionRecord>,
+}
+
+/// A gear.
+#[derive(Clone, Copy, Debug, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct GearRecord {
+    /// 41–44.
+    pub m: u8,
+    /// Least speed in rev/min.
+    pub min: u32,
+    /// Greatest speed in rev/min.
+    pub max: u32,
 }
 
 /// An axis of the machine.
@@ -58,7 +99,8 @@ pub struct ProgramRecord {
 pub struct AxisRecord {
     /// Its letter.
     pub letter: String,
-    /// `linear` or `rotary`.
+    /// How it moves.
+    #[schemars(extend("enum" = ["linear", "rotary"]))]
     pub kind: String,
 }
 
@@ -208,13 +250,22 @@ pub struct BlockRecord {
     /// AxNC: every axis whose programmed position is known, after the block.
     #[schemars(with = "Numbers", default)]
     pub position: AxisMap,
-    /// FeedProgr: mm/min, with `rev_feed` mm/rev; deg/min when only rotary axes or the spindle move.
+    /// FeedProgr, as programmed.
     #[schemars(with = "Option<f64>")]
     pub feed: Option<Decimal>,
-    /// RevFeed: G95 or G97.
+    /// What `feed` counts in this block.
+    #[schemars(with = "Option<FeedUnitName>")]
+    pub feed_unit: Option<FeedUnit>,
+    /// 0.01 under M37: the machine moves at a hundredth of `feed` (TEC-6).
+    #[schemars(with = "Option<f64>")]
+    pub feed_scale: Option<Decimal>,
+    /// The tool in the spindle: T at the last M06.
+    #[schemars(with = "Option<u32>")]
+    pub tool: Option<Decimal>,
+    /// RevFeed: the feed counts per revolution.
     #[schemars(default)]
     pub rev_feed: bool,
-    /// ConstCutSpeed: G96 or G97.
+    /// ConstCutSpeed: the cutting speed is constant.
     #[schemars(default)]
     pub const_cut_speed: bool,
     /// SpindleSpeed, rev/min.
@@ -269,7 +320,7 @@ pub struct BlockRecord {
     pub dynamic_set: Option<u8>,
     /// Words that are data (GRP-4).
     pub data: Option<Data>,
-    /// I, J, K as written (GRP-8).
+    /// Words as written: I, J, K (GRP-8), axes under a fixed cycle that nothing maps (GRP-6).
     #[schemars(with = "Numbers", default)]
     pub words: Vec<(char, Decimal)>,
     /// Parameters this block wrote, with their values after its arithmetic.
@@ -313,7 +364,8 @@ impl Clone for BlockRecord {
 #[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
 #[schemars(deny_unknown_fields)]
 pub struct Call {
-    /// `G71`, `G72`, or `G81`–`G89` (cycle map).
+    /// G71, G72, or a fixed cycle by the cycle map.
+    #[schemars(extend("enum" = ["G71", "G72", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"]))]
     pub by: &'static str,
     /// What was called.
     pub l: u32,
@@ -321,6 +373,8 @@ pub struct Call {
     pub file: u32,
     /// Number of the calling block.
     pub n: u32,
+    /// Line of the calling block, from 1.
+    pub line: u32,
     /// Which pass this is, from 1.
     pub pass: u32,
     /// Of how many.
@@ -357,6 +411,37 @@ pub enum MotionName {
     Reference,
 }
 
+/// The schema of the reasons why a length is missing.
+#[derive(JsonSchema)]
+#[schemars(rename_all = "lowercase")]
+#[expect(dead_code, reason = "the schema is all it is for")]
+pub enum MissingName {
+    /// A distance is not known (MOT-2).
+    Start,
+    /// The start is not where the tool stands (MOT-8).
+    Origin,
+    /// A motion to the reference point (MOT-7).
+    Reference,
+}
+
+/// The schema of what a feed counts.
+#[derive(JsonSchema)]
+#[expect(dead_code, reason = "the schema is all it is for")]
+pub enum FeedUnitName {
+    /// Feed per minute.
+    #[schemars(rename = "mm/min")]
+    MmPerMinute,
+    /// Feed per revolution.
+    #[schemars(rename = "mm/rev")]
+    MmPerRevolution,
+    /// Only rotary axes or the spindle move.
+    #[schemars(rename = "deg/min")]
+    DegPerMinute,
+    /// The same per revolution.
+    #[schemars(rename = "deg/rev")]
+    DegPerRevolution,
+}
+
 /// The motion of a block.
 #[derive(Clone, Copy, Debug, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -364,9 +449,12 @@ pub struct Motion {
     /// What kind.
     #[schemars(rename = "type", with = "MotionName")]
     pub kind: MotionType,
-    /// Axes that move: those written in the block, in machine order (AxNCxMove).
+    /// Axes that move, in machine order (AxNCxMove): those written in the block, and both of an arc.
     #[schemars(with = "Vec<String>")]
     pub axes: AxisList,
+    /// Where these axes stand before, as far as known.
+    #[schemars(with = "Numbers", default)]
+    pub start: AxisMap,
     /// Distances of axes moved by G91 from an unknown position (MOT-2).
     #[schemars(with = "Numbers", default)]
     pub delta: AxisMap,
@@ -376,6 +464,9 @@ pub struct Motion {
     /// BlockLen in degrees, when rotary axes only move.
     #[schemars(with = "Option<f64>")]
     pub length_deg: Option<Micro>,
+    /// Why neither length is there.
+    #[schemars(with = "Option<MissingName>")]
+    pub length_missing: Option<Missing>,
     /// Arcs: `XY`, `YZ`, `ZX`, else the two letters, first-named first.
     #[schemars(with = "Option<String>")]
     pub plane: Option<[AxisLetter; 2]>,
@@ -413,7 +504,8 @@ pub struct Data {
 #[derive(Clone, Debug, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct EndRecord {
-    /// `M02` or `M30`.
+    /// What ended the program.
+    #[schemars(extend("enum" = ["M02", "M30"]))]
     pub reason: String,
     /// Block records of the program, all of them.
     pub blocks: u64,

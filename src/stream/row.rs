@@ -2,8 +2,11 @@
 
 use super::lines::Lines;
 use super::records::{AxisList, AxisMap, BlockRecord, Call, Data, Motion};
-use crate::dict::{Address, AxisLetter, GCode, GGroup};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup};
 use crate::run::Executed;
+
+/// What M37 leaves of a feed.
+const REDUCED: Decimal = Decimal::from_thousandths(10);
 
 /// Makes rows, one from the other: hardly anything differs from one block to the next.
 #[derive(Debug, Default)]
@@ -48,6 +51,7 @@ impl Rows {
             l: call.l,
             file: block.index_of(call.file),
             n: call.n,
+            line: block.line_of(call.at),
             pass: call.pass,
             of: call.of,
         });
@@ -70,6 +74,8 @@ impl Rows {
         row.change_pos = block.change_pos();
         row.gear = block.gear();
         row.feed = block.feed().map(|feed| feed.value);
+        row.feed_scale = block.feed_is_hundredth().then_some(REDUCED);
+        row.tool = block.tool();
         row.rev_feed = block.rev_feed();
         row.const_cut_speed = block.const_cut_speed();
         (row.s, row.t, row.h, row.p, row.d) = (block.s(), block.t(), block.h(), block.p(), block.d());
@@ -98,10 +104,15 @@ impl Rows {
     }
 
     fn fill_motion(&mut self, block: &Executed<'_>) {
+        self.row.feed_unit = self.row.feed.map(|_| block.feed_unit());
         self.row.motion = block.motion().map(|motion| {
-            let (mut axes, mut delta, mut center) = (AxisList::default(), AxisMap::default(), AxisMap::default());
+            let mut axes = AxisList::default();
+            let [mut start, mut delta, mut center] = [AxisMap::default(); 3];
             for axis in motion.axes() {
                 axes.push(axis);
+                if let Some(value) = motion.start(axis) {
+                    start.set(axis, Some(value));
+                }
                 if let Some(distance) = motion.delta(axis) {
                     delta.set(axis, Some(distance));
                 }
@@ -115,9 +126,11 @@ impl Rows {
             Motion {
                 kind: motion.kind(),
                 axes,
+                start,
                 delta,
                 length_mm: length.mm(),
                 length_deg: length.deg(),
+                length_missing: length.missing(),
                 plane: arc.map(|arc| arc.plane),
                 center,
                 radius_mm: arc.and_then(|arc| arc.radius_mm),

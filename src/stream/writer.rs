@@ -2,7 +2,8 @@
 //! new field does not compile until it is written.
 
 use super::records::{
-    AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, MFunctionRecord, Motion, ProgramRecord, Record,
+    AxisMap, AxisRecord, BlockRecord, Call, Data, EndRecord, FileRecord, GearRecord, MFunctionRecord, Motion,
+    ProgramRecord, Record,
 };
 use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{Jump, MStop};
@@ -22,8 +23,27 @@ macro_rules! key {
 
 /// Writes the `program` record and its line end.
 fn write_program(out: &mut Vec<u8>, record: &ProgramRecord) {
-    let ProgramRecord { schema, generator, dialect, number, title, file, axes, block_skip, optional_stop, m_functions } =
-        record;
+    let ProgramRecord {
+        schema,
+        generator,
+        dialect,
+        number,
+        title,
+        comments,
+        name,
+        axes,
+        block_skip,
+        optional_stop,
+        parameters,
+        start,
+        gears,
+        cycles,
+        g97,
+        arc_centers,
+        arc_tolerance,
+        spindle_axis,
+        m_functions,
+    } = record;
     let mut room = Vec::new();
     let mut line = Line::new(&mut room);
     line = line.put(br#"{"kind":"program""#);
@@ -34,13 +54,43 @@ fn write_program(out: &mut Vec<u8>, record: &ProgramRecord) {
     if let Some(title) = title {
         line = line.string_field(key!("title"), title);
     }
-    line = line.string_field(key!("file"), file);
+    if !comments.is_empty() {
+        line = line.put(key!("comments")).list(comments, |line, comment| line.string(comment));
+    }
+    line = line.string_field(key!("name"), name);
     line = line.put(key!("axes")).list(axes, |line, axis| {
         let AxisRecord { letter, kind } = axis;
         line.put(br#"{"letter":"#).string(letter).string_field(key!("kind"), kind).put(b"}")
     });
     line = line.flag(key!("block_skip"), *block_skip);
     line = line.flag(key!("optional_stop"), *optional_stop);
+    line = line.parameters(key!("parameters"), parameters);
+    line = line.axis_map(key!("start"), start, &AxisLetter::ALL);
+    if !gears.is_empty() {
+        line = line.put(key!("gears")).list(gears, |line, gear| {
+            let GearRecord { m, min, max } = *gear;
+            line.put(br#"{"m":"#)
+                .int(u64::from(m))
+                .int_field(key!("min"), u64::from(min))
+                .int_field(key!("max"), u64::from(max))
+                .put(b"}")
+        });
+    }
+    if !cycles.is_empty() {
+        line = line.put(key!("cycles"));
+        let mut before = b"{\"G";
+        for (cycle, macrocycle) in cycles {
+            line = line.put(before).int(u64::from(*cycle)).put(b"\":").int(u64::from(*macrocycle));
+            before = b",\"G";
+        }
+        line = line.put(b"}");
+    }
+    line = line.string_field(key!("g97"), g97);
+    line = line.string_field(key!("arc_centers"), arc_centers);
+    line = line.decimal_field(key!("arc_tolerance"), Some(*arc_tolerance));
+    if let Some(axis) = *spindle_axis {
+        line = line.put(key!("spindle_axis")).put(&[b'"', byte(axis.letter()), b'"']);
+    }
     if !m_functions.is_empty() {
         line = line.put(key!("m_functions")).list(m_functions, |line, function| {
             let MFunctionRecord { no, group, break_cont, break_cont_end, change_pos } = *function;
@@ -176,6 +226,9 @@ fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], part
         motion,
         position,
         feed,
+        feed_unit,
+        feed_scale,
+        tool,
         rev_feed,
         const_cut_speed,
         s,
@@ -241,6 +294,11 @@ fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], part
     }
     line = line.axis_map(key!("position"), position, axes);
     line = line.decimal_field(key!("feed"), *feed);
+    if let Some(unit) = *feed_unit {
+        line = line.put(key!("feed_unit")).put(b"\"").put_all(unit.name().as_bytes()).put(b"\"");
+    }
+    line = line.decimal_field(key!("feed_scale"), *feed_scale);
+    line = line.decimal_field(key!("tool"), *tool);
     line = line.flag(key!("rev_feed"), *rev_feed);
     line = line.flag(key!("const_cut_speed"), *const_cut_speed);
     line = line.decimal_field(key!("s"), *s);
@@ -270,15 +328,7 @@ fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], part
         line = self::data(line, words);
     }
     line = line.letters(key!("words"), words);
-    if !params.is_empty() {
-        line = line.put(key!("params"));
-        let mut before = b"{\"R";
-        for (parameter, value) in params {
-            line = line.put(before).int(u64::from(*parameter)).put(b"\":").number(Micro::from(*value));
-            before = b",\"R";
-        }
-        line = line.put(b"}");
-    }
+    line = line.parameters(key!("params"), params);
     if !comments.is_empty() {
         line = line.put(key!("comments")).list(comments, |line, comment| line.string(comment));
     }
@@ -286,12 +336,13 @@ fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], part
 }
 
 fn call<'r>(line: Line<'r>, call: &Call) -> Line<'r> {
-    let Call { by, l, file, n, pass, of } = *call;
+    let Call { by, l, file, n, line: line_number, pass, of } = *call;
     line.put(br#"{"by":"#)
         .string(by)
         .int_field(key!("l"), u64::from(l))
         .int_field(key!("file"), u64::from(file))
         .int_field(key!("n"), u64::from(n))
+        .int_field(key!("line"), u64::from(line_number))
         .int_field(key!("pass"), u64::from(pass))
         .int_field(key!("of"), u64::from(of))
         .put(b"}")
@@ -299,7 +350,20 @@ fn call<'r>(line: Line<'r>, call: &Call) -> Line<'r> {
 
 #[inline]
 fn motion<'r>(mut line: Line<'r>, motion: &Motion, order: &[AxisLetter]) -> Line<'r> {
-    let Motion { kind, axes, delta, length_mm, length_deg, plane, center, radius_mm, sweep_deg, spindle_axis } = motion;
+    let Motion {
+        kind,
+        axes,
+        start,
+        delta,
+        length_mm,
+        length_deg,
+        length_missing,
+        plane,
+        center,
+        radius_mm,
+        sweep_deg,
+        spindle_axis,
+    } = motion;
     line = line.put(br#","motion":{"type":""#).put_all(kind.name().as_bytes()).put(b"\"");
     let mut open = false;
     for axis in axes.iter() {
@@ -310,12 +374,16 @@ fn motion<'r>(mut line: Line<'r>, motion: &Motion, order: &[AxisLetter]) -> Line
     if open {
         line = line.put(b"]");
     }
+    line = line.axis_map(key!("start"), start, order);
     line = line.axis_map(key!("delta"), delta, order);
     if let Some(length) = *length_mm {
         line = line.number_field(key!("length_mm"), length);
     }
     if let Some(length) = *length_deg {
         line = line.number_field(key!("length_deg"), length);
+    }
+    if let Some(missing) = *length_missing {
+        line = line.put(key!("length_missing")).put(b"\"").put_all(missing.name().as_bytes()).put(b"\"");
     }
     if let Some([first, second]) = *plane {
         line = line.put(key!("plane")).put(&[b'"', byte(first.letter()), byte(second.letter()), b'"']);
@@ -522,6 +590,20 @@ impl<'r> Line<'r> {
         for &(letter, value) in values {
             line = line.put(&[before, b'"', byte(letter), b'"', b':']).number(Micro::from(value));
             before = b',';
+        }
+        line.put(b"}")
+    }
+
+    #[inline]
+    fn parameters<const N: usize>(self, key: &[u8; N], values: &[(u8, Decimal)]) -> Self {
+        if values.is_empty() {
+            return self;
+        }
+        let mut line = self.put(key);
+        let mut before = b"{\"R";
+        for (parameter, value) in values {
+            line = line.put(before).int(u64::from(*parameter)).put(b"\":").number(Micro::from(*value));
+            before = b",\"R";
         }
         line.put(b"}")
     }

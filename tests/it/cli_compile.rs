@@ -94,7 +94,7 @@ fn the_stream_goes_to_stdout_or_to_a_file() {
     assert_eq!(part.lines().count(), 3, "program, one block, end: {part}");
     assert_eq!(place.run(&["compile", "a.nc", "-o", "-"]).ends(0).stdout, run.stdout);
     let piped = place.run_with_stdin(&["compile", "-"], GOOD.as_bytes()).ends(0);
-    assert!(piped.stdout.contains("\"file\":\"-\""), "{piped:?}");
+    assert!(piped.stdout.contains("\"name\":\"-\""), "{piped:?}");
 }
 
 #[test]

@@ -239,7 +239,7 @@ fn nothing_raw_in_the_stream() {
         for text in [format!("T{comment}T"), format!("C{comment}C"), format!("M{comment}M")] {
             assert!(texts.iter().any(|found| **found == text), "{h:?}: {texts:?}");
         }
-        assert_eq!(records[0]["file"], name);
+        assert_eq!(records[0]["name"], name);
         let file = records.iter().find(|record| record["kind"] == "file").unwrap();
         assert_eq!(Path::new(file["name"].as_str().unwrap()), Path::new(&format!("a{h}b/L5")));
     }

@@ -13,8 +13,9 @@ fn shortest_program() {
     assert_eq!(
         stream.records,
         [
-            json!({"kind": "program", "schema": "cnc872c.blocks/1", "generator": concat!("cnc872c ", env!("CARGO_PKG_VERSION")),
-                "dialect": "cnc872", "number": 12, "title": "Title", "file": "P.NC", "axes": axes}),
+            json!({"kind": "program", "schema": "cnc872c.blocks/2", "generator": concat!("cnc872c ", env!("CARGO_PKG_VERSION")),
+                "dialect": "cnc872", "number": 12, "title": "Title", "comments": ["Title", "more"], "name": "P.NC", "axes": axes, "g97": "per-minute",
+                "arc_centers": "machine-order", "arc_tolerance": 0.01, "spindle_axis": "C"}),
             json!({"kind": "block", "seq": 0, "n": 10, "file": 0, "line": 3, "column": 1,
                 "first_block": true, "last_block": true,
                 "g": [0, 17, 98, 40, null, 53, 94, 70, 80, 90, 75, 34],

@@ -6,6 +6,7 @@ mod functions;
 mod motion;
 mod output;
 mod parameters;
+mod ways;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -110,8 +111,21 @@ impl Stream {
         self.records.iter().filter(|record| record["kind"] == kind).cloned().collect()
     }
 
+    /// The block records without what follows from others: where a motion starts, why it has no length, what the feed
+    /// counts. `ways.rs` is about these.
     fn blocks(&self) -> Vec<Value> {
-        self.of("block")
+        let mut blocks = self.of("block");
+        for block in &mut blocks {
+            block.as_object_mut().expect("an object").remove("feed_unit");
+            if let Some(motion) = block.get_mut("motion").and_then(Value::as_object_mut) {
+                motion.remove("start");
+                motion.remove("length_missing");
+            }
+            for call in block.get_mut("calls").and_then(Value::as_array_mut).into_iter().flatten() {
+                call.as_object_mut().expect("an object").remove("line");
+            }
+        }
+        blocks
     }
 
     fn end(&self) -> Value {
