@@ -1,11 +1,12 @@
 //! Files of the disk, and standard input.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File, FileType};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::text::{BrokenLink, Loader};
+use crate::text::{BrokenLink, Loader, Numbered};
 
 /// The name of standard input among programs.
 pub const STDIN: &str = "-";
@@ -20,13 +21,16 @@ const LIMIT: u64 = u32::MAX as u64;
 pub struct DiskLoader {
     /// Programs that may be pipes. A pipe can be read once, a program may be wanted twice: what it gave is kept.
     named: Vec<(PathBuf, OnceLock<Arc<[u8]>>)>,
+    /// The macrocycles of folders, looked for once in a run.
+    numbered: Mutex<BTreeMap<Vec<PathBuf>, Arc<Numbered>>>,
 }
 
 impl DiskLoader {
     /// With the programs that the user named, of which those that are pipes may be read.
     pub fn new<'a>(named: impl IntoIterator<Item = &'a Path>) -> Self {
         let is_stream = |path: &&Path| is_stdin(path) || fs::metadata(path).is_ok_and(|data| is_pipe(data.file_type()));
-        Self { named: named.into_iter().filter(is_stream).map(|path| (path.to_path_buf(), OnceLock::new())).collect() }
+        let named = named.into_iter().filter(is_stream).map(|path| (path.to_path_buf(), OnceLock::new())).collect();
+        Self { named, ..Self::default() }
     }
 
     /// Whether that program is standard input or a pipe.
@@ -72,6 +76,11 @@ impl Loader for DiskLoader {
     fn folders(&self, folder: &Path) -> Vec<PathBuf> {
         let entries = entries(folder).unwrap_or_default();
         entries.into_iter().filter(|entry| entry.is_folder() && !entry.is_link()).map(|entry| entry.path).collect()
+    }
+
+    fn numbered(&self, folders: &[PathBuf], number: &dyn Fn() -> Numbered) -> Arc<Numbered> {
+        let mut known = self.numbered.lock().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(known.entry(folders.to_vec()).or_insert_with(|| Arc::new(number())))
     }
 
     fn head(&self, path: &Path, limit: usize) -> io::Result<Vec<u8>> {
@@ -218,4 +227,28 @@ fn is_pipe(kind: FileType) -> bool {
 #[cfg(not(unix))]
 fn is_pipe(_: FileType) -> bool {
     false
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+
+    /// A run over many programs of a folder looks at its files once.
+    #[test]
+    fn macrocycles_are_looked_for_once() {
+        let loader = DiskLoader::default();
+        let looked = Cell::new(0);
+        let number = || {
+            looked.set(looked.get() + 1);
+            Numbered::from([(looked.get(), vec![])])
+        };
+        let [a, b] = ["a", "b"].map(|folder| vec![PathBuf::from(folder)]);
+        let found: Vec<u32> = [&a, &b, &a, &b]
+            .into_iter()
+            .flat_map(|folders| loader.numbered(folders, &number).keys().copied().collect::<Vec<_>>())
+            .collect();
+        assert_eq!(found, [1, 2, 1, 2]);
+    }
 }

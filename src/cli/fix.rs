@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -18,7 +19,7 @@ use crate::config::Settings;
 use crate::diag::{Code, Diagnostic, Fix, FixTitle, apply_fixes};
 use crate::dict::Lang;
 use crate::session::Session;
-use crate::text::{FileId, Loader, Sources};
+use crate::text::{FileId, Loader, Numbered, Sources};
 
 /// The program among the files of its run.
 const PROGRAM: FileId = FileId(0);
@@ -304,6 +305,10 @@ impl Loader for InMemory<'_> {
 
     fn folders(&self, folder: &Path) -> Vec<PathBuf> {
         self.disk.folders(folder)
+    }
+
+    fn numbered(&self, folders: &[PathBuf], number: &dyn Fn() -> Numbered) -> Arc<Numbered> {
+        self.disk.numbered(folders, number)
     }
 
     fn canonical(&self, path: &Path) -> PathBuf {

@@ -99,7 +99,7 @@ fn call_subprogram(
     if let (Some(id), false) = (resolved.subprogram(l), from_macrocycle) {
         return Some(Target::Unit(id));
     }
-    if !from_macrocycle && resolved.units.iter().any(|unit| unit.kind == UnitKind::Subprogram(None)) {
+    if !from_macrocycle && resolved.nameless_subprogram {
         // It may be the one whose L is missing or malformed: that has its finding.
         return None;
     }

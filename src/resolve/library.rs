@@ -1,11 +1,10 @@
 //! The macrocycles that programs may call: files named `L` and their number, on the search path (PRG-6).
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::Problem;
-use crate::text::{Encoding, Loader, SourceText};
+use crate::text::{Encoding, Loader, Numbered, SourceText};
 
 /// Why a macrocycle cannot be called.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -31,11 +30,11 @@ pub enum MacrocycleFault {
     },
 }
 
-/// Finds macrocycle files; each folder is listed once.
+/// Finds macrocycle files. Each folder is listed once, in a run over many programs too.
 pub struct Library<'a> {
     loader: &'a dyn Loader,
     folders: Vec<PathBuf>,
-    index: Option<BTreeMap<u32, Vec<PathBuf>>>,
+    index: Option<Arc<Numbered>>,
 }
 
 impl<'a> Library<'a> {
@@ -85,22 +84,9 @@ impl<'a> Library<'a> {
         }
     }
 
-    fn index(&mut self) -> &BTreeMap<u32, Vec<PathBuf>> {
-        let loader = self.loader;
-        let folders = &self.folders;
-        self.index.get_or_insert_with(|| {
-            let mut index: BTreeMap<u32, Vec<PathBuf>> = BTreeMap::new();
-            for path in folders.iter().flat_map(|folder| loader.list(folder)) {
-                if let Some(number) = Self::number(&path) {
-                    let files = index.entry(number).or_default();
-                    // One file reached by two names is not two files.
-                    if !files.iter().any(|known| loader.canonical(known) == loader.canonical(&path)) {
-                        files.push(path);
-                    }
-                }
-            }
-            index
-        })
+    fn index(&mut self) -> &Numbered {
+        let Self { loader, folders, index } = self;
+        index.get_or_insert_with(|| loader.numbered(folders, &|| number_files(*loader, folders)))
     }
 
     /// The text of a macrocycle file, called `name`.
@@ -117,6 +103,21 @@ impl<'a> Library<'a> {
     pub fn all(&mut self) -> impl Iterator<Item = (u32, &Path)> {
         self.index().iter().filter_map(|(number, paths)| Some((*number, paths.first()?.as_path())))
     }
+}
+
+/// The macrocycle files of the folders by number.
+fn number_files(loader: &dyn Loader, folders: &[PathBuf]) -> Numbered {
+    let mut index = Numbered::new();
+    for path in folders.iter().flat_map(|folder| loader.list(folder)) {
+        if let Some(number) = Library::number(&path) {
+            let files = index.entry(number).or_default();
+            // One file reached by two names is not two files.
+            if !files.iter().any(|known| loader.canonical(known) == loader.canonical(&path)) {
+                files.push(path);
+            }
+        }
+    }
+    index
 }
 
 impl std::fmt::Debug for Library<'_> {

@@ -82,6 +82,8 @@ pub struct Resolved {
     pub(super) units: Vec<Unit>,
     pub(super) subprograms: BTreeMap<u32, UnitId>,
     pub(super) macrocycles: BTreeMap<u32, UnitId>,
+    /// A subprogram has no readable L: it may be the one that a call means.
+    pub(super) nameless_subprogram: bool,
     pub(super) subprogram_call_warned: bool,
     /// Codes of operations that are not configured and have been reported (PAR-9).
     pub(super) unknown_operations: BTreeSet<i64>,
@@ -177,6 +179,7 @@ impl Resolved {
 
     pub(super) fn add_unit(&mut self, unit: Unit) -> UnitId {
         let id = UnitId(u32::try_from(self.units.len()).unwrap_or(u32::MAX));
+        self.nameless_subprogram |= unit.kind == UnitKind::Subprogram(None);
         self.units.push(unit);
         id
     }

@@ -33,6 +33,9 @@ impl BrokenLink {
     }
 }
 
+/// Files of some folders by the number that their names say.
+pub type Numbered = BTreeMap<u32, Vec<PathBuf>>;
+
 /// Where bytes come from. The core reads files through this and in no other way.
 pub trait Loader: Sync {
     /// The bytes of a file.
@@ -68,6 +71,12 @@ pub trait Loader: Sync {
     /// folder from none may say no to it.
     fn is_folder(&self, path: &Path) -> bool {
         path.as_os_str().is_empty() || !self.list(path).is_empty() || !self.folders(path).is_empty()
+    }
+
+    /// What `number` makes of the files of these folders. A loader that serves one run keeps it for the next program that
+    /// asks: with many programs in one folder, looking at all files for each of them takes time by the square.
+    fn numbered(&self, _folders: &[PathBuf], number: &dyn Fn() -> Numbered) -> Arc<Numbered> {
+        Arc::new(number())
     }
 
     /// The first bytes of a file, at most `limit`.

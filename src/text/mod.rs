@@ -15,7 +15,7 @@ mod terminal;
 pub use columns::ColumnUnit;
 pub use encoding::Encoding;
 pub use lines::{LineColumn, LineIndex};
-pub use loader::{BrokenLink, Loader, MemoryLoader};
+pub use loader::{BrokenLink, Loader, MemoryLoader, Numbered};
 pub use source::{DecodeError, FileId, Location, SourceText};
 pub use sources::Sources;
 pub use span::Span;
