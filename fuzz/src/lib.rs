@@ -10,7 +10,7 @@ pub mod world;
 use std::path::Path;
 
 use cnc872c::config::{Level, Overrides, Settings, configure};
-use cnc872c::diag::{Code, Diagnostic, Findings, Format, Report, Severity, render};
+use cnc872c::diag::{Code, Diagnostic, Findings, Format, Report, Severity, Shown, render};
 use cnc872c::dict::{Dialect, Lang};
 use cnc872c::session::Outcome;
 use cnc872c::text::{Encoding, Loader, Location, Sources};
@@ -168,7 +168,7 @@ pub fn assert_rendered(report: &Report, lengths: &[(&str, usize)]) {
 
 fn rendered(report: &Report, format: Format, lang: Lang, colour: bool) -> String {
     let mut bytes = Vec::new();
-    render(format, report, lang, colour, &mut bytes).expect("memory takes all");
+    render(format, report, Shown { lang, colour, all: true }, &mut bytes).expect("memory takes all");
     String::from_utf8(bytes).expect("UTF-8")
 }
 

@@ -118,6 +118,8 @@ pub(super) struct ViewArgs {
 pub(super) struct CommonArgs {
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     pub format: Format,
+    #[arg(long)]
+    pub all: bool,
     #[arg(long, value_name = "DIALECT")]
     pub dialect: Option<Dialect>,
     #[arg(long, value_name = "FILE")]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use super::args::CheckArgs;
+use super::args::{CheckArgs, CommonArgs};
 use super::common::{Origins, Projects, overrides};
 use super::disk::DiskLoader;
 use super::fix::{diff_all, fix_all};
@@ -14,7 +14,7 @@ use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, tell, tell_unshown};
 use super::walk::{Found, Target, targets};
 use super::words::Words;
-use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, render};
+use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, Shown, render};
 use crate::session::{Outcome, Session};
 use crate::text::{Location, SourceText, Sources};
 
@@ -44,10 +44,13 @@ pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
         }
         unusable |= check_all(&targets, &projects, &loader, locale, &mut report);
     }
+    if unusable {
+        report.set_unusable();
+    }
     // Where nothing was checked, "no errors" would say too much.
     let nothing = targets.is_empty() && report.items().len() == 0;
     if !nothing || !matches!(args.common.format, Format::Human | Format::Short) {
-        print(args.common.format, &report, locale)?;
+        print(&args.common, &report, locale)?;
     }
     Ok(match report.errors() > 0 || (args.deny_warnings && report.warnings() > 0) {
         _ if unusable => Status::Unusable,
@@ -66,7 +69,7 @@ fn show_diff(
 ) -> Result<Status, Failure> {
     let report = projects.report();
     if report.errors() > 0 {
-        print(args.common.format, &report, locale)?;
+        print(&args.common, &report, locale)?;
         return Ok(Status::Unusable);
     }
     let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
@@ -123,6 +126,7 @@ fn check_all(
     let mut add = |outcome: Outcome| {
         unusable |= outcome.lacks_file();
         report.add_program(&outcome.sources, outcome.findings);
+        outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
     };
     if let [only] = targets {
         // The threads of the pool are not started for one program.
@@ -155,11 +159,12 @@ pub(super) fn unreadable(name: &str, error: &io::Error) -> Outcome {
 }
 
 /// Writes the findings to standard output.
-fn print(format: Format, report: &Report, locale: Locale) -> Result<(), Failure> {
+fn print(args: &CommonArgs, report: &Report, locale: Locale) -> Result<(), Failure> {
     let colors = locale.colors(io::stdout().is_terminal());
     let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
-    render(format, report, locale.lang, colors, &mut out)?;
+    let shown = Shown { lang: locale.lang, colour: colors, all: args.all };
+    render(args.format, report, shown, &mut out)?;
     out.flush()?;
-    tell_unshown(format, report, locale.lang);
+    tell_unshown(args.format, report, locale.lang);
     Ok(())
 }

@@ -4,7 +4,7 @@ use std::fs::OpenOptions;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::Path;
 
-use super::args::CompileArgs;
+use super::args::{CommonArgs, CompileArgs};
 use super::common::{Origins, Projects, overrides};
 use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
@@ -13,7 +13,7 @@ use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{Failure, Status, complain, tell_unshown};
 use super::walk::Target;
 use super::words::{Words, reason};
-use crate::diag::{Format, Report, render};
+use crate::diag::{Format, Report, Shown, render};
 use crate::dict::Lang;
 use crate::run::End;
 use crate::session::{Part, Run, Session};
@@ -36,7 +36,8 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let mut report = projects.report();
     let settings = projects.settings(target).filter(|_| report.errors() == 0);
     let Some(settings) = settings else {
-        print(args.common.format, &report, locale);
+        report.set_unusable();
+        print(&args.common, &report, locale);
         return Ok(Status::Unusable);
     };
     let mut stream = Stream::open(output, locale.lang)?;
@@ -52,6 +53,7 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let Run { outcome, whole } = written.map_err(|error| cannot_write(error, output, locale.lang))?;
     let lacks_file = outcome.lacks_file();
     report.add_program(&outcome.sources, outcome.findings);
+    outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
     if let Some(output) = output
         && outcome.sources.iter().any(|(_, source)| canonical(Path::new(source.name())) == canonical(output))
     {
@@ -65,7 +67,10 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
         None if lacks_file => Status::Unusable,
         None => Status::Faulty,
     };
-    print(args.common.format, &report, locale);
+    if status == Status::Unusable {
+        report.set_unusable();
+    }
+    print(&args.common, &report, locale);
     if whole.is_none() && report.errors() == 0 {
         complain(&Words::NotWhole { file: target.name() }, locale.lang);
     }
@@ -73,16 +78,17 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
 }
 
 /// Writes the findings to standard error: the stream may be on standard output. People need no word about none.
-fn print(format: Format, report: &Report, locale: Locale) {
-    if report.items().len() == 0 && format == Format::Human {
+fn print(args: &CommonArgs, report: &Report, locale: Locale) {
+    if report.items().len() == 0 && args.format == Format::Human {
         return;
     }
     let colors = locale.colors(io::stderr().is_terminal());
     let mut out = BufWriter::new(io::stderr().lock());
     // Nobody can be told that stderr is gone.
-    let _ = render(format, report, locale.lang, colors, &mut out).and_then(|()| out.flush());
+    let shown = Shown { lang: locale.lang, colour: colors, all: args.all };
+    let _ = render(args.format, report, shown, &mut out).and_then(|()| out.flush());
     drop(out);
-    tell_unshown(format, report, locale.lang);
+    tell_unshown(args.format, report, locale.lang);
 }
 
 fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {

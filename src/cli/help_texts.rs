@@ -398,6 +398,13 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg("", "format", Options, "How findings are shown", "Jak se hlášení vypíšou"),
     arg(
         "",
+        "all",
+        Options,
+        "Show all findings; else at most 20 of each code and file (human, short)",
+        "Vypsat všechna hlášení; jinak nejvýše 20 od každého kódu a souboru (human, short)",
+    ),
+    arg(
+        "",
         "dialect",
         Machine,
         "The control, else `dialect` of the project file, else cnc872",

@@ -53,6 +53,24 @@ pub fn page(code: Code, lang: Lang, colour: bool) -> String {
     shown(code.page(lang), colour)
 }
 
+/// The page of a diagnostic as Markdown for readers: comments, and what tests need to know behind fences, left out.
+pub(super) fn markdown(code: Code, lang: Lang) -> String {
+    let mut result = String::new();
+    for block in blocks(code.page(lang)) {
+        if !result.is_empty() {
+            result.push('\n');
+        }
+        match block {
+            Block::Heading((level, heading)) => result.push_str(&format!("{} {heading}\n", "#".repeat(level))),
+            Block::Text(lines) => lines.iter().for_each(|line| result.push_str(&format!("{line}\n"))),
+            Block::Code(Example { info, text }) => {
+                result.push_str(&format!("```{}\n{text}```\n", info.first().copied().unwrap_or_default()));
+            }
+        }
+    }
+    result
+}
+
 /// Every diagnostic in one line: code, name, level, and the first sentence of its page.
 pub fn list(lang: Lang) -> String {
     let names = Code::ALL.iter().map(|code| code.name().len()).max().unwrap_or(0);
@@ -204,6 +222,19 @@ mod tests {
             cnc872c.toml:
             a = 1
         ");
+    }
+
+    #[test]
+    fn all_pages_as_markdown() {
+        for &code in Code::ALL {
+            for lang in [Lang::En, Lang::Cs] {
+                let text = markdown(code, lang);
+                assert!(text.starts_with(&format!("# {code}: {}\n\n", code.name())), "{text}");
+                assert!(!text.contains("expect=") && !text.contains("<!--"), "{text}");
+                let plain = |text: &str| examples(text).into_iter().map(|example| example.text).collect::<Vec<_>>();
+                assert_eq!(plain(&text), plain(code.page(lang)), "{code}");
+            }
+        }
     }
 
     #[test]

@@ -31,6 +31,6 @@ pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;
 pub use registry::{Code, Finding, Severity};
-pub use render::{Format, render, schema, unshown};
-pub use report::{Report, Reported};
+pub use render::{Format, Shown, render, schema, unshown};
+pub use report::{NotExecuted, Report, Reported};
 pub use shown::{shown, terminal_safe};

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::{Code, Diagnostic, Findings, LIMIT_PER_CODE, Severity};
+use crate::dict::Lang;
 use crate::text::{FileId, Location, SourceText, Sources};
 
 /// A finding with the severity it has in this run.
@@ -25,6 +26,37 @@ pub struct Report {
     items: BTreeMap<(Location, Code), Reported>,
     counts: BTreeMap<(FileId, Code), Count>,
     programs: usize,
+    not_executed: Vec<NotExecuted>,
+    unusable: bool,
+}
+
+/// A program that was not executed, so that what only execution finds is not known of it.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct NotExecuted {
+    /// The program, as the user named it.
+    pub file: String,
+    /// The first finding that prevents it.
+    pub code: Code,
+    /// The line of that finding, from 1.
+    pub line: u32,
+    /// The macrocycle that it is in, when it is in one.
+    pub macrocycle: Option<String>,
+}
+
+impl NotExecuted {
+    /// Why, in one sentence.
+    pub fn reason(&self, lang: Lang) -> String {
+        let Self { code, line, macrocycle, .. } = self;
+        let place = macrocycle.as_ref().map(|name| format!("{name}, ")).unwrap_or_default();
+        match lang {
+            Lang::En => format!(
+                "{code} ({place}line {line}): arcs, feeds and calls by parameter are checked once it is corrected"
+            ),
+            Lang::Cs => {
+                format!("{code} ({place}řádek {line}): oblouky, posuvy a volání parametrem se zkontrolují po opravě")
+            }
+        }
+    }
 }
 
 /// How many findings of one code are in one file.
@@ -140,6 +172,40 @@ impl Report {
         let kept = self.items.values().filter(|item| item.severity == severity).count();
         let beyond = self.counts.values().filter(|count| count.severity == severity).map(|count| count.beyond);
         kept + beyond.sum::<usize>()
+    }
+
+    /// How many findings of a code are kept for a file, and how many are only counted.
+    pub fn of(&self, file: FileId, code: Code) -> (usize, usize) {
+        self.counts.get(&(file, code)).map_or((0, 0), |count| (count.kept, count.beyond))
+    }
+
+    /// How many findings of each code there are, those that were not kept included.
+    pub fn by_code(&self) -> BTreeMap<Code, usize> {
+        let mut found = BTreeMap::new();
+        for ((_, code), count) in &self.counts {
+            *found.entry(*code).or_default() += count.kept + count.beyond;
+        }
+        found
+    }
+
+    /// Notes that a program was not executed.
+    pub fn add_not_executed(&mut self, not_executed: NotExecuted) {
+        self.not_executed.push(not_executed);
+    }
+
+    /// The programs that were not executed.
+    pub fn not_executed(&self) -> &[NotExecuted] {
+        &self.not_executed
+    }
+
+    /// Notes that the run could not do what it was asked for: a file cannot be read, or the configuration is wrong.
+    pub const fn set_unusable(&mut self) {
+        self.unusable = true;
+    }
+
+    /// Whether the run could not do what it was asked for.
+    pub const fn is_unusable(&self) -> bool {
+        self.unusable
     }
 
     /// How many findings were counted, but not kept.

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
-use crate::diag::{Code, Diagnostic, Finding, Findings, Problem};
+use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem};
 use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
 use crate::run::{End, Sink, State};
 use crate::stream;
@@ -28,6 +28,8 @@ pub struct Outcome {
     pub unusable: bool,
     /// Blocks executed.
     pub executed: u64,
+    /// That the program was not executed, and why; nothing for a macrocycle, and for a file that cannot be read.
+    pub not_executed: Option<NotExecuted>,
 }
 
 impl Outcome {
@@ -91,8 +93,11 @@ impl<'a> Session<'a> {
             self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
             return Err(Box::new(outcome));
         }
-        let (outcome, resolved) = self.resolve_for(path, name, purpose);
+        let (mut outcome, resolved) = self.resolve_for(path, name, purpose);
         if resolved.main().is_none() || is_stopped(&outcome.findings, purpose) {
+            if !Self::is_macrocycle_name(path) && !outcome.unusable {
+                outcome.not_executed = first_fault(&outcome, name);
+            }
             return Err(Box::new(outcome));
         }
         Ok(Execution::new(*self, path, resolved, outcome, purpose))
@@ -197,6 +202,20 @@ impl<'a> Session<'a> {
         let at = Location { file: FileId(0), span: Span::empty(0) };
         outcome.findings.add(Diagnostic::new(Finding::UnreadableFile { problem, file: None }, at));
     }
+}
+
+/// What keeps a program from being executed: the first such finding.
+fn first_fault(outcome: &Outcome, name: &str) -> Option<NotExecuted> {
+    let findings = &outcome.findings;
+    let faults = findings.items().iter().filter(|found| findings.levels().is_fault(found.code()));
+    let first = faults.min_by_key(|found| (found.at, found.code()))?;
+    let source = outcome.sources.get(first.at.file)?;
+    Some(NotExecuted {
+        file: name.to_owned(),
+        code: first.code(),
+        line: source.line_column(first.at.span.start).line,
+        macrocycle: (first.at.file != FileId(0)).then(|| source.name().to_owned()),
+    })
 }
 
 /// Whether execution does not begin, or its blocks are shown no longer. A warning that is denied does not keep `check` from

@@ -189,3 +189,51 @@ fn a_full_disk_is_told() {
     let full = crate::cli::open_for_writing("/dev/full");
     place.run_into(&["check", "bad.nc"], full).ends(2).says("the disk is full");
 }
+
+/// diagnostics.md: the summary says which programs were not executed, and why.
+#[test]
+fn programs_that_are_not_executed() {
+    let place = Place::with(&[
+        ("a.nc", b"%1\nN10 G71 L5\nN20 M30\n"),
+        ("b.nc", b"%1\nN10 G72 L9001\nN20 M30\n"),
+        ("c.nc", GOOD.as_bytes()),
+        ("L9001", b"N1 G79 L9001\nN2 G71 L5\nN3 G70\n"),
+    ]);
+    let run = place.run(&["check", ".", "--format", "json"]).ends(1);
+    let json: Value = serde_json::from_str(&run.stdout).unwrap();
+    let listed: Vec<(&str, &str)> = json["summary"]["not_executed"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|program| (program["file"].as_str().unwrap(), program["reason"].as_str().unwrap()))
+        .collect();
+    let checked = "arcs, feeds and calls by parameter are checked once it is corrected";
+    assert_eq!(
+        listed,
+        [
+            ("a.nc", format!("E0404 (line 2): {checked}").as_str()),
+            ("b.nc", format!("E0404 (L9001, line 2): {checked}").as_str())
+        ]
+    );
+    let human = place.run(&["check", "a.nc", "--lang", "cs"]).ends(1);
+    assert!(human.stdout.contains("a.nc nebyl proveden kvůli E0404 (řádek 2): oblouky, posuvy"), "{human:?}");
+    let sarif = place.run(&["check", "none.nc", "--format", "sarif"]).ends(2);
+    assert!(sarif.stdout.contains("\"executionSuccessful\":false"), "{sarif:?}");
+}
+
+/// diagnostics.md: people see 20 findings of each code and file; --all shows the others.
+#[test]
+fn the_first_of_many() {
+    let place = Place::with(&[("a.nc", format!("%1\nN10 G90 {}\nN20 M30\n", "X1 ".repeat(31)).as_bytes())]);
+    let shown = |options: &[&str]| {
+        let run = place.run(&[&["check", "a.nc"], options].concat()).ends(1);
+        (
+            run.stdout.matches("[E0306]").count(),
+            run.stdout.contains("10 more E0306 (duplicate-address); --all shows them"),
+        )
+    };
+    assert_eq!(shown(&[]), (20, true));
+    assert_eq!(shown(&["--format", "short"]), (20, true));
+    assert_eq!(shown(&["--all"]), (30, false));
+    assert_eq!(shown(&["--format", "short", "--all"]), (30, false));
+}

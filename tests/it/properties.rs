@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 
 use cnc872c::config::{Overrides, Settings, configure, find_project};
-use cnc872c::diag::{Diagnostic, Findings, Format, Report, render};
+use cnc872c::diag::{Diagnostic, Findings, Format, Report, Shown, render};
 use cnc872c::dict::{Dialect, Lang};
 use cnc872c::session::{Outcome, Part, Session};
 use cnc872c::text::{Loader, Location, MemoryLoader, Sources};
@@ -116,7 +116,7 @@ fn outcome(loader: &dyn Loader, file: &str, settings: &Settings, compile: bool) 
     let order: Vec<Location> = report.items().map(|item| item.diagnostic.at).collect();
     assert!(order.is_sorted());
     let mut text = Vec::new();
-    render(Format::Short, &report, Lang::Cs, false, &mut text).unwrap();
+    render(Format::Short, &report, Shown { lang: Lang::Cs, colour: false, all: true }, &mut text).unwrap();
     (text, stream)
 }
 
@@ -134,7 +134,7 @@ fn assert_sound(bytes: &[u8], mode: usize) {
     report.add_program(&outcome.sources, outcome.findings);
     for format in [Format::Human, Format::Json, Format::Sarif, Format::Github] {
         let mut text = Vec::new();
-        render(format, &report, Lang::En, true, &mut text).unwrap();
+        render(format, &report, Shown { lang: Lang::En, colour: true, all: false }, &mut text).unwrap();
         assert!(std::str::from_utf8(&text).is_ok());
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cnc872c::config::{configure, find_project};
-use cnc872c::diag::{Code, Findings, Format, Report, render};
+use cnc872c::diag::{Code, Findings, Format, Report, Shown, render};
 use cnc872c::dict::Lang;
 use cnc872c::session::{Part, Session};
 use cnc872c::text::{Loader, Sources};
@@ -39,7 +39,7 @@ impl Run {
 
     fn rendered(&self, format: Format, lang: Lang, colours: bool) -> String {
         let mut text = Vec::new();
-        render(format, &self.report, lang, colours, &mut text).unwrap();
+        render(format, &self.report, Shown { lang, colour: colours, all: true }, &mut text).unwrap();
         String::from_utf8(text).unwrap()
     }
 

@@ -3,11 +3,12 @@
 use std::io::{self, Write};
 
 use super::excerpt::Excerpt;
+use super::few::{Part, parts};
 use super::frame::{self, Mark};
 use super::places::Places;
 use super::style::{Style, paint};
-use super::words;
-use crate::diag::{CallSite, Code, Diagnostic, Report, Reported, Severity, terminal_safe};
+use super::{Shown, words};
+use crate::diag::{CallSite, Diagnostic, Report, Reported, Severity, terminal_safe};
 use crate::dict::Lang;
 use crate::text::{FileId, LineColumn, Span};
 
@@ -15,14 +16,22 @@ use crate::text::{FileId, LineColumn, Span};
 const NEAREST_CALLS: usize = 3;
 /// Calls listed in all.
 const MOST_CALLS: usize = 5;
+/// Programs that were not executed and are named.
+const MOST_PROGRAMS: usize = 3;
 /// Codes that the last line names.
 const MOST_CODES: usize = 6;
 
 /// Writes every finding, and a summary.
-pub(super) fn write(report: &Report, lang: Lang, colour: bool, out: &mut dyn Write) -> io::Result<()> {
-    let human = Human { places: Places::new(report.sources()), lang, colour };
-    for item in report.items() {
-        out.write_all(human.finding(item).as_bytes())?;
+pub(super) fn write(report: &Report, shown: Shown, out: &mut dyn Write) -> io::Result<()> {
+    let human = Human { places: Places::new(report.sources()), lang: shown.lang, colour: shown.colour };
+    for part in parts(report, shown.all) {
+        match part {
+            Part::Finding(item) => out.write_all(human.finding(item).as_bytes())?,
+            Part::More(more) => {
+                let name = terminal_safe(human.places.name(more.file));
+                writeln!(out, "{}\n", words::more(&more, &name, shown.lang))?;
+            }
+        }
     }
     human.summary(report, out)
 }
@@ -114,19 +123,28 @@ impl Human<'_> {
             (_, _) => Style::Error,
         };
         writeln!(out, "{}", paint(&words::summary(report, self.lang), style, self.colour))?;
-        if report.suppressed() > 0 {
-            writeln!(out, "{}", words::suppressed(report.suppressed(), self.lang))?;
+        let by_code = report.by_code();
+        // A code alone, and codes that are found once each, are told by the lines around.
+        let several = by_code.len() > 1 && by_code.values().any(|&count| count > 1);
+        if several || by_code.len() > MOST_CODES {
+            let counts: Vec<String> = by_code.iter().map(|(code, count)| format!("{code} ×{count}")).collect();
+            writeln!(out, "{}", counts.join(", "))?;
+        }
+        for program in report.not_executed().iter().take(MOST_PROGRAMS) {
+            let (file, reason) = (terminal_safe(&program.file), program.reason(self.lang));
+            writeln!(out, "{}", words::not_executed(&file, &reason, self.lang))?;
+        }
+        let more = report.not_executed().len().saturating_sub(MOST_PROGRAMS);
+        if more > 0 {
+            writeln!(out, "{}", words::more_not_executed(more, self.lang))?;
         }
         let fixable = report.items().filter(|item| item.diagnostic.certain_fix().is_some()).count();
         if fixable > 0 {
             writeln!(out, "{}", words::fixable(fixable, self.lang))?;
         }
-        let mut codes: Vec<Code> = report.items().map(|item| item.diagnostic.code()).collect();
-        codes.sort_unstable();
-        codes.dedup();
-        if !codes.is_empty() {
-            let names: Vec<&str> = codes.iter().take(MOST_CODES).map(|code| code.as_str()).collect();
-            let more = if codes.len() > MOST_CODES { " …" } else { "" };
+        if !by_code.is_empty() {
+            let names: Vec<&str> = by_code.keys().take(MOST_CODES).map(|code| code.as_str()).collect();
+            let more = if by_code.len() > MOST_CODES { " …" } else { "" };
             writeln!(out, "{}", words::explain(&format!("{}{more}", names.join(" ")), self.lang))?;
         }
         Ok(())

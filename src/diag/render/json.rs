@@ -1,9 +1,10 @@
 //! Findings as one JSON object, for other programs.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use schemars::{JsonSchema, generate::SchemaSettings};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::json_text;
 use super::places::Places;
@@ -16,7 +17,8 @@ const SCHEMA: &str = "cnc872c.diagnostics/1";
 
 /// Writes the object in one line.
 pub(super) fn write(report: &Report, lang: Lang, out: &mut dyn Write) -> io::Result<()> {
-    json_text::write(&document(report, lang), out)
+    let form = Form { places: Places::new(report.sources()), lang };
+    json_text::write(&document(&form, report), out)
 }
 
 /// The JSON Schema (2020-12) of the object that [`Format::Json`](super::Format::Json) writes.
@@ -33,7 +35,8 @@ struct Document<'a> {
     #[schemars(extend("const" = SCHEMA))]
     schema: &'static str,
     /// The findings, sorted by file and place.
-    diagnostics: Vec<Item<'a>>,
+    #[schemars(with = "Vec<Item<'a>>")]
+    diagnostics: Items<'a>,
     /// How many there are.
     summary: Summary,
 }
@@ -133,7 +136,32 @@ struct Fix<'a> {
     /// What it does.
     title: String,
     /// Replacements that do not overlap.
-    edits: Vec<Edit<'a>>,
+    #[schemars(with = "Vec<Edit<'a>>")]
+    edits: Edits<'a>,
+}
+
+/// The findings, each made while it is written: all of them at once are many times what they are about.
+struct Items<'a> {
+    form: &'a Form<'a>,
+    report: &'a Report,
+}
+
+impl Serialize for Items<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.report.items().map(|item| self.form.item(item)))
+    }
+}
+
+/// The edits of a fix, each made while it is written: there may be one for each letter of a file.
+struct Edits<'a> {
+    form: &'a Form<'a>,
+    edits: &'a [crate::diag::Edit],
+}
+
+impl Serialize for Edits<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.edits.iter().map(|edit| self.form.edit(edit)))
+    }
 }
 
 /// One replacement.
@@ -160,19 +188,36 @@ struct Summary {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "usize")]
     suppressed: Option<usize>,
+    /// How many there are of each code.
+    by_code: BTreeMap<&'static str, usize>,
+    /// The programs that were not executed, so that what only execution finds is not known of them.
+    not_executed: Vec<NotExecuted>,
 }
 
-fn document(report: &Report, lang: Lang) -> Document<'_> {
-    let places = Places::new(report.sources());
-    let writer = Form { places, lang };
+/// A program that was not executed.
+#[derive(Serialize, JsonSchema)]
+struct NotExecuted {
+    /// The program.
+    file: String,
+    /// Why.
+    reason: String,
+}
+
+fn document<'a>(form: &'a Form<'a>, report: &'a Report) -> Document<'a> {
     Document {
         schema: SCHEMA,
-        diagnostics: report.items().map(|item| writer.item(item)).collect(),
+        diagnostics: Items { form, report },
         summary: Summary {
             files: report.programs(),
             errors: report.errors(),
             warnings: report.warnings(),
             suppressed: Some(report.suppressed()).filter(|&count| count > 0),
+            by_code: report.by_code().into_iter().map(|(code, count)| (code.as_str(), count)).collect(),
+            not_executed: report
+                .not_executed()
+                .iter()
+                .map(|program| NotExecuted { file: program.file.clone(), reason: safe(program.reason(form.lang)) })
+                .collect(),
         },
     }
 }
@@ -183,7 +228,7 @@ struct Form<'a> {
 }
 
 impl<'a> Form<'a> {
-    fn item(&self, Reported { severity, diagnostic }: &'a Reported) -> Item<'a> {
+    fn item(&'a self, Reported { severity, diagnostic }: &'a Reported) -> Item<'a> {
         let Diagnostic { finding, at, labels, calls, fixes } = diagnostic;
         Item {
             code: finding.code().as_str(),
@@ -219,18 +264,14 @@ impl<'a> Form<'a> {
                 .iter()
                 .map(|fix| Fix {
                     title: safe(fix.title.text(self.lang)),
-                    edits: fix
-                        .edits
-                        .iter()
-                        .map(|edit| Edit {
-                            file: self.places.name(edit.at.file),
-                            span: self.range(edit.at),
-                            text: &edit.text,
-                        })
-                        .collect(),
+                    edits: Edits { form: self, edits: &fix.edits },
                 })
                 .collect(),
         }
+    }
+
+    fn edit(&'a self, edit: &'a crate::diag::Edit) -> Edit<'a> {
+        Edit { file: self.places.name(edit.at.file), span: self.range(edit.at), text: &edit.text }
     }
 
     fn range(&self, at: Location) -> Range {
@@ -266,10 +307,10 @@ mod tests {
         insta::assert_snapshot!(text.replace("},{\"code\"", "},\n {\"code\""), @r#"
         {"schema":"cnc872c.diagnostics/1","diagnostics":[{"code":"E0306","name":"duplicate-address","severity":"error","message":"`X` is written twice in this block","help":"keep one of them, or begin a new block with `N…`","notes":[],"file":"part.nc","span":{"start":{"line":2,"column":14,"offset":26},"end":{"line":2,"column":16,"offset":28}},"labels":[{"file":"part.nc","span":{"start":{"line":2,"column":8,"offset":20},"end":{"line":2,"column":10,"offset":22}},"message":"the first one is here"}],"calls":[],"fixes":[]},
          {"code":"E0104","name":"decimal-comma","severity":"error","message":"a decimal comma","help":"the control knows the decimal point only: write `X36.12`","notes":[],"file":"part.nc","span":{"start":{"line":3,"column":9,"offset":38},"end":{"line":3,"column":14,"offset":43}},"labels":[],"calls":[],"fixes":[{"title":"write `X36.12`","edits":[{"file":"part.nc","span":{"start":{"line":3,"column":9,"offset":38},"end":{"line":3,"column":14,"offset":43}},"text":"36.12"}]}]},
-         {"code":"W0214","name":"empty-block","severity":"warning","message":"block N30 is empty","help":"delete it, or say in a comment what it is for","notes":[],"file":"part.nc","span":{"start":{"line":4,"column":1,"offset":50},"end":{"line":4,"column":4,"offset":53}},"labels":[],"calls":[],"fixes":[]}],"summary":{"files":1,"errors":2,"warnings":1}}
+         {"code":"W0214","name":"empty-block","severity":"warning","message":"block N30 is empty","help":"delete it, or say in a comment what it is for","notes":[],"file":"part.nc","span":{"start":{"line":4,"column":1,"offset":50},"end":{"line":4,"column":4,"offset":53}},"labels":[],"calls":[],"fixes":[]}],"summary":{"files":1,"errors":2,"warnings":1,"by_code":{"E0104":1,"E0306":1,"W0214":1},"not_executed":[]}}
         "#);
         let text = rendered(Format::Json, &samples::called(), Lang::Cs, false);
-        insta::assert_snapshot!(text, @r#"{"schema":"cnc872c.diagnostics/1","diagnostics":[{"code":"E0510","name":"unusable-parameter-value","severity":"error","message":"R1 má hodnotu 2.5, ale D musí být celé číslo","notes":[],"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"labels":[{"file":"díly/a b.nc","span":{"start":{"line":2,"column":8,"offset":22},"end":{"line":2,"column":11,"offset":25}},"message":"zde dostal R1 hodnotu 2.5"}],"calls":[{"by":"G71","l":100,"file":"díly/a b.nc","n":80,"line":3},{"by":"G81","l":9081,"file":"díly/a b.nc","n":110,"line":6}],"fixes":[{"title":"napsat „D2“","edits":[{"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"text":"D2"}]}]}],"summary":{"files":1,"errors":1,"warnings":0}}"#);
+        insta::assert_snapshot!(text, @r#"{"schema":"cnc872c.diagnostics/1","diagnostics":[{"code":"E0510","name":"unusable-parameter-value","severity":"error","message":"R1 má hodnotu 2.5, ale D musí být celé číslo","notes":[],"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"labels":[{"file":"díly/a b.nc","span":{"start":{"line":2,"column":8,"offset":22},"end":{"line":2,"column":11,"offset":25}},"message":"zde dostal R1 hodnotu 2.5"}],"calls":[{"by":"G71","l":100,"file":"díly/a b.nc","n":80,"line":3},{"by":"G81","l":9081,"file":"díly/a b.nc","n":110,"line":6}],"fixes":[{"title":"napsat „D2“","edits":[{"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"text":"D2"}]}]}],"summary":{"files":1,"errors":1,"warnings":0,"by_code":{"E0510":1},"not_executed":[]}}"#);
     }
 
     /// diagnostics.md: offsets are bytes of the file, columns characters.
@@ -295,7 +336,11 @@ mod tests {
     fn what_is_left_out_is_counted() {
         assert_eq!(json(&samples::plain(), Lang::En)["summary"].get("suppressed"), None);
         let summary = &json(&samples::many(10_002), Lang::En)["summary"];
-        assert_eq!(*summary, serde_json::json!({"files": 1, "errors": 0, "warnings": 10_002, "suppressed": 2}));
+        assert_eq!(
+            *summary,
+            serde_json::json!({"files": 1, "errors": 0, "warnings": 10_002, "suppressed": 2,
+            "by_code": {"W0605": 10_002}, "not_executed": []})
+        );
     }
 
     #[test]

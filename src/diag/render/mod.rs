@@ -1,6 +1,7 @@
 //! The forms in which findings leave the program: for people, for editors, for other programs.
 
 mod excerpt;
+mod few;
 mod frame;
 mod github;
 mod human;
@@ -39,21 +40,33 @@ pub enum Format {
     Github,
 }
 
+/// How the findings are shown.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Shown {
+    /// In which language.
+    pub lang: Lang,
+    /// In colours, in the form for people.
+    pub colour: bool,
+    /// All of them; else the forms for people show a few of each code and file.
+    pub all: bool,
+}
+
 /// How many findings are counted only, in words, when the form itself has no place to say so: for standard error.
 pub fn unshown(format: Format, report: &Report, lang: Lang) -> Option<String> {
-    let silent = matches!(format, Format::Short | Format::Github) && report.suppressed() > 0;
+    let silent = format == Format::Github && report.suppressed() > 0;
     silent.then(|| words::suppressed(report.suppressed(), lang))
 }
 
-/// Writes the findings to `out`. Colours are used only in the form for people.
+/// Writes the findings to `out`.
 ///
 /// # Errors
 /// What writing to `out` gives.
-pub fn render(format: Format, report: &Report, lang: Lang, colour: bool, out: &mut dyn Write) -> io::Result<()> {
+pub fn render(format: Format, report: &Report, shown: Shown, out: &mut dyn Write) -> io::Result<()> {
+    let lang = shown.lang;
     let mut out = io::BufWriter::new(out);
     match format {
-        Format::Human => human::write(report, lang, colour, &mut out)?,
-        Format::Short => short::write(report, lang, &mut out)?,
+        Format::Human => human::write(report, shown, &mut out)?,
+        Format::Short => short::write(report, shown, &mut out)?,
         Format::Json => json::write(report, lang, &mut out)?,
         Format::Sarif => sarif::write(report, lang, &mut out)?,
         Format::Github => github::write(report, lang, &mut out)?,

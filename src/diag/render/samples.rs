@@ -1,6 +1,6 @@
 //! Reports that the tests of all forms render.
 
-use super::{Format, render};
+use super::{Format, Shown, render};
 use crate::diag::{
     CallKind, CallSite, Diagnostic, Finding, Findings, FixTitle, LabelText, ParameterNeed, Problem, Report, Severity,
     TextMeant,
@@ -136,7 +136,7 @@ pub(super) fn many(count: u32) -> Report {
 /// What `render` writes.
 pub(super) fn rendered(format: Format, report: &Report, lang: Lang, colour: bool) -> String {
     let mut out = Vec::new();
-    render(format, report, lang, colour, &mut out).unwrap();
+    render(format, report, Shown { lang, colour, all: true }, &mut out).unwrap();
     String::from_utf8(out).unwrap()
 }
 

@@ -2,11 +2,13 @@
 
 use std::io::{self, Write};
 
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use super::places::Places;
 use super::{json_text, words};
-use crate::diag::{Code, Diagnostic, Report, Reported, explain, terminal_safe};
+use crate::diag::{Code, Diagnostic, Edit, Report, Reported, explain, terminal_safe};
 use crate::dict::Lang;
 use crate::text::{Encoding, FileId, Location};
 
@@ -19,24 +21,96 @@ pub(super) fn write(report: &Report, lang: Lang, out: &mut dyn Write) -> io::Res
     codes.sort_unstable();
     codes.dedup();
     let log = Log { places: Places::new(report.sources()), lang, codes };
-    let mut run = json!({
-        "tool": {"driver": {
+    json_text::write(&Sarif { schema: SCHEMA, version: "2.1.0", runs: [Run { log: &log, report }] }, out)
+}
+
+#[derive(Serialize)]
+struct Sarif<'a> {
+    #[serde(rename = "$schema")]
+    schema: &'static str,
+    version: &'static str,
+    runs: [Run<'a>; 1],
+}
+
+/// The one run of a log. Its results, and the edits of their fixes, are made while they are written: all of them at once
+/// are many times what they are about.
+struct Run<'a> {
+    log: &'a Log<'a>,
+    report: &'a Report,
+}
+
+impl Serialize for Run<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { log, report } = self;
+        let mut run = serializer.serialize_map(None)?;
+        let driver = json!({
             "name": env!("CARGO_PKG_NAME"),
             "semanticVersion": env!("CARGO_PKG_VERSION"),
-            "language": language(lang),
+            "language": language(log.lang),
             "rules": log.codes.iter().map(|&code| log.rule(code)).collect::<Vec<_>>(),
-        }},
-        "invocations": [{"executionSuccessful": true}],
-        "language": language(lang),
-        "columnKind": "unicodeCodePoints",
-        "newlineSequences": ["\r\n", "\n", "\r"],
-        "artifacts": log.artifacts(report),
-        "results": report.items().map(|item| log.result(item)).collect::<Vec<_>>(),
-    });
-    if report.suppressed() > 0 {
-        set(&mut run, "properties", json!({"suppressed": report.suppressed()}));
+        });
+        run.serialize_entry("tool", &json!({"driver": driver}))?;
+        run.serialize_entry("invocations", &json!([{"executionSuccessful": !report.is_unusable()}]))?;
+        run.serialize_entry("language", language(log.lang))?;
+        run.serialize_entry("columnKind", "unicodeCodePoints")?;
+        run.serialize_entry("newlineSequences", &["\r\n", "\n", "\r"])?;
+        run.serialize_entry("artifacts", &log.artifacts(report))?;
+        run.serialize_entry("results", &Results { log, report })?;
+        if report.suppressed() > 0 {
+            run.serialize_entry("properties", &json!({"suppressed": report.suppressed()}))?;
+        }
+        run.end()
     }
-    json_text::write(&json!({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}), out)
+}
+
+struct Results<'a> {
+    log: &'a Log<'a>,
+    report: &'a Report,
+}
+
+impl Serialize for Results<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.report.items().map(|item| self.log.result(item)))
+    }
+}
+
+/// One finding: what is said of it, and its fixes.
+#[derive(Serialize)]
+struct Outcome<'a> {
+    #[serde(flatten)]
+    said: Value,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    fixes: Vec<Fix<'a>>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Fix<'a> {
+    description: Value,
+    artifact_changes: Vec<Change<'a>>,
+}
+
+/// The edits of a fix in one file.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Change<'a> {
+    artifact_location: Value,
+    replacements: Replacements<'a>,
+}
+
+struct Replacements<'a> {
+    log: &'a Log<'a>,
+    edits: &'a [Edit],
+}
+
+impl Serialize for Replacements<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(
+            self.edits
+                .iter()
+                .map(|edit| json!({"deletedRegion": self.log.region(edit.at), "insertedContent": {"text": edit.text}})),
+        )
+    }
 }
 
 /// What the results share.
@@ -55,7 +129,7 @@ impl Log<'_> {
             "shortDescription": message(&explain::first_sentence(code, self.lang)),
             "help": {
                 "text": escaped(&explain::page(code, self.lang, false)),
-                "markdown": escaped(code.page(self.lang)),
+                "markdown": escaped(&explain::markdown(code, self.lang)),
             },
             "defaultConfiguration": {"level": code.severity().name()},
         })
@@ -72,7 +146,7 @@ impl Log<'_> {
         report.sources().iter().map(artifact).collect()
     }
 
-    fn result(&self, Reported { severity, diagnostic }: &Reported) -> Value {
+    fn result<'a>(&'a self, Reported { severity, diagnostic }: &'a Reported) -> Outcome<'a> {
         let Diagnostic { finding, at, labels, calls, fixes } = diagnostic;
         let code = finding.code();
         let mut text = terminal_safe(&finding.message(self.lang)).into_owned();
@@ -80,7 +154,7 @@ impl Log<'_> {
             text.push('\n');
             text.push_str(&terminal_safe(&help));
         }
-        let mut result = json!({
+        let mut said = json!({
             "ruleId": code.as_str(),
             "ruleIndex": self.codes.binary_search(&code).unwrap_or_default(),
             "level": severity.name(),
@@ -95,7 +169,7 @@ impl Log<'_> {
                     "message": message(&terminal_safe(&label.text.text(self.lang))),
                 })
             });
-            set(&mut result, "relatedLocations", labels.collect());
+            set(&mut said, "relatedLocations", labels.collect());
         }
         if !calls.is_empty() {
             // The nearest call first.
@@ -106,27 +180,22 @@ impl Log<'_> {
                     "message": message(&words::called_by(call, &line, self.lang)),
                 }})
             });
-            set(&mut result, "stacks", json!([{"frames": frames.collect::<Vec<_>>()}]));
+            set(&mut said, "stacks", json!([{"frames": frames.collect::<Vec<_>>()}]));
         }
-        if !fixes.is_empty() {
-            let fixes = fixes.iter().map(|fix| {
-                let changes = fix.edits.iter().map(|edit| {
-                    json!({
-                        "artifactLocation": self.artifact_location(edit.at.file),
-                        "replacements": [{
-                            "deletedRegion": self.region(edit.at),
-                            "insertedContent": {"text": edit.text},
-                        }],
+        let fixes = fixes.iter().map(|fix| Fix {
+            description: message(&terminal_safe(&fix.title.text(self.lang))),
+            artifact_changes: fix
+                .edits
+                .chunk_by(|one, next| one.at.file == next.at.file)
+                .filter_map(|edits| {
+                    Some(Change {
+                        artifact_location: self.artifact_location(edits.first()?.at.file),
+                        replacements: Replacements { log: self, edits },
                     })
-                });
-                json!({
-                    "description": message(&terminal_safe(&fix.title.text(self.lang))),
-                    "artifactChanges": changes.collect::<Vec<_>>(),
                 })
-            });
-            set(&mut result, "fixes", fixes.collect());
-        }
-        result
+                .collect(),
+        });
+        Outcome { said, fixes: fixes.collect() }
     }
 
     fn physical(&self, at: Location) -> Value {
@@ -280,6 +349,33 @@ mod tests {
             (&13.into(), &26.into(), &3.into())
         );
         assert_eq!(run["artifacts"][0]["encoding"], "IBM852");
+    }
+
+    #[test]
+    fn a_run_that_could_not_do_what_it_should() {
+        let mut report = samples::mixed();
+        let successful =
+            |report: &Report| sarif(report, Lang::En)["runs"][0]["invocations"][0]["executionSuccessful"].clone();
+        assert_eq!(successful(&report), true);
+        report.set_unusable();
+        assert_eq!(successful(&report), false);
+    }
+
+    /// A fix with many edits names each file once.
+    #[test]
+    fn edits_of_one_file_are_one_change() {
+        let sources = samples::sources(&[("a.nc", b"%1 n1 x5"), ("b.nc", b"n2")]);
+        let place = |file, what| samples::find(&sources, file, what, 0);
+        let edits = [(0, "n"), (0, "x"), (1, "n")]
+            .map(|(file, what)| Edit { at: place(file, what), text: what.to_uppercase() });
+        let mut diagnostic = Diagnostic::new(crate::diag::Finding::MissingProgramStart {}, place(0, "n"));
+        diagnostic = diagnostic.with_fix(crate::diag::FixTitle::UpperCase, place(0, "n"), "N");
+        diagnostic.fixes[0].edits = edits.to_vec();
+        let log = sarif(&samples::report(&sources, [diagnostic]), Lang::En);
+        let changes = log["runs"][0]["results"][0]["fixes"][0]["artifactChanges"].as_array().unwrap();
+        let counts: Vec<usize> =
+            changes.iter().map(|change| change["replacements"].as_array().unwrap().len()).collect();
+        assert_eq!(counts, [2, 1]);
     }
 
     #[test]

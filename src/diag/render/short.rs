@@ -2,16 +2,25 @@
 
 use std::io::{self, Write};
 
+use super::few::{Part, parts};
 use super::places::Places;
+use super::{Shown, words};
 use crate::diag::{Report, terminal_safe};
-use crate::dict::Lang;
 use crate::text::LineColumn;
 
 /// Writes `path:line:column: error[E0306]: message` for every finding. The word of the severity is the same in every
-/// language: programs look for it.
-pub(super) fn write(report: &Report, lang: Lang, out: &mut dyn Write) -> io::Result<()> {
+/// language: programs look for it. What is left out has a line without one.
+pub(super) fn write(report: &Report, shown: Shown, out: &mut dyn Write) -> io::Result<()> {
     let places = Places::new(report.sources());
-    for item in report.items() {
+    let lang = shown.lang;
+    for part in parts(report, shown.all) {
+        let item = match part {
+            Part::Finding(item) => item,
+            Part::More(more) => {
+                writeln!(out, "{}", words::more(&more, &terminal_safe(places.name(more.file)), lang))?;
+                continue;
+            }
+        };
         let (severity, code) = (item.severity.name(), item.diagnostic.code());
         let LineColumn { line, column } = places.start(item.diagnostic.at);
         let name = terminal_safe(places.name(item.diagnostic.at.file));

@@ -1,6 +1,7 @@
 //! The words between findings, in both languages.
 
-use crate::diag::{CallKind, CallSite, Report, Severity};
+use super::few::More;
+use crate::diag::{CallKind, CallSite, LIMIT_PER_CODE, Report, Severity};
 use crate::dict::Lang;
 
 /// `error`, `chyba`: the word a finding begins with.
@@ -74,6 +75,36 @@ pub(super) fn summary(report: &Report, lang: Lang) -> String {
         (_, _, _) => format!("{}, {}", counted(errors, ERRORS, lang), counted(warnings, WARNINGS, lang)),
     };
     if report.programs() == 0 { counts } else { format!("{}: {counts}", counted(report.programs(), PROGRAMS, lang)) }
+}
+
+/// Findings of one code in one file that are not shown.
+pub(super) fn more(more: &More, file: &str, lang: Lang) -> String {
+    let More { code, count, counted, .. } = *more;
+    let name = code.name();
+    match (count == counted, counted, lang) {
+        (true, _, Lang::En) => format!("{file}: {count} more {code} ({name}) are counted, but not kept"),
+        (true, _, Lang::Cs) => format!("{file}: {code} ({name}) ještě {count}×, jen započteno"),
+        (_, 0, Lang::En) => format!("{file}: {count} more {code} ({name}); --all shows them"),
+        (_, 0, Lang::Cs) => format!("{file}: {code} ({name}) ještě {count}×; vypíše je --all"),
+        (_, _, Lang::En) => format!("{file}: {count} more {code} ({name}); --all shows the first {LIMIT_PER_CODE}"),
+        (_, _, Lang::Cs) => format!("{file}: {code} ({name}) ještě {count}×; --all vypíše prvních {LIMIT_PER_CODE}"),
+    }
+}
+
+/// A program that was not executed, and why.
+pub(super) fn not_executed(file: &str, reason: &str, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("{file} was not executed because of {reason}"),
+        Lang::Cs => format!("{file} nebyl proveden kvůli {reason}"),
+    }
+}
+
+/// In place of such programs that are not named.
+pub(super) fn more_not_executed(count: usize, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("more programs that were not executed: {count}"),
+        Lang::Cs => format!("další neprovedené programy: {count}"),
+    }
 }
 
 /// How many findings are not shown.
