@@ -1,16 +1,18 @@
 //! From the options that `check` and `compile` have in common to the settings of each program.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::CommonArgs;
 use super::disk::canonical;
-use super::status::Failure;
+use super::locale::Locale;
+use super::status::{Failure, tell_unshown};
 use super::topic::nearest;
 use super::walk::Target;
 use super::words::Words;
 use crate::config::{Overrides, Settings, configure, find_project, parse_parameter};
-use crate::diag::{Code, Findings, Report};
+use crate::diag::{Code, Findings, Format, Report, Shown, render};
 use crate::dict::Lang;
 use crate::text::{Loader, Sources};
 
@@ -150,4 +152,17 @@ impl Projects {
         }
         report
     }
+}
+
+/// Writes the findings to standard error: what the command makes may be on standard output. People need no word about none.
+pub(super) fn print_beside(args: &CommonArgs, report: &Report, locale: Locale) {
+    if report.items().len() == 0 && args.format == Format::Human {
+        return;
+    }
+    let shown = Shown { lang: locale.lang, colour: locale.colors(io::stderr().is_terminal()), all: args.all };
+    let mut out = BufWriter::new(io::stderr().lock());
+    // Nobody can be told that stderr is gone.
+    let _ = render(args.format, report, shown, &mut out).and_then(|()| out.flush());
+    drop(out);
+    tell_unshown(args.format, report, locale.lang);
 }

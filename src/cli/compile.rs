@@ -1,19 +1,18 @@
 //! `compile`: the block stream of a program.
 
 use std::fs::OpenOptions;
-use std::io::{self, BufWriter, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::Path;
 
-use super::args::{CommonArgs, CompileArgs};
-use super::common::{Origins, Projects, overrides};
+use super::args::CompileArgs;
+use super::common::{Origins, Projects, overrides, print_beside};
 use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
-use super::status::{Failure, Status, complain, tell_unshown};
+use super::status::{Failure, Status, complain};
 use super::walk::Target;
 use super::words::{Words, reason};
-use crate::diag::{Format, Report, Shown, render};
 use crate::dict::Lang;
 use crate::run::End;
 use crate::session::{Part, Run, Session};
@@ -37,7 +36,7 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let settings = projects.settings(target).filter(|_| report.errors() == 0);
     let Some(settings) = settings else {
         report.set_unusable();
-        print(&args.common, &report, locale);
+        print_beside(&args.common, &report, locale);
         return Ok(Status::Unusable);
     };
     let mut stream = Stream::open(output, locale.lang)?;
@@ -70,25 +69,11 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     if status == Status::Unusable {
         report.set_unusable();
     }
-    print(&args.common, &report, locale);
+    print_beside(&args.common, &report, locale);
     if whole.is_none() && report.errors() == 0 {
         complain(&Words::NotWhole { file: target.name() }, locale.lang);
     }
     Ok(status)
-}
-
-/// Writes the findings to standard error: the stream may be on standard output. People need no word about none.
-fn print(args: &CommonArgs, report: &Report, locale: Locale) {
-    if report.items().len() == 0 && args.format == Format::Human {
-        return;
-    }
-    let colors = locale.colors(io::stderr().is_terminal());
-    let mut out = BufWriter::new(io::stderr().lock());
-    // Nobody can be told that stderr is gone.
-    let shown = Shown { lang: locale.lang, colour: colors, all: args.all };
-    let _ = render(args.format, report, shown, &mut out).and_then(|()| out.flush());
-    drop(out);
-    tell_unshown(args.format, report, locale.lang);
 }
 
 fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {

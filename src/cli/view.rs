@@ -1,19 +1,18 @@
 //! `view`: the path of a program as a page or a picture.
 
-use std::io::{self, BufWriter, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::ViewArgs;
-use super::common::{Origins, Projects, overrides};
+use super::common::{Origins, Projects, overrides, print_beside};
 use super::disk::{DiskLoader, canonical, is_stdin};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
-use super::status::{Failure, Status, tell, tell_unshown};
+use super::status::{Failure, Status, tell};
 use super::walk::Target;
 use super::words::{Words, reason};
 use crate::config::Purpose;
-use crate::diag::{Format, Report, render};
 use crate::session::Session;
 use crate::text::FileId;
 use crate::view::{Part, View, page};
@@ -36,7 +35,8 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let mut report = projects.report();
     let settings = projects.settings(target).filter(|_| report.errors() == 0);
     let Some(settings) = settings else {
-        print(args.common.format, &report, locale);
+        report.set_unusable();
+        print_beside(&args.common, &report, locale);
         return Ok(Status::Unusable);
     };
     let progress = Progress::start(Counted::Blocks, output.is_none(), locale.lang);
@@ -68,7 +68,10 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
             }
         }
     }
-    print(args.common.format, &report, locale);
+    if unusable || lacks_file {
+        report.set_unusable();
+    }
+    print_beside(&args.common, &report, locale);
     Ok(match report.errors() > 0 {
         _ if unusable || lacks_file => Status::Unusable,
         true => Status::Faulty,
@@ -117,17 +120,4 @@ fn open(file: &Path, locale: Locale) -> Result<(), Failure> {
         let file = file.to_string_lossy().into_owned();
         Words::CannotOpen { file, reason: reason(&error, locale.lang) }.into()
     })
-}
-
-/// Writes the findings to standard error. People need no word about none.
-fn print(format: Format, report: &Report, locale: Locale) {
-    if report.items().len() == 0 && format == Format::Human {
-        return;
-    }
-    let colors = locale.colors(io::stderr().is_terminal());
-    let mut out = BufWriter::new(io::stderr().lock());
-    // Nobody can be told that stderr is gone.
-    let _ = render(format, report, locale.lang, colors, &mut out).and_then(|()| out.flush());
-    drop(out);
-    tell_unshown(format, report, locale.lang);
 }
