@@ -73,7 +73,7 @@ Návratový kód: 0 bez chyb, 1 programy mají chyby, 2 nešlo zkontrolovat.",
 Examples:
   cnc872c check flange.nc               one program
   cnc872c check .                       all programs in this folder and the folders in it
-  cnc872c check --fix flange.nc         also mends what has one clear fix
+  cnc872c check --fix flange.nc         also applies the fixes that are certain
   cnc872c check --diff .                shows what --fix would change
   cnc872c check -L macros flange.nc     macrocycles L… are in the folder macros
   cnc872c check --param R10=25.5 a.nc   R10 comes from the machine's table

@@ -58,11 +58,11 @@ fn what(error: &clap::Error, lang: Lang) -> String {
             text(format!("{argument} does not take `{value}`{why}"), format!("za {argument} nemůže být „{value}“{why}"))
         }
         ErrorKind::UnknownArgument if argument.len() == 2 && argument.ends_with(char::is_alphabetic) => text(
-            format!("there is no argument `{argument}` here; a file whose name begins with `-` is given as `./-…`"),
-            format!("argument „{argument}“ zde není; soubor, jehož název začíná pomlčkou, se zadává jako „./-…“"),
+            format!("unexpected argument `{argument}`; a file whose name begins with `-` is given as `./-…`"),
+            format!("argument „{argument}“ je navíc; soubor, jehož název začíná pomlčkou, se zadává jako „./-…“"),
         ),
         ErrorKind::UnknownArgument => {
-            text(format!("there is no argument `{argument}` here"), format!("argument „{argument}“ zde není"))
+            text(format!("unexpected argument `{argument}`"), format!("argument „{argument}“ je navíc"))
         }
         ErrorKind::InvalidSubcommand => {
             let command = context(error, ContextKind::InvalidSubcommand);

@@ -121,7 +121,10 @@ impl Reader<'_> {
                 let first = Location { file: self.file, span: first };
                 let at = Location { file: self.file, span: at };
                 let finding = Finding::MFunctionRepeated { m: function.number };
-                self.findings.add(Diagnostic::new(finding, at).with_label(first, LabelText::First));
+                self.findings.add(
+                    Diagnostic::new(finding, at)
+                        .with_label(first, LabelText::First { what: format!("M{:02}", function.number) }),
+                );
             }
         }
     }

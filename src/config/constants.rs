@@ -46,10 +46,14 @@ pub(super) fn apply(
                     ConstantProblem::Twice { m } => named.iter().find(|(other, _)| *other == m).map(|(_, at)| *at),
                     ConstantProblem::Digits | ConstantProblem::Standard { .. } => None,
                 };
+                let what = match problem {
+                    ConstantProblem::Twice { m } => format!("M{m:02}"),
+                    ConstantProblem::Digits | ConstantProblem::Standard { .. } => String::new(),
+                };
                 let finding = Finding::MachineConstant { constant: format!("R{number}"), problem };
                 let mut diagnostic = Diagnostic::new(finding, Location { file, span: constant.at });
                 if let Some(span) = first {
-                    diagnostic = diagnostic.with_label(Location { file, span }, LabelText::First);
+                    diagnostic = diagnostic.with_label(Location { file, span }, LabelText::First { what });
                 }
                 findings.add(diagnostic);
             }

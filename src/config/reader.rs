@@ -65,7 +65,8 @@ impl<'t> Reader<'t> {
     pub(super) fn repeated(&mut self, key: impl AsRef<str>, first: Span, second: Span) {
         let finding = Finding::ConfigurationValue { key: shown(key.as_ref()), needs: ConfigNeed::Repeated };
         let first = self.place(first);
-        self.findings.add(Diagnostic::new(finding, self.place(second)).with_label(first, LabelText::First));
+        let label = LabelText::First { what: shown(key.as_ref()) };
+        self.findings.add(Diagnostic::new(finding, self.place(second)).with_label(first, label));
     }
 
     /// Reports a key that is not known (W0705).

@@ -97,7 +97,7 @@ bilingual! {
     /// What was probably meant by a call or jump without L (E0401).
     TargetMeant {
         Subprogram "write the number of the subprogram: `L100`", "doplnit číslo podprogramu: „L100“";
-        OneOf { known: String } "write the number of the subprogram; this file has {known}", "doplnit číslo podprogramu; v souboru jsou {known}";
+        OneOf { known: String } "write the number of the subprogram; the file has {known}", "doplnit číslo podprogramu; podprogramy v souboru: {known}";
         Millimetres "delete it if millimetres are meant: lengths are always in millimetres; if a call is meant, write the number of the subprogram: `L100`", "měla-li být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, doplnit číslo podprogramu: „L100“";
         Macrocycle "write the number of the macrocycle: `L9001`", "doplnit číslo makrocyklu: „L9001“";
         Block "write the number of the block to jump to: `L10`", "doplnit číslo bloku, na který se skáče: „L10“";
@@ -228,6 +228,16 @@ impl OtherMeaning {
             }
             (Self::SpeedLimit, Lang::Cs) => "G92 zapisuje tabulky a S jsou přímo otáčky: napsat je bez G92".to_owned(),
         }
+    }
+}
+
+/// What to write instead of I, J or K without a use (E0609).
+pub(super) fn center_help(written: &str, lang: Lang) -> String {
+    match (written, lang) {
+        ("", Lang::En) => "delete it, or program the function that it belongs to".to_owned(),
+        ("", Lang::Cs) => "vymazat ho, nebo zadat funkci, ke které patří".to_owned(),
+        (written, Lang::En) => format!("write `{written}`"),
+        (written, Lang::Cs) => format!("napsat „{written}“"),
     }
 }
 

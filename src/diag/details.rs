@@ -41,7 +41,7 @@ bilingual! {
     /// What went wrong in parameter arithmetic (PAR-10).
     ArithmeticFault {
         DivisionByZero "a division by zero", "dělení nulou";
-        NegativeRoot { operand: String } "the root of {operand}, a negative number", "odmocnina ze záporného čísla {operand}";
+        NegativeRoot { operand: String } "the square root of a negative number ({operand})", "odmocnina ze záporného čísla {operand}";
         NoAngle { operand: String } "no angle has the sine or cosine {operand}", "žádný úhel nemá sinus ani kosinus {operand}";
         NoTangent { operand: String } "the tangent of {operand}° does not exist", "tangens {operand}° neexistuje";
         ResultOutOfRange { result: String, limit: String } "the result {result} is outside ±{limit}", "výsledek {result} je mimo ±{limit}";
@@ -122,6 +122,7 @@ bilingual! {
     /// Why a word I, J or K has no use in its block (MOT-3, GRP-4, GRP-7, GRP-8).
     CenterPlace {
         ThirdInArc "an arc has its centre in I and J", "střed oblouku udávají I a J";
+        OtherLetters "an arc has its centre in I and J, in the order of its axes", "střed oblouku udávají I a J v pořadí jeho os";
         InTableBlock "a G92 or G93 block takes axis words", "blok s G92 nebo G93 má slova os";
         NoUse "it is no arc, and no function that takes it is in force", "není to oblouk a neplatí funkce, která by ho použila";
     }
@@ -143,13 +144,13 @@ bilingual! {
         KeyTwice { key: String } "`{key}` is defined twice", "{key} je zde dvakrát";
         ListAsTable { key: String } "`[{key}]` beside `[[{key}]]`: each is written `[[{key}]]`", "[{key}] vedle [[{key}]]: každá tabulka se píše [[{key}]]";
         KeyHasValue { key: String } "`{key}` has a value already and cannot be a table too", "{key} už má hodnotu a nemůže být také tabulkou";
-        KeyForm "a key has the letters a–z, digits, `-` and `_`; any other stands in quotes", "klíč má písmena a–z, číslice, - a _; jakýkoli jiný patří do uvozovek";
+        KeyForm "a key has the letters a–z, digits, `-` and `_`; any other is written in quotes", "klíč má písmena a–z, číslice, - a _; jakýkoli jiný patří do uvozovek";
         NoEquals "`=` and a value are missing after a key", "za klíčem chybí = a hodnota";
         NoValue "a value is missing", "chybí hodnota";
-        UnquotedText "a text stands in quotes, a number is written as `12` or `-0.5`", "text patří do uvozovek, číslo se píše jako 12 nebo -0.5";
+        UnquotedText "a text is written in quotes, a number is written as `12` or `-0.5`", "text patří do uvozovek, číslo se píše jako 12 nebo -0.5";
         TextOpen "a text is not closed by its quote", "text není ukončen uvozovkou";
-        Escape "in a text between `\"` a `\\` is written twice; between `'` once", "v textu mezi \" se \\ píše dvakrát; mezi ' jednou";
-        ControlCharacter "a control character stands here", "je zde řídicí znak";
+        Escape "inside `\"…\"` write `\\\\`, or use `'…'`", "v textu mezi \" se \\ píše dvakrát; mezi ' jednou";
+        ControlCharacter "a control character", "je zde řídicí znak";
         BracketOpen "a bracket is not closed", "závorka není uzavřena";
         Comma "a comma is missing or superfluous", "čárka chybí nebo přebývá";
         DecimalComma "a number has a decimal point, not a comma", "číslo má desetinnou tečku, ne čárku";
@@ -162,13 +163,13 @@ bilingual! {
         ClosingTag { expected: String, actual: String } "`<{expected}>` is open, but `</{actual}>` closes", "otevřen je <{expected}>, ale uzavírá se </{actual}>";
         ElementOpen "it ends before all its elements are closed", "končí dřív, než jsou všechny elementy uzavřeny";
         NoElement "it holds no element", "neobsahuje žádný element";
-        AttributeTwice { name: String } "the attribute `{name}` is there twice", "atribut {name} je zde dvakrát";
-        UnknownEntity { name: String } "`&{name};` stands for nothing here; other files are never fetched", "&{name}; zde nic neznamená; z jiných souborů se nic nenačítá";
+        AttributeTwice { name: String } "the attribute `{name}` is set twice", "atribut {name} je zde dvakrát";
+        UnknownEntity { name: String } "`&{name};` has no meaning here; other files are never read", "&{name}; zde nic neznamená; z jiných souborů se nic nenačítá";
         EntityDeclared "it declares entities; only those of XML itself are known", "deklaruje entity; známy jsou jen ty, které má samo XML";
         Ampersand "`&` is written `&amp;`", "& se píše &amp;";
         LessThan "in a value `<` is written `&lt;`", "v hodnotě se < píše &lt;";
         UnknownPrefix { prefix: String } "the prefix `{prefix}` is not declared", "předpona {prefix} není deklarována";
-        DeclarationPlace "`<?xml` stands at the very beginning, or not at all", "<?xml stojí na samém začátku, nebo vůbec ne";
+        DeclarationPlace "`<?xml` is only allowed at the very beginning", "<?xml stojí na samém začátku, nebo vůbec ne";
         CommentForm "a comment must not hold `--`", "poznámka nesmí obsahovat --";
         TooMany "it holds more attributes or elements than are read", "má víc atributů nebo elementů, než se čte";
     }

@@ -5,7 +5,7 @@ use crate::dict::bilingual;
 bilingual! {
     /// What a secondary place shows.
     LabelText {
-        First "the first one is here", "první je zde";
+        First { what: String } "`{what}` is the first one", "první je {what}";
         FirstBlock { block: u32 } "N{block} is used here first", "N{block} je poprvé zde";
         EndHere { function: u8 } "M{function:02} is here, after subprograms", "M{function:02} je až zde, za podprogramy";
         InPlaceOfG70 { function: u8 } "M{function:02} is here in place of G70", "místo G70 je zde M{function:02}";
@@ -17,7 +17,7 @@ bilingual! {
         BlockHere { block: u32 } "block N{block} is here", "blok N{block} je zde";
         UnitBegins { l: u32 } "L{l} begins here", "L{l} začíná zde";
         MacrocycleFile { name: String } "one of them: {name}", "jeden z nich: {name}";
-        ShowsIt "this line shows it", "je to vidět na tomto řádku";
+        ShowsIt { text: String } "`{text}` is written so on such a control", "„{text}“ se takto píše na takovém systému";
         FeedPerRevolution "written as a feed per revolution", "zadáno jako posuv na otáčku";
         FeedPerMinute "written as a feed per minute", "zadáno jako posuv za minutu";
         PositionLost { m: u8 } "M{m:02} moves the machine: from here on the position is not known", "M{m:02} hýbe strojem: od tohoto místa není poloha známa";

@@ -5,7 +5,7 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
-use super::advice::{control_digits, foreign_g, of_group, other_range, range_cs, value_wanted};
+use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs, value_wanted};
 use super::{
     AddressMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem,
     DwellMeant, KnownNames, Meant, NameKind, NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault,
@@ -177,11 +177,11 @@ diagnostics! {
         cs (match super::shown::control_name(text) { Some(name) => format!("znak {name} řídicí systém nezná"), None => { let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") } })
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0102] SplitNumber "split-number" Error { joined: String }
-        en "a blank stands inside a number"
+        en "a blank inside a number"
         cs "mezera uvnitř čísla"
         help (if joined.is_empty() { "write the parameter or the number, not both".to_owned() } else { format!("write `{joined}`, or give the second number an address of its own") })
            | (if joined.is_empty() { "napsat buď parametr, nebo číslo".to_owned() } else { format!("napsat „{joined}“, nebo druhému číslu doplnit adresu") })
-        note "blanks may stand between the address and its number, never inside the number or after its sign"
+        note "blanks are allowed between the address and its number, never inside the number or after its sign"
            | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
     [E0103] MissingValue "missing-value" Error { address: String, beyond: bool, arc: bool }
         en "`{address}` has no value"
@@ -206,7 +206,7 @@ diagnostics! {
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
         note (meant.note(Lang::En)) | (meant.note(Lang::Cs))
     [E0107] LetterForDigit "letter-for-digit" Error { fixed: String }
-        en "a letter stands where a digit is meant"
+        en "a letter in place of a digit"
         cs "místo číslice je písmeno"
         help "write `{fixed}`" | "napsat „{fixed}“"
     [W0108] LowercaseAddress "lowercase-address" Warning { count: usize }
@@ -262,7 +262,7 @@ diagnostics! {
         help (if *bare { "delete it: a program ends with M30 or M02, and the file with `*` or with nothing" } else { "one file holds one program; put the second into a file of its own, or write `%` in a comment only" })
            | (if *bare { "vymazat ho: program končí M30 nebo M02, soubor hvězdičkou nebo ničím" } else { "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v komentáři" })
     [E0203] WordOutsideBlock "word-outside-block" Error { word: String, more: usize, blocks: bool }
-        en (match (blocks, more) { (false, _) => "the program has no block: no line begins with a block number".to_owned(), (true, 0) => format!("`{word}` stands before the first block"), (true, 1) => format!("`{word}` and another word stand before the first block"), (true, _) => format!("`{word}` and {more} other words stand before the first block") })
+        en (match (blocks, more) { (false, _) => "the program has no block: no line begins with a block number".to_owned(), (true, 0) => format!("`{word}` comes before the first block"), (true, 1) => format!("`{word}` and another word stand before the first block"), (true, _) => format!("`{word}` and {more} other words stand before the first block") })
         cs (match (blocks, more) { (false, _) => "program nemá žádný blok: žádný řádek nezačíná číslem bloku".to_owned(), (true, 0) => format!("slovo {word} stojí před prvním blokem"), (true, _) => format!("slovo {word} a další ({more}) stojí před prvním blokem") })
         help "begin each block with its number: `N10 {word}`" | "každý blok začít jeho číslem: „N10 {word}“"
     [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32, last: Option<u32> }
@@ -278,7 +278,7 @@ diagnostics! {
         help (match late { Some(m) => format!("move the subprograms behind the block with M{m:02}"), None => "end the main program with a block of its own: `N… M30`".to_owned() })
            | (match late { Some(m) => format!("podprogramy přesunout za blok s M{m:02}"), None => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
     [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32 }
-        en "N{block} stands after the end of the program and in no subprogram"
+        en "N{block} comes after the end of the program and belongs to no subprogram"
         cs "blok N{block} stojí za koncem programu a nepatří do žádného podprogramu"
         help "only subprograms (`G79 L…` to `G70`) may follow M02 or M30; move it before the end, or into a subprogram"
            | "za M02 nebo M30 smějí následovat jen podprogramy (od „G79 L…“ po „G70“); blok přesunout před konec, nebo do podprogramu"
@@ -288,12 +288,12 @@ diagnostics! {
         help (match instead { Some(m @ (2 | 30)) => format!("write G70 in place of M{m:02}, which ends the whole program"), Some(m) => format!("write G70 in place of M{m:02}, which does not return to the caller here"), None => "end it with a block that holds G70: `N… G70`".to_owned() })
            | (match instead { Some(m @ (2 | 30)) => format!("místo M{m:02}, které ukončí celý program, napsat G70"), Some(m) => format!("místo M{m:02}, které se zde do volajícího programu nevrací, napsat G70"), None => "ukončit ho blokem s G70: „N… G70“".to_owned() })
     [E0208] CrowdedSubprogramStart "crowded-subprogram-start" Error { word: String }
-        en "`{word}` stands in the block that begins a subprogram"
+        en "`{word}` in the block that begins a subprogram"
         cs "slovo {word} stojí v úvodním bloku podprogramu"
         help "that block holds its number, G79 and L only: `N… G79 L…`; move the rest into the next block"
            | "v tomto bloku smí být jen číslo bloku, G79 a L: „N… G79 L…“; ostatní přesunout do dalšího bloku"
     [E0209] DuplicateSubprogram "duplicate-subprogram" Error { l: u32 }
-        en "subprogram L{l} stands twice in the file"
+        en "subprogram L{l} is defined twice in the file"
         cs "podprogram L{l} je v souboru dvakrát"
         help "give one of them a number of its own" | "jednomu z nich dát jiné číslo"
     [E0210] TooManySubprograms "too-many-subprograms" Error {}
@@ -313,7 +313,7 @@ diagnostics! {
     [W0213] SkipBeforeBlockNumber "skip-before-block-number" Warning { block: u32 }
         en (if *block == 0 { "this `/` belongs to the block before it".to_owned() } else { format!("this `/` belongs to block N{block}, before it") })
         cs (if *block == 0 { "toto / patří k předchozímu bloku".to_owned() } else { format!("toto / patří k předchozímu bloku N{block}") })
-        help "write `/` after the number of the block that it shall skip: `N… /`"
+        help "write `/` after the number of the block to skip: `N… /`"
            | "psát / až za číslo bloku, který se má vynechat: „N… /“"
     [W0214] EmptyBlock "empty-block" Warning { block: u32 }
         en "block N{block} is empty"
@@ -332,7 +332,7 @@ diagnostics! {
         cs ({ let (first, second) = (crate::diag::shown(first), crate::diag::shown(second)); format!("makrocyklus L{l} je ve dvou souborech: {first} a {second}") })
         help "keep one of them on the search path" | "na cestě hledání nechat jen jeden"
     [E0218] BlockAfterMacrocycleEnd "block-after-macrocycle-end" Error { block: u32 }
-        en "N{block} stands after the G70 that ends the macrocycle"
+        en "N{block} comes after the G70 that ends the macrocycle"
         cs "blok N{block} stojí za G70, které makrocyklus ukončuje"
         help "a macrocycle file holds one unit; move the block before G70, or into another file"
            | "soubor makrocyklu obsahuje jediný celek; blok přesunout před G70, nebo do jiného souboru"
@@ -451,7 +451,7 @@ diagnostics! {
     [E0410] ExpansionLimit "expansion-limit" Error { limit: u64, repeats: String }
         en "the program executes more than {limit} blocks"
         cs "program provede více než {limit} bloků"
-        help "when this is meant, raise `records` under [limits], or `--max-blocks`"
+        help "if intended, raise `records` under [limits], or `--max-blocks`"
            | "je-li to záměr, zvýšit records v [limits], nebo --max-blocks"
         note (if repeats.is_empty() { String::new() } else { format!("what multiplies here: {repeats}") })
            | (if repeats.is_empty() { String::new() } else { format!("co se zde násobí: {repeats}") })
@@ -494,13 +494,13 @@ diagnostics! {
         en "R{parameter} is read here and assigned in the same block: the old value counts"
         cs "R{parameter} se v témže bloku čte i přiřazuje: platí stará hodnota"
         help "assign it in a block before, or after" | "přiřadit ho v bloku před tím, nebo za tím"
-    [E0505] MissingControlWord "missing-control-word" Error { function: GCode, missing: String }
+    [E0505] MissingControlWord "missing-control-word" Error { function: GCode, missing: String, reference: bool }
         en "{function} needs {missing} in its block"
         cs "{function} potřebuje v bloku {missing}"
-        help ({ let first = missing.split(',').next().unwrap_or_default(); format!("write each control word in the same block, its eight digits oo aa bb rr together: `{first}=…`") })
-           | ({ let first = missing.split(',').next().unwrap_or_default(); format!("každé řídicí slovo napsat do téhož bloku, osm číslic oo aa bb rr bez mezer: „{first}=…“") })
-        note (if *function == GCode::G28 { "G26 to G29 compute with parameters; the reference point is approached by G30" } else { "" })
-           | (if *function == GCode::G28 { "G26 až G29 počítají s parametry; do reference se najíždí funkcí G30" } else { "" })
+        help ({ let first = missing.split(',').next().unwrap_or_default(); if *reference { "the reference point is approached by G30".to_owned() } else { format!("write each control word in the same block, its eight digits oo aa bb rr together: `{first}=…`") } })
+           | ({ let first = missing.split(',').next().unwrap_or_default(); if *reference { "do reference se najíždí funkcí G30".to_owned() } else { format!("každé řídicí slovo napsat do téhož bloku, osm číslic oo aa bb rr bez mezer: „{first}=…“") } })
+        note (if *function == GCode::G28 { "G26 to G29 compute with parameters" } else { "" })
+           | (if *function == GCode::G28 { "G26 až G29 počítají s parametry" } else { "" })
     [W0506] SuperfluousControlWord "superfluous-control-word" Warning { function: GCode, parameter: u8 }
         en "{function} does not use R{parameter}"
         cs "{function} R{parameter} nepoužije"
@@ -573,12 +573,12 @@ diagnostics! {
         en "this machine is configured without the oriented stop M19"
         cs "stroj nemá podle konfigurace orientovaný stop M19"
         help "use M05; when the machine has it, set `oriented-stop = true`" | "použít M05; má-li ho stroj, nastavit oriented-stop = true"
-    [E0609] CenterWordNotUsable "center-word-not-usable" Error { letter: char, place: CenterPlace }
+    [E0609] CenterWordNotUsable "center-word-not-usable" Error { letter: char, place: CenterPlace, written: String }
         en ({ let why = place.text(Lang::En); format!("`{letter}` has no use in this block: {why}") })
         cs ({ let why = place.text(Lang::Cs); format!("{letter} zde nemá význam: {why}") })
-        help "delete it, or program the function that it belongs to" | "vymazat ho, nebo zadat funkci, ke které patří"
+        help (center_help(written, Lang::En)) | (center_help(written, Lang::Cs))
     [W0610] ArcAfterOriginChange "arc-after-origin-change" Warning {}
-        en "an arc right after a change of origin or correction: its start is not where the tool stands"
+        en "an arc right after a change of origin or correction: its start is not where the tool is"
         cs "oblouk hned po změně počátku nebo korekce: nezačíná tam, kde stojí nástroj"
         help "move by a straight line (G00, G01) first" | "nejdřív zařadit přímkový pohyb (G00, G01)"
     [E0611] ArcAxes "arc-axes" Error { plane: String, many: bool }

@@ -324,7 +324,7 @@ mod tests {
         let files = sources(&[("a.nc", "N1 N2"), ("unused", ""), ("L5", "N7")]);
         let label = Location { file: FileId(2), span: Span::new(0, 1) };
         let mut report = Report::new();
-        report.add(&files, findings([empty_block(0, 0).with_label(label, LabelText::First)]));
+        report.add(&files, findings([empty_block(0, 0).with_label(label, LabelText::First { what: "X0".to_owned() })]));
         let item = report.items().next().unwrap();
         assert_eq!(report.sources().get(item.diagnostic.labels[0].at.file).unwrap().name(), "L5");
     }

@@ -28,8 +28,12 @@ fn push_safe(result: &mut String, character: char) {
     }
 }
 
-/// The name of the control character that `text` is, once or repeated. The text is one that [`shown`] made.
+/// The name of the control character or foreign blank that `text` is, once or repeated. The text is one that [`shown`]
+/// made.
 pub(super) fn control_name(text: &str) -> Option<String> {
+    if let Some(blank) = text.chars().next().filter(|_| text.chars().all(super::is_blank)) {
+        return Some(format!("U+{:04X}", u32::from(blank)));
+    }
     let escaped = text.strip_prefix("\\u{")?;
     let (code, _) = escaped.split_once('}')?;
     let unit = format!("\\u{{{code}}}");

@@ -195,10 +195,10 @@ addresses! {
     W "W" b'W' Dimension, true, true, "4th or 5th axis, by the machine builder", "4. nebo 5. osa, podle výrobce stroje";
     I "I" b'I' Dimension, true, false,
         "distance from the start of an arc to its centre along the first interpolated axis; with G23 the dynamic set",
-        "vzdálenost středu kružnice od počátku oblouku v první interpolované ose; s G23 sada dynamiky";
+        "vzdálenost středu kružnice od začátku oblouku v první interpolované ose; s G23 sada dynamiky";
     J "J" b'J' Dimension, true, false,
         "distance from the start of an arc to its centre along the second interpolated axis",
-        "vzdálenost středu kružnice od počátku oblouku ve druhé interpolované ose";
+        "vzdálenost středu kružnice od začátku oblouku ve druhé interpolované ose";
     K "K" b'K' Dimension, true, false,
         "word of G09, G10, G33, fixed cycles and transformations",
         "slovo funkcí G09, G10, G33, pevných cyklů a transformací";

@@ -9,7 +9,7 @@ bilingual! {
         MainProgram "main program", "hlavní program";
         Subprogram "subprogram", "podprogram";
         Macrocycle { file: String } "macrocycle {file}", "makrocyklus {file}";
-        NothingToRename "no number that can be changed stands here", "zde není číslo, které by šlo změnit";
+        NothingToRename "there is no number here that can be changed", "zde není číslo, které by šlo změnit";
         BlockNumber "a block number is a whole number from 1 to 99999999", "číslo bloku je celé číslo od 1 do 99999999";
         ReachableBlock { n: u32 } "jumps lead to block N{n}, and G73 reaches block numbers up to 9999 only", "na blok N{n} vedou skoky a G73 dosáhne jen na čísla bloků do 9999";
         SubprogramNumber "the number of a subprogram is a whole number from 1 to 9999", "číslo podprogramu je celé číslo od 1 do 9999";

@@ -1,8 +1,8 @@
 //! The checks of one block, as far as its written values go.
 
-use super::UnitKind;
 use super::forms::{FormFault, check_form};
 use super::letters::{Letters, bit};
+use super::{Unit, UnitKind};
 use crate::config::Settings;
 use crate::diag::{
     Diagnostic, DwellMeant, Finding, Findings, FixTitle, LabelText, OtherMeaning, ParameterNeed, PointMeant,
@@ -16,6 +16,8 @@ use crate::text::{Location, Span};
 const MOST_G: usize = 11;
 const MOST_M: usize = 10;
 const MOST_R: usize = 95;
+/// So many subprograms are named in a help.
+const MOST_NAMED: usize = 5;
 /// The first parameter that holds a control word (PAR-7).
 const FIRST_CONTROL: u8 = 5;
 /// The last one.
@@ -29,6 +31,8 @@ pub(super) struct BlockChecker<'a> {
     pub(super) file: &'a ParsedFile,
     pub(super) findings: &'a mut Findings,
     letters: &'a Letters,
+    /// The units of the file, for what helps name.
+    pub(super) units: &'a [Unit],
     /// Axes that the control does not have, a bit for each address.
     surplus: u32,
     /// Where words begin whose values are not what their addresses take.
@@ -90,7 +94,7 @@ impl<'a> BlockChecker<'a> {
         findings: &'a mut Findings,
     ) -> Self {
         let surplus = letters.surplus(&settings.machine);
-        Self { settings, file, findings, letters, surplus, refused: Vec::new(), operations: Vec::new() }
+        Self { settings, file, findings, letters, surplus, units: &[], refused: Vec::new(), operations: Vec::new() }
     }
 
     /// Where words begin whose values are not what their addresses take, and the control words whose operation is not
@@ -261,7 +265,9 @@ impl<'a> BlockChecker<'a> {
 
     fn report_with_first(&mut self, word: Word, finding: Finding, first: Word) {
         let diagnostic = Diagnostic::new(finding, self.file.word_place(word));
-        self.findings.add(diagnostic.with_label(self.file.word_place(first), LabelText::First));
+        let place = self.file.word_place(first);
+        let what = crate::diag::shown(self.file.source.slice(place.span));
+        self.findings.add(diagnostic.with_label(place, LabelText::First { what }));
     }
 
     /// The form of one word (§2). What is wrong with it has its finding, and the word no value.
@@ -396,8 +402,11 @@ impl<'a> BlockChecker<'a> {
         match (taker, functions.l) {
             (Some((function, word)), None) => {
                 let only_g = words.iter().all(|word| word.address == Address::G);
-                let millimetres = function == GCode::G71 && only_g;
-                let meant = if millimetres { TargetMeant::Millimetres } else { TargetMeant::of(function) };
+                let meant = if function == GCode::G71 && only_g {
+                    TargetMeant::Millimetres
+                } else {
+                    self.known_subprograms().filter(|_| function == GCode::G71).unwrap_or(TargetMeant::of(function))
+                };
                 self.report(word, Finding::MissingTarget { function, meant });
             }
             (None, Some(l)) if !functions.unknown_g && !l.is_faulty() => self.report_unused_target(words, functions, l),
@@ -426,6 +435,17 @@ impl<'a> BlockChecker<'a> {
         {
             self.report(q, Finding::UnusedRepeat {});
         }
+    }
+
+    /// The first subprograms of the file, when there are any.
+    fn known_subprograms(&self) -> Option<TargetMeant> {
+        let number = |unit: &Unit| match unit.kind {
+            UnitKind::Subprogram(l) => l,
+            UnitKind::Main | UnitKind::Macrocycle(_) => None,
+        };
+        let known: Vec<String> =
+            self.units.iter().filter_map(number).take(MOST_NAMED).map(|l| format!("L{l}")).collect();
+        (!known.is_empty()).then(|| TargetMeant::OneOf { known: known.join(", ") })
     }
 
     /// L without use: other controls write tables and calls with it.
@@ -489,11 +509,20 @@ impl<'a> BlockChecker<'a> {
             }
         }
         if let Some((function, g_word)) = functions.of(GGroup::G4) {
-            self.check_control_words(function, g_word, &assigned, void);
+            // G28 approaches the reference point on other controls.
+            let axes = words.iter().any(|word| word.address.axis().is_some());
+            let reference = function == GCode::G28 && functions.r_words == 0 && axes;
+            self.check_control_words((function, g_word), &assigned, void, reference);
         }
     }
 
-    fn check_control_words(&mut self, function: GCode, g_word: Word, assigned: &[Option<Word>; 96], void: bool) {
+    fn check_control_words(
+        &mut self,
+        (function, g_word): (GCode, Word),
+        assigned: &[Option<Word>; 96],
+        void: bool,
+        reference: bool,
+    ) {
         let mut missing = Vec::new();
         let mut superfluous = Vec::new();
         let used = FIRST_CONTROL..FIRST_CONTROL + u8::try_from(function.operations()).unwrap_or(0);
@@ -519,7 +548,8 @@ impl<'a> BlockChecker<'a> {
             }
         } else if !void {
             // Control words in the wrong parameters are part of it.
-            self.report(g_word, Finding::MissingControlWord { function, missing: missing.join(", ") });
+            let finding = Finding::MissingControlWord { function, missing: missing.join(", "), reference };
+            self.report(g_word, finding);
         }
     }
 

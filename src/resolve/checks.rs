@@ -70,6 +70,7 @@ fn check_blocks(
     let check = |blocks: Range<u32>| {
         let mut findings = Findings::new();
         let mut checker = BlockChecker::new(settings, parsed, letters, &mut findings);
+        checker.units = units;
         let mut units = units.iter().peekable();
         for block in blocks.map(BlockId) {
             while units.next_if(|unit| unit.end <= block).is_some() {}

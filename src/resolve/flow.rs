@@ -218,6 +218,11 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
                 |l: u32| if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l) };
             named.extend(l.and_then(known));
         }
+        // M98 has its finding: it was to call the subprogram.
+        if words.iter().any(|word| word.address == Address::M && word.whole() == Some(98)) {
+            let called = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
+            named.extend(called.and_then(|called| u32::try_from(called).ok()));
+        }
     }
     for (&l, &UnitId(id)) in &resolved.subprograms {
         if let Some(unit) = resolved.units.get(id as usize).filter(|_| !named.contains(&l)) {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::config::Settings;
-use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText};
+use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText, shown};
 use crate::syntax::{ParsedFile, foreign};
 use crate::text::{Location, SourceText, Span};
 
@@ -42,7 +42,10 @@ impl Origin {
         let finding = Finding::OtherControlProgram { control: found.control };
         let mut diagnostic = Diagnostic::new(finding, self.place);
         if !found.line.range().contains(&(self.place.span.start as usize)) {
-            diagnostic = diagnostic.with_label(Location { file, span: found.line }, LabelText::ShowsIt);
+            diagnostic = diagnostic.with_label(
+                Location { file, span: found.line },
+                LabelText::ShowsIt { text: shown(self.source.slice(found.line)) },
+            );
         }
         findings.add(diagnostic);
     }

@@ -192,7 +192,7 @@ impl Context<'_, '_> {
                     Some(first) => {
                         let diagnostic = Diagnostic::new(Finding::DuplicateSubprogram { l }, parsed.word_place(word));
                         let label = parsed.word_place(*first);
-                        self.findings.add(diagnostic.with_label(label, LabelText::First));
+                        self.findings.add(diagnostic.with_label(label, LabelText::First { what: format!("L{l}") }));
                     }
                 }
             }

@@ -6,9 +6,9 @@ use super::parameters::with_origin;
 use super::planes;
 use super::site::Site;
 use super::state::{Position, State};
-use super::words::BlockWords;
+use super::words::{BlockWords, Valued};
 use crate::config::{ArcCenters, Machine};
-use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Finding, LabelText, PlaneFault};
+use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Edit, Finding, Fix, FixTitle, LabelText, PlaneFault};
 use crate::dict::{AxisLetter, GCode, GGroup, Micro};
 use crate::text::Location;
 
@@ -106,11 +106,31 @@ pub(super) fn radii(
         points: Box::new(points),
         meant: meant_center(machine, arc, in_order),
     };
-    let diagnostic = Diagnostic::new(finding, place);
+    let diagnostic = offer(site, words, Diagnostic::new(finding, place));
     site.report(match word {
         Some(word) => with_origin(state, diagnostic, word),
         None => diagnostic,
     });
+}
+
+/// Offers the words that fit in place of those that are written, when these are numbers.
+fn offer(site: &Site<'_>, words: &BlockWords, mut diagnostic: Diagnostic) -> Diagnostic {
+    let Finding::ArcRadiusMismatch { meant, .. } = &diagnostic.finding else { return diagnostic };
+    let (ArcMeant::Coordinates { words: text } | ArcMeant::Exchanged { words: text }) = meant else {
+        return diagnostic;
+    };
+    let text = text.clone();
+    let (i, j) = text.split_once(' ').unwrap_or((&text, ""));
+    let edit = |valued: Valued, text: &str| Edit { at: site.word_place(valued.word), text: text.to_owned() };
+    let edits = match (words.i, words.j) {
+        (Some(one), Some(other)) => vec![edit(one, i), edit(other, j)],
+        (Some(one), None) | (None, Some(one)) => vec![edit(one, &text)],
+        (None, None) => return diagnostic,
+    };
+    if ![words.i, words.j].into_iter().flatten().any(|valued| valued.word.is_parametric()) {
+        diagnostic.fixes.push(Fix { title: FixTitle::Write { text }, edits, certain: false });
+    }
+    diagnostic
 }
 
 /// Whether I and J fit as coordinates of the centre, or exchanged.

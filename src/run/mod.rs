@@ -17,6 +17,7 @@ mod interpreter;
 mod m_functions;
 mod motion;
 mod moved;
+mod other_centers;
 mod parameters;
 mod planes;
 mod points;

@@ -4,6 +4,7 @@ use super::arc::{self, Arc};
 use super::block::{Block, DataFacts, Effect, InForce};
 use super::functions::report_unmodelled;
 use super::moved::{ArcFacts, MotionType, Moving};
+use super::other_centers;
 use super::site::Site;
 use super::state::{AxisSet, Position, State};
 use super::technology::choose_dynamic_set;
@@ -153,9 +154,10 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
     let spiral = matches!(g.of(GGroup::G2), Some(GCode::G09 | GCode::G10));
     let cycle = g.of(GGroup::G8).is_some_and(GCode::is_cycle);
     let thread = g.of(GGroup::G0) == Some(GCode::G33);
+    let other_letters = is_arc && !spiral && other_centers::report_k(site, words, g);
     for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
         let Some(valued) = valued else { continue };
-        if letter == 'I' && dynamic {
+        if (letter == 'I' && dynamic) || (letter == 'K' && other_letters) {
             continue;
         }
         let kept = if is_arc && letter == 'K' { spiral } else { spiral || cycle || thread };
@@ -163,7 +165,10 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
             centers.extend(valued.value.map(|value| (letter, value)));
         } else if !(is_arc && letter != 'K') {
             let place = if circular && letter == 'K' { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
-            site.found(Finding::CenterWordNotUsable { letter, place }, site.word_place(valued.word));
+            site.found(
+                Finding::CenterWordNotUsable { letter, place, written: String::new() },
+                site.word_place(valued.word),
+            );
         }
     }
 }
@@ -181,7 +186,10 @@ fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, functio
         let Some(valued) = valued else { continue };
         if table {
             let place = CenterPlace::InTableBlock;
-            site.found(Finding::CenterWordNotUsable { letter, place }, site.word_place(valued.word));
+            site.found(
+                Finding::CenterWordNotUsable { letter, place, written: String::new() },
+                site.word_place(valued.word),
+            );
         } else {
             values.extend(valued.value.map(|value| (letter, value)));
         }

@@ -141,7 +141,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) {
     }
     // Found before execution when the function is written out.
     if !missing.is_empty() && g_word.is_parametric() {
-        let finding = Finding::MissingControlWord { function, missing: missing.join(", ") };
+        let finding = Finding::MissingControlWord { function, missing: missing.join(", "), reference: false };
         site.found(finding, site.word_place(g_word));
     }
 }

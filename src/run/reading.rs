@@ -79,7 +79,8 @@ fn read_g(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
         // Found before execution when both are written out.
         let finding = Finding::ConflictingG { first, second: code, group: code.group() };
         let diagnostic = Diagnostic::new(finding, site.word_place(word));
-        let diagnostic = diagnostic.with_label(site.word_place(first_word), LabelText::First);
+        let diagnostic =
+            diagnostic.with_label(site.word_place(first_word), LabelText::First { what: first.to_string() });
         let diagnostic = with_origin(state, diagnostic, word);
         site.report(with_origin(state, diagnostic, first_word));
         return;
@@ -95,7 +96,8 @@ fn read_m(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
     if let Some((first, first_word)) = conflict {
         let finding = Finding::ConflictingM { first, second: number, group };
         let diagnostic = Diagnostic::new(finding, site.word_place(word));
-        let diagnostic = diagnostic.with_label(site.word_place(first_word), LabelText::First);
+        let diagnostic =
+            diagnostic.with_label(site.word_place(first_word), LabelText::First { what: format!("M{first:02}") });
         let diagnostic = with_origin(state, diagnostic, word);
         site.report(with_origin(state, diagnostic, first_word));
         return;

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::file::Block;
 use super::lower::Lowering;
 use super::{BlockFlags, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
-use crate::diag::{Diagnostic, Finding, Findings};
+use crate::diag::{Diagnostic, Finding, Findings, FixTitle};
 use crate::dict::Address;
 use crate::text::{FileId, Location, SourceText, Span};
 
@@ -220,6 +220,9 @@ fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)>
     bounds
 }
 
+/// So few bytes behind a `%` may be blank for it to be the end of a file.
+const FEW: usize = 256;
+
 /// Whether a block number stands right behind G71, G72 or G73 on a line with no other word than Q behind it: it is the
 /// target, without its L.
 fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
@@ -354,9 +357,14 @@ impl<'t> Reader<'t> {
             self.second_program = Some(token.start);
         }
         let place = Location { file: self.lowering.file, span: token.span() };
-        self.lowering
-            .findings
-            .add(Diagnostic::new(Finding::SecondProgramStart { bare: token.kind == Kind::Letter }, place));
+        let bare = token.kind == Kind::Letter;
+        let mut diagnostic = Diagnostic::new(Finding::SecondProgramStart { bare }, place);
+        let rest = self.lowering.text.get(token.end as usize..).unwrap_or_default();
+        // Other controls end a file with it.
+        if bare && rest.bytes().take(FEW).all(|byte| byte.is_ascii_whitespace()) && rest.len() < FEW {
+            diagnostic = diagnostic.with_fix(FixTitle::Delete { text: "%".to_owned() }, place, "");
+        }
+        self.lowering.findings.add(diagnostic);
     }
 
     /// Parses the blocks of a batch: each begins at a cut. What stands before the first cut of the file is its header.

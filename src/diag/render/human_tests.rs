@@ -181,7 +181,7 @@ fn lines_left_out_and_labels_before_the_finding() {
     let sources = samples::sources(&[("a.nc", text.as_bytes())]);
     let diagnostic = Diagnostic::new(Finding::DuplicateSubprogram { l: 1 }, find(&sources, 0, "L1", 2))
         .with_label(find(&sources, 0, "L1", 1), LabelText::UnitBegins { l: 1 })
-        .with_label(find(&sources, 0, "L1", 0), LabelText::First);
+        .with_label(find(&sources, 0, "L1", 0), LabelText::First { what: "X0".to_owned() });
     insta::assert_snapshot!(human(&samples::report(&sources, [diagnostic]), Lang::Cs), @"
     chyba[E0209]: podprogram L1 je v souboru dvakrát
          ╭─[ a.nc:124:9 ]
@@ -249,7 +249,8 @@ fn a_line_of_ten_megabytes() {
         let mut at = second;
         at.span.start += 1200 * index;
         at.span.end = at.span.start + 2;
-        Diagnostic::new(Finding::DuplicateAddress { address: "X".to_owned() }, at).with_label(first, LabelText::First)
+        Diagnostic::new(Finding::DuplicateAddress { address: "X".to_owned() }, at)
+            .with_label(first, LabelText::First { what: "X0".to_owned() })
     });
     let text = human(&samples::report(&sources, items), Lang::En);
     let shown = text.lines().take(18).collect::<Vec<_>>().join("\n");
@@ -310,7 +311,7 @@ proptest! {
             .map(|(start, len)| Location { file, span: Span::new(boundary(start), boundary(start + len)) });
         let mut diagnostic = Diagnostic::new(Finding::MissingProgramStart {}, places.next().unwrap());
         for place in places {
-            diagnostic = diagnostic.with_label(place, LabelText::First);
+            diagnostic = diagnostic.with_label(place, LabelText::First { what: "X0".to_owned() });
         }
         let report = samples::report(&sources, [diagnostic]);
         for format in <Format as clap::ValueEnum>::value_variants() {

@@ -47,7 +47,8 @@ pub(super) fn plain() -> Report {
         &sources,
         [
             Diagnostic::new(comma, at).with_fix(FixTitle::Write { text: "X36.12".to_owned() }, at, "36.12"),
-            Diagnostic::new(twice, find(&sources, 0, "X5", 0)).with_label(find(&sources, 0, "X0", 0), LabelText::First),
+            Diagnostic::new(twice, find(&sources, 0, "X5", 0))
+                .with_label(find(&sources, 0, "X0", 0), LabelText::First { what: "X0".to_owned() }),
             Diagnostic::new(Finding::EmptyBlock { block: 30 }, find(&sources, 0, "N30", 0)),
         ],
     )
@@ -128,7 +129,7 @@ pub(super) fn many(count: u32) -> Report {
         let at = Location { file: FileId(0), span: Span::new(start, start + 2) };
         let first = Location { file: FileId(0), span: Span::new(start + 5, start + 7) };
         Diagnostic::new(Finding::IncrementalFromUnknown { axis: AxisLetter::X.to_string().chars().next().unwrap() }, at)
-            .with_label(first, LabelText::First)
+            .with_label(first, LabelText::First { what: "X0".to_owned() })
     });
     report(&sources, items)
 }

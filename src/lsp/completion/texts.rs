@@ -21,7 +21,7 @@ bilingual! {
         NeedsMacrocycle "Needs `L`, the number of the macrocycle; `Q`: how many times.", "Vyžaduje `L`, číslo makrocyklu; `Q`: kolikrát.";
         NeedsBlock "Needs `L`, the number of the block; `Q`: how many jumps.", "Vyžaduje `L`, číslo bloku; `Q`: počet skoků.";
         NeedsEntry "Needs `L`, its number; nothing else stands in the block.", "Vyžaduje `L`, své číslo; nic jiného v bloku nestojí.";
-        NeedsCentre "`I` and `J` are the distances from the start to the centre.", "`I` a `J` jsou vzdálenosti středu od počátku oblouku.";
+        NeedsCentre "`I` and `J` are the distances from the start to the centre.", "`I` a `J` jsou vzdálenosti středu od začátku oblouku.";
         NeedsControl { last: usize } "Needs its control words in the same block, `R5` to `R{last}`.", "Vyžaduje řídicí slova v témže bloku, `R5` až `R{last}`.";
         NeedsOneControl "Needs its control word `R5` in the same block.", "Vyžaduje řídicí slovo `R5` v témže bloku.";
         DynamicSet "`I1` to `I4` chooses the dynamic set.", "`I1` až `I4` volí sadu dynamiky.";
