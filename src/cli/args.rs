@@ -263,7 +263,7 @@ mod tests {
             common: CommonArgs,
         }
         // How to show findings, and which project file.
-        let own = ["--format", "--config", "-h"];
+        let own = ["--all", "--format", "--config", "-h"];
         let command = Common::command();
         let name = |arg: &Arg| match (arg.get_long(), arg.get_short()) {
             (Some(long), _) => format!("--{long}"),

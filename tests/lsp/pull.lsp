@@ -48,7 +48,7 @@ N30 M30
             },
             "uri": "DIR/part.nc"
           },
-          "message": "the first one is here"
+          "message": "`X1` is the first one"
         }
       ],
       "severity": 1,
