@@ -69,6 +69,8 @@ pub(super) struct Block {
     /// Parameters that it wrote, by number; without those whose value is not known.
     pub(super) params: Vec<(u8, Decimal)>,
     pub(super) jump: Option<Jump>,
+    /// Its motion is measured in degrees; of a block of axis words only.
+    pub(super) degrees: bool,
     /// It differs from the block before it in place, motion and positions alone.
     pub(super) moves_on: bool,
 }

@@ -102,6 +102,14 @@ pub(super) struct ArcFacts {
 }
 
 impl Moving {
+    /// See [`Motion::is_in_degrees`].
+    #[inline]
+    pub(super) fn is_in_degrees(&self, travels: &[Travel]) -> bool {
+        self.arc.is_none()
+            && travels.iter().any(|travel| self.is_rotary(travel))
+            && travels.iter().all(|travel| self.is_rotary(travel) || travel.distance == Some(Micro::ZERO))
+    }
+
     fn is_rotary(&self, travel: &Travel) -> bool {
         travel.definition.rotary || self.spindle == Some(travel.axis)
     }
@@ -250,11 +258,7 @@ impl<'r> Motion<'r> {
     /// Whether the motion is measured in degrees (MOT-6): no linear axis is in it, or linear ones are named that do not move,
     /// beside rotary ones. An arc never is.
     pub fn is_in_degrees(&self) -> bool {
-        let mut linear = self.travels.iter().filter(|travel| !self.moving.is_rotary(travel)).peekable();
-        let rotary = self.travels.iter().any(|travel| self.moving.is_rotary(travel));
-        self.moving.arc.is_none()
-            && rotary
-            && (linear.peek().is_none() || linear.all(|travel| travel.distance == Some(Micro::ZERO)))
+        self.moving.is_in_degrees(self.travels)
     }
 
     /// The length of a straight motion: the linear axes alone decide, when one of them moves (MOT-6).

@@ -40,7 +40,10 @@ impl Run {
         }
         let stale = settle_origin(state, &block.travels, None);
         block.effect = Effect::Motion(Moving { stale, ..moving });
-        block.moves_on = settled;
+        // What the feed counts may differ from the point before.
+        let degrees = moving.is_in_degrees(&block.travels);
+        block.moves_on = settled && degrees == block.degrees;
+        block.degrees = degrees;
         arrive(site, state, &block.travels, true);
         true
     }
