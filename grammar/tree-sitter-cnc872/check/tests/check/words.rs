@@ -72,7 +72,7 @@ pub fn own(source: &Arc<SourceText>, form: Form) -> (Outline, BTreeSet<String>) 
     for block in parsed.block_ids() {
         let words = parsed.n_word(block).into_iter().chain(parsed.words(block).iter().copied());
         let words = words.map(|word| (kind(word.address).to_owned(), word.span(text).range()));
-        let comments = parsed.comments(block).iter().map(|span| ("comment".to_owned(), span.range()));
+        let comments = parsed.comments_behind(block).iter().map(|span| ("comment".to_owned(), span.range()));
         outline.blocks.push(words.chain(comments).collect());
     }
     let codes = findings.into_sorted().into_iter().map(|found| found.code().to_string());
