@@ -73,7 +73,7 @@ fn main() {
     for program in 0..FOLDER.0 {
         write(&format!("folder/part{program:04}.nc"), &|out| generate::cam(out, FOLDER.1));
     }
-    let stream = file("cam.jsonl");
+    let (stream, wave) = (file("cam.jsonl"), file("cam.vcd"));
     let row = |name, arguments: &[&str], path: &str, runs| Row {
         name,
         arguments: arguments.iter().map(|&argument| argument.to_owned()).chain([shown(&file(path))]).collect(),
@@ -87,6 +87,7 @@ fn main() {
     let mut rows = vec![
         row("check cam", &["check"], "cam.nc", 9),
         row("compile cam to a file", &["compile", "-o", &shown(&stream)], "cam.nc", 5),
+        row("plc cam as VCD to a file", &["plc", "--format", "vcd", "-o", &shown(&wave)], "cam.nc", 9),
         row("check arcs", &["check"], "arcs.nc", 5),
         row("check rich", &["check"], "rich.nc", 5),
         row("compile loops", &["compile"], "loops.nc", 3),

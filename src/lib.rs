@@ -5,6 +5,7 @@ pub mod cli;
 pub mod config;
 pub mod diag;
 pub mod dict;
+pub mod explain;
 pub mod lsp;
 pub mod resolve;
 pub mod run;

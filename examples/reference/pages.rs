@@ -25,11 +25,15 @@ pub fn pages() -> BTreeMap<String, String> {
         add("m-functions", m_functions(lang));
         add("diagnostics", diagnostics(lang, name));
         add("project-file", cnc872c::config::reference(lang));
+        add("signals", signals(lang));
     }
     let schemas = [
         ("blocks", cnc872c::stream::schema()),
         ("diagnostics", cnc872c::diag::schema()),
         ("config", cnc872c::config::schema()),
+        ("motion", cnc872c::analysis::motion::schema()),
+        ("plc", cnc872c::analysis::plc::schema()),
+        ("report", cnc872c::analysis::sheet::schema()),
     ];
     for (name, schema) in schemas {
         pages.insert(format!("schemas/{name}.json"), format!("{schema:#}\n"));
@@ -67,6 +71,59 @@ fn on(holds: impl Fn(Dialect) -> bool, lang: Lang) -> String {
         count if count == Dialect::ALL.len() => text(lang, "yes", "ano").to_owned(),
         _ => dialects.join(", "),
     }
+}
+
+/// The signals of the PLC, and the names that a part program does not determine.
+fn signals(lang: Lang) -> String {
+    use cnc872c::analysis::plc::dictionary::{ROWS, rule_text};
+    use cnc872c::analysis::plc::run_time;
+
+    let mut page = text(
+        lang,
+        "# Signals of the PLC\n\nWhat `cnc872c plc` shows. `BLK` is the command block of CNC872; all other signals exist on every \
+         control. In the meaning `{x}` stands for the M group, or the place of the axis in the order of the machine, from 0.\n\n",
+        "# Signály PLC\n\nCo ukazuje `cnc872c plc`. `BLK` je povelový blok CNC872; ostatní signály mají všechny systémy. Ve \
+         významu stojí `{x}` za skupinu M, nebo za pořadí osy ve stroji od 0.\n\n",
+    )
+    .to_owned();
+    let columns = match lang {
+        Lang::En => ["signal", "type", "meaning", "S0", "rule"],
+        Lang::Cs => ["signál", "typ", "význam", "S0", "pravidlo"],
+    };
+    head(&mut page, &columns);
+    for signal in ROWS {
+        let names = format!("`{}`", signal.names.shown().replace(" … ", "` … `"));
+        let rule = format!("PLC-{}", signal.rule);
+        row(&mut page, &[&names, signal.form.name(), signal.meaning.get(lang), signal.section, &rule]);
+    }
+    page.push_str(text(lang, "\n## What gives the value\n\n", "\n## Co určuje hodnotu\n\n"));
+    head(&mut page, &[text(lang, "rule", "pravidlo"), text(lang, "value", "hodnota")]);
+    for rule in 1..=15 {
+        row(&mut page, &[&format!("PLC-{rule}"), rule_text(rule).get(lang)]);
+    }
+    page.push_str(text(
+        lang,
+        "\n## Not determined by a part program\n\nThe other names of S0 8.1 to 8.4. Address P has no cell in the manual.\n\n",
+        "\n## Co partprogram neurčuje\n\nOstatní názvy z S0 8.1 až 8.4. Adresa P nemá v příručce žádnou buňku.\n\n",
+    ));
+    head(&mut page, &["S0", text(lang, "names", "názvy"), text(lang, "why", "proč")]);
+    let mut rows: Vec<(&str, String, Vec<String>)> = Vec::new();
+    for known in run_time::names() {
+        let name = format!("`{}`", known.family.as_deref().unwrap_or(&known.name));
+        let why = known.reason.text(lang);
+        match rows.last_mut() {
+            Some((section, reason, names)) if *section == known.section && *reason == why => {
+                if names.last() != Some(&name) && !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+            _ => rows.push((known.section, why, vec![name])),
+        }
+    }
+    for (section, why, names) in rows {
+        row(&mut page, &[section, &names.join(" "), &why]);
+    }
+    page
 }
 
 fn addresses(lang: Lang) -> String {

@@ -1,6 +1,6 @@
 %110 "Znaky uvnitr slov: jedna chyba, jedno hlaseni
 "LEX-13 LEX-2 outside comments the text is ASCII; a word keeps its place
-N10 G90 G0 X0 Y0 Z50
+N10 G90 G0 X0 Y0 Z50 R1=0
 N20 G1 Z−4.2 F200
 "      ^^^^^ E0101
 N30 X#1 Y5

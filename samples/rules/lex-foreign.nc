@@ -1,6 +1,6 @@
 %1013 "§13 what other controls write is one finding each"
 "! args=-A other-control
-N10 G90 G0 X0 Y0 Z50 S800 M3
+N10 G90 G0 X0 Y0 Z50 S800 M3 R32=1 R53=1 R54=1
 N20 G1 X1.5E-05 Y1e2 F100
 "      ^^^^^^^^ E0106
 "               ^^^^ E0106

@@ -17,5 +17,15 @@ N110 X7 "words before the end: X5 Y6 konec
 N120 X8 "no words: KAPSA20X30
 N130 X9 "closed: X5 Y6"
 N140 X5 "not words: E5 O7 X Y
+N142 X5 "posuv a N143 X50
+"                ^^^^^^^^ W0114
+N144 X5 "odjezd v X5 Y6
+"                 ^^^^^ W0114
+N145 X5 "k R1=5 X5
+"          ^^^^^^^ W0114
+N146 X5 "k N147 X5 *
+"          ^^^^^^^^^ W0114
+N148 X5 "n N149 X1 Y2
+"          ^^^^^^^^^^ W0114
 N150 M30
 * "after the end N160 X5

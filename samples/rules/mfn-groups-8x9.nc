@@ -9,4 +9,5 @@ N40 M20 M99
 N50 M91 M92 "no machine constants: group 14"
 "       ^^^ E0308
 N60 M3 M41 M37 M8 M50 M10 M48 M6 M20 M0 "ten words, ten groups"
+"                             ^^ W0620
 N70 M30

@@ -1,6 +1,11 @@
 //! Readers of executed blocks: each is a [`crate::run::Sink`], and none knows another.
 
+pub mod equidistant;
 pub mod motion;
+pub mod plc;
+mod record_schema;
+pub mod sheet;
 mod totals;
 
+pub use record_schema::{forbid_null, record_schema};
 pub use totals::Totals;

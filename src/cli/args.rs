@@ -55,6 +55,9 @@ pub(super) enum Command {
     Check(CheckArgs),
     Compile(CompileArgs),
     View(ViewArgs),
+    Motion(MotionArgs),
+    Plc(PlcArgs),
+    Report(ReportArgs),
     Explain(ExplainArgs),
     Init(InitArgs),
     Lsp(LspArgs),
@@ -78,6 +81,8 @@ pub(super) struct CheckArgs {
     #[arg(long)]
     pub allow_empty: bool,
     #[command(flatten)]
+    pub shown: FindingsArgs,
+    #[command(flatten)]
     pub common: CommonArgs,
 }
 
@@ -93,6 +98,8 @@ pub(super) struct CompileArgs {
     #[arg(long, value_name = "N")]
     pub limit: Option<u64>,
     #[command(flatten)]
+    pub shown: FindingsArgs,
+    #[command(flatten)]
     pub common: CommonArgs,
 }
 
@@ -105,21 +112,145 @@ pub(super) struct ViewArgs {
     pub output: Option<PathBuf>,
     #[arg(long)]
     pub open: bool,
+    #[arg(long, value_name = "PLANE", ignore_case = true)]
+    pub plane: Option<PlaneName>,
+    #[arg(long, value_name = "WxH", value_parser = picture_size)]
+    pub size: Option<(u32, u32)>,
     #[arg(long, value_name = "SEQ", default_value_t = 0)]
     pub from: u64,
     #[arg(long, value_name = "N")]
     pub blocks: Option<u64>,
     #[command(flatten)]
+    pub shown: FindingsArgs,
+    #[command(flatten)]
     pub common: CommonArgs,
 }
 
-/// What `check` and `compile` have in common: how to show findings, how to read and execute a program, and what to say.
+/// What a still picture looks at.
+#[derive(Clone, Copy, Debug, Eq, PartialEq, ValueEnum)]
+pub(super) enum PlaneName {
+    #[value(name = "XY")]
+    Xy,
+    #[value(name = "XZ")]
+    Xz,
+    #[value(name = "YZ")]
+    Yz,
+    #[value(name = "iso")]
+    Iso,
+}
+
+/// Largest side of a still picture, in pixels.
+const LARGEST: u32 = 20_000;
+
+/// `1600x1000`: width and height of a still picture, in pixels.
+fn picture_size(text: &str) -> Result<(u32, u32), String> {
+    let side = |text: &str| text.parse().ok().filter(|side| (64..=LARGEST).contains(side));
+    let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some((side(width)?, side(height)?)));
+    sides.ok_or_else(|| format!("1600x1000, 64–{LARGEST}"))
+}
+
+/// `motion`.
 #[derive(Debug, Args)]
-pub(super) struct CommonArgs {
+pub(super) struct MotionArgs {
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: MotionFormat,
+    #[arg(long)]
+    pub phases: bool,
+    #[arg(long)]
+    pub all: bool,
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// In which form `motion` writes.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+pub(super) enum MotionFormat {
+    #[default]
+    Human,
+    Json,
+    Csv,
+}
+
+/// `plc`.
+#[derive(Debug, Args)]
+pub(super) struct PlcArgs {
+    #[arg(value_name = "FILE", required_unless_present = "list")]
+    pub file: Option<PathBuf>,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[arg(long, value_name = "FORMAT", default_value = "table")]
+    pub format: PlcFormat,
+    #[arg(long, value_name = "SIGNALS")]
+    pub signals: Option<String>,
+    #[arg(long)]
+    pub compat: bool,
+    #[arg(long)]
+    pub all: bool,
+    #[arg(long, value_name = "CONDITION", conflicts_with_all = ["format", "signals", "compat"])]
+    pub find: Option<String>,
+    #[arg(long, conflicts_with_all = ["output", "signals", "compat", "all", "find", "from", "limit"])]
+    pub list: bool,
+    #[arg(long, value_name = "SEQ", default_value_t = 0)]
+    pub from: u64,
+    #[arg(long, value_name = "N")]
+    pub limit: Option<u64>,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// In which form `plc` writes.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+pub(super) enum PlcFormat {
+    #[default]
+    Table,
+    Json,
+    Csv,
+    Vcd,
+}
+
+/// `report`.
+#[derive(Debug, Args)]
+pub(super) struct ReportArgs {
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: ReportFormat,
+    #[arg(long)]
+    pub all: bool,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// In which form `report` writes.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+pub(super) enum ReportFormat {
+    #[default]
+    Human,
+    Json,
+    Markdown,
+    Html,
+}
+
+/// How findings are shown.
+#[derive(Debug, Args)]
+pub(super) struct FindingsArgs {
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     pub format: Format,
     #[arg(long)]
     pub all: bool,
+}
+
+/// What the commands that execute programs have in common: how to read and execute one, and what to say of it.
+#[derive(Debug, Args)]
+pub(super) struct CommonArgs {
     #[arg(long, value_name = "DIALECT")]
     pub dialect: Option<Dialect>,
     #[arg(long, value_name = "FILE")]
@@ -225,6 +356,9 @@ pub(super) enum SchemaName {
     Blocks,
     Diagnostics,
     Config,
+    Motion,
+    Plc,
+    Report,
 }
 
 /// `completions`.

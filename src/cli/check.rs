@@ -5,24 +5,26 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
-use super::args::{CheckArgs, CommonArgs};
+use super::args::{CheckArgs, FindingsArgs};
 use super::common::{Origins, Projects, overrides};
 use super::disk::DiskLoader;
 use super::fix::{diff_all, fix_all};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, tell, tell_unshown};
+use super::threads;
 use super::walk::{Found, Target, targets};
 use super::words::Words;
 use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, Shown, render};
 use crate::session::{Outcome, Session};
-use crate::text::{Location, SourceText, Sources};
+use crate::text::{Location, SourceText, Sources, path_name};
 
 /// How many programs are checked before their findings are put in order: bounds what is kept of them.
 const AT_ONCE: usize = 1024;
 
 pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
+    threads::prepare();
     let loader = DiskLoader::new(args.paths.iter().map(PathBuf::as_path));
     let origins = Origins { named: args.common.config.as_deref(), overrides: &overrides, loader: &loader };
     let mut projects = Projects::default();
@@ -49,8 +51,8 @@ pub(super) fn run(args: &CheckArgs, locale: Locale) -> Result<Status, Failure> {
     }
     // Where nothing was checked, "no errors" would say too much.
     let nothing = targets.is_empty() && report.items().len() == 0;
-    if !nothing || !matches!(args.common.format, Format::Human | Format::Short) {
-        print(&args.common, &report, locale)?;
+    if !nothing || !matches!(args.shown.format, Format::Human | Format::Short) {
+        print(&args.shown, &report, locale)?;
     }
     Ok(match report.errors() > 0 || (args.deny_warnings && report.warnings() > 0) {
         _ if unusable => Status::Unusable,
@@ -69,7 +71,7 @@ fn show_diff(
 ) -> Result<Status, Failure> {
     let report = projects.report();
     if report.errors() > 0 {
-        print(&args.common, &report, locale)?;
+        print(&args.shown, &report, locale)?;
         return Ok(Status::Unusable);
     }
     let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
@@ -83,7 +85,7 @@ fn show_diff(
 
 /// Says what a search of folders did not find, or left alone.
 fn tell_unsearched(found: &Found, locale: Locale) {
-    let named = |path: &PathBuf| path.to_string_lossy().into_owned();
+    let named = |path: &PathBuf| path_name(path);
     for folder in &found.barren {
         tell(&Words::NoPrograms { folder: named(folder) }, locale.lang);
     }
@@ -159,12 +161,15 @@ pub(super) fn unreadable(name: &str, error: &io::Error) -> Outcome {
 }
 
 /// Writes the findings to standard output.
-fn print(args: &CommonArgs, report: &Report, locale: Locale) -> Result<(), Failure> {
+fn print(args: &FindingsArgs, report: &Report, locale: Locale) -> Result<(), Failure> {
     let colors = locale.colors(io::stdout().is_terminal());
     let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
     let shown = Shown { lang: locale.lang, colour: colors, all: args.all };
-    render(args.format, report, shown, &mut out)?;
-    out.flush()?;
-    tell_unshown(args.format, report, locale.lang);
+    match render(args.format, report, shown, &mut out).and_then(|()| out.flush()) {
+        Ok(()) => tell_unshown(args.format, report, locale.lang),
+        // A reader that has read enough does not make the programs right.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {}
+        Err(error) => return Err(error.into()),
+    }
     Ok(())
 }

@@ -4,16 +4,16 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use super::args::CommonArgs;
-use super::disk::canonical;
+use super::args::{CommonArgs, FindingsArgs};
+use super::disk::{DiskLoader, canonical, is_same_file, is_stdin};
 use super::locale::Locale;
 use super::status::{Failure, tell_unshown};
-use super::topic::nearest;
 use super::walk::Target;
 use super::words::Words;
 use crate::config::{Overrides, Settings, configure, find_project, parse_parameter};
 use crate::diag::{Code, Findings, Format, Report, Shown, render};
 use crate::dict::Lang;
+use crate::explain::nearest;
 use crate::text::{Loader, Sources};
 
 /// What the command line says over the project files.
@@ -30,6 +30,7 @@ pub(super) fn overrides(args: &CommonArgs, lang: Lang) -> Result<Overrides, Fail
         optional_stop: args.optional_stop.then_some(true),
         encoding: args.encoding,
         max_blocks: args.max_blocks,
+        motion: Vec::new(),
         lints: args
             .levels
             .0
@@ -155,7 +156,7 @@ impl Projects {
 }
 
 /// Writes the findings to standard error: what the command makes may be on standard output. People need no word about none.
-pub(super) fn print_beside(args: &CommonArgs, report: &Report, locale: Locale) {
+pub(super) fn print_beside(args: &FindingsArgs, report: &Report, locale: Locale) {
     if report.items().len() == 0 && args.format == Format::Human {
         return;
     }
@@ -165,4 +166,10 @@ pub(super) fn print_beside(args: &CommonArgs, report: &Report, locale: Locale) {
     let _ = render(args.format, report, shown, &mut out).and_then(|()| out.flush());
     drop(out);
     tell_unshown(args.format, report, locale.lang);
+}
+
+/// Whether the file that a command is to write is one that it reads: asked before each of its steps that read.
+pub(super) fn is_input(output: &Path, target: &Target, loader: &DiskLoader) -> bool {
+    let redirected = is_stdin(&target.path) && is_same_file(output, Path::new("/dev/stdin"));
+    redirected || is_same_file(output, &target.path) || loader.has_read(output)
 }

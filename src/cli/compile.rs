@@ -5,89 +5,56 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::args::CompileArgs;
-use super::common::{Origins, Projects, overrides, print_beside};
-use super::disk::{DiskLoader, canonical, is_stdin};
+use super::common::overrides;
+use super::job::{Ends, Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
-use super::status::{Failure, Status, complain};
-use super::walk::Target;
+use super::status::{Failure, Status};
+use super::threads;
 use super::words::{Words, reason};
 use crate::dict::Lang;
 use crate::run::End;
 use crate::session::{Part, Run, Session};
+use crate::text::path_name;
 
 pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
-    let targets = [Target::named(args.file.clone())];
-    let [target] = &targets;
-    let loader = DiskLoader::new([target.path.as_path()]);
-    let output = args.output.as_deref().filter(|output| !is_stdin(output));
-    let refuse = |output: &Path| Words::OutputIsProgram { file: output.to_string_lossy().into_owned() };
-    if let Some(output) = output
-        && canonical(output) == canonical(&target.path)
-    {
-        return Err(refuse(output).into());
-    }
-    let mut projects = Projects::default();
-    let named = args.common.config.as_deref();
-    projects.configure(&targets, Origins { named, overrides: &overrides, loader: &loader })?;
-    let mut report = projects.report();
-    let settings = projects.settings(target).filter(|_| report.errors() == 0);
-    let Some(settings) = settings else {
-        report.set_unusable();
-        print_beside(&args.common, &report, locale);
-        return Ok(Status::Unusable);
+    threads::prepare();
+    let job = Job::new(args.file.clone(), args.output.clone());
+    let mut projects = job.configure(&args.common, &overrides)?;
+    let report = projects.report();
+    let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
+        return Ok(unusable(report, &args.shown, locale));
     };
-    let mut stream = Stream::open(output, locale.lang)?;
+    let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
     let count = |blocks: u64| {
         progress.set(blocks);
         true
     };
-    let session = Session { loader: &loader, settings, progress: Some(&count) };
+    let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let part = Part { from: args.from, limit: args.limit };
-    let written = session.compile(&target.path, &target.name(), part, &mut stream);
+    let written = session.compile(&job.target().path, &job.target().name(), part, &mut stream);
     drop(progress);
-    let Run { outcome, whole } = written.map_err(|error| cannot_write(error, output, locale.lang))?;
-    let lacks_file = outcome.lacks_file();
-    report.add_program(&outcome.sources, outcome.findings);
-    outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
-    if let Some(output) = output
-        && outcome.sources.iter().any(|(_, source)| canonical(Path::new(source.name())) == canonical(output))
-    {
-        return Err(refuse(output).into());
-    }
-    let status = match whole {
-        Some(whole) => {
-            stream.commit(whole).map_err(|error| cannot_write(error, output, locale.lang))?;
-            Status::Fine
-        }
-        None if lacks_file => Status::Unusable,
-        None => Status::Faulty,
-    };
-    if status == Status::Unusable {
-        report.set_unusable();
-    }
-    print_beside(&args.common, &report, locale);
-    if whole.is_none() && report.errors() == 0 {
-        complain(&Words::NotWhole { file: target.name() }, locale.lang);
-    }
-    Ok(status)
+    let Run { outcome, whole } = written.map_err(|error| cannot_write(error, job.output(), locale.lang))?;
+    let reason = Words::NotWhole { file: job.target().name() };
+    let ends = Ends { whole: Status::Fine, broken: Status::Faulty, reason };
+    job.finish(stream, (outcome, whole), report, ends, &args.shown, locale)
 }
 
-fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {
+pub(super) fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {
     match output {
         // Also a pipe after -o may be closed by its reader.
         Some(output) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Words::CannotWrite { file: output.to_string_lossy().into_owned(), reason: reason(&error, lang) }.into()
+            Words::CannotWrite { file: path_name(output), reason: reason(&error, lang) }.into()
         }
         _ => Failure::Stdout(error),
     }
 }
 
 /// Where the stream goes.
-enum Stream {
+pub(super) enum Stream {
     Stdout(io::Stdout),
     /// A pipe or a device, which cannot be replaced.
     Direct(std::fs::File),
@@ -95,7 +62,7 @@ enum Stream {
 }
 
 impl Stream {
-    fn open(output: Option<&Path>, lang: Lang) -> Result<Self, Failure> {
+    pub fn open(output: Option<&Path>, lang: Lang) -> Result<Self, Failure> {
         let Some(output) = output else {
             return Ok(Self::Stdout(io::stdout()));
         };
@@ -110,7 +77,7 @@ impl Stream {
     }
 
     /// Puts the file in place, which only the stream of a whole run is.
-    fn commit(self, _: End) -> io::Result<()> {
+    pub fn commit(self, _: End) -> io::Result<()> {
         match self {
             Self::Stdout(_) | Self::Direct(_) => Ok(()),
             Self::File(file) => file.commit(),

@@ -1,6 +1,6 @@
 //! Files of the disk, and standard input.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, FileType};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -16,11 +16,14 @@ const LIMIT: u64 = u32::MAX as u64;
 
 /// Reads regular files, and of other kinds of files only those that the user named as programs: standard input and pipes
 /// (`check <(generate)`). What it refuses comes as these kinds of error: [`io::ErrorKind::IsADirectory`], `Unsupported`
-/// for what is no regular file, `FileTooLarge` for 4 GiB and more, and [`BrokenLink`].
+/// for what is no regular file, `FileTooLarge` for 4 GiB and more, `ResourceBusy` for what is written to all the time, and
+/// [`BrokenLink`].
 #[derive(Debug, Default)]
 pub struct DiskLoader {
     /// Programs that may be pipes. A pipe can be read once, a program may be wanted twice: what it gave is kept.
     named: Vec<(PathBuf, OnceLock<Arc<[u8]>>)>,
+    /// The files read, by the paths that led to them.
+    read: Mutex<BTreeSet<PathBuf>>,
     /// The macrocycles of folders, looked for once in a run.
     numbered: Mutex<BTreeMap<Vec<PathBuf>, Arc<Numbered>>>,
 }
@@ -31,6 +34,12 @@ impl DiskLoader {
         let is_stream = |path: &&Path| is_stdin(path) || fs::metadata(path).is_ok_and(|data| is_pipe(data.file_type()));
         let named = named.into_iter().filter(is_stream).map(|path| (path.to_path_buf(), OnceLock::new())).collect();
         Self { named, ..Self::default() }
+    }
+
+    /// Whether the run has read that file, by whatever name.
+    pub fn has_read(&self, file: &Path) -> bool {
+        let read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.iter().any(|path| is_same_file(path, file))
     }
 
     /// Whether that program is standard input or a pipe.
@@ -61,7 +70,8 @@ impl Loader for DiskLoader {
         if !data.is_file() {
             return Err(io::ErrorKind::Unsupported.into());
         }
-        read_bounded(open(path)?, data.len())
+        self.read.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_path_buf());
+        read_whole(path, data)
     }
 
     fn size(&self, path: &Path) -> Option<u64> {
@@ -197,6 +207,37 @@ fn behind_link(path: &Path, error: io::Error) -> io::Error {
 #[expect(clippy::disallowed_methods, reason = "this is the disk loader")]
 fn open(path: &Path) -> io::Result<File> {
     File::open(path)
+}
+
+/// Whether two paths lead to one file: through links and hard links, and whatever bytes its name has.
+#[cfg(unix)]
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |path| fs::metadata(path).ok().map(|data| (data.dev(), data.ino()));
+    identity(one).is_some_and(|one| identity(other) == Some(one))
+}
+
+/// Whether two paths lead to one file.
+#[cfg(not(unix))]
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    fs::canonicalize(one).is_ok_and(|one| fs::canonicalize(other).is_ok_and(|other| one == other))
+}
+
+/// How often a file is read anew that changes meanwhile.
+const ATTEMPTS: usize = 5;
+
+/// Reads a file of which `data` is known. One that is written to meanwhile would be halves of two versions: it is read
+/// anew.
+fn read_whole(path: &Path, mut data: fs::Metadata) -> io::Result<Vec<u8>> {
+    for _ in 0..ATTEMPTS {
+        let bytes = read_bounded(open(path)?, data.len())?;
+        let now = fs::metadata(path)?;
+        if bytes.len() as u64 == now.len() && data.modified().ok() == now.modified().ok() {
+            return Ok(bytes);
+        }
+        data = now;
+    }
+    Err(io::ErrorKind::ResourceBusy.into())
 }
 
 /// Reads to the end, but not 4 GiB.

@@ -1,37 +1,81 @@
-//! `explain`: pages about findings, functions and addresses.
+//! `explain`: pages about findings, functions, addresses and keys of the project file; else those that speak of a word.
 
 use std::io::{self, IsTerminal, Write};
 
 use super::args::ExplainArgs;
 use super::locale::Locale;
 use super::status::{Failure, Status, complain};
-use super::topic::{Topic, Unknown};
 use super::words::Words;
-use crate::diag::{Finding, explain};
-use crate::dict::Lang;
+use crate::diag::Finding;
+use crate::diag::explain::{list, terminal};
+use crate::dict::{Bilingual, Lang};
+use crate::explain::{Hit, Topic, Unknown, search};
+
+/// Most pages that a search lists.
+const MOST_HITS: usize = 40;
 
 pub(super) fn run(args: &ExplainArgs, locale: Locale) -> Result<Status, Failure> {
     let mut out = io::stdout().lock();
     let colors = locale.colors(out.is_terminal());
     let mut status = Status::Fine;
     if args.names.is_empty() {
-        out.write_all(explain::list(locale.lang).as_bytes())?;
+        out.write_all(list(locale.lang).as_bytes())?;
     }
     let mut separator = "";
     for name in &args.names {
-        match Topic::find(name) {
-            Ok(topic) => {
-                writeln!(out, "{separator}{}", topic.page(locale.lang, colors).trim_end())?;
-                separator = "\n";
+        let text = match Topic::find(name) {
+            Ok(topics) => {
+                let pages: Vec<String> = topics
+                    .iter()
+                    .map(|topic| terminal(&topic.page(locale.lang), colors).trim_end().to_owned())
+                    .collect();
+                pages.join("\n\n")
             }
-            Err(unknown) => {
-                status = Status::Unusable;
-                complain(&hint(name, unknown, locale.lang), locale.lang);
-            }
-        }
+            Err(unknown) => match hits(name, &unknown) {
+                Some(hits) => listed(name, &hits, locale.lang),
+                None => {
+                    status = Status::Unusable;
+                    complain(&hint(name, unknown, locale.lang), locale.lang);
+                    continue;
+                }
+            },
+        };
+        writeln!(out, "{separator}{}", text.trim_end())?;
+        separator = "\n";
     }
     out.flush()?;
     Ok(status)
+}
+
+/// The pages that speak of a word. What has digits is a code or function, misspelled or of another control.
+fn hits(name: &str, unknown: &Unknown) -> Option<Vec<Hit>> {
+    match unknown {
+        Unknown::Word(_) | Unknown::M(_) => None,
+        Unknown::Name(_) if name.contains(|c: char| c.is_ascii_digit()) || name.chars().count() < 3 => None,
+        Unknown::Name(_) => Some(search(name)).filter(|hits| !hits.is_empty()),
+    }
+}
+
+/// The pages found, a line each.
+fn listed(query: &str, hits: &[Hit], lang: Lang) -> String {
+    let name = crate::diag::terminal_safe(query);
+    let head = match lang {
+        Lang::En => format!("Pages about \"{name}\":\n"),
+        Lang::Cs => format!("Stránky, kde je „{name}“:\n"),
+    };
+    let shown = hits.get(..MOST_HITS).unwrap_or(hits);
+    let width = shown.iter().map(|hit| hit.topic.name().chars().count()).max().unwrap_or(0);
+    let line = |hit: &Hit| format!("  {:width$}  {}\n", hit.topic.name(), hit.topic.title(lang).replace('`', ""));
+    let mut text: String = std::iter::once(head).chain(shown.iter().map(line)).collect();
+    let more = hits.len() - shown.len();
+    if more > 0 {
+        let words = Bilingual { en: "more", cs: "dalších" }.get(lang);
+        text.push_str(&match lang {
+            Lang::En => format!("  … {more} {words}\n"),
+            Lang::Cs => format!("  … {words} {more}\n"),
+        });
+    }
+    text
 }
 
 fn hint(name: &str, unknown: Unknown, lang: Lang) -> Words {

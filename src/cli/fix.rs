@@ -15,7 +15,7 @@ use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{complain, tell};
 use super::walk::{Origin, Target};
 use super::words::{Words, reason};
-use crate::config::Settings;
+use crate::config::{Level, Settings};
 use crate::diag::{Code, Diagnostic, Fix, FixTitle, apply_fixes};
 use crate::dict::Lang;
 use crate::session::Session;
@@ -222,8 +222,11 @@ fn attempt(target: &Target, projects: &Projects, disk: &DiskLoader) -> Option<At
         let mut found: Vec<&Diagnostic> =
             outcome.findings.items().iter().filter(|item| is_shown(item, settings)).collect();
         found.sort_by_key(|diagnostic| (diagnostic.at, diagnostic.code()));
-        if round == 0 && target.origin == Origin::Searched && found.iter().any(|item| is_foreign(item)) {
-            hindrance = Some(Hindrance::Foreign);
+        if round == 0 && target.origin == Origin::Searched {
+            let foreign = found.iter().any(|item| is_foreign(item));
+            if foreign || (settings.severity(Code::W0113).is_none() && is_for_other_control(target, &now, settings)) {
+                hindrance = Some(Hindrance::Foreign);
+            }
         }
         elsewhere = fixes_elsewhere(&outcome.sources, &found);
         let Some(source) = outcome.sources.get(PROGRAM).filter(|_| !outcome.unusable) else { break };
@@ -244,6 +247,15 @@ fn attempt(target: &Target, projects: &Projects, disk: &DiskLoader) -> Option<At
     }
     let fixable = (now.bytes != before).then_some(Fixable { before, after: now.bytes, count, applied, hindrance });
     Some(Attempt { fixable, elsewhere, ..Attempt::default() })
+}
+
+/// Whether a program is for another control (W0113), also when that finding is allowed: then it is not shown, but what it
+/// says of the file holds.
+fn is_for_other_control(target: &Target, loader: &InMemory<'_>, settings: &Settings) -> bool {
+    let mut settings = settings.clone();
+    settings.lints.insert(Code::W0113, Level::Warn);
+    let outcome = Session { loader, settings: &settings, progress: None }.check(&target.path, &target.name());
+    outcome.findings.items().iter().any(is_foreign)
 }
 
 /// Whether a finding says that a file may be no program of this control, so that nothing in it is changed unasked.

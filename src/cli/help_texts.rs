@@ -49,6 +49,7 @@ Examples:
   cnc872c check flange.nc                    every mistake, at its place
   cnc872c compile flange.nc -o flange.jsonl  the blocks as the control executes them
   cnc872c view flange.nc --open              its path, in the browser
+  cnc872c motion flange.nc                   how long it takes, and where it is slow
   cnc872c explain E0306                      what a finding means
   cnc872c explain G73                        what a function does
 
@@ -58,6 +59,7 @@ Příklady:
   cnc872c check priruba.nc                     všechny chyby, každá na svém místě
   cnc872c compile priruba.nc -o priruba.jsonl  bloky tak, jak je systém provede
   cnc872c view priruba.nc --open               dráha v prohlížeči
+  cnc872c motion priruba.nc                    jak dlouho trvá a kde zpomaluje
   cnc872c explain E0306                        co hlášení znamená
   cnc872c explain G73                          co funkce dělá
 
@@ -137,7 +139,8 @@ kód: 0 úplný, 1 program má chyby, 2 nešlo zkontrolovat; SOUBOR pak zůstane
 Examples:
   cnc872c view flange.nc                 writes flange.nc.html, one file that opens in any browser
   cnc872c view flange.nc --open          and opens it
-  cnc872c view flange.nc -o flange.html  under another name
+  cnc872c view flange.nc -o flange.svg   a still picture, with axes, scale and numbers
+  cnc872c view flange.nc -o flange.png --plane iso
   cnc872c view flange.nc --blocks 500    the first 500 executed blocks only
 
 The page shows the path, the text, what holds at each block, velocities and times; nothing is fetched.
@@ -147,7 +150,8 @@ errors, 2 nothing could be drawn.",
 Příklady:
   cnc872c view priruba.nc                  zapíše priruba.nc.html, jediný soubor pro kterýkoli prohlížeč
   cnc872c view priruba.nc --open           a otevře jej
-  cnc872c view priruba.nc -o priruba.html  pod jiným jménem
+  cnc872c view priruba.nc -o priruba.svg   obrázek s osami, měřítkem a čísly
+  cnc872c view priruba.nc -o priruba.png --plane iso
   cnc872c view priruba.nc --blocks 500     jen prvních 500 provedených bloků
 
 Stránka ukazuje dráhu, text, stav v každém bloku, rychlosti a časy; nic odnikud nestahuje. Program
@@ -156,9 +160,96 @@ možné nic nakreslit.",
         },
     ),
     about(
+        "motion",
+        "Estimates how the machine moves through a program: its time, where it slows down, and why",
+        "Odhadne, jak stroj programem projede: jeho čas, kde zpomalí a proč",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c motion flange.nc                            time, joints, and the slowest of them
+  cnc872c motion flange.nc --set accuracy-um=4        with another value, and what it changes
+  cnc872c motion flange.nc --set R384=00200008        the same by a machine constant
+  cnc872c motion flange.nc --format csv > flange.csv  a row a block, for a table
+  cnc872c motion flange.nc --format json | jq 'select(.joint.dot == \"red\")'
+
+The machine is that of [motion] in cnc872c.toml, else one that is assumed: an estimate says what it
+rests on. Findings go to standard error. Exit status: 0 complete, 1 the program has errors, 2 it could
+not run; then FILE stays as it was.",
+            cs: "\
+Příklady:
+  cnc872c motion priruba.nc                             čas, napojení bloků a nejpomalejší z nich
+  cnc872c motion priruba.nc --set accuracy-um=4         s jinou hodnotou, a co se tím změní
+  cnc872c motion priruba.nc --set R384=00200008         totéž strojní konstantou
+  cnc872c motion priruba.nc --format csv > priruba.csv  řádek na blok, do tabulky
+  cnc872c motion priruba.nc --format json | jq 'select(.joint.dot == \"red\")'
+
+Stroj je ten z [motion] v cnc872c.toml, jinak předpokládaný: odhad uvádí, z čeho vychází. Hlášení jdou
+na standardní chybový výstup. Návratový kód: 0 úplné, 1 program má chyby, 2 příkaz nešlo provést;
+SOUBOR pak zůstane, jak byl.",
+        },
+    ),
+    about(
+        "plc",
+        "Shows what the PLC program reads of a program: command blocks, change bits, requests to move",
+        "Ukáže, co z programu čte PLC program: povelové bloky, změnové bity, požadavky na pohyb",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c plc flange.nc                                 what changes, block by block
+  cnc872c plc flange.nc --signals 'ZMM*,PB06,BLK.M[10]' these signals only
+  cnc872c plc flange.nc --format vcd -o flange.vcd      waveforms for GTKWave or Surfer
+  cnc872c plc flange.nc --find 'M03PI & !M08PI & PO_OSZPI'
+  cnc872c plc --list                                    all signals of the control
+  cnc872c explain ZMM10PI                               one of them
+
+In conditions `!` binds closest, then == != < <= > >=, then &, then |; rising(…) and falling(…) look
+at the step before; numbers are decimal or, as 19h, hexadecimal. Findings go to standard error.
+Exit status: 0 complete, 1 the program has errors, 2 it could not run; then FILE stays as it was.
+With --find: 0 found, 1 not found, 2 the condition or the program has errors, or it could not run.",
+            cs: "\
+Příklady:
+  cnc872c plc priruba.nc                                 co se mění, blok po bloku
+  cnc872c plc priruba.nc --signals 'ZMM*,PB06,BLK.M[10]' jen tyto signály
+  cnc872c plc priruba.nc --format vcd -o priruba.vcd     průběhy pro GTKWave nebo Surfer
+  cnc872c plc priruba.nc --find 'M03PI & !M08PI & PO_OSZPI'
+  cnc872c plc --list                                     všechny signály systému
+  cnc872c explain ZMM10PI                                jeden z nich
+
+V podmínkách váže nejtěsněji „!“, pak == != < <= > >=, pak &, pak |; rising(…) a falling(…) hledí na
+předchozí krok; čísla jsou desítková, nebo jako 19h šestnáctková. Hlášení jdou na standardní chybový
+výstup. Návratový kód: 0 úplné, 1 program má chyby, 2 příkaz nešlo provést; SOUBOR pak zůstane, jak
+byl. S --find: 0 nalezeno, 1 nenalezeno, 2 chyba v podmínce nebo v programu, nebo příkaz nešlo provést.",
+        },
+    ),
+    about(
+        "report",
+        "Writes the set-up sheet of a program: size of the work, tools, functions, parameters, time",
+        "Sestaví seřizovací list programu: rozměry, nástroje, funkce, parametry, čas",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c report flange.nc                                     to read here
+  cnc872c report flange.nc --format html -o flange-sheet.html  a page to print
+  cnc872c report flange.nc --format markdown                   for a wiki
+  cnc872c report flange.nc --format json | jq '.tools[].t'
+
+The time is that of `motion`. Findings go to standard error. Exit status: 0 complete, 1 the program has
+errors, 2 it could not run; then FILE stays as it was.",
+            cs: "\
+Příklady:
+  cnc872c report priruba.nc                                     k přečtení zde
+  cnc872c report priruba.nc --format html -o list-priruba.html  stránka k vytištění
+  cnc872c report priruba.nc --format markdown                   pro wiki
+  cnc872c report priruba.nc --format json | jq '.tools[].t'
+
+Čas je z „motion“. Hlášení jdou na standardní chybový výstup. Návratový kód: 0 úplné, 1 program má
+chyby, 2 příkaz nešlo provést; SOUBOR pak zůstane, jak byl.",
+        },
+    ),
+    about(
         "explain",
-        "Explains findings, functions and addresses",
-        "Vysvětlí hlášení, funkce a adresy",
+        "Explains findings, functions, addresses and keys of the project file",
+        "Vysvětlí hlášení, funkce, adresy a klíče souboru projektu",
         Bilingual {
             en: "\
 Examples:
@@ -166,14 +257,20 @@ Examples:
   cnc872c explain E0306               a finding by its code
   cnc872c explain duplicate-address   or by its name
   cnc872c explain G73 M19             functions
-  cnc872c explain '&' X               addresses",
+  cnc872c explain '&' X               addresses
+  cnc872c explain ZMM10PI             signals of the PLC
+  cnc872c explain limits.feed g97     keys of cnc872c.toml
+  cnc872c explain radius              the pages that speak of a word",
             cs: "\
 Příklady:
   cnc872c explain                     seznam všech hlášení
   cnc872c explain E0306               hlášení podle kódu
   cnc872c explain duplicate-address   nebo podle názvu
   cnc872c explain G73 M19             funkce
-  cnc872c explain '&' X               adresy",
+  cnc872c explain '&' X               adresy
+  cnc872c explain ZMM10PI             signály PLC
+  cnc872c explain limits.feed g97     klíče souboru cnc872c.toml
+  cnc872c explain posuv               stránky, kde je to slovo",
         },
     ),
     about(
@@ -217,12 +314,18 @@ Editory jej spouštějí samy; jak je nastavit, popisuje docs/guide/editors.cs.m
 Examples:
   cnc872c schema              of a line of the block stream (compile)
   cnc872c schema diagnostics  of check --format json
-  cnc872c schema config       of cnc872c.toml, for editors that complete it",
+  cnc872c schema config       of cnc872c.toml, for editors that complete it
+  cnc872c schema motion       of a line of motion --format json
+  cnc872c schema plc          of a line of plc --format json
+  cnc872c schema report       of report --format json",
             cs: "\
 Příklady:
   cnc872c schema              řádku proudu bloků (compile)
   cnc872c schema diagnostics  výstupu check --format json
-  cnc872c schema config       souboru cnc872c.toml, pro napovídání v editoru",
+  cnc872c schema config       souboru cnc872c.toml, pro napovídání v editoru
+  cnc872c schema motion       řádku motion --format json
+  cnc872c schema plc          řádku plc --format json
+  cnc872c schema report       listu report --format json",
         },
     ),
     about(
@@ -315,8 +418,10 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "explain",
         "names",
         Arguments,
-        "Codes or names of findings, functions, addresses. None: the list of all findings",
-        "Kódy nebo názvy hlášení, funkce, adresy. Nic: seznam všech hlášení",
+        "Codes or names of findings, functions, addresses, keys, signals of the PLC; any other word lists the pages that \
+         have it. None: the list of all findings",
+        "Kódy nebo názvy hlášení, funkce, adresy, klíče, signály PLC; jiné slovo vypíše stránky, kde je. Nic: seznam všech \
+         hlášení",
     ),
     arg("init", "folder", Arguments, "The folder, else this one", "Složka; jinak tato"),
     arg("init", "dialect", Options, "The control, else cnc872", "Řídicí systém; jinak cnc872"),
@@ -377,8 +482,22 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "view",
         "output",
         Options,
-        "Write to this file instead of FILE.html beside the program",
-        "Zapsat do tohoto souboru místo SOUBOR.html vedle programu",
+        "Write to this file instead of FILE.html beside the program. A name with .svg or .png makes a still picture",
+        "Zapsat do tohoto souboru místo SOUBOR.html vedle programu. Jméno s .svg nebo .png dá obrázek",
+    ),
+    arg(
+        "view",
+        "plane",
+        Options,
+        "What a picture looks at; else the plane that shows most of the working motions",
+        "Na co se obrázek dívá; jinak rovina, v níž je vidět nejvíc pracovních pohybů",
+    ),
+    arg(
+        "view",
+        "size",
+        Options,
+        "Size of a picture in pixels, else 1600x1000",
+        "Velikost obrázku v pixelech, jinak 1600x1000",
     ),
     arg("view", "open", Options, "Open the page when it is written", "Zapsanou stránku otevřít"),
     arg(
@@ -395,6 +514,111 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Draw the first N executed blocks only",
         "Nakreslit jen prvních N provedených bloků",
     ),
+    arg(
+        "motion",
+        "file",
+        Arguments,
+        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
+        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
+    ),
+    arg(
+        "motion",
+        "output",
+        Options,
+        "Write to this file. It is replaced when all is written, and left as it was otherwise",
+        "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
+    ),
+    arg("motion", "format", Options, "The form of the output", "Tvar výstupu"),
+    arg(
+        "motion",
+        "phases",
+        Options,
+        "With json: the parts of each motion with constant jerk",
+        "S json: úseky každého pohybu se stálým ryvem",
+    ),
+    arg(
+        "motion",
+        "all",
+        Options,
+        "List all red joints, not the first 20; of the findings all",
+        "Vypsat všechna červená napojení, ne jen prvních 20; z hlášení všechna",
+    ),
+    arg(
+        "motion",
+        "set",
+        Options,
+        "Try another value of a key of [motion] or of a machine constant; may be given again",
+        "Zkusit jinou hodnotu klíče z [motion] nebo strojní konstanty; lze opakovat",
+    ),
+    arg(
+        "plc",
+        "file",
+        Arguments,
+        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
+        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
+    ),
+    arg(
+        "plc",
+        "output",
+        Options,
+        "Write to this file. It is replaced when all is written, and left as it was otherwise",
+        "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
+    ),
+    arg("plc", "format", Options, "The form of the output", "Tvar výstupu"),
+    arg(
+        "plc",
+        "signals",
+        Options,
+        "These signals: names and patterns with *, separated by commas. Else on cnc872 the signals BLK, on the others \
+         the compatible ones",
+        "Tyto signály: názvy a vzory s *, oddělené čárkami. Jinak na cnc872 signály BLK, na ostatních kompatibilní",
+    ),
+    arg(
+        "plc",
+        "compat",
+        Options,
+        "Also the compatible signals of CNC8x6 and CNC8x9, where --signals or cnc872 leave them out",
+        "I kompatibilní signály CNC8x6 a CNC8x9, které --signals nebo cnc872 vynechá",
+    ),
+    arg(
+        "plc",
+        "all",
+        Options,
+        "In the table also the steps that change nothing; of the findings all",
+        "V tabulce i kroky, které nic nemění; z hlášení všechna",
+    ),
+    arg(
+        "plc",
+        "find",
+        Options,
+        "The places where this condition holds; status 1 when there is none",
+        "Místa, kde tato podmínka platí; kód 1, když žádné není",
+    ),
+    arg(
+        "plc",
+        "list",
+        Options,
+        "All signals of the control; no program is needed",
+        "Všechny signály systému, bez programu",
+    ),
+    arg("plc", "from", Options, "Leave out the steps of blocks before this seq", "Vynechat kroky bloků před tímto seq"),
+    arg("plc", "limit", Options, "The steps of at most so many blocks", "Kroky nejvýše tolika bloků"),
+    arg(
+        "report",
+        "file",
+        Arguments,
+        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
+        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
+    ),
+    arg(
+        "report",
+        "output",
+        Options,
+        "Write to this file. It is replaced when all is written, and left as it was otherwise",
+        "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
+    ),
+    arg("report", "format", Options, "The form of the sheet", "Tvar listu"),
+    arg("report", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
     arg("", "format", Options, "How findings are shown", "Jak se hlášení vypíšou"),
     arg(
         "",
@@ -497,4 +721,7 @@ pub(super) const VALUES: &[Bilingual] = &[
     Bilingual { en: "WHEN", cs: "KDY" },
     Bilingual { en: "LANG", cs: "JAZYK" },
     Bilingual { en: "SCHEMA", cs: "SCHÉMA" },
+    Bilingual { en: "SIGNALS", cs: "SIGNÁLY" },
+    Bilingual { en: "CONDITION", cs: "PODMÍNKA" },
+    Bilingual { en: "KEY=VALUE", cs: "KLÍČ=HODNOTA" },
 ];

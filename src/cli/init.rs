@@ -10,10 +10,11 @@ use super::status::{Failure, Status, tell};
 use super::words::{Words, reason};
 use crate::config::{PROJECT_FILE, initial};
 use crate::dict::Lang;
+use crate::text::path_name;
 
 pub(super) fn run(args: &InitArgs, locale: Locale) -> Result<Status, Failure> {
     let path = args.folder.as_deref().map_or_else(|| PathBuf::from(PROJECT_FILE), |folder| folder.join(PROJECT_FILE));
-    let file = path.to_string_lossy().into_owned();
+    let file = path_name(&path);
     write(&path, &initial(args.dialect.unwrap_or_default(), locale.lang), locale.lang)?;
     tell(&Words::Written { file }, locale.lang);
     Ok(Status::Fine)
@@ -21,7 +22,7 @@ pub(super) fn run(args: &InitArgs, locale: Locale) -> Result<Status, Failure> {
 
 /// Writes a file that is not there yet. A link counts as a file, wherever it leads.
 fn write(path: &Path, text: &str, lang: Lang) -> Result<(), Words> {
-    let file = path.to_string_lossy().into_owned();
+    let file = path_name(path);
     let opened = OpenOptions::new().write(true).create_new(true).open(path);
     let written = opened.and_then(|mut new| {
         let written = new.write_all(text.as_bytes()).and_then(|()| new.sync_all());
@@ -30,7 +31,7 @@ fn write(path: &Path, text: &str, lang: Lang) -> Result<(), Words> {
     });
     written.map_err(|error| match (error.kind(), path.parent()) {
         (ErrorKind::AlreadyExists, _) => Words::FileExists { file },
-        (ErrorKind::NotFound, Some(folder)) => Words::NoSuchFolder { folder: folder.to_string_lossy().into_owned() },
+        (ErrorKind::NotFound, Some(folder)) => Words::NoSuchFolder { folder: path_name(folder) },
         _ => Words::CannotWrite { file, reason: reason(&error, lang) },
     })
 }

@@ -11,15 +11,18 @@ mod fix;
 mod help;
 mod help_texts;
 mod init;
+mod job;
 mod locale;
 mod lsp;
-mod page;
+mod motion;
+mod plc;
 mod progress;
 mod replace;
+mod report;
 mod schema;
 mod shell;
 mod status;
-mod topic;
+mod threads;
 mod usage;
 mod view;
 mod walk;
@@ -55,9 +58,12 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
         Command::Check(args) => check::run(args, locale),
         Command::Compile(args) => compile::run(args, locale),
         Command::View(args) => view::run(args, locale),
+        Command::Report(args) => report::run(args, locale),
         Command::Explain(args) => explain::run(args, locale),
         Command::Init(args) => init::run(args, locale),
         Command::Lsp(_) => lsp::run(locale),
+        Command::Motion(args) => motion::run(args, locale),
+        Command::Plc(args) => plc::run(args, locale),
         Command::Schema(args) => schema::run(args),
         Command::Completions(args) => shell::completions(args, locale),
         Command::Man(args) => shell::man(args, locale),

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use super::args::{SchemaArgs, SchemaName};
 use super::status::{Failure, Status};
+use crate::analysis::{motion, plc, sheet};
 use crate::{config, diag, stream};
 
 pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
@@ -11,6 +12,9 @@ pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
         SchemaName::Blocks => stream::schema(),
         SchemaName::Diagnostics => diag::schema(),
         SchemaName::Config => config::schema(),
+        SchemaName::Motion => motion::schema(),
+        SchemaName::Plc => plc::schema(),
+        SchemaName::Report => sheet::schema(),
     };
     let mut out = io::stdout().lock();
     out.write_all(format!("{schema:#}\n").as_bytes())?;

@@ -3,66 +3,57 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::args::ViewArgs;
-use super::common::{Origins, Projects, overrides, print_beside};
-use super::disk::{DiskLoader, canonical, is_stdin};
+use super::args::{PlaneName, ViewArgs};
+use super::common::{overrides, print_beside};
+use super::disk::is_stdin;
+use super::job::{Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{Failure, Status, tell};
-use super::walk::Target;
+use super::threads;
 use super::words::{Words, reason};
 use crate::config::Purpose;
 use crate::session::Session;
-use crate::text::FileId;
-use crate::view::{Part, View, page};
+use crate::text::{FileId, path_name};
+use crate::view::{Part, Plane, Still, View, page};
 
 pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
-    let targets = [Target::named(args.file.clone())];
-    let [target] = &targets;
-    let loader = DiskLoader::new([target.path.as_path()]);
-    let output = output(args)?;
-    let refuse = |output: &Path| Words::PictureIsProgram { file: output.to_string_lossy().into_owned() };
-    if let Some(output) = &output
-        && canonical(output) == canonical(&target.path)
-    {
-        return Err(refuse(output).into());
-    }
-    let mut projects = Projects::default();
-    let named = args.common.config.as_deref();
-    projects.configure(&targets, Origins { named, overrides: &overrides, loader: &loader })?;
+    threads::prepare();
+    let job = Job::new(args.file.clone(), output(args)?).refusing(|file| Words::PictureIsProgram { file });
+    let output = job.output();
+    let mut projects = job.configure(&args.common, &overrides)?;
     let mut report = projects.report();
-    let settings = projects.settings(target).filter(|_| report.errors() == 0);
-    let Some(settings) = settings else {
-        report.set_unusable();
-        print_beside(&args.common, &report, locale);
-        return Ok(Status::Unusable);
+    let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
+        return Ok(unusable(report, &args.shown, locale));
     };
     let progress = Progress::start(Counted::Blocks, output.is_none(), locale.lang);
     let count = |blocks: u64| {
         progress.set(blocks);
         true
     };
-    let session = Session { loader: &loader, settings, progress: Some(&count) };
+    let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let mut view = View::new(settings, Part { from: args.from, blocks: args.blocks });
-    let run = session.run(&target.path, &target.name(), Purpose::Compile, view.collect());
+    let run = session.run(&job.target().path, &job.target().name(), Purpose::Compile, view.collect());
     drop(progress);
     let outcome = run.outcome;
     let lacks_file = outcome.lacks_file() && outcome.executed == 0;
-    view.finish(outcome.sources.get(FileId(0)), &target.name(), outcome.executed);
-    if let Some(output) = &output
-        && outcome.sources.iter().any(|(_, source)| canonical(Path::new(source.name())) == canonical(output))
-    {
-        return Err(refuse(output).into());
-    }
+    view.finish(outcome.sources.get(FileId(0)), &job.target().name(), outcome.executed);
+    job.refuse_input()?;
     let unusable = outcome.unusable;
     report.add_program(&outcome.sources, outcome.findings);
     if !unusable {
-        let page = page(&view.data(&report), &target.name(), locale.chosen);
-        write(page.as_bytes(), output.as_deref(), locale)?;
-        if let Some(output) = &output {
-            tell(&Words::PictureWritten { file: output.to_string_lossy().into_owned() }, locale.lang);
+        let form = Form::of(output);
+        let still = still(args);
+        let picture = match form {
+            Form::Page => page(&view.data(&report), &job.target().name(), locale.chosen).into_bytes(),
+            Form::Svg => view.svg(still).into_bytes(),
+            Form::Png => view.png(still).ok_or(Words::PictureTooLarge)?,
+        };
+        write(&picture, output, locale)?;
+        if let Some(output) = output {
+            tell(&Words::PictureWritten { file: path_name(output) }, locale.lang);
             if args.open {
                 open(output, locale)?;
             }
@@ -71,12 +62,44 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     if unusable || lacks_file {
         report.set_unusable();
     }
-    print_beside(&args.common, &report, locale);
+    print_beside(&args.shown, &report, locale);
     Ok(match report.errors() > 0 {
         _ if unusable || lacks_file => Status::Unusable,
         true => Status::Faulty,
         false => Status::Fine,
     })
+}
+
+/// What is written.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+enum Form {
+    Page,
+    Svg,
+    Png,
+}
+
+impl Form {
+    /// By the extension of the file; other files, and standard output, are pages.
+    fn of(output: Option<&Path>) -> Self {
+        let extension = output.and_then(Path::extension).and_then(|extension| extension.to_str());
+        match extension.map(str::to_ascii_lowercase).as_deref() {
+            Some("svg") => Self::Svg,
+            Some("png") => Self::Png,
+            Some(_) | None => Self::Page,
+        }
+    }
+}
+
+fn still(args: &ViewArgs) -> Still {
+    let plane = args.plane.map(|plane| match plane {
+        PlaneName::Xy => Plane::Xy,
+        PlaneName::Xz => Plane::Xz,
+        PlaneName::Yz => Plane::Yz,
+        PlaneName::Iso => Plane::Iso,
+    });
+    let Still { width, height, .. } = Still::default();
+    let (width, height) = args.size.unwrap_or((width, height));
+    Still { plane, width, height }
 }
 
 /// Where the picture goes: after `-o`, else beside the program. `None`: standard output.
@@ -101,7 +124,7 @@ fn write(bytes: &[u8], output: Option<&Path>, locale: Locale) -> Result<(), Fail
     clean_up_when_interrupted(locale.lang);
     let written = Replacement::begin(output).and_then(|mut file| file.write_all(bytes).and_then(|()| file.commit()));
     written.map_err(|error| {
-        let file = output.to_string_lossy().into_owned();
+        let file = path_name(output);
         Words::CannotWrite { file, reason: reason(&error, locale.lang) }.into()
     })
 }
@@ -117,7 +140,7 @@ fn open(file: &Path, locale: Locale) -> Result<(), Failure> {
     };
     let started = std::process::Command::new(program).args(before).arg(file).spawn();
     started.map(drop).map_err(|error| {
-        let file = file.to_string_lossy().into_owned();
+        let file = path_name(file);
         Words::CannotOpen { file, reason: reason(&error, locale.lang) }.into()
     })
 }

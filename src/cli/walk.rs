@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::disk::{Entry, begins_program, canonical, entries, is_stdin};
 use crate::session::Session;
-use crate::text::BrokenLink;
+use crate::text::{BrokenLink, path_name};
 
 /// One file to look at.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ impl Target {
 
     /// The file as the user named it.
     pub fn name(&self) -> String {
-        self.path.to_string_lossy().into_owned()
+        path_name(&self.path)
     }
 
     /// The folder whose project file and macrocycles it uses; that of the working directory is empty.

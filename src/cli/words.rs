@@ -15,17 +15,20 @@ bilingual! {
             "cannot write to standard output: {reason}",
             "nelze zapisovat na standardní výstup: {reason}";
         OutputIsProgram { file: String }
-            "{file} is the program itself, or a macrocycle of it: the stream needs a file of its own after -o",
-            "{file} je sám program nebo jeho makrocyklus: za -o patří jiný soubor";
+            "{file} is what the stream is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "z {file} proud bloků vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
         NotWhole { file: String }
             "the stream of {file} has no end: execution stopped before M02 or M30",
             "proud bloků programu {file} nemá konec: provádění skončilo před M02 nebo M30";
         PictureIsProgram { file: String }
-            "{file} is the program itself, or a macrocycle of it: the picture needs a file of its own after -o",
-            "{file} je sám program nebo jeho makrocyklus: pro obrázek patří za -o jiný soubor";
+            "{file} is what the picture is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "z {file} obrázek vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
         PictureNeedsName
             "a program from standard input has no name for its picture: name a file after -o",
             "program ze standardního vstupu nemá jméno pro obrázek: za -o uvést soubor";
+        PictureTooLarge
+            "there is not enough memory for a picture of that size",
+            "na obrázek této velikosti není dost paměti";
         PictureWritten { file: String }
             "written: {file}",
             "zapsáno: {file}";
@@ -107,11 +110,31 @@ bilingual! {
             "--param {text}: {fault}",
             "--param {text}: {fault}";
         NothingToExplain { name: String }
-            "{name}: there is no such diagnostic, function or address; `cnc872c explain` lists the diagnostics",
-            "{name}: takové hlášení, funkce ani adresa není; hlášení vypíše „cnc872c explain“";
+            "{name}: there is no such diagnostic, function, address, key or signal, and no page has the word; `cnc872c explain` lists \
+             the diagnostics",
+            "{name}: takové hlášení, funkce, adresa, klíč ani signál není a žádná stránka to slovo nemá; hlášení vypíše „cnc872c \
+             explain“";
         NothingToExplainNear { name: String, near: String }
-            "{name}: there is no such diagnostic, function or address; perhaps {near} is meant",
-            "{name}: takové hlášení, funkce ani adresa není; možná mělo být {near}";
+            "{name}: there is no such diagnostic, function, address, key or signal; perhaps {near} is meant",
+            "{name}: takové hlášení, funkce, adresa, klíč ani signál není; možná mělo být {near}";
+        PhasesFormat
+            "--phases goes with --format json",
+            "--phases patří k --format json";
+        SetForm { text: String }
+            "--set {text}: write a key of [motion] or a machine constant and its value, as in accuracy-um=4",
+            "--set {text}: patří sem klíč z [motion] nebo strojní konstanta s hodnotou, například accuracy-um=4";
+        NoWholeTime { file: String }
+            "the time of {file} is not known: execution stopped before M02 or M30",
+            "čas programu {file} není znám: provádění skončilo před M02 nebo M30";
+        NoWholeSheet { file: String }
+            "there is no set-up sheet of {file}: execution stopped before M02 or M30",
+            "seřizovací list programu {file} nelze sestavit: provádění skončilo před M02 nebo M30";
+        Signals { text: String }
+            "--signals: {text}",
+            "--signals: {text}";
+        ListFormat
+            "--list is a table, or JSON with --format json",
+            "--list je tabulka, nebo JSON s --format json";
         Foreign { text: String }
             "{text}",
             "{text}";

@@ -3,9 +3,10 @@
 use std::io::{self, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
+use super::motion_values::{Layer, assemble};
 use super::project::Project;
 use super::taken::Setting;
-use super::{Axes, MFunctions, Machine, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
+use super::{Axes, MFunctions, Machine, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
 use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span};
@@ -55,6 +56,7 @@ pub fn configure(
         if !dialect.has_channel_config() {
             constants::apply(&values.constants, file, &mut settings.machine.m_functions, files.findings);
         }
+        settings.machine.motion = files.motion(&values, file, dialect, overrides);
         files.channel_config(&values, file, folder, overrides, &mut settings);
         set_m_power_up(&mut settings.machine, &values, file, files.findings);
     }
@@ -213,6 +215,24 @@ impl Files<'_> {
         }
     }
 
+    /// What motion is computed with: the project file, over it what `--set` says.
+    fn motion(&mut self, values: &Project, file: FileId, dialect: Dialect, overrides: &Overrides) -> Motion {
+        let text =
+            |files: &Self, file: FileId| files.sources.get(file).map_or(String::new(), |file| file.text().to_owned());
+        let own = text(self, file);
+        let base = Layer { values, file, text: &own };
+        if overrides.motion.is_empty() {
+            return assemble(&[base], dialect, self.findings);
+        }
+        let set_text = set_text(&overrides.motion);
+        let source = SourceText::from_text("--set", &set_text);
+        let set_file = self.sources.add(source);
+        let Some(source) = self.sources.get(set_file) else { return assemble(&[base], dialect, self.findings) };
+        let set_values = Project::read(source, set_file, self.findings);
+        let set = Layer { values: &set_values, file: set_file, text: &set_text };
+        assemble(&[base, set], dialect, self.findings)
+    }
+
     /// Sets the M functions of the ChannelConfig that the command line names, or else the project file `file`.
     fn channel_config(
         &mut self,
@@ -274,6 +294,19 @@ impl Files<'_> {
         let encoding = declared_encoding(&bytes).unwrap_or(fallback);
         SourceText::decode(name, bytes, encoding).map_err(|_| ConfigProblem::TooLarge)
     }
+}
+
+/// What `--set` says, as a project file.
+fn set_text(values: &[(String, String)]) -> String {
+    let (mut motion, mut constants) = (String::from("[motion]\n"), String::from("[machine-constants]\n"));
+    for (key, value) in values {
+        let is_value = value.parse::<toml_edit::Value>().is_ok();
+        let value = if is_value { value.clone() } else { toml_edit::Value::from(value.as_str()).to_string() };
+        let constant = key.strip_prefix('R').is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+        let table = if constant { &mut constants } else { &mut motion };
+        table.push_str(&format!("{key} = {value}\n"));
+    }
+    motion + &constants
 }
 
 /// Why the file of that name cannot be read.

@@ -3,10 +3,10 @@
 
 use std::fmt::{self, Write};
 
-use super::MFunctions;
 use super::names::{Names, group, m_group};
 use super::row::{Default, Row};
 use super::sections::{Form, SECTIONS, Section};
+use super::{MFunctions, keys};
 use crate::dict::{Bilingual, Dialect, GCode, Lang};
 
 /// Most characters of a line of a comment.
@@ -30,16 +30,32 @@ pub fn initial(dialect: Dialect, lang: Lang) -> String {
 fn file(text: &mut String, dialect: Dialect, lang: Lang) -> fmt::Result {
     comment(text, INTRODUCTION.get(lang))?;
     for section in SECTIONS {
+        // The outer table of others, without keys of its own.
+        if matches!(section.form, Form::Keys([], _)) {
+            continue;
+        }
         text.push('\n');
         if !section.name.is_empty() {
             comment(text, &sentence(section.meaning.get(lang), section.rule))?;
         }
         match section.form {
+            // A machine whose motion is not configured is not the same as one with the defaults.
+            Form::Keys(rows, _) if is_motion(section) => {
+                writeln!(text, "#[{}]", section.name)?;
+                for row in rows {
+                    comment(text, &about(row, lang))?;
+                    let value = literal(row, dialect).unwrap_or_else(|| row.example.to_owned());
+                    writeln!(text, "#{} = {value}", row.name)?;
+                }
+            }
+            Form::Map(..) if is_motion(section) => {
+                writeln!(text, "#[{}]\n#{}", section.name, section.example)?;
+            }
             Form::Keys(rows, _) => {
                 if !section.name.is_empty() {
                     writeln!(text, "[{}]", section.name)?;
                 }
-                keys(text, rows, dialect, lang)?;
+                write_keys(text, rows, dialect, lang)?;
             }
             Form::List(rows, _) => {
                 writeln!(text, "#[[{}]]", section.name)?;
@@ -55,9 +71,18 @@ fn file(text: &mut String, dialect: Dialect, lang: Lang) -> fmt::Result {
     Ok(())
 }
 
+/// Whether a table configures motion.
+fn is_motion(section: &Section) -> bool {
+    section.name == "motion" || section.parent().is_some_and(|parent| parent.starts_with("motion"))
+}
+
 /// Keys, set to their defaults where they have some.
-fn keys(text: &mut String, rows: &[Row], dialect: Dialect, lang: Lang) -> fmt::Result {
+fn write_keys(text: &mut String, rows: &[Row], dialect: Dialect, lang: Lang) -> fmt::Result {
     for row in rows {
+        // Only the newest control has one.
+        if row.name == keys::CHANNEL_CONFIG.name && dialect != Dialect::Cnc872 {
+            continue;
+        }
         comment(text, &about(row, lang))?;
         match literal(row, dialect) {
             Some(value) => writeln!(text, "{} = {value}", row.name)?,
@@ -154,6 +179,7 @@ mod tests {
         for dialect in Dialect::ALL {
             for lang in [Lang::En, Lang::Cs] {
                 let text = initial(dialect, lang);
+                assert_eq!(text.contains("channel-config"), dialect == Dialect::Cnc872);
                 let run = Run::plain(&text);
                 assert!(run.findings.is_empty(), "{text}{:?}", run.findings);
                 let settings = run.settings();

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::{ArcCenters, G97, MFunctions, SpindleAxis};
+use super::{ArcCenters, G97, MFunctions, Motion, SpindleAxis};
 use crate::diag::{Code, Levels, Severity};
 use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, M_GROUPS, Operation};
 use crate::text::Encoding;
@@ -193,6 +193,8 @@ pub struct Machine {
     pub constants: BTreeMap<u16, String>,
     /// Radius corrections in mm by the number of D, 1–99 (EQU-1).
     pub corrections: BTreeMap<u8, Decimal>,
+    /// What motion is computed with.
+    pub motion: Motion,
     /// Limits.
     pub limits: Limits,
 }
@@ -218,6 +220,7 @@ impl Machine {
             arc_centers: ArcCenters::default(),
             constants: BTreeMap::new(),
             corrections: BTreeMap::new(),
+            motion: Motion::new(dialect),
             limits: Limits::of(dialect),
         }
     }
@@ -303,6 +306,8 @@ impl Settings {
             Some(Level::Deny) => Some(Severity::Error),
             // LEX-7: the newest control reads longer lines.
             None if code == Code::E0109 && self.machine.dialect == Dialect::Cnc872 => Some(Severity::Warning),
+            // Not a mistake, but a question that somebody may ask.
+            None if code.is_off() => None,
             None => Some(code.severity()),
         }
     }

@@ -2,13 +2,18 @@
 
 use super::Takes;
 use super::keys::{DIMENSION, operations};
+use super::motion::TimedFunction;
 use super::near::nearest;
 use super::number::HIGHEST_PARAMETER;
 use crate::diag::{Code, KnownNames};
-use crate::dict::{AxisLetter, GGroup, Lang, M_GROUPS};
+use crate::dict::{AxisLetter, Decimal, GGroup, Lang, M_GROUPS};
 
 /// Highest number of a machine constant.
 const HIGHEST_CONSTANT: u16 = 999;
+/// Highest number of an M function.
+const HIGHEST_M: u16 = 100;
+/// What the number of an address is more than its place, among functions that take time.
+pub(super) const TIMED_ADDRESS: u16 = 1000;
 /// Highest operation code (PAR-8: two digits).
 const HIGHEST_OPERATION: u16 = 99;
 /// Words for levels, with what they mean.
@@ -30,6 +35,8 @@ pub(super) enum Names {
     Operations,
     /// Fixed cycles: `G81`–`G89`.
     Cycles,
+    /// Functions that take time: M functions, and T, S, H, P, D, F.
+    Timed,
     /// Machine constants: `R0`–`R999`; leading zeros may be written (`R06`).
     Constants,
     /// Diagnostics whose level can be set, by name or code.
@@ -51,6 +58,13 @@ impl Names {
             Self::Corrections => digits(name).filter(|&number| name.len() <= 2 && number > 0),
             Self::Operations => digits(name).filter(|_| name.len() <= 2),
             Self::Cycles => plain(name, "G", 89).filter(|&number| number >= 81),
+            Self::Timed => match name.strip_prefix('M') {
+                Some(number) => digits(number).filter(|number| *number <= HIGHEST_M),
+                None => {
+                    let place = TimedFunction::ADDRESSES.iter().position(|letter| name == *letter)?;
+                    u16::try_from(place).ok().map(|place| TIMED_ADDRESS + place)
+                }
+            },
             Self::Constants => digits(name.strip_prefix('R')?).filter(|_| name.len() <= 4),
             Self::Lints => {
                 let code = Code::find(name).filter(|code| [code.name(), code.as_str()].contains(&name))?;
@@ -67,6 +81,7 @@ impl Names {
             Self::Parameters => Takes::ParameterValue,
             Self::Operations => Takes::OneOf(operations),
             Self::Cycles => Takes::Whole { min: 1, max: Some(9999) },
+            Self::Timed => Takes::Number { min: Decimal::ZERO, max: Decimal::whole(1_000_000) },
             Self::Constants => Takes::Constant,
             Self::Lints => Takes::OneOf(|| LEVELS.iter().map(|(name, _)| *name).collect()),
         }
@@ -85,12 +100,21 @@ impl Names {
         if self == Self::Axes {
             return self.number(&upper).map(|_| upper);
         }
+        if self == Self::Timed {
+            return self.number(&upper).map(|_| upper);
+        }
         let (prefix, number) = upper.split_at_checked(upper.find(|c: char| c.is_ascii_digit())?)?;
         let number: u16 = number.parse().ok()?;
         let meant = match self {
             Self::Operations => format!("{number:02}"),
             Self::Corrections => number.to_string(),
-            Self::Groups | Self::Axes | Self::Parameters | Self::Cycles | Self::Constants | Self::Lints => {
+            Self::Groups
+            | Self::Axes
+            | Self::Parameters
+            | Self::Cycles
+            | Self::Timed
+            | Self::Constants
+            | Self::Lints => {
                 format!("{}{number}", prefix.trim_end())
             }
         };
@@ -114,7 +138,7 @@ impl Names {
                     .filter_map(|name| Some((name.to_owned(), self.number(name)?)))
                     .collect(),
             ),
-            Self::Parameters | Self::Corrections | Self::Operations | Self::Constants => None,
+            Self::Parameters | Self::Corrections | Self::Operations | Self::Timed | Self::Constants => None,
         }
     }
 
@@ -124,6 +148,7 @@ impl Names {
             Self::Parameters => Some("^R([0-9]|[1-8][0-9]|9[0-5])$"),
             Self::Corrections => Some("^(0?[1-9]|[1-9][0-9])$"),
             Self::Operations => Some("^[0-9]{1,2}$"),
+            Self::Timed => Some("^(M(0*([0-9]{1,2}|100))|[TSHPDF])$"),
             Self::Constants => Some("^R[0-9]{1,3}$"),
             Self::Groups | Self::Axes | Self::Cycles | Self::Lints => None,
         }
@@ -138,6 +163,7 @@ impl Names {
             Self::Corrections => KnownNames::Corrections,
             Self::Operations => KnownNames::Operations,
             Self::Cycles => KnownNames::Cycles,
+            Self::Timed => KnownNames::Timed,
             Self::Constants => KnownNames::Constants,
             Self::Lints => KnownNames::Lints,
         }
@@ -156,6 +182,7 @@ impl Names {
             Self::Corrections => format!("`1` {to} `99`"),
             Self::Operations => format!("`\"00\"` {to} `\"{HIGHEST_OPERATION}\"`"),
             Self::Cycles => format!("`G81` {to} `G89`"),
+            Self::Timed => format!("`M00` {to} `M100`, `T`, `S`, `H`, `P`, `D`, `F`"),
             Self::Constants => format!("`R0` {to} `R{HIGHEST_CONSTANT}`"),
             Self::Lints => match lang {
                 Lang::En => "name or code".to_owned(),

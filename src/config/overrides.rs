@@ -27,6 +27,8 @@ pub struct Overrides {
     pub encoding: Option<Encoding>,
     /// `--max-blocks`: most records of a stream (FLW-9).
     pub max_blocks: Option<u64>,
+    /// `--set`: keys of `[motion]` or machine constants, each with a value as TOML or a plain text.
+    pub motion: Vec<(String, String)>,
     /// `-D`, `-W`, `-A`: the last of one code wins. Codes whose level is fixed ([`Code::is_configurable`]) are left out;
     /// the command line refuses them itself.
     pub lints: Vec<(Code, Level)>,

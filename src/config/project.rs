@@ -4,7 +4,9 @@
 use toml_edit::{Document, Item, TableLike, Value};
 
 use super::keys;
-use super::names::{LEVELS, Names, m_group};
+use super::motion::TimedFunction;
+use super::motion_values::MotionValues;
+use super::names::{LEVELS, Names, TIMED_ADDRESS, m_group};
 use super::reader::{Entry, Reader, Table, entries, entry, to_span};
 use super::row::Row;
 use super::sections::{Form, ROOT, Section, TakeValues};
@@ -64,6 +66,8 @@ pub(super) struct Project {
     pub gear_ends: Vec<(&'static str, Option<Setting<u32>>)>,
     /// Machine constants R0–R999, their digits, in the order of the text.
     pub constants: Vec<Setting<(u16, String)>>,
+    /// What motion is computed with.
+    pub motion: MotionValues,
     /// Radius corrections by D.
     pub corrections: Vec<Setting<(u8, Decimal)>>,
     /// Most records.
@@ -275,6 +279,28 @@ impl Project {
         let radius = values.number(&keys::CORRECTION_RADIUS);
         let number = u8::try_from(number).ok();
         self.corrections.extend(radius.and_then(|radius| radius.and_then(|value| Some((number?, value)))));
+    }
+
+    /// `[motion]`.
+    pub(super) fn motion(&mut self, _: &mut Reader<'_>, values: &Values) {
+        self.motion.take(values);
+    }
+
+    /// `[motion.sets.1]` and its like.
+    pub(super) fn motion_set(&mut self, _: &mut Reader<'_>, values: &Values) {
+        self.motion.take_set(values);
+    }
+
+    /// One of `[motion.times]`.
+    pub(super) fn motion_time(&mut self, named: &Named) {
+        self.motion.present = true;
+        let function = match named.number.checked_sub(TIMED_ADDRESS) {
+            Some(place) => {
+                TimedFunction::ADDRESSES.get(usize::from(place)).map(|letter| TimedFunction::Address(letter))
+            }
+            None => Some(TimedFunction::M(named.number)),
+        };
+        self.motion.times.extend(named.setting(|taken| Some((function?, taken.number()?))));
     }
 
     /// One of `[lints]`.

@@ -3,12 +3,13 @@
 use toml_edit::{Array, Item, TableLike, Value};
 
 use super::Takes;
+use super::names::Names;
 use super::near::nearest;
 use super::number::{parse_decimal, parse_rounding};
 use super::row::{Default, Row};
 use super::taken::{Setting, Taken, Values};
 use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, KnownNames, LabelText, NameKind, shown};
-use crate::dict::Decimal;
+use crate::dict::{AxisLetter, Decimal};
 use crate::text::{FileId, Location, Span};
 
 /// A key of a table and what it holds.
@@ -119,6 +120,9 @@ impl<'t> Reader<'t> {
     /// The value of an entry when `takes` takes it; else it is reported.
     pub(super) fn taken(&mut self, table: Table<'_>, entry: Entry<'_>, takes: Takes) -> Option<Taken> {
         let key = format!("{}{}", table.path, entry.name);
+        if let (Takes::NumberOrAxes { .. }, Some(axes)) = (takes, entry.item.as_table_like()) {
+            return self.axes(&key, axes, takes);
+        }
         let taken = entry.item.as_value().and_then(|value| match takes {
             Takes::Flag => value.as_bool().map(Taken::Flag),
             Takes::Path => value.as_str().map(|path| Taken::Text(path.to_owned())),
@@ -130,13 +134,36 @@ impl<'t> Reader<'t> {
             Takes::Whole { .. } | Takes::GFunction(_) | Takes::MFunction => {
                 value.as_integer().filter(|&number| takes.holds_whole(number)).map(Taken::Whole)
             }
-            Takes::Number { .. } | Takes::ParameterValue => self.number(value, entry.at, takes).map(Taken::Number),
+            Takes::Number { .. } | Takes::NumberOrAxes { .. } | Takes::ParameterValue => {
+                self.number(value, entry.at, takes).map(Taken::Number)
+            }
             Takes::Constant => self.digits(value).map(Taken::Text),
         });
         if taken.is_none() && !matches!((takes, entry.item.as_array()), (Takes::Paths | Takes::Extensions, Some(_))) {
             self.need(key, entry.at, takes.need());
         }
         taken
+    }
+
+    /// A table of numbers by axis letter; what is none is reported at its place, and the table left out.
+    fn axes(&mut self, key: &str, table: &dyn TableLike, takes: Takes) -> Option<Taken> {
+        let mut axes = Vec::new();
+        let mut wrong = false;
+        for inner in entries(table) {
+            let letter = AxisLetter::ALL.into_iter().find(|letter| letter.name() == inner.name);
+            let number = inner.item.as_value().and_then(|value| self.number(value, inner.at, takes));
+            match (letter, number) {
+                (Some(letter), Some(number)) => axes.push((letter, number)),
+                (None, _) => {
+                    self.unknown(inner.name, inner.key, Names::Axes.near(inner.name), Some(Names::Axes.known()));
+                }
+                (Some(_), None) => {
+                    wrong = true;
+                    self.need(format!("{key}.{}", inner.name), inner.at, takes.need());
+                }
+            }
+        }
+        if wrong { None } else { Some(Taken::Axes(axes)) }
     }
 
     /// A list of texts that `form` takes, as it gives them; what is none is reported at its place, and the list left out.

@@ -82,7 +82,7 @@ fn keys(page: &mut String, rows: &[Row], lang: Lang) -> std::fmt::Result {
     Ok(())
 }
 
-fn default(default: Default, lang: Lang) -> String {
+pub(super) fn default(default: Default, lang: Lang) -> String {
     match default {
         Default::ByDialect(value) => {
             let values = Dialect::ALL.map(|dialect| format!("{}: `{}`", dialect.name(), value(dialect)));

@@ -24,6 +24,9 @@ fn taken(takes: Takes) -> Vec<String> {
             vec![min.to_string(), (min + 1).to_string(), highest.to_string()]
         }
         Takes::Number { min, max } => vec![min.to_string(), "1.5".to_owned(), max.to_string()],
+        Takes::NumberOrAxes { min, max } => {
+            vec![min.to_string(), "1.5".to_owned(), max.to_string(), "{ X = 5000 }".to_owned()]
+        }
         Takes::ParameterValue => vec!["-1.5".to_owned(), "99999999".to_owned()],
         Takes::GFunction(group) => super::takes::lasting(group).map(|code| code.number().to_string()).collect(),
         // Those of the group are found by trying.
@@ -51,12 +54,15 @@ fn with_key(section: &Section, row: &Row, value: &str) -> String {
         Form::Tables(names, ..) => format!("[{}.{}]\n", section.name, name_of(names)),
         Form::Map(..) => unreachable!("it has no rows"),
     };
-    format!("{head}{others}{} = {value}\n", row.name)
+    // The criteria are computed with the cycle.
+    let needs_cycle = section.name == "motion" && ["accuracy-um", "overload-mm-s2"].contains(&row.name);
+    let cycle = if needs_cycle { "cycle-ms = 2\n" } else { "" };
+    format!("{head}{others}{cycle}{} = {value}\n", row.name)
 }
 
 /// One of the names.
 fn name_of(names: Names) -> String {
-    let tried = ["X", "G81", "R39", "R5", "7", "W0214", "rapid", "M06"];
+    let tried = ["X", "G81", "R340", "R5", "7", "W0214", "rapid", "M06"];
     tried.into_iter().find(|name| names.number(name).is_some()).unwrap().to_owned()
 }
 

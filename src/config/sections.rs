@@ -2,6 +2,7 @@
 //! [`keys`](super::keys), or beside what they configure.
 
 use super::keys;
+use super::motion_keys;
 use super::names::Names;
 use super::project::Project;
 use super::reader::Reader;
@@ -27,7 +28,7 @@ pub(super) struct Section {
     pub example: &'static str,
 }
 
-/// Takes the values of one table.
+/// Takes the values of one table; called when the table is there.
 pub(super) type TakeValues = fn(&mut Project, &mut Reader<'_>, &Values);
 /// Takes one name of a table with its value.
 pub(super) type TakeNamed = fn(&mut Project, &Named);
@@ -133,7 +134,8 @@ pub(super) const SECTIONS: &[Section] = &[
             "funkce každé skupiny G a M, která platí na začátku programu a po M02 a M30, svým číslem",
         ),
         "GRP-3, MFN-7",
-    ),
+    )
+    .with_example("G5 = 54"),
     section(
         "parameters",
         Form::Map(Names::Parameters, Project::parameter),
@@ -172,12 +174,73 @@ pub(super) const SECTIONS: &[Section] = &[
         "machine-constants",
         Form::Map(Names::Constants, Project::constant),
         (
-            "machine constants as the control shows them; R56 to R59 give M groups 10 to 13 on CNC8x6 and CNC8x9, four functions of two digits each",
-            "strojní konstanty, jak je ukazuje systém; R56 až R59 určují u CNC8x6 a CNC8x9 M skupiny 10 až 13, každá čtyři funkce po dvou číslicích",
+            "machine constants as the control shows them: eight digits as a text, or a number with three decimals; R56 to R59 give M groups 10 to 13 on CNC8x6 and CNC8x9, four functions of two digits each; others give what `[motion]` says",
+            "strojní konstanty, jak je ukazuje systém: osm číslic jako text, nebo číslo se třemi desetinnými místy; R56 až R59 určují u CNC8x6 a CNC8x9 M skupiny 10 až 13, každá čtyři funkce po dvou číslicích; jiné udávají totéž co `[motion]`",
         ),
         "MFN-5",
     )
-    .with_example("R39 = 60.0"),
+    .with_example("R340 = 1.0"),
+    section(
+        "motion",
+        Form::Keys(motion_keys::MOTION, Project::motion),
+        (
+            "what motion is computed with; on CNC8x6 and CNC8x9 the machine constants give the same values, each once",
+            "s čím se počítá pohyb; u CNC8x6 a CNC8x9 udávají tytéž hodnoty strojní konstanty, každou jen jednou",
+        ),
+        "CNT, VEL",
+    ),
+    section(
+        "motion.times",
+        Form::Map(Names::Timed, Project::motion_time),
+        (
+            "seconds that functions take; a block takes the longest of its own",
+            "sekundy, které trvají funkce; blok trvá podle té nejdelší z nich",
+        ),
+        "TIM-1",
+    )
+    .with_example("M06 = 6.5"),
+    section(
+        "motion.sets",
+        Form::Keys(&[], |_, _, _| {}),
+        (
+            "the dynamic sets, which count with the parabolic profile only; a set or value that is missing, or 0, is that of set 1, then that of `[motion]`",
+            "sady pro dynamické řízení, které platí jen při parabolickém průběhu; sada nebo hodnota, která chybí nebo je 0, je z 1. sady, pak z [motion]",
+        ),
+        "VEL-14",
+    ),
+    section(
+        "motion.sets.1",
+        Form::Keys(motion_keys::SET, Project::motion_set),
+        (
+            "the set of G23 I1, which holds from the start (R406 to R411)",
+            "sada pro G23 I1, platná od začátku (R406 až R411)",
+        ),
+        "VEL-14",
+    ),
+    section(
+        "motion.sets.2",
+        Form::Keys(motion_keys::SET, Project::motion_set),
+        ("the set of G23 I2 (R412 to R417)", "sada pro G23 I2 (R412 až R417)"),
+        "VEL-14",
+    ),
+    section(
+        "motion.sets.3",
+        Form::Keys(motion_keys::SET, Project::motion_set),
+        ("the set of G23 I3 (R418 to R423)", "sada pro G23 I3 (R418 až R423)"),
+        "VEL-14",
+    ),
+    section(
+        "motion.sets.4",
+        Form::Keys(motion_keys::SET, Project::motion_set),
+        ("the set of G23 I4 (R424 to R429)", "sada pro G23 I4 (R424 až R429)"),
+        "VEL-14",
+    ),
+    section(
+        "motion.sets.rapid",
+        Form::Keys(motion_keys::RAPID_SET, Project::motion_set),
+        ("the set of G00 (R430 to R432)", "sada pro G00 (R430 až R432)"),
+        "VEL-8",
+    ),
     section(
         "corrections",
         Form::Tables(Names::Corrections, keys::CORRECTION, Project::correction),

@@ -1,7 +1,7 @@
 //! What the project file says under the keys of one table, each value already checked by its row.
 
 use super::row::Row;
-use crate::dict::Decimal;
+use crate::dict::{AxisLetter, Decimal};
 use crate::text::Span;
 
 /// A value with its places.
@@ -36,6 +36,8 @@ pub(super) enum Taken {
     Whole(i64),
     /// A number.
     Number(Decimal),
+    /// Numbers by axis letter.
+    Axes(Vec<(AxisLetter, Decimal)>),
 }
 
 impl Taken {
@@ -76,6 +78,11 @@ impl Values {
     /// A flag.
     pub(super) fn flag(&self, row: &Row) -> Option<Setting<bool>> {
         self.get(row)?.and_then(|taken| if let Taken::Flag(flag) = taken { Some(*flag) } else { None })
+    }
+
+    /// The value as it is.
+    pub(super) fn any(&self, row: &Row) -> Option<Setting<Taken>> {
+        self.get(row)?.and_then(|taken| Some(taken.clone()))
     }
 
     /// A text.

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::diag::ConfigNeed;
-use crate::dict::{Decimal, Dialect, GCode, GGroup, Lang, Lasting};
+use crate::dict::{AxisLetter, Decimal, Dialect, GCode, GGroup, Lang, Lasting};
 
 /// The type and range of a value.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +25,13 @@ pub enum Takes {
     },
     /// A number, both ends included; rounded to 0.001, halves away from zero.
     Number {
+        /// Least.
+        min: Decimal,
+        /// Greatest.
+        max: Decimal,
+    },
+    /// A number, or a table of numbers by axis letter; both ends included.
+    NumberOrAxes {
         /// Least.
         min: Decimal,
         /// Greatest.
@@ -53,6 +60,7 @@ impl Takes {
             Self::Whole { min, max: Some(max) } => ConfigNeed::Whole { min, max },
             Self::Whole { min, max: None } => ConfigNeed::AtLeast { min },
             Self::Number { min, max } => ConfigNeed::Number { min: min.to_string(), max: max.to_string() },
+            Self::NumberOrAxes { min, max } => ConfigNeed::NumberOrAxes { min: min.to_string(), max: max.to_string() },
             Self::ParameterValue => ConfigNeed::ParameterValue,
             Self::GFunction(group) => ConfigNeed::GOfGroup { group: group.to_string() },
             Self::MFunction => Self::M_NUMBER.need(),
@@ -72,16 +80,17 @@ impl Takes {
             | Self::Paths
             | Self::OneOf(_)
             | Self::Number { .. }
+            | Self::NumberOrAxes { .. }
             | Self::ParameterValue
             | Self::Extensions
             | Self::Constant => false,
         }
     }
 
-    /// Whether the number is taken; only of [`Self::Number`] and [`Self::ParameterValue`].
+    /// Whether the number is taken; only of those that take numbers.
     pub(super) fn holds_number(self, value: Decimal) -> bool {
         match self {
-            Self::Number { min, max } => value >= min && value <= max,
+            Self::Number { min, max } | Self::NumberOrAxes { min, max } => value >= min && value <= max,
             Self::ParameterValue => value.fits_parameter(),
             Self::Flag
             | Self::Path
@@ -108,6 +117,16 @@ impl Takes {
             Self::Whole { min, max: Some(max) } => json!({ "type": "integer", "minimum": min, "maximum": max }),
             Self::Whole { min, max: None } => json!({ "type": "integer", "minimum": min }),
             Self::Number { min, max } => range(min, max, "number"),
+            Self::NumberOrAxes { min, max } => {
+                let letters: serde_json::Map<String, Value> = AxisLetter::ALL
+                    .iter()
+                    .map(|letter| (letter.name().to_owned(), range(min, max, "number")))
+                    .collect();
+                json!({ "anyOf": [
+                    range(min, max, "number"),
+                    { "type": "object", "properties": letters, "additionalProperties": false },
+                ] })
+            }
             Self::ParameterValue => json!({ "anyOf": [
                 range(Decimal::DIMENSION_MAX.negated(), Decimal::DIMENSION_MAX, "number"),
                 range(Decimal::WHOLE_MAX.negated(), Decimal::WHOLE_MAX, "integer"),
@@ -146,6 +165,10 @@ impl Takes {
                 text(&format!("whole number, {min} or more"), &format!("celé číslo {min} nebo větší"))
             }
             Self::Number { min, max } => text(&format!("number {min}–{max}"), &format!("číslo {min}–{max}")),
+            Self::NumberOrAxes { min, max } => text(
+                &format!("number {min}–{max}, or a table of such by axis letter"),
+                &format!("číslo {min}–{max}, nebo tabulka takových čísel podle písmen os"),
+            ),
             Self::ParameterValue => {
                 text("±69999.999, or a whole number up to ±99999999", "±69999.999, nebo celé číslo do ±99999999")
             }

@@ -128,7 +128,10 @@ impl Run {
 
 #[test]
 fn example_of_the_specification() {
-    let settings = Run::clean(EXAMPLE);
+    // On CNC872 motion is computed with no constant.
+    let run = Run::of(EXAMPLE, &Overrides::default());
+    assert_eq!(run.found(), [(Code::W0707, "R39")]);
+    let settings = run.settings;
     let machine = &settings.machine;
     assert_eq!(machine.dialect, Dialect::Cnc872);
     assert_eq!(settings.macrocycles, [PathBuf::from("m/macros")]);
@@ -404,6 +407,7 @@ fn the_command_line_wins() {
     let text = "dialect = 'cnc8x6'\nencoding = 'cp852'\nblock-skip = true\nmacrocycles = ['a']\n[parameters]\nR1 = 1\n\
                 R2 = 2\n[limits]\nrecords = 5\n[lints]\nempty-block = 'allow'\nunused-repeat = 'deny'\n";
     let overrides = Overrides {
+        motion: Vec::new(),
         dialect: Some(Dialect::Cnc872),
         channel_config: Some(PathBuf::from("m/Channel.xml")),
         macrocycles: vec![PathBuf::from("x"), PathBuf::from("y/z")],

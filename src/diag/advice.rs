@@ -15,6 +15,7 @@ bilingual! {
         Equals { written: String } "write it without `=`: `{written}`", "napsat bez rovnítka: „{written}“";
         EqualsForm "only an assignment to a parameter has `=`, and only one: `R10=5`; all other words are written without: `X45`", "rovnítko patří jen do přiřazení parametru, a to jediné: „R10=5“; ostatní slova se píší bez něj: „X45“";
         Distance "write the number without a name: under G91 it is a distance, under G90 a coordinate", "napsat jen číslo: při G91 je to přírůstek, při G90 souřadnice";
+        FromStart "write the number without a name: the distance from the start of the arc to its centre, under G90 too", "napsat jen číslo: vzdálenost od začátku oblouku ke středu, a to i při G90";
         SignBehind { written: String } "write the sign behind the address: `{written}`", "znaménko psát až za adresu: „{written}“";
         Radius "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start", "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
         Parameter "R takes the number of a parameter, 0 to 95, and its value: `R10=5.5`", "R má číslo parametru 0 až 95 a jeho hodnotu: „R10=5.5“";
@@ -141,6 +142,7 @@ impl TargetMeant {
 bilingual! {
     /// What was probably meant by a dwell without Q (E0411).
     DwellMeant {
+        Perhaps { address: Address, written: String } "if {address} is meant in milliseconds, write `{written}` in its place; if it is a coordinate, add the dwell: `Q100` is one second", "je-li {address} míněno v milisekundách, napsat místo něj „{written}“; je-li to souřadnice, doplnit délku prodlevy: „Q100“ je jedna sekunda";
         Units "write the dwell in units of 10 ms: `Q100` is one second", "doplnit délku prodlevy po 10 ms: „Q100“ je jedna sekunda";
         Written { written: String } "the dwell is written with `Q`, in units of 10 ms: `{written}`", "délka prodlevy se píše s Q v jednotkách po 10 ms: „{written}“";
     }
@@ -218,15 +220,18 @@ bilingual! {
 }
 
 impl OtherMeaning {
-    /// What to write instead.
-    pub(super) fn help(&self, lang: Lang) -> String {
+    /// What to write instead; `count`: of the calls, where it is written.
+    pub(super) fn help(&self, count: Option<i64>, lang: Lang) -> String {
+        let count = count.map_or_else(String::new, |count| format!(" Q{count}"));
         match (self, lang) {
-            (Self::Call { l }, Lang::En) => format!("a subprogram is called by `G71 L{l}`"),
-            (Self::Call { l }, Lang::Cs) => format!("podprogram volá „G71 L{l}“"),
+            (Self::Call { l }, Lang::En) => format!("a subprogram is called by `G71 L{l}{count}`"),
+            (Self::Call { l }, Lang::Cs) => format!("podprogram volá „G71 L{l}{count}“"),
             (Self::SpeedLimit, Lang::En) => {
-                "G92 writes tables, and `S` is the speed itself: write it without G92".to_owned()
+                "the program cannot limit the speed: delete both; `S` would be the speed itself".to_owned()
             }
-            (Self::SpeedLimit, Lang::Cs) => "G92 zapisuje tabulky a S jsou přímo otáčky: napsat je bez G92".to_owned(),
+            (Self::SpeedLimit, Lang::Cs) => {
+                "omezit otáčky program neumí: vymazat obojí; S by byly přímo otáčky".to_owned()
+            }
         }
     }
 }
@@ -281,8 +286,15 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
             "subprograms, macrocycles and targets of jumps have numbers of at most four digits",
             "podprogramy, makrocykly a cíle skoků mají nejvýše čtyřmístná čísla",
         ),
-        Address::D => ("corrections are switched off by `&0000` and G40", "korekce se vypínají pomocí „&0000“ a G40"),
-        Address::G | Address::M => ("functions have two digits", "funkce mají dvě číslice"),
+        Address::D => (
+            "the table of corrections has no other entries; corrections are switched off by `&0000` and G40",
+            "jiné položky tabulka korekcí nemá; korekce se vypínají pomocí „&0000“ a G40",
+        ),
+        Address::G => ("functions have two digits", "funkce mají dvě číslice"),
+        Address::R => (
+            "a number with a decimal point has up to five digits before it, one without up to eight digits",
+            "číslo s desetinnou tečkou má před ní nejvýše pět číslic, číslo bez ní nejvýše osm",
+        ),
         Address::S => (
             "for a machine that turns faster set `speed` under [limits] in cnc872c.toml",
             "má-li stroj vyšší otáčky, nastavit speed v [limits] v souboru cnc872c.toml",
@@ -306,7 +318,7 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
         | Address::I
         | Address::J
         | Address::K
-        | Address::R
+        | Address::M
         | Address::Correction
         | Address::Q
         | Address::H
@@ -340,7 +352,7 @@ pub(super) fn foreign_g(number: u32, lang: Lang) -> &'static str {
         ),
         68 => ("a plane is transformed by G38 or G39", "rovina se transformuje funkcí G38 nebo G39"),
         69 => ("conversions are cancelled by G34", "přepočty ruší G34"),
-        99 => ("a subprogram ends with G70", "podprogram se ukončuje funkcí G70"),
+        99 => ("feed per revolution is G95", "posuv na otáčku je G95"),
         _ => ("delete it, or write the function that was meant", "vymazat ji, nebo napsat funkci, která byla míněna"),
     };
     match lang {

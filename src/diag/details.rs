@@ -12,6 +12,7 @@ bilingual! {
         NotAFile "it is not a regular file", "není to obyčejný soubor";
         Link "it is a link that leads to no file", "je to odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
+        Changing "it is being written to", "právě se do něj zapisuje";
         MacrocycleGiven "it is a macrocycle; compile takes a program", "je to makrocyklus; compile zpracuje program";
         Other { reason: String } "{reason}", "{reason}";
     }
@@ -30,6 +31,7 @@ impl Problem {
             // What the disk loader says of pipes and devices.
             (std::io::ErrorKind::Unsupported, Self::NotAFile),
             (std::io::ErrorKind::FileTooLarge, Self::TooLarge),
+            (std::io::ErrorKind::ResourceBusy, Self::Changing),
         ]
         .into_iter()
         .find(|(kind, _)| *kind == error.kind())
@@ -54,7 +56,10 @@ bilingual! {
         Nothing "delete it; if it is meant as a comment, put it between quotes: `\"comment\"`", "vymazat; má-li to být komentář, dát ho do uvozovek: \"komentář\"";
         Control "delete it; it does not show in an editor", "vymazat ho; v editoru nemusí být vidět";
         Without { characters: String } "write the word without `{characters}`", "napsat slovo bez „{characters}“";
+        Number "a number has digits, a sign and a decimal point only", "číslo tvoří jen číslice, znaménko a desetinná tečka";
         Comment "put comments between quotes: `\"comment\"`", "komentář se píše do uvozovek: \"komentář\"";
+        MinusInside { written: String } "write the plain minus of the keyboard: `{written}`", "napsat obyčejné minus z klávesnice: „{written}“";
+        BlankInside { code: String, written: String } "write `{written}`; the blank in it is {code}, which the control does not know", "napsat „{written}“; mezera je zde {code}, který systém nezná";
         Minus "write the plain minus of the keyboard: `-`", "napsat obyčejné minus z klávesnice: „-“";
         Blank { code: String } "write a plain blank; this one is {code}", "napsat obyčejnou mezeru; toto je {code}";
         LookAlike { code: String } "write it anew in plain letters and digits; this character is {code}", "napsat znovu obyčejnými písmeny a číslicemi; tento znak je {code}";
@@ -90,6 +95,19 @@ impl Meant {
         }
     }
 
+    /// With the word as it is written here.
+    #[must_use]
+    pub fn with_word(self, word: &str) -> Self {
+        let written = super::shown(word);
+        if let Self::Blank { code } = self {
+            Self::BlankInside { code, written }
+        } else if self == Self::Minus {
+            Self::MinusInside { written }
+        } else {
+            self
+        }
+    }
+
     /// What they suggest between an address and its number.
     pub fn inside(text: &str) -> Self {
         let meant = Self::of(text);
@@ -97,6 +115,12 @@ impl Meant {
             return meant;
         }
         let belongs = |character: &char| character.is_ascii_digit() || " \t+-.,=".contains(*character);
+        let mut parts =
+            text.split(|character| !belongs(&character)).filter(|part| part.contains(|c: char| c.is_ascii_digit()));
+        if parts.next().is_some() && parts.next().is_some() {
+            // Without them two numbers would be one.
+            return Self::Number;
+        }
         let characters: String = text.chars().filter(|character| !belongs(character)).collect();
         Self::Without { characters: super::shown(&characters) }
     }
@@ -183,6 +207,15 @@ bilingual! {
         Whole { min: i64, max: i64 } "takes a whole number from {min} to {max}", "musí být celé číslo od {min} do {max}";
         ZeroOrOne "is 0 or 1", "je 0, nebo 1";
         Number { min: String, max: String } "takes a number from {min} to {max}", "musí být číslo od {min} do {max}";
+        NumberOrAxes { min: String, max: String } "takes a number from {min} to {max}, or a table of such by axis letter", "musí být číslo od {min} do {max}, nebo tabulka takových čísel podle písmen os";
+        EightDigits "takes at most eight digits; as a text they have no point: 200.008 is \"00200008\"", "má nejvýše osm číslic; jako text jsou bez tečky: 200.008 je \"00200008\"";
+        NoSign "has no sign", "je bez znaménka";
+        Decade { decade: u32, digits: String } "takes one of {digits} in decade {decade}", "má mít v {decade}. dekádě jedno z: {digits}";
+        ParameterNumber "names a parameter here: 00 to 94", "zde uvádí parametr: 00 až 94";
+        AboveZero "is an acceleration above 0", "je zrychlení větší než 0";
+        GivenTwice { key: String } "gives what `{key}` of `[motion]` gives already", "udává totéž, co už udává {key} v [motion]";
+        CycleTime "needs `cycle-ms`, the interpolation cycle Ts: the criterion is computed with it", "potřebuje cycle-ms, takt interpolace Ts: kritérium se počítá s ním";
+        ParabolicSet "needs P: `parabolic` under `[motion.sets.1]`, or R407 with R406 enabling it", "potřebuje P: parabolic v [motion.sets.1], nebo R407 povolenou konstantou R406";
         AtLeast { min: i64 } "takes a whole number, {min} or more", "musí být celé číslo {min} nebo větší";
         Constant "takes a number, or its digits as a text", "musí být číslo, nebo jeho číslice jako text";
         Table "takes a table", "musí být tabulka";
@@ -223,9 +256,54 @@ bilingual! {
         Corrections "entries are 1 to 99, by D", "položky jsou 1 až 99, podle D";
         Operations "codes are \"00\" to \"99\"", "kódy jsou \"00\" až \"99\"";
         Cycles "fixed cycles are G81 to G89", "pevné cykly jsou G81 až G89";
+        Timed "M functions take time, and T, S, H, P, D, F", "čas trvají M funkce a T, S, H, P, D, F";
         Constants "machine constants are R0 to R999", "strojní konstanty jsou R0 až R999";
         Axes "axes are X, Y, Z, A, B, C, U, V, W", "osy jsou X, Y, Z, A, B, C, U, V, W";
         Lints "`cnc872c explain` lists all codes and names", "všechny kódy a jména vypíše „cnc872c explain“";
+    }
+}
+
+bilingual! {
+    /// Why a joint in G23 is not passed continuously (CNT-2).
+    JointBreak {
+        Angle { angle: String, allowed: String } "the angle is {angle}°, {allowed}° or more", "úhel návaznosti je {angle}°, tedy {allowed}° nebo víc";
+        ShortLength { limit: String } "one of the blocks is shorter than {limit} mm", "jeden z bloků je kratší než {limit} mm";
+        ShortTime { limit: String } "one of the blocks lasts less than {limit} ms", "jeden z bloků trvá méně než {limit} ms";
+        MFunction "an M function breaks it", "ruší ji M funkce";
+        NoMotion "blocks without motion are between them", "mezi nimi jsou bloky bez pohybu";
+        Dwell "G04 stops the motion", "pohyb zastaví G04";
+    }
+}
+
+bilingual! {
+    /// What makes a continuous joint slow.
+    JointLimit {
+        Feed "by the programmed feed", "omezuje ji programovaný posuv";
+        Centripetal "by the centripetal acceleration of an arc", "omezuje ji odstředivé zrychlení na kruhu";
+        ShortestBlock "by the shortest time of a block", "omezuje ji nejkratší trvání bloku";
+        Accuracy "by the criterion of accuracy", "omezuje ji kritérium přesnosti";
+        Overload "by the dynamic criterion", "omezuje ji dynamické kritérium";
+        LookAhead "by stopping within the blocks that the control sees", "omezuje ji zastavení v blocích, které systém předvídá";
+        Ramp "by the acceleration from or to a slower place", "omezuje ji zrychlení od pomalejšího místa nebo k němu";
+    }
+}
+
+bilingual! {
+    /// Why a machine constant is not used for motion.
+    UnusedConstant {
+        Dialect { dialect: String } "{dialect} takes motion from `[motion]` and from no constant", "u {dialect} se pohyb počítá podle [motion], ne podle konstant";
+        Circles "how R232 limits the velocity on circles is in no source; `centripetal-mm-s2` or R411 with 1 in decade 8 does it", "jak R232 omezuje rychlost na kruhu, prameny neuvádějí; slouží k tomu centripetal-mm-s2 nebo R411 s 1 v 8. dekádě";
+        Superseded "R386 is superseded by R395, the time criterion", "R386 nahradila R395, kritérium času";
+        LengthCorrection "how decade 8 corrects the criterion for the length of blocks is in no source; the digits before it are used", "jak 8. dekáda koriguje kritérium na délku bloku, prameny neuvádějí; ostatní číslice platí";
+        Percentage "how a percentage limits the velocity on circles is in no source; with 1 in decade 8 the digits are a centripetal acceleration", "jak procento omezuje rychlost na kruhu, prameny neuvádějí; s 1 v 8. dekádě jsou číslice odstředivým zrychlením";
+        TooFast { accel: u32, meant: String } "{accel} mm/s² is no acceleration of a machine; {meant} is probably meant", "{accel} mm/s² není zrychlení stroje; míněno je asi {meant}";
+    }
+}
+
+impl UnusedConstant {
+    /// Why a constant is not used that holds nothing that is.
+    pub const fn of(number: u16) -> Self {
+        if number == 232 { Self::Circles } else { Self::Superseded }
     }
 }
 
@@ -235,6 +313,79 @@ bilingual! {
         Digits "takes at most eight digits, without sign and point: four functions of two digits", "má nejvýše osm číslic bez znaménka a tečky: čtyři funkce po dvou číslicích";
         Standard { m: u8, group: u8 } "names M{m:02}, which is fixed in M group {group}", "uvádí M{m:02}, která pevně patří do {group}. skupiny";
         Twice { m: u8 } "names M{m:02}, which is named already", "uvádí M{m:02}, která už je uvedena";
+    }
+}
+
+bilingual! {
+    /// Why a part program does not determine a name of the PLC interface.
+    RunTimeReason {
+        Running "only the running control knows it", "ví to jen běžící systém";
+        Plc "the PLC program sets it itself", "nastavuje ji sám PLC program";
+        Inputs "it comes from the machine: switches, buttons, encoders", "přichází ze stroje: ze spínačů, tlačítek, snímačů";
+        Configuration "it comes from the configuration of the machine", "pochází z konfigurace stroje";
+        Unsaid "the sources do not say how a part program gives it", "podklady neříkají, jak ji partprogram udává";
+        Bits { names: &'static str } "its bits have names of their own: {names}", "její bity mají vlastní názvy: {names}";
+    }
+}
+
+/// What can be said of a name that is no signal of the control.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum SignalProblem {
+    /// A part program does not determine it.
+    RunTime(RunTimeReason),
+    /// A control with that dialect has no command block.
+    OtherControl(String),
+    /// Like that one.
+    Near(String),
+    /// Like none.
+    Nothing,
+}
+
+impl SignalProblem {
+    /// Why there is no such signal; empty where nothing can be said.
+    pub fn note(&self, lang: Lang) -> String {
+        match (self, lang) {
+            (Self::RunTime(reason), Lang::En) => format!("a part program does not determine it: {}", reason.text(lang)),
+            (Self::RunTime(reason), Lang::Cs) => format!("partprogram ji neurčuje: {}", reason.text(lang)),
+            (Self::OtherControl(dialect), Lang::En) => format!("{dialect} has no command block BLK"),
+            (Self::OtherControl(dialect), Lang::Cs) => format!("{dialect} nemá povelový blok BLK"),
+            (Self::Near(_) | Self::Nothing, _) => String::new(),
+        }
+    }
+
+    /// What to write instead; empty where nothing can be said.
+    pub fn help(&self, lang: Lang) -> String {
+        match (self, lang) {
+            (Self::Near(near), Lang::En) => format!("perhaps `{near}` is meant"),
+            (Self::Near(near), Lang::Cs) => format!("možná mělo být „{near}“"),
+            (Self::Nothing | Self::OtherControl(_), Lang::En) => "`cnc872c plc --list` shows all signals".to_owned(),
+            (Self::Nothing | Self::OtherControl(_), Lang::Cs) => {
+                "všechny signály vypíše „cnc872c plc --list“".to_owned()
+            }
+            (Self::RunTime(_), _) => String::new(),
+        }
+    }
+}
+
+bilingual! {
+    /// What is wrong with a condition of `plc --find`.
+    ConditionProblem {
+        Empty "the condition is empty", "podmínka je prázdná";
+        Character { written: String } "`{written}` has no meaning in a condition", "„{written}“ nemá v podmínce význam";
+        NoNumber { written: String } "`{written}` is no number", "„{written}“ není číslo";
+        NumberTooLong "the number has too many digits", "číslo má příliš mnoho číslic";
+        HexadecimalLetter { right: String } "a hexadecimal number begins with a digit: `{right}`", "šestnáctkové číslo začíná číslicí: „{right}“";
+        OtherOperator { written: String, right: String } "`{written}` is written `{right}` in a condition", "místo „{written}“ se v podmínce píše „{right}“";
+        NotOfComparison { right: String } "`!` belongs to the name alone; the opposite of a comparison is `{right}`", "„!“ patří jen ke jménu; opak porovnání je „{right}“";
+        NoBit { name: String, example: String } "`{name}` is no bit and needs a comparison, as in `{name} {example}`", "{name} není bit a musí se porovnat, například „{name} {example}“";
+        NumberFirst "a comparison begins with a signal: `PB06 == 19h`", "porovnání začíná signálem: „PB06 == 19h“";
+        MissingSignal "a signal is missing here", "zde chybí signál";
+        NoOperator "`&` or `|` is missing before this", "před tímto chybí „&“ nebo „|“";
+        ComparedTwice "a comparison cannot be compared again; `&` joins two of them", "porovnání nelze dál porovnávat; dvě porovnání spojí „&“";
+        Unclosed "a parenthesis is not closed", "závorka není uzavřena";
+        Superfluous "this parenthesis closes none", "tato závorka žádnou neuzavírá";
+        EdgeParentheses "`rising` and `falling` take a condition in parentheses: `rising(M03PI)`", "„rising“ a „falling“ mají podmínku v závorkách: „rising(M03PI)“";
+        EdgeInEdge "`rising` and `falling` cannot be within one another", "„rising“ a „falling“ nelze vkládat do sebe";
     }
 }
 

@@ -50,7 +50,7 @@ pub fn examples(page: &str) -> Vec<Example<'_>> {
 
 /// The page of a diagnostic for a terminal: headings bold, code indented, comments and the words behind fences left out.
 pub fn page(code: Code, lang: Lang, colour: bool) -> String {
-    shown(code.page(lang), colour)
+    terminal(code.page(lang), colour)
 }
 
 /// The page of a diagnostic as Markdown for readers: comments, and what tests need to know behind fences, left out.
@@ -75,6 +75,8 @@ pub(super) fn markdown(code: Code, lang: Lang) -> String {
 pub fn list(lang: Lang) -> String {
     let names = Code::ALL.iter().map(|code| code.name().len()).max().unwrap_or(0);
     let level = |code: Code| match (code.severity(), lang) {
+        (_, Lang::En) if code.is_off() => "off    ",
+        (_, Lang::Cs) if code.is_off() => "vypnuto ",
         (Severity::Error, Lang::En) => "error  ",
         (Severity::Warning, Lang::En) => "warning",
         (Severity::Error, Lang::Cs) => "chyba   ",
@@ -87,7 +89,7 @@ pub fn list(lang: Lang) -> String {
 }
 
 /// The first sentence of the page, which says what the diagnostic is about.
-pub(super) fn first_sentence(code: Code, lang: Lang) -> String {
+pub fn first_sentence(code: Code, lang: Lang) -> String {
     let text = blocks(code.page(lang)).into_iter().find_map(|block| match block {
         Block::Text(lines) => Some(lines.join(" ")),
         Block::Heading(_) | Block::Code(_) => None,
@@ -142,7 +144,8 @@ fn blocks(page: &str) -> Vec<Block<'_>> {
     blocks
 }
 
-fn shown(page: &str, colour: bool) -> String {
+/// A page as a terminal shows it: headings bold, code indented, tables in columns.
+pub fn terminal(page: &str, colour: bool) -> String {
     let mut result = String::new();
     let mut blocks = blocks(page).into_iter().peekable();
     while let Some(block) = blocks.next() {
@@ -160,6 +163,9 @@ fn shown(page: &str, colour: bool) -> String {
                 result.push_str(&paint(heading, Style::Strong, colour));
                 result.push('\n');
             }
+            Block::Text(lines) if lines.iter().all(|line| line.starts_with('|')) => {
+                push_table(&mut result, &lines, colour);
+            }
             Block::Text(lines) => push_text(&mut result, &lines, colour),
             Block::Code(example) => {
                 if let Some(name) = example.file_name() {
@@ -176,6 +182,56 @@ fn shown(page: &str, colour: bool) -> String {
         }
     }
     result
+}
+
+/// Most characters of a line of a table; the last column is broken.
+const TABLE_WIDTH: usize = 110;
+
+/// Appends a table: columns under one another, the heads bold, without the signs that Markdown needs.
+fn push_table(result: &mut String, lines: &[&str], colour: bool) {
+    let cells = |line: &str| -> Vec<String> {
+        let line = line.trim_matches('|').replace("\\|", "\u{0}");
+        line.split('|').map(|cell| cell.trim().replace('\u{0}', "|").replace('`', "")).collect()
+    };
+    let is_rule = |line: &&&str| line.chars().all(|character| matches!(character, '|' | '-' | ':' | ' '));
+    let rows: Vec<Vec<String>> = lines.iter().filter(|line| !is_rule(line)).map(|line| cells(line)).collect();
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |column: usize| {
+        let lengths = rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count());
+        lengths.max().unwrap_or(0)
+    };
+    let indent: usize = (0..columns.saturating_sub(1)).map(|column| width(column) + 2).sum();
+    for (at, row) in rows.iter().enumerate() {
+        let mut line = String::new();
+        for (column, cell) in row.iter().enumerate() {
+            if column + 1 < columns {
+                line.push_str(cell);
+                line.extend(std::iter::repeat_n(' ', width(column) + 2 - cell.chars().count()));
+            } else {
+                let room = TABLE_WIDTH.saturating_sub(indent).max(20);
+                line.push_str(&broken(cell, room).join(&format!("\n{}", " ".repeat(indent))));
+            }
+        }
+        result.push_str(&paint(line.trim_end(), Style::Strong, colour && at == 0));
+        result.push('\n');
+    }
+}
+
+/// The text in lines of at most so many characters, broken at blanks.
+fn broken(text: &str, room: usize) -> Vec<String> {
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in text.split(' ') {
+        let Some(last) = lines.last_mut() else { continue };
+        if last.is_empty() {
+            last.push_str(word);
+        } else if last.chars().count() + 1 + word.chars().count() > room {
+            lines.push(word.to_owned());
+        } else {
+            last.push(' ');
+            last.push_str(word);
+        }
+    }
+    lines
 }
 
 /// Appends a paragraph; in colour, what stands between backquotes is painted instead.
@@ -198,12 +254,20 @@ fn push_text(result: &mut String, lines: &[&str], colour: bool) {
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_table_in_columns() {
+        let page = "# T\n\n| there | here |\n|---|---|\n| `O1001`, `x` | `%1001` |\n| a \\| b | word word |\n";
+        assert_eq!(terminal(page, false), "T\n\nthere     here\nO1001, x  %1001\na | b     word word\n");
+        let long = format!("| a | b |\n|---|---|\n| x | {} |\n", "word ".repeat(40));
+        assert!(terminal(&long, false).lines().all(|line| line.chars().count() <= TABLE_WIDTH));
+    }
+
     const PAGE: &str = "# E0000: test-page\n\nUse `N10\nG0` or `X`.\nMore.\n\n## Example\n\n<!-- no example:\nnone -->\n\n\
         ## Why\n- `a`: b\n```nc expect=E0306,E0307 macro as=L9001\n%1\n\nN10\n```\n```toml\na = 1\n```\n";
 
     #[test]
     fn a_page_without_colour() {
-        insta::assert_snapshot!(shown(PAGE, false), @"
+        insta::assert_snapshot!(terminal(PAGE, false), @"
         E0000: test-page
 
         Use `N10
@@ -239,7 +303,7 @@ mod tests {
 
     #[test]
     fn a_page_in_colour() {
-        insta::assert_snapshot!(shown(PAGE, true).replace('\u{1b}', "^"), @"
+        insta::assert_snapshot!(terminal(PAGE, true).replace('\u{1b}', "^"), @"
         ^[1mE0000: test-page^[0m
 
         Use ^[36mN10^[0m
@@ -271,7 +335,7 @@ mod tests {
         assert!(example.has("macro") && !example.has("ok"));
         let crlf = PAGE.replace('\n', "\r\n");
         assert_eq!(examples(&crlf), found);
-        assert_eq!(shown(&crlf, true), shown(PAGE, true));
+        assert_eq!(terminal(&crlf, true), terminal(PAGE, true));
     }
 
     /// Every page, in both languages: begins with its code and name, shows what is wrong and what is right, names its
@@ -303,7 +367,7 @@ mod tests {
             }
         }
         insta::assert_snapshot!(list(Lang::Cs).lines().take(3).collect::<Vec<_>>().join("\n"), @"
-        E0101  unknown-character            chyba     Mimo komentář stojí znak, který jazyk partprogramu nezná.
+        E0101  unknown-character            chyba     Mimo komentář je znak, který jazyk partprogramu nezná.
         E0102  split-number                 chyba     Uvnitř čísla nebo mezi znaménkem a číslicemi je mezera nebo tabulátor.
         E0103  missing-value                chyba     Za adresou chybí číslo.
         ");

@@ -142,6 +142,17 @@ impl Findings {
         self.faults
     }
 
+    /// Whether one of them keeps the program from being executed.
+    pub fn prevent_execution(&self) -> bool {
+        self.counts.keys().any(|(_, code)| code.prevents_execution())
+    }
+
+    /// How many keep a program from being executed, those that are only counted included.
+    pub fn preventing_count(&self) -> usize {
+        let preventing = self.counts.iter().filter(|((_, code), _)| code.prevents_execution());
+        preventing.map(|(_, count)| count.kept + count.beyond).sum()
+    }
+
     /// Whether there are none.
     pub const fn is_empty(&self) -> bool {
         self.items.is_empty()

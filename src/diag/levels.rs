@@ -33,7 +33,7 @@ impl Levels {
 impl Default for Levels {
     /// The levels of the registry.
     fn default() -> Self {
-        Self::new(|code| Some(code.severity()))
+        Self::new(|code| (!code.is_off()).then_some(code.severity()))
     }
 }
 

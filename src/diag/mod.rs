@@ -21,9 +21,10 @@ pub use advice::{
     AddressMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant, UnusedMeant,
 };
 pub use details::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, MINUS, Meant, NameKind,
-    OtherControl, ParameterNeed, Problem, is_blank,
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, JointBreak, JointLimit, KnownNames,
+    MINUS, Meant, NameKind, OtherControl, ParameterNeed, Problem, UnusedConstant, is_blank,
 };
+pub use details::{ConditionProblem, RunTimeReason, SignalProblem};
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_CODE};
 pub use fix::{Fixed, apply_fixes, compatible_edits};

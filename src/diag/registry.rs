@@ -8,10 +8,10 @@
 use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs, value_wanted};
 use super::{
     AddressMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem,
-    DwellMeant, KnownNames, Meant, NameKind, NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault,
-    PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedMeant,
+    DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant, OtherControl, OtherMeaning,
+    ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedConstant, UnusedMeant,
 };
-use crate::dict::{Address, GCode, GGroup, Lang, Plane};
+use crate::dict::{Address, Dialect, GCode, GGroup, Lang, Plane};
 
 /// How serious a finding is, unless configured.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -154,6 +154,18 @@ impl Code {
             .find(|code| code.as_str().eq_ignore_ascii_case(code_or_name) || code.name() == code_or_name)
     }
 
+    /// Whether it is allowed unless `[lints]` asks for it.
+    pub const fn is_off(self) -> bool {
+        matches!(self, Self::W0801 | Self::W0802)
+    }
+
+    /// Whether a program with such a finding is not executed: errors of structure and flow, and programs for other controls
+    /// (§13).
+    pub fn prevents_execution(self) -> bool {
+        let structure = self.severity() == Severity::Error;
+        self == Self::W0113 || (structure && ["E02", "E04"].iter().any(|family| self.as_str().starts_with(family)))
+    }
+
     /// Whether its level may be changed: warnings, and E0109.
     pub fn is_configurable(self) -> bool {
         self.severity() == Severity::Warning || self == Self::E0109
@@ -166,6 +178,17 @@ impl std::fmt::Display for Code {
     }
 }
 
+/// A number with its thousands apart.
+fn grouped(number: u64, separator: char) -> String {
+    let digits = number.to_string();
+    let ends = (1..=digits.len()).rev();
+    let apart = |(digit, left): (char, usize)| {
+        let separator = (left % 3 == 1 && left > 1).then_some(separator);
+        std::iter::once(digit).chain(separator)
+    };
+    digits.chars().zip(ends).flat_map(apart).collect()
+}
+
 /// `text` with the nearest thing in it, or nothing when there is none.
 fn nearest<T: std::fmt::Display>(candidate: Option<&T>, before: &str, after: &str) -> String {
     candidate.map(|found| format!("{before}{found}{after}")).unwrap_or_default()
@@ -173,8 +196,8 @@ fn nearest<T: std::fmt::Display>(candidate: Option<&T>, before: &str, after: &st
 
 diagnostics! {
     [E0101] UnknownCharacter "unknown-character" Error { text: String, meant: Meant }
-        en (match super::shown::control_name(text) { Some(name) => format!("the character {name} means nothing to the control"), None => format!("`{text}` means nothing to the control") })
-        cs (match super::shown::control_name(text) { Some(name) => format!("znak {name} řídicí systém nezná"), None => { let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") } })
+        en (match (super::shown::control_name(text), super::shown::control_inside(text)) { (Some(name), _) => format!("the character {name} means nothing to the control"), (None, Some((name, rest))) => format!("the character {name} inside `{rest}` means nothing to the control"), (None, None) => format!("`{text}` means nothing to the control") })
+        cs (match (super::shown::control_name(text), super::shown::control_inside(text)) { (Some(name), _) => format!("znak {name} řídicí systém nezná"), (None, Some((name, rest))) => format!("znak {name} uvnitř „{rest}“ řídicí systém nezná"), (None, None) => { let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") } })
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0102] SplitNumber "split-number" Error { joined: String }
         en "a blank inside a number"
@@ -247,10 +270,10 @@ diagnostics! {
         en "the file is in UTF-16; the control reads single bytes"
         cs "soubor je v kódování UTF-16; systém čte jednotlivé bajty"
         help "save it as UTF-8, or in the code page of the control" | "uložit ho jako UTF-8, nebo v kódové stránce systému"
-    [W0116] OtherMeaning "other-meaning" Warning { meant: OtherMeaning }
+    [W0116] OtherMeaning "other-meaning" Warning { meant: OtherMeaning, count: Option<i64> }
         en (meant.text(Lang::En))
         cs (meant.text(Lang::Cs))
-        help (meant.help(Lang::En)) | (meant.help(Lang::Cs))
+        help (meant.help(*count, Lang::En)) | (meant.help(*count, Lang::Cs))
 
     [E0201] MissingProgramStart "missing-program-start" Error {}
         en "no `%`: the control would ignore the whole file"
@@ -261,10 +284,10 @@ diagnostics! {
         cs "druhé % v jednom souboru"
         help (if *bare { "delete it: a program ends with M30 or M02, and the file with `*` or with nothing" } else { "one file holds one program; put the second into a file of its own, or write `%` in a comment only" })
            | (if *bare { "vymazat ho: program končí M30 nebo M02, soubor hvězdičkou nebo ničím" } else { "soubor obsahuje jeden program; druhý dát do vlastního souboru, jinak % psát jen v komentáři" })
-    [E0203] WordOutsideBlock "word-outside-block" Error { word: String, more: usize, blocks: bool }
-        en (match (blocks, more) { (false, _) => "the program has no block: no line begins with a block number".to_owned(), (true, 0) => format!("`{word}` comes before the first block"), (true, 1) => format!("`{word}` and another word stand before the first block"), (true, _) => format!("`{word}` and {more} other words stand before the first block") })
+    [E0203] WordOutsideBlock "word-outside-block" Error { word: String, more: usize, blocks: bool, number: i64 }
+        en (match (blocks, more) { (false, _) => "the program has no block: no line begins with a block number".to_owned(), (true, 0) => format!("`{word}` comes before the first block"), (true, 1) => format!("`{word}` and another word come before the first block"), (true, _) => format!("`{word}` and {more} other words come before the first block") })
         cs (match (blocks, more) { (false, _) => "program nemá žádný blok: žádný řádek nezačíná číslem bloku".to_owned(), (true, 0) => format!("slovo {word} stojí před prvním blokem"), (true, _) => format!("slovo {word} a další ({more}) stojí před prvním blokem") })
-        help "begin each block with its number: `N10 {word}`" | "každý blok začít jeho číslem: „N10 {word}“"
+        help "begin each block with its number: `N{number} {word}`" | "každý blok začít jeho číslem: „N{number} {word}“"
     [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32, last: Option<u32> }
         en (match last { Some(last) => format!("the blocks N{block} to N{last} are in this file twice"), None => format!("block number N{block} is used twice in this file") })
         cs (match last { Some(last) => format!("bloky N{block} až N{last} jsou v souboru dvakrát"), None => format!("číslo bloku N{block} je v souboru dvakrát") })
@@ -272,11 +295,11 @@ diagnostics! {
            | (if last.is_some() { "jednu kopii vymazat, nebo její bloky přečíslovat" } else { "jednomu z bloků dát jiné číslo" })
         note "subprograms count too: one file, one set of block numbers"
            | "platí i pro podprogramy: v jednom souboru smí být každé číslo bloku jen jednou"
-    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8> }
+    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8>, instead: Option<u8> }
         en (match (late, skipped) { (Some(m), _) => format!("the main program has no end: M{m:02} is after the subprograms"), (None, true) => "with block skip on, the end of the program is left out".to_owned(), (None, false) => "the program has no end: no block holds M02 or M30".to_owned() })
         cs (match (late, skipped) { (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
-        help (match late { Some(m) => format!("move the subprograms behind the block with M{m:02}"), None => "end the main program with a block of its own: `N… M30`".to_owned() })
-           | (match late { Some(m) => format!("podprogramy přesunout za blok s M{m:02}"), None => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
+        help (match (late, instead) { (Some(m), _) => format!("move the subprograms behind the block with M{m:02}"), (None, Some(m)) => format!("write M30 in place of M{m:02}, which does not end the program here"), (None, None) => "end the main program with a block of its own: `N… M30`".to_owned() })
+           | (match (late, instead) { (Some(m), _) => format!("podprogramy přesunout za blok s M{m:02}"), (None, Some(m)) => format!("místo M{m:02}, které zde program neukončí, napsat M30"), (None, None) => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
     [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32 }
         en "N{block} comes after the end of the program and belongs to no subprogram"
         cs "blok N{block} stojí za koncem programu a nepatří do žádného podprogramu"
@@ -354,10 +377,11 @@ diagnostics! {
         en "`{address}` is no address of this control"
         cs "{address} není adresa tohoto systému"
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
-    [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String }
+    [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String, call: Option<String> }
         en "{address} takes {range}"
         cs ({ let range = range_cs(range); format!("{address} má rozsah {range}") })
-        help (other_range(*address, range, Lang::En)) | (other_range(*address, range, Lang::Cs))
+        help (match call { Some(call) => format!("if a call is meant, write `{call}`"), None => other_range(*address, range, Lang::En).to_owned() })
+           | (match call { Some(call) => format!("mělo-li to být volání, napsat „{call}“"), None => other_range(*address, range, Lang::Cs).to_owned() })
     [W0303] FinerThanResolution "finer-than-resolution" Warning { rounded: String }
         en "more than three decimals: the control takes {rounded}"
         cs "víc než tři desetinná místa: systém vezme {rounded}"
@@ -379,13 +403,13 @@ diagnostics! {
         cs (if first.group() == second.group() { format!("{first} a {second} jsou obě ze skupiny {group}") } else { format!("{first} volá makrocyklus podle mapy cyklů, {second} proto v bloku být nemůže") })
         help "one function of a group per block: delete one, or give it a block of its own"
            | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
-    [E0308] ConflictingM "conflicting-m-functions" Error { first: u8, second: u8, group: u8 }
+    [E0308] ConflictingM "conflicting-m-functions" Error { first: u8, second: u8, group: u8, dialect: Dialect }
         en "M{first:02} and M{second:02} are both of M group {group}"
         cs ({ let of = of_group(*group); format!("M{first:02} a M{second:02} jsou obě {of} skupiny M funkcí") })
         help "one function of a group per block: delete one, or give it a block of its own"
            | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
-        note (if *group >= 10 { "functions that the machine builder added are in the groups that the configuration gives: `channel-config`, or R56–R59 of `machine-constants`" } else { "" })
-           | (if *group >= 10 { "funkce výrobce stroje jsou ve skupinách podle konfigurace: channel-config, nebo R56–R59 v machine-constants" } else { "" })
+        note (match (*group >= 10, *dialect == Dialect::Cnc872) { (true, true) => "functions that the machine builder added are in the groups that `channel-config` gives", (true, false) => "functions that the machine builder added are in the groups that R56–R59 of `machine-constants` give", (false, _) => "" })
+           | (match (*group >= 10, *dialect == Dialect::Cnc872) { (true, true) => "funkce výrobce stroje jsou ve skupinách podle channel-config", (true, false) => "funkce výrobce stroje jsou ve skupinách podle R56–R59 v machine-constants", (false, _) => "" })
     [E0309] UnknownG "unknown-g-function" Error { number: u32 }
         en "G{number:02} is no function of this control"
         cs "G{number:02} není funkce tohoto systému"
@@ -433,7 +457,7 @@ diagnostics! {
     [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32> }
         en "there is no block N{l} to jump to"
         cs "blok N{l}, na který se má skočit, neexistuje"
-        help (nearest(near.as_ref(), "the nearest block of this unit is `L", "`")) | (nearest(near.as_ref(), "nejbližší blok tohoto celku je „L", "“"))
+        help (near.map_or_else(String::new, |n| format!("the nearest block of this unit is N{n}: `G73 L{n}`"))) | (near.map_or_else(String::new, |n| format!("nejbližší blok tohoto celku je N{n}: „G73 L{n}“")))
     [E0407] JumpOutOfUnit "jump-out-of-unit" Error { l: u32 }
         en "block N{l} is in another unit of the program"
         cs "blok N{l} je v jiném programovém celku"
@@ -449,8 +473,8 @@ diagnostics! {
         cs "otevřených volání je více než {limit}"
         help "call fewer units from within one another" | "volat méně celků jeden z druhého"
     [E0410] ExpansionLimit "expansion-limit" Error { limit: u64, repeats: String }
-        en "the program executes more than {limit} blocks"
-        cs "program provede více než {limit} bloků"
+        en ({ let limit = grouped(*limit, ','); format!("the program executes more than {limit} blocks") })
+        cs ({ let limit = grouped(*limit, ' '); format!("program provede více než {limit} bloků") })
         help "if intended, raise `records` under [limits], or `--max-blocks`"
            | "je-li to záměr, zvýšit records v [limits], nebo --max-blocks"
         note (if repeats.is_empty() { String::new() } else { format!("what multiplies here: {repeats}") })
@@ -488,8 +512,8 @@ diagnostics! {
         cs "R{parameter} se čte dřív, než mu program dal hodnotu"
         help "assign it first: `R{parameter}=…`, or give the machine's value with `--param R{parameter}=…`"
            | "nejdřív přiřadit: „R{parameter}=…“, nebo zadat hodnotu ze stroje volbou --param R{parameter}=…"
-        note "its value comes from the machine's parameter table, and what depends on it is not checked"
-           | "hodnota pochází z tabulky parametrů stroje a co na ní závisí, se nekontroluje"
+        note "its value comes from the machine's parameter table: `check` leaves out what depends on it, `compile` ends here"
+           | "hodnota pochází z tabulky parametrů stroje: check to, co na ní závisí, nekontroluje, compile zde skončí"
     [W0504] AssignedAndRead "assigned-and-read" Warning { parameter: u8 }
         en "R{parameter} is read here and assigned in the same block: the old value counts"
         cs "R{parameter} se v témže bloku čte i přiřazuje: platí stará hodnota"
@@ -658,14 +682,82 @@ diagnostics! {
     [E0706] MachineConstant "machine-constant" Error { constant: String, problem: ConstantProblem }
         en ({ let what = problem.text(Lang::En); format!("machine constant {constant} {what}") })
         cs ({ let what = problem.text(Lang::Cs); format!("strojní konstanta {constant} {what}") })
+    [W0707] ConstantNotUsed "constant-not-used" Warning { constant: String, problem: UnusedConstant }
+        en "machine constant {constant} is not used for motion"
+        cs "strojní konstanta {constant} se pro výpočet pohybu nepoužije"
+        note (problem.text(Lang::En)) | (problem.text(Lang::Cs))
     [W0708] NoMFunctions "no-m-functions" Warning {}
         en "this ChannelConfig holds no `MFunctions`: it sets no M function"
         cs "tento ChannelConfig neobsahuje MFunctions: žádnou M funkci nenastaví"
         help "name the ChannelConfig that the control reads, or leave `channel-config` out"
            | "zadat ten ChannelConfig, který čte systém, nebo channel-config vynechat"
+
+    [W0801] ContinuityBroken "continuity-broken" Warning { n: u32, with: u32, reason: JointBreak, count: u64 }
+        en ({ let why = reason.text(Lang::En); format!("continuous motion from N{with} to N{n} is broken: {why}") })
+        cs ({ let why = reason.text(Lang::Cs); format!("plynulá návaznost N{with} a N{n} je porušena: {why}") })
+        note (times(*count, Lang::En)) | (times(*count, Lang::Cs))
+    [W0802] SlowJoint "slow-joint" Warning { n: u32, with: u32, feed: String, programmed: String, limit: JointLimit, count: u64 }
+        en ({ let by = limit.text(Lang::En); format!("from N{with} to N{n} the velocity drops to {feed} of {programmed} mm/min: {by}") })
+        cs ({ let by = limit.text(Lang::Cs); format!("mezi N{with} a N{n} klesne rychlost na {feed} z {programmed} mm/min: {by}") })
+        note (times(*count, Lang::En)) | (times(*count, Lang::Cs))
+    [W0803] NoRoomToStop "no-room-to-stop" Warning { n: u32, length: String, feed: String, needs: String, count: u64 }
+        en "N{n} is too short to stop in: {length} mm, and from {feed} mm/min it takes {needs} mm"
+        cs "N{n} je na zastavení příliš krátký: má {length} mm a z {feed} mm/min je potřeba {needs} mm"
+        help "program a lower feed before it, or a longer last block" | "naprogramovat před ním menší posuv, nebo delší poslední blok"
+        note (no_room_note(*count, Lang::En)) | (no_room_note(*count, Lang::Cs))
+    [W0811] CorrectionCollides "correction-collides" Warning { d: u32, radius: String, arc: Option<String> }
+        en (match arc { Some(arc) => format!("the arc of radius {arc} is smaller than the correction D{d} of {radius} on its inner side"), None => format!("with the correction D{d} of {radius} nothing is left of this motion between its neighbours") })
+        cs (match arc { Some(arc) => format!("oblouk o poloměru {arc} je na vnitřní straně menší než korekce D{d} (poloměr {radius})"), None => format!("s korekcí D{d} (poloměr {radius}) z tohoto pohybu mezi sousedními nic nezbývá") })
+        help "use a smaller tool, or change the contour; `cnc872c view` shows the place in red"
+           | "použít menší nástroj, nebo upravit konturu; cnc872c view ukáže místo červeně"
+    [W0812] UnknownCorrection "unknown-correction" Warning { d: u32 }
+        en "no radius is configured for the correction D{d}: the corrected path is not drawn, and not checked"
+        cs "pro korekci D{d} není nastaven poloměr: korigovaná dráha se nekreslí ani nekontroluje"
+        help "write the radius of the control's table in the project file: `[corrections.{d}]` with `radius = …`"
+           | "zapsat poloměr z tabulky systému do projektového souboru: [corrections.{d}] s radius = …"
+    [W0901] DoesNotFit "does-not-fit" Warning { word: String, byte: String, cell: String }
+        en "`{word}` does not fit into {byte}: the PLC program reads 00h there"
+        cs "{word} se nevejde do {byte}: PLC program tam přečte 00h"
+        help "{cell} holds the whole value" | "celou hodnotu má {cell}"
+        note "the byte has two decades in BCD: 00 to 99, without a fraction and a sign"
+           | "bajt má dvě dekády v BCD: 00 až 99, bez desetinné části a znaménka"
+    [E0902] UnknownSignal "unknown-signal" Error { name: String, why: super::SignalProblem }
+        en "`{name}` is no signal that follows from a part program"
+        cs "{name} není signál, který plyne z partprogramu"
+        help (why.help(Lang::En)) | (why.help(Lang::Cs))
+        note (why.note(Lang::En)) | (why.note(Lang::Cs))
+    [E0903] MalformedCondition "malformed-condition" Error { problem: super::ConditionProblem }
+        en (problem.text(Lang::En))
+        cs (problem.text(Lang::Cs))
+    [E0904] DecimalForBcd "decimal-for-bcd" Error { name: String, number: String, right: String, tool: bool }
+        en "`{name}` is in BCD, `{number}` is a decimal number"
+        cs "{name} je v BCD, {number} je desítkové číslo"
+        help (if right.is_empty() { String::new() } else { format!("write `{right}`") })
+           | (if right.is_empty() { String::new() } else { format!("napsat „{right}“") })
+        note (if *tool { "tool numbers are in BCD too: T12 is 12h" } else { "the cell holds decimal digits: M95 is 95h, which is 149" })
+           | (if *tool { "v BCD jsou i čísla nástrojů: T12 je 12h" } else { "buňka obsahuje desítkové číslice: M95 je 95h, tedy 149" })
 }
 
 /// The names that the table knows, where they can be said in a line.
 fn known_names(known: Option<&KnownNames>, lang: Lang) -> String {
     known.map_or_else(String::new, |known| known.text(lang))
+}
+
+/// How often a joint is passed, when more than once.
+fn times(count: u64, lang: Lang) -> String {
+    match (count, lang) {
+        (0 | 1, _) => String::new(),
+        (_, Lang::En) => format!("{count} times in this program"),
+        (_, Lang::Cs) => format!("v programu {count}krát"),
+    }
+}
+
+/// What happens at a block that is too short to stop in.
+fn no_room_note(count: u64, lang: Lang) -> String {
+    let why = match lang {
+        Lang::En => "without envelope velocity the control brakes at most one block ahead",
+        Lang::Cs => "bez obálkové rychlosti systém brzdí nejvýše jeden blok předem",
+    };
+    let times = times(count, lang);
+    if times.is_empty() { why.to_owned() } else { format!("{why}; {times}") }
 }

@@ -41,6 +41,18 @@ pub(super) fn control_name(text: &str) -> Option<String> {
     if !matches!(rest.as_str(), "" | "…") {
         return None;
     }
+    name_of(code)
+}
+
+/// The name of the first control character among others in `text`, and the text without it.
+pub(super) fn control_inside(text: &str) -> Option<(String, String)> {
+    let (before, rest) = text.split_once("\\u{")?;
+    let (code, after) = rest.split_once('}')?;
+    name_of(code).map(|name| (name, format!("{before}{after}")))
+}
+
+/// The name of the character with that code, in hexadecimal digits.
+fn name_of(code: &str) -> Option<String> {
     let character = u32::from_str_radix(code, 16).ok().and_then(char::from_u32)?;
     let code = u32::from(character);
     let name = match character {
@@ -80,6 +92,14 @@ mod tests {
     fn terminals_get_no_raw_controls() {
         assert_eq!(shown("a\u{1b}[2Jb\u{202e}"), "a\\u{1b}[2Jb\\u{202e}");
         assert_eq!(shown(&"x".repeat(100)).chars().count(), LONGEST + 1);
+    }
+
+    #[test]
+    fn characters_that_do_not_show_are_named() {
+        let inside = |text: &str| control_inside(&shown(text));
+        assert_eq!(inside("X\u{0}6"), Some(("NUL (00h)".to_owned(), "X6".to_owned())));
+        assert_eq!(inside("X\u{feff}6"), Some(("U+FEFF".to_owned(), "X6".to_owned())));
+        assert_eq!(inside("X6"), None);
     }
 
     #[test]

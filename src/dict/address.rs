@@ -208,8 +208,8 @@ addresses! {
         "délkové korekce: která patří do které osy a v jakém směru";
     D "D" b'D' Whole { min: 1, max: 99 }, false, true, "entry in the table of corrections", "číslo položky v tabulce korekcí";
     F "F" b'F' Feed, false, true,
-        "feed: mm/min under G94 and G96, mm/rev under G95 and G97",
-        "posuv: při G94 a G96 v mm/min, při G95 a G97 v mm/ot";
+        "feed: mm/min under G94 and G96, mm/rev under G95; under G97 by the key `g97`",
+        "posuv: při G94 a G96 v mm/min, při G95 v mm/ot; při G97 podle klíče `g97`";
     S "S" b'S' Whole { min: 0, max: 9999 }, false, true, "spindle speed in rev/min", "otáčky vřetena za minutu";
     L "L" b'L' Whole { min: 1, max: 9999 }, false, false,
         "number of a subprogram or macrocycle, or the block to jump to",

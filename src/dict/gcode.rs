@@ -175,7 +175,8 @@ g_functions! {
     G94 94 G6 Default "feed per minute", "posuv za minutu";
     G95 95 G6 Modal "feed per revolution", "posuv na otáčku";
     G96 96 G6 Modal "feed per minute, constant cutting speed", "posuv za minutu, konstantní řezná rychlost";
-    G97 97 G6 Modal "feed per revolution, constant cutting speed", "posuv na otáčku, konstantní řezná rychlost";
+    G97 97 G6 Modal "feed per minute, or per revolution with constant cutting speed: by the key `g97`",
+        "posuv za minutu, nebo na otáčku s konstantní řeznou rychlostí: podle klíče `g97`";
     G70 70 G7 Default "end of a subprogram or macrocycle", "konec podprogramu nebo makrocyklu";
     G71 71 G7 Block "call of a subprogram", "volání podprogramu";
     G72 72 G7 Block "call of a macrocycle", "volání makrocyklu";

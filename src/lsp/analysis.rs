@@ -8,6 +8,8 @@ use super::baseline::{Baseline, Marker};
 use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
+use crate::analysis::equidistant::Equidistant;
+use crate::analysis::motion::JointFindings;
 use crate::config::{PROJECT_FILE, Settings, configure, find_project};
 use crate::diag::{Findings, Report};
 use crate::resolve::Resolved;
@@ -155,12 +157,18 @@ pub(super) fn run(
             report.add_program(&outcome.sources, findings);
             *interim = Some(Found { report, read: read.clone(), misconfigured, baseline: None });
         }
-        let mut marker = Marker::new(&resolved);
-        outcome = session.execute(path, resolved.clone(), outcome, &mut marker).outcome;
+        let analyses = (JointFindings::new(&settings), Equidistant::new(&settings, false));
+        if analyses.0.is_wanted() || analyses.1.is_wanted() {
+            // What is found at a joint or a corner follows from many blocks around it: there is no baseline.
+            outcome = session.execute(path, resolved.clone(), outcome, analyses).outcome;
+        } else {
+            let mut marker = Marker::new(&resolved);
+            outcome = session.execute(path, resolved.clone(), outcome, &mut marker).outcome;
+            baseline = marker.finish(&resolved, &settings, &outcome);
+        }
         if cancel.is_cancelled() {
             return None;
         }
-        baseline = marker.finish(&resolved, &settings, &outcome);
     }
     read.extend(paths(files, &outcome.sources));
     if !misconfigured {

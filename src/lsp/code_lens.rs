@@ -1,4 +1,4 @@
-//! Above a unit: which blocks call it. Above a program: how long it is.
+//! Above a unit: which blocks call it. Above a program: how long it is. Times where motion is configured.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,11 +9,12 @@ use serde_json::{Value, json};
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
 use super::hover_texts::Said;
-use super::observe::observe;
+use super::observe::{Observation, observe_motion};
 use super::places::{Places, location};
 use super::requests::{Answer, Snapshot};
 use super::shown::{count, rounded};
-use crate::resolve::{Target, UnitId, UnitKind};
+use crate::analysis::motion::clock;
+use crate::resolve::{Target, Unit, UnitId, UnitKind};
 use crate::session::Session;
 use crate::syntax::BlockFlags;
 use crate::text::{FileId, Loader};
@@ -31,7 +32,14 @@ pub(super) fn code_lens(
     let uri = params.text_document.uri;
     let mut places = Places::new(&file.source, snapshot.client.unit);
     let mut lenses = Vec::new();
-    if let Some((word, totals)) = file.program.zip(totals(snapshot, analysis)) {
+    let units: Vec<(UnitId, Unit)> = analysis
+        .resolved
+        .units()
+        .filter(|(_, unit)| unit.file == DOCUMENT && unit.kind != UnitKind::Main)
+        .map(|(id, unit)| (id, *unit))
+        .collect();
+    let observation = observed(snapshot, analysis, &units);
+    if let Some((word, totals)) = file.program.zip(observation.as_ref().map(|seen| totals(snapshot, seen))) {
         let range = places.range(word.span(file.source.text()));
         lenses.push(lens(range, totals, "", None));
     }
@@ -40,8 +48,7 @@ pub(super) fn code_lens(
     } else {
         callers(snapshot, analysis)
     };
-    let units = analysis.resolved.units().filter(|(_, unit)| unit.file == DOCUMENT && unit.kind != UnitKind::Main);
-    for (id, unit) in units {
+    for (at, (id, unit)) in units.into_iter().enumerate() {
         let callers = called.remove(&id).unwrap_or_default();
         let title = match callers.len() {
             1 => Said::OneCall,
@@ -49,7 +56,13 @@ pub(super) fn code_lens(
         };
         let range = places.range(unit.entry.span);
         let arguments = json_list(&uri, &range.start, &callers);
-        lenses.push(lens(range, title.text(snapshot.client.lang()), SHOW_REFERENCES, Some(arguments)));
+        let lang = snapshot.client.lang();
+        let seconds = observation.as_ref().and_then(|seen| seen.moves.as_ref()?.units_s.get(at).copied());
+        let title = match seconds.filter(|seconds| *seconds > 0.0) {
+            Some(seconds) => Said::WithTime { text: title.text(lang), time: clock(seconds) }.text(lang),
+            None => title.text(lang),
+        };
+        lenses.push(lens(range, title, SHOW_REFERENCES, Some(arguments)));
     }
     Ok(Some(lenses))
 }
@@ -63,13 +76,23 @@ fn json_list(uri: &Uri, position: &gen_lsp_types::Position, places: &[LspLocatio
     vec![json!(uri), json!(position), json!(places)]
 }
 
-/// Blocks executed and the path; `None` for programs that are not executed, or not to their end.
-fn totals(snapshot: &Snapshot, analysis: &Analysis) -> Option<String> {
+/// An execution to the end; `None` for programs that are not executed, or not to their end.
+fn observed(snapshot: &Snapshot, analysis: &Analysis, units: &[(UnitId, Unit)]) -> Option<Observation> {
     let program = analysis.executable.then_some(analysis)?;
-    let observation = observe(snapshot, program, analysis, [])?;
-    observation.end?;
+    let reach: Vec<_> = units.iter().map(|(_, unit)| (unit.first, unit.end)).collect();
+    let observation = observe_motion(snapshot, program, analysis, [], &reach)?;
+    observation.end.is_some().then_some(observation)
+}
+
+/// Blocks executed, the path, and the time where motion is configured.
+fn totals(snapshot: &Snapshot, observation: &Observation) -> String {
+    let lang = snapshot.client.lang();
     let (blocks, path) = (count(observation.executed), rounded(observation.path));
-    Some(Said::Totals { blocks, path }.text(snapshot.client.lang()))
+    let text = Said::Totals { blocks, path }.text(lang);
+    match &observation.moves {
+        Some(seen) => Said::WithTime { text, time: clock(seen.time_s) }.text(lang),
+        None => text,
+    }
 }
 
 /// The same of a document that is a macrocycle: its calls in all open programs and what they lead to.

@@ -20,6 +20,8 @@ bilingual! {
         NoProgram "a program is expected: the URI of a document", "očekává se partprogram: URI dokumentu";
         CannotCompile { errors: usize, first: String } "the program cannot be compiled; errors: {errors}, the first: {first}", "partprogram nelze přeložit; počet chyb: {errors}, první: {first}";
         NotWhole "the program cannot be compiled: execution stops before M02 or M30", "partprogram nelze přeložit: provádění končí před M02 nebo M30";
+        SignalsChange "changes in this block:", "v tomto bloku se mění:";
+        SignalsHold "in force besides:", "kromě toho platí:";
         AtLine { file: String, line: u32, message: String } "{file}, line {line}: {message}", "{file}, řádek {line}: {message}";
     }
 }

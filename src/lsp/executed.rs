@@ -3,11 +3,13 @@
 use super::analysis::Analysis;
 use super::hover_texts::Said;
 use super::meaning::{Subject, file_name};
+use super::moves::{JoinedBy, Moved};
 use super::observe::{MOST, Observation, Observed};
 use super::page::Page;
 use super::shown::{count, exact, feed_unit, rounded, speed_unit};
 use super::values::Values;
-use crate::dict::{Address, AxisLetter, Decimal};
+use crate::analysis::motion::{break_name, clock, limit_name};
+use crate::dict::{Address, AxisLetter, Decimal, Micro};
 use crate::session::Session;
 use crate::syntax::{BlockId, Value, Word};
 
@@ -42,6 +44,9 @@ impl Subject<'_> {
         if observed.runs > 0 {
             self.parameters(page, observed, word);
             self.state(page, program, observed);
+            if let Some(moved) = observation.moves.as_ref().and_then(|seen| seen.blocks.get(&block)) {
+                self.moved(page, moved);
+            }
         }
     }
 
@@ -68,6 +73,9 @@ impl Subject<'_> {
         };
         page.item(&Said::Executed.text(self.lang), &self.qualified(count(observation.executed), observation));
         page.item(&Said::Path.text(self.lang), &format!("{} mm", rounded(observation.path)));
+        if let Some(seen) = &observation.moves {
+            page.item(&Said::BlockTime.text(self.lang), &clock(seen.time_s));
+        }
         if let Some(end) = observation.end {
             page.item(&Said::End.text(self.lang), &page.code(&format!("M{end:02}")));
         }
@@ -131,6 +139,26 @@ impl Subject<'_> {
         let technology = self.technology(observed);
         if !technology.is_empty() {
             page.item(&label(Said::Technology), &technology.join("; "));
+        }
+    }
+
+    /// How the machine moves through the block.
+    fn moved(&self, page: &mut Page, moved: &Moved) {
+        let [start, peak, end] = &moved.velocities;
+        if start.is_known() {
+            let unit = if moved.in_degrees { "°/min" } else { "mm/min" };
+            let [start, peak, end] = [start, peak, end].map(|values| values.list(exact));
+            page.item(&Said::Velocities.text(self.lang), &format!("{start} / {peak} / {end} {unit}"));
+        }
+        if moved.joined.is_known() {
+            let joined = moved.joined.list(|joined| match joined {
+                JoinedBy::Broken(reason) => Said::JointStops { reason: break_name(reason, self.lang) }.text(self.lang),
+                JoinedBy::Limited(limit) => Said::JointLimited { limit: limit_name(limit, self.lang) }.text(self.lang),
+            });
+            page.item(&Said::JointBefore.text(self.lang), &joined);
+        }
+        if moved.time_s.list(exact) != exact(Micro::ZERO) && moved.time_s.is_known() {
+            page.item(&Said::BlockTime.text(self.lang), &format!("{} s", moved.time_s.list(exact)));
         }
     }
 

@@ -87,12 +87,24 @@ impl EditorFiles {
         Arc::make_mut(&mut self.open)
     }
 
-    /// The canonical path of a document. What is no file (`untitled:`) gets a path in the root of the workspace.
+    /// The path of a document: the canonical one, unless the same file is open under another name. What is no file
+    /// (`untitled:`) gets a path in the root of the workspace; what is a file as it was (`git:`) gets one below its folder.
     pub(super) fn path_of(&self, uri: &Uri) -> PathBuf {
-        match uri.to_file_path() {
-            Ok(path) => self.canonical(&path),
-            Err(()) => self.root.join(uri.path()),
+        if let Some((path, _)) = self.open.iter().find(|(_, document)| document.uri == *uri) {
+            return path.clone();
         }
+        let Ok(path) = uri.to_file_path() else {
+            let path = self.root.join(uri.path());
+            return match (path.parent(), path.file_name()) {
+                (Some(folder), Some(name)) if Path::new(uri.path()).has_root() => {
+                    let version = uri.as_str().split_once('?').map_or("", |(_, version)| version);
+                    folder.join(format!("{}:{version}", uri.scheme()).replace(['/', '\\'], "_")).join(name)
+                }
+                _ => path,
+            };
+        };
+        let canonical = self.canonical(&path);
+        if self.open.contains_key(&canonical) { path.to_path_buf() } else { canonical }
     }
 
     /// The URI of the file at `path`: as the client names it, when it is open.

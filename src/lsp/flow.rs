@@ -2,9 +2,8 @@
 
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
-use super::observe::g_functions;
-use crate::dict::{Address, GCode};
-use crate::resolve::Target;
+use crate::dict::GCode;
+use crate::resolve::{Roles, Taker, Target};
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::FileId;
 
@@ -15,9 +14,10 @@ pub(super) struct Flow {
     pub(super) code: GCode,
     pub(super) word: Word,
     pub(super) l: Option<Word>,
-    pub(super) q: Option<Word>,
-    /// With G04, Q is a dwell (FLW-6).
-    pub(super) dwell: bool,
+    /// Q, unless it is a dwell (FLW-6).
+    pub(super) repeat: Option<Word>,
+    /// Forward it jumps every time (FLW-3).
+    pub(super) uncounted: bool,
     /// Where it leads, when that is written with digits and exists; none for an entry.
     pub(super) target: Option<Target>,
 }
@@ -25,24 +25,15 @@ pub(super) struct Flow {
 impl Flow {
     /// Of a block of the document.
     pub(super) fn of(analysis: &Analysis, file: &ParsedFile, block: BlockId) -> Option<Self> {
-        let (code, word) = g_functions(file, block).find(|(code, _)| code.is_flow() || *code == GCode::G79)?;
-        let find = |address| file.words(block).iter().copied().find(|word: &Word| word.address == address);
-        Some(Self {
-            code,
-            word,
-            l: find(Address::L),
-            q: find(Address::Q),
-            dwell: g_functions(file, block).any(|(code, _)| code == GCode::G04),
-            target: analysis.resolved.target(DOCUMENT, block),
-        })
+        let roles = Roles::written(file.words(block));
+        let Taker::One(code, word) = roles.taker else { return None };
+        let target = analysis.resolved.target(DOCUMENT, block);
+        Some(Self { code, word, l: roles.l, repeat: roles.repeat(), uncounted: roles.is_uncounted(), target })
     }
 
     /// How often it calls or jumps; `None` when Q is no number written out. A jump without Q counts one.
     pub(super) fn times(&self) -> Option<i64> {
-        match self.q {
-            Some(q) if !self.dwell => q.whole(),
-            Some(_) | None => Some(1),
-        }
+        self.repeat.map_or(Some(1), |q| q.whole())
     }
 
     /// The block that it jumps to.
@@ -63,7 +54,7 @@ impl Flow {
 
     /// Where its last word ends.
     pub(super) fn end(&self, text: &str) -> u32 {
-        let words = [Some(self.word), self.l, self.q.filter(|_| !self.dwell)];
+        let words = [Some(self.word), self.l, self.repeat];
         words.into_iter().flatten().map(|word| word.span(text).end).max().unwrap_or(0)
     }
 }

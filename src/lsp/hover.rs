@@ -5,7 +5,7 @@ use gen_lsp_types::{Contents, Hover, HoverParams};
 use super::analysis::Analysis;
 use super::cursor::{DOCUMENT, block_at, word_at};
 use super::meaning::Subject;
-use super::observe::{executing, observe};
+use super::observe::{executing, observe_motion};
 use super::page::Page;
 use super::places::{Places, offset};
 use super::requests::{Answer, Snapshot};
@@ -22,7 +22,7 @@ pub(super) fn hover(snapshot: &Snapshot, analysis: &Analysis, params: HoverParam
     let block = found.map_or_else(|| block_at(file, place), |found| found.block);
     let program = executing(snapshot, analysis);
     let observation = match program {
-        Some(program) => match observe(snapshot, program, analysis, block) {
+        Some(program) => match observe_motion(snapshot, program, analysis, block, &[]) {
             Some(observation) => Some((program, observation)),
             None => return Ok(None),
         },

@@ -23,6 +23,7 @@ bilingual! {
         Control { formula: String } "control word: {formula}", "řídicí slovo: {formula}";
         InWholes "in whole numbers", "v celých číslech";
         Dwell { s: String } "dwell {s} s", "časová prodleva {s} s";
+        Plc "the PLC reads", "PLC čte";
 
         Subprogram { name: String } "calls subprogram {name}", "volá podprogram {name}";
         Macrocycle { name: String } "calls macrocycle {name}", "volá makrocyklus {name}";
@@ -66,6 +67,12 @@ bilingual! {
         HintValue { r: u8, values: String } "R{r} before the block: {values}", "R{r} před blokem: {values}";
         OneCall "1 call", "volání: 1";
         Calls { count: usize } "{count} calls", "volání: {count}";
+        BlockTime "time", "doba";
+        Velocities "velocity at the start / greatest / at the end", "rychlost na začátku / největší / na konci";
+        JointBefore "joint with the motion before", "napojení na předchozí pohyb";
+        JointStops { reason: String } "stop: {reason}", "zastavení: {reason}";
+        JointLimited { limit: String } "limited by: {limit}", "omezuje: {limit}";
+        WithTime { text: String, time: String } "{text}, time {time}", "{text}, čas {time}";
         Totals { blocks: String, path: String } "executed blocks: {blocks}, path {path} mm", "provedené bloky: {blocks}, dráha {path} mm";
     }
 }

@@ -118,7 +118,7 @@ impl Hinter<'_> {
     /// `×4` after a jump with a counter: backward, how often its stretch runs in a row; forward, how often it is taken.
     fn jump(&self, block: BlockId, flow: &Flow, observed: &Observed) -> Option<Hint> {
         let to = flow.jump()?;
-        let counted = to <= block || flow.q.is_some() || flow.dwell;
+        let counted = to <= block || !flow.uncounted;
         if !counted || !observed.taken.is_known() {
             return None;
         }

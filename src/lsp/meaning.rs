@@ -8,6 +8,7 @@ use super::hover_texts::Said;
 use super::observe::{Observed, control_of, g_functions};
 use super::page::Page;
 use super::shown;
+use crate::analysis::plc;
 use crate::dict::Micro;
 use crate::dict::{Address, GCode, Lang, Lasting, standard_m_functions};
 use crate::resolve::Target;
@@ -44,12 +45,33 @@ impl Subject<'_> {
                 self.address(page, block, word);
             }
         }
+        self.signals(page, word);
         if matches!(word.address, Address::G | Address::L | Address::Q)
             && let Some(flow) = Flow::of(self.analysis, self.file, block)
             && (word.address != Address::G || word.start() == flow.word.start())
         {
             self.flow(page, block, &flow);
         }
+    }
+
+    /// What the word sets in the interface to the PLC.
+    fn signals(&self, page: &mut Page, word: Word) {
+        let Some(number) = word.number() else { return };
+        let set = plc::of_word(word.address, number, &self.analysis.settings.machine);
+        if set.is_empty() {
+            return;
+        }
+        // What depends on more than the word, its name alone.
+        let text = |(signal, value): &(&'static plc::Signal, plc::Value)| {
+            let mut text = signal.name.clone();
+            if value.is_some() {
+                text.push('=');
+                plc::write_value(signal, *value, &mut text);
+            }
+            page.code(&text)
+        };
+        let texts: Vec<String> = set.iter().map(text).collect();
+        page.item(&self.say(&Said::Plc), &texts.join(" "));
     }
 
     fn say(&self, said: &Said) -> String {
@@ -178,7 +200,7 @@ impl Subject<'_> {
                         let passes = times.saturating_add(1).to_string();
                         said.push(Said::Stretch { from: number(to), to: number(block), passes });
                     }
-                    (Some(_), Some(_)) if flow.q.is_none() => said.push(Said::Always),
+                    (Some(_), Some(_)) if flow.uncounted => said.push(Said::Always),
                     (Some(_), Some(times)) => said.push(Said::TakenThenOn { times: times.to_string() }),
                     _ => {}
                 }

@@ -2,7 +2,7 @@
 
 use crate::config::Machine;
 use crate::dict::{Address, GCode, GGroup};
-use crate::resolve::{control_word, g_code, l_number};
+use crate::resolve::{Roles, Taker, control_word, g_code, l_number};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::Span;
 
@@ -50,46 +50,6 @@ pub(super) struct Naming {
     pub(super) function: Option<Span>,
 }
 
-/// What takes the L of a block.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Taker {
-    Nothing,
-    /// G71, G72, G73 or G79.
-    One(GCode, Word),
-    /// Two functions clash, or a G word takes its number from a parameter.
-    Unclear,
-}
-
-impl Taker {
-    pub(super) fn may_be(self, code: GCode) -> bool {
-        match self {
-            Self::Nothing => false,
-            Self::One(one, _) => one == code,
-            Self::Unclear => true,
-        }
-    }
-}
-
-/// The L of a block, the first when there are two, and what takes it.
-pub(super) fn flow(words: &[Word]) -> (Taker, Option<Word>) {
-    let mut taker = Taker::Nothing;
-    let (mut count, mut unknown, mut l) = (0, false, None);
-    for &word in words {
-        if word.address == Address::L {
-            l = l.or(Some(word));
-        }
-        match g_code(word).filter(|code| code.group() == GGroup::G7) {
-            Some(code) => {
-                count += 1;
-                taker = if code == GCode::G70 { Taker::Nothing } else { Taker::One(code, word) };
-            }
-            None => unknown |= is_unknown(word),
-        }
-    }
-    let unclear = count > 1 || (unknown && matches!(taker, Taker::Nothing));
-    (if unclear { Taker::Unclear } else { taker }, l)
-}
-
 /// Whether it is not known before execution which function a G word is.
 pub(super) fn is_unknown(word: Word) -> bool {
     word.address == Address::G && (word.is_parametric() || word.is_void())
@@ -133,7 +93,8 @@ impl Names<'_> {
             return found;
         }
         let words = self.file.words(block);
-        if let (Taker::One(code, g), Some(l)) = flow(words)
+        let roles = Roles::written(words);
+        if let (Taker::One(code, g), Some(l)) = (roles.taker, roles.l)
             && let Some(number) = l_number(l)
             && let Some((name, usage)) = self.named_by(code, number, block)
         {

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
+use super::moves::{Moves, Seen};
 use super::requests::Snapshot;
 use super::values::Values;
 use crate::config::Machine;
@@ -70,6 +71,8 @@ pub(super) struct Observation {
     pub(super) end: Option<u8>,
     /// The number of the last executed block.
     pub(super) last: u32,
+    /// How the machine moves, where that is asked for and configured, and the program ended.
+    pub(super) moves: Option<Seen>,
 }
 
 impl Observation {
@@ -127,12 +130,32 @@ pub(super) fn observe(
     document: &Analysis,
     blocks: impl IntoIterator<Item = BlockId>,
 ) -> Option<Observation> {
+    run(snapshot, program, Observer::new(snapshot, program, document, blocks))
+}
+
+/// The same, with how the machine moves; `units`: from which block up to which those reach whose times are wanted.
+pub(super) fn observe_motion(
+    snapshot: &Snapshot,
+    program: &Analysis,
+    document: &Analysis,
+    blocks: impl IntoIterator<Item = BlockId>,
+    units: &[(BlockId, BlockId)],
+) -> Option<Observation> {
     let mut observer = Observer::new(snapshot, program, document, blocks);
+    if program.settings.machine.motion.configured {
+        observer.moves = Some(Moves::new(&program.settings, units.len()));
+        observer.units = units.to_vec();
+    }
+    run(snapshot, program, observer)
+}
+
+fn run(snapshot: &Snapshot, program: &Analysis, mut observer: Observer<'_>) -> Option<Observation> {
     program.session().observe(&program.path, program.resolved.clone(), program.sources.clone(), &mut observer);
     if snapshot.cancel.is_cancelled() {
         return None;
     }
-    let Observer { mut observation, .. } = observer;
+    let Observer { mut observation, moves, .. } = observer;
+    observation.moves = moves.filter(|_| observation.end.is_some()).map(Moves::finish);
     if !observation.is_cut() {
         observation.blocks.values_mut().for_each(Observed::disarm);
     }
@@ -146,6 +169,9 @@ struct Observer<'a> {
     document: &'a Analysis,
     machine: &'a Machine,
     observation: Observation,
+    moves: Option<Moves>,
+    /// From which block up to which units reach whose times are wanted.
+    units: Vec<(BlockId, BlockId)>,
     /// The parameters that the blocks read, with their values before the next block.
     before: Vec<(u8, Option<Decimal>)>,
     /// Whether a file of the program is the document, as far as asked.
@@ -183,7 +209,17 @@ impl<'a> Observer<'a> {
             }
         }
         let before = before.into_iter().collect();
-        Self { snapshot, program, document, machine, observation, before, files: Vec::new() }
+        Self {
+            snapshot,
+            program,
+            document,
+            machine,
+            observation,
+            moves: None,
+            units: Vec::new(),
+            before,
+            files: Vec::new(),
+        }
     }
 
     fn look(&mut self, executed: &Executed<'_>) {
@@ -196,9 +232,13 @@ impl<'a> Observer<'a> {
             self.observation.path = self.observation.path.plus(length);
         }
         let (file, block) = executed.at();
-        if self.is_document(file, executed)
-            && let Some(observed) = self.observation.blocks.get_mut(&block)
-        {
+        let document = self.is_document(file, executed);
+        if let Some(moves) = &mut self.moves {
+            let asked = Some(block).filter(|block| document && self.observation.blocks.contains_key(block));
+            let unit = self.units.iter().position(|(first, end)| document && *first <= block && block < *end);
+            moves.push(executed, asked, unit);
+        }
+        if document && let Some(observed) = self.observation.blocks.get_mut(&block) {
             for (index, value) in &self.before {
                 if let Some(values) = observed.reads.get_mut(index) {
                     values.add(*value);

@@ -1,13 +1,13 @@
 //! Why a number cannot get another: what the text does not show may mean it, too.
 
 use super::cursor::{DOCUMENT, block_at};
-use super::names::{Name, Naming, Taker, Usage, arithmetic, control_words, flow, is_unknown};
+use super::names::{Name, Naming, Usage, arithmetic, control_words, is_unknown};
 use super::navigation_texts::NavigationText;
 use super::reach::Reach;
 use super::requests::Snapshot;
 use crate::diag::{Code, Diagnostic, Finding};
 use crate::dict::{Address, GCode};
-use crate::resolve::{UnitId, UnitKind, control_word, l_number};
+use crate::resolve::{Roles, Taker, UnitId, UnitKind, control_word, l_number};
 use crate::session::Session;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
@@ -83,8 +83,8 @@ impl Doubts<'_> {
         let unit = unit.and_then(|id| self.reach.resolved().unit(id));
         let inside = move |block: &BlockId| unit.is_none_or(|unit| unit.contains(*block));
         rich_blocks(self.document()).filter(move |(block, _)| inside(block)).filter_map(|(block, words)| {
-            let (taker, l) = flow(words);
-            Some((block, taker, l?))
+            let roles = Roles::written(words);
+            Some((block, roles.taker, roles.l?))
         })
     }
 
@@ -203,9 +203,9 @@ impl Doubts<'_> {
 
     /// Whether a block may call a macrocycle of a number that is not written, or that may be no call.
     fn calls_unknown(&self, words: &[Word]) -> bool {
-        let (taker, l) = flow(words);
+        let roles = Roles::written(words);
         let cycles = !self.reach.analysis.settings.machine.cycles.is_empty();
-        let by_l = match (taker, l) {
+        let by_l = match (roles.taker, roles.l) {
             (Taker::Unclear, Some(_)) => true,
             (Taker::One(code, _), Some(l)) => code == GCode::G72 && l_number(l).is_none(),
             (Taker::Nothing, _) | (_, None) => false,
@@ -214,7 +214,8 @@ impl Doubts<'_> {
     }
 
     fn calls_missing(&self, words: &[Word]) -> bool {
-        let (Taker::One(GCode::G72, _), Some(l)) = flow(words) else { return false };
+        let roles = Roles::written(words);
+        let (Taker::One(GCode::G72, _), Some(l)) = (roles.taker, roles.l) else { return false };
         l_number(l).is_some_and(|l| {
             let mut units = self.reach.resolved().units();
             !units.any(|(_, unit)| unit.kind == UnitKind::Macrocycle(l))

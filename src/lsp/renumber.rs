@@ -9,8 +9,8 @@ use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
 use super::edit_texts::EditText;
 use super::line_length::first_long_line;
-use crate::dict::{Address, GCode, GGroup};
-use crate::resolve::{Target, g_code};
+use crate::dict::{Address, GCode};
+use crate::resolve::{Roles, Taker, Target, g_code};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::Span;
 
@@ -69,32 +69,26 @@ fn jumps(analysis: &Analysis, file: &ParsedFile) -> Result<Jumps, EditText> {
     let mut jumps = Jumps::new();
     for block in file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::RICH)) {
         let words = file.words(block);
-        let mut numbers = words.iter().filter(|word| word.address == Address::L);
-        let Some(&l) = numbers.next() else { continue };
+        let Roles { taker, l: Some(l), .. } = Roles::written(words) else { continue };
         let functions = || words.iter().filter(|word| word.address == Address::G);
-        let jumps_by =
-            |which: fn(&Word) -> bool| functions().any(which) && !functions().any(|word| is_other_flow(*word));
+        // A clash of two calls is no jump.
+        if !taker.may_be(GCode::G73) || !functions().any(|word| g_code(*word).is_none_or(|code| code == GCode::G73)) {
+            continue;
+        }
         // A G whose number is not written may turn out to be a jump.
-        let may_jump = jumps_by(|word| word.is_parametric());
-        let unclear = jumps_by(|word| word.is_faulty());
-        let jump = functions().any(|word| g_code(*word) == Some(GCode::G73));
-        if may_jump || (jump && l.is_parametric()) {
+        if l.is_parametric() || functions().any(|word| word.is_parametric()) {
             return Err(EditText::JumpByParameter { line: line_of(file, block) });
         }
+        let clear = matches!(taker, Taker::One(..)) && l.is_plain() && !functions().any(|word| word.is_faulty());
+        let once = words.iter().filter(|word| word.address == Address::L).count() == 1;
         match analysis.resolved.target(DOCUMENT, block) {
-            _ if !jump && !unclear => {}
-            Some(Target::Block(target)) if l.is_plain() && !unclear && numbers.next().is_none() => {
+            Some(Target::Block(target)) if clear && once => {
                 jumps.insert(block, (l, target));
             }
             Some(_) | None => return Err(EditText::UnclearJump { line: line_of(file, block) }),
         }
     }
     Ok(jumps)
-}
-
-/// Whether the word makes its block a call, an entry or a return: no other function of the group may stand there.
-fn is_other_flow(word: Word) -> bool {
-    g_code(word).is_some_and(|code| code.group() == GGroup::G7 && code != GCode::G73)
 }
 
 /// That no two blocks have the number of a jump's target.

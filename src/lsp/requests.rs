@@ -11,8 +11,8 @@ use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
 use super::{
-    code_actions, code_lens, commands, completion, definition, explain, folding, hierarchy, hover, inlay_hints, links,
-    on_type, outline, references, rename, selection, semantic_tokens, workspace_symbols,
+    code_actions, code_lens, commands, completion, definition, dots, explain, folding, hierarchy, hover, inlay_hints,
+    links, on_type, outline, references, rename, selection, semantic_tokens, signals, workspace_symbols,
 };
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
@@ -79,6 +79,8 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
         "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Everything, hover::hover),
+        "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Everything, dots::dots),
+        "cnc872c/signals" => document::<signals::SignalsRequest>(Needs::Everything, signals::signals),
         "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Everything, code_lens::code_lens),
         "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Everything, inlay_hints::inlay_hint),
         "textDocument/completion" => document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),

@@ -8,7 +8,7 @@ bilingual! {
         Note { note: String } "note: {note}", "poznámka: {note}";
         Help { help: String } "help: {help}", "nápověda: {help}";
         CalledBy { n: u32, by: &'static str, l: u32 } "called by N{n} {by} L{l}", "voláno z bloku N{n} {by} L{l}";
-        Misconfigured "the configuration has errors; programs are checked when they are mended", "konfigurace obsahuje chyby; programy se zkontrolují, až budou opraveny";
+        Misconfigured "the configuration has errors; programs are checked when they are fixed", "konfigurace obsahuje chyby; programy se zkontrolují, až budou opraveny";
         Settings { wrong: String } "these settings cannot be used: {wrong}", "tato nastavení nelze použít: {wrong}";
     }
 }

@@ -2,11 +2,14 @@
 
 use super::forms::{FormFault, check_form};
 use super::letters::{Letters, bit};
+use super::planes::missing_axis;
+use super::roles::{Roles, Taker};
+use super::targets::{conflicting_g, conflicting_m, missing_control_words};
 use super::{Unit, UnitKind};
 use crate::config::Settings;
 use crate::diag::{
-    Diagnostic, DwellMeant, Finding, Findings, FixTitle, LabelText, OtherMeaning, ParameterNeed, PointMeant,
-    TargetMeant, UnusedMeant,
+    Diagnostic, Finding, Findings, FixTitle, LabelText, OtherMeaning, ParameterNeed, PointMeant, TargetMeant,
+    UnusedMeant,
 };
 use crate::dict::{Address, Decimal, GCode, GGroup, M_GROUPS, PROGRAM_ENDS};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
@@ -19,9 +22,9 @@ const MOST_R: usize = 95;
 /// So many subprograms are named in a help.
 const MOST_NAMED: usize = 5;
 /// The first parameter that holds a control word (PAR-7).
-const FIRST_CONTROL: u8 = 5;
+pub const FIRST_CONTROL: u8 = 5;
 /// The last one.
-const LAST_CONTROL: u8 = 8;
+pub const LAST_CONTROL: u8 = 8;
 /// Reserved for control functions.
 const RESERVED: u8 = 95;
 
@@ -48,13 +51,13 @@ struct Functions {
     /// Groups of which two functions are written (E0307): which of them was meant is not known.
     clash: [bool; 12],
     m: [Option<(u8, Word)>; M_GROUPS],
-    l: Option<Word>,
-    q: Option<Word>,
-    /// Some G word takes its number from a parameter, has none, or clashes with another: what L and Q are for is not known.
-    unknown_g: bool,
+    /// What L and Q belong to.
+    roles: Roles,
     g_words: usize,
     m_words: usize,
     r_words: usize,
+    /// A G function of other controls is written that takes words of its own: a call or a cycle.
+    foreign: bool,
 }
 
 impl Functions {
@@ -69,8 +72,17 @@ impl Functions {
         self.m.iter().flatten().find(|(number, _)| *number == 98).map(|(_, word)| *word)
     }
 
-    fn flow(&self) -> Option<(GCode, Word)> {
-        self.of(GGroup::G7).filter(|(code, _)| code.is_flow())
+    /// Whether the block calls a subprogram by M98 and P.
+    fn is_call_elsewhere(&self, words: &[Word]) -> bool {
+        let p = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
+        self.calls_elsewhere().is_some() && self.roles.l.is_none() && p.is_some_and(|p| (1..=99).contains(&p))
+    }
+
+    /// Whether a word of that address belongs to what a function means on other controls: the time of a dwell, the words
+    /// of a call or a cycle.
+    fn takes_elsewhere(&self, address: Address) -> bool {
+        let dwell = address == Address::P && self.roles.dwell.is_some() && self.roles.q.is_none();
+        dwell || (self.foreign && matches!(address, Address::P | Address::Q | Address::L | Address::D | Address::H))
     }
 
     /// Whether the word assigns a parameter that the arithmetic of the block takes as a control word (PAR-7).
@@ -78,10 +90,6 @@ impl Functions {
         let count = self.of(GGroup::G4).map_or(0, |(function, _)| function.operations());
         let at = word.target().checked_sub(FIRST_CONTROL).filter(|_| word.address == Address::R);
         at.is_some_and(|at| usize::from(at) < count)
-    }
-
-    fn dwell(&self) -> Option<Word> {
-        self.of(GGroup::G10).filter(|(code, _)| *code == GCode::G04).map(|(_, word)| word)
     }
 }
 
@@ -106,15 +114,16 @@ impl<'a> BlockChecker<'a> {
     /// Checks a block of a unit of that kind; `None`: of no unit.
     pub(super) fn check(&mut self, block: BlockId, unit: Option<UnitKind>) {
         let flags = self.file.flags(block);
+        let mut numbered = true;
         if let Some(word) = self.file.n_word(block)
             && !(word.is_digits() && self.file.number(block).is_some())
         {
-            self.check_word(word, &Functions::default());
+            numbered = self.check_word(word, &Functions::default());
         }
         let words = self.file.words(block);
         if !flags.has(BlockFlags::RICH) {
             self.check_plain_words(words);
-            if words.is_empty() && flags == BlockFlags::default() {
+            if words.is_empty() && numbered && flags == BlockFlags::default() {
                 let finding = Finding::EmptyBlock { block: self.file.shown_number(block) };
                 self.findings.add(Diagnostic::new(finding, self.file.n_place(block)));
             }
@@ -125,8 +134,8 @@ impl<'a> BlockChecker<'a> {
             self.check_word(word, &functions);
         }
         self.check_repeated(words);
-        self.check_technology(&functions, flags);
-        self.check_flow_words(words, &functions);
+        self.check_plane(&functions);
+        self.check_roles(words, &functions, flags);
         self.check_other_meanings(words, &functions);
         self.check_parameters(words, &functions);
         if flags.has(BlockFlags::SKIP) {
@@ -168,7 +177,7 @@ impl<'a> BlockChecker<'a> {
     }
 
     fn collect(&mut self, words: &[Word]) -> Functions {
-        let mut functions = Functions::default();
+        let mut functions = Functions { roles: Roles::written(words), ..Functions::default() };
         let limited = self.settings.machine.dialect.limits_words();
         for &word in words {
             match word.address {
@@ -180,10 +189,9 @@ impl<'a> BlockChecker<'a> {
                         self.too_many(word, MOST_R);
                     }
                 }
-                Address::L if functions.l.is_none() => functions.l = Some(word),
-                Address::Q if functions.q.is_none() => functions.q = Some(word),
-                Address::L | Address::Q => {}
                 Address::Program
+                | Address::L
+                | Address::Q
                 | Address::N
                 | Address::Skip
                 | Address::X
@@ -215,16 +223,12 @@ impl<'a> BlockChecker<'a> {
         if limited && functions.g_words == MOST_G + 1 {
             self.too_many(word, MOST_G);
         }
-        let Some(code) = g_code(word) else {
-            functions.unknown_g = true;
-            return;
-        };
+        functions.foreign |= word.whole().is_some_and(|number| matches!(number, 65 | 66 | 74..=77));
+        let Some(code) = g_code(word) else { return };
         match functions.g.get_mut(code.group().index()) {
             Some(Some((first, first_word))) => {
-                let (first, first_word) = (*first, *first_word);
-                let finding = Finding::ConflictingG { first, second: code, group: code.group() };
-                self.report_with_first(word, finding, first_word);
-                functions.unknown_g = true;
+                let diagnostic = conflicting_g(self.file, (*first, *first_word), (code, word));
+                self.findings.add(diagnostic);
                 if let Some(clash) = functions.clash.get_mut(code.group().index()) {
                     *clash = true;
                 }
@@ -243,8 +247,9 @@ impl<'a> BlockChecker<'a> {
         let group = self.settings.machine.m_functions.group(number);
         match functions.m.get_mut(usize::from(group)) {
             Some(Some((first, first_word))) => {
-                let (first, first_word) = (*first, *first_word);
-                self.report_with_first(word, Finding::ConflictingM { first, second: number, group }, first_word);
+                let diagnostic =
+                    conflicting_m(self.file, (*first, *first_word), (number, word), &self.settings.machine);
+                self.findings.add(diagnostic);
             }
             Some(slot) => *slot = Some((number, word)),
             None => {}
@@ -270,21 +275,22 @@ impl<'a> BlockChecker<'a> {
         self.findings.add(diagnostic.with_label(place, LabelText::First { what }));
     }
 
-    /// The form of one word (§2). What is wrong with it has its finding, and the word no value.
-    fn check_word(&mut self, word: Word, functions: &Functions) {
+    /// The form of one word (§2). What is wrong with it has its finding, and the word no value. Whether it is right.
+    fn check_word(&mut self, word: Word, functions: &Functions) -> bool {
         if word.is_void() {
-            return;
+            return true;
         }
         let fits = if word.is_faulty() { self.fits(word, functions) } else { self.judge(word, functions) };
         // The number of a block stays what jumps lead to.
         if !fits && word.address != Address::N {
             self.refused.push(word.start());
         }
+        fits
     }
 
     /// Whether a value that a fix gives has the form of its address: the word has its finding already.
     fn fits(&self, word: Word, functions: &Functions) -> bool {
-        let dwell = word.address == Address::Q && (functions.dwell().is_some() || functions.unknown_g);
+        let dwell = word.address == Address::Q && (functions.roles.dwell.is_some() || functions.roles.unknown);
         let mode = functions.of(GGroup::G6).map(|(code, _)| code);
         let form = |value| check_form(&self.settings.machine, word.address, value, dwell, mode);
         word.number().is_none_or(|value| form(value).is_ok())
@@ -311,11 +317,11 @@ impl<'a> BlockChecker<'a> {
             return false;
         }
         let Some(value) = word.number() else { return true };
-        let dwell = address == Address::Q && functions.dwell().is_some();
+        let dwell = address == Address::Q && functions.roles.dwell.is_some();
         if word.has_point() && !address.row().form.takes_point(machine.dialect) {
             // GRP-5: `Q5.` is tolerated with G04; with a G word from a parameter it is not known.
             let tolerated =
-                address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.unknown_g);
+                address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.roles.unknown);
             if !tolerated {
                 let meant = point_meant(address, value, dwell);
                 self.report_value(word, Finding::PointNotAllowed { address, meant });
@@ -323,7 +329,7 @@ impl<'a> BlockChecker<'a> {
             }
         }
         let feed_mode = functions.of(GGroup::G6).map(|(code, _)| code);
-        let zero_dwell = address == Address::Q && functions.unknown_g;
+        let zero_dwell = address == Address::Q && functions.roles.unknown;
         match check_form(machine, address, value, dwell || zero_dwell, feed_mode) {
             Ok(()) => {}
             Err(FormFault::Digits) => {
@@ -331,7 +337,11 @@ impl<'a> BlockChecker<'a> {
                 return false;
             }
             Err(FormFault::Range(range)) => {
-                self.report_value(word, Finding::ValueOutOfRange { address, range });
+                // What belongs to a function of another control has its finding there.
+                if !functions.takes_elsewhere(address) {
+                    let call = functions.calls_elsewhere().and_then(|_| packed_call(address, value));
+                    self.report_value(word, Finding::ValueOutOfRange { address, range, call });
+                }
                 return false;
             }
             // A fraction without a point cannot be.
@@ -380,60 +390,39 @@ impl<'a> BlockChecker<'a> {
         }
     }
 
-    /// Ends that also call or jump (PRG-2), and G04 (GRP-5, FLW-6).
-    fn check_technology(&mut self, functions: &Functions, flags: BlockFlags) {
-        if flags.has(BlockFlags::END)
-            && let Some((function, word)) = functions.flow()
+    /// A plane with an axis that the machine does not have (GRP-2).
+    fn check_plane(&mut self, functions: &Functions) {
+        if let Some((function, word)) = functions.of(GGroup::G1)
+            && let Some(finding) = missing_axis(&self.settings.machine.axes, function)
         {
-            self.report(word, Finding::FlowAfterEnd { function });
-        }
-        if let Some(dwell) = functions.dwell() {
-            match (functions.q, functions.flow()) {
-                (None, _) => self.report(dwell, Finding::MissingDwell { meant: DwellMeant::Units }),
-                (Some(q), Some((function, _))) => self.report(q, Finding::DwellTakesRepeat { function }),
-                (Some(_), None) => {}
-            }
+            self.report(word, finding);
         }
     }
 
-    /// What L and Q are for (FLW-7).
-    fn check_flow_words(&mut self, words: &[Word], functions: &Functions) {
-        let taker = functions.of(GGroup::G7).filter(|(code, _)| *code != GCode::G70);
-        match (taker, functions.l) {
-            (Some((function, word)), None) => {
-                let only_g = words.iter().all(|word| word.address == Address::G);
-                let meant = if function == GCode::G71 && only_g {
-                    TargetMeant::Millimetres
-                } else {
-                    self.known_subprograms().filter(|_| function == GCode::G71).unwrap_or(TargetMeant::of(function))
-                };
-                self.report(word, Finding::MissingTarget { function, meant });
+    /// What L and Q are for (FLW-7), what G04 needs (GRP-5), and that the L of G79 is written out (PRG-3).
+    fn check_roles(&mut self, words: &[Word], functions: &Functions, flags: BlockFlags) {
+        let only_g = words.iter().all(|word| word.address == Address::G);
+        functions.roles.check(flags.has(BlockFlags::END), |word, mut finding| {
+            if let Finding::MissingTarget { function: GCode::G71, meant } = &mut finding {
+                let known = || self.known_subprograms().unwrap_or_else(|| meant.clone());
+                *meant = if only_g { TargetMeant::Millimetres } else { known() };
             }
-            (None, Some(l)) if !functions.unknown_g && !l.is_faulty() => self.report_unused_target(words, functions, l),
-            (Some((GCode::G79, _)), Some(l)) => {
-                if let Value::Parameter { index, .. } = l.value()
-                    && !l.is_faulty()
-                {
-                    let needs = ParameterNeed::WrittenOut("L".to_owned());
-                    let finding = Finding::UnusableParameterValue {
-                        address: Address::L,
-                        parameter: index,
-                        value: String::new(),
-                        needs,
-                    };
-                    self.report(l, finding);
-                }
+            if matches!(finding, Finding::UnusedRepeat {}) && functions.is_call_elsewhere(words) {
+                return;
             }
-            _ => {}
-        }
-        if let Some(q) = functions.q
-            && functions.flow().is_none()
-            && functions.dwell().is_none()
-            && !functions.unknown_g
-            && !q.is_faulty()
-            && functions.of(GGroup::G7).is_none_or(|(code, _)| code != GCode::G79)
+            if let Finding::UnusedTarget { meant } = &mut finding {
+                *meant = unused_meant(words, functions, word);
+            }
+            self.report(word, finding);
+        });
+        if let Taker::One(GCode::G79, _) = functions.roles.taker
+            && let Some(l) = functions.roles.l.filter(|l| !l.is_faulty())
+            && let Value::Parameter { index, .. } = l.value()
         {
-            self.report(q, Finding::UnusedRepeat {});
+            let needs = ParameterNeed::WrittenOut("L".to_owned());
+            let value = String::new();
+            let finding = Finding::UnusableParameterValue { address: Address::L, parameter: index, value, needs };
+            self.report(l, finding);
         }
     }
 
@@ -448,32 +437,20 @@ impl<'a> BlockChecker<'a> {
         (!known.is_empty()).then(|| TargetMeant::OneOf { known: known.join(", ") })
     }
 
-    /// L without use: other controls write tables and calls with it.
-    fn report_unused_target(&mut self, words: &[Word], functions: &Functions, l: Word) {
-        let spiral = functions.of(GGroup::G2).is_some_and(|(code, _)| code == GCode::G10);
-        let called = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
-        let meant = if spiral {
-            UnusedMeant::Tables
-        } else if let (Some(_), Some(number), Some(count)) = (functions.calls_elsewhere(), called, l.whole()) {
-            UnusedMeant::Call { written: format!("G71 L{number} Q{count}") }
-        } else {
-            UnusedMeant::Target
-        };
-        self.report(l, Finding::UnusedTarget { meant });
-    }
-
     /// Words that are legal here, but are written for what they mean on other controls.
     fn check_other_meanings(&mut self, words: &[Word], functions: &Functions) {
         let of = |address: Address| words.iter().copied().find(|word| word.address == address);
-        if let (Some(m), None, Some(p)) = (functions.calls_elsewhere(), functions.l, of(Address::P))
-            && let Some(number) = p.whole().filter(|number| (1..=99).contains(number))
+        if let (Some(m), true, Some(p)) =
+            (functions.calls_elsewhere(), functions.is_call_elsewhere(words), of(Address::P))
+            && let Some(number) = p.whole()
         {
-            self.report(m, Finding::OtherMeaning { meant: OtherMeaning::Call { l: number } });
+            let count = functions.roles.q.and_then(|q| q.whole());
+            self.report(m, Finding::OtherMeaning { meant: OtherMeaning::Call { l: number }, count });
         }
         let table = functions.of(GGroup::G10).is_some_and(|(code, _)| code == GCode::G92);
         let only_speed = !words.iter().any(|word| word.address.axis().is_some() || word.address == Address::D);
         if let Some(s) = of(Address::S).filter(|s| table && only_speed && !s.is_faulty()) {
-            self.report(s, Finding::OtherMeaning { meant: OtherMeaning::SpeedLimit });
+            self.report(s, Finding::OtherMeaning { meant: OtherMeaning::SpeedLimit, count: None });
         }
     }
 
@@ -523,13 +500,11 @@ impl<'a> BlockChecker<'a> {
         void: bool,
         reference: bool,
     ) {
-        let mut missing = Vec::new();
         let mut superfluous = Vec::new();
         let used = FIRST_CONTROL..FIRST_CONTROL + u8::try_from(function.operations()).unwrap_or(0);
         for parameter in FIRST_CONTROL..=LAST_CONTROL {
             let word = assigned.get(usize::from(parameter)).copied().flatten();
             match (used.contains(&parameter), word) {
-                (true, None) => missing.push(format!("R{parameter}")),
                 (false, Some(word)) => superfluous.push((word, parameter)),
                 (true, Some(word)) => {
                     if let (Some(value), false) = (word.number(), word.is_faulty())
@@ -539,17 +514,24 @@ impl<'a> BlockChecker<'a> {
                         self.report_control_word(word, finding);
                     }
                 }
-                (false, None) => {}
+                (_, None) => {}
             }
         }
-        if missing.is_empty() {
-            for (word, parameter) in superfluous {
-                self.report(word, Finding::SuperfluousControlWord { function, parameter });
+        let has = |parameter: u8| assigned.get(usize::from(parameter)).is_some_and(Option::is_some);
+        match missing_control_words(function, has) {
+            None => {
+                for (word, parameter) in superfluous {
+                    self.report(word, Finding::SuperfluousControlWord { function, parameter });
+                }
             }
-        } else if !void {
             // Control words in the wrong parameters are part of it.
-            let finding = Finding::MissingControlWord { function, missing: missing.join(", "), reference };
-            self.report(g_word, finding);
+            Some(mut finding) if !void => {
+                if let Finding::MissingControlWord { reference: meant, .. } = &mut finding {
+                    *meant = reference;
+                }
+                self.report(g_word, finding);
+            }
+            Some(_) => {}
         }
     }
 
@@ -655,6 +637,29 @@ impl<'a> BlockChecker<'a> {
                 self.report(word, Finding::ProgramEndInSubprogram { function });
             }
         }
+    }
+}
+
+/// A call as other controls write it in one P, `P40010` for four times `O0010`.
+fn packed_call(address: Address, value: Decimal) -> Option<String> {
+    let digits = value.as_whole().filter(|digits| address == Address::P && (10_000..=99_999_999).contains(digits))?;
+    let (count, l) = (digits / 10_000, digits % 10_000);
+    (1..=99).contains(&count).then_some(())?;
+    (l > 0).then(|| format!("G71 L{l} Q{count}"))
+}
+
+/// What was meant by an L without use: other controls write tables and calls with it.
+fn unused_meant(words: &[Word], functions: &Functions, l: Word) -> UnusedMeant {
+    let spiral = functions.of(GGroup::G2).is_some_and(|(code, _)| code == GCode::G10);
+    let called = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
+    if spiral {
+        UnusedMeant::Tables
+    } else if let (Some(_), Some(number), Some(count)) = (functions.calls_elsewhere(), called, l.whole()) {
+        UnusedMeant::Call { written: format!("G71 L{number} Q{count}") }
+    } else if let (Some(_), None, Some(number)) = (functions.calls_elsewhere(), called, l.whole()) {
+        UnusedMeant::Call { written: format!("G71 L{number}") }
+    } else {
+        UnusedMeant::Target
     }
 }
 

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use super::blocks::g_code;
 use super::structure::{Context, l_number};
-use super::{MacrocycleFault, Resolved, Target, Unit, UnitId, UnitKind};
+use super::{Resolved, Roles, Target, Unit, UnitId, UnitKind, targets};
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Address, GCode, GGroup};
-use crate::syntax::{BlockFlags, BlockId, Value, Word};
+use crate::dict::{Address, GCode};
+use crate::syntax::{BlockFlags, BlockId, Word};
 use crate::text::FileId;
 
 /// A call or jump as written, the only function of its group in the block.
@@ -32,18 +32,10 @@ fn written(resolved: &Resolved, file: FileId, block: BlockId) -> Option<Written>
     if !parsed.flags(block).has(BlockFlags::RICH) {
         return None;
     }
-    let words = parsed.words(block);
-    let mut functions = words.iter().filter_map(|word| {
-        let code = g_code(*word).filter(|code| code.group() == GGroup::G7)?;
-        Some((code, *word))
-    });
-    let (code, g) = functions.next().filter(|(code, _)| code.is_flow())?;
     // Of two that clash (E0307) it is not known which was meant, and so not what L names.
-    if functions.next().is_some() {
-        return None;
-    }
-    let l = words.iter().copied().find(|word| word.address == Address::L)?;
-    Some(Written { code, g, l })
+    let roles = Roles::written(parsed.words(block));
+    let (code, g) = roles.flow()?;
+    Some(Written { code, g, l: roles.l? })
 }
 
 /// Finds where a call or jump to a number leads.
@@ -95,40 +87,29 @@ fn call_subprogram(
     written: Written,
     l: u32,
 ) -> Option<Target> {
-    let from_macrocycle = matches!(unit.kind, UnitKind::Macrocycle(_));
-    if let (Some(id), false) = (resolved.subprogram(l), from_macrocycle) {
-        return Some(Target::Unit(id));
-    }
-    if !from_macrocycle && resolved.nameless_subprogram {
-        // It may be the one whose L is missing or malformed: that has its finding.
-        return None;
-    }
+    let at = resolved.file(unit.file).map(|parsed| parsed.value_place(written.l)).unwrap_or_default();
+    let mut diagnostic = match targets::subprogram(resolved, context.library, unit.kind, l, at) {
+        Ok(id) => return Some(Target::Unit(id)),
+        Err(diagnostic) => *diagnostic,
+    };
     if written.l.is_faulty() {
         // It has its finding: what its fix makes of it is a guess.
         return None;
     }
-    let macrocycle = context.library.find(l).is_ok();
-    let mut label = None;
-    if !from_macrocycle
-        && !macrocycle
-        && let Some((stray, known)) = context.pending.without_entry(l)
+    if let Finding::UnknownSubprogram { from_macrocycle: false, macrocycle, without_entry, .. } =
+        &mut diagnostic.finding
     {
-        if known {
+        if resolved.has_nameless_subprogram() {
+            // It may be the one whose L is missing or malformed: that has its finding.
             return None;
         }
-        label = Some((stray.at, stray.block));
-    }
-    let finding = Finding::UnknownSubprogram {
-        l,
-        near: resolved.nearest_subprogram(l),
-        macrocycle,
-        from_macrocycle,
-        without_entry: label.map(|(_, block)| block),
-    };
-    let parsed = resolved.file(unit.file)?;
-    let mut diagnostic = Diagnostic::new(finding, parsed.value_place(written.l));
-    if let Some((at, _)) = label {
-        diagnostic = diagnostic.with_label(at, LabelText::WithoutEntry);
+        if !*macrocycle && let Some((stray, known)) = context.pending.without_entry(l) {
+            if known {
+                return None;
+            }
+            *without_entry = Some(stray.block);
+            diagnostic = diagnostic.with_label(stray.at, LabelText::WithoutEntry);
+        }
     }
     context.findings.add(diagnostic);
     None
@@ -153,15 +134,6 @@ fn call_macrocycle(
     }
 }
 
-/// The finding at the first of `calls` calls of a macrocycle that cannot be loaded.
-pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool, calls: usize) -> Finding {
-    match fault {
-        MacrocycleFault::Missing { searched } => Finding::UnknownMacrocycle { l, searched, subprogram, calls },
-        MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
-        MacrocycleFault::Unreadable { file, problem } => Finding::UnreadableFile { problem, file: Some(file) },
-    }
-}
-
 fn jump(
     context: &mut Context<'_, '_>,
     resolved: &mut Resolved,
@@ -169,32 +141,15 @@ fn jump(
     written: Written,
     l: u32,
 ) -> Option<Target> {
-    match resolved.numbered(unit.file, l) {
-        Some(block) if unit.contains(block) => Some(Target::Block(block)),
-        Some(block) => {
-            if let Some(parsed) = resolved.file(unit.file) {
-                let diagnostic = Diagnostic::new(Finding::JumpOutOfUnit { l }, parsed.value_place(written.l));
-                let label = LabelText::BlockHere { block: l };
-                context.findings.add(diagnostic.with_label(parsed.n_place(block), label));
-            }
-            None
-        }
-        None => {
-            let finding = Finding::UnknownJumpTarget { l, near: resolved.nearest_block(&unit, l) };
-            report(context, resolved, unit, written, finding);
-            None
-        }
-    }
-}
-
-/// Reports at the number of the L word.
-fn report(context: &mut Context<'_, '_>, resolved: &Resolved, unit: Unit, written: Written, finding: Finding) {
-    if written.l.is_faulty() {
+    let at = resolved.file(unit.file).map(|parsed| parsed.value_place(written.l)).unwrap_or_default();
+    match targets::jump_target(resolved, &unit, l, at) {
+        Ok(block) => Some(Target::Block(block)),
         // It has its finding: what its fix makes of it is a guess.
-        return;
-    }
-    if let Some(parsed) = resolved.file(unit.file) {
-        context.findings.add(Diagnostic::new(finding, parsed.value_place(written.l)));
+        Err(_) if written.l.is_faulty() => None,
+        Err(diagnostic) => {
+            context.findings.add(*diagnostic);
+            None
+        }
     }
 }
 
@@ -233,9 +188,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
 
 /// Whether the block may call a subprogram whose number is not written.
 fn has_parametric_call(words: &[Word]) -> bool {
-    let is_parametric = |word: &Word| matches!(word.value(), Value::Parameter { .. });
-    let calls = words
-        .iter()
-        .any(|word| g_code(*word) == Some(GCode::G71) || (word.address == Address::G && is_parametric(word)));
-    calls && words.iter().any(|word| word.address == Address::L && (is_parametric(word) || word.is_void()))
+    let roles = Roles::written(words);
+    roles.taker.may_be(GCode::G71)
+        && words.iter().any(|word| word.address == Address::L && (word.is_parametric() || word.is_void()))
 }

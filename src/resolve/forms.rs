@@ -53,7 +53,8 @@ pub fn check_form(
             within(Decimal::ZERO, Decimal::whole(max), " × 10 ms")
         }
         ValueForm::Whole { min, max } => {
-            let unit = if address == Address::S { " rev/min" } else { "" };
+            let speed = (i64::from(machine.limits.speed), " rev/min");
+            let (max, unit) = if address == Address::S { speed } else { (max, "") };
             within(Decimal::whole(min), Decimal::whole(max), unit)
         }
         ValueForm::Dimension => {

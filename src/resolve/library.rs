@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::Problem;
-use crate::text::{Encoding, Loader, Numbered, SourceText};
+use crate::text::{Encoding, Loader, Numbered, SourceText, path_name};
 
 /// Why a macrocycle cannot be called.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -70,17 +70,16 @@ impl<'a> Library<'a> {
     pub fn find(&mut self, l: u32) -> Result<PathBuf, MacrocycleFault> {
         match self.index().get(&l).map(Vec::as_slice) {
             None | Some([]) => {
-                let name = |folder: &PathBuf| match folder.to_string_lossy() {
+                let name = |folder: &PathBuf| match path_name(folder) {
                     name if name.is_empty() => ".".to_owned(),
-                    name => name.into_owned(),
+                    name => name,
                 };
                 Err(MacrocycleFault::Missing { searched: self.folders.iter().map(name).collect::<Vec<_>>().join(", ") })
             }
             Some([only]) => Ok(only.clone()),
-            Some([first, second, ..]) => Err(MacrocycleFault::Ambiguous {
-                first: first.to_string_lossy().into_owned(),
-                second: second.to_string_lossy().into_owned(),
-            }),
+            Some([first, second, ..]) => {
+                Err(MacrocycleFault::Ambiguous { first: path_name(first), second: path_name(second) })
+            }
         }
     }
 

@@ -13,17 +13,23 @@ mod library;
 mod lines;
 mod numbers;
 mod pending;
+mod planes;
 mod program;
 mod rings;
+mod roles;
 mod spelling;
 mod structure;
+mod targets;
 mod window;
 
-pub use blocks::{g_code, m_number};
-pub use flow::macrocycle_finding;
+pub use blocks::{FIRST_CONTROL, LAST_CONTROL, g_code, m_number};
 pub use forms::{FormFault, check_form, feed_range};
 pub use library::{Library, MacrocycleFault};
 pub use program::{Resolved, Target, Unit, UnitId, UnitKind};
 pub use rings::ring_text;
-pub use structure::{ControlWord, control_word, l_number, resolve_macrocycle, resolve_program};
+pub use roles::{Roles, Taker};
+pub use structure::{ControlWord, control_result, control_word, l_number, resolve_macrocycle, resolve_program};
+pub use targets::{
+    conflicting_g, conflicting_m, jump_target, macrocycle_finding, missing_control_words, subprogram, value_or_word,
+};
 pub use window::resolve_window;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::MacrocycleFault;
-use super::flow::macrocycle_finding;
 use super::structure::Context;
+use super::targets::macrocycle_finding;
 use crate::diag::{Diagnostic, Finding};
 use crate::syntax::{BlockFlags, BlockId};
 use crate::text::Location;

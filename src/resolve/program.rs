@@ -124,9 +124,14 @@ impl Resolved {
         self.continuing_lines
     }
 
-    /// Takes note of an operation that is not configured; whether it is the first control word with that code (PAR-9).
-    pub fn is_new_operation(&mut self, operation: i64) -> bool {
-        self.unknown_operations.insert(operation)
+    /// The codes of operations that are not configured and have been reported (PAR-9).
+    pub const fn unknown_operations(&self) -> &BTreeSet<i64> {
+        &self.unknown_operations
+    }
+
+    /// Whether some subprogram has no number that could be read: a call to one that is not there may mean it.
+    pub const fn has_nameless_subprogram(&self) -> bool {
+        self.nameless_subprogram
     }
 
     /// The subprogram of that number.

@@ -1,7 +1,6 @@
 //! Splits files into units: the main program, its subprograms, a macrocycle (§5).
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::Arc;
 
 use super::blocks::{BlockChecker, g_code, m_number};
@@ -15,7 +14,7 @@ use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, PROGRAM_ENDS};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
-use crate::text::{FileId, Location, SourceText, Sources, Span};
+use crate::text::{FileId, Location, SourceText, Sources, Span, path_name};
 
 /// Most subprograms of a file (PRG-4).
 const SUBPROGRAMS: usize = 99;
@@ -108,7 +107,7 @@ impl Context<'_, '_> {
             return Ok(id);
         }
         let path = self.library.find(l)?;
-        let source = self.library.load(&path, &display_name(&path), self.settings.encoding)?;
+        let source = self.library.load(&path, &path_name(&path), self.settings.encoding)?;
         let file = self.sources.add(Arc::clone(&source));
         let parsed = parse(file, &source, Form::Macrocycle, self.findings);
         Ok(self.add_macrocycle(resolved, parsed, l))
@@ -134,7 +133,10 @@ impl Context<'_, '_> {
             // An end that stands behind subprograms is the one that is missing before them.
             let late = self.pending.take_end().and_then(|block| end_word(self.settings, &parsed, block));
             let function = late.map(|(function, _)| function);
-            let mut diagnostic = Diagnostic::new(Finding::MissingProgramEnd { skipped: false, late: function }, place);
+            let last = end.0.checked_sub(1).map(BlockId);
+            let instead = last.and_then(|last| self.return_elsewhere(&parsed, last)).map(|(function, _)| function);
+            let finding = Finding::MissingProgramEnd { skipped: false, late: function, instead };
+            let mut diagnostic = Diagnostic::new(finding, place);
             if let Some((function, word)) = late {
                 diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::EndHere { function });
             }
@@ -211,11 +213,7 @@ impl Context<'_, '_> {
     ) -> Option<BlockId> {
         let last = end.0.checked_sub(1).map(BlockId).filter(|last| *last >= first);
         let ends = last.and_then(|last| end_word(self.settings, parsed, last));
-        let returns = |word: &&Word| {
-            word.address == Address::M && word.whole().is_some_and(|number| RETURNS_ELSEWHERE.contains(&number))
-        };
-        let elsewhere = last.and_then(|last| parsed.words(last).iter().find(returns).copied());
-        let instead = ends.or(elsewhere.and_then(|word| Some((m_number(word, self.settings)?, word))));
+        let instead = ends.or_else(|| self.return_elsewhere(parsed, last?));
         let finding = Finding::UnterminatedSubprogram {
             macrocycle,
             skipped: false,
@@ -228,6 +226,15 @@ impl Context<'_, '_> {
         }
         self.findings.add(diagnostic);
         last.filter(|_| ends.is_some())
+    }
+
+    /// The M function of a block that returns from a subprogram on other controls.
+    fn return_elsewhere(&self, parsed: &ParsedFile, block: BlockId) -> Option<(u8, Word)> {
+        let returns = |word: &&Word| {
+            word.address == Address::M && word.whole().is_some_and(|number| RETURNS_ELSEWHERE.contains(&number))
+        };
+        let word = parsed.words(block).iter().find(returns).copied()?;
+        Some((m_number(word, self.settings)?, word))
     }
 
     /// A macrocycle file has the form of one subprogram (PRG-7).
@@ -372,10 +379,6 @@ pub fn l_number(word: Word) -> Option<u32> {
     (1..=REACHABLE).contains(&number).then_some(number)
 }
 
-fn display_name(path: &Path) -> String {
-    path.to_string_lossy().into_owned()
-}
-
 /// A control word taken apart (PAR-8).
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct ControlWord {
@@ -417,8 +420,17 @@ pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Fi
     Ok(ControlWord { operation, first, second, result, whole: whole < 0 })
 }
 
+/// The parameter that receives the result of a control word, also of one that is wrong elsewhere; `None` when that cannot be
+/// told (§13).
+pub fn control_result(value: Decimal) -> Option<u8> {
+    let whole = value.as_whole().filter(|whole| whole.abs() <= 99_999_999)?;
+    u8::try_from(whole.abs() % 100).ok().filter(|parameter| *parameter <= 95)
+}
+
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
     use crate::text::MemoryLoader;
 

@@ -3,6 +3,7 @@
 use super::m_functions::MFunctionsOfBlock;
 use super::moved::Moving;
 use super::travel::Travel;
+use super::unknown::Groups;
 use super::words::BlockWords;
 use crate::dict::{Decimal, GCode, GGroup};
 use crate::syntax::BlockId;
@@ -39,13 +40,17 @@ pub(super) struct DataFacts {
 
 /// G functions by group, x functions included.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct InForce(pub(super) [Option<GCode>; 12]);
+pub(super) struct InForce {
+    pub(super) functions: [Option<GCode>; 12],
+    /// Groups of which nobody knows the function.
+    pub(super) unknown: Groups,
+}
 
 impl InForce {
     /// The function of a group.
     #[inline]
     pub(super) fn of(&self, group: GGroup) -> Option<GCode> {
-        self.0.get(group.index()).copied().flatten()
+        self.functions.get(group.index()).copied().flatten()
     }
 }
 

@@ -9,7 +9,7 @@ use super::technology::dwell;
 use super::{Interpreter, Program};
 use crate::config::Settings;
 use crate::diag::{CallKind, CallSite, Diagnostic, Finding};
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile};
 use crate::text::{FileId, LineColumn, Location};
 
@@ -195,6 +195,11 @@ impl<'r> Executed<'r> {
     /// The M function of a group, 1–14, after this block; of groups 1, 7 and 9 only one that is written in it.
     pub fn m(&self, group: usize) -> Option<u8> {
         self.interpreter.block.m.in_force.get(group).copied().flatten()
+    }
+
+    /// The same of all groups, by number; 0 is not used.
+    pub const fn m_of_groups(&self) -> &'r [Option<u8>; M_GROUPS] {
+        &self.interpreter.block.m.in_force
     }
 
     /// The M functions written in it, in written order.

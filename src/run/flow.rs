@@ -8,9 +8,11 @@ use super::program::Program;
 use super::site::{Site, report};
 use super::state::State;
 use super::words::BlockWords;
-use crate::diag::{CallKind, Diagnostic, DwellMeant, Finding, Findings, LabelText, TargetMeant, UnusedMeant};
+use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Decimal, GCode, GGroup};
-use crate::resolve::{MacrocycleFault, Target, UnitId, UnitKind, macrocycle_finding, ring_text};
+use crate::resolve::{
+    MacrocycleFault, Target, UnitId, UnitKind, jump_target, macrocycle_finding, ring_text, subprogram, value_or_word,
+};
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::Location;
 
@@ -27,34 +29,15 @@ pub(super) enum Next {
     Halt,
 }
 
-/// FLW-7 and GRP-5 for blocks whose G functions only execution knows.
-pub(super) fn check_late_words(site: &mut Site<'_>, state: &State, words: &BlockWords) {
+/// What L, Q and G04 need, in a block whose G functions only execution knows (FLW-7, GRP-5, PRG-2).
+pub(super) fn check_late_words(site: &mut Site<'_>, state: &State, words: &BlockWords, ends: bool) {
     if words.unknown_g || !words.parametric_g {
         return;
     }
-    let taker = words.written(GGroup::G7).filter(|(code, _)| *code != GCode::G70);
-    match (taker, words.l) {
-        (Some((function, word)), None) if word.is_parametric() => {
-            let diagnostic = Diagnostic::new(
-                Finding::MissingTarget { function, meant: TargetMeant::of(function) },
-                site.word_place(word),
-            );
-            site.report(with_origin(state, diagnostic, word));
-        }
-        (None, Some(l)) => site.found(Finding::UnusedTarget { meant: UnusedMeant::Target }, site.word_place(l.word)),
-        _ => {}
-    }
-    match (words.has(GCode::G04), words.q, words.flow()) {
-        (Some(word), None, _) if word.is_parametric() => {
-            let diagnostic = Diagnostic::new(Finding::MissingDwell { meant: DwellMeant::Units }, site.word_place(word));
-            site.report(with_origin(state, diagnostic, word));
-        }
-        (Some(_), Some(q), Some((function, _))) => {
-            site.found(Finding::DwellTakesRepeat { function }, site.word_place(q.word));
-        }
-        (None, Some(q), None) => site.found(Finding::UnusedRepeat {}, site.word_place(q.word)),
-        _ => {}
-    }
+    words.roles().check(ends, |word, finding| {
+        let diagnostic = Diagnostic::new(finding, site.word_place(word));
+        site.report(with_origin(state, diagnostic, word));
+    });
 }
 
 /// What the rules of calls and jumps look at: one block, after all else in it.
@@ -71,7 +54,13 @@ pub(super) struct Flow<'e, 'p> {
 impl Flow<'_, '_> {
     /// What the block does at its end. `ends`: it holds M02 or M30.
     pub(super) fn next(&mut self, moved: Moved, ends: bool) -> Next {
-        let flow = self.block.words.flow();
+        let words = &self.block.words;
+        // Nobody knows what is called, or whether something is.
+        let unknown = words.clashes.has(GGroup::G7) || (words.malformed_g && words.l.is_some());
+        if unknown && !ends {
+            return Next::Halt;
+        }
+        let flow = words.roles().flow();
         if let Some(cycle) = self.mapped_cycle(moved) {
             if ends {
                 let place = self.cycle_place(cycle);
@@ -86,11 +75,8 @@ impl Flow<'_, '_> {
             }
         }
         match flow {
-            Some((function, word)) if ends => {
-                // Found before execution when both are written out.
-                self.report(Diagnostic::new(Finding::FlowAfterEnd { function }, self.word_place(word)));
-                Next::Continue
-            }
+            // Reported with the words of the block.
+            Some(_) if ends => Next::Continue,
             Some((GCode::G73, word)) => self.jump(word),
             Some((function, word)) => self.call(function, word),
             None => Next::Continue,
@@ -147,37 +133,36 @@ impl Flow<'_, '_> {
 
     /// How many times a call is made: Q, once without it or with G04 (FLW-1, FLW-6). `None`: unknown.
     fn repeats(&self) -> Option<u32> {
-        let words = &self.block.words;
-        match words.q {
-            Some(q) if words.has(GCode::G04).is_none() => whole(q.value),
-            Some(_) | None => Some(1),
+        match self.block.words.roles().repeat() {
+            Some(_) => whole(self.block.words.q.and_then(|q| q.value)),
+            None => Some(1),
         }
     }
 
     fn find_subprogram(&mut self, l: u32, word: Word, place: Location) -> Option<UnitId> {
-        let from_macrocycle =
-            self.frames.last().is_some_and(|frame| matches!(frame.unit.kind, UnitKind::Macrocycle(_)));
+        let from = self.frames.last()?.unit.kind;
         let Program { resolved, library, .. } = self.program;
-        if let (Some(unit), false) = (resolved.subprogram(l), from_macrocycle) {
-            return Some(unit);
+        match subprogram(resolved, library, from, l, place) {
+            Ok(unit) => Some(unit),
+            // It may be the one whose L is missing or malformed: that has its finding.
+            Err(_) if resolved.has_nameless_subprogram() && !matches!(from, UnitKind::Macrocycle(_)) => None,
+            Err(diagnostic) => {
+                self.report(with_origin(self.state, *diagnostic, word));
+                None
+            }
         }
-        let near = resolved.nearest_subprogram(l);
-        let macrocycle = library.find(l).is_ok();
-        let finding = Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry: None };
-        self.report(with_origin(self.state, Diagnostic::new(finding, place), word));
-        None
     }
 
     fn load_macrocycle(&mut self, l: u32) -> Result<UnitId, MacrocycleFault> {
-        let faults = self.findings.fault_count();
+        let faults = self.findings.preventing_count();
         let unit = self.program.macrocycle(l, self.findings);
-        *self.broken |= self.findings.fault_count() > faults;
+        *self.broken |= self.findings.preventing_count() > faults;
         unit
     }
 
     fn no_macrocycle(&mut self, fault: MacrocycleFault, l: u32, place: Location, word: Option<Word>) -> Next {
-        let subprogram = self.program.resolved.subprogram(l).is_some();
-        let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, subprogram, 1), place);
+        let known = self.program.resolved.subprogram(l).is_some();
+        let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, known, 1), place);
         self.report(self.with_origin_of(diagnostic, word));
         Next::Halt
     }
@@ -224,9 +209,7 @@ impl Flow<'_, '_> {
                 None => return Next::Halt,
             },
         };
-        let forward = target > block;
-        let dwell = self.block.words.has(GCode::G04).is_some();
-        if forward && self.block.words.q.is_none() && !dwell {
+        if target > block && self.block.words.roles().is_uncounted() {
             self.block.jump = Some(Jump { to: number, left: None });
             return Next::Jump(target);
         }
@@ -247,21 +230,14 @@ impl Flow<'_, '_> {
     /// The block of the unit in hand with that number, which a parameter gave.
     fn find_block(&mut self, number: u32, word: Word) -> Option<BlockId> {
         let unit = self.frames.last()?.unit;
-        let place = self.word_place(word);
-        let diagnostic = match self.program.resolved.numbered(self.block.file, number) {
-            Some(block) if unit.contains(block) => return Some(block),
-            Some(block) => {
-                let there = self.file().map(|file| file.n_place(block)).unwrap_or_default();
-                Diagnostic::new(Finding::JumpOutOfUnit { l: number }, place)
-                    .with_label(there, LabelText::BlockHere { block: number })
+        let place = self.file().map(|file| value_or_word(file, word)).unwrap_or_default();
+        match jump_target(&self.program.resolved, &unit, number, place) {
+            Ok(block) => Some(block),
+            Err(diagnostic) => {
+                self.report(with_origin(self.state, *diagnostic, word));
+                None
             }
-            None => {
-                let near = self.program.resolved.nearest_block(&unit, number);
-                Diagnostic::new(Finding::UnknownJumpTarget { l: number, near }, place)
-            }
-        };
-        self.report(with_origin(self.state, diagnostic, word));
-        None
+        }
     }
 
     fn file(&self) -> Option<&ParsedFile> {
@@ -286,11 +262,6 @@ impl Flow<'_, '_> {
     fn report(&mut self, diagnostic: Diagnostic) {
         report(self.frames, diagnostic, self.findings);
     }
-}
-
-/// The number of a word; the whole word when a parameter stands for it.
-fn value_or_word(file: &ParsedFile, word: Word) -> Location {
-    if word.is_parametric() { file.word_place(word) } else { file.value_place(word) }
 }
 
 fn whole(value: Option<Decimal>) -> Option<u32> {

@@ -3,6 +3,7 @@
 use super::block::InForce;
 use super::site::Site;
 use super::state::{AxisSet, Held, Noted, State};
+use super::unknown::Groups;
 use super::words::BlockWords;
 use crate::diag::Finding;
 use crate::dict::{Decimal, GCode, GGroup, Lasting};
@@ -25,10 +26,19 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords) 
             report_unmodelled(site, state, code, site.word_place(word));
         }
     }
-    let mut in_force = InForce(state.g);
+    state.unknown = state.unknown.and(words.lasting_clashes);
+    if words.malformed_g {
+        state.unknown = state.unknown.and(Groups::lasting());
+    }
+    let mut in_force = InForce { functions: state.g, unknown: state.unknown.and(words.clashes) };
     for &(code, _) in &words.g {
-        if let Some(slot) = in_force.0.get_mut(code.group().index()) {
+        if let Some(slot) = in_force.functions.get_mut(code.group().index()) {
             *slot = Some(code);
+        }
+    }
+    if !in_force.unknown.is_empty() {
+        for (group, slot) in GGroup::ALL.into_iter().zip(&mut in_force.functions) {
+            *slot = slot.filter(|_| !in_force.unknown.has(group));
         }
     }
     in_force
@@ -45,18 +55,22 @@ pub(super) fn report_unmodelled(site: &mut Site<'_>, state: &mut State, function
 /// Notes whether the origin, a conversion or a correction changed since the block before (MOT-8).
 pub(super) fn track_origin(state: &mut State, words: &BlockWords, g: &InForce) {
     let origin = (g.of(GGroup::G5), g.of(GGroup::G11));
-    let mut changed = origin != state.last_origin;
+    // Whether what is unknown changed is unknown.
+    let differs = |new: Option<GCode>, old: Option<GCode>| new.is_some() && old.is_some() && new != old;
+    let mut changed = differs(origin.0, state.last_origin.0) || differs(origin.1, state.last_origin.1);
     state.last_origin = origin;
-    let active = |held: Held| !matches!(held, Held::None) && held.value() != Some(Decimal::ZERO);
+    let active = |held: Held| held.value().is_some_and(|value| value != Decimal::ZERO);
     let corrected = active(state.correction);
     if let Some(word) = words.correction {
         let new = Held::of(word.value);
-        changed |= new != state.correction && (active(new) || corrected);
+        let both_known = new.value().is_some() && state.correction != Held::Undetermined;
+        changed |= both_known && new != state.correction && (active(new) || corrected);
         state.correction = new;
     }
     if let Some(word) = words.d {
         let new = Held::of(word.value);
-        changed |= corrected && new != state.d;
+        let both_known = new.value().is_some() && state.d != Held::Undetermined;
+        changed |= corrected && both_known && new != state.d;
         state.d = new;
     }
     if changed {

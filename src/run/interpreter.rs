@@ -11,7 +11,7 @@ use super::state::{Origins, State};
 use super::{functions, m_functions, motion, parameters, reading, technology, warnings};
 use crate::diag::{Diagnostic, Finding, Findings};
 use crate::dict::{GCode, GGroup};
-use crate::resolve::{Unit, UnitKind};
+use crate::resolve::{Target, Unit, UnitKind};
 use crate::syntax::{BlockFlags, BlockId};
 use crate::text::FileId;
 
@@ -56,8 +56,10 @@ impl Interpreter {
     pub fn new(program: &Program<'_>) -> Self {
         let resolved = &program.resolved;
         let main = resolved.main().and_then(|id| resolved.unit(id).map(|unit| Frame::new(id, *unit, None)));
+        let mut state = State::new(program.settings);
+        state.said.operations.clone_from(resolved.unknown_operations());
         Self {
-            state: State::new(program.settings),
+            state,
             stop: main.is_none().then_some(Stop::Halted),
             frames: main.into_iter().collect(),
             block: Block::default(),
@@ -168,8 +170,8 @@ impl Interpreter {
         let moved = motion::apply(&mut site, state, block);
         m_functions::finish(&site, state, &block.m);
         parameters::apply(&mut site, state, block);
-        check_late_words(&mut site, state, &block.words);
         let end = block.m.end;
+        check_late_words(&mut site, state, &block.words, end.is_some());
         let (id, returns) = (block.id, flags.has(BlockFlags::RETURN) && frames.len() > 1);
         let next = Flow { program, findings, frames, state, block, broken }.next(moved, end.is_some());
         match end {
@@ -256,7 +258,7 @@ impl Interpreter {
             UnitKind::Main => {
                 let last = BlockId(unit.end.0.saturating_sub(1));
                 let at = program.resolved.file(unit.file).map_or(unit.entry, |file| file.n_place(last));
-                (Finding::MissingProgramEnd { skipped: true, late: None }, at)
+                (Finding::MissingProgramEnd { skipped: true, late: None, instead: None }, at)
             }
             UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
                 let macrocycle = matches!(unit.kind, UnitKind::Macrocycle(_));
@@ -275,8 +277,12 @@ impl Interpreter {
                 repeats.push(format!("N{} {} L{} ×{}", call.n, call.by.name(), call.l, call.of));
             }
             for (block, counter) in &frame.counters {
-                let n = program.resolved.file(frame.unit.file).map_or(0, |file| file.shown_number(*block));
-                repeats.push(format!("N{n} G73 ×{}", counter.of));
+                let target = program.resolved.target(frame.unit.file, *block);
+                // A jump forward repeats nothing, one back runs its stretch once more than it jumps (FLW-3).
+                if !matches!(target, Some(Target::Block(target)) if target > *block) {
+                    let n = program.resolved.file(frame.unit.file).map_or(0, |file| file.shown_number(*block));
+                    repeats.push(format!("N{n} G73 ×{}", u64::from(counter.of) + 1));
+                }
             }
         }
         repeats.truncate(12);

@@ -59,10 +59,11 @@ pub(super) fn apply(
     g: &InForce,
     m: &mut MFunctionsOfBlock,
 ) {
-    if words.m.is_empty() && words.s.is_none() && m.settled {
+    let plain = words.m.is_empty() && words.s.is_none() && !words.malformed_m;
+    if plain && m.settled {
         return;
     }
-    m.settled = words.m.is_empty() && words.s.is_none();
+    m.settled = plain;
     m.written.clear();
     m.changed.clear();
     (m.break_cont, m.break_cont_end) = (false, false);
@@ -96,6 +97,7 @@ pub(super) fn apply(
             _ => {}
         }
     }
+    forget_functions(state, words);
     state.feed_reduced = site.machine().m_functions.reduces_feed(state.m(FEED_RATE));
     if m.end.is_some() {
         reset(site.machine(), state, &mut changed);
@@ -117,6 +119,18 @@ pub(super) fn apply(
         state.positions = [Position::Unknown; 9];
     }
     spindle::apply(site.machine(), state, words, spindle_before);
+}
+
+/// After two functions of one group nobody knows which holds, after a malformed one none of all groups (§13).
+fn forget_functions(state: &mut State, words: &BlockWords) {
+    if words.malformed_m {
+        state.m = [None; M_GROUPS];
+    }
+    for &group in &words.m_clashes {
+        if let Some(held) = state.m.get_mut(usize::from(group)) {
+            *held = None;
+        }
+    }
 }
 
 /// M02 and M30 set the groups to what holds at power-up; those that change are marked, groups 2, 5 and 6 always, since M05,

@@ -29,6 +29,7 @@ mod spindle;
 mod state;
 mod technology;
 mod travel;
+mod unknown;
 mod warnings;
 mod words;
 

@@ -37,7 +37,7 @@ pub(super) fn kind_in_force(g: &InForce) -> MotionType {
 /// Executes the motion or the data words of the block.
 pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -> Moved {
     let words = &block.words;
-    if words.unknown_g {
+    if words.unknown_g || is_unknown(words, &block.g) {
         // §13: nothing moves, and the axes are unknown after it.
         for (axis, _) in words.axis_words() {
             state.set_position(axis, Position::Undetermined);
@@ -134,6 +134,17 @@ pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option
     travels.iter().map(|travel| travel.axis).chain(by_plane).any(|axis| unsettled.contains(axis))
 }
 
+/// Whether what the block does depends on a group whose function nobody knows.
+fn is_unknown(words: &BlockWords, g: &InForce) -> bool {
+    if g.unknown.is_empty() {
+        return false;
+    }
+    let centered = words.i.is_some() || words.j.is_some() || words.k.is_some();
+    let arc = kind_in_force(g).is_arc() || centered;
+    g.unknown.has_any(&[GGroup::G0, GGroup::G8, GGroup::G9, GGroup::G10])
+        || (arc && g.unknown.has_any(&[GGroup::G1, GGroup::G2, GGroup::G3]))
+}
+
 /// Where a finding about an arc or a motion stands: its G word if written, else its first axis word.
 fn place(site: &Site<'_>, words: &BlockWords) -> Location {
     let written = words.written(GGroup::G0).map(|(_, word)| word);
@@ -156,7 +167,8 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
     let thread = g.of(GGroup::G0) == Some(GCode::G33);
     let other_letters = is_arc && !spiral && other_centers::report_k(site, words, g);
     for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
-        let Some(valued) = valued else { continue };
+        // A malformed word has its finding.
+        let Some(valued) = valued.filter(|valued| !valued.word.is_void()) else { continue };
         if (letter == 'I' && dynamic) || (letter == 'K' && other_letters) {
             continue;
         }

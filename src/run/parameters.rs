@@ -7,7 +7,10 @@ use super::state::{Origin, Parameter, State};
 use super::words::{BlockWords, Valued};
 use crate::diag::{ArithmeticFault, Diagnostic, Finding, LabelText, ParameterNeed};
 use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
-use crate::resolve::{FormFault, check_form, control_word};
+use crate::resolve::{
+    FIRST_CONTROL, FormFault, LAST_CONTROL, check_form, control_result, control_word, missing_control_words,
+    value_or_word,
+};
 use crate::syntax::{Value, Word};
 use crate::text::Location;
 
@@ -53,7 +56,7 @@ fn report_form(site: &mut Site<'_>, state: &State, word: Word, value: Decimal, f
         FormFault::Fraction => ParameterNeed::Whole,
         FormFault::Digits => ParameterNeed::CorrectionDigits,
         FormFault::Range(range) if !word.is_parametric() => {
-            site.found(Finding::ValueOutOfRange { address: word.address, range }, site.value_place(word));
+            site.found(Finding::ValueOutOfRange { address: word.address, range, call: None }, site.value_place(word));
             return;
         }
         FormFault::Range(range) => ParameterNeed::Range(range),
@@ -121,29 +124,72 @@ fn assign(state: &mut State, params: &mut Vec<(u8, Decimal)>, index: u8, value: 
 /// The block's assignments, from the values before it, then its arithmetic (PAR-4, PAR-7).
 pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) {
     let Block { words, params, .. } = block;
-    if words.r.is_empty() && words.written(GGroup::G4).is_none() {
+    let function = words.written(GGroup::G4);
+    let clash = words.clashes.has(GGroup::G4);
+    if words.r.is_empty() && function.is_none() && !clash {
         return;
+    }
+    let mut times = state.parameters.each_ref().map(|_| 0_u32);
+    for word in &words.r {
+        if let Some(times) = times.get_mut(usize::from(word.target())) {
+            *times += 1;
+        }
     }
     let mut values = Vec::with_capacity(words.r.len());
     for &word in &words.r {
-        values.push((word, evaluate(site, state, word)));
+        let value = evaluate(site, state, word);
+        // Of a parameter that is assigned twice (E0306) nobody knows which was meant.
+        let twice = times.get(usize::from(word.target())).is_some_and(|times| *times > 1);
+        values.push((word, value.filter(|_| !twice)));
     }
     for &(word, value) in &values {
         assign(state, params, word.target(), value, site.word_place(word));
     }
-    let Some((function, g_word)) = words.written(GGroup::G4) else { return };
-    let mut missing = Vec::new();
-    for parameter in (5..).take(function.operations()) {
-        match values.iter().find(|(word, _)| word.target() == parameter) {
-            None => missing.push(format!("R{parameter}")),
-            Some(&(word, value)) => operate(site, state, params, word, value),
+    let control = |parameter: u8| values.iter().copied().find(|(word, _)| word.target() == parameter);
+    let controlled = (FIRST_CONTROL..=LAST_CONTROL).any(|parameter| control(parameter).is_some());
+    // An R without a number of its own, and arithmetic of which nobody knows the operations, may assign any parameter.
+    let nameless = words.r.iter().any(|word| usize::from(word.target()) >= state.parameters.len());
+    let mut anything = nameless || clash || (words.malformed_g && controlled);
+    if let Some((function, g_word)) = function {
+        for parameter in (FIRST_CONTROL..).take(function.operations()) {
+            if let Some((word, value)) = control(parameter) {
+                anything |= operate(site, state, params, word, value) == Told::Nothing;
+            }
+        }
+        if let Some(finding) = missing_control_words(function, |parameter| control(parameter).is_some()) {
+            anything = true;
+            // Found before execution when the function is written out.
+            if g_word.is_parametric() {
+                site.found(finding, site.word_place(g_word));
+            }
         }
     }
-    // Found before execution when the function is written out.
-    if !missing.is_empty() && g_word.is_parametric() {
-        let finding = Finding::MissingControlWord { function, missing: missing.join(", "), reference: false };
-        site.found(finding, site.word_place(g_word));
+    if anything {
+        forget_others(state, params, &values, site.block_place());
     }
+}
+
+/// Nobody knows any more what the parameters hold that the block does not assign (§13).
+fn forget_others(
+    state: &mut State,
+    params: &mut Vec<(u8, Decimal)>,
+    assigned: &[(Word, Option<Decimal>)],
+    at: Location,
+) {
+    for index in (0..).take(state.parameters.len()) {
+        if !assigned.iter().any(|(word, _)| word.target() == index) {
+            assign(state, params, index, None, at);
+        }
+    }
+}
+
+/// What a control word says.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+enum Told {
+    /// Which parameter receives the result, at least.
+    Result,
+    /// Not even that.
+    Nothing,
 }
 
 /// One operation of G26–G29.
@@ -153,14 +199,24 @@ fn operate(
     params: &mut Vec<(u8, Decimal)>,
     word: Word,
     value: Option<Decimal>,
-) {
-    let Some(value) = value else { return };
-    let place = site.value_or_word(word);
+) -> Told {
+    let Some(value) = value else { return Told::Nothing };
+    let place = value_or_word(site.file, word);
     let control = match control_word(site.machine(), value) {
         Ok(control) => control,
         Err(finding) => {
-            site.report(with_origin(state, Diagnostic::new(finding, place), word));
-            return;
+            // Found before execution when it is written out; an operation that is not configured is said once.
+            let new = if let Finding::UnknownOperation { operation, .. } = finding {
+                state.said.operations.insert(operation)
+            } else {
+                true
+            };
+            if word.is_parametric() && new {
+                site.report(with_origin(state, Diagnostic::new(finding, place), word));
+            }
+            let Some(result) = control_result(value) else { return Told::Nothing };
+            assign(state, params, result, None, site.word_place(word));
+            return Told::Result;
         }
     };
     let first = read(site, state, control.first, place);
@@ -179,6 +235,7 @@ fn operate(
         _ => None,
     };
     assign(state, params, control.result, result, site.word_place(word));
+    Told::Result
 }
 
 fn report_arithmetic(

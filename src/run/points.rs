@@ -65,7 +65,8 @@ impl Run {
         };
         let cycle = block.g.of(GGroup::G8).is_some_and(GCode::is_cycle);
         let axis = spindle::axis(site.machine(), state);
-        if !straight || cycle || axis.is_some() || spindle::turns(site.machine(), state) {
+        let unknown = !block.g.unknown.is_empty();
+        if !straight || cycle || unknown || axis.is_some() || spindle::turns(site.machine(), state) {
             return Self::Involved;
         }
         let moving = Moving { kind, stale: false, spindle: axis, arc: None };
@@ -93,14 +94,15 @@ fn read_travels(site: &Site<'_>, state: &State, reading: Reading, travels: &mut 
         let Some(axis) = machine.axes.index_of(word.address) else { return false };
         let valued = Valued { word, value: word.number() };
         let Some(travel) = reading.travel(machine, state, axis, valued) else { return false };
-        // In machine order; of words for the same axis the last one counts.
+        // In machine order.
         if travels.last().is_none_or(|last| last.axis < axis) {
             travels.push(travel);
             continue;
         }
         let at = travels.partition_point(|known| known.axis < axis);
         match travels.get_mut(at) {
-            Some(known) if known.axis == axis => *known = travel,
+            // Nobody knows which of the two was meant.
+            Some(known) if known.axis == axis => return false,
             _ => travels.insert(at, travel),
         }
     }

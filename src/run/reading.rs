@@ -3,9 +3,9 @@
 use super::parameters::{evaluate_form, evaluate_g, evaluate_m, with_origin};
 use super::site::Site;
 use super::state::State;
-use super::words::BlockWords;
-use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Address, GCode, GGroup};
+use super::words::{BlockWords, Valued};
+use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
+use crate::resolve::{conflicting_g, conflicting_m};
 use crate::syntax::Word;
 
 /// Reads the words of the block into `words`.
@@ -18,27 +18,29 @@ pub(super) fn read(site: &mut Site<'_>, state: &mut State, words: &mut BlockWord
             let valued = evaluate_form(site, state, word, false, None);
             if let Some(slot) = words.axes.get_mut(axis) {
                 words.axis_count += usize::from(slot.is_none());
-                *slot = Some(valued);
+                put(slot, valued);
             }
             continue;
         }
-        let mut plain = |site: &mut Site<'_>| Some(evaluate_form(site, state, word, false, None));
+        let mut plain = |site: &mut Site<'_>, slot: &mut Option<Valued>| {
+            put(slot, evaluate_form(site, state, word, false, None));
+        };
         match word.address {
             Address::G => read_g(site, state, words, word),
             Address::M => read_m(site, state, words, word),
             Address::R => words.r.push(word),
             // What F and Q mean follows from G words that may come later.
             Address::F | Address::Q => late = true,
-            Address::I => words.i = plain(site),
-            Address::J => words.j = plain(site),
-            Address::K => words.k = plain(site),
-            Address::S => words.s = plain(site),
-            Address::T => words.t = plain(site),
-            Address::H => words.h = plain(site),
-            Address::P => words.p = plain(site),
-            Address::D => words.d = plain(site),
-            Address::Correction => words.correction = plain(site),
-            Address::L => words.l = plain(site),
+            Address::I => plain(site, &mut words.i),
+            Address::J => plain(site, &mut words.j),
+            Address::K => plain(site, &mut words.k),
+            Address::S => plain(site, &mut words.s),
+            Address::T => plain(site, &mut words.t),
+            Address::H => plain(site, &mut words.h),
+            Address::P => plain(site, &mut words.p),
+            Address::D => plain(site, &mut words.d),
+            Address::Correction => plain(site, &mut words.correction),
+            Address::L => plain(site, &mut words.l),
             Address::X
             | Address::Y
             | Address::Z
@@ -64,43 +66,64 @@ fn read_late(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, wor
     if word.address == Address::F {
         // TEC-1: the G6 function in force in the block that writes F decides.
         let written = words.written(GGroup::G6).map(|(code, _)| code);
-        let mode = written.or_else(|| state.modal(GGroup::G6)).filter(|_| !words.unknown_g);
-        words.f = Some(evaluate_form(site, state, word, false, mode));
+        let mode =
+            written.or_else(|| state.modal(GGroup::G6)).filter(|_| !words.unknown_g && !words.clashes.has(GGroup::G6));
+        put(&mut words.f, evaluate_form(site, state, word, false, mode));
         return;
     }
     let dwell = words.has(GCode::G04).is_some() || words.unknown_g;
-    words.q = Some(evaluate_form(site, state, word, dwell, None));
+    put(&mut words.q, evaluate_form(site, state, word, dwell, None));
+}
+
+/// Takes a word. Of one that is written twice (E0306) nobody knows which was meant.
+fn put(slot: &mut Option<Valued>, valued: Valued) {
+    let value = valued.value.filter(|_| slot.is_none());
+    *slot = Some(Valued { value, ..valued });
 }
 
 fn read_g(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: Word) {
     words.parametric_g |= word.is_parametric();
+    if word.is_void() {
+        // A number in no group changes none (§13).
+        let number = word.refused_number().is_some() && !word.has_point() && !word.has_sign();
+        words.unknown_g = true;
+        words.malformed_g |= !number;
+        return;
+    }
     let Some(code) = evaluate_g(site, state, words, word) else { return };
     if let Some((first, first_word)) = words.written(code.group()) {
         // Found before execution when both are written out.
-        let finding = Finding::ConflictingG { first, second: code, group: code.group() };
-        let diagnostic = Diagnostic::new(finding, site.word_place(word));
-        let diagnostic =
-            diagnostic.with_label(site.word_place(first_word), LabelText::First { what: first.to_string() });
+        let diagnostic = conflicting_g(site.file, (first, first_word), (code, word));
         let diagnostic = with_origin(state, diagnostic, word);
         site.report(with_origin(state, diagnostic, first_word));
+        words.clash(first, code);
         return;
     }
-    words.g.push((code, word));
+    if !words.clashes.has(code.group()) {
+        words.g.push((code, word));
+    }
 }
 
 fn read_m(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: Word) {
+    if word.is_void() {
+        // The end of the program is one in whatever form it is written: the structure of the file goes by it.
+        match word.refused_number().and_then(Decimal::as_whole).and_then(|number| u8::try_from(number).ok()) {
+            Some(number) if PROGRAM_ENDS.contains(&number) => words.m.push((number, word)),
+            Some(_) | None => words.malformed_m = true,
+        }
+        return;
+    }
     let Some(number) = evaluate_m(site, state, word) else { return };
     let functions = &site.machine().m_functions;
     let group = functions.group(number);
     let conflict = words.m.iter().copied().find(|(other, _)| functions.group(*other) == group);
     if let Some((first, first_word)) = conflict {
-        let finding = Finding::ConflictingM { first, second: number, group };
-        let diagnostic = Diagnostic::new(finding, site.word_place(word));
-        let diagnostic =
-            diagnostic.with_label(site.word_place(first_word), LabelText::First { what: format!("M{first:02}") });
+        let diagnostic = conflicting_m(site.file, (first, first_word), (number, word), site.machine());
         let diagnostic = with_origin(state, diagnostic, word);
         site.report(with_origin(state, diagnostic, first_word));
-        return;
+        if !words.m_clashes.contains(&group) {
+            words.m_clashes.push(group);
+        }
     }
     words.m.push((number, word));
 }

@@ -35,11 +35,6 @@ impl<'e> Site<'e> {
         self.file.value_place(word)
     }
 
-    /// The number of a word; the whole word when a parameter stands for it.
-    pub(super) fn value_or_word(&self, word: Word) -> Location {
-        if word.is_parametric() { self.word_place(word) } else { self.value_place(word) }
-    }
-
     /// Adds a finding.
     pub(super) fn found(&mut self, finding: Finding, at: Location) {
         self.report(Diagnostic::new(finding, at));

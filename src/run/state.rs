@@ -1,5 +1,8 @@
 //! Everything that execution knows between two blocks.
 
+use std::collections::BTreeSet;
+
+use super::unknown::Groups;
 use crate::config::Settings;
 use crate::dict::Micro;
 use crate::dict::{Decimal, GCode, GGroup, M_GROUPS};
@@ -130,6 +133,8 @@ pub(super) struct Said {
     pub(super) unmodelled: Vec<GCode>,
     /// Parameters without a value (PAR-5).
     pub(super) unassigned: [bool; 96],
+    /// Codes of operations that are not configured (PAR-9).
+    pub(super) operations: BTreeSet<i64>,
 }
 
 impl Default for Said {
@@ -144,6 +149,7 @@ impl Default for Said {
             incremental: [false; 9],
             unmodelled: Vec::new(),
             unassigned: [false; 96],
+            operations: BTreeSet::new(),
         }
     }
 }
@@ -154,6 +160,8 @@ impl Default for Said {
 pub struct State {
     /// Lasting G functions, by group.
     pub(super) g: [Option<GCode>; 12],
+    /// Groups of which nobody knows the function, after a fault, until it is written again.
+    pub(super) unknown: Groups,
     /// M functions in force, by group.
     pub(super) m: [Option<u8>; M_GROUPS],
     /// By place in machine order.
@@ -206,6 +214,7 @@ impl State {
         }
         let mut state = Self {
             g: machine.power_up,
+            unknown: Groups::default(),
             m: machine.m_power_up,
             positions,
             parameters,
@@ -233,10 +242,11 @@ impl State {
 
     /// The lasting function of a group.
     pub(super) fn modal(&self, group: GGroup) -> Option<GCode> {
-        self.g.get(group.index()).copied().flatten()
+        self.g.get(group.index()).copied().flatten().filter(|_| !self.unknown.has(group))
     }
 
     pub(super) fn set_modal(&mut self, code: GCode) {
+        self.unknown = self.unknown.without(code.group());
         if let Some(slot) = self.g.get_mut(code.group().index()) {
             *slot = Some(code);
         }

@@ -9,6 +9,7 @@ use super::travel::Travel;
 use super::words::BlockWords;
 use crate::diag::{Diagnostic, Finding, LabelText};
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::resolve::value_or_word;
 use crate::syntax::Word;
 use crate::text::{FileId, Location};
 
@@ -132,5 +133,5 @@ fn check_limits(site: &mut Site<'_>, state: &State, travel: &Travel) {
     };
     let (value, limit) = (value.to_string(), limit.to_string());
     let finding = Finding::OutsideTravel { axis: axis.letter.letter(), value, limit, above };
-    site.report(with_origin(state, Diagnostic::new(finding, site.value_or_word(word)), word));
+    site.report(with_origin(state, Diagnostic::new(finding, value_or_word(site.file, word)), word));
 }

@@ -1,6 +1,8 @@
 //! One block's words with their values, as execution finds them.
 
-use crate::dict::{Decimal, GCode, GGroup};
+use super::unknown::Groups;
+use crate::dict::{Decimal, GCode, GGroup, Lasting};
+use crate::resolve::Roles;
 use crate::syntax::Word;
 
 /// A word with its value; `None`: it depends on something unknown (PAR-5), or is unusable and reported.
@@ -35,6 +37,15 @@ pub(super) struct BlockWords {
     pub(super) r: Vec<Word>,
     /// A G word whose value is not known.
     pub(super) unknown_g: bool,
+    /// A G word that is malformed: it may be any function.
+    pub(super) malformed_g: bool,
+    /// An M word that is malformed.
+    pub(super) malformed_m: bool,
+    /// G groups of which two functions are written (E0307), those in which one of the two lasts.
+    pub(super) clashes: Groups,
+    pub(super) lasting_clashes: Groups,
+    /// M groups of which two functions are written (E0308).
+    pub(super) m_clashes: Vec<u8>,
     /// A G word takes its number from a parameter: what L and Q are for could not be told before.
     pub(super) parametric_g: bool,
 }
@@ -42,8 +53,32 @@ pub(super) struct BlockWords {
 impl BlockWords {
     /// Forgets the block before, touching as little memory as that takes: it is done for every block.
     pub(super) fn clear(&mut self) {
-        let Self { axes, axis_count, i, j, k, f, s, t, h, p, d, correction, l, q, g, m, r, unknown_g, parametric_g } =
-            self;
+        let Self {
+            axes,
+            axis_count,
+            i,
+            j,
+            k,
+            f,
+            s,
+            t,
+            h,
+            p,
+            d,
+            correction,
+            l,
+            q,
+            g,
+            m,
+            r,
+            unknown_g,
+            malformed_g,
+            malformed_m,
+            clashes,
+            lasting_clashes,
+            m_clashes,
+            parametric_g,
+        } = self;
         if *axis_count > 0 {
             axes.fill(None);
         }
@@ -52,7 +87,19 @@ impl BlockWords {
         g.clear();
         m.clear();
         r.clear();
-        (*unknown_g, *parametric_g) = (false, false);
+        (*unknown_g, *malformed_g, *malformed_m, *parametric_g) = (false, false, false, false);
+        (*clashes, *lasting_clashes) = (Groups::default(), Groups::default());
+        m_clashes.clear();
+    }
+
+    /// Two functions of one group are written: nobody knows which was meant.
+    pub(super) fn clash(&mut self, first: GCode, second: GCode) {
+        let group = first.group();
+        self.clashes = self.clashes.with(group);
+        if [first, second].into_iter().any(|code| code.lasting() != Lasting::Block) {
+            self.lasting_clashes = self.lasting_clashes.with(group);
+        }
+        self.g.retain(|(code, _)| code.group() != group);
     }
 
     /// The function of a group written in this block.
@@ -69,9 +116,10 @@ impl BlockWords {
         self.g.iter().map(|(code, _)| *code).find(|code| code.makes_words_data())
     }
 
-    /// The call or jump written in this block.
-    pub(super) fn flow(&self) -> Option<(GCode, Word)> {
-        self.written(GGroup::G7).filter(|(code, _)| code.is_flow())
+    /// What L and Q belong to, with the functions that parameters give.
+    pub(super) fn roles(&self) -> Roles {
+        let functions = self.g.iter().map(|(code, word)| (Some(*code), *word));
+        Roles::of(functions, self.l.map(|valued| valued.word), self.q.map(|valued| valued.word))
     }
 
     /// The axis word that comes first in the text.

@@ -32,7 +32,8 @@ pub struct Execution<'a> {
 }
 
 impl<'a> Execution<'a> {
-    /// Ready for the first block of a resolved program without errors. The outcome is that of resolving it.
+    /// Ready for the first block of a resolved program. The outcome is that of resolving it: with errors in it, the program is
+    /// executed for what is still to be found, and no block is shown.
     pub(super) fn new(
         session: Session<'a>,
         path: &Path,
@@ -48,9 +49,9 @@ impl<'a> Execution<'a> {
             session,
             program,
             interpreter,
+            whole: !is_stopped(&outcome.findings, purpose),
             outcome,
             purpose,
-            whole: true,
             despite_errors: false,
             given_up: false,
             most: u64::MAX,
@@ -100,10 +101,19 @@ impl<'a> Execution<'a> {
 
     /// The next block of an interpreter that follows this execution: that is not ahead of it. What it finds is found already.
     pub fn follow<'r>(&'r mut self, follower: &'r mut Interpreter) -> Option<Executed<'r>> {
+        self.follow_with(follower).map(|(block, _)| block)
+    }
+
+    /// The same, with where findings about the block go.
+    pub(super) fn follow_with<'r>(
+        &'r mut self,
+        follower: &'r mut Interpreter,
+    ) -> Option<(Executed<'r>, &'r mut Findings)> {
         if follower.executed() >= self.interpreter.executed() {
             return None;
         }
-        follower.step(&mut self.program, &mut Findings::new())
+        let block = follower.step(&mut self.program, &mut Findings::new())?;
+        Some((block, &mut self.outcome.findings))
     }
 
     /// Nobody wants more: the program is not taken for whole.
@@ -114,6 +124,9 @@ impl<'a> Execution<'a> {
 
     /// Shows the blocks to a sink, up to the first that has an error.
     pub(super) fn show(&mut self, sink: &mut impl Sink) {
+        if !(self.whole || self.despite_errors) {
+            return;
+        }
         sink.begin(&self.program);
         let mut wanted = ControlFlow::Continue(());
         while let Some((block, findings)) = self.step() {
@@ -129,7 +142,7 @@ impl<'a> Execution<'a> {
 
     /// Finds what is still to be found, and gives how the program ended; `None` when it has errors, or was not executed to its
     /// end.
-    fn end(&mut self) -> Option<End> {
+    pub(super) fn end(&mut self) -> Option<End> {
         while !self.is_over(self.interpreter.executed())
             && self.interpreter.step(&mut self.program, &mut self.outcome.findings).is_some()
         {}
@@ -144,8 +157,13 @@ impl<'a> Execution<'a> {
     }
 
     /// The same, with what a sink made of the program.
-    pub(super) fn finish_with<S: Sink>(mut self, sink: S) -> Run<S::Whole> {
-        let made = self.end().map(|end| sink.end(end, &mut self.outcome.findings));
+    pub(super) fn finish_with<S: Sink>(self, sink: S) -> Run<S::Whole> {
+        self.finish_by(|end, findings| sink.end(end, findings))
+    }
+
+    /// The same, with what is made of a whole program.
+    pub(super) fn finish_by<T>(mut self, make: impl FnOnce(End, &mut Findings) -> T) -> Run<T> {
+        let made = self.end().map(|end| make(end, &mut self.outcome.findings));
         // The sink may have found errors at the end.
         let whole = made.filter(|_| !self.outcome.findings.has_errors());
         Run { whole, outcome: self.into_outcome() }

@@ -1,11 +1,14 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
 mod execution;
+mod timed;
 
 use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::analysis::equidistant::Equidistant;
+use crate::analysis::motion::JointFindings;
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem};
 use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
@@ -14,6 +17,7 @@ use crate::stream;
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 pub use execution::Execution;
+pub use timed::{TimedSink, Times};
 
 pub use crate::stream::Part;
 
@@ -63,6 +67,10 @@ pub struct Session<'a> {
 impl<'a> Session<'a> {
     /// Checks the program or macrocycle at `path`, which the user calls `name`: everything that `check` finds.
     pub fn check(&self, path: &Path, name: &str) -> Outcome {
+        let analyses = (JointFindings::new(self.settings), Equidistant::new(self.settings, false));
+        if analyses.0.is_wanted() || analyses.1.is_wanted() {
+            return self.run(path, name, Purpose::Check, analyses).outcome;
+        }
         self.run(path, name, Purpose::Check, ()).outcome
     }
 
@@ -86,7 +94,8 @@ impl<'a> Session<'a> {
     /// Resolves the program at `path`, which the user calls `name`, for an execution whose blocks the caller asks for.
     ///
     /// # Errors
-    /// What was found, when there is nothing to execute: the file cannot be read, has errors, or is a macrocycle.
+    /// What was found, when there is nothing to execute: the file cannot be read, its structure or flow has errors, or it is a
+    /// macrocycle.
     pub fn open(&self, path: &Path, name: &str, purpose: Purpose) -> Result<Execution<'a>, Box<Outcome>> {
         if purpose == Purpose::Compile && Self::is_macrocycle_name(path) {
             let mut outcome = self.outcome(purpose);
@@ -94,7 +103,7 @@ impl<'a> Session<'a> {
             return Err(Box::new(outcome));
         }
         let (mut outcome, resolved) = self.resolve_for(path, name, purpose);
-        if resolved.main().is_none() || is_stopped(&outcome.findings, purpose) {
+        if !self.can_execute(&resolved, &outcome) {
             if !Self::is_macrocycle_name(path) && !outcome.unusable {
                 outcome.not_executed = first_fault(&outcome, name);
             }
@@ -120,10 +129,10 @@ impl<'a> Session<'a> {
         (outcome, resolved)
     }
 
-    /// Whether the second half of [`Self::check`] follows: it is a program, and nothing written in it is wrong. A warning that is
-    /// denied does not keep it from being executed.
+    /// Whether the second half of [`Self::check`] follows: it is a program, and its structure and flow have no errors. Words that
+    /// are wrong do not keep it from being executed: what they would have set is unknown then (§13).
     pub fn can_execute(&self, resolved: &Resolved, outcome: &Outcome) -> bool {
-        resolved.main().is_some() && !is_stopped(&outcome.findings, Purpose::Check)
+        resolved.main().is_some() && !outcome.findings.prevent_execution()
     }
 
     /// Nothing found yet, at the levels of the run.
@@ -159,7 +168,7 @@ impl<'a> Session<'a> {
         let mut outcome = self.outcome(Purpose::Check);
         let Outcome { sources, findings, .. } = &mut outcome;
         let resolved = resolve_window(source, between, self.settings, sources, findings)?;
-        if is_stopped(&outcome.findings, Purpose::Check) {
+        if !self.can_execute(&resolved, &outcome) {
             return Some(outcome);
         }
         let blocks = resolved.file(FileId(0)).map_or(0, ParsedFile::block_count);
@@ -207,8 +216,9 @@ impl<'a> Session<'a> {
 /// What keeps a program from being executed: the first such finding.
 fn first_fault(outcome: &Outcome, name: &str) -> Option<NotExecuted> {
     let findings = &outcome.findings;
-    let faults = findings.items().iter().filter(|found| findings.levels().is_fault(found.code()));
-    let first = faults.min_by_key(|found| (found.at, found.code()))?;
+    let faults = findings.items().iter().filter(|found| found.code().prevents_execution());
+    // That a program is for another control is told of programs with errors, and those come first.
+    let first = faults.min_by_key(|found| (found.code() == Code::W0113, found.at, found.code()))?;
     let source = outcome.sources.get(first.at.file)?;
     Some(NotExecuted {
         file: name.to_owned(),

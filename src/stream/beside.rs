@@ -55,19 +55,30 @@ fn is_long(record: &BlockRecord) -> bool {
 }
 
 /// Where execution puts its records.
-pub(super) struct Records {
+pub(super) struct Records<'o> {
     batch: Batch,
     /// How many block records are in it.
     count: usize,
     /// The thread is behind: the text of this batch is made here.
     here: bool,
     writer: Writer,
-    full: SyncSender<Batch>,
-    written: Receiver<Batch>,
+    way: Way<'o>,
     closed: bool,
 }
 
-impl Records {
+/// Where full batches go.
+enum Way<'o> {
+    /// To the thread that writes, which gives them back empty.
+    Beside { full: SyncSender<Batch>, written: Receiver<Batch> },
+    /// The system gives no thread: to the writer at once, and its error here.
+    Alone { out: &'o mut (dyn Write + Send), error: Option<io::Error> },
+}
+
+impl<'o> Records<'o> {
+    fn new(way: Way<'o>, axes: &[AxisLetter]) -> Self {
+        Self { batch: Batch::default(), count: 0, here: false, writer: Writer::new(axes), way, closed: false }
+    }
+
     /// Whether the writer had an error.
     pub(super) const fn is_closed(&self) -> bool {
         self.closed
@@ -101,50 +112,79 @@ impl Records {
     }
 
     fn hand_on(&mut self) -> Result<(), Closed> {
-        let next = self.written.try_recv().unwrap_or_default();
-        let batch = std::mem::replace(&mut self.batch, next);
         self.count = 0;
-        match self.full.try_send(batch) {
-            Ok(()) => self.here = false,
-            Err(TrySendError::Full(batch)) => {
-                self.here = true;
-                if self.full.send(batch).is_err() {
-                    self.closed = true;
-                    return Err(Closed);
+        let taken = match &mut self.way {
+            Way::Beside { full, written } => {
+                let next = written.try_recv().unwrap_or_default();
+                let batch = std::mem::replace(&mut self.batch, next);
+                match full.try_send(batch) {
+                    Ok(()) => {
+                        self.here = false;
+                        true
+                    }
+                    Err(TrySendError::Full(batch)) => {
+                        self.here = true;
+                        full.send(batch).is_ok()
+                    }
+                    Err(TrySendError::Disconnected(_)) => false,
                 }
             }
-            Err(TrySendError::Disconnected(_)) => {
-                self.closed = true;
-                return Err(Closed);
+            Way::Alone { out, error } => {
+                self.batch.write(&mut self.writer);
+                let result = out.write_all(&self.batch.text);
+                self.batch.text.clear();
+                *error = result.err();
+                error.is_none()
             }
-        }
-        Ok(())
+        };
+        self.closed = !taken;
+        if taken { Ok(()) } else { Err(Closed) }
     }
 }
 
-/// Runs `execute`, and beside it writes to `out` the records that it gives, for a machine with these axes.
+/// Runs `execute`, and beside it writes to `out` the records that it gives, for a machine with these axes. When the system
+/// gives no thread, they are written in between.
 ///
 /// # Errors
-/// What `out` says, and when the system gives no thread.
+/// What `out` says.
 pub(super) fn write_beside<T>(
     out: &mut (dyn Write + Send),
     axes: &[AxisLetter],
-    execute: impl FnOnce(&mut Records) -> Result<T, Closed>,
+    execute: impl FnOnce(&mut Records<'_>) -> Result<T, Closed>,
 ) -> io::Result<T> {
     let stopped = || io::Error::other("the writer has stopped");
-    scope(|scope| {
+    let mut execute = Some(execute);
+    let beside = scope(|scope| {
         let (full, batches) = sync_channel(QUEUE);
         let (done, written) = channel();
         let thread = Builder::new().name("writer".to_owned());
-        let thread = thread.spawn_scoped(scope, || write(out, Writer::new(axes), batches, done))?;
-        let writer = Writer::new(axes);
-        let mut records =
-            Records { batch: Batch::default(), count: 0, here: false, writer, full, written, closed: false };
+        let thread = thread.spawn_scoped(scope, || write(out, Writer::new(axes), batches, done)).ok()?;
+        let execute = execute.take()?;
+        let mut records = Records::new(Way::Beside { full, written }, axes);
         let result = execute(&mut records).and_then(|result| records.hand_on().map(|()| result));
         drop(records);
-        thread.join().map_err(|_| stopped())??;
-        result.map_err(|Closed| stopped())
-    })
+        let written = thread.join().map_err(|_| stopped()).flatten();
+        Some(written.and_then(|()| result.map_err(|Closed| stopped())))
+    });
+    match (beside, execute) {
+        (Some(result), _) => result,
+        (None, Some(execute)) => write_alone(out, axes, execute),
+        (None, None) => Err(stopped()),
+    }
+}
+
+fn write_alone<T>(
+    out: &mut (dyn Write + Send),
+    axes: &[AxisLetter],
+    execute: impl FnOnce(&mut Records<'_>) -> Result<T, Closed>,
+) -> io::Result<T> {
+    let mut records = Records::new(Way::Alone { out, error: None }, axes);
+    let result = execute(&mut records).and_then(|result| records.hand_on().map(|()| result));
+    match (records.way, result) {
+        (Way::Alone { error: Some(error), .. }, _) => Err(error),
+        (Way::Alone { out, error: None }, Ok(result)) => out.flush().map(|()| result),
+        (Way::Alone { .. } | Way::Beside { .. }, _) => Err(io::Error::other("the writer has stopped")),
+    }
 }
 
 fn write(

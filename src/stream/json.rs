@@ -35,15 +35,15 @@ impl Part {
 }
 
 /// Writes to `out` the stream of the program that `run` shows to the sink. Its text is made and written in a thread beside
-/// execution.
+/// execution, or between its blocks when the system gives no thread.
 ///
 /// # Errors
-/// What `out` says, and when the system gives no thread.
+/// What `out` says.
 pub fn write<T>(
     out: &mut (dyn Write + Send),
     settings: &Settings,
     part: Part,
-    run: impl FnOnce(JsonStream<'_>) -> T,
+    run: impl FnOnce(JsonStream<'_, '_>) -> T,
 ) -> io::Result<T> {
     let letters: Vec<AxisLetter> = settings.machine.axes.iter().map(|axis| axis.letter).collect();
     write_beside(out, &letters, |records| {
@@ -53,27 +53,27 @@ pub fn write<T>(
 }
 
 /// The stream, as a reader of executed blocks.
-pub struct JsonStream<'r> {
-    records: &'r mut Records,
+pub struct JsonStream<'r, 'o> {
+    records: &'r mut Records<'o>,
     part: Part,
     totals: Totals,
     rows: Rows,
     next_file: u32,
 }
 
-impl<'r> JsonStream<'r> {
-    fn new(records: &'r mut Records, part: Part) -> Self {
+impl<'r, 'o> JsonStream<'r, 'o> {
+    fn new(records: &'r mut Records<'o>, part: Part) -> Self {
         Self { records, part, totals: Totals::new(), rows: Rows::default(), next_file: 1 }
     }
 }
 
-impl std::fmt::Debug for JsonStream<'_> {
+impl std::fmt::Debug for JsonStream<'_, '_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("JsonStream").field("part", &self.part).finish_non_exhaustive()
     }
 }
 
-impl Sink for JsonStream<'_> {
+impl Sink for JsonStream<'_, '_> {
     /// Its `end` record is written.
     type Whole = End;
 

@@ -5,10 +5,14 @@ use super::lower::{Lowering, PARAMETERS, printed_number};
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word};
 use crate::diag::{
-    AddressMeant, Diagnostic, Edit, Finding, FixTitle, MINUS, Meant, NumberMeant, TextMeant, is_blank, shown,
+    AddressMeant, Diagnostic, Edit, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, TextMeant, is_blank,
+    shown,
 };
 use crate::dict::{Address, GCode};
 use crate::text::Span;
+
+/// Greatest number of a block that a jump reaches (FLW-5).
+const HIGHEST_TARGET: u32 = 9999;
 
 /// What stands where a number should.
 enum Written {
@@ -67,7 +71,7 @@ impl Lowering<'_> {
         self.push(Word::bare(address, span).faulty(), span);
     }
 
-    /// `X1.5E-05`, `XNaN`, `FMAX`.
+    /// `X1.5E-05`, `S1.2E+03`, `XNaN`, `FMAX`.
     fn printed_word(&mut self, token: Token) {
         let span = token.span();
         let Some(address) = self.address(token.start, span) else { return };
@@ -76,9 +80,18 @@ impl Lowering<'_> {
         let prefix = address.to_string();
         let fastest = ["max", "auto"].iter().any(|name| number.eq_ignore_ascii_case(name));
         let meant = if fastest { NumberMeant::Fastest } else { printed_number(number, &prefix) };
+        let value_of = |written: &str| Number::parse(written.get(1..).unwrap_or_default().as_bytes());
+        // Other words hold whole numbers without a sign, `&` four digits.
+        let fits = |value: Number| {
+            address.is_dimensional()
+                || address == Address::F
+                || (address != Address::Correction && !value.point && !value.minus)
+        };
+        let unfit = matches!(&meant, NumberMeant::Exponent { written } if !value_of(written).is_some_and(fits));
+        let meant = if unfit { NumberMeant::ExponentForm } else { meant };
         let finding = Finding::MalformedNumber { text: shown(text), meant: meant.clone() };
         if let NumberMeant::Exponent { written } = meant
-            && let Some(value) = Number::parse(written.get(1..).unwrap_or_default().as_bytes())
+            && let Some(value) = value_of(&written)
             // A feed of zero is none.
             && (address != Address::F || value.value.thousandths() != 0)
         {
@@ -99,8 +112,9 @@ impl Lowering<'_> {
         let value = value.trim_matches([' ', '\t']);
         let plain = name.trim_end_matches([' ', '\t']).len() == 1;
         let numbered = matches!(address, Address::N | Address::Program);
-        let value_written =
-            written(value).filter(|written| plain && !(numbered && matches!(written, Written::Parameter(..))));
+        let product = self.byte(span.end) == b'*';
+        let value_written = written(value)
+            .filter(|written| plain && !product && !(numbered && matches!(written, Written::Parameter(..))));
         let upper = value.to_ascii_uppercase();
         if let Some(written) = value_written {
             let text_here = format!("{address}{upper}");
@@ -110,9 +124,10 @@ impl Lowering<'_> {
             self.push_written(address, span, &written);
             return;
         }
-        let computed = upper.contains('R') && upper.contains(['+', '-', '*', '/']);
+        let computed = product || upper.contains('R') && upper.contains(['+', '-', '*', '/']);
         let meant = if upper.starts_with("IC(") || upper.starts_with("AC(") {
-            NumberMeant::Distance
+            let of_center = matches!(address, Address::I | Address::J | Address::K);
+            if of_center { NumberMeant::FromStart } else { NumberMeant::Distance }
         } else if computed {
             NumberMeant::Computed
         } else {
@@ -185,16 +200,23 @@ impl Lowering<'_> {
         let code = last.and_then(|word| word.whole()).and_then(|number| u8::try_from(number).ok());
         let function = code.and_then(GCode::from_number).unwrap_or(GCode::G73);
         let place = self.at(last.map_or(span, |word| word.span(self.text)));
+        let target = Number::parse(number.as_bytes()).filter(|_| {
+            // A subprogram has a number of its own, which is not that of a block.
+            function == GCode::G73 && number.parse().is_ok_and(|number: u32| (1..=HIGHEST_TARGET).contains(&number))
+        });
+        let Some(target) = target else {
+            self.pending
+                .push(Diagnostic::new(Finding::MissingTarget { function, meant: TargetMeant::of(function) }, place));
+            self.push_void(Address::L, span);
+            return;
+        };
         let text = format!("L{number}");
-        let meant = crate::diag::TargetMeant::Written { written: shown(&text) };
+        let meant = TargetMeant::Written { written: shown(&text) };
         let title = FixTitle::Write { text: shown(&text) };
         let letter = self.at(Span::new(token.start, token.start + 1));
         let diagnostic = Diagnostic::new(Finding::MissingTarget { function, meant }, place);
         self.pending.push(diagnostic.with_fix(title, letter, "L"));
-        match Number::parse(number.as_bytes()) {
-            Some(number) => self.push_written(Address::L, span, &Written::Number(number)),
-            None => self.push_void(Address::L, span),
-        }
+        self.push_written(Address::L, span, &Written::Number(target));
     }
 
     /// An address or a parameter without a value.
@@ -302,7 +324,7 @@ impl Lowering<'_> {
             let meant = if number.starts_with('R') {
                 Meant::Variable { written: shown(&text_here) }
             } else {
-                Meant::inside(rest)
+                Meant::inside(rest).with_word(&text_here)
             };
             self.report_with_text(span, Finding::UnknownCharacter { text: shown(text), meant }, text_here);
             self.push_written(address, span, &written);

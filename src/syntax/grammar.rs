@@ -59,6 +59,14 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
     let parameter = any().filter(|token: &Token| matches!(token.kind, Kind::Parameter | Kind::LooseParameter));
     let address = any().filter(|token: &Token| matches!(token.kind, Kind::Letter | Kind::SignedLetter));
     let pieces = number.repeated().collect::<Vec<Token>>();
+    // What follows the parameter of an assignment, `R51+R52` too.
+    let operand = one(Kind::Sign).then(parameter.or(number)).map(|(sign, value)| vec![sign, value]);
+    let operands = number
+        .map(|number| vec![number])
+        .or(operand)
+        .repeated()
+        .collect::<Vec<Vec<Token>>>()
+        .map(|operands| operands.concat());
     // A number beyond a line end or a comment: the value that an address lacks.
     let beyond = any()
         .filter(|token: &Token| matches!(token.kind, Kind::LineEnd | Kind::Comment))
@@ -84,13 +92,13 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
     let comment =
         any().filter(|token: &Token| matches!(token.kind, Kind::Comment | Kind::TypographicComment)).map(Item::Comment);
     let assigned = parameter.then_ignore(one(Kind::Equals)).then(one(Kind::Sign).or_not());
-    let copy = assigned.then(parameter).then(pieces).map(|(((target, sign), source), pieces)| Item::Copy {
+    let copy = assigned.then(parameter).then(operands).map(|(((target, sign), source), pieces)| Item::Copy {
         target,
         sign,
         source,
         pieces,
     });
-    let assignment = assigned.then(number).then(pieces).map(|(((target, sign), number), pieces)| Item::Assignment {
+    let assignment = assigned.then(number).then(operands).map(|(((target, sign), number), pieces)| Item::Assignment {
         target,
         sign,
         number,
@@ -101,7 +109,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .then(number)
         .then(pieces)
         .map(|(((target, sign), number), pieces)| Item::Assignment { target, sign, number, pieces });
-    let parametric = address.then(parameter).then(pieces).map(|((address, parameter), pieces)| Item::Parametric {
+    let parametric = address.then(parameter).then(operands).map(|((address, parameter), pieces)| Item::Parametric {
         address,
         parameter,
         pieces,

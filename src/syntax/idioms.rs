@@ -99,13 +99,21 @@ impl Lowering<'_> {
         let span = time.span(self.text);
         let place = self.at(span);
         let text = units.map(|units| format!("Q{units}"));
+        // A block with G04 may move: a whole X may be a coordinate.
+        let maybe_target = matches!(time.address, Address::X | Address::U) && !time.has_point();
         let meant = match &text {
+            Some(text) if maybe_target => DwellMeant::Perhaps { address: time.address, written: text.clone() },
             Some(text) => DwellMeant::Written { written: text.clone() },
             None => DwellMeant::Units,
         };
         let mut diagnostic = Diagnostic::new(Finding::MissingDwell { meant }, self.at(g.span(self.text)));
         if let Some(text) = text {
-            diagnostic = diagnostic.with_fix(FixTitle::Write { text: shown(&text) }, place, text);
+            let title = FixTitle::Write { text: shown(&text) };
+            diagnostic = if maybe_target {
+                diagnostic.with_offer(title, place, text)
+            } else {
+                diagnostic.with_fix(title, place, text)
+            };
         }
         self.pending.retain(|found| is_about_comments(found.code()));
         self.pending.push(diagnostic);

@@ -65,6 +65,9 @@ impl<'t> Lowering<'t> {
                 all.extend(pieces);
                 self.loose_word(address, &all);
             }
+            Item::ForeignAssignment { address, number } if address.kind == Kind::BareR => {
+                self.radius(address, address.span().to(number.span()));
+            }
             Item::ForeignAssignment { address, number } => {
                 let span = address.span().to(number.span());
                 self.void_word(address, span, |text| Finding::MalformedNumber { text, meant: NumberMeant::EqualsForm });

@@ -99,13 +99,23 @@ fn parse_in(
         // All of them are one run, whatever comments stand between them (BLK-2).
         parsed.words_outside = true;
         let word = crate::diag::shown(source.slice(outside.first));
-        let finding = Finding::WordOutsideBlock { word, more: outside.more, blocks: !parsed.blocks.is_empty() };
+        let number = free_number(&parsed);
+        let finding = Finding::WordOutsideBlock { word, more: outside.more, blocks: !parsed.blocks.is_empty(), number };
         findings.add(Diagnostic::new(finding, at(outside.first)));
     }
     parsed.mark_commented();
     layout::check_case(file, text, &lowercase, findings);
     layout::check_lines(file, source, parsed.start, parsed.end, findings);
     parsed
+}
+
+/// A block number that no block of the file has, below that of the first one where there is such: 10, 5, or another.
+fn free_number(parsed: &ParsedFile) -> i64 {
+    let numbers = || parsed.words.iter().filter(|word| word.address == Address::N).filter_map(|word| word.whole());
+    let first = numbers().next().unwrap_or(i64::MAX);
+    let free = |number: i64| !numbers().any(|taken| taken == number);
+    let before = [10, 5, 1].into_iter().find(|number| *number < first && free(*number));
+    before.unwrap_or_else(|| numbers().max().unwrap_or(0) / 10 * 10 + 10)
 }
 
 /// A file that is put together from its pieces.
@@ -317,6 +327,7 @@ impl<'t> Reader<'t> {
                     | Kind::SignedLetter
                     | Kind::GarbledWord
                     | Kind::AssignedWord
+                    | Kind::PrintedWord
                     | Kind::ForeignStart
             );
             match bytes.get(token.start as usize).filter(|_| with_address) {

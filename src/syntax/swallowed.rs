@@ -16,56 +16,72 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
     while !text.is_char_boundary(start as usize) {
         start += 1;
     }
-    let mut run = Run::default();
-    for token in tokens(text, start, comment.end) {
-        run.take(text, token);
-    }
-    (run.words >= LEAST && run.telling && !run.open).then(|| Span::new(run.start, run.end))
+    let tokens: Vec<Token> = tokens(text, start, comment.end).collect();
+    let ends = |from: usize| Run { text, tokens: tokens.get(from..).unwrap_or_default() }.whole();
+    let from = (0..tokens.len()).find(|from| ends(*from))?;
+    Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
 }
 
-/// The words at the end of what was read.
-#[derive(Default)]
-struct Run {
-    start: u32,
-    end: u32,
-    words: usize,
-    /// N, G, M or an axis is among them.
-    telling: bool,
-    /// An address still wants its parameter, a parameter its value.
-    open: bool,
+/// What may be words up to the end of a comment.
+struct Run<'t> {
+    text: &'t str,
+    tokens: &'t [Token],
 }
 
-impl Run {
-    fn take(&mut self, text: &str, token: Token) {
-        let byte = |at: u32| text.as_bytes().get(at as usize).copied().unwrap_or(b' ');
-        let letter = byte(token.start).to_ascii_uppercase();
-        let apart = token.start == 0 || matches!(byte(token.start - 1), b' ' | b'\t' | b'"');
-        let follows = self.words > 0 && self.end == token.start;
-        let begins = !self.open && (apart || follows);
-        let addressed = matches!(token.kind, Kind::Word | Kind::Letter | Kind::SignedLetter);
-        if addressed && begins && Address::from_byte(letter).is_some() {
-            self.word(token, is_telling(letter));
-            self.open = token.kind != Kind::Word;
-        } else if token.kind == Kind::Parameter && begins {
-            self.word(token, false);
-            self.open = true;
-        } else if matches!(token.kind, Kind::Parameter | Kind::Number) && self.open {
-            self.open = false;
-            self.end = token.end;
-        } else if (token.kind == Kind::Equals && self.open) || (token.kind == Kind::Skip && self.words > 0) {
-            self.end = token.end;
-        } else {
-            *self = Self::default();
+impl Run<'_> {
+    /// Whether it is nothing but words, and enough of them.
+    fn whole(mut self) -> bool {
+        let (mut words, mut telling) = (0, false);
+        let mut end = None;
+        while let Some(&first) = self.tokens.first() {
+            if words > 0 && matches!(first.kind, Kind::Skip | Kind::End) {
+                self.next();
+                continue;
+            }
+            if end != Some(first.start) && !self.is_apart(first) {
+                return false;
+            }
+            let Some(last) = self.word() else { return false };
+            words += 1;
+            telling |= is_telling(self.letter(first));
+            end = Some(last.end);
         }
+        words >= LEAST && telling
     }
 
-    fn word(&mut self, token: Token, telling: bool) {
-        if self.words == 0 {
-            self.start = token.start;
+    /// Takes one word; gives its last token.
+    fn word(&mut self) -> Option<Token> {
+        let first = self.next()?;
+        if first.kind == Kind::Parameter {
+            // `R5=3`, `R5=-R3`
+            self.next().filter(|token| token.kind == Kind::Equals)?;
+            let value = self.next()?;
+            let value = if value.kind == Kind::Sign { self.next()? } else { value };
+            return matches!(value.kind, Kind::Number | Kind::Parameter).then_some(value);
         }
-        self.words += 1;
-        self.telling |= telling;
-        self.end = token.end;
+        Address::from_byte(self.letter(first))?;
+        if first.kind == Kind::Word {
+            return Some(first);
+        }
+        // `XR5`
+        let address = matches!(first.kind, Kind::Letter | Kind::SignedLetter);
+        self.next().filter(|token| address && token.kind == Kind::Parameter)
+    }
+
+    fn next(&mut self) -> Option<Token> {
+        let (first, rest) = self.tokens.split_first()?;
+        self.tokens = rest;
+        Some(*first)
+    }
+
+    fn letter(&self, token: Token) -> u8 {
+        self.text.as_bytes().get(token.start as usize).copied().unwrap_or(b' ').to_ascii_uppercase()
+    }
+
+    /// Whether a blank or the border of the comment is before it.
+    fn is_apart(&self, token: Token) -> bool {
+        let before = (token.start as usize).checked_sub(1).and_then(|before| self.text.as_bytes().get(before));
+        before.is_none_or(|byte| matches!(byte, b' ' | b'\t' | b'"'))
     }
 }
 

@@ -47,9 +47,10 @@ pub enum Kind {
     /// An address other than R with something like a number: `X1,5`, `X1O0`, `X--5`, `Xl0`, `X.`.
     #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[Ool])[+\-.,0-9Oo]*", priority = 20)]
     LooseWord,
-    /// A dimensional address with a number as programs print it: `X1.5E-05`, `XNaN`, `X-inf`; `FMAX`.
+    /// An address with a number as programs print it, `X1.5E-05`, `S1.2E+03`, a dimensional one also `XNaN`, `X-inf`;
+    /// `FMAX`.
     #[regex(
-        r"[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?(([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn]|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])",
+        r"[A-QS-Za-qs-z&%][ \t]*[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])",
         priority = 25
     )]
     PrintedWord,
@@ -58,7 +59,7 @@ pub enum Kind {
     LooseParameter,
     /// Something like a number without an address: `1,5`, `--5`, `1.5E-05`.
     #[regex(
-        r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn]|[Ii][Nn][Ff])",
+        r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff])",
         priority = 10
     )]
     LooseNumber,
@@ -76,7 +77,7 @@ pub enum Kind {
     NamedValue,
     /// A variable of other controls, with its value or without: `#50=0`.
     #[regex(
-        r#"#([0-9]+|<[A-Za-z0-9_]*>|\[[^\]\r\n"]*\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#,
+        r#"#([0-9]+|<[A-Za-z0-9_]*>|\[[^\]\r\n"]{0,80}\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#,
         priority = 30
     )]
     Variable,
@@ -89,11 +90,11 @@ pub enum Kind {
     #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", priority = 40)]
     TypographicComment,
     /// A word with characters in it that the control does not know: `X#1`, `X−5`, `X[R1+5]`, `X(5)`.
-    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[[^\]"\r\n]*\]|\([^)"\r\n]*\))|%_[A-Za-z0-9_]*"#, priority = 15)]
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[[^\]"\r\n]{0,80}\]|\([^)"\r\n]{0,80}\))|%_[A-Za-z0-9_]*"#, priority = 15)]
     GarbledWord,
     /// A comment as other controls write it.
     #[regex(
-        r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|`[^`\r\n]*`|(;[ \t]*([A-Za-zÀ-ž][A-Za-zÀ-ž]|[0-9=*+\-])|(#|//)[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#,
+        r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|`[^`\r\n]*`|(;[ \t]*[A-Za-zÀ-ž0-9=*+\-]|#[ \t]*[A-Za-zÀ-ž]|//[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#,
         priority = 40,
         allow_greedy = true
     )]
@@ -159,6 +160,8 @@ impl Iterator for Tokens<'_> {
             self.text_token(token)
         } else if kind == Kind::Skip {
             self.skip_token(token)
+        } else if kind == Kind::ForeignComment {
+            self.comment_token(token)
         } else {
             token
         })
@@ -172,15 +175,32 @@ impl Tokens<'_> {
         if token.end != token.start + 1 || bytes.get(token.end as usize) != Some(&b'/') {
             return token;
         }
-        let before = bytes.get(..token.start as usize).unwrap_or_default();
-        let line = before.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
-        if !matches!(line, None | Some(b'\n' | b'\r')) {
+        if !self.begins_line(token.start) {
             return token;
         }
         let rest = bytes.get(token.end as usize..).unwrap_or_default();
         let end = token.end + offset(rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count());
         self.restart(end);
         Token { kind: Kind::ForeignComment, end, ..token }
+    }
+
+    /// `;` between words and a block number may be the border of two blocks: what follows it stays in the program.
+    fn comment_token(&mut self, token: Token) -> Token {
+        let text = self.text.get(token.span().range()).unwrap_or_default();
+        let inner = text.strip_prefix(';').map(|inner| inner.trim_start_matches([' ', '\t']).as_bytes());
+        if !matches!(inner, Some([b'N' | b'n', b'0'..=b'9', ..])) || self.begins_line(token.start) {
+            return token;
+        }
+        let end = token.start + 1;
+        self.restart(end);
+        Token { kind: Kind::Unknown, end, ..token }
+    }
+
+    /// Whether nothing but blanks is before `at` in its line.
+    fn begins_line(&self, at: u32) -> bool {
+        let before = self.text.as_bytes().get(..at as usize).unwrap_or_default();
+        let before = before.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
+        matches!(before, None | Some(b'\n' | b'\r'))
     }
 
     /// A run of letters is text, but its last letter may be the address of a word (`XYZ5`), and letters O after the first

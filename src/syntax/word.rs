@@ -52,7 +52,9 @@ impl Word {
     /// A word without a value.
     pub fn bare(address: Address, span: Span) -> Self {
         let length = u16::try_from(span.len()).unwrap_or(LONG).min(LONG);
-        Self { start: span.start, raw: 0, flags: VOID | length << LENGTH, address, index: 0 }
+        // An R word assigns no parameter until it is said which.
+        let index = if address == Address::R { u8::MAX } else { 0 };
+        Self { start: span.start, raw: 0, flags: VOID | length << LENGTH, address, index }
     }
 
     /// A word with a number.
@@ -172,7 +174,7 @@ impl Word {
         self.number().and_then(Decimal::as_whole)
     }
 
-    /// The parameter that an R word assigns; of other words nothing.
+    /// The parameter that an R word assigns, above 95 when that cannot be read; of other words nothing.
     pub const fn target(self) -> u8 {
         self.index
     }

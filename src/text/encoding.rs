@@ -29,7 +29,7 @@ pub enum Encoding {
 
 /// So many bytes are looked at for UTF-16 without a byte-order mark.
 const HEAD: usize = 256;
-/// So many characters the first line must have for that.
+/// So many characters the first lines must have for that.
 const LEAST: usize = 4;
 
 /// The upper half of Kamenický's code page: 0x80–0xAF its own, the rest as in code page 437.
@@ -89,7 +89,7 @@ impl Encoding {
         }
     }
 
-    /// UTF-16, when the bytes begin with its byte-order mark, or nearly every second byte of the first line is zero
+    /// UTF-16, when the bytes begin with its byte-order mark, or nearly every second byte of the first lines is zero
     /// (LEX-13).
     pub(super) fn utf16(bytes: &[u8]) -> Option<Self> {
         match bytes {
@@ -99,10 +99,10 @@ impl Encoding {
         }
         let head = bytes.get(..HEAD).unwrap_or(bytes);
         let line_end = |pair: &[u8]| matches!(pair, [0, b'\n' | b'\r'] | [b'\n' | b'\r', 0]);
-        let line = || head.chunks_exact(2).take_while(|pair| !line_end(pair));
-        let count = line().count();
-        let low = line().filter(|pair| matches!(pair, [0, other] if *other != 0)).count();
-        let high = line().filter(|pair| matches!(pair, [other, 0] if *other != 0)).count();
+        let characters = || head.chunks_exact(2).filter(|pair| !line_end(pair));
+        let count = characters().count();
+        let low = characters().filter(|pair| matches!(pair, [0, other] if *other != 0)).count();
+        let high = characters().filter(|pair| matches!(pair, [other, 0] if *other != 0)).count();
         let nearly = |zeros: usize| count >= LEAST && zeros * 4 >= count * 3;
         match (nearly(high), nearly(low)) {
             (true, _) => Some(Self::Utf16Le),
@@ -131,11 +131,11 @@ mod tests {
         }
     }
 
-    /// LEX-13: UTF-16 is told by its mark, or by the zeros of its first line.
+    /// LEX-13: UTF-16 is told by its mark, or by the zeros of its first lines.
     #[test]
     fn utf16() {
         let units = |text: &str, swap: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(swap).collect::<Vec<u8>>();
-        for text in ["\u{feff}%1", "%1 \"příruba\"\r\nN10 X5", "%123\n"] {
+        for text in ["\u{feff}%1", "%1 \"příruba\"\r\nN10 X5", "%123\n", "%1\r\nN1 X1\r\nN2 M30\r\n"] {
             assert_eq!(Encoding::utf16(&units(text, u16::to_le_bytes)), Some(Encoding::Utf16Le), "{text}");
             assert_eq!(Encoding::utf16(&units(text, u16::to_be_bytes)), Some(Encoding::Utf16Be), "{text}");
         }

@@ -40,6 +40,11 @@ impl Swept {
         Micro::from_f64(self.sweep * 180.0 / std::f64::consts::PI)
     }
 
+    /// The angle it turns through, in radians, positive.
+    pub const fn sweep(&self) -> f64 {
+        self.sweep
+    }
+
     /// How long it is, in mm.
     pub fn path(&self) -> f64 {
         self.radius * self.sweep

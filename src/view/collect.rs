@@ -6,7 +6,11 @@ use std::sync::Arc;
 use serde_json::{Map, Value, json};
 
 use super::pack::{About, pack};
+use super::picture::{Besides, Chain, Still, as_png, as_svg};
 use super::rows::{Part, Rows};
+use super::times::Times;
+use crate::analysis::equidistant::Equidistant;
+use crate::analysis::motion::{Model, Planner, StepReader};
 use crate::config::Settings;
 use crate::diag::{Findings, Report, Severity};
 use crate::dict::Lang;
@@ -16,7 +20,13 @@ use crate::text::{FileId, SourceText};
 /// The picture of a program, as far as it was executed.
 #[derive(Debug)]
 pub struct View {
-    pub(super) rows: Rows,
+    rows: Rows,
+    reader: StepReader,
+    planner: Planner,
+    times: Times,
+    equidistant: Equidistant,
+    /// Whether nothing of the machine's motion is configured.
+    assumed: bool,
     program: Map<String, Value>,
     blocks: u64,
     whole: bool,
@@ -25,8 +35,18 @@ pub struct View {
 impl View {
     /// Nothing yet, of a program for that machine.
     pub fn new(settings: &Settings, part: Part) -> Self {
-        let letters = settings.machine.axes.iter().map(|axis| axis.letter).collect();
-        Self { rows: Rows::new(letters, part), program: program(settings), blocks: 0, whole: false }
+        let model = Model::of(settings);
+        Self {
+            rows: Rows::new(&settings.machine.axes, part),
+            reader: StepReader::new(settings),
+            times: Times::new(part.from, [model.accel, model.accel_rapid]),
+            planner: Planner::new(model, false),
+            equidistant: Equidistant::new(settings, true),
+            assumed: !settings.machine.motion.configured,
+            program: program(settings),
+            blocks: 0,
+            whole: false,
+        }
     }
 
     /// Collects executed blocks into it.
@@ -39,6 +59,7 @@ impl View {
         if let Some(source) = program {
             self.rows.files.add_text(source);
         }
+        self.planner.finish(&mut self.times);
         self.program.insert("name".to_owned(), json!(name));
         self.blocks = executed;
     }
@@ -46,15 +67,59 @@ impl View {
     /// The data of the page: a deflated stream.
     pub fn data(&self, report: &Report) -> Vec<u8> {
         let findings = self.findings(report);
+        let (time_s, unknown) = self.times.total();
         let about = About {
             program: self.program.clone(),
-            motion: None,
+            motion: [json!({ "assumed": self.assumed }), json!({ "time_s": time_s, "lower_bound": unknown })],
             blocks: self.blocks,
             whole: self.whole,
             findings,
-            equidistant: None,
+            equidistant: self.equidistant_json(),
         };
-        pack(&self.rows, about)
+        pack(&self.rows, &self.times, about)
+    }
+
+    /// A still picture as SVG.
+    pub fn svg(&self, still: Still) -> String {
+        as_svg(&self.rows, still, &self.besides())
+    }
+
+    /// A still picture as PNG. `None`: there is not enough memory for one of that size.
+    pub fn png(&self, still: Still) -> Option<Vec<u8>> {
+        as_png(&self.rows, still, &self.besides())
+    }
+
+    fn besides(&self) -> Besides {
+        let of = |name: &str| self.program.get(name).and_then(Value::as_str).unwrap_or_default();
+        Besides {
+            title: [of("name"), of("title")].join(" ").trim_end().to_owned(),
+            dots: self.times.dots(&self.rows),
+            equidistant: self.chains().collect(),
+        }
+    }
+
+    /// The pieces of the equidistant that belong to executed blocks in the picture.
+    fn chains(&self) -> impl Iterator<Item = Chain> + '_ {
+        let Part { from, blocks } = self.rows.part;
+        let inside = move |seq: u64| seq >= from && blocks.is_none_or(|blocks| seq < blocks);
+        let pieces = self.equidistant.pieces().iter().filter(move |piece| inside(piece.seq));
+        pieces.map(|piece| Chain { seq: piece.seq, points: piece.points.clone(), collides: piece.collides })
+    }
+
+    fn equidistant_json(&self) -> Option<Value> {
+        let rounded = |value: f64| (value * 10_000.0).round() / 10_000.0;
+        let pieces: Vec<Value> = self
+            .chains()
+            .map(|chain| {
+                let points: Vec<f64> = chain.points.iter().flatten().map(|value| rounded(*value)).collect();
+                if chain.collides {
+                    json!({ "seq": chain.seq, "points": points, "bad": true })
+                } else {
+                    json!({ "seq": chain.seq, "points": points })
+                }
+            })
+            .collect();
+        (!pieces.is_empty()).then(|| json!({ "pieces": pieces }))
     }
 
     fn findings(&self, report: &Report) -> Vec<Value> {
@@ -121,12 +186,18 @@ impl Sink for Collect<'_> {
         }
     }
 
-    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
-        self.view.rows.add(block);
+    fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
+        let View { rows, reader, planner, times, equidistant, .. } = &mut *self.view;
+        rows.add(block);
+        let step = reader.read(block);
+        times.expect(step.motion.map_or(0.0, |motion| motion.dynamics.accel));
+        planner.push(&step, times);
+        equidistant.read(block, findings);
         ControlFlow::Continue(())
     }
 
-    fn end(self, _: End, _: &mut Findings) {
+    fn end(self, _: End, findings: &mut Findings) {
+        self.view.equidistant.finish(findings);
         self.view.whole = true;
     }
 }

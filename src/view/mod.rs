@@ -3,8 +3,11 @@
 //! | stage | from | to | by |
 //! |---|---|---|---|
 //! | collect | executed blocks | rows: each execution once, however often it is repeated | `rows`, with `parts`, `shapes`, `positions`, `arcs`, `calls`, `files` |
+//! | plan | executed blocks | velocities, joints, times | `analysis::motion`, read by `times` |
 //! | take apart | texts | skeletons and what cannot be foretold | `text` |
-//! | pack | rows | columns of whole numbers, deflated | `pack`, with `column`, `tally`, `container` |
+//! | pack | rows | columns of whole numbers, deflated | `pack`, with `column`, `tally`, `container`; `page` puts them into HTML |
+//! | lay out | rows | a still picture: lines, dots, texts | `picture`, with `lines`, `projection`, `display` |
+//! | write | a still picture | SVG, PNG | `svg`; `png` with `glyphs` |
 //!
 //! `web/src/data` reads what is packed here; `docs/reference/page-data.md` describes it.
 
@@ -13,17 +16,28 @@ mod calls;
 mod collect;
 mod column;
 mod container;
+mod display;
 mod files;
+mod glyphs;
+mod lines;
 mod pack;
 mod page;
 mod parts;
+mod picture;
+mod png;
 mod positions;
+mod projection;
 mod rows;
 mod shapes;
+mod svg;
 mod tally;
+mod tangents;
 mod text;
+mod times;
 
 pub use collect::{Collect, View};
 pub use pack::SCHEMA;
 pub use page::page;
+pub use picture::Still;
+pub use projection::Plane;
 pub use rows::Part;

@@ -5,17 +5,18 @@ use serde_json::{Map, Value, json};
 use super::container::Container;
 use super::rows::Rows;
 use super::text::Text;
+use super::times::Times;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.path/1";
 
 /// What the header of a page says besides its rows.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct About {
     /// The program record of the stream.
     pub program: Map<String, Value>,
-    /// The records `machine` and `total` of the motion stream.
-    pub motion: Option<[Value; 2]>,
+    /// What the page shows of the records `machine` and `total` of the motion stream.
+    pub motion: [Value; 2],
     /// Blocks executed of the whole program.
     pub blocks: u64,
     /// Whether the program ended with M02 or M30, without errors.
@@ -25,10 +26,10 @@ pub(super) struct About {
 }
 
 /// Packs rows and texts.
-pub(super) fn pack(rows: &Rows, about: About) -> Vec<u8> {
+pub(super) fn pack(rows: &Rows, times: &Times, about: About) -> Vec<u8> {
     let mut container = Container::default();
     let mut per = Map::new();
-    let (text, positions) = rayon::join(|| Text::of(rows), || positions(rows));
+    let (text, (positions, times)) = rayon::join(|| Text::of(rows), || (positions(rows), times.pack(rows)));
     let named = |name: &'static str, column| (name.to_owned(), column);
     let mut columns = vec![
         named("row.block", &rows.block),
@@ -70,6 +71,7 @@ pub(super) fn pack(rows: &Rows, about: About) -> Vec<u8> {
         }
         columns.push((format!("text.{letter}"), column));
     }
+    columns.extend(times.columns.iter().map(|(name, column)| (name.clone(), column)));
     container.add_all(columns);
     let files: Vec<Value> = rows
         .files
@@ -82,10 +84,9 @@ pub(super) fn pack(rows: &Rows, about: About) -> Vec<u8> {
     put("schema", json!(SCHEMA));
     put("generator", json!(concat!("cnc872c ", env!("CARGO_PKG_VERSION"))));
     put("program", Value::Object(about.program));
-    if let Some([machine, total]) = about.motion {
-        put("machine", machine);
-        put("total", total);
-    }
+    let [machine, total] = about.motion;
+    put("machine", machine);
+    put("total", total);
     put("files", Value::Array(files));
     put("blocks", json!(about.blocks));
     put("from", json!(rows.part.from));
@@ -95,7 +96,9 @@ pub(super) fn pack(rows: &Rows, about: About) -> Vec<u8> {
     put("extras", Value::Array(rows.extras.values().to_vec()));
     put("shapes", Value::Array(rows.shapes.values().to_vec()));
     put("calls", Value::Array(rows.contexts.called().to_vec()));
-    put("codes", json!([]));
+    put("codes", Value::Array(times.codes));
+    put("accels", json!(times.accels));
+    put("start_s", json!(times.start_s));
     put("skeletons", json!(text.skeletons));
     put("foretold", Value::Object(foretold));
     put("per", Value::Object(per));

@@ -104,6 +104,14 @@ impl StateKey {
     }
 }
 
+impl StateKey {
+    /// Whether F counts hundredths (M37), where it counts per minute.
+    pub fn fed(&self) -> Option<bool> {
+        let (unit, hundredth) = self.unit?;
+        matches!(unit, FeedUnit::MmPerMinute | FeedUnit::DegPerMinute).then_some(hundredth)
+    }
+}
+
 /// The parts of a record.
 pub(super) struct Parts {
     /// What is in force.

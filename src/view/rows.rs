@@ -13,6 +13,7 @@ use super::parts::{Interned, StateKey, parts};
 use super::positions::{Known, Positions};
 use super::shapes::{ArcAxes, LengthUnit, ShapeKey};
 use super::tally::Tally;
+use crate::config::Axes;
 use crate::dict::{Address, AxisLetter, Micro};
 use crate::run::{Executed, Length, Motion};
 use crate::stream::SingleRecord;
@@ -34,8 +35,12 @@ pub struct Part {
 pub(super) struct Rows {
     pub part: Part,
     pub letters: Vec<AxisLetter>,
+    /// Places of the first three linear axes.
+    linear: Vec<usize>,
     pub files: Files,
     pub states: Interned<StateKey>,
+    /// By index in `states`: whether F counts hundredths, where it counts per minute.
+    states_fed: Vec<Option<bool>>,
     pub extras: Interned<String>,
     pub shapes: Interned<ShapeKey>,
     /// By index in `shapes`.
@@ -71,11 +76,15 @@ pub(super) struct Rows {
 
 impl Rows {
     /// For a machine with these axes.
-    pub fn new(letters: Vec<AxisLetter>, part: Part) -> Self {
+    pub fn new(axes: &Axes, part: Part) -> Self {
+        let letters: Vec<AxisLetter> = axes.iter().map(|axis| axis.letter).collect();
+        let linear = axes.iter().enumerate().filter(|(_, axis)| !axis.rotary).map(|(place, _)| place).take(3).collect();
         let mut rows = Self {
             part,
+            linear,
             files: Files::default(),
             states: Interned::default(),
+            states_fed: Vec::new(),
             extras: Interned::default(),
             shapes: Interned::default(),
             shape_keys: Vec::new(),
@@ -111,6 +120,54 @@ impl Rows {
         let at = |tally: &Tally| place.and_then(|place| tally.get(place)).unwrap_or_default();
         let [first, second] = &self.arcs;
         [at(first), at(second)]
+    }
+
+    /// The row of an executed block.
+    pub fn row(&self, index: usize) -> Option<usize> {
+        self.row_of.get(index).and_then(|row| usize::try_from(row).ok())
+    }
+
+    /// The row whose positions are those before a row.
+    pub fn row_before(&self, row: usize) -> usize {
+        let back = self.before.get(row).and_then(|back| usize::try_from(back).ok()).unwrap_or_default();
+        row.saturating_sub(1).saturating_sub(back)
+    }
+
+    pub fn shape_of(&self, row: usize) -> Option<&ShapeKey> {
+        let shape = usize::try_from(self.shape.get(row)?).ok()?;
+        self.shape_keys.get(shape)
+    }
+
+    /// The angle that the arc of a row turns through, in radians, positive; `None` where it has none.
+    pub fn sweep(&self, row: usize) -> Option<f64> {
+        let shape = self.shape_of(row)?;
+        let (arc, kind) = shape.arc.zip(shape.kind)?;
+        let before = self.row_before(row);
+        let [to_u, to_v] = self.to_center(row);
+        let at = |row: usize| [self.positions.get(arc.first, row), self.positions.get(arc.second, row)];
+        let [start_u, start_v] = at(before);
+        Some(arcs::sweep([start_u, start_v], at(row), [start_u.plus(to_u), start_v.plus(to_v)], kind).sweep())
+    }
+
+    /// F of a row as ten-thousandths of a mm/min or deg/min, M37 counted; `None` where it counts per revolution, or is
+    /// not known.
+    pub fn fed(&self, row: usize) -> Option<i64> {
+        let state = self.state.get(row).and_then(|state| usize::try_from(state).ok());
+        let hundredth = state.and_then(|state| self.states_fed.get(state).copied().flatten())?;
+        let feed = self.feed.get(row)? * 10;
+        Some(if hundredth { (feed + 50).div_euclid(100) } else { feed })
+    }
+
+    /// Places of the first three linear axes among all.
+    pub fn linear(&self) -> impl Iterator<Item = usize> {
+        self.linear.iter().copied()
+    }
+
+    /// The number of the block of a row.
+    pub fn n(&self, row: usize) -> u32 {
+        let block = self.block.get(row).and_then(|block| usize::try_from(block).ok());
+        let n = block.and_then(|block| self.files.n.get(block));
+        n.and_then(|n| u32::try_from(n).ok()).unwrap_or_default()
     }
 
     /// How many executed blocks it holds.
@@ -272,8 +329,12 @@ impl Rows {
     }
 
     fn state(&mut self, block: &Executed<'_>) -> u32 {
-        let Self { states, records, .. } = self;
-        states.get(StateKey::of(block), || Value::Object(parts(records.of(block)).state))
+        let Self { states, states_fed, records, .. } = self;
+        let key = StateKey::of(block);
+        states.get(key, || {
+            states_fed.push(key.fed());
+            Value::Object(parts(records.of(block)).state)
+        })
     }
 
     fn shape(&mut self, key: ShapeKey, block: &Executed<'_>) -> u32 {
@@ -369,7 +430,8 @@ impl Rows {
         found
     }
 
-    fn place(&self, letter: AxisLetter) -> Option<usize> {
+    /// The place of an axis among all.
+    pub fn place(&self, letter: AxisLetter) -> Option<usize> {
         self.letters.iter().position(|known| *known == letter)
     }
 

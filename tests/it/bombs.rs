@@ -107,7 +107,7 @@ fn nested_repeats() {
         let run = bounded(&place, &["check", "a.nc", "--max-blocks", "100000", "--format", "json"]).ends(1);
         assert!(codes(&run).contains(&"E0410".to_owned()), "{run:?}");
         let run = bounded(&place, &["compile", "a.nc", "-o", "out", "--max-blocks", "100000"]).ends(1);
-        assert!(run.stderr.contains("more than 100000 blocks"), "{run:?}");
+        assert!(run.stderr.contains("more than 100,000 blocks"), "{run:?}");
         assert_eq!(place.read("out"), b"old");
         assert_eq!(place.list().len(), 4);
     }
@@ -264,7 +264,11 @@ fn a_million_findings_in_many_programs() {
     let summary = &json["summary"];
     let counts = [&summary["files"], &summary["errors"], &summary["warnings"], &summary["by_code"]["E0306"]];
     assert_eq!(counts, [&15.into(), &15_000.into(), &0.into(), &Value::from(15_000)]);
-    assert_eq!(summary["not_executed"].as_array().unwrap().len(), 15);
+    assert_eq!(
+        summary["not_executed"].as_array().unwrap().len(),
+        0,
+        "wrong words do not keep a program from being executed"
+    );
 }
 
 /// All the macrocycles that there can be: each called by the program, checked as a folder, and called by one another.
@@ -311,7 +315,6 @@ fn many_files_of_one_macrocycle() {
 }
 
 /// Elements in elements, attributes, entities that multiply: read, or refused at their place.
-#[ignore = "expects the first edition of the specification"]
 #[test]
 fn deep_and_wide_xml() {
     let function = "<MFunctions><MFunc No='77' GroupNo='5'/></MFunctions>";
@@ -325,14 +328,19 @@ fn deep_and_wide_xml() {
         (format!("<a {}/>", (0..100_000).map(|n| format!("a{n}='' ")).collect::<String>()), Some("E0701")),
         (format!("<!DOCTYPE a [<!ENTITY l0 'ha'>{laughs}]><a>&l9;</a>"), Some("E0701")),
         (format!("<a b='{}'>{function}</a>", "x".repeat(10_000_000)), None),
-        (format!("<a><{}/></a>", "n".repeat(10_000_000)), None),
+        (format!("<a><{}/></a>", "n".repeat(10_000_000)), Some("W0708")),
         (format!("<a><MFunctions><MFunc No='{}'/></MFunctions></a>", "9".repeat(10_000_000)), Some("E0702")),
     ];
     for (document, code) in documents {
         let begin: String = document.chars().take(60).collect();
         let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("c.xml", document.as_bytes())]);
         let run = bounded(&place, &["check", "a.nc", "--channel-config", "c.xml"]);
-        assert_eq!(run.code, Some(if code.is_some() { 2 } else { 0 }), "{begin}: {:.500}", run.stdout);
+        assert_eq!(
+            run.code,
+            Some(if code.is_some_and(|code| code.starts_with('E')) { 2 } else { 0 }),
+            "{begin}: {:.500}",
+            run.stdout
+        );
         let details = code.map_or("no errors".to_owned(), |code| format!("\ndetails: cnc872c explain {code}\n"));
         assert!(run.stdout.contains(&details), "{begin}: {:.500}", run.stdout);
         let longest = run.stdout.lines().map(|line| line.chars().count()).max().unwrap();
@@ -414,7 +422,7 @@ fn huge_numbers() {
 fn huge_counts_that_computation_makes() {
     let folder = Place::with(&[
         ("cnc872c.toml", b"[operations]\n\"03\" = \"mul\"\n[limits]\nrecords = 9223372036854775807\n"),
-        ("a.nc", b"%1\nN10 R1=69999 R2=69999\nN20 G26 R5=4010302\nN30 G0 G90 XR4\nN40 M30\n"),
+        ("a.nc", b"%1\nN10 R1=69999 R2=69999\nN20 G26 R5=3010204\nN30 G0 G90 XR4\nN40 M30\n"),
     ]);
     let run = bounded(&folder, &["check", "a.nc", "--format", "json"]).ends(1);
     assert!(codes(&run).iter().all(|code| ["E0509", "E0507", "E0510", "E0508"].contains(&code.as_str())), "{run:?}");
@@ -471,4 +479,16 @@ fn a_loop_of_long_comments() {
         let run = bounded(&place, &["compile", "a.nc", "-o", "/dev/null"]).ends(0);
         assert!(run.stderr.len() < 1000, "{run:?}");
     }
+}
+
+/// Signals of the PLC are written as they come, in every form: no steps are kept.
+#[test]
+fn signals_of_a_long_loop() {
+    let program =
+        "%1\nN10 G0 G90 X0 Y0 S99\nN20 G91 X0.1 M3 T1\nN30 Y0.2 M5 H2\nN40 G73 L20 Q9999\nN50 G73 L20 Q9\nN60 M30\n";
+    let place = Place::with(&[("a.nc", program.as_bytes())]);
+    for format in ["table", "json", "csv", "vcd"] {
+        bounded(&place, &["plc", "a.nc", "--compat", "--format", format, "-o", "/dev/null"]).ends(0);
+    }
+    bounded(&place, &["plc", "a.nc", "--find", "PB05 == 02h", "-o", "/dev/null"]).ends(0);
 }

@@ -221,10 +221,27 @@ fn an_unknown_name_gets_the_nearest_one() {
     let place = Place::with(&[]);
     place.run(&["explain", "duplicate-adress"]).ends(2).says("perhaps duplicate-address is meant");
     place.run(&["explain", "W0306"]).ends(2).says("perhaps E0306 is meant");
-    place.run(&["explain", "G28.1"]).ends(2).says("no such diagnostic, function or address");
+    place.run(&["explain", "G28.1"]).ends(2).says("no such diagnostic, function, address, key or signal");
     place.run(&["explain", "G21"]).ends(2).says("always in millimetres");
+    place.run(&["explain", "qwertz"]).ends(2).says("no page has the word");
     let both = place.run(&["explain", "nonsense", "G04"]).ends(2);
     assert!(both.stdout.contains("dwell") && both.stderr.contains("nonsense"), "{both:?}");
+}
+
+/// A word that names nothing lists the pages that have it; a key may have the name of a function.
+#[test]
+fn words_and_keys_are_explained() {
+    let place = Place::with(&[]);
+    let run = place.run(&["explain", "posuv", "--lang", "cs"]).ends(0);
+    assert!(run.stdout.starts_with("Stránky, kde je „posuv“:\n  G94 "), "{run:?}");
+    let run = place.run(&["explain", "radius"]).ends(0);
+    assert!(run.stdout.contains("\n  G41 ") && run.stdout.contains("\n  E0603 "), "{run:?}");
+    let run = place.run(&["explain", "g97"]).ends(0);
+    assert!(run.stdout.starts_with("G97: ") && run.stdout.contains("\ng97: "), "{run:?}");
+    let run = place.run(&["explain", "limits.feed"]).ends(0);
+    assert!(run.stdout.contains("[limits]\n    feed = 99999"), "{run:?}");
+    let table = place.run(&["explain", "W0113"]).ends(0);
+    assert!(!table.stdout.contains('|'), "{table:?}");
 }
 
 #[test]

@@ -174,10 +174,10 @@ fn a_pipe_that_is_named_is_read() {
 }
 
 #[test]
-fn a_closed_pipe_is_no_error() {
+fn a_closed_pipe_leaves_the_status() {
     let place = Place::with(&[("bad.nc", BAD.as_bytes())]);
     for format in ["human", "short", "json", "sarif", "github"] {
-        let run = place.run_into(&["check", "bad.nc", "--format", format], closed_pipe()).ends(0);
+        let run = place.run_into(&["check", "bad.nc", "--format", format], closed_pipe()).ends(1);
         assert_eq!(run.stderr, "", "{format}");
     }
 }

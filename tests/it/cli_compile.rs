@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::cli::{BAD, GOOD, Place, closed_pipe};
+use crate::cli::{BAD, GOOD, Place, Run, closed_pipe};
 
 #[test]
 fn the_output_must_be_a_place_for_a_file() {
@@ -16,18 +16,18 @@ fn the_output_must_be_a_place_for_a_file() {
 #[test]
 fn the_program_is_not_overwritten() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
-    place.run(&["compile", "a.nc", "-o", "a.nc"]).ends(2).says("the program itself");
+    place.run(&["compile", "a.nc", "-o", "a.nc"]).ends(2).says("what the stream is made from");
     place.run(&["compile", "./a.nc", "-o", "a.nc"]).ends(2);
     #[cfg(unix)]
     {
         std::os::unix::fs::symlink("a.nc", place.path("link")).unwrap();
-        place.run(&["compile", "a.nc", "-o", "link"]).ends(2).says("the program itself");
+        place.run(&["compile", "a.nc", "-o", "link"]).ends(2).says("what the stream is made from");
     }
     assert_eq!(place.read("a.nc"), GOOD.as_bytes());
     let macrocycle = "N1 G79 L5\nN2 G70\n";
     place.put("L5", macrocycle);
     place.put("b.nc", "%1\nN10 G72 L5\nN20 M30\n");
-    place.run(&["compile", "b.nc", "-o", "L5"]).ends(2).says("a macrocycle of it");
+    place.run(&["compile", "b.nc", "-o", "L5"]).ends(2).says("what the stream is made from");
     assert_eq!(place.read("L5"), macrocycle.as_bytes());
 }
 
@@ -152,4 +152,83 @@ fn a_pipe_is_written_to_directly() {
     let reader = std::thread::spawn(move || fs::read(pipe).unwrap());
     place.run(&["compile", "a.nc", "-o", "pipe"]).ends(0);
     assert_eq!(reader.join().unwrap(), place.run(&["compile", "a.nc"]).stdout.as_bytes());
+}
+
+/// command-line.md: -o never replaces what the run has read.
+#[test]
+fn what_was_read_is_not_overwritten() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("cnc872c.toml", b"# ours\n"), ("my.toml", b"# mine\n")]);
+    place.put("ch.xml", "<ChannelConfig><MFunctions><MFunc No=\"60\"/></MFunctions></ChannelConfig>");
+    for line in [
+        &["-o", "cnc872c.toml"][..],
+        &["--config", "my.toml", "-o", "my.toml"],
+        &["--channel-config", "ch.xml", "-o", "ch.xml"],
+    ] {
+        let output = line[line.len() - 1];
+        let before = place.read(output);
+        place.run(&[&["compile", "a.nc"], line].concat()).ends(2).says("what the stream is made from");
+        assert_eq!(place.read(output), before, "{output}");
+    }
+    // A hard link is the same file by another name.
+    fs::hard_link(place.path("a.nc"), place.path("b.nc")).unwrap();
+    #[cfg(unix)]
+    place.run(&["compile", "a.nc", "-o", "b.nc"]).ends(2);
+    assert_eq!(place.list(), ["a.nc", "b.nc", "ch.xml", "cnc872c.toml", "my.toml"]);
+    place.run(&["compile", "a.nc", "-o", "other.toml"]).ends(0);
+}
+
+/// Files are told apart as files: names may be in an old code page.
+#[cfg(unix)]
+#[test]
+fn names_that_are_not_utf8() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+    let place = Place::with(&[]);
+    let folder = place.path("").join(OsStr::from_bytes(b"m\xff"));
+    fs::create_dir(&folder).unwrap();
+    let macrocycle = "N1 G79 L9001\nN2 G70\n";
+    fs::write(folder.join("L9001"), macrocycle).unwrap();
+    fs::write(folder.join("p.nc"), "%1\nN10 G72 L9001\nN20 M30\n").unwrap();
+    let mut command = place.command(&["compile"]);
+    command.arg(folder.join("p.nc")).arg("-o").arg(folder.join("L9001"));
+    assert_eq!(command.output().unwrap().status.code(), Some(2));
+    assert_eq!(fs::read_to_string(folder.join("L9001")).unwrap(), macrocycle);
+    // Two files of one text are two.
+    let bad = [&b"bad\xff.nc"[..], b"bad\xfe.nc"].map(|name| place.path("").join(OsStr::from_bytes(name)));
+    let mut command = place.command(&["check", "--format", "short"]);
+    for file in &bad {
+        fs::write(file, BAD).unwrap();
+        command.arg(file);
+    }
+    let run = Run::of(command.output().unwrap()).ends(1);
+    assert_eq!(run.stdout.matches("[E0306]").count(), 2, "{run:?}");
+    assert!(run.stdout.contains("bad\\xff.nc:2:") && run.stdout.contains("bad\\xfe.nc:2:"), "{run:?}");
+}
+
+/// Where the system gives no threads, one does the work: the stack that is asked for is more than there is.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_run_without_threads() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("b.nc", BAD.as_bytes())]);
+    let long: String = (2..60_000).map(|n| format!("N{n} X{n}\n")).collect();
+    place.put("c.nc", format!("%1\nN1 G0 G90 X0\n{long}N60000 M30\n"));
+    let alone = |arguments: &[&str]| {
+        Run::of(place.command(arguments).env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap())
+    };
+    let expected = place.run(&["compile", "c.nc"]).ends(0);
+    assert!(alone(&["compile", "c.nc"]).ends(0).stdout == expected.stdout);
+    assert!(alone(&["check", ".", "--format", "short"]).ends(1).stdout.contains("[E0306]"));
+}
+
+/// command-line.md: `-o` never replaces what the run has read, also when it came by standard input.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_file_behind_standard_input_is_kept() {
+    let place = Place::with(&[("p.nc", b"%1\nN1 G90 G0 X0\nN2 M30\n")]);
+    for command in ["compile", "motion", "plc", "view"] {
+        let input = fs::File::open(place.path("p.nc")).unwrap();
+        let output = place.command(&[command, "-", "-o", "p.nc"]).stdin(input).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{command}: {output:?}");
+        assert_eq!(place.read("p.nc"), b"%1\nN1 G90 G0 X0\nN2 M30\n", "{command}");
+    }
 }

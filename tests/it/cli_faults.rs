@@ -305,7 +305,9 @@ fn a_program_that_changes_while_it_is_read() {
         let runs: Vec<Run> = (0..20).map(|_| place.run(&["check", "a.nc", "--format", "json"])).collect();
         done.store(true, Ordering::Relaxed);
         for run in runs {
-            assert!(matches!(run.code, Some(0 | 1)) && run.stderr.is_empty(), "{run:?}");
+            // The finding is that of a file that is written to all the time.
+            assert!(matches!(run.code, Some(0..=2)) && run.stderr.is_empty(), "{run:?}");
+            assert!(run.code != Some(2) || run.stdout.contains("E0112"), "{run:?}");
             let json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
             assert_eq!(json["summary"]["files"], 1);
         }
@@ -316,7 +318,7 @@ fn a_program_that_changes_while_it_is_read() {
 fn readers_that_go_away() {
     let place = Place::with(&[("a.nc", b"%1\nN10 g0 G90 X0 X1\nN20 M30\n"), ("good.nc", GOOD.as_bytes())]);
     // The fix is made even when nobody reads what is left.
-    place.run_into(&["check", "--fix", "a.nc"], closed_pipe()).ends(0);
+    place.run_into(&["check", "--fix", "a.nc"], closed_pipe()).ends(1);
     assert_eq!(place.read("a.nc"), b"%1\nN10 G0 G90 X0 X1\nN20 M30\n");
     let status = place.command(&["compile", "a.nc"]).stdout(Stdio::null()).stderr(closed_pipe()).status().unwrap();
     assert_eq!(status.code(), Some(1), "the program has an error, whoever reads it");
@@ -331,16 +333,15 @@ fn readers_that_go_away() {
 }
 
 /// `compile … | head -1`, and the same of findings: the rest is not computed.
-#[ignore = "expects the first edition of the specification"]
 #[test]
 fn readers_that_go_away_in_the_middle() {
     let place = Place::with(&[("long.nc", LONG.as_bytes()), ("many.nc", b"")]);
     place.put("many.nc", "%1\n".to_owned() + &"N1 X1 X2\n".repeat(20_000));
-    for line in [
-        &["compile", "long.nc", "--max-blocks", "1000000000"][..],
-        &["check", "many.nc"],
-        &["check", "many.nc", "--format", "short"],
-        &["check", "many.nc", "--format", "github"],
+    for (line, status) in [
+        (&["compile", "long.nc", "--max-blocks", "1000000000"][..], 0),
+        (&["check", "many.nc", "--all"], 1),
+        (&["check", "many.nc", "--format", "short"], 1),
+        (&["check", "many.nc", "--format", "github"], 1),
     ] {
         let start = Instant::now();
         let mut child = place.command(line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -349,7 +350,7 @@ fn readers_that_go_away_in_the_middle() {
         output.read_line(&mut first).unwrap();
         assert!(first.ends_with('\n'), "{first}");
         drop(output);
-        let run = Run::of(child.wait_with_output().unwrap()).ends(0);
+        let run = Run::of(child.wait_with_output().unwrap()).ends(status);
         assert_eq!(run.stderr, "", "{line:?}");
         assert!(start.elapsed() < HANG);
     }

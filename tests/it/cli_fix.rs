@@ -72,6 +72,17 @@ fn a_folder_is_fixed_with_its_macrocycles() {
     assert_eq!(place.read("L5"), b"N1 G79 L5\nN2 G0 G90 X1\nN3 G70\n");
 }
 
+/// Words behind `;` stay out of the program; what may be a coordinate or a border of blocks is only offered.
+#[test]
+fn doubtful_changes_are_offered_only() {
+    let text = b"%1\nN10 G0 G90 X1 ;Y5\n; N15 X5\nN20 X2; N25 X3\nN30 G04 X500\nN35 G04 X0.5\nN40 S1.2E+03\nN50 M30\n";
+    let fixed =
+        b"%1\nN10 G0 G90 X1 \"Y5\"\n\"N15 X5\"\nN20 X2; N25 X3\nN30 G04 X500\nN35 G04 Q50\nN40 S1200\nN50 M30\n";
+    let place = Place::with(&[("a.nc", text)]);
+    place.run(&["check", "--fix", "a.nc"]).ends(1);
+    assert_eq!(place.read("a.nc"), fixed);
+}
+
 /// BLK-6: a `/` moves once, and only to a block that takes it.
 #[test]
 fn skips_move_once() {

@@ -61,7 +61,7 @@ fn it_goes_where_it_is_told() {
     let piped = place.run_with_stdin(&["view", "-", "-o", "-"], GOOD.as_bytes()).ends(0);
     assert_eq!(header(piped.stdout.as_bytes())["program"]["name"], "-");
     place.run_with_stdin(&["view", "-"], GOOD.as_bytes()).ends(2).says("name a file after -o");
-    place.run(&["view", "a.nc", "-o", "a.nc"]).ends(2).says("the program itself");
+    place.run(&["view", "a.nc", "-o", "a.nc"]).ends(2).says("what the picture is made from");
     place.run(&["view", "a.nc", "-o", "missing/x.html"]).ends(2).says("cannot write missing/x.html");
     place.run(&["view", "no.nc"]).ends(2);
     assert_eq!(place.list(), ["a.nc", "x.html"]);
@@ -112,4 +112,107 @@ fn repeats_share_their_rows() {
         columns.iter().find(|column| column[0] == "row.block").unwrap()[1].as_u64().unwrap()
     };
     assert_eq!(rows("few.nc"), rows("many.nc"));
+}
+
+fn sample(name: &str) -> Vec<u8> {
+    std::fs::read(crate::samples::root().join("samples").join(name)).unwrap()
+}
+
+/// What stands between quotes behind each `data-seq=` of an element of that class.
+fn dots(svg: &str, class: &str) -> Vec<u64> {
+    let elements = svg.split('<').filter(|element| element.contains(&format!("class=\"{class}\"")));
+    let seq = |element: &str| element.split("data-seq=\"").nth(1)?.split('"').next()?.parse().ok();
+    let mut seqs: Vec<u64> = elements.filter_map(seq).collect();
+    seqs.sort_unstable();
+    seqs
+}
+
+/// Joints with dots of both colours.
+const JOINTS: &str = "%1 \"JOINTS\"\nN10 G23 G17 G90 G0 X0 Y0 Z0\nN20 G1 X10 F1000\nN30 X20 Y5\nN40 X30\nN50 Y20 Z4\nN60 X10 Y30\n\
+    N70 X0 Y20\nN80 X5 Y15\nN90 M30\n";
+
+/// DOT-1: every dot of the motion stream, each red one with its number.
+#[test]
+fn a_still_picture_has_the_dots_of_the_motion_stream() {
+    let place = Place::with(&[("joints.nc", JOINTS.as_bytes())]);
+    place.run(&["view", "joints.nc", "-o", "a.svg"]).ends(0).says("written: a.svg");
+    let svg = String::from_utf8(place.read("a.svg")).unwrap();
+    let motion = place.run(&["motion", "joints.nc", "--format", "json"]).ends(0).stdout;
+    let records: Vec<Value> = motion.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    for (class, dot) in [("dot red", "red"), ("dot yellow", "yellow")] {
+        let with_dot = records.iter().filter(|record| record["joint"]["dot"] == dot);
+        let expected: Vec<u64> = with_dot.map(|record| record["seq"].as_u64().unwrap()).collect();
+        assert!(!expected.is_empty());
+        assert_eq!(dots(&svg, class), expected, "{dot}");
+    }
+    assert!(svg.starts_with("<svg ") && svg.contains("width=\"1600\" height=\"1000\""));
+    assert!(svg.contains(">N"), "red dots have numbers");
+    for (plane, other) in [("XY", "XZ"), ("XZ", "YZ"), ("YZ", "iso"), ("iso", "XY")] {
+        let of = |plane: &str| {
+            place.run(&["view", "joints.nc", "-o", "p.svg", "--plane", plane, "--size", "640x400"]).ends(0);
+            String::from_utf8(place.read("p.svg")).unwrap()
+        };
+        let (svg, again) = (of(plane), of(plane));
+        assert!(svg.contains("width=\"640\" height=\"400\""));
+        assert_eq!(svg, again);
+        assert_ne!(svg, of(other), "{plane}, {other}");
+    }
+    place.run(&["view", "joints.nc", "-o", "p.svg", "--size", "640"]).ends(2).says("1600x1000");
+    place.run(&["view", "joints.nc", "-o", "p.svg", "--plane", "YX"]).ends(2);
+}
+
+#[test]
+fn a_still_picture_as_png() {
+    let place = Place::with(&[("flange.nc", &sample("ok/flange.nc"))]);
+    let made = |size: &str| {
+        place.run(&["view", "flange.nc", "-o", "a.png", "--size", size]).ends(0);
+        place.read("a.png")
+    };
+    let png = made("320x200");
+    assert_eq!(png, made("320x200"), "the same bytes");
+    assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
+    let side = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
+    assert_eq!((&png[12..16], side(16), side(20)), (&b"IHDR"[..], 320, 200));
+}
+
+/// The whole program's time and every dot are in the page, whatever part of it is drawn.
+#[test]
+fn the_page_has_the_times_of_the_motion_stream() {
+    let place = Place::with(&[("flange.nc", &sample("ok/flange.nc"))]);
+    let motion = place.run(&["motion", "flange.nc", "--format", "json"]).ends(0).stdout;
+    let total: Value = serde_json::from_str(motion.lines().last().unwrap()).unwrap();
+    for options in [&[][..], &["--from", "10"], &["--blocks", "20"]] {
+        place.run(&[&["view", "flange.nc"], options].concat()).ends(0);
+        let header = header(&place.read("flange.nc.html"));
+        let near = header["total"]["time_s"].as_f64().unwrap() - total["time_s"].as_f64().unwrap();
+        assert!(near.abs() < 1e-6, "{options:?}: {near}");
+        assert_eq!(header["machine"]["assumed"], true);
+    }
+}
+
+/// EQU-1 to EQU-4: the corrected path in blue, red where there is no room.
+#[test]
+fn the_equidistant_is_in_the_picture() {
+    let files = |folder: &str| {
+        let read = |name: &str| sample(&format!("{folder}/{name}"));
+        Place::with(&[("cnc872c.toml", &read("cnc872c.toml")), ("a.nc", &read("program.nc"))])
+    };
+    let place = files("err/W0811-correction-collides");
+    place.run(&["view", "a.nc", "-o", "a.svg"]).ends(0).says("W0811");
+    let svg = String::from_utf8(place.read("a.svg")).unwrap();
+    assert!(svg.contains("<path class=\"equidistant\"") && svg.contains("<path class=\"collision\""));
+    place.run(&["view", "a.nc"]).ends(0).says("W0811");
+    let pieces = header(&place.read("a.nc.html"))["equidistant"]["pieces"].as_array().unwrap().clone();
+    let bad: Vec<u64> =
+        pieces.iter().filter(|piece| piece["bad"] == true).map(|piece| piece["seq"].as_u64().unwrap()).collect();
+    assert_eq!(bad, [4, 9, 14]);
+    let place = files("rules/equ-corrections");
+    place.run(&["view", "a.nc", "-o", "a.svg"]).ends(0);
+    let svg = String::from_utf8(place.read("a.svg")).unwrap();
+    assert!(svg.contains("<path class=\"equidistant\"") && !svg.contains("<path class=\"collision\""));
+    // Where it runs: the first motion goes to the offset start of the next one.
+    place.run(&["view", "a.nc"]).ends(0);
+    let pieces = header(&place.read("a.nc.html"))["equidistant"]["pieces"].as_array().unwrap().clone();
+    assert_eq!(pieces[0]["seq"], 1);
+    assert_eq!(pieces[0]["points"].as_array().unwrap().len(), 6);
 }

@@ -246,12 +246,27 @@ fn run(line: &str, folder: &Path) -> String {
     let line = line.strip_prefix("cnc872c ").expect(line);
     let mut command = Command::new(env!("CARGO_BIN_EXE_cnc872c"));
     command.current_dir(folder).stdin(Stdio::null());
-    command.args(line.split_whitespace().map(|argument| argument.trim_matches('\'')));
+    command.args(arguments(line));
     for variable in ["LC_ALL", "LC_MESSAGES", "LANG", "NO_COLOR", "TERM", "CLICOLOR", "CLICOLOR_FORCE", "COLUMNS"] {
         command.env_remove(variable);
     }
     let output = command.output().expect("the program runs");
     String::from_utf8(output.stdout).unwrap() + &String::from_utf8(output.stderr).unwrap()
+}
+
+/// The arguments of a command line: between single quotes blanks are kept.
+fn arguments(line: &str) -> Vec<String> {
+    let mut all = vec![String::new()];
+    for (part, quoted) in line.split('\'').zip([false, true].into_iter().cycle()) {
+        for (index, text) in if quoted { vec![part] } else { part.split(' ').collect() }.into_iter().enumerate() {
+            if index > 0 {
+                all.push(String::new());
+            }
+            all.last_mut().expect("one at least").push_str(text);
+        }
+    }
+    all.retain(|argument| !argument.is_empty());
+    all
 }
 
 /// Whether `output` is what is shown, where a line `…` stands for any lines.
@@ -288,6 +303,27 @@ fn records_shown() {
         }
     }
     assert!(shown > 2);
+}
+
+/// Files that the guides show are those of the samples: `<!-- file PATH -->` before the fence.
+#[test]
+fn files_shown() {
+    let mut shown = 0;
+    let mut wrong = Vec::new();
+    for path in markdown() {
+        let text = fs::read_to_string(&path).unwrap();
+        for part in text.split("<!-- file ").skip(1) {
+            let (name, rest) = part.split_once(" -->\n").expect("the comment ends");
+            let (_, rest) = rest.split_once('\n').expect("a fence follows");
+            let (inside, _) = rest.split_once("```").expect("the fence ends");
+            shown += 1;
+            if read(name).replace("\r\n", "\n") != inside {
+                wrong.push(format!("{}: {name}", path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "the file is shown otherwise than it is: {wrong:?}");
+    assert!(shown >= 5, "{shown} files are shown");
 }
 
 /// The picture in the README shows what the program says about the program of the guide, once its slips are mended.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use cnc872c::diag::Code;
 use cnc872c::diag::explain::{Example, examples};
 use cnc872c::dict::Lang;
+use cnc872c::explain::Topic;
 use cnc872c::text::MemoryLoader;
 
 use crate::markers::{Request, options};
@@ -163,4 +164,37 @@ fn no_page_too_many() {
         wanted.sort();
         assert_eq!(pages, wanted, "{folder}");
     }
+}
+
+/// The examples of functions are executed. What their pages announce is expected: copying is not modelled, positions are
+/// unknown after G30, a change of origin.
+#[test]
+fn examples_of_functions() {
+    let announced = [Code::W0612, Code::W0605, Code::W0610];
+    let mut wrong = Vec::new();
+    let topics = Topic::all().filter(|topic| matches!(topic, Topic::G(_) | Topic::M(_)));
+    for topic in topics {
+        let page = topic.page(Lang::En);
+        let mut folder = MemoryLoader::new().with("L8100", "N1 G79 L8100\nN2 G91 G01 Z-1 F100\nN3 G90 G70\n");
+        let mut programs = 0;
+        for example in examples(&page).into_iter().filter(|example| !example.info.is_empty()) {
+            if let Some(name) = example.file_name() {
+                folder = folder.with(name, example.text);
+                continue;
+            }
+            programs += 1;
+            let end = if example.text.contains("M30") { "" } else { "N9999 M30\n" };
+            let folder = folder.clone().with("a.nc", format!("%1\n{}{end}", example.text));
+            let mut request = Request::default();
+            let old = matches!(topic, Topic::M(36 | 37));
+            options(&mut request.overrides, if old { "--dialect=cnc8x9" } else { "" });
+            let found = run(&folder, "a.nc", &request);
+            if found.codes().iter().any(|code| !announced.contains(code)) {
+                let text = found.text(cnc872c::diag::Format::Short, Lang::En);
+                wrong.push(format!("{}: {text}\n{}", topic.name(), example.text));
+            }
+        }
+        assert!(programs > 0, "{}", topic.name());
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

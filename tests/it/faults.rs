@@ -1,5 +1,6 @@
 //! One fault in a valid program gives exactly its own finding, at its place.
 
+use cnc872c::diag::Code;
 use cnc872c::text::MemoryLoader;
 use proptest::prelude::*;
 
@@ -35,14 +36,14 @@ const BLOCKS: &[(&str, &str, &str, Where)] = &[
     ("N9 G0 XO Y1", "E0107", "XO", Any),
     ("N9 G0 X1O0 Y1", "E0107", "X1O0", Any),
     ("N9 g0 X1", "W0108", "g", Any),
-    ("N9 %5 X1", "E0202", "%5", Any),
+    ("N9 %5 G0 X1", "E0202", "%5", Any),
     ("N10 G90", "E0204", "N10", Main),
     ("N9 G70", "E0212", "G70", Main),
     ("N9", "W0214", "N9", Any),
-    ("N9 E5 X1", "E0301", "E5", Any),
+    ("N9 E5 G0 X1", "E0301", "E5", Any),
     ("N9 G0 X70000", "E0302", "70000", Any),
     ("N9 G0 X-100000.5 Y1", "E0302", "-100000.5", Any),
-    ("N9 G100 X1", "E0302", "100", Any),
+    ("N9 G100 S100", "E0302", "100", Any),
     ("N9 S10000", "E0302", "10000", Any),
     ("N9 D0", "E0302", "0", Any),
     ("N9 G94 F0.5", "E0302", "0.5", Any),
@@ -56,14 +57,14 @@ const BLOCKS: &[(&str, &str, &str, Where)] = &[
     ("N9 R10=1 R11=2 R10=3", "E0306", "R10=3", Any),
     ("N9 / G90 /", "E0306", "/", Any),
     ("N9 G0 G1 X1", "E0307", "G1", Any),
-    ("N9 G90 G91 X1", "E0307", "G91", Any),
+    ("N9 G90 G91 S100", "E0307", "G91", Any),
     ("N9 G71 G73 L100", "E0307", "G73", Any),
     ("N9 G74 G4 Q50", "E0307", "G4", Any),
     ("N9 G94 G95 F0.2", "E0307", "G95", Any),
     ("N9 G26 G27 R5=1010203", "E0307", "G27", Any),
     ("N9 M3 M4", "E0308", "M4", Any),
     ("N9 M3 M5", "E0308", "M5", Any),
-    ("N9 G20 X1", "E0309", "20", Any),
+    ("N9 G20 S100", "E0309", "20", Any),
     ("N9 &3", "E0312", "3", Any),
     ("N9 &12000", "E0312", "12000", Any),
     ("N9 G71", "E0401", "G71", Main),
@@ -124,12 +125,17 @@ fn found(program: &Program, text: &str) -> Vec<(String, String)> {
     let place = |item: &cnc872c::diag::Reported| {
         (item.diagnostic.code().to_string(), run.report.sources().slice(item.diagnostic.at).to_owned())
     };
-    run.report.items().map(place).collect()
+    // Programs made at random cut before they start the spindle, and break lines anywhere.
+    let made = |item: &&cnc872c::diag::Reported| [Code::W0619, Code::W0221].contains(&item.diagnostic.code());
+    run.report.items().filter(|item| !made(item)).map(place).collect()
 }
 
-/// Exactly this finding.
+/// Exactly this finding. A block that moves changes where later arcs begin: what is wrong with those is left out.
 fn assert_fault(program: &Program, text: &str, code: &str, place: &str) {
-    assert_eq!(found(program, text), [(code.to_owned(), place.to_owned())], "{text}");
+    let of_motion = |code: &str| code.get(1..3) == Some("06");
+    let mut found = found(program, text);
+    found.retain(|(other, _)| of_motion(code) || !of_motion(other));
+    assert_eq!(found, [(code.to_owned(), place.to_owned())], "{text}");
 }
 
 /// Puts the block behind the first of the unit.
@@ -155,7 +161,9 @@ fn append(program: &Program, index: usize, word: &str) -> Option<String> {
     let count = steps.len();
     let step = steps.get_mut(index % count.max(1))?;
     let content = step.split('"').next().unwrap().trim_end().to_owned();
-    **step = format!("{content}\n{word}\n");
+    // A comment on a line of its own belongs to the next block (BLK-9).
+    let between = if word == "“" { ' ' } else { '\n' };
+    **step = format!("{content}{between}{word}\n");
     Some(joined(&blocks))
 }
 
@@ -190,7 +198,6 @@ proptest! {
     #![proptest_config(cases(1500))]
 
     /// diagnostics.md, Places: one fault injected into a valid program gives its own finding and no other.
-    #[ignore = "expects the first edition of the specification"]
     #[test]
     fn a_faulty_block(program in program(), fault in prop::sample::select(BLOCKS), unit in any::<usize>()) {
         let (block, code, place, at) = fault;
@@ -199,7 +206,6 @@ proptest! {
         assert_fault(&program, &insert(&program, unit, block), code, place);
     }
 
-    #[ignore = "expects the first edition of the specification"]
     #[test]
     fn a_faulty_word(program in program(), (word, code, place) in prop::sample::select(WORDS), index in any::<usize>()) {
         prop_assume!(program.execute().is_some());
@@ -209,7 +215,6 @@ proptest! {
     }
 
     /// PRG-1, PRG-2, PRG-3, PRG-4: faults of the structure.
-    #[ignore = "expects the first edition of the specification"]
     #[test]
     fn a_faulty_structure(program in program(), unit in any::<usize>()) {
         prop_assume!(program.execute().is_some());

@@ -20,6 +20,8 @@ type Place = (String, (u32, u32), (u32, u32), String);
 pub struct Request {
     pub overrides: Overrides,
     pub compile: bool,
+    /// `plc` with these signals.
+    pub plc: Option<String>,
 }
 
 /// The lines of a file, split at LF only, as text: markers are ASCII whatever the code page.
@@ -75,6 +77,8 @@ pub fn request(bytes: &[u8]) -> Request {
         let rest = rest.trim();
         if rest == "compile" {
             request.compile = true;
+        } else if let Some(signals) = rest.strip_prefix("plc=") {
+            request.plc = Some(signals.to_owned());
         } else if let Some(dialect) = rest.strip_prefix("dialect=") {
             option(&mut request.overrides, "--dialect", dialect);
         } else if let Some(args) = rest.strip_prefix("args=") {
@@ -128,7 +132,9 @@ pub fn findings(folder: &Path, file: &str, request: &Request) -> Vec<(Place, Sev
         return all;
     }
     let session = Session { loader: &disk, settings: &settings, progress: None };
-    let outcome = if request.compile {
+    let outcome = if let Some(signals) = &request.plc {
+        crate::plc::signals(&session, file, signals)
+    } else if request.compile {
         let mut stream = Vec::new();
         session.compile(Path::new(file), file, Part::default(), &mut stream).expect("memory").outcome
     } else {

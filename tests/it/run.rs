@@ -66,7 +66,9 @@ pub fn run(loader: &dyn Loader, file: &str, request: &Request) -> Run {
         return run;
     }
     let session = Session { loader, settings: &settings, progress: None };
-    let outcome = if request.compile {
+    let outcome = if let Some(signals) = &request.plc {
+        crate::plc::signals(&session, file, signals)
+    } else if request.compile {
         session.compile(Path::new(file), file, Part::default(), &mut run.stream).unwrap().outcome
     } else {
         session.check(Path::new(file), file)

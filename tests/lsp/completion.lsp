@@ -374,10 +374,10 @@ N130 G70
       }
     },
     {
-      "detail": "posuv na otáčku, konstantní řezná rychlost",
+      "detail": "posuv za minutu, nebo na otáčku s konstantní řeznou rychlostí: podle klíče `g97`",
       "documentation": {
         "kind": "markdown",
-        "value": "**G97** – posuv na otáčku, konstantní řezná rychlost\n\nSkupina G6: jednotka posuvu.\n\nPlatí do další funkce téže skupiny."
+        "value": "**G97** – posuv za minutu, nebo na otáčku s konstantní řeznou rychlostí: podle klíče `g97`\n\nSkupina G6: jednotka posuvu.\n\nPlatí do další funkce téže skupiny."
       },
       "filterText": "G97",
       "kind": 3,

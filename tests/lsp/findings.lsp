@@ -9,11 +9,13 @@ N10 G72 L9001
 N20 G1 X‹1›10.‹2›
 N30 M30
 === findings part.nc
+2:4-2:6 W0601 working motion before the program sets a feed | help: write `F` in this block or before it; otherwise the feed of the program before stays in force
 === findings L9001
 1:3-1:7 E0104 a decimal comma | help: the control knows the decimal point only: write `X5.5`
 === replace part.nc 1 2
 ř
 === findings part.nc
+2:4-2:6 W0601 working motion before the program sets a feed | help: write `F` in this block or before it; otherwise the feed of the program before stays in force
 2:7-2:9 E0101 `Xř` means nothing to the control | help: write the word without `ř`
 === text part.nc
 %1

@@ -90,7 +90,7 @@ N50 M30
 {
   "contents": {
     "kind": "plaintext",
-    "value": "M77: technological function\nwhat it does is up to the machine builder; group 14 of the M functions; holds until another function of its group\n\nN30 runs 1×\nposition after the block: X 12.5 mm\nG functions in force: G01 G17 G98 G40 G53 G94 G80 G91 G75 G34\nM functions after the block: M05 M40 M09 M53 M48 M77\ntechnology: F 1000 mm/min"
+    "value": "M77: technological function\nwhat it does is up to the machine builder; group 14 of the M functions; holds until another function of its group\nthe PLC reads: BLK.M[14]=77h BLK.M14=1 ZMM14PI=1 PB16=77h\n\nN30 runs 1×\nposition after the block: X 12.5 mm\nG functions in force: G01 G17 G98 G40 G53 G94 G80 G91 G75 G34\nM functions after the block: M05 M40 M09 M53 M48 M77\ntechnology: F 1000 mm/min"
   },
   "range": {
     "end": {
@@ -130,7 +130,7 @@ X10,5
 {
   "contents": {
     "kind": "plaintext",
-    "value": "X 10.5 mm: 1st axis\nlinear axis; holds until changed\n\nnot executed: the program or its configuration has errors"
+    "value": "X 10.5 mm: 1st axis\nlinear axis; holds until changed\n\nN40 runs 1×\nposition after the block: X 23 mm\nlength of the motion: 10.5 mm\nG functions in force: G01 G17 G98 G40 G53 G94 G80 G91 G75 G34\nM functions after the block: M05 M40 M09 M53 M48 M77\ntechnology: F 1000 mm/min"
   },
   "range": {
     "end": {

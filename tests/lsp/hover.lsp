@@ -48,7 +48,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`M06`** výměna nástroje\n\nskupina 9 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N10 se provede 1×**\n\n- poloha po bloku: neznámá\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
+    "value": "**`M06`** výměna nástroje\n\nskupina 9 funkcí M; platí jen ve svém bloku\n\n- PLC čte: `ZMM9PI=1` `M06PID=1`\n\n---\n\n**blok N10 se provede 1×**\n\n- poloha po bloku: neznámá\n- platné funkce G: `G00 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M05 M40 M36 M09 M53 M48 M06`\n- technologie: T7"
   },
   "range": {
     "end": {
@@ -200,7 +200,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`F 150 mm/min`** posuv: při G94 a G96 v mm/min, při G95 a G97 v mm/ot\n\nplatí do změny\n\n---\n\n**blok N90 se provede 3×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 23.585, 34.355, 45.741 mm\n- skok se provede: 2×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
+    "value": "**`F 150 mm/min`** posuv: při G94 a G96 v mm/min, při G95 v mm/ot; při G97 podle klíče `g97`\n\nplatí do změny\n\n---\n\n**blok N90 se provede 3×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C 0 °\n- délka pohybu: 23.585, 34.355, 45.741 mm\n- skok se provede: 2×\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G73 G80 G90 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {
@@ -272,7 +272,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`M30`** konec partprogramu\n\nskupina 1 funkcí M; platí jen ve svém bloku\n\n---\n\n**blok N130 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M30 M05 M40 M36 M09 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
+    "value": "**`M30`** konec partprogramu\n\nskupina 1 funkcí M; platí jen ve svém bloku\n\n- PLC čte: `ZMM1PI=1` `M30_PID=1`\n\n---\n\n**blok N130 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M30 M05 M40 M36 M09 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {

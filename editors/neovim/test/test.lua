@@ -234,7 +234,7 @@ end)
 
 test('findings follow the text', function()
   until_true('the old findings', function()
-    return codes() == 'E0104 E0306 E0309'
+    return codes() == 'E0104 E0306 E0309 E0602'
   end)
   vim.api.nvim_buf_set_lines(0, 7, 9, false, { 'N70 "žlutá příruba" G1 X1.5', 'N80 X2' })
   until_true('findings without those mended', function()
@@ -246,7 +246,7 @@ test('findings follow the text', function()
   end)
   vim.api.nvim_buf_set_lines(0, 0, -1, false, original)
   until_true('the old findings', function()
-    return codes() == 'E0104 E0306 E0309'
+    return codes() == 'E0104 E0306 E0309 E0602'
   end)
 end)
 
@@ -261,7 +261,7 @@ test('the project file is looked after too', function()
   end)
   vim.cmd('bwipeout!')
   until_true('the old findings', function()
-    return codes() == 'E0104 E0306 E0309'
+    return codes() == 'E0104 E0306 E0309 E0602'
   end)
 end)
 
@@ -305,6 +305,16 @@ test('CncStream shows the records', function()
   vim.cmd('close')
 end)
 
+test('CncSignals shows what the PLC reads in a block', function()
+  vim.api.nvim_win_set_cursor(0, { 2, 0 })
+  vim.cmd('CncSignals')
+  equal({ vim.bo.buftype, vim.bo.modifiable }, { 'nofile', false })
+  local text = table.concat(lines(), '\n')
+  equal(lines()[1], 'N10 G90 G0 X0 Y0')
+  equal(text:find('BLK.FirstBlock=1', 1, true) ~= nil, true)
+  vim.cmd('close')
+end)
+
 test('references that a lens names go to the quickfix list', function()
   local uri = vim.uri_from_bufnr(0)
   local place = { start = { line = 3, character = 4 }, ['end'] = { line = 3, character = 7 } }
@@ -313,6 +323,17 @@ test('references that a lens names go to the quickfix list', function()
   local list = vim.fn.getqflist()
   equal({ #list, list[1].lnum, list[1].col }, { 1, 4, 5 })
   vim.cmd('cclose')
+end)
+
+test('blocks become comments and come back', function()
+  local before = { 'N20  T1 M06  "Freza D16"', '', "N30 X1 \"it's ^ 5'" }
+  vim.cmd('enew')
+  vim.api.nvim_buf_set_lines(0, 0, -1, false, before)
+  plugin.toggle_comment(1, 3)
+  equal(vim.api.nvim_buf_get_lines(0, 0, 2, false), { '"// N20  T1 M06  \'Freza D16\'"', '' })
+  plugin.toggle_comment(1, 3)
+  equal(vim.api.nvim_buf_get_lines(0, 0, -1, false), before)
+  vim.cmd('bwipeout!')
 end)
 
 test('newer Neovims get the same as a configuration', function()

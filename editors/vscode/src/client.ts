@@ -19,6 +19,9 @@ import { serverSettings } from './settings';
 
 const SECTION = 'cnc872c';
 
+/** A ChannelConfig is read while it is typed; which file it is, the project file says. */
+const CHANNEL_CONFIG = { scheme: 'file', pattern: '**/*.xml' };
+
 /** The command of code lenses and hints that the client carries out (LSP has none for it). */
 export const SHOW_REFERENCES = 'cnc872c.showReferences';
 
@@ -138,7 +141,7 @@ export class Server implements vscode.Disposable {
 
   private options(): LanguageClientOptions {
     return {
-      documentSelector: [...documents(), { scheme: 'file', pattern: '**/cnc872c.toml' }],
+      documentSelector: [...documents(), { scheme: 'file', pattern: '**/cnc872c.toml' }, CHANNEL_CONFIG],
       initializationOptions: settings(undefined),
       outputChannel: this.output,
       revealOutputChannelOn: RevealOutputChannelOn.Never,

@@ -3,22 +3,28 @@
 import * as vscode from 'vscode';
 
 import { type Server, SHOW_REFERENCES } from './client';
+import { toggle } from './comments';
 import { asCode, choices, codeOf, pageOf } from './findings';
 import { language } from './settings';
-import type { StreamView } from './view';
+import type { Views } from './view';
 
 /** Registers every command of package.json, and that of code lenses. */
-export function registerCommands(context: vscode.ExtensionContext, server: Server, streams: StreamView): void {
+export function registerCommands(context: vscode.ExtensionContext, server: Server, views: Views): void {
   const commands: Record<string, (...values: unknown[]) => unknown> = {
     'cnc872c.restart': () => server.restart(),
     'cnc872c.showOutput': () => server.output.show(),
     'cnc872c.showStream': () => {
       const program = activeProgram();
-      return program && streams.show(program.document.uri);
+      return program && views.showStream(program.document.uri);
+    },
+    'cnc872c.showSignals': () => {
+      const program = activeProgram();
+      return program && views.showSignals(program.document.uri, program.selection.active);
     },
     'cnc872c.explain': (code) => explain(typeof code === 'string' ? code : undefined),
     'cnc872c.fixAll': () => apply('source.fixAll.cnc872c'),
     'cnc872c.renumber': () => apply('source.renumber.cnc872c'),
+    'cnc872c.toggleComment': toggleComment,
     [SHOW_REFERENCES]: (...values) => showReferences(server, values),
   };
   for (const [name, run] of Object.entries(commands)) {
@@ -40,6 +46,27 @@ async function apply(kind: string): Promise<void> {
   if (activeProgram() !== undefined) {
     await vscode.commands.executeCommand('editor.action.sourceAction', { kind, apply: 'first' });
   }
+}
+
+/** Switches the blocks of the selected lines off or on; undone in one step. */
+async function toggleComment(): Promise<void> {
+  const editor = activeProgram();
+  if (editor === undefined) {
+    return;
+  }
+  const numbers = new Set<number>();
+  for (const { start, end } of editor.selections) {
+    // A selection that ends before the first character of a line does not include it.
+    const last = end.character === 0 && end.line > start.line ? end.line - 1 : end.line;
+    for (let line = start.line; line <= last; line += 1) {
+      numbers.add(line);
+    }
+  }
+  const lines = [...numbers].sort((a, b) => a - b).map((line) => editor.document.lineAt(line));
+  const changed = toggle(lines.map((line) => line.text));
+  await editor.edit((edit) => {
+    lines.forEach((line, at) => edit.replace(line.range, changed[at] ?? line.text));
+  });
 }
 
 /** `[uri, position, locations]` as LSP writes them. */

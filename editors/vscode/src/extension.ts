@@ -4,17 +4,18 @@ import * as vscode from 'vscode';
 
 import { Server } from './client';
 import { registerCommands } from './commands';
+import { Dots } from './dots';
 import { guardEncodings } from './guard';
-import { StreamView } from './view';
+import { Views } from './view';
 
 let server: Server | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   const started = new Server(context);
   server = started;
-  const streams = new StreamView(started);
-  context.subscriptions.push(started, streams, guardEncodings());
-  registerCommands(context, started, streams);
+  const views = new Views(started);
+  context.subscriptions.push(started, views, new Dots(started), guardEncodings());
+  registerCommands(context, started, views);
   await started.start();
 }
 

@@ -6,5 +6,5 @@ N30 C-99999 X6 "the axis comes before the range"
 "   ^^^^^^^ E0311
 N40 U1.2345 X7
 "   ^^^^^^^ E0311
-N50 G2 X9 Z0 I1 J0 "I and J are no axes"
+N50 G2 X9 Z0 I1 J0 F200 "I and J are no axes"
 N60 M30

@@ -1,9 +1,11 @@
 %174 "MOT-3 no 4th axis on this machine
 N10 G90 G0 X0 Y0 Z0 F100
 N20 G14
+"   ^^^ W0616
 N30 G2 Z10 I5
 "   ^^ E0611
 N40 G16
+"   ^^^ W0616
 N50 G3 X10 I5
 "   ^^ E0611
 N60 G0 X0 Y0 Z0

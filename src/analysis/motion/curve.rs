@@ -5,12 +5,16 @@
 //!    a ramp: a ramp may span any number of blocks.
 //! 2. Where a ramp passes a joint faster than it may, a place is put before it: the latest from which the rise meets the
 //!    joint's cap exactly (after it for a fall). What can then no longer be reached is left out.
-//! 3. A rise between two lowest places that saves too little time is taken back (VEL-12).
+//! 3. Where places were put in between two lowest ones, a rise that ends at the cap of one of the blocks may be faster than
+//!    one that meets the joints: it is tried.
+//! 4. A rise between two lowest places that saves too little time is taken back (VEL-12).
 
 #![expect(clippy::indexing_slicing, reason = "ids and places are made here and index the lists they were made for")]
 
 use super::ramp::{Hump, Limits};
 
+/// Levels that are tried between two lowest places.
+const LEVELS: usize = 4;
 /// Nobody: end of a list.
 const NONE: usize = usize::MAX;
 
@@ -93,6 +97,8 @@ impl Curve {
         self.take_joints();
         if !self.settle_all() {
             self.crawl(links, offset, entry);
+        } else {
+            self.try_levels();
         }
         if raise_s > 0.0 {
             self.take_back_rises(raise_s);
@@ -524,6 +530,61 @@ impl Curve {
             self.places[k].hump = Some(Hump::new(l.v, r.v, limits, limits, r.s - l.s, cap));
             (self.places[k].next, self.places[k + 1].prev) = (k + 1, k);
         }
+    }
+
+    /// Plans the way between two lowest places anew, not above the cap of one of its blocks, where that is faster.
+    fn try_levels(&mut self) {
+        let joints = self.s.len();
+        if self.places.len() == joints {
+            return;
+        }
+        let mut left = 0;
+        while let Some((right, mut time)) = self.next_lowest(left) {
+            let mut levels: Vec<f64> = self.levels(left, right);
+            levels.truncate(LEVELS);
+            for level in levels {
+                let kept = self.places.len();
+                let saved = self.room(left, right);
+                let mut at = self.places[left].next;
+                while at != right {
+                    let next = self.places[at].next;
+                    if at >= joints || self.places[at].v > level {
+                        self.drop(at);
+                    }
+                    at = next;
+                }
+                let held = self.hold(left, right, level);
+                if held < time * (1.0 - 1e-9) {
+                    time = held;
+                } else {
+                    self.restore(&saved, kept);
+                }
+            }
+            left = right;
+        }
+    }
+
+    /// Caps of blocks between two places that were put together with others between them: above both, below the highest
+    /// peak, the lowest first.
+    fn levels(&self, left: usize, right: usize) -> Vec<f64> {
+        let (mut at, mut peak, mut put) = (left, 0.0_f64, false);
+        while at != right {
+            let place = self.places[at];
+            put |= at >= self.s.len();
+            peak = peak.max(place.hump.map_or(0.0, |hump| hump.peak));
+            at = place.next;
+        }
+        if !put {
+            return Vec::new();
+        }
+        let (l, r) = (self.places[left], self.places[right]);
+        let least = l.v.max(r.v);
+        let blocks = self.blocks[l.after.saturating_sub(1)..r.before + 1].iter().copied();
+        let mut levels: Vec<f64> = blocks.filter(|cap| *cap >= least && *cap < self.highest).collect();
+        levels.push(peak);
+        levels.sort_by(f64::total_cmp);
+        levels.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * *b);
+        levels
     }
 
     /// Takes back rises between two lowest places that save too little against holding the higher of them (VEL-12).

@@ -1,9 +1,10 @@
 //! Joints: which are passed continuously, which not and why (CNT-1…CNT-3), and the caps of blocks and joints
 //! (VEL-1…VEL-7).
 
-use super::model::{Model, Profile, Recognition};
+use super::model::Model;
 use super::step::{Direction, Dynamics, Mode, Unit};
 use super::times::{Break, CapBy, Limit};
+use crate::config::{Profile, Recognition};
 use crate::run::MotionType;
 
 /// A motion, or a piece of several that are joined.

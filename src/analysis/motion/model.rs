@@ -1,26 +1,6 @@
 //! The machine as the planner sees it, in mm, degrees and seconds.
 
-/// How the control recognises that blocks join continuously (S3 A3, A4).
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub enum Recognition {
-    /// G23 and G24 alone decide.
-    Manual,
-    /// G23 switches it on; the angle decides.
-    #[default]
-    Automatic,
-}
-
-/// The course of the velocity.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub enum Profile {
-    /// Without envelope velocity (S3 A3).
-    Ramps,
-    /// Envelope velocity with constant accelerations (S3 A6).
-    #[default]
-    Linear,
-    /// Envelope velocity with limited jerk (S3 A7).
-    Parabolic,
-}
+use crate::config::{Profile, Recognition};
 
 /// The machine. What belongs to a dynamic set comes with each block.
 #[derive(Clone, Debug, PartialEq)]

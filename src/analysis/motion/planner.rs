@@ -7,11 +7,12 @@ use super::curve;
 use super::envelope::{self, Envelope, Linked, trapezoid};
 use super::joint::{BlockCaps, JointCaps, Piece, angle_deg, early_break, half_tan, late_break};
 use super::merge::{Merged, Merger};
-use super::model::{Model, Profile};
+use super::model::Model;
 use super::parabola::{Curved, Parabola};
 use super::ramp::{Hump, Limits};
 use super::step::{Dynamics, Mode, Step};
 use super::times::{BlockTimes, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Velocities};
+use crate::config::Profile;
 use crate::run::MotionType;
 
 /// Who gets what is planned.
@@ -128,6 +129,7 @@ impl Planner {
             n: step.n,
             file: step.file,
             line: step.line,
+            place: step.place,
             start_s: 0.0,
             duration_s: 0.0,
             dwell_s: step.dwell_s.unwrap_or(0.0),
@@ -135,7 +137,7 @@ impl Planner {
             settle_s: 0.0,
             gap_s,
             unknown: step.unmapped_cycle,
-            approach: false,
+            approach: step.approach,
             tool: step.tool,
             motion: None,
         };
@@ -228,6 +230,7 @@ impl Planner {
                 programmed: None,
                 cap: None,
                 velocities: None,
+                accel: 0.0,
                 merged: true,
                 is_piece: false,
                 joint: None,
@@ -341,12 +344,17 @@ impl Planner {
         self.give(listener);
     }
 
+    /// Whether a motion outside of stretches goes by the set of G00.
+    fn goes_by_set(&self, kind: MotionType) -> bool {
+        kind == MotionType::Rapid && self.model.rapid_set && self.parabola.is_some()
+    }
+
     /// A motion outside of stretches: it begins and ends with a ramp (CNT-1).
     fn alone(&mut self, piece: Piece, listener: &mut impl Listener) {
         let caps = BlockCaps::of(&self.model, &piece, false);
         let (length, cap) = (piece.length.unwrap_or(0.0), caps.least());
         let rapid = piece.kind == MotionType::Rapid;
-        let settled = if rapid && self.model.rapid_set && self.parabola.is_some() {
+        let settled = if self.goes_by_set(piece.kind) {
             let Dynamics { accel, jerk, .. } = piece.dynamics;
             let limits = Limits { accel, jerk };
             let hump = Hump::new(0.0, 0.0, limits, limits, length, cap);
@@ -372,11 +380,9 @@ impl Planner {
     fn complete_unknown(&mut self, piece: Piece) {
         let joint = self.joint(&piece, None, 0.0, f64::INFINITY, false);
         let settle_s = self.settle_time(piece.end_mode);
-        let approach = piece.length.is_none() && piece.broken == Some(super::times::Break::Start);
         if let Some(waiting) = self.waiting_at(piece.slot) {
             waiting.ready = true;
             waiting.times.unknown = true;
-            waiting.times.approach = approach;
             waiting.times.settle_s = settle_s;
             waiting.times.motion = Some(MotionTimes {
                 kind: piece.kind,
@@ -386,6 +392,7 @@ impl Planner {
                 programmed: piece.programmed,
                 cap: None,
                 velocities: None,
+                accel: 0.0,
                 merged: false,
                 is_piece: piece.is_piece,
                 joint: Some(joint),
@@ -409,6 +416,13 @@ impl Planner {
         ends: bool,
     ) {
         let Settled { time_s, velocities, seen, phases } = settled;
+        let rapid = piece.kind == MotionType::Rapid;
+        let accel = match (&stretch, rapid && !self.goes_by_set(piece.kind)) {
+            (Some(_), _) => piece.dynamics.accel,
+            (None, true) => self.model.accel_rapid,
+            (None, false) if rapid => piece.dynamics.accel,
+            (None, false) => self.model.accel,
+        };
         let joint = self.joint(&piece, joint_caps.as_ref(), velocities.start, seen, ends);
         let settle_s = if ends { self.settle_time(piece.end_mode) } else { 0.0 };
         if let Some(waiting) = self.waiting_at(piece.slot) {
@@ -422,6 +436,7 @@ impl Planner {
                 programmed: piece.programmed,
                 cap: Some((caps.least(), caps.by)),
                 velocities: Some(velocities),
+                accel,
                 merged: false,
                 is_piece: piece.is_piece,
                 joint: Some(joint),
@@ -456,6 +471,7 @@ impl Planner {
             velocity: if piece.broken.is_some() { 0.0 } else { velocity },
             limited_by,
             dot: working.then_some(if red { Dot::Red } else { Dot::Yellow }),
+            feed_cap: caps.map_or(0.0, JointCaps::feed),
             no_room_to_stop: self.model.profile == Profile::Ramps && ends && short(),
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::dict::Decimal;
 use crate::run::MotionType;
+use crate::text::Location;
 
 /// The function of group G2, as far as it decides how blocks join (CNT-1, CNT-2).
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -88,6 +89,8 @@ pub struct Step {
     pub file: u32,
     /// The line of the `N`, from 1.
     pub line: u32,
+    /// The place of its `N`.
+    pub place: Location,
     /// The function of group G2 in force.
     pub mode: Mode,
     /// What moves.
@@ -106,6 +109,8 @@ pub struct Step {
     pub plain: bool,
     /// Axis words under a fixed cycle that is not mapped: nobody knows what moves (TIM-3).
     pub unmapped_cycle: bool,
+    /// The length is not known because no position was, up to here.
+    pub approach: bool,
     /// The tool in the spindle.
     pub tool: Option<Decimal>,
 }

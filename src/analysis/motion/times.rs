@@ -3,6 +3,7 @@
 use super::step::Unit;
 use crate::dict::Decimal;
 use crate::run::MotionType;
+use crate::text::Location;
 
 /// Why a joint is not passed continuously (CNT-2), in the order in which reasons are looked for.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
@@ -182,6 +183,8 @@ pub struct Joint {
     pub limited_by: Option<Limit>,
     /// The dot.
     pub dot: Option<Dot>,
+    /// The least of both programmed velocities, mm/s; 0 where the joint is broken.
+    pub feed_cap: f64,
     /// VEL-10: the block after it, the last of its stretch, is too short to stop from the programmed velocity.
     pub no_room_to_stop: bool,
 }
@@ -247,6 +250,8 @@ pub struct MotionTimes {
     pub is_piece: bool,
     /// The joint before it.
     pub joint: Option<Joint>,
+    /// Acceleration that it goes by, mm/s²; 0 where its time is not known.
+    pub accel: f64,
     /// Where in its stretch it is; none outside of stretches.
     pub stretch: Option<InStretch>,
     /// Its phases, when asked for.
@@ -264,6 +269,8 @@ pub struct BlockTimes {
     pub file: u32,
     /// The line of its `N`.
     pub line: u32,
+    /// The place of its `N`.
+    pub place: Location,
     /// When it starts, seconds from program start.
     pub start_s: f64,
     /// How long it takes, seconds (TIM-1).

@@ -18,8 +18,8 @@ pub(super) struct Mark {
     pub excerpt: usize,
     /// Index of the mark in it.
     pub mark: usize,
-    /// What stands beside it; on one line.
-    pub text: String,
+    /// What is said of it, on one line.
+    pub text: Option<String>,
     /// Whether it is the place of the finding.
     pub primary: bool,
 }
@@ -37,6 +37,11 @@ pub(super) fn draw(
         let range = excerpts.get(mark.excerpt).and_then(|excerpt| excerpt.marks.get(mark.mark)).cloned();
         (mark.excerpt, range.unwrap_or_default())
     };
+    let line = |mark: &Mark| {
+        let (excerpt, range) = span(mark);
+        let text = excerpts.get(excerpt).map(|excerpt| excerpt.text.chars().take(range.start));
+        (excerpt, text.map(|before| before.filter(|character| *character == '\n').count()))
+    };
     let mut report = Report::build(ReportKind::Error, marks.iter().find(|mark| mark.primary).map_or((0, 0..0), span))
         .with_config(Config::new().with_color(colour).with_index_type(IndexType::Char));
     // Ariadne keeps the marks of a file together only when their lines rise.
@@ -50,7 +55,14 @@ pub(super) fn draw(
         } else {
             Color::Yellow
         };
-        report.add_label(Label::new(span(mark)).with_message(&mark.text).with_color(hue));
+        let label = Label::new(span(mark)).with_color(hue);
+        let accompanied = || marks.iter().any(|other| other.text.is_some() && line(other) == line(mark));
+        report.add_label(match &mark.text {
+            Some(text) => label.with_message(text),
+            // Ariadne underlines a mark without words only beside one that has some: see `underlined`.
+            None if accompanied() => label,
+            None => label.with_message(""),
+        });
     }
     let mut drawn = Vec::new();
     let sources = Texts(excerpts.iter().map(|excerpt| Source::from(excerpt.text.as_str())).collect());
@@ -91,7 +103,8 @@ impl Translation<'_> {
         let mut excerpt = None;
         // The first line is the header, which is written without ariadne.
         let lines = drawn.lines().skip(1).filter_map(|line| self.line(line.trim_end(), &mut excerpt));
-        if self.colour { lines.map(|line| joined(&line)).collect() } else { lines.collect() }
+        let lines = underlined(lines);
+        if self.colour { lines.iter().map(|line| joined(line)).collect() } else { lines }
     }
 
     /// One line; `None` for the end of the frame. `excerpt` is the one that is being drawn.
@@ -128,6 +141,30 @@ impl Translation<'_> {
         let name = self.names.get(excerpt).map(|name| terminal_safe(name)).unwrap_or_default();
         place_line(&format!("{name}:{line}:{column}"), corner, self.width, self.colour)
     }
+}
+
+/// Marks without words lose the arrow that leads to none.
+fn underlined(drawn: impl Iterator<Item = String>) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for line in drawn {
+        let plain = visible(&line);
+        let leads_nowhere = plain.split_once('│').is_some_and(|(_, rest)| {
+            let arrow = rest.trim();
+            arrow.strip_prefix('╰').is_some_and(|line| !line.is_empty() && line.chars().all(|part| part == '─'))
+        });
+        match lines.last_mut() {
+            Some(mark) if leads_nowhere && mark.contains('┬') => *mark = mark.replace('┬', "─"),
+            _ => lines.push(line),
+        }
+    }
+    lines
+}
+
+/// A line without its colour sequences.
+fn visible(line: &str) -> String {
+    let mut parts = line.split('\u{1b}');
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |text, part| text + part.split_once('m').map_or(part, |(_, rest)| rest))
 }
 
 /// `╭─[ part.nc:4:13 ]`, where numbers take `width` characters.

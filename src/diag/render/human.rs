@@ -70,8 +70,9 @@ impl Human<'_> {
     fn frame(&self, diagnostic: &Diagnostic, style: Style) -> (Vec<String>, usize) {
         let mut files: Vec<(FileId, Vec<Span>)> = Vec::new();
         let mut marks = Vec::new();
-        let primary = (diagnostic.at, words::here(self.lang).to_owned());
-        let labels = diagnostic.labels.iter().map(|label| (label.at, label.text.text(self.lang)));
+        // The message says what is wrong at the place of the finding itself.
+        let primary = (diagnostic.at, None);
+        let labels = diagnostic.labels.iter().map(|label| (label.at, Some(label.text.text(self.lang))));
         for (index, (at, text)) in std::iter::once(primary).chain(labels).enumerate() {
             let excerpt = files.iter().position(|(file, _)| *file == at.file).unwrap_or_else(|| {
                 files.push((at.file, Vec::new()));
@@ -82,7 +83,7 @@ impl Human<'_> {
                 marks.push(Mark {
                     excerpt,
                     mark: spans.len() - 1,
-                    text: terminal_safe(&text).into_owned(),
+                    text: text.map(|text| terminal_safe(&text).into_owned()),
                     primary: index == 0,
                 });
             }
@@ -139,7 +140,7 @@ impl Human<'_> {
             writeln!(out, "{}", words::more_not_executed(more, self.lang))?;
         }
         let fixable = report.items().filter(|item| item.diagnostic.certain_fix().is_some()).count();
-        if fixable > 0 {
+        if fixable > 0 && report.programs() > 0 {
             writeln!(out, "{}", words::fixable(fixable, self.lang))?;
         }
         if !by_code.is_empty() {

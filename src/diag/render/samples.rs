@@ -91,7 +91,7 @@ pub(super) fn mixed() -> Report {
         [
             Diagnostic::new(Finding::UnassignedParameter { parameter: 1 }, find(&sources, 0, "XR1", 0)),
             Diagnostic::new(
-                Finding::MissingProgramEnd { skipped: false, late: None },
+                Finding::MissingProgramEnd { skipped: false, late: None, instead: None },
                 Location { file: end.file, span: Span::empty(end.span.end) },
             ),
             Diagnostic::new(Finding::UnreadableFile { problem: Problem::NotFound, file: None }, missing),

@@ -28,14 +28,6 @@ pub(super) const fn help(lang: Lang) -> &'static str {
     }
 }
 
-/// What stands at the place of the finding itself, whose message says what is wrong there.
-pub(super) const fn here(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "here",
-        Lang::Cs => "zde",
-    }
-}
-
 /// The call, as in `called by N80 G71 L100 (line 9)`; `place` is `line 9`, or `part.nc:9` in another file.
 pub(super) fn called_by(call: &CallSite, place: &str, lang: Lang) -> String {
     let CallSite { by, l, n, .. } = call;

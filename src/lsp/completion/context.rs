@@ -139,6 +139,8 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         Kind::Word if touching => address(text, last).map(|address| (Wanted::Address(address), last.start)),
         Kind::BareR => Some((value(text, rest).unwrap_or(Some(Wanted::Assignment))?, last.start)),
         Kind::Parameter if touching => Some((value(text, rest).unwrap_or(Some(Wanted::Assignment))?, last.start)),
+        // `XR`: two letters, until a digit follows.
+        Kind::Text if touching && takes_parameter(written) => Some((Wanted::Value { target: None }, at - 1)),
         Kind::Parameter => value(text, rest).flatten().and(words),
         Kind::Equals | Kind::Sign => value(text, before)?.map(|wanted| (wanted, at)),
         Kind::Number if touching => {
@@ -228,6 +230,12 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
     }
 }
 
+/// Whether a text is an address and the letter of a parameter: `XR`.
+fn takes_parameter(written: &str) -> bool {
+    let &[address, b'R' | b'r'] = written.as_bytes() else { return false };
+    Address::from_byte(address).is_some_and(|address| !matches!(address, Address::N | Address::Program | Address::R))
+}
+
 fn address(text: &str, token: Token) -> Option<Address> {
     text.as_bytes().get(token.start as usize).copied().and_then(Address::from_byte)
 }
@@ -259,7 +267,6 @@ mod tests {
         at(&format!("%1\nN10 {text}\nN20 M30\n")).map(|(wanted, typed, _)| (wanted, typed))
     }
 
-    #[ignore = "expects the first edition of the specification"]
     #[test]
     fn words_and_their_parts() {
         let some = |wanted: Wanted, typed: &str| Some((wanted, typed.to_owned()));

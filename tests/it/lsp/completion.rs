@@ -231,7 +231,6 @@ fn blocks_of_a_long_unit() {
     assert_eq!(labels(&answer)[0], "L3001");
 }
 
-#[ignore = "expects the first edition of the specification"]
 #[test]
 fn parameters() {
     let mut editor = Editor::new("en", "[parameters]\nR20 = 1.5\n[operations]\n1 = \"add\"\n2 = \"sqrt\"\n", true);
@@ -363,7 +362,6 @@ fn a_line_end_numbers_the_next_block() {
 }
 
 /// However long the program is, an answer takes a bounded look around the cursor.
-#[ignore = "expects the first edition of the specification"]
 #[test]
 fn a_long_program() {
     let mut editor = Editor::english();

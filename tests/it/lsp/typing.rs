@@ -19,11 +19,12 @@ const TYPED: usize = 1500;
 /// A finding: code, and place from 1.
 type Finding = (String, [u64; 4]);
 
-#[ignore = "expects the first edition of the specification"]
 #[test]
 fn every_sample() {
     let programs: Vec<PathBuf> = files(&root().join("samples"))
         .into_iter()
+        // An editor hands over text, whatever the bytes of the file are.
+        .filter(|path| !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with("E0115")))
         .filter(|path| path.extension().is_some_and(|name| name == "nc") || Session::is_macrocycle_name(path))
         .collect();
     assert!(programs.len() > 300);

@@ -38,6 +38,7 @@ pub fn idle(seq: u64) -> Step {
         n: u32::try_from(seq).unwrap() * 10 + 10,
         file: 0,
         line: u32::try_from(seq).unwrap() + 2,
+        place: cnc872c::text::Location::default(),
         mode: Mode::Continuous,
         motion: None,
         dwell_s: None,
@@ -47,6 +48,7 @@ pub fn idle(seq: u64) -> Step {
         function_s: 0.0,
         plain: true,
         unmapped_cycle: false,
+        approach: false,
         tool: None,
     }
 }

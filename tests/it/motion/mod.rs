@@ -2,5 +2,10 @@
 
 mod build;
 mod closed;
+mod command;
+mod constants;
+mod invariance;
+mod joints;
+mod merging;
 mod random;
 mod verify;

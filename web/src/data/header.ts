@@ -41,13 +41,18 @@ export interface PageFinding {
 
 /** What motions have in common about their times, by code. */
 export interface TimeCode {
-  /** The criterion of the block cap. */
+  /** What the record has, in bits: see times.ts. */
+  has: number;
   cap_by?: string;
-  /** The joint with the motion before, without numbers. */
-  joint?: { broken_by?: string; limited_by?: string; dot?: 'red' | 'yellow'; angle?: boolean; with?: boolean };
-  merged?: boolean;
-  /** Which numbers the record has. */
-  has: string;
+  broken_by?: string;
+  limited_by?: string;
+  dot?: 'red' | 'yellow';
+  /** Index of the acceleration. */
+  a?: number;
+  /** What the velocity at the joint is foretold from: both caps, the joint before (1), the joint behind (2). */
+  j?: number;
+  /** What the greatest velocity is foretold from: cap and acceleration, the velocities at both ends (1). */
+  k?: number;
 }
 
 /** One piece of the equidistant path. */
@@ -81,11 +86,15 @@ export interface Header {
   shapes: Shape[];
   calls: { by: string; l: number }[];
   codes: TimeCode[];
+  /** Accelerations of motions, in mm/s². */
+  accels: number[];
+  /** When the first block of the page starts, in seconds. */
+  start_s: number;
   skeletons: string[];
   /** By letter: what the numbers in the text are foretold from. */
   foretold: { [letter: string]: 'row' };
   /** Parts of a millimetre or degree that numbers count, by column. */
   per: { [column: string]: number };
   findings: PageFinding[];
-  equidistant?: { radii: { [d: string]: number }; pieces: EquidistantPiece[] };
+  equidistant?: { pieces: EquidistantPiece[] };
 }

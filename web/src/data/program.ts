@@ -15,6 +15,8 @@ export class Program {
   readonly header: Header;
   /** Letters of the axes, in the order of the machine. */
   readonly letters: string[];
+  /** Places of the first three linear axes. */
+  readonly linear: number[];
   /** How many rows: different executions of blocks. Row 0 is what holds before the first block. */
   readonly rows: number;
   /** By row: which block of the text. */
@@ -55,6 +57,7 @@ export class Program {
     const header = data.header;
     this.header = header;
     this.letters = header.program.axes.map((axis) => axis.letter);
+    this.linear = header.program.axes.flatMap((axis, place) => (axis.kind === 'linear' ? [place] : [])).slice(0, 3);
     this.block = data.take('row.block');
     this.rows = this.block.length;
     this.before = data.take('row.before');
@@ -396,6 +399,19 @@ export class Program {
       motion[`length_${shape.l}`] = micro(this.#length(row, shape, arc));
     }
     return motion;
+  }
+
+  /** The length of a row's motion as the record has it, in millimetres or degrees; 0 when it has none. */
+  lengthOf(row: number): number {
+    const shape = this.shapeOf(row);
+    if (shape.l !== undefined) {
+      const [toU, toV] = shape.r === undefined ? [0, 0] : this.toCenter(row);
+      const arc = shape.r === undefined ? 0 : Math.sqrt(toU * toU + toV * toV) * Math.abs(this.sweep(row, shape));
+      return micro(this.#length(row, shape, arc));
+    }
+    const about = this.header.extras[this.extra[row]!]!['motion'] as Fields | undefined;
+    const kept = about?.['length_mm'] ?? about?.['length_deg'];
+    return typeof kept === 'number' ? kept : 0;
   }
 
   #length(row: number, shape: Shape, arc: number): number {

@@ -26,7 +26,7 @@ export function measure(app: App, view: View): HTMLElement {
   const tell = (): void => {
     const { path } = app;
     const { measured } = view;
-    const distance = h('section', {}, h('h3', {}, t('distance')));
+    const distance = h('section', {}, h('h2', {}, t('distance')));
     if (measured.length === 2) {
       const [a, b] = [measured[0]!.point, measured[1]!.point];
       const parts = a.map((value, i) => shown(Math.abs(b[i]! - value)));
@@ -63,7 +63,7 @@ export function measure(app: App, view: View): HTMLElement {
     tell();
   };
   const stretchPart = (): HTMLElement => {
-    const section = h('section', {}, h('h3', {}, t('stretch')));
+    const section = h('section', {}, h('h2', {}, t('stretch')));
     const set = (end: 'from' | 'to') => (): void => {
       if (app.current !== null) {
         stretch = { from: app.current, to: app.current, ...stretch, [end]: app.current };

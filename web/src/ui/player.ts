@@ -116,7 +116,8 @@ export class Player {
 
   #place(index: number): void {
     const duration = this.#durationOf(index);
-    this.#view.share = duration > 0 ? Math.min(Math.max((this.#time - this.#startOf(index)) / duration, 0), 1) : 1;
+    const share = duration > 0 ? Math.min(Math.max((this.#time - this.#startOf(index)) / duration, 0), 1) : 1;
+    this.#view.share = this.#app.times?.wayAt(index, share) ?? share;
   }
 
   get playing(): boolean {

@@ -66,7 +66,7 @@ export class State {
   }
 
   #section(key: Key, ...children: (Node | string)[]): HTMLElement {
-    return h('section', {}, h('h3', {}, t(key)), ...children);
+    return h('section', {}, h('h2', {}, t(key)), ...children);
   }
 
   #rows(rows: [string, string][]): HTMLElement {
@@ -210,7 +210,7 @@ export class State {
       if (joint['dot'] === 'red' || joint['dot'] === 'yellow') {
         parts.push([t('dot'), t(joint['dot'])]);
       }
-      section.append(h('h3', {}, t('joint')), this.#rows(parts));
+      section.append(h('h2', {}, t('joint')), this.#rows(parts));
     }
     return section;
   }

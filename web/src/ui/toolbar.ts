@@ -72,7 +72,7 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
   });
   const languages = (['en', 'cs'] as const).map((lang) => {
     const name = lang === 'en' ? 'English' : 'Čeština';
-    const button = h('button', { type: 'button', lang, title: name, 'aria-label': name, onclick: () => setLanguage(lang) }, lang.toUpperCase());
+    const button = h('button', { type: 'button', lang, title: name, 'aria-label': `${lang.toUpperCase()}: ${name}`, onclick: () => setLanguage(lang) }, lang.toUpperCase());
     const press = (): void => button.setAttribute('aria-pressed', String(language() === lang));
     press();
     app.on('language', press);

@@ -26,6 +26,47 @@ local CODE_PAGES = {
   ['kamenicky'] = 'latin1',
 }
 
+---- Blocks as comments ----
+
+-- A comment never crosses a line end, so each line becomes one of its own, `"// …"`; the quotes in it become apostrophes
+-- and come back.
+local function switched_off(line)
+  local indent, inside, rest = line:match('^(%s*)"// (.*)"(%s*)$')
+  if inside and not inside:find('"', 1, true) then
+    return indent, inside, rest
+  end
+end
+
+local function switch_off(line)
+  local indent, text, rest = line:match('^(%s*)(.-)(%s*)$')
+  local inside = text:gsub('[%^\'"]', { ['^'] = '^^', ["'"] = "^'", ['"'] = "'" })
+  return indent .. '"// ' .. inside .. '"' .. rest
+end
+
+local function switch_on(line)
+  local indent, inside, rest = switched_off(line)
+  local text = inside:gsub('%^?[%^\']', { ['^^'] = '^', ["^'"] = "'", ["'"] = '"' })
+  return indent .. text .. rest
+end
+
+-- Makes the lines comments, or blocks again when all of them are such comments; empty lines stay.
+function M.toggle_comment(first, last)
+  local lines = vim.api.nvim_buf_get_lines(0, first - 1, last, false)
+  local all, any = true, false
+  for _, line in ipairs(lines) do
+    if line:match('%S') then
+      any = true
+      all = all and switched_off(line) ~= nil
+    end
+  end
+  for at, line in ipairs(lines) do
+    if line:match('%S') then
+      lines[at] = (all and any) and switch_on(line) or switch_off(line)
+    end
+  end
+  vim.api.nvim_buf_set_lines(0, first - 1, first - 1 + #lines, false, lines)
+end
+
 ---- Files and their folders ----
 
 local function parent(path)
@@ -264,24 +305,39 @@ function M.act(kind)
   end
 end
 
--- Shows the block stream of the program in a buffer of its own, one record a line.
+-- Shows a text of the server in a buffer of its own.
+local function show(text)
+  vim.cmd('new')
+  local buffer = vim.api.nvim_get_current_buf()
+  vim.bo[buffer].buftype = 'nofile'
+  vim.bo[buffer].bufhidden = 'wipe'
+  vim.bo[buffer].swapfile = false
+  vim.api.nvim_buf_set_lines(buffer, 0, -1, false, vim.split((text:gsub('\n$', '')), '\n'))
+  vim.bo[buffer].modifiable = false
+end
+
+-- Shows the block stream of the program, one record a line.
 function M.stream()
   local uri = vim.uri_from_bufnr(0)
   local result = M.request('workspace/executeCommand', { command = 'cnc872c.stream', arguments = { uri } })
   if type(result) ~= 'table' then
     return
   end
-  vim.cmd('new')
-  local buffer = vim.api.nvim_get_current_buf()
-  vim.bo[buffer].buftype = 'nofile'
-  vim.bo[buffer].bufhidden = 'wipe'
-  vim.bo[buffer].swapfile = false
-  vim.api.nvim_buf_set_lines(buffer, 0, -1, false, vim.split((result.text:gsub('\n$', '')), '\n'))
-  vim.bo[buffer].modifiable = false
-  vim.bo[buffer].filetype = 'json'
+  show(result.text)
+  vim.bo.filetype = 'json'
   if result.truncated then
     vim.notify('cnc872c: only the beginning of the stream is shown', vim.log.levels.INFO)
   end
+end
+
+-- Shows what the PLC reads in the block at the cursor.
+function M.signals()
+  local client = M.client(vim.api.nvim_get_current_buf())
+  local result = M.request('cnc872c/signals', vim.lsp.util.make_position_params(0, client and client.offset_encoding))
+  if type(result) ~= 'table' then
+    return
+  end
+  show(result.text)
 end
 
 -- What a lens above a subprogram asks for: its calls, in the quickfix list.
@@ -313,6 +369,7 @@ function M.setup(options)
     M.act('source.fixAll.cnc872c')
   end, { desc = 'Mend what can be mended' })
   command('CncStream', M.stream, { desc = 'The block stream of the program' })
+  command('CncSignals', M.signals, { desc = 'The PLC signals of the block at the cursor' })
 
   if vim.lsp.config and vim.lsp.enable then
     local config = M.config()

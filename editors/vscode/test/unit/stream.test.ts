@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
-import { asStream, blocks, viewPath } from '../../src/stream';
+import { asStream, blocks, signalsPath, viewPath } from '../../src/stream';
 
 test('answers of the server', () => {
   assert.deepEqual(asStream({ text: '{}', truncated: true }), { text: '{}', truncated: true });
@@ -23,4 +23,5 @@ test('names of views', () => {
   assert.equal(viewPath('C:\\programs\\L9001'), '/L9001.jsonl');
   assert.equal(viewPath('Untitled-1'), '/Untitled-1.jsonl');
   assert.equal(viewPath(''), '/program.jsonl');
+  assert.equal(signalsPath('/programs/flange.nc'), '/flange.nc.plc.txt');
 });

@@ -1,19 +1,11 @@
-//! Pages about functions and addresses, made from the dictionary.
+//! Pages about functions and addresses, made from the dictionary and from what is said of their use.
 
 use std::fmt::Write as _;
 
+use super::usage::Usage;
+use super::{m_usage, usage};
 use crate::diag::Code;
 use crate::dict::{Address, Bilingual, Dialect, GCode, Lang, Lasting, M_GROUPS, MRow, ValueForm, standard_m_functions};
-
-/// Headings bold, without the signs that make them headings in Markdown.
-pub(super) fn painted(page: &str, colors: bool) -> String {
-    let (on, off) = if colors { ("\u{1b}[1m", "\u{1b}[0m") } else { ("", "") };
-    let line = |line: &str| match line.trim_start_matches('#').strip_prefix(' ') {
-        Some(heading) if line.starts_with('#') => format!("{on}{heading}{off}\n"),
-        _ => format!("{line}\n"),
-    };
-    page.lines().map(line).collect()
-}
 
 fn pick(lang: Lang, en: &'static str, cs: &'static str) -> &'static str {
     Bilingual { en, cs }.get(lang)
@@ -32,8 +24,46 @@ pub(super) fn g_page(code: GCode, lang: Lang) -> String {
     let _ = writeln!(page, "- {}", lasts(code.lasting(), lang));
     let once = pick(lang, "One function of the group in a block", "Z jedné skupiny smí být v bloku jediná funkce");
     let _ = writeln!(page, "- {once}");
+    if let Some(usage) = usage::of(code) {
+        let own = usage.codes.iter().map(GCode::to_string).find(|own| usage.syntax.contains(own.as_str()));
+        let own = own.unwrap_or_default();
+        let mut text = String::new();
+        add_usage(&mut text, usage, &usage.syntax.replacen(&own, &code.to_string(), 1), lang);
+        // The cycles are written alike.
+        page.push_str(&if code.is_cycle() { text.replace(&own, &code.to_string()) } else { text });
+    }
     add_findings(&mut page, &code.to_string(), lang);
     page
+}
+
+/// Adds how a function is written, an example, and what else there is to know.
+fn add_usage<C>(page: &mut String, usage: &Usage<C>, syntax: &str, lang: Lang) {
+    let _ = write!(page, "\n## {}\n\n```\n{syntax}\n```\n\n", pick(lang, "Syntax", "Zápis"));
+    for note in usage.notes {
+        bullet(page, note.get(lang));
+    }
+    let _ = write!(page, "\n## {}\n", pick(lang, "Example", "Příklad"));
+    if !usage.project.is_empty() {
+        let _ = write!(page, "\n```toml\n{}```\n", usage.project);
+    }
+    let _ = write!(page, "\n```nc\n{}\n```\n", usage.example);
+}
+
+/// Most characters of a line.
+const WIDTH: usize = 90;
+
+/// Adds a line of a list, broken where it is too long.
+fn bullet(page: &mut String, text: &str) {
+    let mut line = String::from("-");
+    for word in text.split(' ') {
+        if line.chars().count() + 1 + word.chars().count() > WIDTH {
+            let _ = writeln!(page, "{line}");
+            line = String::from(" ");
+        }
+        line.push(' ');
+        line.push_str(word);
+    }
+    let _ = writeln!(page, "{line}");
 }
 
 pub(super) fn m_page(number: u8, lang: Lang) -> String {
@@ -100,6 +130,15 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
                 let _ = writeln!(page, "- {text}");
             }
         }
+    }
+    if let Some(usage) = m_usage::of(number) {
+        let own = usage.codes.first().map(|first| format!("M{first:02}")).unwrap_or_default();
+        let syntax = if usage.syntax.contains(&own) {
+            usage.syntax.replacen(&own, &format!("M{number:02}"), 1)
+        } else {
+            format!("M{number:02}")
+        };
+        add_usage(&mut page, usage, &syntax, lang);
     }
     add_findings(&mut page, &format!("M{number:02}"), lang);
     page
@@ -231,15 +270,15 @@ fn lasts(lasting: Lasting, lang: Lang) -> &'static str {
     }
 }
 
-/// Adds the diagnostics whose pages speak of that word.
-fn add_findings(page: &mut String, word: &str, lang: Lang) {
+/// Adds the diagnostics whose pages name that word.
+pub(super) fn add_findings(page: &mut String, word: &str, lang: Lang) {
     let about: Vec<String> = Code::ALL
         .iter()
         .filter(|code| prose(code.page(lang)).any(|line| holds_word(line, word)))
         .map(|code| format!("- {code} {}", code.name()))
         .collect();
     if !about.is_empty() {
-        let title = pick(lang, "Findings that speak of it", "Hlášení, která o ní mluví");
+        let title = pick(lang, "Related findings", "Související hlášení");
         let _ = write!(page, "\n## {title}\n\n{}\n", about.join("\n"));
     }
 }

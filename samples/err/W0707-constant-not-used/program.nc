@@ -1,0 +1,3 @@
+%1 "Cisty program
+N10 G90 G0 X0 Y0
+N20 M30

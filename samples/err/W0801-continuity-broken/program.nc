@@ -1,0 +1,23 @@
+%801 "Kapsa
+ N10 G90 G0 X0 Y0 Z0
+ N20 G23 G1 X10 F1000
+"CNT-2 the angle, once for the three passes
+ N30 Y10
+"^^^ W0801
+ N40 X0.2
+"^^^ W0801
+ N50 X0
+"^^^ W0801
+ N60 T1
+ N70 Y20
+"^^^ W0801
+ N80 G4 Q10 Y30
+ N90 Y40
+"^^^ W0801
+ N100 Y50
+ N110 X10 Y60
+ N120 G73 L30 Q2
+"what G24 or G0 breaks is meant
+ N130 G24 Y70
+ N140 G0 X0
+ N150 M30

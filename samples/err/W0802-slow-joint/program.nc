@@ -1,0 +1,8 @@
+%802 "Oblouk z usecek
+ N10 G90 G0 X0 Y0
+ N20 G23 G1 X50 F3000
+"VEL-5, DOT-1
+ N30 X60 Y5
+"^^^ W0802
+ N40 X70 Y10
+ N50 M30

@@ -1,0 +1,8 @@
+%803 "Konec plynuleho useku
+N10 G90 G0 X0 Y0
+N20 G23 G1 X100 F6000
+N30 X110
+"VEL-10 100 mm/s take 12.5 mm at 400 mm/s2
+"@ 4:1-4:4 W0803
+N40 G24 Y10
+N50 M30

@@ -1,0 +1,15 @@
+%1 "PLC-7 what a byte in BCD cannot hold"
+"! plc=PB05,PB06,PB13,PB16
+N10 G0 G90 X0 Y0 H99
+N20 H100
+"    ^^^ W0901
+N30 H2.5 M100
+"    ^^^ W0901
+"@ 6:11-6:14 W0901
+N40 H-1
+"    ^^ W0901
+N50 R1=100
+N60 MR1
+"    ^^ W0901
+N70 H5 M99
+N80 M30

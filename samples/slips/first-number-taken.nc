@@ -1,0 +1,7 @@
+%1 "slova pred blokem N10"
+X5
+"@ 2:1-2:3 E0203
+Y6
+N10 G54 G90 G0 X0 Y0 Z50
+N80 G0 Z50
+N90 M30

@@ -1,0 +1,271 @@
+//! The account of a program's motion for people.
+
+use super::basis::{Basis, InForce};
+use super::summary::{RedJoint, Summary};
+use super::trimmed;
+use super::words::{Help, LimitName, Reason, Words};
+use crate::diag::terminal_safe;
+use crate::dict::Lang;
+use crate::run::MotionType;
+use crate::text::Sources;
+
+/// `h:mm:ss.s`.
+pub fn clock(seconds: f64) -> String {
+    // Casting saturates: no program takes that long.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "times are positive")]
+    let tenths = (seconds.max(0.0) * 10.0).round() as u64;
+    let (whole, tenth) = (tenths / 10, tenths % 10);
+    format!("{}:{:02}:{:02}.{tenth}", whole / 3600, whole / 60 % 60, whole % 60)
+}
+
+/// What a program's motion is told from.
+#[derive(Clone, Copy, Debug)]
+pub struct Account<'a> {
+    /// The program, as the user named it.
+    pub name: &'a str,
+    /// What the estimate rests on.
+    pub basis: &'a Basis,
+    /// What the program takes.
+    pub summary: &'a Summary,
+    /// The configured machine, and what the program takes there, when other values are tried.
+    pub configured: Option<(&'a Basis, Option<&'a Summary>)>,
+    /// The texts that places are in.
+    pub sources: &'a Sources,
+}
+
+/// Lines under way.
+struct Lines {
+    text: String,
+    lang: Lang,
+}
+
+impl Lines {
+    fn add(&mut self, line: &str) {
+        self.text.push_str(line.trim_end());
+        self.text.push('\n');
+    }
+
+    fn head(&mut self, words: &Words) {
+        self.text.push('\n');
+        let line = words.text(self.lang);
+        self.add(&line);
+    }
+
+    /// A name, and values that stand below one another.
+    fn row(&mut self, name: &str, value: &str, rest: &str) {
+        let pad = 42_usize.saturating_sub(name.chars().count());
+        let line = format!("  {name}{:pad$}{value:>14}{rest}", "");
+        self.add(&line);
+    }
+}
+
+impl Account<'_> {
+    /// The text in `lang`; every line ends.
+    pub fn text(&self, lang: Lang) -> String {
+        let mut lines = Lines { text: String::new(), lang };
+        let Self { summary, basis, .. } = self;
+        let total = self.total().text(lang);
+        lines.add(&format!("{}: {total}", terminal_safe(self.name)));
+        self.add_basis(basis, &mut lines);
+        self.add_changes(&mut lines);
+        self.add_times(summary, &mut lines);
+        self.add_joints(summary, &mut lines);
+        self.add_red(summary, &mut lines);
+        lines.text
+    }
+
+    fn total(&self) -> Words {
+        let summary = self.summary;
+        let time = clock(summary.time_s);
+        match summary.unknown_blocks {
+            0 => Words::Whole { time },
+            blocks if blocks == summary.approach_blocks => Words::WithoutApproach { time },
+            blocks => Words::AtLeast { time, blocks },
+        }
+    }
+
+    fn add_basis(&self, basis: &Basis, lines: &mut Lines) {
+        let lang = lines.lang;
+        let list = |wanted: &dyn Fn(&InForce) -> bool| {
+            let values = basis.values.iter().filter(|value| wanted(value)).map(|value| {
+                let constant = if value.from.starts_with('R') || value.from.starts_with('-') {
+                    format!(" ({})", value.from)
+                } else {
+                    String::new()
+                };
+                format!("{} {}{constant}", value.path(), value.value)
+            });
+            values.collect::<Vec<_>>().join(", ")
+        };
+        if basis.assumed {
+            lines.add(&format!("{}:", Words::Assumed.text(lang)));
+            lines.add(&format!("  {}", list(&|_| true)));
+            return;
+        }
+        lines.add(&Words::Configured { values: list(&|value| !value.assumed) }.text(lang));
+        lines.add(&Words::AlsoAssumed { values: list(&|value| value.assumed) }.text(lang));
+    }
+
+    fn add_changes(&self, lines: &mut Lines) {
+        let Some((configured, before)) = self.configured else { return };
+        let lang = lines.lang;
+        lines.head(&Words::Changed);
+        let changes = self.basis.changes(configured);
+        if changes.is_empty() {
+            lines.add(&format!("  {}", Words::Nothing.text(lang)));
+            return;
+        }
+        for (key, before, after) in changes {
+            let shown = |value: Option<super::BasisValue>| {
+                value.map_or_else(|| Words::Off.text(lang), |value| value.to_string())
+            };
+            lines.add(&format!("  {key} {} → {}", shown(before), shown(after)));
+        }
+        if let Some(before) = before {
+            let after = self.summary;
+            let change = after.time_s - before.time_s;
+            let sign = if change > 0.0 { "+" } else { "" };
+            let words = [
+                Words::TimeBefore {
+                    before: clock(before.time_s),
+                    after: clock(after.time_s),
+                    change: format!("{sign}{}", trimmed(change, 3)),
+                },
+                Words::JointsBefore { before: before.continuous, after: after.continuous },
+                Words::DotsBefore { before: before.dots[1], after: after.dots[1] },
+            ];
+            words.iter().for_each(|words| lines.add(&format!("  {}", words.text(lang))));
+        }
+    }
+
+    fn add_times(&self, summary: &Summary, lines: &mut Lines) {
+        let lang = lines.lang;
+        let part = |seconds: f64| {
+            let percent = if summary.time_s > 0.0 { seconds / summary.time_s * 100.0 } else { 0.0 };
+            format!("{percent:7.1} %")
+        };
+        lines.head(&Words::Time);
+        for (kind, seconds) in summary.types() {
+            lines.row(motion_name(kind), &clock(seconds), &part(seconds));
+        }
+        let others = [
+            (Words::Dwell, summary.dwell_s),
+            (Words::Functions, summary.function_s),
+            (Words::Settle, summary.settle_s),
+            (Words::Gaps, summary.gap_s),
+        ];
+        for (words, seconds) in others.iter().filter(|(_, seconds)| *seconds > 0.0) {
+            lines.row(&words.text(lang), &clock(*seconds), &part(*seconds));
+        }
+        lines.row(&Words::Ideal.text(lang), &clock(summary.ideal_s), "");
+        if let Some(seconds) = summary.no_jerk_s {
+            lines.row(&Words::NoJerk.text(lang), &clock(seconds), "");
+        }
+        if summary.by_tool.keys().any(Option::is_some) {
+            lines.head(&Words::Tools);
+            for (tool, seconds) in &summary.by_tool {
+                let name = tool.map_or_else(|| Words::NoTool.text(lang), |tool| format!("T{tool}"));
+                lines.row(&name, &clock(*seconds), &part(*seconds));
+            }
+        }
+    }
+
+    fn add_joints(&self, summary: &Summary, lines: &mut Lines) {
+        let lang = lines.lang;
+        lines.head(&Words::Joints);
+        lines.row(&Words::Continuous.text(lang), &summary.continuous.to_string(), "");
+        for (reason, count) in summary.breaks() {
+            let words = Words::BrokenBy { reason: Reason::of(reason).text(lang) };
+            lines.row(&words.text(lang), &count.to_string(), "");
+        }
+        if summary.limits().next().is_some() {
+            lines.head(&Words::Limits);
+            for (limit, count) in summary.limits() {
+                lines.row(&LimitName::of(limit).text(lang), &count.to_string(), "");
+            }
+        }
+        let [yellow, red] = summary.dots;
+        if yellow + red > 0 {
+            lines.head(&Words::Dots);
+            lines.row(&Words::Yellow.text(lang), &yellow.to_string(), "");
+            lines.row(&Words::Red.text(lang), &red.to_string(), "");
+        }
+        if let Some(feed) = summary.mean_feed() {
+            lines.head(&Words::MeanFeed { feed: trimmed(feed, 1) });
+        }
+    }
+
+    fn add_red(&self, summary: &Summary, lines: &mut Lines) {
+        let [yellow, red] = summary.dots;
+        if yellow + red == 0 {
+            return;
+        }
+        if red == 0 {
+            lines.head(&Words::NoRed);
+            return;
+        }
+        lines.head(&Words::RedJoints);
+        for joint in &summary.red {
+            let line = self.red(joint, lines.lang);
+            lines.add(&line);
+        }
+        if summary.more_red {
+            lines.add(&format!("  {}", Words::MoreRed.text(lines.lang)));
+        }
+    }
+
+    fn red(&self, red: &RedJoint, lang: Lang) -> String {
+        let joint = &red.joint;
+        let file = self.sources.get(red.place.file).map_or("", |source| source.name());
+        let mut parts = Vec::new();
+        if let Some(angle) = joint.angle_deg {
+            parts.push(Words::Angle { angle: trimmed(angle, 3) }.text(lang));
+        }
+        let help = match (joint.broken_by, joint.limited_by) {
+            (Some(reason), _) => {
+                parts.push(format!("{}: {}", Words::Stops.text(lang), Reason::of(reason).text(lang)));
+                Help::of_break(reason)
+            }
+            (None, limit) => {
+                let feed = Words::Feed {
+                    feed: trimmed(joint.velocity * 60.0, 1),
+                    programmed: trimmed(red.programmed.unwrap_or(0.0) * 60.0, 1),
+                };
+                parts.push(feed.text(lang));
+                parts.extend(limit.map(|limit| LimitName::of(limit).text(lang)));
+                limit.map(Help::of_limit)
+            }
+        };
+        parts.extend(help.map(|help| help.text(lang)));
+        if red.times > 1 {
+            parts.push(Words::Times { times: red.times }.text(lang));
+        }
+        let blocks = Words::After { n: red.n, with: joint.with_n.unwrap_or(0) }.text(lang);
+        format!("  {}:{}  {blocks}: {}", terminal_safe(file), red.line, parts.join("; "))
+    }
+}
+
+/// The G function of a motion.
+pub(super) const fn motion_name(kind: MotionType) -> &'static str {
+    match kind {
+        MotionType::Rapid => "G00",
+        MotionType::Linear => "G01",
+        MotionType::ArcCw => "G02",
+        MotionType::ArcCcw => "G03",
+        MotionType::Thread => "G33",
+        MotionType::Reference => "G30",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::clock;
+
+    #[test]
+    fn clocks() {
+        let table = [(0.0, "0:00:00.0"), (59.96, "0:01:00.0"), (3661.24, "1:01:01.2"), (36_000.0, "10:00:00.0")];
+        for (seconds, text) in table {
+            assert_eq!(clock(seconds), text);
+        }
+    }
+}

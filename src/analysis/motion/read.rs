@@ -1,0 +1,345 @@
+//! From executed blocks to what the planner reads. The only file here that knows how blocks are executed.
+
+use super::model::Model;
+use super::step::{Direction, Dynamics, Mode, Move, Step, Unit};
+use crate::config::{G97, Motion as Configured, MotionKey, Profile, Rapid, SetKey, Settings, TimedFunction};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::run::{ArcPath, Executed, Length, Missing, Motion, MotionType};
+
+/// The part of P that is a jerk of 1 mm/s³ (VEL-11).
+const P_OF_JERK: f64 = 32.768;
+
+fn float(value: Decimal) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "values of the configuration have far fewer than 53 bits")]
+    let thousandths = value.thousandths() as f64;
+    thousandths / 1000.0
+}
+
+impl Model {
+    /// The machine of these settings.
+    pub fn of(settings: &Settings) -> Self {
+        let motion = &settings.machine.motion;
+        let number = |key| float(motion.number(key));
+        Self {
+            recognition: motion.recognition.value,
+            angle_deg: number(MotionKey::Angle),
+            profile: motion.profile.value,
+            accel: number(MotionKey::Accel),
+            accel_rapid: number(MotionKey::AccelRapid),
+            rapid_set: motion.sets.first().is_some_and(Option::is_some),
+            shortest_s: number(MotionKey::ShortestBlock) / 1000.0,
+            break_mm: number(MotionKey::BreakLength).max(0.0),
+            merge_mm: number(MotionKey::MergeLength).max(0.0),
+            red: number(MotionKey::Red) / 100.0,
+            raise_s: number(MotionKey::Raise) / 1000.0,
+            look_ahead: usize::try_from(motion.number(MotionKey::LookAhead).thousandths() / 1000).unwrap_or(1),
+            cycle_ms: number(MotionKey::Cycle),
+            settle_s: number(MotionKey::Settle) / 1000.0,
+            gap_s: number(MotionKey::BlockGap) / 1000.0,
+        }
+    }
+}
+
+/// Reads the blocks of one execution.
+#[derive(Clone, Debug)]
+pub struct StepReader {
+    motion: Configured,
+    /// The linear axes in machine order.
+    linear: Vec<AxisLetter>,
+    g97: G97,
+    optional_stop: bool,
+    /// Fixed cycles that are mapped.
+    mapped: Vec<u8>,
+    by_parameter: bool,
+    /// The dynamics of each set as last read; set 0 is that of G00.
+    dynamics: [Option<Dynamics>; 5],
+    correction: Option<u16>,
+    /// Whether a motion of known length was executed.
+    moved: bool,
+}
+
+impl StepReader {
+    /// For programs executed with these settings.
+    pub fn new(settings: &Settings) -> Self {
+        let machine = &settings.machine;
+        Self {
+            motion: machine.motion.clone(),
+            linear: machine.axes.iter().filter(|axis| !axis.rotary).map(|axis| axis.letter).collect(),
+            g97: machine.g97,
+            optional_stop: settings.optional_stop,
+            mapped: machine.cycles.keys().copied().collect(),
+            by_parameter: machine.motion.depends_on_parameters(),
+            dynamics: [None; 5],
+            correction: None,
+            moved: false,
+        }
+    }
+
+    /// The block as a step.
+    pub fn read(&mut self, block: &Executed<'_>) -> Step {
+        let words = self.words(block);
+        let motion = block.motion();
+        let dwells = block.g(GGroup::G10) == Some(GCode::G04);
+        let cycle = block.g(GGroup::G8).filter(|code| code.is_cycle());
+        let unmapped = cycle.is_some_and(|code| !self.mapped.contains(&code.number()));
+        let missing = motion.map(|motion| motion.length());
+        let missing = matches!(missing, Some(Length::Missing(Missing::Start | Missing::Origin)));
+        let approach = missing && !self.moved;
+        let motion = motion.map(|motion| self.motion(block, &motion));
+        self.moved |= motion.is_some_and(|motion| motion.length.is_some());
+        Step {
+            seq: block.seq(),
+            n: block.n(),
+            file: block.file_index(),
+            line: block.line(),
+            place: block.place(),
+            mode: match block.g(GGroup::G2) {
+                Some(GCode::G23) => Mode::Continuous,
+                Some(GCode::G24) => Mode::Tight,
+                Some(GCode::G98) | None => Mode::Basic,
+                Some(_) => Mode::Other,
+            },
+            unmapped_cycle: unmapped && motion.is_none() && block.data().is_none() && words.axes,
+            motion,
+            dwell_s: dwells.then(|| block.dwell().map_or(0.0, Micro::to_f64)),
+            stops: block.stop() || (block.cond_stop() && self.optional_stop),
+            breaks_before: block.break_cont(),
+            breaks_after: block.break_cont_end(),
+            function_s: words.function_s,
+            plain: words.plain && block.g(GGroup::G9) != Some(GCode::G91),
+            approach,
+            tool: block.tool(),
+        }
+    }
+
+    /// What is written in the block.
+    fn words(&mut self, block: &Executed<'_>) -> Words {
+        let mut found = Words { axes: false, plain: true, function_s: 0.0 };
+        let (file, (_, id)) = (block.file(), block.at());
+        let times = &self.motion.times;
+        let mut timed = |function: TimedFunction| {
+            if let Some(time) = times.get(&function) {
+                found.function_s = found.function_s.max(float(time.value));
+            }
+        };
+        let mut correction = false;
+        for word in file.into_iter().flat_map(|file| file.words(id)) {
+            if word.address.axis().is_some() {
+                found.axes = true;
+                continue;
+            }
+            match word.address {
+                Address::G | Address::M => found.plain = false,
+                Address::F | Address::S | Address::T | Address::H | Address::P | Address::D => {
+                    found.plain = false;
+                    if !times.is_empty() {
+                        timed(TimedFunction::Address(word.address.letter()));
+                    }
+                }
+                Address::Correction => correction = true,
+                Address::Program | Address::N | Address::Skip | Address::R | Address::L | Address::Q => {}
+                Address::X | Address::Y | Address::Z | Address::I | Address::J | Address::K => {}
+                Address::A | Address::B | Address::C | Address::U | Address::V | Address::W => {}
+            }
+        }
+        if !times.is_empty() {
+            block.m_written().iter().for_each(|number| timed(TimedFunction::M(u16::from(*number))));
+        }
+        if correction {
+            let digits = block.length_correction();
+            found.plain &= digits == self.correction;
+            self.correction = digits;
+        }
+        found
+    }
+
+    fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) -> Move {
+        let (length, unit) = match motion.length() {
+            Length::Mm(length) => (Some(length.to_f64()), Unit::Mm),
+            Length::Deg(length) => (Some(length.to_f64()), Unit::Deg),
+            Length::Missing(_) => (None, Unit::Mm),
+        };
+        let kind = motion.kind();
+        let arc = motion.arc().filter(|_| kind.is_arc());
+        let spindle = motion.spindle_axis();
+        let mut vector = [0.0; 9];
+        let mut along = [0.0; 3];
+        let mut known = !motion.is_stale();
+        for (place, letter) in self.linear.iter().enumerate() {
+            if !motion.moves(*letter) || spindle == Some(*letter) {
+                continue;
+            }
+            match motion.distance(*letter) {
+                // Whole millionths keep directions exact.
+                Some(distance) => {
+                    if let Some(slot) = vector.get_mut(place) {
+                        *slot = distance.to_f64();
+                    }
+                    if let Some(slot) = along.get_mut(place) {
+                        *slot = millionths(distance);
+                    }
+                }
+                None => known &= place >= 3,
+            }
+        }
+        let (from, to) = match arc {
+            _ if !known => (Direction::Unknown, Direction::Unknown),
+            Some(arc) => self.tangents(motion, &arc),
+            None if kind.is_arc() => (Direction::Unknown, Direction::Unknown),
+            None if along == [0.0; 3] => (Direction::Still, Direction::Still),
+            None => (Direction::Along(along), Direction::Along(along)),
+        };
+        let set = block.dynamic_set().unwrap_or(1);
+        let rapid_set = kind == MotionType::Rapid && self.motion.sets.first().is_some_and(Option::is_some);
+        Move {
+            kind,
+            length,
+            unit,
+            from,
+            to,
+            vector,
+            programmed: match kind {
+                MotionType::Rapid => length.and_then(|length| self.rapid(motion, length)),
+                MotionType::Reference => None,
+                MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw | MotionType::Thread => {
+                    self.feed(block, kind)
+                }
+            },
+            radius: arc.and_then(|arc| arc.radius_mm).map(Micro::to_f64),
+            dynamics: self.dynamics(block, if rapid_set { 0 } else { set }),
+        }
+    }
+
+    /// Programmed velocity of working motion (VEL-1), mm/s or deg/s.
+    fn feed(&self, block: &Executed<'_>, kind: MotionType) -> Option<f64> {
+        let feed = block.feed()?;
+        let value = float(feed.value) / 60.0;
+        let turns = || block.s().map(float);
+        let velocity = match block.g(GGroup::G6) {
+            Some(GCode::G95) => value * turns()?,
+            Some(GCode::G97) if self.g97 == G97::PerRevolution => {
+                value * self.motion.given(MotionKey::ConstantCutting).value.map(float)?
+            }
+            _ => value,
+        };
+        // M37 reduces the feed; a thread keeps its pitch.
+        Some(if feed.hundredth && kind != MotionType::Thread { velocity / 100.0 } else { velocity })
+    }
+
+    /// Velocity of G00 along the path (VEL-2), mm/s or deg/s.
+    fn rapid(&self, motion: &Motion<'_>, length: f64) -> Option<f64> {
+        match &self.motion.rapid.value {
+            Rapid::Path(velocity) => Some(float(*velocity) / 60.0),
+            Rapid::Axes(table) => {
+                let velocity = |letter: AxisLetter| {
+                    let own = table.iter().find(|(other, _)| *other == letter);
+                    float(own.map_or(Rapid::DEFAULT, |(_, velocity)| *velocity)) / 60.0
+                };
+                let times =
+                    motion.axes().filter_map(|letter| Some(motion.distance(letter)?.to_f64().abs() / velocity(letter)));
+                let time = times.fold(0.0, f64::max);
+                (time > 0.0).then(|| length / time)
+            }
+        }
+    }
+
+    /// The dynamics of a set; 0 is that of G00.
+    fn dynamics(&mut self, block: &Executed<'_>, set: u8) -> Dynamics {
+        let place = usize::from(set);
+        if !self.by_parameter
+            && let Some(dynamics) = self.dynamics.get(place).copied().flatten()
+        {
+            return dynamics;
+        }
+        let motion = &self.motion;
+        let dynamics = if motion.profile.value == Profile::Parabolic {
+            let value = |key| float(motion.dynamic(place, key, |number| block.parameter(number)));
+            let accel = value(SetKey::Linear);
+            let parabolic = value(SetKey::Parabolic);
+            // Without P nothing limits the jerk: so much of it is as good as none.
+            let jerk = if parabolic > 0.0 { parabolic / P_OF_JERK } else { accel * 1e6 };
+            Dynamics {
+                accel,
+                jerk,
+                accuracy_um: value(SetKey::Accuracy),
+                overload: value(SetKey::Overload),
+                centripetal: value(SetKey::Centripetal),
+            }
+        } else {
+            let value = |key| float(motion.number(key));
+            Dynamics {
+                accel: value(MotionKey::AccelContinuous),
+                jerk: 0.0,
+                accuracy_um: value(MotionKey::Accuracy),
+                overload: value(MotionKey::Overload),
+                centripetal: value(MotionKey::Centripetal),
+            }
+        };
+        if let Some(slot) = self.dynamics.get_mut(place) {
+            *slot = Some(dynamics);
+        }
+        dynamics
+    }
+
+    /// The directions of an arc at its ends.
+    fn tangents(&self, motion: &Motion<'_>, arc: &ArcPath) -> (Direction, Direction) {
+        let unknown = (Direction::Unknown, Direction::Unknown);
+        let (Some(center), Some(sweep), Some(radius)) = (arc.center, arc.sweep_deg, arc.radius_mm) else {
+            return unknown;
+        };
+        let [u, v] = arc.plane;
+        let from_center = |place: [Option<Micro>; 2]| match place {
+            [Some(at_u), Some(at_v)] => Some([millionths(at_u.minus(center[0])), millionths(at_v.minus(center[1]))]),
+            _ => None,
+        };
+        let start = from_center([motion.start(u), motion.start(v)]);
+        let end = from_center([motion.end(u), motion.end(v)]);
+        let (Some(start), Some(end)) = (start, end) else { return unknown };
+        let helix = match arc.helix.map(|letter| (letter, motion.distance(letter))) {
+            None => None,
+            Some((letter, Some(distance))) => Some((letter, millionths(distance))),
+            Some((letter, None)) if self.axis_place(letter).is_some() => return unknown,
+            Some((_, None)) => None,
+        };
+        let turn = if motion.kind() == MotionType::ArcCcw { 1.0 } else { -1.0 };
+        let path = sweep.to_f64().to_radians() * millionths(radius);
+        let tangent = |at: [f64; 2]| {
+            let size = (at[0] * at[0] + at[1] * at[1]).sqrt();
+            let mut along = [0.0; 3];
+            let mut put = |letter: AxisLetter, part: f64| {
+                if let Some(slot) = self.axis_place(letter).and_then(|place| along.get_mut(place)) {
+                    *slot = part;
+                }
+            };
+            put(u, -turn * at[1] / size * path);
+            put(v, turn * at[0] / size * path);
+            if let Some((letter, distance)) = helix {
+                put(letter, distance);
+            }
+            if size > 0.0 && along != [0.0; 3] { Direction::Along(along) } else { Direction::Still }
+        };
+        (tangent(start), tangent(end))
+    }
+
+    /// The place of an axis among the first three linear ones.
+    fn axis_place(&self, letter: AxisLetter) -> Option<usize> {
+        self.linear.iter().take(3).position(|other| *other == letter)
+    }
+}
+
+fn millionths(value: Micro) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "distances have far fewer than 53 bits")]
+    let value = value.millionths() as f64;
+    value
+}
+
+/// What is written in a block.
+#[derive(Clone, Copy, Debug)]
+struct Words {
+    /// Axis words.
+    axes: bool,
+    /// Nothing that keeps the block from being joined to its neighbours.
+    plain: bool,
+    /// Seconds of the slowest function.
+    function_s: f64,
+}

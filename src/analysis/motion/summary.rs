@@ -1,0 +1,248 @@
+//! Sums over the times of blocks: what a program takes, and where it is slow.
+
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+use super::planner::{Listener, Planner};
+use super::read::StepReader;
+use super::step::Unit;
+use super::times::{BlockTimes, Break, Dot, Joint, Limit};
+use super::{Model, Profile};
+use crate::config::Settings;
+use crate::diag::Findings;
+use crate::dict::Decimal;
+use crate::run::{End, Executed, MotionType, Sink};
+use crate::text::Location;
+
+/// A joint with a red dot, as often as it was passed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RedJoint {
+    /// Number of the later block.
+    pub n: u32,
+    /// The place of its `N`.
+    pub place: Location,
+    /// Its line, from 1.
+    pub line: u32,
+    /// The joint, as it was passed first.
+    pub joint: Joint,
+    /// Programmed velocity of the later block, mm/s or deg/s.
+    pub programmed: Option<f64>,
+    /// Length of the later block, mm or degrees.
+    pub length: Option<f64>,
+    /// How often.
+    pub times: u64,
+}
+
+/// What a program takes, in seconds.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// All of it.
+    pub time_s: f64,
+    /// Each block at its programmed velocity, without ramps.
+    pub ideal_s: f64,
+    /// With the same limits and without one of jerk; parabolic only.
+    pub no_jerk_s: Option<f64>,
+    /// Blocks whose time is not known.
+    pub unknown_blocks: u64,
+    /// Those of them that lead to the first known position.
+    pub approach_blocks: u64,
+    /// Motion, by place in [`MotionType::ALL`].
+    pub by_type: [f64; MotionType::ALL.len()],
+    /// Dwell.
+    pub dwell_s: f64,
+    /// Functions.
+    pub function_s: f64,
+    /// Waits at the end of motions.
+    pub settle_s: f64,
+    /// Gaps before blocks.
+    pub gap_s: f64,
+    /// By the tool in the spindle; none before the first M06.
+    pub by_tool: BTreeMap<Option<Decimal>, f64>,
+    /// Joints that are passed continuously.
+    pub continuous: u64,
+    /// Others, by place in [`Break::ALL`].
+    pub broken: [u64; Break::ALL.len()],
+    /// Continuous joints by what limits them, by place in [`Limit::ALL`].
+    pub limited: [u64; Limit::ALL.len()],
+    /// Yellow and red dots.
+    pub dots: [u64; 2],
+    /// Path of working motion in mm.
+    pub working_mm: f64,
+    /// What it takes.
+    pub working_s: f64,
+    /// Red joints in the order in which they were passed first.
+    pub red: Vec<RedJoint>,
+    /// Whether there are others.
+    pub more_red: bool,
+    /// Which are kept, by place and the block before.
+    red_at: BTreeMap<(Location, Option<u32>), usize>,
+    most_red: usize,
+}
+
+impl Summary {
+    /// Of a program whose velocity has this course; keeps so many red joints.
+    pub fn new(profile: Profile, most_red: usize) -> Self {
+        Self {
+            time_s: 0.0,
+            ideal_s: 0.0,
+            no_jerk_s: (profile == Profile::Parabolic).then_some(0.0),
+            unknown_blocks: 0,
+            approach_blocks: 0,
+            by_type: [0.0; MotionType::ALL.len()],
+            dwell_s: 0.0,
+            function_s: 0.0,
+            settle_s: 0.0,
+            gap_s: 0.0,
+            by_tool: BTreeMap::new(),
+            continuous: 0,
+            broken: [0; Break::ALL.len()],
+            limited: [0; Limit::ALL.len()],
+            dots: [0; 2],
+            working_mm: 0.0,
+            working_s: 0.0,
+            red: Vec::new(),
+            more_red: false,
+            red_at: BTreeMap::new(),
+            most_red,
+        }
+    }
+
+    /// Motion times by type, without those that did not occur.
+    pub fn types(&self) -> impl Iterator<Item = (MotionType, f64)> + '_ {
+        MotionType::ALL.into_iter().zip(self.by_type).filter(|(_, seconds)| *seconds > 0.0)
+    }
+
+    /// Joints by what breaks them, without what did not occur.
+    pub fn breaks(&self) -> impl Iterator<Item = (Break, u64)> + '_ {
+        Break::ALL.into_iter().zip(self.broken).filter(|(_, count)| *count > 0)
+    }
+
+    /// Continuous joints by what limits them, without what did not occur.
+    pub fn limits(&self) -> impl Iterator<Item = (Limit, u64)> + '_ {
+        Limit::ALL.into_iter().zip(self.limited).filter(|(_, count)| *count > 0)
+    }
+
+    /// Mean velocity of working motion, mm/min.
+    pub fn mean_feed(&self) -> Option<f64> {
+        (self.working_s > 0.0).then(|| self.working_mm / self.working_s * 60.0)
+    }
+
+    /// Adds the times of a block.
+    pub fn add(&mut self, block: &BlockTimes) {
+        let rest = block.dwell_s + block.function_s + block.settle_s + block.gap_s;
+        self.time_s += block.duration_s;
+        self.ideal_s += rest;
+        if rest > 0.0 {
+            self.no_jerk(rest);
+            self.dwell_s += block.dwell_s;
+            self.function_s += block.function_s;
+            self.settle_s += block.settle_s;
+            self.gap_s += block.gap_s;
+        }
+        self.unknown_blocks += u64::from(block.unknown);
+        self.approach_blocks += u64::from(block.unknown && block.approach);
+        *self.by_tool.entry(block.tool).or_insert(0.0) += block.duration_s;
+        let Some(motion) = &block.motion else { return };
+        if let Some(seconds) = motion.motion_s {
+            if let Some(sum) = self.by_type.get_mut(motion.kind as usize) {
+                *sum += seconds;
+            }
+            if let (Some(length), Some(programmed)) = (motion.length, motion.programmed) {
+                self.ideal_s += length / programmed;
+                if motion.kind.is_working() && motion.unit == Unit::Mm {
+                    self.working_mm += length;
+                    self.working_s += seconds;
+                }
+            }
+        }
+        let Some(joint) = &motion.joint else { return };
+        match (joint.broken_by, joint.limited_by) {
+            (Some(reason), _) => count(&mut self.broken, reason as usize),
+            (None, limit) => {
+                self.continuous += 1;
+                if let Some(limit) = limit {
+                    count(&mut self.limited, limit as usize);
+                }
+            }
+        }
+        match joint.dot {
+            Some(Dot::Yellow) => count(&mut self.dots, 0),
+            Some(Dot::Red) => {
+                count(&mut self.dots, 1);
+                let red = RedJoint {
+                    n: block.n,
+                    place: block.place,
+                    line: block.line,
+                    joint: *joint,
+                    programmed: motion.programmed,
+                    length: motion.length,
+                    times: 1,
+                };
+                self.add_red(red);
+            }
+            None => {}
+        }
+    }
+
+    fn add_red(&mut self, red: RedJoint) {
+        let key = (red.place, red.joint.with_n);
+        let known = self.red_at.get(&key).copied();
+        if let Some(known) = known.and_then(|at| self.red.get_mut(at)) {
+            known.times += 1;
+        } else if self.red.len() < self.most_red {
+            self.red_at.insert(key, self.red.len());
+            self.red.push(red);
+        } else {
+            self.more_red = true;
+        }
+    }
+}
+
+fn count<const N: usize>(counts: &mut [u64; N], at: usize) {
+    if let Some(count) = counts.get_mut(at) {
+        *count += 1;
+    }
+}
+
+impl Listener for Summary {
+    fn block(&mut self, block: &BlockTimes) {
+        self.add(block);
+    }
+
+    fn no_jerk(&mut self, motion_s: f64) {
+        if let Some(sum) = &mut self.no_jerk_s {
+            *sum += motion_s;
+        }
+    }
+}
+
+/// Sums up the times of a program: one pass, in constant memory.
+#[derive(Debug)]
+pub struct Estimate {
+    reader: StepReader,
+    planner: Planner,
+    summary: Summary,
+}
+
+impl Estimate {
+    /// For programs executed with these settings; keeps so many red joints.
+    pub fn new(settings: &Settings, most_red: usize) -> Self {
+        let model = Model::of(settings);
+        let summary = Summary::new(model.profile, most_red);
+        Self { reader: StepReader::new(settings), planner: Planner::new(model, false), summary }
+    }
+}
+
+impl Sink for Estimate {
+    type Whole = Summary;
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        self.planner.push(&self.reader.read(block), &mut self.summary);
+        ControlFlow::Continue(())
+    }
+
+    fn end(mut self, _: End, _: &mut Findings) -> Summary {
+        self.planner.finish(&mut self.summary);
+        self.summary
+    }
+}

@@ -1,0 +1,170 @@
+//! What the account of a program's motion says, in both languages.
+
+use super::times::{Break, Limit};
+use crate::dict::{Lang, bilingual};
+
+/// Why a joint is broken.
+pub fn break_name(reason: Break, lang: Lang) -> String {
+    Reason::of(reason).text(lang)
+}
+
+/// What limits a continuous joint.
+pub fn limit_name(limit: Limit, lang: Lang) -> String {
+    LimitName::of(limit).text(lang)
+}
+
+bilingual! {
+    /// Lines and parts of lines.
+    Words {
+        Whole { time: String } "{time}", "{time}";
+        AtLeast { time: String, blocks: u64 } "at least {time}; blocks of unknown time: {blocks}", "nejméně {time}; bloků s neznámým časem: {blocks}";
+        WithoutApproach { time: String } "{time} without the approach", "{time} bez příjezdu";
+        Assumed "The machine is assumed, nothing is configured in [motion]. The estimate rests on", "Stroj je předpokládaný, v [motion] není nastaveno nic. Odhad vychází z hodnot";
+        Configured { values: String } "Configured: {values}", "Nastaveno: {values}";
+        AlsoAssumed { values: String } "Assumed: {values}", "Předpokládá se: {values}";
+        Changed "Changed against the configured machine", "Změny proti nastavenému stroji";
+        Off "off", "vypnuto";
+        TimeBefore { before: String, after: String, change: String } "time {before} → {after} ({change} s)", "čas {before} → {after} ({change} s)";
+        JointsBefore { before: u64, after: u64 } "continuous joints {before} → {after}", "plynulých napojení {before} → {after}";
+        DotsBefore { before: u64, after: u64 } "red dots {before} → {after}", "červených teček {before} → {after}";
+        Nothing "nothing differs", "nic se neliší";
+        Time "Time", "Čas";
+        Dwell "dwell (G04)", "prodlevy (G04)";
+        Functions "functions", "funkce";
+        Settle "waits at the end of motions", "čekání na konci pohybů";
+        Gaps "gaps before blocks", "prodlevy mezi bloky";
+        Ideal "at programmed velocities, without ramps", "programovanými rychlostmi, bez ramp";
+        NoJerk "with the same limits and no limit of jerk", "se stejnými mezemi bez omezení ryvu";
+        Tools "Tools", "Nástroje";
+        NoTool "before the first M06", "před prvním M06";
+        Joints "Joints", "Napojení";
+        Continuous "continuous", "plynulých";
+        BrokenBy { reason: String } "broken: {reason}", "porušených: {reason}";
+        Limits "Continuous joints are limited by", "Plynulá napojení omezuje";
+        Dots "Dots", "Tečky";
+        Yellow "yellow", "žlutých";
+        Red "red", "červených";
+        MeanFeed { feed: String } "Mean feed of working motion: {feed} mm/min", "Průměrný posuv pracovních pohybů: {feed} mm/min";
+        RedJoints "Red joints", "Červená napojení";
+        MoreRed "There are more; --all lists them", "Jsou i další; vypíše je --all";
+        NoRed "No joint has a red dot", "Žádné napojení nemá červenou tečku";
+        After { n: u32, with: u32 } "N{n} after N{with}", "N{n} po N{with}";
+        Times { times: u64 } "{times} times", "{times}krát";
+        Angle { angle: String } "{angle}°", "{angle}°";
+        Stops "stop", "zastavení";
+        Feed { feed: String, programmed: String } "{feed} of {programmed} mm/min", "{feed} z {programmed} mm/min";
+    }
+}
+
+bilingual! {
+    /// Why a joint is broken.
+    Reason {
+        Start "first motion", "první pohyb";
+        Mode "not in G23", "není G23";
+        Rapid "G00", "G00";
+        NoMotion "blocks without motion between", "bloky bez pohybu mezi";
+        OtherMotion "thread or reference point", "závit nebo nájezd do reference";
+        Dwell "dwell", "prodleva";
+        Stop "M00 or M01", "M00 nebo M01";
+        MFunction "M function", "M funkce";
+        Unknown "motion is not known", "pohyb není znám";
+        Axes "other axes", "jiné osy";
+        ShortLength "block shorter than break-length-mm", "blok kratší než break-length-mm";
+        ShortTime "block shorter than shortest-block-ms", "blok kratší než shortest-block-ms";
+        Angle "angle", "úhel návaznosti";
+    }
+}
+
+impl Reason {
+    pub const fn of(reason: Break) -> Self {
+        match reason {
+            Break::Start => Self::Start,
+            Break::Mode => Self::Mode,
+            Break::Rapid => Self::Rapid,
+            Break::NoMotion => Self::NoMotion,
+            Break::OtherMotion => Self::OtherMotion,
+            Break::Dwell => Self::Dwell,
+            Break::Stop => Self::Stop,
+            Break::MFunction => Self::MFunction,
+            Break::Unknown => Self::Unknown,
+            Break::Axes => Self::Axes,
+            Break::ShortLength => Self::ShortLength,
+            Break::ShortTime => Self::ShortTime,
+            Break::Angle => Self::Angle,
+        }
+    }
+}
+
+bilingual! {
+    /// What limits a continuous joint.
+    LimitName {
+        Feed "programmed feed", "programovaný posuv";
+        Centripetal "centripetal acceleration", "odstředivé zrychlení";
+        ShortestBlock "shortest time of a block", "nejkratší trvání bloku";
+        Accuracy "criterion of accuracy", "kritérium přesnosti";
+        Overload "dynamic criterion", "dynamické kritérium";
+        LookAhead "look-ahead", "předvídání bloků";
+        Ramp "acceleration", "zrychlení";
+    }
+}
+
+impl LimitName {
+    pub const fn of(limit: Limit) -> Self {
+        match limit {
+            Limit::Feed => Self::Feed,
+            Limit::Centripetal => Self::Centripetal,
+            Limit::ShortestBlock => Self::ShortestBlock,
+            Limit::Accuracy => Self::Accuracy,
+            Limit::Overload => Self::Overload,
+            Limit::LookAhead => Self::LookAhead,
+            Limit::Ramp => Self::Ramp,
+        }
+    }
+}
+
+bilingual! {
+    /// What would make a joint faster.
+    Help {
+        NoMotion "where the order allows it, write what the blocks between them hold in a block that moves", "kde to pořadí dovolí, zapsat obsah bloků mezi nimi do bloku s pohybem";
+        Dwell "without G04 the motion goes on", "bez G04 pohyb pokračuje";
+        MFunction "write the M function where the machine stops anyway", "M funkci zapsat tam, kde se stroj stejně zastaví";
+        Unknown "give F and a known position before it", "zadat před ním F a známou polohu";
+        ShortLength "longer blocks, or merge-length-mm, which joins short ones", "delší bloky, nebo merge-length-mm, které krátké přidruží";
+        ShortTime "longer blocks, or a lower feed", "delší bloky, nebo menší posuv";
+        Angle "an arc in the corner, or more points along a curve", "oblouk v rohu, nebo hustší body podél křivky";
+        Feed "the other block has a lower feed", "druhý z bloků má menší posuv";
+        Centripetal "a larger radius", "větší poloměr";
+        ShortestBlock "longer blocks: points farther apart", "delší bloky: body dál od sebe";
+        Corner "a smaller angle: an arc in the corner, or more points along a curve", "menší úhel: oblouk v rohu, nebo hustší body podél křivky";
+        LookAhead "longer blocks: more way lies in those that the control sees", "delší bloky: v těch, které systém předvídá, je pak víc dráhy";
+        Ramp "see the slower place near it", "viz pomalejší místo poblíž";
+    }
+}
+
+impl Help {
+    /// For a broken joint with a dot; none where nothing but another program helps.
+    pub const fn of_break(reason: Break) -> Option<Self> {
+        match reason {
+            Break::NoMotion => Some(Self::NoMotion),
+            Break::Dwell => Some(Self::Dwell),
+            Break::MFunction => Some(Self::MFunction),
+            Break::Unknown => Some(Self::Unknown),
+            Break::ShortLength => Some(Self::ShortLength),
+            Break::ShortTime => Some(Self::ShortTime),
+            Break::Angle => Some(Self::Angle),
+            Break::Start | Break::Mode | Break::Rapid | Break::OtherMotion | Break::Stop | Break::Axes => None,
+        }
+    }
+
+    /// For a continuous joint.
+    pub const fn of_limit(limit: Limit) -> Self {
+        match limit {
+            Limit::Feed => Self::Feed,
+            Limit::Centripetal => Self::Centripetal,
+            Limit::ShortestBlock => Self::ShortestBlock,
+            Limit::Accuracy | Limit::Overload => Self::Corner,
+            Limit::LookAhead => Self::LookAhead,
+            Limit::Ramp => Self::Ramp,
+        }
+    }
+}

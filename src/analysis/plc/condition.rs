@@ -1,0 +1,568 @@
+//! Conditions over signals: what `--find` looks for. Three-valued, as in SQL: what depends on an absent value is neither
+//! true nor false.
+
+use std::cmp::Ordering;
+
+use super::choose::{Why, why_none};
+use super::dictionary::{Cell, Form, Signal, signals};
+use super::grammar::{Comparison, Tree, parse};
+use super::run_time;
+use super::tokens::{Kind, Token, tokens};
+use super::values::Value;
+use crate::diag::{ConditionProblem, Diagnostic, Finding, FixTitle, SignalProblem};
+use crate::dict::Dialect;
+use crate::text::{FileId, Location, Span};
+
+/// A condition, and the signals that it names.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    node: Node,
+    signals: Vec<&'static Signal>,
+}
+
+/// Numbers are compared in millionths; signals are indices in the condition's own list.
+#[derive(Clone, Debug)]
+enum Node {
+    Bit(usize),
+    Compare { left: usize, by: Comparison, right: Operand },
+    Not(Box<Node>),
+    And(Box<Node>, Box<Node>),
+    Or(Box<Node>, Box<Node>),
+    Edge { rising: bool, of: Box<Node> },
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Operand {
+    Signal(usize),
+    Number(Number),
+}
+
+/// A number as written: millionths, rounded towards zero, and whether there is more behind them.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+struct Number {
+    millionths: i128,
+    more: bool,
+    negative: bool,
+}
+
+const MILLION: i128 = 1_000_000;
+/// Digits before the point that a number may have.
+const LONGEST: usize = 18;
+
+impl Condition {
+    /// The condition that `text` is, for signals of a control.
+    ///
+    /// # Errors
+    /// What is wrong with it, at its place; `text` is file 0.
+    pub fn read(text: &str, dialect: Dialect) -> Result<Self, Vec<Diagnostic>> {
+        let mut reader = Reader { text, dialect, signals: Vec::new(), found: Vec::new() };
+        let tokens = tokens(text);
+        for token in &tokens {
+            reader.look_at(*token);
+        }
+        let node = match parse(&tokens) {
+            Ok(tree) => reader.node(&tree, false),
+            Err(at) => {
+                reader.misplaced(&tokens, at);
+                None
+            }
+        };
+        let Reader { mut found, signals, .. } = reader;
+        match node {
+            Some(node) if found.is_empty() => Ok(Self { node, signals }),
+            _ => {
+                found.sort_by_key(|diagnostic| (diagnostic.at, diagnostic.code()));
+                found.dedup_by_key(|diagnostic| (diagnostic.at, diagnostic.code()));
+                Err(found)
+            }
+        }
+    }
+
+    /// The signals that it names, each once.
+    pub fn signals(&self) -> &[&'static Signal] {
+        &self.signals
+    }
+
+    /// Whether it holds in a step, with values of its signals in the step before and now.
+    pub fn holds(&self, before: &[Value], now: &[Value]) -> bool {
+        self.eval(&self.node, before, now) == Some(true)
+    }
+
+    fn eval(&self, node: &Node, before: &[Value], now: &[Value]) -> Option<bool> {
+        match node {
+            Node::Bit(index) => now.get(*index).copied().flatten().map(|value| value != 0),
+            Node::Compare { left, by, right } => {
+                let left = self.millionths(*left, now)?;
+                let order = match right {
+                    Operand::Signal(right) => left.cmp(&self.millionths(*right, now)?),
+                    Operand::Number(number) => number.compared_with(left),
+                };
+                Some(by.is(order))
+            }
+            Node::Not(of) => self.eval(of, before, now).map(|holds| !holds),
+            Node::And(a, b) => match (self.eval(a, before, now), self.eval(b, before, now)) {
+                (Some(false), _) | (_, Some(false)) => Some(false),
+                (a, b) => a.and(b),
+            },
+            Node::Or(a, b) => match (self.eval(a, before, now), self.eval(b, before, now)) {
+                (Some(true), _) | (_, Some(true)) => Some(true),
+                (a, b) => a.and(b),
+            },
+            Node::Edge { rising, of } => {
+                let was = self.eval(of, before, before).map(|holds| holds != *rising);
+                let is = self.eval(of, before, now).map(|holds| holds == *rising);
+                match (was, is) {
+                    (Some(false), _) | (_, Some(false)) => Some(false),
+                    (was, is) => was.and(is),
+                }
+            }
+        }
+    }
+
+    fn millionths(&self, index: usize, values: &[Value]) -> Option<i128> {
+        let value = i128::from(values.get(index).copied().flatten()?);
+        let real = self.signals.get(index)?.form() == Form::Real;
+        Some(if real { value } else { value * MILLION })
+    }
+}
+
+impl Comparison {
+    const fn is(self, order: Ordering) -> bool {
+        match self {
+            Self::Equal => order.is_eq(),
+            Self::NotEqual => order.is_ne(),
+            Self::Less => order.is_lt(),
+            Self::AtMost => order.is_le(),
+            Self::Greater => order.is_gt(),
+            Self::AtLeast => order.is_ge(),
+        }
+    }
+}
+
+impl Number {
+    const fn hexadecimal(value: i128) -> Self {
+        Self { millionths: value * MILLION, more: false, negative: false }
+    }
+
+    /// A decimal number that the lexer found well formed; `None` when it has too many digits.
+    fn decimal(text: &str) -> Option<Self> {
+        let (negative, digits) = match text.as_bytes() {
+            [b'-', ..] => (true, text.get(1..)?),
+            [b'+', ..] => (false, text.get(1..)?),
+            _ => (false, text),
+        };
+        let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+        let whole = whole.trim_start_matches('0');
+        if whole.len() > LONGEST {
+            return None;
+        }
+        let (near, far) = fraction.split_at_checked(6).unwrap_or((fraction, ""));
+        let magnitude = format!("{whole}{near:0<6}").parse::<i128>().ok()?;
+        let more = far.bytes().any(|digit| digit != b'0');
+        Some(Self { millionths: if negative { -magnitude } else { magnitude }, more, negative })
+    }
+
+    /// How `value`, in millionths, lies to the number.
+    fn compared_with(self, value: i128) -> Ordering {
+        value.cmp(&self.millionths).then(match (self.more, self.negative) {
+            (false, _) => Ordering::Equal,
+            (true, false) => Ordering::Less,
+            (true, true) => Ordering::Greater,
+        })
+    }
+
+    /// Whether it is above 9, so that decimal and BCD differ.
+    const fn is_above_9(self) -> bool {
+        self.millionths > 9 * MILLION || (self.millionths == 9 * MILLION && self.more)
+    }
+}
+
+/// From the tree to the condition, with all that is wrong.
+struct Reader<'a> {
+    text: &'a str,
+    dialect: Dialect,
+    signals: Vec<&'static Signal>,
+    found: Vec<Diagnostic>,
+}
+
+impl Reader<'_> {
+    fn slice(&self, span: Span) -> &str {
+        self.text.get(span.start as usize..span.end as usize).unwrap_or_default()
+    }
+
+    /// Reports a finding, with what to write instead where that is certain.
+    fn add(&mut self, finding: Finding, span: Span, fix: Option<String>) {
+        let diagnostic = Diagnostic::new(finding, at(span));
+        self.found.push(match fix {
+            Some(text) => diagnostic.with_fix(FixTitle::Write { text: text.clone() }, at(span), text),
+            None => diagnostic,
+        });
+    }
+
+    fn add_problem(&mut self, problem: ConditionProblem, span: Span, fix: Option<String>) {
+        self.add(Finding::MalformedCondition { problem }, span, fix);
+    }
+
+    /// What a token is wrong by itself.
+    fn look_at(&mut self, token: Token) {
+        let written = self.slice(token.span).to_owned();
+        if let Some(right) = token.kind.meant() {
+            let problem = ConditionProblem::OtherOperator { written, right: right.to_owned() };
+            self.add_problem(problem, token.span, Some(right.to_owned()));
+        } else if token.kind == Kind::Malformed {
+            let fix =
+                written.contains(',').then(|| written.replace(',', ".")).filter(|text| Number::decimal(text).is_some());
+            let fix = fix.filter(|text| text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.".contains(&byte)));
+            self.add_problem(ConditionProblem::NoNumber { written }, token.span, fix);
+        } else if token.kind == Kind::Unknown {
+            self.add_problem(ConditionProblem::Character { written }, token.span, None);
+        }
+    }
+
+    /// The token at `index` has no place there.
+    fn misplaced(&mut self, tokens: &[Token], index: usize) {
+        let end = u32::try_from(self.text.len()).unwrap_or(u32::MAX);
+        let before = index.checked_sub(1).and_then(|index| tokens.get(index)).copied();
+        let here = tokens.get(index).copied();
+        let span = here.map_or_else(|| Span::empty(before.map_or(end, |token| token.span.end)), |token| token.span);
+        // What is wrong by itself was reported as such.
+        if here.is_some_and(|token| matches!(token.kind, Kind::Malformed | Kind::Unknown)) {
+            return;
+        }
+        let ends_operand = before.is_some_and(|token| {
+            matches!(token.kind, Kind::Name | Kind::Hexadecimal | Kind::Decimal | Kind::Close | Kind::Malformed)
+        });
+        let problem = match (before.map(|token| token.kind), here.map(|token| token.kind)) {
+            (None, None) => ConditionProblem::Empty,
+            (Some(Kind::Rising | Kind::Falling), _) => ConditionProblem::EdgeParentheses,
+            (_, None) if ends_operand => ConditionProblem::Unclosed,
+            (_, Some(Kind::Close)) if ends_operand => ConditionProblem::Superfluous,
+            (_, Some(Kind::Name | Kind::Rising | Kind::Falling | Kind::Not | Kind::Open)) if ends_operand => {
+                ConditionProblem::NoOperator
+            }
+            (_, Some(Kind::Hexadecimal | Kind::Decimal)) if ends_operand => ConditionProblem::NoOperator,
+            (_, Some(Kind::Hexadecimal | Kind::Decimal)) => ConditionProblem::NumberFirst,
+            (_, Some(kind)) if ends_operand && kind != Kind::Close => ConditionProblem::ComparedTwice,
+            _ => ConditionProblem::MissingSignal,
+        };
+        self.add_problem(problem, span, None);
+    }
+
+    fn node(&mut self, tree: &Tree, within_edge: bool) -> Option<Node> {
+        match tree {
+            Tree::Signal { name, compared: None } => {
+                let signal = self.signal(*name)?;
+                if signal.form() != Form::Bit {
+                    let problem =
+                        ConditionProblem::NoBit { name: signal.name.clone(), example: example(signal).to_owned() };
+                    self.add_problem(problem, name.span, None);
+                    return None;
+                }
+                Some(Node::Bit(self.index(signal)))
+            }
+            Tree::Signal { name, compared: Some((by, with)) } => {
+                let left = self.signal(*name);
+                let right = self.operand(*with, left);
+                Some(Node::Compare { left: self.index(left?), by: *by, right: right? })
+            }
+            Tree::Not { at, of } => {
+                self.check_not(*at, of);
+                Some(Node::Not(Box::new(self.node(of, within_edge)?)))
+            }
+            Tree::And(a, b) => {
+                let (a, b) = (self.node(a, within_edge), self.node(b, within_edge));
+                Some(Node::And(Box::new(a?), Box::new(b?)))
+            }
+            Tree::Or(a, b) => {
+                let (a, b) = (self.node(a, within_edge), self.node(b, within_edge));
+                Some(Node::Or(Box::new(a?), Box::new(b?)))
+            }
+            Tree::Group(of) => self.node(of, within_edge),
+            Tree::Edge { at, rising, of } => {
+                if within_edge {
+                    self.add_problem(ConditionProblem::EdgeInEdge, *at, None);
+                    return None;
+                }
+                Some(Node::Edge { rising: *rising, of: Box::new(self.node(of, true)?) })
+            }
+        }
+    }
+
+    /// `!PB06 == 19h`: the `!` belongs to the name alone.
+    fn check_not(&mut self, not: Span, of: &Tree) {
+        if let Tree::Signal { name, compared: Some((_, with)) } = of {
+            let comparison = self.slice(Span::new(name.span.start, with.span.end)).to_owned();
+            let right = format!("!({comparison})");
+            let span = Span::new(not.start, with.span.end);
+            let problem = ConditionProblem::NotOfComparison { right: right.clone() };
+            self.add_problem(problem, span, Some(right));
+        }
+    }
+
+    fn operand(&mut self, token: Token, left: Option<&'static Signal>) -> Option<Operand> {
+        let text = self.slice(token.span).to_owned();
+        if token.kind == Kind::Hexadecimal {
+            let digits = text.get(..text.len() - 1)?.trim_start_matches('0');
+            let value = if digits.is_empty() { Some(0) } else { i128::from_str_radix(digits, 16).ok() };
+            let value = value.filter(|_| digits.len() <= LONGEST);
+            if value.is_none() {
+                self.add_problem(ConditionProblem::NumberTooLong, token.span, None);
+            }
+            return Some(Operand::Number(Number::hexadecimal(value?)));
+        }
+        if token.kind == Kind::Decimal {
+            let Some(number) = Number::decimal(&text) else {
+                self.add_problem(ConditionProblem::NumberTooLong, token.span, None);
+                return None;
+            };
+            if let Some(left) = left.filter(|left| left.is_bcd() && number.is_above_9()) {
+                self.add_decimal(left, &text, token.span);
+                return None;
+            }
+            return Some(Operand::Number(number));
+        }
+        // `FFh` reads as a name.
+        let digits = text.strip_suffix(['h', 'H']).unwrap_or_default();
+        if !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_hexdigit()) {
+            let right = format!("0{text}");
+            let problem = ConditionProblem::HexadecimalLetter { right: right.clone() };
+            self.add_problem(problem, token.span, Some(right));
+            return None;
+        }
+        let signal = self.signal(token)?;
+        Some(Operand::Signal(self.index(signal)))
+    }
+
+    /// A decimal number above 9 against a cell in BCD.
+    fn add_decimal(&mut self, signal: &Signal, text: &str, span: Span) {
+        let digits = text.trim_start_matches('+');
+        let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+        let right = if whole { format!("{digits}h") } else { String::new() };
+        let tool = matches!(signal.cell, Cell::Tool | Cell::ToolByte(_));
+        let finding =
+            Finding::DecimalForBcd { name: signal.name.clone(), number: text.to_owned(), right: right.clone(), tool };
+        self.add(finding, span, whole.then_some(right));
+    }
+
+    fn signal(&mut self, token: Token) -> Option<&'static Signal> {
+        let name = self.slice(token.span).to_owned();
+        let known = signals().iter().find(|signal| signal.name == name && signal.row.is_of(self.dialect));
+        if known.is_none() {
+            let why = why_none(&name, self.dialect);
+            if name.contains('*') && !matches!(why, Why::RunTime { .. }) {
+                // One of several signals cannot be meant.
+                self.add_problem(ConditionProblem::Character { written: "*".to_owned() }, token.span, None);
+                return None;
+            }
+            let why = signal_problem(&why, self.dialect);
+            let plain = name.strip_prefix("BLK[0].").map_or_else(|| name.clone(), |cell| format!("BLK.{cell}"));
+            let certain = if let SignalProblem::Near(near) = &why {
+                Some(near.clone()).filter(|near| near.eq_ignore_ascii_case(&plain))
+            } else {
+                None
+            };
+            self.add(Finding::UnknownSignal { name, why }, token.span, certain);
+        }
+        known
+    }
+
+    fn index(&mut self, signal: &'static Signal) -> usize {
+        let known = self.signals.iter().position(|other| other.name == signal.name);
+        known.unwrap_or_else(|| {
+            self.signals.push(signal);
+            self.signals.len() - 1
+        })
+    }
+}
+
+/// What a finding says of a name that is no signal.
+pub fn signal_problem(why: &Why, dialect: Dialect) -> SignalProblem {
+    match why {
+        Why::RunTime { name } => match run_time::find(name) {
+            Some(known) => SignalProblem::RunTime(known.reason.clone()),
+            None => SignalProblem::Nothing,
+        },
+        Why::OtherControl => SignalProblem::OtherControl(dialect.name().to_owned()),
+        Why::Near(near) => SignalProblem::Near(near.clone()),
+        Why::Nothing => SignalProblem::Nothing,
+    }
+}
+
+/// How a signal that is no bit may be compared.
+const fn example(signal: &Signal) -> &'static str {
+    if signal.is_hexadecimal() {
+        return "== 19h";
+    }
+    match signal.form() {
+        Form::Real => "> 12.5",
+        Form::Bit | Form::Byte | Form::Word | Form::DWord => "== 1",
+    }
+}
+
+const fn at(span: Span) -> Location {
+    Location { file: FileId(0), span }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dict::Lang;
+
+    fn read(text: &str) -> Condition {
+        Condition::read(text, Dialect::Cnc872).unwrap_or_else(|found| panic!("{text}: {found:?}"))
+    }
+
+    /// Whether a condition holds, with values of signals by name, now and before.
+    fn holds(text: &str, before: &[(&str, Value)], now: &[(&str, Value)]) -> bool {
+        let condition = read(text);
+        let of = |values: &[(&str, Value)]| -> Vec<Value> {
+            let value =
+                |signal: &&Signal| values.iter().find(|(name, _)| *name == signal.name).and_then(|found| found.1);
+            condition.signals().iter().map(value).collect()
+        };
+        condition.holds(&of(before), &of(now))
+    }
+
+    fn now(text: &str, values: &[(&str, Value)]) -> bool {
+        holds(text, &[], values)
+    }
+
+    #[test]
+    fn operators_bind_as_they_should() {
+        let bits = |a, b, c| [("M03PI", Some(a)), ("M04PI", Some(b)), ("M19PI", Some(c))];
+        for (a, b, c) in [(0, 0, 0), (0, 0, 1), (0, 1, 0), (0, 1, 1), (1, 0, 0), (1, 0, 1), (1, 1, 0), (1, 1, 1)] {
+            let values = bits(a, b, c);
+            let (x, y, z) = (a == 1, b == 1, c == 1);
+            assert_eq!(now("M03PI | M04PI & M19PI", &values), x || y && z);
+            assert_eq!(now("(M03PI | M04PI) & M19PI", &values), (x || y) && z);
+            assert_eq!(now("!M03PI & M04PI | !(M19PI | M03PI)", &values), !x && (y || !z));
+            assert_eq!(now("!!M03PI & M04PI != M19PI", &values), x && y != z);
+            assert_eq!(now("!(M03PI == 0)", &values), x);
+        }
+    }
+
+    /// What is absent is neither true nor false.
+    #[test]
+    fn three_values() {
+        let absent = [("M03PI", Some(1)), ("M04PI", Some(0)), ("M41PI", None), ("BLK.H", None)];
+        for text in ["M41PI", "!M41PI", "M41PI == 0", "BLK.H > 0", "!(BLK.H > 0)", "M41PI & M03PI", "M41PI | M04PI"] {
+            assert!(!now(text, &absent), "{text}");
+        }
+        for text in ["M41PI | M03PI", "!(M41PI & M04PI)", "BLK.H == 5 | !M04PI"] {
+            assert!(now(text, &absent), "{text}");
+        }
+        // The end of what was absent is no rise; of a conjunction that is false anyway it is.
+        let bit = |value| [("M03PI", Some(1)), ("M41PI", value)];
+        assert!(!holds("rising(M41PI)", &bit(None), &bit(Some(1))));
+        assert!(holds("rising(M41PI)", &bit(Some(0)), &bit(Some(1))));
+        assert!(holds("falling(M41PI)", &bit(Some(1)), &bit(Some(0))));
+        assert!(!holds("falling(M41PI)", &bit(Some(1)), &bit(None)));
+        assert!(!holds("rising(M41PI)", &bit(Some(1)), &bit(Some(1))));
+        let low = [("M03PI", Some(0)), ("M41PI", None)];
+        assert!(holds("rising(M03PI & M41PI)", &low, &bit(Some(1))));
+    }
+
+    #[test]
+    fn numbers() {
+        let values = [("PB06", Some(0x19)), ("BLK.SpindleSpeed", Some(3_000_000_000)), ("BLK.H", Some(-500_000))];
+        for (text, expected) in [
+            ("PB06 == 19h", true),
+            ("PB06 == 019H", true),
+            ("PB06 == 1Ah", false),
+            ("BLK.SpindleSpeed > 3000", false),
+            ("BLK.SpindleSpeed >= +3000", true),
+            ("BLK.SpindleSpeed < 3000.0000001", true),
+            ("BLK.SpindleSpeed == 3000.0000001", false),
+            ("BLK.SpindleSpeed == 3000.0000000", true),
+            ("BLK.H == -.5", true),
+            ("BLK.H > -0.50000001", true),
+            ("BLK.H <= -0.5", true),
+            ("BLK.H < BLK.SpindleSpeed", true),
+            ("PB06 > BLK.H", true),
+            ("PB06 <> 5", false),
+        ] {
+            if let Ok(condition) = Condition::read(text, Dialect::Cnc872) {
+                assert!(!condition.signals().is_empty());
+                assert_eq!(now(text, &values), expected, "{text}");
+            } else {
+                assert_eq!(text, "PB06 <> 5");
+            }
+        }
+    }
+
+    /// What is wrong: code, the text that it stands at, the fix.
+    fn wrong(text: &str) -> Vec<String> {
+        let found = Condition::read(text, Dialect::Cnc872).expect_err(text);
+        let shown = |diagnostic: &Diagnostic| {
+            let Span { start, end } = diagnostic.at.span;
+            let fix = diagnostic.fixes.first().map_or("-", |fix| fix.edits[0].text.as_str());
+            assert!(!diagnostic.finding.message(Lang::En).is_empty());
+            format!("{} `{}` at {start}: {fix}", diagnostic.code(), &text[start as usize..end as usize])
+        };
+        found.iter().map(shown).collect()
+    }
+
+    #[test]
+    fn errors_have_their_places_and_fixes() {
+        for (text, expected) in [
+            ("M03PI && !M08PI", vec!["E0903 `&&` at 6: &"]),
+            ("M03PI || PB06 = 19h", vec!["E0903 `||` at 6: |", "E0903 `=` at 14: =="]),
+            ("BLK.M[11] == 95", vec!["E0904 `95` at 13: 95h"]),
+            ("BLK.T > 9.5", vec!["E0904 `9.5` at 8: -"]),
+            ("!PB06 == 19h", vec!["E0903 `!PB06 == 19h` at 0: !(PB06 == 19h)"]),
+            ("M03PI & m08PI", vec!["E0902 `m08PI` at 8: M08PI"]),
+            ("BLK[0].M11", vec!["E0902 `BLK[0].M11` at 0: BLK.M11"]),
+            ("STOPPI", vec!["E0902 `STOPPI` at 0: -"]),
+            ("PB06", vec!["E0903 `PB06` at 0: -"]),
+            ("PB11 == FFh", vec!["E0903 `FFh` at 8: 0FFh"]),
+            ("19h == PB06", vec!["E0903 `19h` at 0: -"]),
+            ("", vec!["E0903 `` at 0: -"]),
+            ("M03PI &", vec!["E0903 `` at 7: -"]),
+            ("(M03PI", vec!["E0903 `` at 6: -"]),
+            ("M03PI)", vec!["E0903 `)` at 5: -"]),
+            ("M03PI M04PI", vec!["E0903 `M04PI` at 6: -"]),
+            ("()", vec!["E0903 `)` at 1: -"]),
+            ("1 < BLK.H < 3", vec!["E0903 `1` at 0: -"]),
+            ("BLK.H < 3 < 5", vec!["E0903 `<` at 10: -"]),
+            ("rising M03PI", vec!["E0903 `M03PI` at 7: -"]),
+            ("rising(falling(M03PI))", vec!["E0903 `falling` at 7: -"]),
+            ("BLK.H > 3,5", vec!["E0903 `3,5` at 8: 3.5"]),
+            ("BLK.H > 1e5", vec!["E0903 `1e5` at 8: -"]),
+            ("M03PI § M04PI", vec!["E0903 `§` at 6: -"]),
+            ("BLK.H > 1234567890123456789", vec!["E0903 `1234567890123456789` at 8: -"]),
+        ] {
+            assert_eq!(wrong(text), expected, "{text}");
+        }
+        assert_eq!(Condition::read("BLK.T == 5", Dialect::Cnc8x6).unwrap_err()[0].code().as_str(), "E0902");
+    }
+
+    /// A condition with its fixes applied can be read.
+    #[test]
+    fn fixes_help() {
+        for text in ["M03PI && PB06 = 19", "BLK.H => 3,5 || !PB06 == 19h", "blk.m11 & m03pi", "PB11 == FFh"] {
+            let mut fixed = text.to_owned();
+            for _ in 0..4 {
+                let Err(found) = Condition::read(&fixed, Dialect::Cnc872) else { break };
+                let edit =
+                    found.iter().rev().find_map(|found| Some(found.fixes.first()?.edits[0].clone())).expect(text);
+                let Span { start, end } = edit.at.span;
+                fixed.replace_range(start as usize..end as usize, &edit.text);
+            }
+            assert!(Condition::read(&fixed, Dialect::Cnc872).is_ok(), "{text}: {fixed}");
+        }
+    }
+
+    proptest::proptest! {
+        /// No text makes it panic; places lie in the text.
+        #[test]
+        fn any_text(text in "([A-Za-z0-9 _.\\[\\]!&|=<>()ř,+-]{0,30}|(M03PI|PB06|BLK\\.H|!|&|\\||\\(|\\)| |==|<|95h|12|rising){0,12})") {
+            if let Err(found) = Condition::read(&text, Dialect::Cnc872) {
+                assert!(!found.is_empty());
+                for diagnostic in found {
+                    let Span { start, end } = diagnostic.at.span;
+                    assert!(text.get(start as usize..end as usize).is_some());
+                }
+            }
+        }
+    }
+}

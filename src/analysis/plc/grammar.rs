@@ -1,0 +1,104 @@
+//! The grammar of conditions: chumsky parsers over their tokens. `!` binds closest, then comparisons, `&`, `|`.
+
+use chumsky::extra;
+use chumsky::prelude::*;
+
+use super::tokens::{Kind, Token};
+use crate::text::Span;
+
+/// How two values are compared.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Comparison {
+    /// `==`
+    Equal,
+    /// `!=`
+    NotEqual,
+    /// `<`
+    Less,
+    /// `<=`
+    AtMost,
+    /// `>`
+    Greater,
+    /// `>=`
+    AtLeast,
+}
+
+impl Comparison {
+    const fn of(kind: Kind) -> Option<Self> {
+        Some(match kind {
+            Kind::Equal | Kind::SingleEqual => Self::Equal,
+            Kind::NotEqual | Kind::LessGreater => Self::NotEqual,
+            Kind::Less => Self::Less,
+            Kind::AtMost | Kind::EqualLess => Self::AtMost,
+            Kind::Greater => Self::Greater,
+            Kind::AtLeast | Kind::EqualGreater => Self::AtLeast,
+            Kind::Name
+            | Kind::Rising
+            | Kind::Falling
+            | Kind::Hexadecimal
+            | Kind::Decimal
+            | Kind::Not
+            | Kind::And
+            | Kind::Or
+            | Kind::Open
+            | Kind::Close
+            | Kind::DoubleAnd
+            | Kind::DoubleOr
+            | Kind::Malformed
+            | Kind::Unknown => return None,
+        })
+    }
+}
+
+/// A condition as written.
+#[derive(Clone, Debug)]
+pub(super) enum Tree {
+    /// A name alone, or compared.
+    Signal { name: Token, compared: Option<(Comparison, Token)> },
+    /// `!`
+    Not { at: Span, of: Box<Tree> },
+    /// `&`
+    And(Box<Tree>, Box<Tree>),
+    /// `|`
+    Or(Box<Tree>, Box<Tree>),
+    /// In parentheses.
+    Group(Box<Tree>),
+    /// `rising(…)`, `falling(…)`
+    Edge { at: Span, rising: bool, of: Box<Tree> },
+}
+
+/// The condition that the tokens are, or the index of the first token that has no place; their number when the end comes
+/// too early.
+pub(super) fn parse(tokens: &[Token]) -> Result<Tree, usize> {
+    let (tree, errors) = condition().parse(tokens).into_output_errors();
+    match (tree, errors.first()) {
+        (Some(tree), None) => Ok(tree),
+        (_, error) => Err(error.map_or(tokens.len(), |error| error.span().start)),
+    }
+}
+
+type Extra<'t> = extra::Err<Rich<'t, Token, SimpleSpan>>;
+
+fn condition<'t>() -> impl Parser<'t, &'t [Token], Tree, Extra<'t>> {
+    let one = |kind: Kind| any().filter(move |token: &Token| token.kind == kind);
+    let operand = any().filter(|token: &Token| matches!(token.kind, Kind::Name | Kind::Hexadecimal | Kind::Decimal));
+    let comparison = any().filter(|token: &Token| Comparison::of(token.kind).is_some());
+    recursive(|whole| {
+        let group = whole.delimited_by(one(Kind::Open), one(Kind::Close)).boxed();
+        let signal = one(Kind::Name).then(comparison.then(operand).or_not()).map(|(name, compared)| Tree::Signal {
+            name,
+            compared: compared.and_then(|(by, with): (Token, Token)| Some((Comparison::of(by.kind)?, with))),
+        });
+        let edge = one(Kind::Rising).or(one(Kind::Falling)).then(group.clone()).map(|(edge, of): (Token, Tree)| {
+            Tree::Edge { at: edge.span, rising: edge.kind == Kind::Rising, of: Box::new(of) }
+        });
+        let primary = choice((signal, edge, group.map(|of| Tree::Group(Box::new(of)))));
+        let not =
+            one(Kind::Not).repeated().foldr(primary, |not: Token, of| Tree::Not { at: not.span, of: Box::new(of) });
+        let and = one(Kind::And).or(one(Kind::DoubleAnd));
+        let all = not.clone().foldl(and.ignore_then(not).repeated(), |a, b| Tree::And(Box::new(a), Box::new(b)));
+        let or = one(Kind::Or).or(one(Kind::DoubleOr));
+        all.clone().foldl(or.ignore_then(all).repeated(), |a, b| Tree::Or(Box::new(a), Box::new(b)))
+    })
+    .then_ignore(end())
+}

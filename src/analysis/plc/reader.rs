@@ -1,0 +1,196 @@
+//! The reader of executed blocks: steps for a writer, or those in which a condition holds.
+
+use std::io;
+use std::ops::ControlFlow;
+
+use super::blocks::Blocks;
+use super::dictionary::Signal;
+use super::facts::StepTimes;
+use super::fits::Fits;
+use super::steps::{Place, Step, Tracker};
+use crate::config::{Machine, Settings};
+use crate::diag::Findings;
+use crate::run::{End, Executed, Program, Sink};
+use crate::text::LineColumn;
+
+/// What is told of a program before its first step.
+#[derive(Clone, Copy, Debug)]
+pub struct Header<'a> {
+    /// The program, as the user named it.
+    pub name: &'a str,
+    /// With which configuration it is executed.
+    pub settings: &'a Settings,
+    /// The chosen signals.
+    pub signals: &'a [&'static Signal],
+}
+
+/// Where steps go.
+pub trait Writer {
+    /// Whether the lines and columns of places are wanted: finding them takes time. Asked once, before the first step.
+    fn wants_lines(&self) -> bool {
+        true
+    }
+
+    /// Before the first step.
+    ///
+    /// # Errors
+    /// What writing gives, here and below.
+    fn begin(&mut self, header: &Header<'_>) -> io::Result<()>;
+
+    /// Before the first step of another file.
+    ///
+    /// # Errors
+    /// What writing gives.
+    fn file(&mut self, index: u32, name: &str) -> io::Result<()>;
+
+    /// The next step.
+    ///
+    /// # Errors
+    /// What writing gives.
+    fn step(&mut self, step: &Step<'_>) -> io::Result<()>;
+
+    /// The program ended, and has no errors.
+    ///
+    /// # Errors
+    /// What writing gives.
+    fn end(&mut self, end: End) -> io::Result<()>;
+}
+
+/// Which steps are written: those of blocks by their `seq`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Range {
+    /// First `seq`.
+    pub from: u64,
+    /// Most blocks; all when `None`.
+    pub limit: Option<u64>,
+}
+
+impl Range {
+    const fn contains(self, seq: u64) -> bool {
+        seq >= self.from
+            && match self.limit {
+                Some(limit) => seq - self.from < limit,
+                None => true,
+            }
+    }
+}
+
+/// Follows chosen signals through a program, and gives the steps to a writer.
+pub struct Reader<'w> {
+    tracker: Tracker,
+    blocks: Blocks,
+    fits: Option<Fits>,
+    range: Range,
+    next_file: u32,
+    /// The writer wants lines and columns.
+    lines: bool,
+    writer: &'w mut dyn Writer,
+    /// The first error of the writer.
+    failed: &'w mut Option<io::Error>,
+}
+
+impl<'w> Reader<'w> {
+    /// Gives the steps of a range, with the values of these signals. What the writer fails with goes to `failed`, and ends
+    /// the reading.
+    pub fn new(
+        signals: Vec<&'static Signal>,
+        machine: &Machine,
+        range: Range,
+        writer: &'w mut dyn Writer,
+        failed: &'w mut Option<io::Error>,
+    ) -> Self {
+        Self {
+            fits: Some(Fits::of(&signals)),
+            blocks: Blocks::new(machine, &signals),
+            tracker: Tracker::new(signals),
+            range,
+            next_file: 1,
+            lines: writer.wants_lines(),
+            writer,
+            failed,
+        }
+    }
+
+    /// The same without W0901: the values are asked about, not shown.
+    #[must_use]
+    pub fn unreported(self) -> Self {
+        Self { fits: None, ..self }
+    }
+
+    /// The step whose facts the tracker has been given.
+    fn step(&mut self, place: Place, machine: &Machine) -> io::Result<()> {
+        self.tracker.take(machine);
+        if self.range.contains(place.seq) { self.writer.step(&self.tracker.step(place)) } else { Ok(()) }
+    }
+
+    /// The next block with its times: in place of [`Sink::block`] where motion is computed.
+    pub fn timed(&mut self, block: &Executed<'_>, times: StepTimes, findings: &mut Findings) -> ControlFlow<()> {
+        self.take(block, Some(times), findings)
+    }
+
+    fn take(&mut self, block: &Executed<'_>, times: Option<StepTimes>, findings: &mut Findings) -> ControlFlow<()> {
+        if self.failed.is_some() {
+            return ControlFlow::Break(());
+        }
+        let read = self.read(block, times, findings);
+        self.keep(read)
+    }
+
+    fn read(&mut self, block: &Executed<'_>, times: Option<StepTimes>, findings: &mut Findings) -> io::Result<()> {
+        let index = block.file_index();
+        if index == self.next_file {
+            self.next_file += 1;
+            self.writer.file(index, block.file_name())?;
+        }
+        let machine = &block.settings().machine;
+        let stop = self.blocks.read(block, times, self.tracker.room());
+        if let Some(fits) = &self.fits {
+            fits.check(block, findings);
+        }
+        let LineColumn { line, column } =
+            if self.lines { block.line_column() } else { LineColumn { line: 0, column: 0 } };
+        let place = Place { seq: block.seq(), n: block.n(), file: index, line, column, stop: false };
+        self.step(place, machine)?;
+        match stop {
+            Some(facts) => {
+                *self.tracker.room() = facts;
+                self.step(Place { stop: true, ..place }, machine)
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Keeps the first error.
+    fn keep(&mut self, result: io::Result<()>) -> ControlFlow<()> {
+        match result {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(error) => {
+                self.failed.get_or_insert(error);
+                ControlFlow::Break(())
+            }
+        }
+    }
+}
+
+impl Sink for Reader<'_> {
+    type Whole = End;
+
+    fn begin(&mut self, program: &Program<'_>) {
+        let header = Header { name: program.name(), settings: program.settings, signals: self.tracker.signals() };
+        let begun = self.writer.begin(&header);
+        // The first block ends the run.
+        let _ = self.keep(begun);
+    }
+
+    fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
+        self.take(block, None, findings)
+    }
+
+    fn end(mut self, end: End, _: &mut Findings) -> End {
+        if self.failed.is_none() {
+            let ended = self.writer.end(end);
+            let _ = self.keep(ended);
+        }
+        end
+    }
+}

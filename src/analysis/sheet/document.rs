@@ -1,0 +1,156 @@
+//! The set-up sheet as tables of text, before it takes one of its forms for people.
+
+use super::extents::Extents;
+use super::reader::{Sheet, ToolUse};
+use super::words::Words;
+use crate::analysis::motion::{Summary, clock};
+use crate::dict::{Decimal, Lang, Micro};
+
+/// A heading with a table below it.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct Section {
+    /// The heading.
+    pub heading: String,
+    /// What the columns are.
+    pub head: Vec<String>,
+    /// Its rows; what a program does not have is a sentence.
+    pub rows: Vec<Vec<String>>,
+    /// In place of rows.
+    pub nothing: String,
+}
+
+/// The sheet.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct Document {
+    /// Its language.
+    pub lang: Lang,
+    /// The title.
+    pub title: String,
+    /// Facts, each with its name.
+    pub facts: Vec<(String, String)>,
+    /// Tables.
+    pub sections: Vec<Section>,
+}
+
+/// Puts the sheet together; `assumed`: the machine is not configured.
+pub fn document(sheet: &Sheet, summary: &Summary, assumed: bool, lang: Lang) -> Document {
+    let say = |words: Words| words.text(lang);
+    let head = &sheet.head;
+    let number = head.number.map(|number| format!("%{number}"));
+    let title = head.title.as_ref().map(|title| format!("\"{title}\""));
+    let program: Vec<String> = [number, title].into_iter().flatten().collect();
+    let time = clock(summary.time_s);
+    let time = match summary.unknown_blocks {
+        0 => time,
+        blocks if blocks == summary.approach_blocks => say(Words::WithoutApproach { time }),
+        _ => say(Words::AtLeast { time }),
+    };
+    let time = if assumed { format!("{time} ({})", say(Words::Assumed)) } else { time };
+    Document {
+        lang,
+        title: say(Words::Title { name: head.name.clone() }),
+        facts: vec![
+            (say(Words::Program), program.join(" ")),
+            (say(Words::Control), head.dialect.to_owned()),
+            (say(Words::Time), time),
+        ],
+        sections: vec![
+            size(sheet, lang),
+            tools(sheet, summary, lang),
+            m_functions(sheet, lang),
+            parameters(sheet, lang),
+            units(sheet, lang),
+        ],
+    }
+}
+
+fn section(heading: Words, head: &[Words], rows: Vec<Vec<String>>, lang: Lang) -> Section {
+    Section {
+        heading: heading.text(lang),
+        head: head.iter().map(|words| words.text(lang)).collect(),
+        rows,
+        nothing: Words::Nothing.text(lang),
+    }
+}
+
+fn size(sheet: &Sheet, lang: Lang) -> Section {
+    let rows = [(Words::Working, &sheet.working), (Words::All, &sheet.all)].into_iter().flat_map(|(what, extents)| {
+        let what = what.text(lang);
+        extents.axes().map(move |(letter, least, greatest)| {
+            vec![what.clone(), letter.to_string(), least.to_string(), greatest.to_string(), span(least, greatest)]
+        })
+    });
+    let rows = rows.collect();
+    section(Words::Work, &[Words::Motions, Words::Axis, Words::From, Words::To, Words::Size], rows, lang)
+}
+
+fn span(least: Micro, greatest: Micro) -> String {
+    greatest.minus(least).to_string()
+}
+
+fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
+    let rows = sheet.tools.iter().map(|tool| {
+        vec![
+            tool.tool.map_or_else(|| Words::NoTool.text(lang), |number| format!("T{number}")),
+            format!("N{}", tool.n),
+            tool.changes.to_string(),
+            clock(summary.by_tool.get(&tool.tool).copied().unwrap_or(0.0)),
+            format!("{} mm", tool.working),
+            format!("{} mm", tool.rapid),
+            feeds(tool),
+            tool.speeds.map_or_else(String::new, range),
+            tool.d.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
+            reach(&tool.extents),
+        ]
+    });
+    let head = [
+        Words::Tool,
+        Words::First,
+        Words::Changes,
+        Words::Time,
+        Words::Path,
+        Words::Rapid,
+        Words::Feeds,
+        Words::Speeds,
+        Words::D,
+        Words::Reach,
+    ];
+    section(Words::Tools, &head, rows.collect(), lang)
+}
+
+fn feeds(tool: &ToolUse) -> String {
+    let feeds = tool.feeds.iter().map(|(unit, feeds)| format!("{} {}", range(*feeds), unit.name()));
+    feeds.collect::<Vec<_>>().join("; ")
+}
+
+fn range((least, greatest): (Decimal, Decimal)) -> String {
+    if least == greatest { least.to_string() } else { format!("{least} – {greatest}") }
+}
+
+fn reach(extents: &Extents) -> String {
+    let axes = extents.axes().map(|(letter, least, greatest)| format!("{letter} {least} … {greatest}"));
+    axes.collect::<Vec<_>>().join("; ")
+}
+
+fn m_functions(sheet: &Sheet, lang: Lang) -> Section {
+    let rows = sheet.m_functions.iter();
+    let rows = rows.map(|(number, used)| vec![format!("M{number:02}"), used.count.to_string(), format!("N{}", used.n)]);
+    section(Words::MFunctions, &[Words::M, Words::Count, Words::First], rows.collect(), lang)
+}
+
+fn parameters(sheet: &Sheet, lang: Lang) -> Section {
+    let rows = sheet.parameters.iter().map(|(index, used)| {
+        let value = used.value.map_or_else(|| Words::Unknown.text(lang), |value| value.to_string());
+        vec![format!("R{index}"), value, format!("N{}", used.n)]
+    });
+    section(Words::Parameters, &[Words::Parameter, Words::Value, Words::First], rows.collect(), lang)
+}
+
+fn units(sheet: &Sheet, lang: Lang) -> Section {
+    let rows = sheet.units.iter().map(|unit| {
+        let l = unit.l;
+        let name = if unit.macrocycle { Words::Macrocycle { l } } else { Words::Subprogram { l } };
+        vec![name.text(lang), unit.runs.to_string()]
+    });
+    section(Words::Units, &[Words::Unit, Words::Runs], rows.collect(), lang)
+}

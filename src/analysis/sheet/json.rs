@@ -1,0 +1,254 @@
+//! The set-up sheet as JSON `cnc872c.report/1`, and its schema.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::{Serialize, Serializer};
+use serde_json::Value;
+
+use super::extents::Extents;
+use super::reader::{Sheet, ToolUse};
+use crate::analysis::forbid_null;
+use crate::analysis::motion::Summary;
+use crate::dict::{Decimal, Micro};
+
+/// Name and version of the form.
+pub const SCHEMA: &str = "cnc872c.report/1";
+
+/// A number with at most six decimals; whole ones without a point.
+#[derive(Clone, Copy, Debug, JsonSchema)]
+#[schemars(inline)]
+struct Number(#[schemars(with = "f64")] Micro);
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.0.millionths() % 1_000_000 == 0 {
+            serializer.serialize_i64(self.0.millionths() / 1_000_000)
+        } else {
+            serializer.serialize_f64(self.0.to_f64())
+        }
+    }
+}
+
+impl From<Decimal> for Number {
+    fn from(value: Decimal) -> Self {
+        Self(value.into())
+    }
+}
+
+impl From<f64> for Number {
+    fn from(value: f64) -> Self {
+        Self(Micro::from_f64(value))
+    }
+}
+
+/// Least and greatest position by axis.
+type Reach = BTreeMap<String, [Number; 2]>;
+
+/// The set-up sheet of a program. What is `false`, empty or absent is left out.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields, title = "Set-up sheet cnc872c.report/1")]
+struct Record {
+    /// `cnc872c.report/1`.
+    #[schemars(extend("const" = SCHEMA))]
+    schema: String,
+    /// Name and version of the compiler.
+    generator: String,
+    /// The program, as the user named it.
+    name: String,
+    /// The number after `%`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    number: Option<u32>,
+    /// The title.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    title: Option<String>,
+    /// The control.
+    #[schemars(extend("enum" = ["cnc8x6", "cnc8x9", "cnc872"]))]
+    dialect: String,
+    /// Time of the program, as `motion` estimates it.
+    time_s: Number,
+    /// The machine of the estimate is not configured.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    assumed: bool,
+    /// Some blocks have no known time: the time is at least this.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    lower_bound: bool,
+    /// How far motions reach, in programmed coordinates.
+    extents: ExtentsRecord,
+    /// Tools in the order in which they come into the spindle.
+    tools: Vec<ToolRecord>,
+    /// M functions by number.
+    m_functions: Vec<MRecord>,
+    /// Parameters that are read before the program gives them a value.
+    parameters: Vec<ParameterRecord>,
+    /// Subprograms and macrocycles in the order in which they run first.
+    units: Vec<UnitRecord>,
+}
+
+/// How far motions reach.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct ExtentsRecord {
+    /// G01, G02, G03.
+    working: Reach,
+    /// All motions.
+    all: Reach,
+}
+
+/// A tool.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct ToolRecord {
+    /// Its number; none before the first M06.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    t: Option<Number>,
+    /// The first block with it.
+    n: u32,
+    /// How often it comes into the spindle.
+    changes: u64,
+    /// Duration of the blocks with it.
+    time_s: Number,
+    /// Path of working motion.
+    working_mm: Number,
+    /// Path of G00.
+    rapid_mm: Number,
+    /// F of working motion, by what it counts.
+    feeds: Vec<FeedRecord>,
+    /// S of working motion: least and greatest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    speeds: Option<[Number; 2]>,
+    /// D of working motion.
+    d: Vec<Number>,
+    /// How far working motion reaches.
+    extents: Reach,
+}
+
+/// F.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct FeedRecord {
+    /// What it counts.
+    #[schemars(extend("enum" = ["mm/min", "mm/rev", "deg/min", "deg/rev"]))]
+    unit: String,
+    /// The least.
+    min: Number,
+    /// The greatest.
+    max: Number,
+}
+
+/// An M function.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct MRecord {
+    /// Its number.
+    no: u8,
+    /// How often it is executed.
+    count: u64,
+    /// The first block with it.
+    n: u32,
+}
+
+/// A parameter.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct ParameterRecord {
+    /// Its number.
+    r: u8,
+    /// What it is taken to hold.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    value: Option<Number>,
+    /// The first block that reads it.
+    n: u32,
+}
+
+/// A subprogram or macrocycle.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct UnitRecord {
+    /// Its number.
+    l: u32,
+    /// What it is.
+    #[schemars(extend("enum" = ["subprogram", "macrocycle"]))]
+    kind: String,
+    /// How often it runs: passes.
+    runs: u64,
+}
+
+/// The schema, JSON Schema 2020-12.
+pub fn schema() -> Value {
+    let generator = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true).into_generator();
+    let mut schema = generator.into_root_schema_for::<Record>().to_value();
+    forbid_null(&mut schema);
+    if let Some(root) = schema.as_object_mut() {
+        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
+    }
+    schema
+}
+
+/// The sheet, pretty, with a line end; `assumed`: the machine is not configured.
+pub fn json(sheet: &Sheet, summary: &Summary, assumed: bool) -> String {
+    let head = &sheet.head;
+    let record = Record {
+        schema: SCHEMA.to_owned(),
+        generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
+        name: head.name.clone(),
+        number: head.number,
+        title: head.title.clone(),
+        dialect: head.dialect.to_owned(),
+        time_s: summary.time_s.into(),
+        assumed,
+        lower_bound: summary.unknown_blocks > 0,
+        extents: ExtentsRecord { working: reach(&sheet.working), all: reach(&sheet.all) },
+        tools: sheet.tools.iter().map(|used| tool(used, summary)).collect(),
+        m_functions: sheet
+            .m_functions
+            .iter()
+            .map(|(number, used)| MRecord { no: *number, count: used.count, n: used.n })
+            .collect(),
+        parameters: sheet
+            .parameters
+            .iter()
+            .map(|(index, used)| ParameterRecord { r: *index, value: used.value.map(Number::from), n: used.n })
+            .collect(),
+        units: sheet
+            .units
+            .iter()
+            .map(|unit| UnitRecord {
+                l: unit.l,
+                kind: if unit.macrocycle { "macrocycle" } else { "subprogram" }.to_owned(),
+                runs: unit.runs,
+            })
+            .collect(),
+    };
+    // Numbers and texts always have a JSON.
+    serde_json::to_string_pretty(&record).unwrap_or_default() + "\n"
+}
+
+fn tool(used: &ToolUse, summary: &Summary) -> ToolRecord {
+    ToolRecord {
+        t: used.tool.map(Number::from),
+        n: used.n,
+        changes: used.changes,
+        time_s: summary.by_tool.get(&used.tool).copied().unwrap_or(0.0).into(),
+        working_mm: Number(used.working),
+        rapid_mm: Number(used.rapid),
+        feeds: used
+            .feeds
+            .iter()
+            .map(|(unit, (min, max))| FeedRecord {
+                unit: unit.name().to_owned(),
+                min: (*min).into(),
+                max: (*max).into(),
+            })
+            .collect(),
+        speeds: used.speeds.map(|(least, greatest)| [least.into(), greatest.into()]),
+        d: used.d.iter().map(|d| Number::from(*d)).collect(),
+        extents: reach(&used.extents),
+    }
+}
+
+fn reach(extents: &Extents) -> Reach {
+    let axes = extents.axes().map(|(letter, least, greatest)| (letter.to_string(), [Number(least), Number(greatest)]));
+    axes.collect()
+}

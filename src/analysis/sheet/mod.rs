@@ -1,0 +1,14 @@
+//! The set-up sheet of a program: what the machine, the tools and the work must be like before it is started.
+
+mod document;
+mod extents;
+mod json;
+mod reader;
+mod render;
+mod words;
+
+pub use document::{Document, document};
+pub use extents::Extents;
+pub use json::{SCHEMA, json, schema};
+pub use reader::{Head, MUse, ParameterUse, Sheet, SheetReader, ToolUse, UnitUse};
+pub use render::{html, markdown, text};

@@ -1,0 +1,249 @@
+//! What executed blocks need of machine, tools and work.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::ControlFlow;
+
+use super::extents::Extents;
+use crate::diag::{CallKind, Findings};
+use crate::dict::{Address, Decimal, Micro};
+use crate::run::{End, Executed, FeedUnit, Motion, MotionType, Program, Sink};
+use crate::syntax::Value;
+use crate::text::{FileId, Location};
+
+/// What stands above the first block.
+#[derive(Clone, Debug, Default)]
+pub struct Head {
+    /// The program as the user named it.
+    pub name: String,
+    /// The number after `%`.
+    pub number: Option<u32>,
+    /// The title (BLK-9).
+    pub title: Option<String>,
+    /// The control.
+    pub dialect: &'static str,
+}
+
+/// What a tool does.
+#[derive(Clone, Debug, Default)]
+pub struct ToolUse {
+    /// The tool in the spindle; none before the first M06.
+    pub tool: Option<Decimal>,
+    /// The first block with it.
+    pub n: u32,
+    /// How often it comes into the spindle.
+    pub changes: u64,
+    /// Path of working motion, mm.
+    pub working: Micro,
+    /// Path of G00, mm.
+    pub rapid: Micro,
+    /// Least and greatest F of working motion, by what it counts.
+    pub feeds: BTreeMap<FeedUnit, (Decimal, Decimal)>,
+    /// Least and greatest S of working motion.
+    pub speeds: Option<(Decimal, Decimal)>,
+    /// D of working motion.
+    pub d: BTreeSet<Decimal>,
+    /// How far working motion reaches.
+    pub extents: Extents,
+}
+
+/// An M function.
+#[derive(Clone, Copy, Debug)]
+pub struct MUse {
+    /// How often it is executed.
+    pub count: u64,
+    /// The first block with it.
+    pub n: u32,
+}
+
+/// A parameter that the program reads before it gives it a value.
+#[derive(Clone, Copy, Debug)]
+pub struct ParameterUse {
+    /// What it is taken to hold: a value that was given.
+    pub value: Option<Decimal>,
+    /// The first block that reads it.
+    pub n: u32,
+}
+
+/// A subprogram or macrocycle.
+#[derive(Clone, Copy, Debug)]
+pub struct UnitUse {
+    /// Its number.
+    pub l: u32,
+    /// Whether it is a macrocycle.
+    pub macrocycle: bool,
+    /// How often it runs.
+    pub runs: u64,
+}
+
+/// The set-up sheet, without times.
+#[derive(Clone, Debug, Default)]
+pub struct Sheet {
+    /// What stands above the first block.
+    pub head: Head,
+    /// How far working motion reaches.
+    pub working: Extents,
+    /// How far all motion reaches.
+    pub all: Extents,
+    /// Tools in the order in which they come into the spindle.
+    pub tools: Vec<ToolUse>,
+    /// M functions by number.
+    pub m_functions: BTreeMap<u8, MUse>,
+    /// Parameters that the machine must hold.
+    pub parameters: BTreeMap<u8, ParameterUse>,
+    /// Subprograms and macrocycles, in the order in which they run first.
+    pub units: Vec<UnitUse>,
+}
+
+/// A pass of a call: where it is made, of what, and which pass.
+type Pass = (Location, u32, u32);
+
+/// Reads executed blocks for the set-up sheet.
+#[derive(Debug)]
+pub struct SheetReader {
+    sheet: Sheet,
+    /// The tool in hand, by place in the sheet.
+    tool: Option<usize>,
+    /// Passes that are open.
+    open: Vec<Pass>,
+    /// Parameters that the program assigned.
+    assigned: [bool; 96],
+}
+
+impl Default for SheetReader {
+    fn default() -> Self {
+        Self { sheet: Sheet::default(), tool: None, open: Vec::new(), assigned: [false; 96] }
+    }
+}
+
+impl SheetReader {
+    /// Nothing is read yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Counts the passes that begin with a block.
+    fn calls(&mut self, block: &Executed<'_>) {
+        let mut depth = 0;
+        for call in block.calls() {
+            let pass = (call.at, call.l, call.pass);
+            if self.open.get(depth) != Some(&pass) {
+                self.open.truncate(depth);
+                self.open.push(pass);
+                let macrocycle = match call.by {
+                    CallKind::Subprogram => false,
+                    CallKind::Macrocycle | CallKind::Cycle(_) => true,
+                };
+                let units = &mut self.sheet.units;
+                match units.iter_mut().find(|unit| unit.l == call.l && unit.macrocycle == macrocycle) {
+                    Some(unit) => unit.runs += 1,
+                    None => units.push(UnitUse { l: call.l, macrocycle, runs: 1 }),
+                }
+            }
+            depth += 1;
+        }
+        self.open.truncate(depth);
+    }
+
+    /// What is written in a block.
+    fn words(&mut self, block: &Executed<'_>) {
+        for number in block.m_written() {
+            let known = self.sheet.m_functions.entry(*number).or_insert(MUse { count: 0, n: block.n() });
+            known.count += 1;
+        }
+        let (_, id) = block.at();
+        let words = || block.file().into_iter().flat_map(|file| file.words(id));
+        // All words read the values from before the block (PAR-4).
+        for word in words() {
+            if let Value::Parameter { index, .. } = word.value()
+                && self.assigned.get(usize::from(index)) == Some(&false)
+            {
+                let given = &block.settings().machine.parameters;
+                let value = given.get(&index).copied();
+                self.sheet.parameters.entry(index).or_insert(ParameterUse { value, n: block.n() });
+            }
+        }
+        let targets = words().filter(|word| word.address == Address::R).map(|word| word.target());
+        for index in targets.chain(block.params().iter().map(|(index, _)| *index)) {
+            if let Some(slot) = self.assigned.get_mut(usize::from(index)) {
+                *slot = true;
+            }
+        }
+    }
+
+    /// The tool of a block.
+    fn tool(&mut self, block: &Executed<'_>) -> Option<&mut ToolUse> {
+        let tool = block.tool();
+        let tools = &mut self.sheet.tools;
+        let same = self.tool.filter(|at| tools.get(*at).is_some_and(|known| known.tool == tool));
+        let at = match same.or_else(|| tools.iter().position(|known| known.tool == tool)) {
+            Some(at) => at,
+            None => {
+                tools.push(ToolUse { tool, n: block.n(), ..ToolUse::default() });
+                tools.len() - 1
+            }
+        };
+        let changed = self.tool.replace(at) != Some(at);
+        let known = tools.get_mut(at)?;
+        known.changes += u64::from(changed);
+        Some(known)
+    }
+
+    fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
+        self.sheet.all.add_motion(motion);
+        let kind = motion.kind();
+        if kind.is_working() {
+            self.sheet.working.add_motion(motion);
+        }
+        let length = motion.length().mm().unwrap_or_default();
+        let Some(tool) = self.tool(block) else { return };
+        if kind == MotionType::Rapid {
+            tool.rapid = tool.rapid.plus(length);
+        }
+        if !kind.is_working() {
+            return;
+        }
+        tool.working = tool.working.plus(length);
+        tool.extents.add_motion(motion);
+        if let Some(feed) = block.feed() {
+            let (least, greatest) = tool.feeds.entry(feed.unit).or_insert((feed.value, feed.value));
+            *least = (*least).min(feed.value);
+            *greatest = (*greatest).max(feed.value);
+        }
+        if let Some(s) = block.s() {
+            let (least, greatest) = tool.speeds.unwrap_or((s, s));
+            tool.speeds = Some((least.min(s), greatest.max(s)));
+        }
+        tool.d.extend(block.d().filter(|d| *d != Decimal::ZERO));
+    }
+}
+
+impl Sink for SheetReader {
+    type Whole = Sheet;
+
+    fn begin(&mut self, program: &Program<'_>) {
+        let file = program.resolved.file(FileId(0));
+        let number = file.and_then(|file| file.program).and_then(|word| word.whole());
+        self.sheet.head = Head {
+            name: program.name().to_owned(),
+            number: number.and_then(|number| u32::try_from(number).ok()),
+            title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
+            dialect: program.settings.machine.dialect.name(),
+        };
+    }
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        self.calls(block);
+        self.words(block);
+        match block.motion() {
+            Some(motion) => self.motion(block, &motion),
+            // The place of the tool in the order is that of its change.
+            None if block.tool().is_some() => drop(self.tool(block)),
+            None => {}
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, _: End, _: &mut Findings) -> Sheet {
+        self.sheet
+    }
+}

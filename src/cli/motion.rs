@@ -1,0 +1,195 @@
+//! `motion`: how the machine moves through a program, and how long it takes.
+
+use std::io::{self, Write};
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use super::args::{FindingsArgs, MotionArgs, MotionFormat};
+use super::common::{Projects, overrides};
+use super::compile::{Stream, cannot_write};
+use super::job::{Ends, Job, unusable};
+use super::locale::Locale;
+use super::progress::{Counted, Progress};
+use super::status::{Failure, Status};
+use super::threads;
+use super::walk::Target;
+use super::words::Words;
+use crate::analysis::motion::{
+    Account, Basis, BlockTimes, CSV_HEAD, Estimate, Profile, Summary, machine, total, write_block, write_csv,
+};
+use crate::config::{Overrides, Purpose, Settings};
+use crate::diag::{Findings, Format};
+use crate::run::{End, Executed, Program};
+use crate::session::{Outcome, Run, Session, TimedSink, Times};
+use crate::text::Loader;
+
+/// Red joints that are listed without `--all`.
+const RED: usize = 20;
+/// Bytes that are written at once.
+const BUFFER: usize = 1 << 16;
+
+pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> {
+    if args.phases && args.format != MotionFormat::Json {
+        return Err(Words::PhasesFormat.into());
+    }
+    let configured = overrides(&args.common, locale.lang)?;
+    let tried = args.set.iter().map(|text| set(text)).collect::<Result<Vec<_>, _>>()?;
+    let overrides = Overrides { motion: tried, ..configured.clone() };
+    threads::prepare();
+    let shown = FindingsArgs { format: Format::Human, all: args.all };
+    let job = Job::new(args.file.clone(), args.output.clone());
+    let mut projects = job.configure(&args.common, &overrides)?;
+    let report = projects.report();
+    let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
+        return Ok(unusable(report, &shown, locale));
+    };
+    let before = if args.set.is_empty() { Projects::default() } else { job.configure(&args.common, &configured)? };
+    // What is wrong with the project file alone is found with the other values as well.
+    let before = before.settings(job.target());
+    let mut stream = Stream::open(job.output(), locale.lang)?;
+    let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
+    let count = |blocks: u64| {
+        progress.set(blocks);
+        true
+    };
+    let run = OneRun { loader: &job.loader, count: &count, target: job.target(), settings };
+    let made = match args.format {
+        MotionFormat::Human => run.account(before, args.all, locale, &mut stream),
+        MotionFormat::Json | MotionFormat::Csv => run.rows(args, &mut stream),
+    };
+    drop(progress);
+    let made = made.map_err(|error| cannot_write(error, job.output(), locale.lang))?;
+    let reason = Words::NoWholeTime { file: job.target().name() };
+    let ends = Ends { whole: Status::Fine, broken: Status::Faulty, reason };
+    job.finish(stream, made, report, ends, &shown, locale)
+}
+
+/// `KEY=VALUE` of `--set`.
+fn set(text: &str) -> Result<(String, String), Words> {
+    match text.split_once('=') {
+        Some((key, value)) if !key.trim().is_empty() && !value.trim().is_empty() => {
+            Ok((key.trim().to_owned(), value.trim().to_owned()))
+        }
+        _ => Err(Words::SetForm { text: text.to_owned() }),
+    }
+}
+
+/// A run over one program.
+struct OneRun<'a> {
+    loader: &'a dyn Loader,
+    count: &'a (dyn Fn(u64) -> bool + Sync),
+    target: &'a Target,
+    settings: &'a Settings,
+}
+
+impl OneRun<'_> {
+    fn session<'s>(&'s self, settings: &'s Settings) -> Session<'s> {
+        Session { loader: self.loader, settings, progress: Some(self.count) }
+    }
+
+    fn path(&self) -> &Path {
+        &self.target.path
+    }
+
+    /// The account for people.
+    fn account(
+        &self,
+        before: Option<&Settings>,
+        all: bool,
+        locale: Locale,
+        out: &mut impl Write,
+    ) -> io::Result<(Outcome, Option<End>)> {
+        let name = self.target.name();
+        let run = |settings, red| {
+            self.session(settings).run(self.path(), &name, Purpose::Compile, (Estimate::new(settings, red), ()))
+        };
+        let Run { outcome, whole } = run(self.settings, if all { usize::MAX } else { RED });
+        let Some((summary, end)) = whole else { return Ok((outcome, None)) };
+        let before = before.map(|settings| (Basis::of(settings), run(settings, 0).whole));
+        let account = Account {
+            name: &name,
+            basis: &Basis::of(self.settings),
+            summary: &summary,
+            configured: before.as_ref().map(|(basis, whole)| (basis, whole.as_ref().map(|(summary, _)| summary))),
+            sources: &outcome.sources,
+        };
+        out.write_all(account.text(locale.lang).as_bytes())?;
+        out.flush()?;
+        Ok((outcome, Some(end)))
+    }
+
+    /// A row or record for each block.
+    fn rows(&self, args: &MotionArgs, out: &mut (impl Write + Send)) -> io::Result<(Outcome, Option<End>)> {
+        let name = self.target.name();
+        let json = args.format == MotionFormat::Json;
+        let profile: Profile = self.settings.machine.motion.profile.value;
+        let head = if json { machine(&Basis::of(self.settings), &name) } else { CSV_HEAD.to_owned() };
+        let mut rows = Rows { out, text: String::new(), error: None };
+        let times = Times { phases: args.phases, time_dist: true };
+        let sink = RowSink { rows: &mut rows, head, summary: Summary::new(profile, 0), json };
+        let run = self.session(self.settings).run_timed(self.path(), &name, Purpose::Compile, times, sink);
+        rows.flush();
+        match rows.error {
+            Some(error) => Err(error),
+            None => Ok((run.outcome, run.whole)),
+        }
+    }
+}
+
+/// Text on its way out.
+struct Rows<'o, W> {
+    out: &'o mut W,
+    text: String,
+    error: Option<io::Error>,
+}
+
+impl<W: Write> Rows<'_, W> {
+    fn flush(&mut self) {
+        if self.error.is_none() {
+            self.error = self.out.write_all(self.text.as_bytes()).and_then(|()| self.out.flush()).err();
+        }
+        self.text.clear();
+    }
+}
+
+/// Writes blocks with their times.
+struct RowSink<'r, 'o, W> {
+    rows: &'r mut Rows<'o, W>,
+    /// What comes before the first block.
+    head: String,
+    summary: Summary,
+    json: bool,
+}
+
+impl<W: Write> TimedSink for RowSink<'_, '_, W> {
+    type Whole = End;
+
+    fn begin(&mut self, _: &Program<'_>) {
+        self.rows.text.push_str(&self.head);
+    }
+
+    fn block(&mut self, _: &Executed<'_>, times: &BlockTimes, _: &mut Findings) -> ControlFlow<()> {
+        let Self { rows, summary, json, .. } = self;
+        if *json {
+            summary.add(times);
+            write_block(&mut rows.text, times);
+        } else {
+            write_csv(&mut rows.text, times);
+        }
+        if rows.text.len() >= BUFFER {
+            rows.flush();
+        }
+        if rows.error.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn no_jerk(&mut self, motion_s: f64) {
+        crate::analysis::motion::Listener::no_jerk(&mut self.summary, motion_s);
+    }
+
+    fn end(self, end: End, _: &mut Findings) -> End {
+        if self.json {
+            self.rows.text.push_str(&total(&self.summary));
+        }
+        end
+    }
+}

@@ -1,0 +1,151 @@
+//! The keys of the project file as topics: their pages, made of the table of keys.
+
+use std::fmt::Write;
+
+use super::init::literal;
+use super::reference::default;
+use super::row::Row;
+use super::sections::{Form, SECTIONS, Section};
+use crate::dict::{Bilingual, Dialect, Lang};
+
+/// A table of the project file, or a key in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Key {
+    section: &'static Section,
+    row: Option<&'static Row>,
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        self.path() == other.path()
+    }
+}
+
+impl Eq for Key {}
+
+impl Key {
+    /// Every key and table, in the order of the reference page.
+    pub fn all() -> impl Iterator<Item = Self> {
+        SECTIONS.iter().flat_map(|section| {
+            let table = (!section.name.is_empty()).then_some(Self { section, row: None });
+            table.into_iter().chain(section.form.rows().iter().map(move |row| Self { section, row: Some(row) }))
+        })
+    }
+
+    /// The key or table of that name: `limits.feed`, `dialect`, `limits` and `[limits]`. Case does not matter, `_` is as good
+    /// as `-`.
+    pub fn find(name: &str) -> Option<Self> {
+        let plain = name.trim().trim_matches(['[', ']']).to_ascii_lowercase().replace('_', "-");
+        Self::all().find(|key| key.path() == plain)
+    }
+
+    /// Its name with that of its table: `limits.feed`.
+    pub fn path(&self) -> String {
+        match (self.row, self.section.name) {
+            (None, table) => table.to_owned(),
+            (Some(row), "") => row.name.to_owned(),
+            (Some(row), table) => format!("{table}.{}", row.name),
+        }
+    }
+
+    /// What it sets.
+    pub fn meaning(&self, lang: Lang) -> &'static str {
+        self.row.map_or(self.section.meaning, |row| row.meaning).get(lang)
+    }
+
+    /// Its page, Markdown.
+    pub fn page(&self, lang: Lang) -> String {
+        let mut page = format!("# {}: {}\n\n", self.path(), self.meaning(lang));
+        let pick = |en, cs| Bilingual { en, cs }.get(lang);
+        let mut line = |words: &str, value: &str| {
+            // Writing to a `String` cannot fail.
+            let _ = writeln!(page, "- {words}: {value}");
+        };
+        line(pick("In", "Kde"), &format!("`cnc872c.toml`{}", self.place(lang)));
+        if let Some(row) = self.row {
+            line(pick("Takes", "Hodnota"), &row.takes.shown(lang));
+            line(pick("Default", "Výchozí"), &default(row.default, lang));
+        } else if let Form::Map(names, _) | Form::Tables(names, ..) = self.section.form {
+            let shown = names.shown(lang);
+            if !shown.is_empty() {
+                line(pick("Keys", "Klíče"), &shown);
+            }
+            if let Some((_, number)) = names.listed().and_then(|listed| listed.into_iter().next())
+                && !shown.is_empty()
+            {
+                line(pick("Values", "Hodnoty"), &names.takes(number).shown(lang));
+            }
+        }
+        for row in self.section.form.rows().iter().filter(|_| self.row.is_none()) {
+            line(&format!("`{}`", row.name), row.meaning.get(lang));
+        }
+        if let Some(option) = self.row.map_or(self.section.option, |row| row.option) {
+            let options: Vec<_> = option.split(", ").map(|option| format!("`{option}`")).collect();
+            line(pick("On the command line", "Na příkazovém řádku"), &options.join(", "));
+        }
+        line(pick("Rule", "Pravidlo"), self.row.map_or(self.section.rule, |row| row.rule));
+        let _ = write!(page, "\n## {}\n\n```toml\n{}```\n", pick("Example", "Příklad"), self.example());
+        page
+    }
+
+    fn place(&self, lang: Lang) -> String {
+        match (self.section.name, self.section.form) {
+            ("", _) => Bilingual { en: ", before all tables", cs: ", před všemi tabulkami" }.get(lang).to_owned(),
+            (table, Form::List(..)) => format!(", `[[{table}]]`"),
+            (table, Form::Tables(..)) => format!(", `[{table}.{}]`", self.section.example),
+            (table, Form::Keys(..) | Form::Map(..)) => format!(", `[{table}]`"),
+        }
+    }
+
+    fn example(&self) -> String {
+        let value = |row: &Row| {
+            let value = literal(row, Dialect::default()).unwrap_or_else(|| row.example.to_owned());
+            format!("{} = {value}\n", row.name)
+        };
+        let rows = || match self.row {
+            Some(row) => value(row),
+            None => self.section.form.rows().iter().map(value).collect(),
+        };
+        match (self.section.name, self.section.form) {
+            ("", _) => rows(),
+            (table, Form::Keys(..)) => format!("[{table}]\n{}", rows()),
+            (table, Form::List(..)) => {
+                format!("[[{table}]]\n{}", self.section.form.rows().iter().map(value).collect::<String>())
+            }
+            (table, Form::Tables(..)) => format!("[{table}.{}]\n{}", self.section.example, rows()),
+            (table, Form::Map(..)) => format!("[{table}]\n{}\n", self.section.example),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::tests::Run;
+
+    #[test]
+    fn found_by_name() {
+        let path = |name: &str| Key::find(name).map(|key| key.path());
+        assert_eq!(path("LIMITS.feed").as_deref(), Some("limits.feed"));
+        assert_eq!(path("block_skip").as_deref(), Some("block-skip"));
+        assert_eq!(path("[[axes]]").as_deref(), Some("axes"));
+        // A bare name is a word to search for.
+        assert_eq!(path("radius"), None);
+        assert_eq!(path(""), None);
+    }
+
+    /// The examples of the pages are read without a finding.
+    #[test]
+    fn every_key_has_a_page() {
+        for key in Key::all() {
+            let run = Run::plain(&key.example());
+            assert!(run.findings.is_empty(), "{}{:?}", key.example(), run.findings);
+            for lang in [Lang::En, Lang::Cs] {
+                let page = key.page(lang);
+                assert!(page.starts_with(&format!("# {}: ", key.path())) && page.contains("```toml\n"), "{page}");
+            }
+        }
+        let page = Key::find("g97").unwrap().page(Lang::Cs);
+        assert!(page.contains("cnc8x9: `\"per-revolution\"`, cnc872: `\"per-minute\"`"), "{page}");
+    }
+}

@@ -1,0 +1,468 @@
+//! From the tables of `[motion]` and the machine constants to [`Motion`]: what is given twice, what is needed, what is not
+//! used.
+
+use super::motion::{From, Given, Motion, MotionKey, Profile, Rapid, Recognition, SetKey, SetValue, TimedFunction};
+use super::motion_constants::{self as constants, Decades, Holds, Miswritten, Written};
+use super::motion_keys;
+use super::project::Project;
+use super::taken::{Setting, Taken, Values};
+use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, LabelText, UnusedConstant};
+use crate::dict::{Decimal, Dialect};
+use crate::text::{FileId, Location, Span};
+
+/// Highest acceleration that is believed of a constant, mm/s².
+const BELIEVED: u32 = 50_000;
+/// Highest number of a parameter that a control word may name.
+const HIGHEST_PARAMETER: u32 = 94;
+
+/// What the tables of `[motion]` say.
+#[derive(Clone, Debug, Default)]
+pub(super) struct MotionValues {
+    /// Whether there is such a table.
+    pub present: bool,
+    /// Numbers.
+    pub numbers: Vec<Setting<(MotionKey, Decimal)>>,
+    /// `recognition`.
+    pub recognition: Option<Setting<Recognition>>,
+    /// `profile`.
+    pub profile: Option<Setting<Profile>>,
+    /// `rapid-mm-min`.
+    pub rapid: Option<Setting<Rapid>>,
+    /// Sets that are there, the rapid one being set 0.
+    pub tables: Vec<u8>,
+    /// Their values.
+    pub sets: Vec<Setting<(u8, SetKey, Decimal)>>,
+    /// Times of functions.
+    pub times: Vec<Setting<(TimedFunction, Decimal)>>,
+}
+
+impl MotionValues {
+    /// Takes the keys of `[motion]`.
+    pub(super) fn take(&mut self, values: &Values) {
+        self.present = true;
+        for (key, row) in &motion_keys::NUMBERS {
+            let number = values.any(row).and_then(|setting| {
+                setting.and_then(|taken| match taken {
+                    Taken::Number(number) => Some((*key, number)),
+                    Taken::Whole(number) => Some((*key, Decimal::whole(number))),
+                    Taken::Flag(_) | Taken::Text(_) | Taken::Texts(_) | Taken::Axes(_) => None,
+                })
+            });
+            self.numbers.extend(number);
+        }
+        self.recognition = values.choice(&motion_keys::RECOGNITION, |name| {
+            Recognition::ALL.into_iter().find(|recognition| recognition.name() == name)
+        });
+        self.profile = values
+            .choice(&motion_keys::PROFILE, |name| Profile::ALL.into_iter().find(|profile| profile.name() == name));
+        self.rapid = values.any(&motion_keys::RAPID).and_then(|setting| {
+            setting.and_then(|taken| match taken {
+                Taken::Number(number) => Some(Rapid::Path(number)),
+                Taken::Axes(axes) => Some(Rapid::Axes(axes)),
+                Taken::Flag(_) | Taken::Text(_) | Taken::Texts(_) | Taken::Whole(_) => None,
+            })
+        });
+    }
+
+    /// Takes the keys of `[motion.sets.1]` and its like.
+    pub(super) fn take_set(&mut self, values: &Values) {
+        self.present = true;
+        let set = values.name.rsplit('.').next().and_then(|name| name.parse().ok()).unwrap_or(0);
+        self.tables.push(set);
+        for key in SetKey::ALL {
+            let row = motion_keys::SET.iter().find(|row| row.name == key.name());
+            let number = row.and_then(|row| values.number(row));
+            self.sets.extend(number.and_then(|setting| setting.and_then(|number| Some((set, key, number)))));
+        }
+    }
+}
+
+/// A file with its values.
+#[derive(Clone, Copy)]
+pub(super) struct Layer<'a> {
+    /// What it says.
+    pub values: &'a Project,
+    /// Which file it is.
+    pub file: FileId,
+    /// Its text.
+    pub text: &'a str,
+}
+
+/// What is given, for finding what is given twice.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+enum Quantity {
+    Number(MotionKey),
+    Recognition,
+    Profile,
+    Set(u8, SetKey),
+}
+
+impl Quantity {
+    fn key(self) -> String {
+        match self {
+            Self::Number(key) => key.name().to_owned(),
+            Self::Recognition => "recognition".to_owned(),
+            Self::Profile => "profile".to_owned(),
+            Self::Set(0, key) => format!("sets.rapid.{}", key.name()),
+            Self::Set(set, key) => format!("sets.{set}.{}", key.name()),
+        }
+    }
+}
+
+/// Puts together what the layers say, each over the one before; `layers` has the project file first.
+pub(super) fn assemble(layers: &[Layer<'_>], dialect: Dialect, findings: &mut Findings) -> Motion {
+    let mut assembly = Assembly { motion: Motion::new(dialect), keys: Vec::new(), places: Vec::new(), findings };
+    for (at, layer) in layers.iter().enumerate() {
+        assembly.keys(layer, if at == 0 { From::Key } else { From::Set });
+    }
+    if dialect.has_channel_config() {
+        assembly.not_used_here(layers, dialect);
+    } else {
+        assembly.constants(layers);
+    }
+    let Assembly { mut motion, places, findings, .. } = assembly;
+    let said = |layer: &Layer<'_>| {
+        let known = |number: u16| constants::holds(number).is_some() && !dialect.has_channel_config();
+        layer.values.motion.present || layer.values.constants.iter().any(|constant| known(constant.value.0))
+    };
+    motion.configured = layers.first().is_some_and(said);
+    check_whole(&motion, &places, findings);
+    motion
+}
+
+/// A machine constant.
+#[derive(Clone, Copy)]
+struct Read {
+    number: u16,
+    decades: Decades,
+    key: Location,
+    /// Where its value stands.
+    place: Location,
+    from: From,
+}
+
+struct Assembly<'a> {
+    motion: Motion,
+    /// What keys give, with the layer's source and the place.
+    keys: Vec<(Quantity, From, Location)>,
+    /// Where each quantity was given at last.
+    places: Vec<(Quantity, Location)>,
+    findings: &'a mut Findings,
+}
+
+impl Assembly<'_> {
+    fn keys(&mut self, layer: &Layer<'_>, from: From) {
+        let values = &layer.values.motion;
+        let place = |span: Span| Location { file: layer.file, span };
+        for setting in &values.numbers {
+            let (key, value) = setting.value;
+            self.motion.set_number(key, value, from);
+            self.note(Quantity::Number(key), from, place(setting.at));
+        }
+        if let Some(setting) = values.recognition {
+            self.motion.recognition = Given { value: setting.value, from };
+            self.note(Quantity::Recognition, from, place(setting.at));
+        }
+        if let Some(setting) = values.profile {
+            self.motion.profile = Given { value: setting.value, from };
+            self.note(Quantity::Profile, from, place(setting.at));
+        }
+        if let Some(setting) = &values.rapid {
+            self.motion.rapid = Given { value: setting.value.clone(), from };
+        }
+        for set in &values.tables {
+            if let Some(slot) = self.motion.sets.get_mut(usize::from(*set)) {
+                slot.get_or_insert_default();
+            }
+        }
+        for setting in &values.sets {
+            let (set, key, value) = setting.value;
+            self.set(set, key, Given { value: SetValue::Number(value), from });
+            self.note(Quantity::Set(set, key), from, place(setting.at));
+        }
+        for setting in &values.times {
+            let (function, value) = setting.value;
+            self.motion.times.insert(function, Given { value, from });
+        }
+    }
+
+    fn note(&mut self, quantity: Quantity, from: From, place: Location) {
+        self.keys.push((quantity, from, place));
+        self.places.retain(|(other, _)| *other != quantity);
+        self.places.push((quantity, place));
+    }
+
+    fn set(&mut self, set: u8, key: SetKey, value: Given<SetValue>) {
+        if let Some(slot) = self.motion.sets.get_mut(usize::from(set)) {
+            slot.get_or_insert_default().set(key, value);
+        }
+    }
+
+    /// CNC872 has no such constants: said at the first one.
+    fn not_used_here(&mut self, layers: &[Layer<'_>], dialect: Dialect) {
+        for layer in layers {
+            let known = layer.values.constants.iter().filter(|constant| constants::holds(constant.value.0).is_some());
+            if let Some(constant) = known.min_by_key(|constant| constant.key) {
+                let problem = UnusedConstant::Dialect { dialect: dialect.name().to_owned() };
+                let at = Location { file: layer.file, span: constant.key };
+                self.not_used(constant.value.0, problem, at);
+            }
+        }
+    }
+
+    fn not_used(&mut self, number: u16, problem: UnusedConstant, at: Location) {
+        let finding = Finding::ConstantNotUsed { constant: format!("R{number}"), problem };
+        self.findings.add(Diagnostic::new(finding, at));
+    }
+
+    fn need(&mut self, number: u16, needs: ConfigNeed, at: Location) {
+        let finding = Finding::ConfigurationValue { key: format!("machine-constants.R{number}"), needs };
+        self.findings.add(Diagnostic::new(finding, at));
+    }
+
+    /// The constants of all layers; one of the command line replaces that of the file.
+    fn constants(&mut self, layers: &[Layer<'_>]) {
+        let mut read: Vec<Read> = Vec::new();
+        for (at, layer) in layers.iter().enumerate() {
+            for constant in &layer.values.constants {
+                let (number, digits) = &constant.value;
+                let Some(holds) = constants::holds(*number) else { continue };
+                let place = Location { file: layer.file, span: constant.at };
+                let key = Location { file: layer.file, span: constant.key };
+                let quoted =
+                    layer.text.get(constant.at.start as usize..).is_some_and(|text| text.starts_with(['"', '\'']));
+                let signed = holds
+                    .iter()
+                    .any(|holds| matches!(holds, Holds::Thousandths(MotionKey::BreakLength | MotionKey::MergeLength)));
+                let written = Written { digits: digits.clone(), quoted };
+                match Decades::read(&written, signed) {
+                    Ok(decades) => {
+                        read.retain(|other| other.number != *number);
+                        let from = if at == 0 { From::Constant(*number) } else { From::Set };
+                        read.push(Read { number: *number, decades, key, place, from });
+                    }
+                    Err(Miswritten::Digits) => self.need(*number, ConfigNeed::EightDigits, place),
+                    Err(Miswritten::Sign) => self.need(*number, ConfigNeed::NoSign, place),
+                }
+            }
+        }
+        let control = |set: u8| {
+            let word = constants::CONSTANTS.iter().find(|(_, holds)| holds.contains(&Holds::Control(set)))?.0;
+            read.iter().find(|other| other.number == word).map(|other| other.decades)
+        };
+        let controls: Vec<Option<Decades>> = (0..5).map(control).collect();
+        let control = |set: u8| controls.get(usize::from(set)).copied().flatten();
+        let sets_on = control(1).is_some_and(|word| word.part(1, 1) == 1);
+        for one in &read {
+            for holds in constants::holds(one.number).unwrap_or_default() {
+                self.constant(*one, *holds, &control, sets_on);
+            }
+        }
+    }
+
+    /// What one constant gives.
+    fn constant(&mut self, one: Read, holds: Holds, control: &dyn Fn(u8) -> Option<Decades>, sets_on: bool) {
+        let Read { number, decades, key: at, place, from } = one;
+        match holds {
+            Holds::Nothing => self.not_used(number, UnusedConstant::of(number), at),
+            Holds::Recognition(decade) => match constants::recognition(decades.part(decade, decade)) {
+                Ok(value) => {
+                    if self.give(one, Quantity::Recognition) {
+                        self.motion.recognition = Given { value, from };
+                    }
+                }
+                Err(digits) => self.need(number, decade_of(decade, digits), place),
+            },
+            Holds::Profile(decade) => match constants::profile(decades.part(decade, decade)) {
+                Ok(value) => {
+                    if self.give(one, Quantity::Profile) {
+                        self.motion.profile = Given { value, from };
+                    }
+                }
+                Err(digits) => self.need(number, decade_of(decade, digits), place),
+            },
+            Holds::Control(set) => self.control(number, set, decades, place),
+            Holds::Whole(..) | Holds::Thousandths(_) => {
+                self.number_constant(one, holds, sets_on);
+            }
+            Holds::Set(set, key) => {
+                let word = control(set);
+                self.set_constant(one, (set, key), word);
+            }
+        }
+    }
+
+    fn number_constant(&mut self, one: Read, holds: Holds, sets_on: bool) {
+        let Read { number, decades, key: at, place, from } = one;
+        let Some((key, value)) = constants::number(holds, decades) else { return };
+        let percent = key == MotionKey::Red;
+        // The sets replace these three, and their percentage that of R384.
+        if (sets_on && [236, 384, 385].contains(&number) && !percent)
+            || (number == 409 && (!sets_on || value == Decimal::ZERO))
+        {
+            return;
+        }
+        if percent && number == 384 && self.motion.given(key).from == From::Constant(409) {
+            return;
+        }
+        if key == MotionKey::Overload && decades.part(8, 8) != 0 {
+            self.not_used(number, UnusedConstant::LengthCorrection, at);
+        }
+        let accel = matches!(key, MotionKey::Accel | MotionKey::AccelContinuous | MotionKey::AccelRapid);
+        if accel && !self.is_believed(one) {
+            return;
+        }
+        if matches!(key, MotionKey::Accel | MotionKey::AccelRapid) && value == Decimal::ZERO {
+            self.need(number, ConfigNeed::AboveZero, place);
+            return;
+        }
+        if key == MotionKey::Angle && value > Decimal::whole(180) {
+            self.need(number, ConfigNeed::Number { min: "0".to_owned(), max: "180".to_owned() }, place);
+            return;
+        }
+        // Without digits for it a percentage beside the key is not given twice.
+        let beside = percent && value == Decimal::ZERO && self.is_given(Quantity::Number(key));
+        let second = number == 409 && self.motion.given(key).from == From::Constant(384);
+        if !beside && (second || self.give(one, Quantity::Number(key))) {
+            self.motion.set_number(key, value, from);
+        }
+    }
+
+    fn set_constant(&mut self, one: Read, (set, key): (u8, SetKey), control: Option<Decades>) {
+        let Read { number, decades, key: at, place, from } = one;
+        let on = control.is_some_and(|word| word.part(1, 1) == 1);
+        let decade = 2 + key as u32;
+        let by_parameter = control.is_some_and(|word| word.part(decade, decade) == 1);
+        if on && by_parameter {
+            let parameter = decades.part(1, 8);
+            match u8::try_from(parameter) {
+                Ok(parameter) if u32::from(parameter) <= HIGHEST_PARAMETER => {
+                    if self.give(one, Quantity::Set(set, key)) {
+                        self.set(set, key, Given { value: SetValue::Parameter(parameter), from });
+                    }
+                }
+                _ => self.need(number, ConfigNeed::ParameterNumber, place),
+            }
+            return;
+        }
+        let digits = match constants::set_value(key, decades) {
+            Ok(digits) => digits,
+            Err(choices) => return self.need(number, decade_of(8, choices), place),
+        };
+        // R411 is also the key `centripetal-mm-s2`.
+        let also_key = number == 411 && !by_parameter && digits.value > Decimal::ZERO;
+        if !on && number != 411 {
+            return;
+        }
+        if digits.unused {
+            let problem =
+                if key == SetKey::Overload { UnusedConstant::LengthCorrection } else { UnusedConstant::Percentage };
+            self.not_used(number, problem, at);
+        }
+        if key == SetKey::Linear && !self.is_believed(one) {
+            return;
+        }
+        if also_key && self.give(one, Quantity::Number(MotionKey::Centripetal)) {
+            self.motion.set_number(MotionKey::Centripetal, digits.value, from);
+        }
+        if on && digits.value > Decimal::ZERO && self.give(one, Quantity::Set(set, key)) {
+            self.set(set, key, Given { value: SetValue::Number(digits.value), from });
+        }
+    }
+
+    /// A control word: its decades are 0 or 1. A set that it enables is there.
+    fn control(&mut self, number: u16, set: u8, decades: Decades, place: Location) {
+        for decade in 1..=6 {
+            if decades.part(decade, decade) > 1 {
+                return self.need(number, decade_of(decade, "0, 1"), place);
+            }
+        }
+        if decades.part(1, 1) == 1
+            && let Some(slot) = self.motion.sets.get_mut(usize::from(set))
+        {
+            slot.get_or_insert_default();
+        }
+    }
+
+    /// Whether an acceleration is one; else the point is probably in the wrong place.
+    fn is_believed(&mut self, one: Read) -> bool {
+        let digits = one.decades.part(1, 8);
+        if digits <= BELIEVED {
+            return true;
+        }
+        let meant = format!("{}", Decimal::from_thousandths(i64::from(digits) / 1000));
+        self.not_used(one.number, UnusedConstant::TooFast { accel: digits, meant }, one.key);
+        false
+    }
+
+    fn is_given(&self, quantity: Quantity) -> bool {
+        self.keys.iter().any(|(other, ..)| *other == quantity)
+    }
+
+    /// Whether a constant gives a quantity: what a key of the same layer gives already is an error, and one of the command
+    /// line wins.
+    fn give(&mut self, one: Read, quantity: Quantity) -> bool {
+        let Read { number, key: at, place, from, .. } = one;
+        let key = self.keys.iter().rev().find(|(other, ..)| *other == quantity).copied();
+        if let Some((_, by, first)) = key {
+            match (by, from) {
+                (From::Set, From::Constant(_)) => return false,
+                (From::Key, From::Set) => {}
+                _ => {
+                    let needs = ConfigNeed::GivenTwice { key: quantity.key() };
+                    let finding = Finding::ConfigurationValue { key: format!("machine-constants.R{number}"), needs };
+                    self.findings
+                        .add(Diagnostic::new(finding, at).with_label(first, LabelText::First { what: quantity.key() }));
+                    return false;
+                }
+            }
+        }
+        self.places.retain(|(other, _)| *other != quantity);
+        self.places.push((quantity, place));
+        true
+    }
+}
+
+fn decade_of(decade: u32, digits: &str) -> ConfigNeed {
+    ConfigNeed::Decade { decade, digits: digits.to_owned() }
+}
+
+/// What the values need of one another.
+fn check_whole(motion: &Motion, places: &[(Quantity, Location)], findings: &mut Findings) {
+    let place = |quantity: Quantity| places.iter().find(|(other, _)| *other == quantity).map(|(_, place)| *place);
+    let mut need = |key: String, needs: ConfigNeed, at: Location| {
+        findings.add(Diagnostic::new(Finding::ConfigurationValue { key, needs }, at));
+    };
+    let profile = motion.profile.value;
+    let set = |set: usize, key: SetKey| motion.sets.get(set).and_then(|set| set.as_ref()?.get(key));
+    let on = |value: Option<Given<SetValue>>| match value.map(|given| given.value) {
+        Some(SetValue::Number(number)) => number > Decimal::ZERO,
+        Some(SetValue::Parameter(_)) => true,
+        None => false,
+    };
+    if profile == Profile::Parabolic && !on(set(1, SetKey::Parabolic)) {
+        let at = place(Quantity::Profile).unwrap_or_default();
+        need(motion.profile.from.shown("profile"), ConfigNeed::ParabolicSet, at);
+    }
+    if profile == Profile::Ramps || motion.given(MotionKey::Cycle).value.is_some() {
+        return;
+    }
+    // Of several criteria the first in the text says what is missing.
+    let mut criteria: Vec<(Quantity, bool)> = vec![
+        (Quantity::Number(MotionKey::Accuracy), motion.number(MotionKey::Accuracy) > Decimal::ZERO),
+        (Quantity::Number(MotionKey::Overload), motion.number(MotionKey::Overload) > Decimal::ZERO),
+    ];
+    if profile == Profile::Parabolic {
+        for number in 1..=4_u8 {
+            for key in [SetKey::Accuracy, SetKey::Overload] {
+                criteria.push((Quantity::Set(number, key), on(set(usize::from(number), key))));
+            }
+        }
+    }
+    let used = criteria.into_iter().filter(|(_, on)| *on);
+    let first =
+        used.filter_map(|(quantity, _)| Some((quantity, place(quantity)?))).min_by_key(|(_, at)| (at.file, at.span));
+    if let Some((quantity, at)) = first {
+        need(format!("motion.{}", quantity.key()), ConfigNeed::CycleTime, at);
+    }
+}

@@ -1,0 +1,461 @@
+//! Lays out a still picture: path, grid with numbers, axes, scale, dots with block numbers.
+
+use std::collections::BTreeMap;
+
+use super::display::{Class, Display, Item, LETTER, Place, text_width};
+use super::lines::{Lines, Point, Stroke};
+use super::png::{path_png, png};
+use super::projection::{Bounds, Plane, Projection};
+use super::rows::Rows;
+use super::svg::svg;
+
+/// With more points than these the path of an SVG is an image.
+const MOST_POINTS: usize = 50_000;
+/// With more yellow dots than these none is drawn, and the picture says so.
+const MOST_YELLOW: usize = 20_000;
+/// Free at the left, top, right and bottom of the path, in pixels.
+const MARGINS: [f64; 4] = [64.0, 36.0, 64.0, 64.0];
+/// Points that are nearer to the one before, in pixels, are left out.
+const SAME: f64 = 0.15;
+
+/// What a still picture is to be.
+#[derive(Clone, Copy, Debug)]
+pub struct Still {
+    /// What is looked at; `None`: the plane that shows most of the working motions.
+    pub plane: Option<Plane>,
+    /// In pixels.
+    pub width: u32,
+    /// In pixels.
+    pub height: u32,
+}
+
+impl Default for Still {
+    fn default() -> Self {
+        Self { plane: None, width: 1600, height: 1000 }
+    }
+}
+
+/// A dot at a joint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct JointDot {
+    pub seq: u64,
+    pub n: u32,
+    pub row: usize,
+    pub red: bool,
+}
+
+/// A piece of the equidistant path.
+#[derive(Clone, Debug)]
+pub(super) struct Chain {
+    pub seq: u64,
+    pub points: Vec<Point>,
+    pub collides: bool,
+}
+
+/// What is drawn besides the rows.
+#[derive(Debug, Default)]
+pub(super) struct Besides {
+    pub title: String,
+    pub dots: Vec<JointDot>,
+    pub equidistant: Vec<Chain>,
+}
+
+/// The picture as SVG.
+pub(super) fn as_svg(rows: &Rows, still: Still, besides: &Besides) -> String {
+    let display = lay_out(rows, still, besides);
+    let points: usize =
+        display.path.iter().map(|item| if let Item::Lines(_, places) = item { places.len() } else { 0 }).sum();
+    let image = if points > MOST_POINTS { path_png(&display) } else { None };
+    svg(&display, image.as_deref())
+}
+
+/// The picture as PNG.
+pub(super) fn as_png(rows: &Rows, still: Still, besides: &Besides) -> Option<Vec<u8>> {
+    png(&lay_out(rows, still, besides))
+}
+
+fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
+    let lines = Lines::new(rows);
+    let strokes: Vec<(usize, Stroke)> =
+        (1..rows.block.len()).filter_map(|row| Some((row, lines.stroke(row)?))).collect();
+    let plane = still.plane.unwrap_or_else(|| main_plane(&lines, &strokes));
+    let mut bounds = Bounds::EMPTY;
+    for (row, _) in &strokes {
+        lines.points(*row, 0.05, |point| bounds.include(point));
+    }
+    for point in besides.equidistant.iter().flat_map(|chain| &chain.points) {
+        bounds.include(*point);
+    }
+    if bounds.is_empty() {
+        bounds.include(lines.point(rows.block.len().saturating_sub(1)));
+    }
+    let (width, height) = (f64::from(still.width), f64::from(still.height));
+    let [left, top, right, bottom] = MARGINS;
+    let projection =
+        Projection::fit(plane, &bounds, [left, top, (width - right).max(left + 1.0), (height - bottom).max(top + 1.0)]);
+    let mut display = Display {
+        width: still.width,
+        height: still.height,
+        title: besides.title.clone(),
+        under: Vec::new(),
+        path: path(&lines, &strokes, &projection),
+        over: Vec::new(),
+    };
+    let mut labels = Labels::default();
+    let grid_labels = grid(&mut display, &bounds, &projection);
+    for chain in &besides.equidistant {
+        let class = if chain.collides { Class::Collision } else { Class::Equidistant };
+        let places = chain.points.iter().map(|point| projection.at(*point)).collect();
+        display.over.push(Item::Lines(class, places));
+    }
+    axes(&mut display, &projection, &mut labels);
+    scale(&mut display, &projection, &mut labels);
+    dots(&mut display, besides, &lines, &projection, &mut labels);
+    for (at, text) in grid_labels {
+        if labels.take(at, &text, [width, height]) {
+            display.under.push(Item::Text { at, class: Class::Faint, text });
+        }
+    }
+    display
+}
+
+/// The plane in which the working motions look longest; of equal ones the first.
+fn main_plane(lines: &Lines<'_>, strokes: &[(usize, Stroke)]) -> Plane {
+    let mut seen = [0.0_f64; 3];
+    let works = strokes.iter().any(|(_, stroke)| *stroke != Stroke::Rapid);
+    for (row, _) in strokes.iter().filter(|(_, stroke)| !works || *stroke != Stroke::Rapid) {
+        for (sum, length) in seen.iter_mut().zip(lines.seen(*row)) {
+            *sum += length;
+        }
+    }
+    let [xy, xz, yz] = seen;
+    // What differs by rounding alone is equal.
+    if xy * (1.0 + 1e-9) >= xz && xy * (1.0 + 1e-9) >= yz {
+        Plane::Xy
+    } else if xz * (1.0 + 1e-9) >= yz {
+        Plane::Xz
+    } else {
+        Plane::Yz
+    }
+}
+
+/// The lines in the order of the program, joined while they go on in one kind.
+fn path(lines: &Lines<'_>, strokes: &[(usize, Stroke)], projection: &Projection) -> Vec<Item> {
+    let deviation = 0.1 / projection.scale;
+    let mut items = Vec::new();
+    let mut open: Option<(Stroke, Vec<Place>, Place)> = None;
+    let close = |open: Option<(Stroke, Vec<Place>, Place)>, items: &mut Vec<Item>| {
+        if let Some((stroke, mut places, last)) = open {
+            if places.last() != Some(&last) || places.len() == 1 {
+                places.push(last);
+            }
+            items.push(Item::Lines(class(stroke), places));
+        }
+    };
+    for (row, stroke) in strokes {
+        let mut first = true;
+        lines.points(*row, deviation, |point| {
+            let place = projection.at(point);
+            if first {
+                first = false;
+                let goes_on = open.as_ref().is_some_and(|(kind, _, last)| kind == stroke && near(*last, place, 1e-6));
+                if !goes_on {
+                    close(open.take(), &mut items);
+                    open = Some((*stroke, vec![place], place));
+                    return;
+                }
+            }
+            if let Some((_, places, last)) = &mut open {
+                *last = place;
+                if places.last().is_none_or(|before| !near(*before, place, SAME)) {
+                    places.push(place);
+                }
+            }
+        });
+    }
+    close(open, &mut items);
+    // Rapid motions lie under working ones.
+    items.sort_by_key(|item| !matches!(item, Item::Lines(Class::Rapid, _)));
+    items
+}
+
+const fn class(stroke: Stroke) -> Class {
+    match stroke {
+        Stroke::Rapid => Class::Rapid,
+        Stroke::Straight => Class::Straight,
+        Stroke::Arc => Class::Arc,
+        Stroke::Thread => Class::Thread,
+    }
+}
+
+fn near([ax, ay]: Place, [bx, by]: Place, reach: f64) -> bool {
+    (ax - bx).abs() <= reach && (ay - by).abs() <= reach
+}
+
+/// 1, 2 or 5 times a power of ten, at least so much.
+fn round_step(least: f64) -> f64 {
+    let mut power = 1e-6;
+    while power * 10.0 <= least {
+        power *= 10.0;
+    }
+    let lead = least / power;
+    power
+        * if lead <= 1.0 {
+            1.0
+        } else if lead <= 2.0 {
+            2.0
+        } else if lead <= 5.0 {
+            5.0
+        } else {
+            10.0
+        }
+}
+
+/// A number without trailing zeros.
+fn shown(value: f64) -> String {
+    let text = format!("{value:.6}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}
+
+/// Draws the grid in the plane that is seen most from above, on the far side; gives the numbers along its edges.
+fn grid(display: &mut Display, bounds: &Bounds, projection: &Projection) -> Vec<(Place, String)> {
+    let [tx, ty, tz] = projection.towards.map(f64::abs);
+    let normal = if tz + 1e-9 >= tx && tz + 1e-9 >= ty {
+        2
+    } else if ty >= tx {
+        1
+    } else {
+        0
+    };
+    let [a, b] = match normal {
+        0 => [1, 2],
+        1 => [0, 2],
+        _ => [0, 1],
+    };
+    let of = |point: Point, axis: usize| point.get(axis).copied().unwrap_or_default();
+    let level = if of(projection.towards, normal) >= 0.0 { of(bounds.min, normal) } else { of(bounds.max, normal) };
+    let step = round_step(70.0 / projection.scale);
+    let range = |axis: usize| {
+        let (low, high) = ((of(bounds.min, axis) / step - 1e-9).floor(), (of(bounds.max, axis) / step + 1e-9).ceil());
+        if low >= high { (low - 1.0, high + 1.0) } else { (low, high) }
+    };
+    let ((low_a, high_a), (low_b, high_b)) = (range(a), range(b));
+    let point = |u: f64, v: f64| {
+        let mut point = [0.0; 3];
+        for (axis, slot) in point.iter_mut().enumerate() {
+            *slot = if axis == normal {
+                level
+            } else if axis == a {
+                u * step
+            } else {
+                v * step
+            };
+        }
+        point
+    };
+    let (right, up) = (projection.right, projection.up);
+    let lowest = |axis: usize| of(up, axis) + of(right, axis) * 1e-3 >= 0.0;
+    let leftmost = |axis: usize| of(right, axis) + of(up, axis) * 1e-3 >= 0.0;
+    let is_steep = |axis: usize| of(up, axis).abs() >= of(right, axis).abs();
+    let edge_b = if if is_steep(b) { lowest(b) } else { leftmost(b) } { low_b } else { high_b };
+    let edge_a = if if is_steep(a) { lowest(a) } else { leftmost(a) } { low_a } else { high_a };
+    let mut labels = Vec::new();
+    let sides = [f64::from(display.width), f64::from(display.height)];
+    let mut line = |from: Point, to: Point, is_zero: bool| {
+        let class = if is_zero { Class::GridStrong } else { Class::Grid };
+        display.under.push(Item::Lines(class, vec![projection.at(from), projection.at(to)]));
+    };
+    let mut label = |at: Point, inward: Point, value: f64| {
+        let ([x, y], [ix, iy]) = (projection.at(at), projection.at(inward));
+        let length = ((x - ix) * (x - ix) + (y - iy) * (y - iy)).sqrt().max(1e-9);
+        let text = shown(value * step);
+        let width = text_width(&text);
+        let far = 8.0 + width / 2.0 * ((x - ix) / length).abs() + 8.0 * ((y - iy) / length).abs();
+        let [to_x, to_y] = [(ix - x) / length, (iy - y) / length];
+        let outside = [x - to_x * far - width / 2.0, y - to_y * far + LETTER[0] * 0.36];
+        let back = back_inside(outside, width, [to_x, to_y], sides);
+        labels.push(([outside[0] + to_x * back, outside[1] + to_y * back], text));
+    };
+    let mut u = low_a;
+    while u <= high_a {
+        line(point(u, low_b), point(u, high_b), u == 0.0);
+        let inward = if edge_b == low_b { edge_b + 1.0 } else { edge_b - 1.0 };
+        label(point(u, edge_b), point(u, inward), u);
+        u += 1.0;
+    }
+    let mut v = low_b;
+    while v <= high_b {
+        line(point(low_a, v), point(high_a, v), v == 0.0);
+        let inward = if edge_a == low_a { edge_a + 1.0 } else { edge_a - 1.0 };
+        label(point(edge_a, v), point(inward, v), v);
+        v += 1.0;
+    }
+    labels
+}
+
+/// How far a number goes back along its line, so that the picture has it where the grid reaches beyond its edge.
+fn back_inside([x, y]: Place, wide: f64, [to_x, to_y]: Place, [width, height]: [f64; 2]) -> f64 {
+    let needs = |over: f64, towards: f64| if over > 0.0 && towards > 0.1 { over / towards } else { 0.0 };
+    needs(4.0 - x, to_x)
+        .max(needs(x + wide + 4.0 - width, -to_x))
+        .max(needs(LETTER[0] + 4.0 - y, to_y))
+        .max(needs(y + 6.0 - height, -to_y))
+}
+
+fn axes(display: &mut Display, projection: &Projection, labels: &mut Labels) {
+    let [cx, cy] = [42.0, f64::from(display.height) - 30.0];
+    labels.block([0.0, cy - 40.0, cx + 40.0, cy + 26.0]);
+    let directions = [0_u8, 1, 2].map(|axis| {
+        let of = |point: Point| point.get(usize::from(axis)).copied().unwrap_or_default();
+        (axis, of(projection.right) * 26.0, -of(projection.up) * 26.0, of(projection.towards))
+    });
+    let mut sorted = directions;
+    sorted.sort_by(|a, b| a.3.total_cmp(&b.3));
+    for (axis, x, y, _) in sorted {
+        let length = (x * x + y * y).sqrt();
+        if length < 2.0 {
+            continue;
+        }
+        let letter = match axis {
+            0 => "X",
+            1 => "Y",
+            _ => "Z",
+        };
+        display.over.push(Item::Lines(Class::Axis(axis), vec![[cx, cy], [cx + x, cy + y]]));
+        let far = (length + 9.0) / length;
+        let at = [cx + x * far - LETTER[1] / 2.0, cy + y * far + LETTER[0] * 0.36];
+        display.over.push(Item::Text { at, class: Class::Axis(axis), text: letter.to_owned() });
+    }
+}
+
+fn scale(display: &mut Display, projection: &Projection, labels: &mut Labels) {
+    let step = round_step(80.0 / projection.scale);
+    let length = step * projection.scale;
+    let [right, y] = [f64::from(display.width) - 20.0, f64::from(display.height) - 16.0];
+    let text = format!("{} mm", shown(step));
+    let width = text_width(&text);
+    labels.block([right - length.max(width) - 8.0, y - 26.0, right + 8.0, y + 8.0]);
+    let bar = vec![[right - length, y - 5.0], [right - length, y], [right, y], [right, y - 5.0]];
+    display.over.push(Item::Lines(Class::Ink, bar));
+    let at = [right - length / 2.0 - width / 2.0, y - 8.0];
+    display.over.push(Item::Text { at, class: Class::Ink, text });
+}
+
+/// A number, or the numbers of several dots that stand so near that their texts would cover each other.
+#[derive(Clone, Copy, Debug)]
+struct Numbers {
+    at: Place,
+    first: u32,
+    last: u32,
+}
+
+impl Numbers {
+    fn text(&self) -> String {
+        if self.first == self.last { format!("N{}", self.first) } else { format!("N{}…N{}", self.first, self.last) }
+    }
+
+    fn area(&self) -> [f64; 4] {
+        let [x, y] = self.at;
+        [x, y - LETTER[0], x + text_width(&self.text()) + 4.0, y + 3.0]
+    }
+}
+
+fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection: &Projection, labels: &mut Labels) {
+    let place = |dot: &JointDot| projection.at(lines.start(dot.row));
+    let yellow = besides.dots.iter().filter(|dot| !dot.red).count();
+    if yellow <= MOST_YELLOW {
+        for dot in besides.dots.iter().filter(|dot| !dot.red) {
+            display.over.push(Item::Dot { at: place(dot), red: false, seq: dot.seq });
+        }
+    } else {
+        // The same bytes in every language.
+        let text = format!("{yellow} yellow dots not drawn");
+        display.over.push(Item::Text { at: [20.0, 22.0], class: Class::Faint, text });
+    }
+    let mut numbers: Vec<Numbers> = Vec::new();
+    for dot in besides.dots.iter().filter(|dot| dot.red) {
+        let at = place(dot);
+        display.over.push(Item::Dot { at, red: true, seq: dot.seq });
+        let [x, y] = at;
+        numbers.push(Numbers { at: [x + 8.0, y - 5.0], first: dot.n, last: dot.n });
+    }
+    for number in joined(numbers) {
+        labels.block(number.area());
+        display.over.push(Item::Text { at: number.at, class: Class::Ink, text: number.text() });
+    }
+}
+
+/// Joins numbers whose texts cover each other until none does.
+fn joined(mut numbers: Vec<Numbers>) -> Vec<Numbers> {
+    loop {
+        let before = numbers.len();
+        let mut kept: Vec<Numbers> = Vec::new();
+        // By squares of the picture: which of the kept ones reach into it.
+        let mut squares: BTreeMap<(i64, i64), Vec<usize>> = BTreeMap::new();
+        for number in numbers {
+            let area = number.area();
+            let covered = squares_of(area).flat_map(|square| squares.get(&square).into_iter().flatten());
+            let other = covered.copied().find(|other| kept.get(*other).is_some_and(|kept| cover(kept.area(), area)));
+            let place = match other {
+                Some(place) => {
+                    if let Some(kept) = kept.get_mut(place) {
+                        kept.last = number.last;
+                    }
+                    place
+                }
+                None => {
+                    kept.push(number);
+                    kept.len() - 1
+                }
+            };
+            if let Some(kept) = kept.get(place) {
+                for square in squares_of(kept.area()) {
+                    let reaching = squares.entry(square).or_default();
+                    if !reaching.contains(&place) {
+                        reaching.push(place);
+                    }
+                }
+            }
+        }
+        numbers = kept;
+        if numbers.len() == before {
+            return numbers;
+        }
+    }
+}
+
+fn squares_of([left, top, right, bottom]: [f64; 4]) -> impl Iterator<Item = (i64, i64)> {
+    #[expect(clippy::cast_possible_truncation, reason = "saturating; places on a picture are small")]
+    let square = |value: f64| (value / 40.0).floor() as i64;
+    let (top, bottom) = (square(top), square(bottom));
+    (square(left)..=square(right)).flat_map(move |column| (top..=bottom).map(move |row| (column, row)))
+}
+
+fn cover([al, at, ar, ab]: [f64; 4], [bl, bt, br, bb]: [f64; 4]) -> bool {
+    al < br && bl < ar && at < bb && bt < ab
+}
+
+/// Areas that have a text.
+#[derive(Debug, Default)]
+struct Labels {
+    taken: Vec<[f64; 4]>,
+}
+
+impl Labels {
+    fn block(&mut self, area: [f64; 4]) {
+        self.taken.push(area);
+    }
+
+    /// Whether a text finds room; it has it then.
+    fn take(&mut self, [x, y]: Place, text: &str, [width, height]: [f64; 2]) -> bool {
+        let area = [x - 2.0, y - LETTER[0], x + text_width(text) + 2.0, y + 3.0];
+        let [left, top, right, bottom] = area;
+        let inside = left >= 0.0 && top >= 0.0 && right <= width && bottom <= height;
+        let free = inside && !self.taken.iter().any(|taken| cover(*taken, area));
+        if free {
+            self.taken.push(area);
+        }
+        free
+    }
+}

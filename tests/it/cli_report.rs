@@ -1,0 +1,71 @@
+//! `report` on the real binary: what the set-up sheet holds, its forms, exit status.
+
+use serde_json::{Value, json};
+
+use crate::cli::{BAD, Place};
+
+const PROGRAM: &str = "%7 \"FLANGE <1>\"\nN10 G90 G17 G0 X0 Y0 Z50 T1 D1 M6\nN20 G1 Z-2 F200 S1000 M3\nN30 X40 F800 S1500\n\
+                       N40 G3 X40 Y20 I0 J10\nN50 G0 Z50\nN60 T5 M6\nN70 G71 L5 Q3\nN80 G72 L9\nN90 R10=4\nN100 G1 XR10 YR11 F300\n\
+                       N110 T1 M6\nN120 G1 X-5\nN130 M30\nN200 G79 L5\nN210 G1 Z-1 F100\nN220 G0 Z5 M8 G70\n";
+
+fn place() -> Place {
+    let macrocycle = "N1 G79 L9\nN2 G0 X60\nN3 G70\n";
+    Place::with(&[("a.nc", PROGRAM.as_bytes()), ("L9", macrocycle.as_bytes()), ("bad.nc", BAD.as_bytes())])
+}
+
+#[test]
+fn json() {
+    let place = place();
+    let run = place.run(&["report", "a.nc", "--format", "json", "--param", "R11=7.5"]).ends(0);
+    let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
+    let validator = jsonschema::validator_for(&cnc872c::analysis::sheet::schema()).unwrap();
+    assert!(validator.is_valid(&sheet), "{:?}", validator.iter_errors(&sheet).next());
+    assert_eq!((&sheet["number"], &sheet["title"]), (&json!(7), &json!("FLANGE <1>")));
+    // The arc bulges to X50.
+    assert_eq!(sheet["extents"]["working"], json!({ "X": [-5, 60], "Y": [0, 20], "Z": [-2, 50] }));
+    assert_eq!(sheet["extents"]["all"]["X"], json!([-5, 60]));
+    let tools = sheet["tools"].as_array().unwrap();
+    assert_eq!(tools.len(), 2);
+    let (first, second) = (&tools[0], &tools[1]);
+    assert_eq!((&first["t"], &first["changes"], &first["n"]), (&json!(1), &json!(2), &json!(10)));
+    assert_eq!(first["feeds"], json!([{ "unit": "mm/min", "min": 200, "max": 800 }]));
+    assert_eq!((&first["speeds"], &first["d"]), (&json!([1000, 1500]), &json!([1])));
+    assert_eq!(first["extents"]["X"], json!([-5, 50]));
+    assert_eq!((&second["t"], &second["changes"]), (&json!(5), &json!(1)));
+    assert_eq!(sheet["m_functions"][0], json!({ "no": 3, "count": 1, "n": 20 }));
+    assert!(sheet["m_functions"].as_array().unwrap().contains(&json!({ "no": 8, "count": 3, "n": 220 })));
+    assert_eq!(sheet["parameters"], json!([{ "r": 11, "value": 7.5, "n": 100 }]));
+    let units = json!([{ "l": 5, "kind": "subprogram", "runs": 3 }, { "l": 9, "kind": "macrocycle", "runs": 1 }]);
+    assert_eq!(sheet["units"], units);
+    let motion = place.run(&["motion", "a.nc", "--format", "json", "--param", "R11=7.5"]).ends(0);
+    let total: Value = serde_json::from_str(motion.stdout.lines().last().unwrap()).unwrap();
+    assert_eq!(sheet["time_s"], total["time_s"]);
+    assert_eq!(first["time_s"], total["time_by_tool"]["1"]);
+}
+
+#[test]
+fn forms_for_people() {
+    let place = place();
+    let with =
+        |arguments: &[&str]| place.run(&[&["report", "a.nc", "--param", "R11=7.5"], arguments].concat()).ends(0).stdout;
+    let human = with(&["--lang", "en"]);
+    assert!(human.starts_with("Set-up sheet: a.nc\n\nProgram  %7 \"FLANGE <1>\"\n"), "{human}");
+    assert!(human.contains("subprogram L5  3"), "{human}");
+    let markdown = with(&["--format", "markdown", "--lang", "cs"]);
+    assert!(markdown.starts_with("# Seřizovací list: a.nc\n"), "{markdown}");
+    assert!(markdown.contains("\"FLANGE \\<1\\>\"") && markdown.contains("| R11 | 7.5 | N100 |"), "{markdown}");
+    let html = with(&["--format", "html", "--lang", "cs"]);
+    assert!(html.contains("<html lang=\"cs\">") && html.contains("FLANGE &lt;1&gt;"), "{html}");
+    assert!(html.contains("<td>podprogram L5</td><td>3</td>"), "{html}");
+    assert!(!html.contains("<script") && !html.contains("http"), "{html}");
+}
+
+#[test]
+fn faults() {
+    let place = place();
+    place.run(&["report", "bad.nc"]).ends(1).says("E0306");
+    place.run(&["report", "missing.nc"]).ends(2).says("missing.nc");
+    place.run(&["report", "a.nc", "-o", "a.nc"]).ends(2).says("another file belongs after -o");
+    place.run(&["report", "a.nc", "-o", "sheet.html", "--format", "html"]).ends(0);
+    assert!(place.read("sheet.html").starts_with(b"<!DOCTYPE html>"));
+}

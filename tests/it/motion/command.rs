@@ -1,0 +1,235 @@
+//! `motion` on the real binary: its forms, and that they agree with one another, with the block stream and with the rules.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Value, json};
+
+use super::build::close;
+use crate::cli::{BAD, Place, Run, closed_pipe};
+
+const CONFIG: &str = "[motion]\nprofile = \"parabolic\"\ncycle-ms = 2\naccuracy-um = 8\nsettle-ms = 20\nblock-gap-ms = 5\n\
+                      raise-ms = 1\nmerge-length-mm = 0.5\nrapid-mm-min = { X = 12000, Z = 6000 }\n\
+                      [motion.times]\nM06 = 6.5\nT = 0.2\n\
+                      [motion.sets.1]\nparabolic = 50000\nlinear-mm-s2 = 600\ncentripetal-mm-s2 = 400\n\
+                      [motion.sets.rapid]\nparabolic = 90000\nlinear-mm-s2 = 1200\n";
+
+/// Motions of all kinds, a loop, a subprogram, functions, dwell, small blocks that are joined.
+const PROGRAM: &str = "%1 \"TRY\"\nN10 G90 G17 G0 X0 Y0 Z10 T1 M6\nN20 G23 G94 G1 Z0 F500 S1000 M3\nN30 X50 F5000\nN40 X100\n\
+                       N50 X100 Y50\nN60 G3 X90 Y60 I-10 J0\nN70 G1 X50\nN80 M8\nN90 X0\nN91 X-0.2\nN92 X-0.4 Y60.1\n\
+                       N93 X-0.6\nN94 X-10\nN95 G71 L5 Q3\nN100 G4 Q150\nN105 T2 M6\nN110 G98 G0 Z50\nN120 M30\n\
+                       N200 G79 L5\nN210 X0 Y0\nN220 X5 Y1\nN230 X10 Y0\nN240 X0 Y60 G70\n";
+
+fn place() -> Place {
+    Place::with(&[("a.nc", PROGRAM.as_bytes()), ("t.toml", CONFIG.as_bytes()), ("bad.nc", BAD.as_bytes())])
+}
+
+/// The records of a run, each valid.
+fn records(run: &Run) -> Vec<Value> {
+    let validator = jsonschema::validator_for(&cnc872c::analysis::motion::schema()).unwrap();
+    let records: Vec<Value> = run.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    for record in &records {
+        assert!(validator.is_valid(record), "{:?}\n{record}", validator.iter_errors(record).next());
+    }
+    records
+}
+
+fn number(record: &Value, field: &str) -> f64 {
+    record[field].as_f64().unwrap_or_else(|| panic!("{field} of {record}"))
+}
+
+/// The machine, a record a block joined by `seq`, and a total that is the sum of the blocks.
+#[test]
+fn stream() {
+    let place = place();
+    for options in [vec![], vec!["--config", "t.toml"], vec!["--dialect", "cnc8x6"]] {
+        let arguments = [vec!["motion", "a.nc", "--format", "json", "--phases"], options.clone()].concat();
+        let run = place.run(&arguments).ends(0);
+        let records = records(&run);
+        let (machine, total) = (&records[0], records.last().unwrap());
+        let blocks = &records[1..records.len() - 1];
+        assert_eq!((&machine["kind"], &total["kind"]), (&json!("machine"), &json!("total")));
+        assert_eq!(machine.get("assumed").is_some(), options != ["--config", "t.toml"]);
+        let compiled = place.run(&[vec!["compile", "a.nc"], options].concat());
+        let compiled: Vec<Value> = compiled.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let compiled: Vec<&Value> = compiled.iter().filter(|record| record["kind"] == "block").collect();
+        assert_eq!(compiled.len(), blocks.len());
+        let (mut clock, mut by_tool) = (0.0, BTreeMap::new());
+        for (block, compiled) in blocks.iter().zip(compiled) {
+            for field in ["seq", "n", "file", "line"] {
+                assert_eq!(block[field], compiled[field], "{block}");
+            }
+            assert!((number(block, "start_s") - clock).abs() < 1e-5, "{block}");
+            clock += number(block, "duration_s");
+            if let Some(tool) = compiled["tool"].as_i64() {
+                *by_tool.entry(tool.to_string()).or_insert(0.0) += number(block, "duration_s");
+            }
+            check_motion(block, compiled);
+        }
+        close(number(total, "time_s"), clock, 1e-6);
+        let types = total["time_by_type"].as_object().unwrap().values().map(|seconds| seconds.as_f64().unwrap());
+        let parts = ["dwell_s", "function_s", "settle_s", "gap_s"].map(|field| number(total, field));
+        close(types.sum::<f64>() + parts.iter().sum::<f64>(), number(total, "time_s"), 1e-6);
+        for (tool, seconds) in by_tool {
+            close(number(&total["time_by_tool"], &tool), seconds, 1e-6);
+        }
+        check_counts(blocks, total);
+        assert!(number(total, "ideal_s") <= number(total, "time_s"));
+        if let Some(seconds) = total["no_jerk_s"].as_f64() {
+            assert!(number(total, "ideal_s") <= seconds && seconds <= number(total, "time_s"), "{total}");
+        }
+    }
+}
+
+/// Phases give the length and the velocities; TIME_DIST counts down to the end of the stretch.
+fn check_motion(block: &Value, compiled: &Value) {
+    let Some(phases) = block["phases"].as_array() else { return };
+    let (mut way, mut seconds, mut velocity) = (0.0, 0.0, 0.0);
+    for phase in phases {
+        let [t, v, a, j] = [0, 1, 2, 3].map(|at| phase[at].as_f64().unwrap());
+        if seconds == 0.0 {
+            assert!((v * 60.0 - number(block, "start")).abs() < 1e-5, "{block}");
+        }
+        way += v * t + a * t * t / 2.0 + j * t * t * t / 6.0;
+        velocity = v + a * t + j * t * t / 2.0;
+        seconds += t;
+    }
+    assert!((velocity * 60.0 - number(block, "end")).abs() < 1e-3, "{block}");
+    let length = block["piece_mm"].as_f64().or(compiled["motion"]["length_mm"].as_f64()).unwrap();
+    close(way, length, 1e-6);
+    assert!(number(block, "peak") <= number(block, "cap") * (1.0 + 1e-6), "{block}");
+    if let Some(rest) = block["time_dist_s"].as_f64() {
+        assert!(rest >= seconds - 1e-5, "{block}");
+        if number(block, "end") == 0.0 {
+            close(rest, seconds, 1e-5);
+        }
+    }
+}
+
+/// The total counts what the blocks say.
+fn check_counts(blocks: &[Value], total: &Value) {
+    let joints: Vec<&Value> = blocks.iter().filter_map(|block| block.get("joint")).collect();
+    let count = |field: &str| {
+        let mut counts: BTreeMap<&str, u64> = BTreeMap::new();
+        for name in joints.iter().filter_map(|joint| joint[field].as_str()) {
+            *counts.entry(name).or_default() += 1;
+        }
+        counts
+    };
+    let continuous: Vec<&&Value> = joints.iter().filter(|joint| joint["continuous"] == true).collect();
+    assert_eq!(total["joints"]["continuous"], continuous.len());
+    assert_eq!(total["joints"]["broken"], json!(count("broken_by")));
+    let dots = count("dot");
+    let dot = |name| dots.get(name).copied().unwrap_or(0);
+    assert_eq!(total["dots"], json!({ "yellow": dot("yellow"), "red": dot("red") }));
+    let limited: u64 = total["limited"].as_object().map_or(0, |limits| limits.values().filter_map(Value::as_u64).sum());
+    assert_eq!(limited, continuous.len() as u64);
+}
+
+/// What is in force, and where it comes from.
+#[test]
+fn machine() {
+    let place = place();
+    let of = |arguments: &[&str]| {
+        let run = place.run(&[&["motion", "a.nc", "--format", "json"], arguments].concat()).ends(0);
+        records(&run).remove(0)
+    };
+    let machine = of(&["--config", "t.toml", "--set", "accuracy-um=4"]);
+    assert_eq!(machine["accuracy_um"], 4);
+    assert_eq!(machine["from"]["accuracy_um"], "--set");
+    assert_eq!(machine["from"]["cycle_ms"], "motion.cycle-ms");
+    assert_eq!(machine["from"]["angle_deg"], "default");
+    assert_eq!(machine["rapid_axes_mm_min"], json!({ "X": 12000, "Z": 6000 }));
+    assert_eq!(machine["times"], json!({ "M06": 6.5, "T": 0.2 }));
+    assert_eq!(machine["sets"]["rapid"], json!({ "parabolic": 90000, "linear_mm_s2": 1200 }));
+    assert!(machine.get("overload_mm_s2").is_none() && machine.get("assumed").is_none(), "{machine}");
+    let assumed = of(&["--dialect", "cnc8x6"]);
+    assert_eq!(assumed["assumed"], true);
+    assert_eq!((&assumed["profile"], &assumed["shortest_block_ms"]), (&json!("ramps"), &json!(60)));
+    place.put("r.toml", "dialect = \"cnc8x9\"\n[motion]\ncycle-ms = 2\n[machine-constants]\nR384 = \"00200008\"\n");
+    let constants = of(&["--config", "r.toml"]);
+    assert_eq!((&constants["accuracy_um"], &constants["red_percent"]), (&json!(8), &json!(20)));
+    assert_eq!(
+        (&constants["from"]["accuracy_um"], &constants["from"]["red_percent"]),
+        (&json!("R384"), &json!("R384"))
+    );
+}
+
+/// CSV has the same values in columns of the same names.
+#[test]
+fn csv() {
+    let place = place();
+    let json = place.run(&["motion", "a.nc", "--config", "t.toml", "--format", "json"]).ends(0);
+    let csv = place.run(&["motion", "a.nc", "--config", "t.toml", "--format", "csv"]).ends(0);
+    let blocks = records(&json);
+    let mut lines = csv.stdout.split("\r\n");
+    let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+    for block in &blocks[1..blocks.len() - 1] {
+        let cells: Vec<&str> = lines.next().unwrap().split(',').collect();
+        assert_eq!(cells.len(), head.len());
+        for (name, cell) in head.iter().zip(cells).filter(|(name, _)| **name != "motion") {
+            let value = block.get(*name).or_else(|| block.get("joint")?.get(*name));
+            match value {
+                None => assert!(cell.is_empty() || cell == "false", "{name} {cell} {block}"),
+                Some(Value::String(text)) => assert_eq!(cell, text),
+                Some(other) => assert_eq!(cell, other.to_string(), "{name}"),
+            }
+        }
+    }
+    assert_eq!(lines.collect::<Vec<_>>(), [""]);
+}
+
+/// For people: what it rests on, times, joints with what would help; in both languages.
+#[test]
+fn account() {
+    let place = place();
+    let run = place.run(&["motion", "a.nc", "--lang", "en"]).ends(0);
+    let first: Vec<&str> = run.stdout.lines().take(3).collect();
+    assert!(first[0].starts_with("a.nc: 0:00:1") && first[0].ends_with(" without the approach"), "{}", first[0]);
+    assert!(first[1].starts_with("The machine is assumed"), "{}", first[1]);
+    assert!(first[2].contains("angle-deg 60") && first[2].contains("accel-mm-s2 500"), "{}", first[2]);
+    assert!(run.stdout.contains("a.nc:4  N30 after N20: 90°; stop: angle; an arc in the corner"), "{}", run.stdout);
+    assert!(run.stdout.contains("3 times"), "a joint in a loop is listed once: {}", run.stdout);
+    let run = place.run(&["motion", "a.nc", "--config", "t.toml", "--lang", "cs"]).ends(0);
+    assert!(run.stdout.contains("Nastaveno: profile parabolic, cycle-ms 2"), "{}", run.stdout);
+    assert!(run.stdout.contains("Červená napojení"), "{}", run.stdout);
+    let known = place.run(&["motion", "a.nc", "--config", "t.toml", "--set", "accuracy-um=1"]).ends(0);
+    assert!(known.stdout.contains("  accuracy-um 8 → 1\n  time 0:"), "{}", known.stdout);
+    assert!(known.stdout.contains("accuracy-um 1 (--set)"), "{}", known.stdout);
+    let same = place.run(&["motion", "a.nc", "--config", "t.toml", "--set", "accuracy-um=8"]).ends(0);
+    assert!(same.stdout.contains("  nothing differs\n"), "{}", same.stdout);
+}
+
+/// More red joints than are listed.
+#[test]
+fn the_first_twenty() {
+    let place = Place::with(&[]);
+    let zigzag: String = (0..30).map(|at| format!("N{} X{} Y{}\n", at + 30, at, at % 2 * 9)).collect();
+    place.put("a.nc", format!("%1\nN10 G90 G0 X0 Y0\nN20 G1 G23 X-1 F900\n{zigzag}N99 M30\n"));
+    let listed = |arguments: &[&str]| {
+        let run = place.run(&[&["motion", "a.nc", "--lang", "en"], arguments].concat()).ends(0);
+        (run.stdout.matches(" after N").count(), run.stdout.contains("--all lists them"))
+    };
+    assert_eq!(listed(&[]), (20, true));
+    assert_eq!(listed(&["--all"]), (30, false));
+}
+
+/// Exit status, and what is left when a program has no time.
+#[test]
+fn faults() {
+    let place = place();
+    place.run(&["motion", "bad.nc"]).ends(1).says("E0306");
+    let bad = place.run(&["motion", "bad.nc", "--format", "json"]).ends(1);
+    assert!(bad.stderr.contains("E0306") && !bad.stdout.contains("\"total\""), "{bad:?}");
+    place.run(&["motion", "missing.nc"]).ends(2).says("missing.nc");
+    place.run(&["motion", "a.nc", "--set", "accuracy-um"]).ends(2).says("--set accuracy-um");
+    place.run(&["motion", "a.nc", "--set", "accuracy-um=fast"]).ends(2).says("E0702");
+    place.run(&["motion", "a.nc", "--set", "accuracy-um=8"]).ends(2).says("cycle-ms");
+    place.run(&["motion", "a.nc", "--phases"]).ends(2).says("--format json");
+    place.run(&["motion", "a.nc", "-o", "a.nc"]).ends(2).says("another file belongs after -o");
+    place.put("endless.nc", "%1\nN10 G0 X0\nN20 G1 X5 F100\nN30 G73 N20\nN40 M30\n");
+    let endless = place.run(&["motion", "endless.nc", "--format", "json", "--max-blocks", "50"]).ends(1);
+    assert!(!endless.stdout.contains("\"total\""), "{}", endless.stdout);
+    assert_eq!(place.run_into(&["motion", "a.nc", "--format", "json"], closed_pipe()).code, Some(0));
+    place.run(&["motion", "a.nc", "-o", "a.txt"]).ends(0);
+    assert!(place.read("a.txt").starts_with(b"a.nc: "));
+}

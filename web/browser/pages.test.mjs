@@ -1,0 +1,401 @@
+// Pages in Chromium: what they show is what the streams say, without network, by keyboard, for everybody.
+
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+
+import { folder, launch, open, page, records, root, run } from './chromium.mjs';
+
+const sample = (name) => path.join(root, 'samples', name);
+const PROGRAMS = [
+  'ok/flange.nc',
+  'ok/nested-loops.nc',
+  'ok/groove-helix.nc',
+  'ok/turned-shaft.nc',
+  'ok/cam-surface.nc',
+  'projects/five-axis/blade.nc',
+  'projects/drilling/bolt-circle.nc',
+  'rules/equ-corrections/program.nc',
+];
+
+let browser;
+before(async () => {
+  browser = await launch();
+});
+after(() => browser.close(), { timeout: 10_000 });
+
+/** Some of many: the first, the last, and between. */
+function some(list, count) {
+  return list.length <= count ? list : Array.from({ length: count }, (_, i) => list[Math.round((i * (list.length - 1)) / (count - 1))]);
+}
+
+const FEEDS = ['programmed', 'cap', 'start', 'peak', 'end'];
+const near = (a, b, what, absolute, relative) =>
+  assert.ok(Math.abs(a - b) <= Math.max(absolute, relative * Math.abs(b)), `${what}: ${a}, not ${b}`);
+
+/** The fields of the motion record, within what the contract allows. */
+function sameMotion(shown, motion) {
+  const { kind: _, seq, n, file, line, joint, ...fields } = motion;
+  assert.deepEqual([shown.seq, shown.n, shown.file, shown.line], [seq, n, file, line]);
+  for (const [name, value] of Object.entries(fields)) {
+    if (FEEDS.includes(name)) {
+      near(shown[name], value, `${seq} ${name}`, 0.001, 1e-6);
+    } else if (name.endsWith('_s')) {
+      near(shown[name], value, `${seq} ${name}`, 0.001, 0);
+    } else if (typeof value === 'number') {
+      near(shown[name], value, `${seq} ${name}`, 1e-6, 1e-6);
+    } else {
+      assert.deepEqual(shown[name], value, `${seq} ${name}`);
+    }
+  }
+  assert.equal(shown.joint === undefined, joint === undefined, `${seq} joint`);
+  for (const [name, value] of Object.entries(joint ?? {})) {
+    if (name === 'angle_deg') {
+      near(shown.joint[name], value, `${seq} angle`, 0.01, 0);
+    } else if (name === 'feed') {
+      near(shown.joint[name], value, `${seq} joint`, 0.001, 1e-6);
+    } else {
+      assert.deepEqual(shown.joint[name], value, `${seq} joint.${name}`);
+    }
+  }
+}
+
+for (const name of PROGRAMS) {
+  test(`the state of ${name} is that of the streams`, { timeout: 60_000 }, async () => {
+    const file = sample(name);
+    const blocks = records('compile', file).filter((record) => record.kind === 'block');
+    const motions = records('motion', file).filter((record) => record.kind === 'block');
+    const { tab, wrong, close } = await open(browser, page(file));
+    const info = await tab.evaluate(() => window.cnc872c.info());
+    assert.equal(info.blocks, blocks.length);
+    assert.equal(info.from, 0);
+    assert.equal(info.drawn, info.segments);
+    for (const block of some(blocks, 40)) {
+      const shown = await tab.evaluate((seq) => (window.cnc872c.select(seq) ? window.cnc872c.current() : null), block.seq);
+      const { start_s, motion: moved, ...rest } = block;
+      assert.equal(start_s, undefined);
+      for (const [field, value] of Object.entries({ ...rest, ...(moved && { motion: moved }) })) {
+        assert.deepEqual(shown[field], value, `${block.seq} ${field}`);
+      }
+      sameMotion(shown, motions[block.seq]);
+      const passes = blocks.filter((other) => other.file === block.file && other.line === block.line && other !== block);
+      assert.deepEqual(shown.passes, passes.map((other) => other.seq));
+    }
+    const dots = await tab.evaluate(() => window.cnc872c.dots());
+    const expected = motions.filter((record) => record.joint?.dot !== undefined);
+    assert.deepEqual(dots.map(({ seq, n, dot, reason }) => ({ seq, n, dot, reason })), expected.map((record) => ({
+      seq: record.seq,
+      n: record.n,
+      dot: record.joint.dot,
+      reason: record.joint.broken_by ?? record.joint.limited_by,
+    })));
+    const red = expected.filter((record) => record.joint.dot === 'red');
+    const listed = await tab.evaluate(() => [...document.querySelectorAll('.joints [data-seq]')].map((element) => Number(element.dataset.seq)));
+    assert.deepEqual(listed, red.slice(0, listed.length).map((record) => record.seq));
+    assert.ok(listed.length >= Math.min(red.length, 300));
+    assert.deepEqual(wrong, []);
+    await close();
+  });
+}
+
+test('a line is picked where it is drawn', { timeout: 60_000 }, async () => {
+  const file = sample('ok/flange.nc');
+  const { tab, wrong, close } = await open(browser, page(file));
+  const found = await tab.evaluate(() => {
+    const api = window.cnc872c;
+    const seen = [];
+    for (const plane of ['iso', 'XY', 'XZ', 'YZ', 'fit']) {
+      api.view(plane);
+      for (let seq = 0; seq < api.info().blocks; seq += 1) {
+        const place = api.project(seq);
+        if (place === null) {
+          continue;
+        }
+        const picked = api.pick(place.x, place.y);
+        api.select(seq);
+        seen.push({ plane, seq, picked, again: api.pick(place.x, place.y) });
+      }
+    }
+    return seen;
+  });
+  assert.ok(found.length > 400);
+  for (const { plane, seq, picked, again } of found) {
+    assert.notEqual(picked, null, `${plane} ${seq}`);
+    assert.equal(again, seq, `${plane}: the block in hand comes first`);
+  }
+  const nothing = await tab.evaluate(() => [window.cnc872c.pick(2, 2), window.cnc872c.project(0), window.cnc872c.select(99999)]);
+  assert.deepEqual(nothing, [null, null, false]);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('scripts and messages', { timeout: 60_000 }, async () => {
+  const file = page(sample('ok/nested-loops.nc'));
+  const { tab, wrong, close } = await open(browser, file);
+  const told = await tab.evaluate(async () => {
+    const api = window.cnc872c;
+    const events = [];
+    window.addEventListener('cnc872c:select', (event) => events.push(event.detail));
+    const throws = (run) => {
+      try {
+        run();
+        return false;
+      } catch {
+        return true;
+      }
+    };
+    api.select(5);
+    api.select(5);
+    api.select(7);
+    for (const by of ['motion', 'feed', 'velocity', 'tool', 'set', 'time']) {
+      api.colour(by);
+    }
+    const wrongNames = [() => api.colour('x'), () => api.view('YX'), () => api.language('de')].map(throws);
+    api.language('cs');
+    const heading = document.querySelector('.chart h2').textContent;
+    const lang = document.documentElement.lang;
+    api.language('en');
+    api.play(100);
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    api.stop();
+    return { events: events.slice(0, 2), played: events.length > 2, wrongNames, heading, lang, before: api.select(-1) };
+  });
+  assert.deepEqual(told.events.map((event) => event.seq), [5, 7]);
+  assert.deepEqual(Object.keys(told.events[0]), ['seq', 'file', 'line']);
+  assert.deepEqual(told.wrongNames, [true, true, true]);
+  assert.deepEqual([told.heading, told.lang, told.before], ['Rychlost', 'cs', false]);
+  assert.ok(told.played, 'playing goes on from block to block');
+  assert.deepEqual(wrong, []);
+  await close();
+
+  // An embedding page asks by messages, and hears of each selection.
+  const outer = path.join(folder, 'outer.html');
+  writeFileSync(outer, `<!doctype html><script>window.cnc872c = { ready: Promise.resolve() };</script><iframe src="${path.basename(file)}" width="900" height="700"></iframe>`);
+  const embedding = await open(browser, outer);
+  const answers = await embedding.tab.evaluate(async () => {
+    const frame = document.querySelector('iframe');
+    const heard = [];
+    window.addEventListener('message', (event) => heard.push(event.data));
+    const ask = (name, ...args) => frame.contentWindow.postMessage({ cnc872c: name, args, id: heard.length + 1 }, '*');
+    const until = async (test) => {
+      for (let tries = 0; tries < 100 && !heard.some(test); tries += 1) {
+        await new Promise((resolve) => setTimeout(resolve, 50));
+      }
+    };
+    for (let tries = 0; tries < 60 && heard.length === 0; tries += 1) {
+      ask('info');
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    ask('select', 3);
+    await until((message) => message.cnc872c === 'select' && message.detail);
+    ask('nothing');
+    await until((message) => message.error);
+    return heard;
+  });
+  assert.ok(answers.some((message) => message.cnc872c === 'info' && message.result.blocks > 10));
+  assert.ok(answers.some((message) => message.cnc872c === 'select' && message.detail?.seq === 3));
+  assert.ok(answers.some((message) => message.cnc872c === 'select' && message.result === true && message.id !== undefined));
+  assert.ok(answers.some((message) => message.cnc872c === 'nothing' && typeof message.error === 'string'));
+  assert.deepEqual(embedding.wrong, []);
+  await embedding.close();
+});
+
+test('text and path are one', { timeout: 60_000 }, async () => {
+  const file = sample('ok/flange.nc');
+  const blocks = records('compile', file).filter((record) => record.kind === 'block');
+  const { tab, close } = await open(browser, page(file));
+  const block = blocks.find((record) => record.calls?.[0]?.of === 3);
+  await tab.click(`.code [data-file="0"][data-line="${block.line}"]`);
+  const first = await tab.evaluate(() => window.cnc872c.current());
+  assert.equal(first.line, block.line);
+  assert.equal(first.calls[0].pass, 1);
+  await tab.click(`.code [data-file="0"][data-line="${block.line}"]`);
+  const second = await tab.evaluate(() => window.cnc872c.current());
+  assert.deepEqual([second.line, second.calls[0].pass], [block.line, 2]);
+  await tab.evaluate((seq) => window.cnc872c.select(seq), blocks.at(-1).seq);
+  const marked = await tab.evaluate(() => document.querySelector('.code .current').dataset.line);
+  assert.equal(Number(marked), blocks.at(-1).line);
+  await close();
+});
+
+test('keys alone reach everything', { timeout: 60_000 }, async () => {
+  const { tab, close } = await open(browser, page(sample('ok/nested-loops.nc')));
+  await tab.focus('#path');
+  const seq = async (key) => {
+    await tab.keyboard.press(key);
+    return tab.evaluate(() => window.cnc872c.current()?.seq ?? null);
+  };
+  assert.equal(await seq('.'), 0);
+  assert.equal(await seq('.'), 1);
+  assert.equal(await seq(','), 0);
+  const loop = await tab.evaluate(() => {
+    const api = window.cnc872c;
+    for (let seq = 0; seq < api.info().blocks; seq += 1) {
+      api.select(seq);
+      if (api.current().passes.length > 2 && api.current().passes[0] > seq) {
+        return { seq, next: api.current().passes[0] };
+      }
+    }
+    return null;
+  });
+  assert.equal(await seq(']'), loop.next);
+  assert.equal(await seq('['), loop.seq);
+  const place = () => tab.evaluate(() => JSON.stringify([1, 5, 9].map((n) => window.cnc872c.project(n))));
+  let before = await place();
+  for (const key of ['ArrowLeft', 'ArrowUp', 'Shift+ArrowRight', '+', '-', 'Home']) {
+    await tab.keyboard.press(key);
+    const now = await place();
+    if (key !== '-') {
+      assert.notEqual(now, before, key);
+    }
+    before = now;
+  }
+  await tab.keyboard.press('?');
+  assert.ok(await tab.evaluate(() => document.querySelector('dialog').open));
+  await tab.keyboard.press('Escape');
+  // Tab reaches every control that can be seen, and shows where it is.
+  const wanted = await tab.evaluate(() => {
+    const controls = [...document.querySelectorAll('button, select, input, [tabindex="0"]')];
+    const seen = controls.filter((element) => !element.disabled && element.tabIndex >= 0 && element.checkVisibility({ visibilityProperty: true }));
+    seen.forEach((element, i) => (element.dataset.reach = String(i)));
+    document.body.focus();
+    document.activeElement.blur();
+    return seen.length;
+  });
+  const reached = new Set();
+  for (let press = 0; press < wanted + 10; press += 1) {
+    await tab.keyboard.press('Tab');
+    const at = await tab.evaluate(() => {
+      const element = document.activeElement;
+      return { at: element.dataset.reach, outline: getComputedStyle(element).outlineStyle };
+    });
+    if (at.at !== undefined) {
+      reached.add(at.at);
+      assert.notEqual(at.outline, 'none', 'the focus is seen');
+    }
+  }
+  assert.equal(reached.size, wanted);
+  await close();
+});
+
+test('nobody is shut out', { timeout: 60_000 }, async () => {
+  const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+  const file = page(sample('ok/flange.nc'));
+  for (const scheme of ['light', 'dark']) {
+    const { tab, wrong, close } = await open(browser, file, { scheme, locale: scheme === 'dark' ? 'cs-CZ' : 'en-GB' });
+    assert.equal(await tab.evaluate(() => document.documentElement.lang), scheme === 'dark' ? 'cs' : 'en');
+    await tab.evaluate(() => window.cnc872c.select(20));
+    await tab.addScriptTag({ content: axe });
+    for (const panel of ['block', 'joints', 'findings', 'measure', 'filter']) {
+      await tab.click(`#tab-${panel}`);
+      const { violations } = await tab.evaluate(() => window.axe.run());
+      const told = violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => `${node.html} ${node.failureSummary}`).join('\n')}`);
+      assert.deepEqual(told, [], `${scheme} ${panel}`);
+    }
+    assert.deepEqual(wrong, []);
+    await close();
+  }
+});
+
+test('a program with errors, and a part of one', { timeout: 60_000 }, async () => {
+  const bad = path.join(folder, 'bad.nc');
+  writeFileSync(bad, '%1\nN10 G0 G90 X0 Y0 Z5\nN20 G1 X5 F100\nN30 G71 LR5\nN40 M30\n');
+  let { tab, wrong, close } = await open(browser, page(bad));
+  const shown = await tab.evaluate(() => ({
+    info: window.cnc872c.info(),
+    text: document.querySelector('.findings').textContent,
+    notes: document.querySelector('.notes').textContent,
+  }));
+  assert.equal(shown.info.segments, 1);
+  assert.match(shown.text, /W0503/);
+  assert.match(shown.notes, /errors/);
+  assert.deepEqual(wrong, []);
+  await close();
+  ({ tab, wrong, close } = await open(browser, page(sample('ok/flange.nc'), '--from', '30', '--blocks', '60')));
+  const part = await tab.evaluate(() => ({ info: window.cnc872c.info(), before: window.cnc872c.select(29), first: window.cnc872c.select(30), current: window.cnc872c.current() }));
+  const blocks = records('compile', sample('ok/flange.nc')).filter((record) => record.kind === 'block');
+  assert.deepEqual([part.info.from, part.info.blocks, part.before, part.first], [30, blocks.length, false, true]);
+  assert.equal(part.info.left_out >= blocks.length - 30, true);
+  assert.deepEqual(part.current.position, blocks[30].position);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+/** A picture as a grid of mean colours: what it looks like from far. */
+async function coarse(tab) {
+  return tab.evaluate(() => {
+    const canvas = document.getElementById('path');
+    const small = document.createElement('canvas');
+    [small.width, small.height] = [48, 32];
+    const context = small.getContext('2d');
+    context.drawImage(canvas, 0, 0, 48, 32);
+    return [...context.getImageData(0, 0, 48, 32).data].filter((_, i) => i % 4 !== 3);
+  });
+}
+
+function difference(a, b) {
+  assert.equal(a.length, b.length);
+  return a.reduce((sum, value, i) => sum + Math.abs(value - b[i]), 0) / a.length;
+}
+
+test('pictures look as before', { timeout: 60_000 }, async () => {
+  const stored = path.join(root, 'web/browser/pictures.json');
+  const known = process.env.PICTURES === 'write' ? {} : JSON.parse(readFileSync(stored, 'utf8'));
+  const made = {};
+  for (const name of ['ok/flange.nc', 'ok/cam-surface.nc', 'ok/turned-shaft.nc']) {
+    for (const [scheme, plane, by] of [['light', 'iso', 'motion'], ['dark', 'XY', 'velocity']]) {
+      const { tab, close } = await open(browser, page(sample(name)), { scheme, width: 1000, height: 700 });
+      await tab.evaluate(([plane, by]) => {
+        window.cnc872c.view(plane);
+        window.cnc872c.colour(by);
+      }, [plane, by]);
+      await tab.waitForTimeout(150);
+      const key = `${name} ${scheme} ${plane} ${by}`;
+      made[key] = await coarse(tab);
+      if (known[key] !== undefined) {
+        assert.ok(difference(made[key], known[key]) < 1.5, key);
+      } else {
+        assert.equal(process.env.PICTURES, 'write', `no picture is stored of ${key}`);
+      }
+      await close();
+    }
+  }
+  if (process.env.PICTURES === 'write') {
+    writeFileSync(stored, `${JSON.stringify(made)}\n`);
+  }
+});
+
+test('both ways of drawing look alike', { timeout: 60_000 }, async () => {
+  const file = page(sample('ok/flange.nc'));
+  const pictures = [];
+  for (const hash of ['#draw=software', '#draw=gl']) {
+    const { tab, close } = await open(browser, file, { hash });
+    assert.equal(await tab.evaluate(() => document.querySelector('.stage').dataset.renderer), hash.slice(6));
+    await tab.evaluate(() => window.cnc872c.view('XY'));
+    await tab.waitForTimeout(300);
+    pictures.push(await coarse(tab));
+    await close();
+  }
+  assert.ok(difference(...pictures) < 3);
+});
+
+test('still pictures open, with every dot', { timeout: 60_000 }, async () => {
+  const file = sample('ok/cam-surface.nc');
+  const svg = path.join(folder, 'cam.svg');
+  assert.equal(run('view', file, '-o', svg).status, 0);
+  const motions = records('motion', file).filter((record) => record.joint?.dot !== undefined);
+  const context = await browser.newContext();
+  const tab = await context.newPage();
+  await tab.goto(`file://${svg}`);
+  const seen = await tab.evaluate(() => ({
+    red: [...document.querySelectorAll('.dot.red')].map((dot) => Number(dot.dataset.seq)),
+    yellow: document.querySelectorAll('.dot.yellow').length,
+    numbers: [...document.querySelectorAll('text')].filter((text) => /^N\d+/.test(text.textContent)).length,
+  }));
+  assert.deepEqual(seen.red, motions.filter((record) => record.joint.dot === 'red').map((record) => record.seq));
+  assert.equal(seen.yellow, motions.filter((record) => record.joint.dot === 'yellow').length);
+  assert.equal(seen.numbers > 0, seen.red.length > 0);
+  await context.close();
+});
