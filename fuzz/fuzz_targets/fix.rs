@@ -4,7 +4,8 @@
 
 use std::path::Path;
 
-use cnc872c::diag::{Fix, apply_fixes};
+use cnc872c::diag::Fix;
+use cnc872c::edit::apply_fixes;
 use cnc872c::session::Session;
 use cnc872c::text::{FileId, MemoryLoader, SourceText};
 use cnc872c_fuzz::{Mode, assert_places};

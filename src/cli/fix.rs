@@ -16,8 +16,9 @@ use super::status::{complain, tell};
 use super::walk::{Origin, Target};
 use super::words::{Words, reason};
 use crate::config::{Level, Settings};
-use crate::diag::{Code, Diagnostic, Fix, FixTitle, apply_fixes};
+use crate::diag::{Code, Diagnostic, Fix, FixTitle};
 use crate::dict::Lang;
+use crate::edit::apply_fixes;
 use crate::session::Session;
 use crate::text::{FileId, Loader, Numbered, Sources};
 

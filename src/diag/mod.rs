@@ -8,7 +8,6 @@ mod details;
 mod diagnostic;
 pub mod explain;
 mod findings;
-mod fix;
 mod geometry;
 mod labels;
 mod levels;
@@ -27,7 +26,6 @@ pub use details::{
 pub use details::{ConditionProblem, RunTimeReason, SignalProblem};
 pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_CODE};
-pub use fix::{Fixed, apply_fixes, compatible_edits};
 pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;

@@ -1,45 +1,39 @@
 //! The run over one open document: what requests are answered from, and what is found.
 
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::baseline::{Baseline, Marker};
-use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
 use crate::analysis::equidistant::Equidistant;
 use crate::analysis::motion::JointFindings;
 use crate::config::{PROJECT_FILE, Settings, configure, find_project};
 use crate::diag::{Findings, Report};
-use crate::resolve::Resolved;
+use crate::query;
+use crate::query::cancel::Cancel;
 use crate::session::{Outcome, Session};
 use crate::text::{Loader, Sources};
 
 /// Findings that need no execution are shown after this time, when execution takes longer.
 const PATIENCE: Duration = Duration::from_millis(400);
 
-/// What is known of a program or macrocycle before it is executed. The document itself is file 0.
+/// What is known of an open document, with the files of the editor that it comes from.
 #[derive(Debug)]
 pub(super) struct Analysis {
-    /// Canonical.
-    pub(super) path: PathBuf,
+    /// What queries answer from.
+    known: query::analysis::Analysis,
     /// The files as they were.
     pub(super) files: EditorFiles,
-    /// The configuration.
-    pub(super) settings: Settings,
-    /// The texts.
-    pub(super) sources: Sources,
-    /// Units, targets, blocks, words.
-    pub(super) resolved: Resolved,
-    /// Whether the program can be executed, so that positions and values are known.
-    pub(super) executable: bool,
 }
 
-impl Analysis {
-    /// A session over the same files.
-    pub(super) fn session(&self) -> Session<'_> {
-        Session { loader: &self.files, settings: &self.settings, progress: None }
+impl Deref for Analysis {
+    type Target = query::analysis::Analysis;
+
+    fn deref(&self) -> &Self::Target {
+        &self.known
     }
 }
 
@@ -141,12 +135,15 @@ pub(super) fn run(
     read_by_program.extend(paths(files, &outcome.sources));
     progress.analysed(
         Analysis {
-            path: path.to_path_buf(),
+            known: query::analysis::Analysis {
+                path: path.to_path_buf(),
+                loader: Arc::new(files.clone()),
+                settings: settings.clone(),
+                sources: outcome.sources.clone(),
+                resolved: resolved.clone(),
+                executable,
+            },
             files: files.clone(),
-            settings: settings.clone(),
-            sources: outcome.sources.clone(),
-            resolved: resolved.clone(),
-            executable,
         },
         read_by_program,
     );

@@ -4,10 +4,10 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use super::cursor::DOCUMENT;
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::Address;
+use crate::query::cursor::DOCUMENT;
 use crate::resolve::Resolved;
 use crate::run::{End, Executed, Program, Sink, State};
 use crate::session::{Outcome, Session};

@@ -10,13 +10,15 @@ use lsp_server::ErrorCode;
 use serde_json::{Value, json};
 
 use super::analysis::{Analysis, Found};
-use super::edit_texts::EditText;
 use super::edits::document_edit;
 use super::findings::Converter;
 use super::places::{Places, span};
-use super::renumber::renumber;
 use super::requests::{Answer, Refusal, Snapshot};
-use crate::diag::{Reported, compatible_edits};
+use crate::diag::Reported;
+use crate::edit::compatible_edits;
+use crate::edit::edit_texts::EditText;
+use crate::edit::renumber::renumber;
+use crate::query;
 use crate::session::Session;
 use crate::text::{FileId, SourceText, Span};
 
@@ -196,7 +198,7 @@ impl<'a> OfDocument<'a> {
 
     /// The text after further rounds of fixes.
     fn next_rounds(&self, once: &str) -> String {
-        let Analysis { path, settings, .. } = self.analysis;
+        let query::analysis::Analysis { path, settings, .. } = &**self.analysis;
         let name = self.source.name();
         let mut files = self.analysis.files.clone();
         let mut now = once.to_owned();

@@ -7,13 +7,13 @@ use gen_lsp_types::{CodeLens, CodeLensParams, Command, Location as LspLocation, 
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
-use super::hover_texts::Said;
-use super::observe::{Observation, observe_motion};
 use super::places::{Places, location};
 use super::requests::{Answer, Snapshot};
-use super::shown::{count, rounded};
 use crate::analysis::motion::clock;
+use crate::query::cursor::DOCUMENT;
+use crate::query::hover_texts::Said;
+use crate::query::observe::{Observation, observe_motion};
+use crate::query::shown::{count, rounded};
 use crate::resolve::{Target, Unit, UnitId, UnitKind};
 use crate::session::Session;
 use crate::syntax::BlockFlags;
@@ -80,7 +80,7 @@ fn json_list(uri: &Uri, position: &gen_lsp_types::Position, places: &[LspLocatio
 fn observed(snapshot: &Snapshot, analysis: &Analysis, units: &[(UnitId, Unit)]) -> Option<Observation> {
     let program = analysis.executable.then_some(analysis)?;
     let reach: Vec<_> = units.iter().map(|(_, unit)| (unit.first, unit.end)).collect();
-    let observation = observe_motion(snapshot, program, analysis, [], &reach)?;
+    let observation = observe_motion(&snapshot.cancel, program, analysis, [], &reach)?;
     observation.end.is_some().then_some(observation)
 }
 

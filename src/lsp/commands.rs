@@ -7,9 +7,9 @@ use lsp_server::ErrorCode;
 use serde_json::{Value, json};
 
 use super::analysis::configuration;
-use super::edit_texts::EditText;
 use super::requests::{Answer, Refusal, Snapshot};
 use crate::diag::{Report, Severity};
+use crate::edit::edit_texts::EditText;
 use crate::session::{Outcome, Part, Run, Session};
 
 /// The block stream of a document: `[uri]` gives `{ "text", "truncated" }`.

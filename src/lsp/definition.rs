@@ -6,12 +6,12 @@ use gen_lsp_types::{
 };
 
 use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
-use super::names::{Name, Usage};
 use super::places::{Places, offset};
-use super::reach::{Reach, block_span};
 use super::references::everywhere;
 use super::requests::{Answer, Snapshot};
+use crate::query::cursor::DOCUMENT;
+use crate::query::names::{Name, Usage};
+use crate::query::reach::{Reach, block_span};
 use crate::resolve::UnitId;
 use crate::text::{FileId, Span};
 
@@ -73,7 +73,12 @@ fn links(snapshot: &Snapshot, analysis: &Analysis, at: &TextDocumentPositionPara
     let source = &reach.resolved().file(place.file)?.source;
     let mut places = Places::new(source, unit);
     let all = places.range(place.all);
-    Some(vec![link(origin, reach.uri(place.file)?, all, Places::new(source, unit).range(place.selection))])
+    Some(vec![link(
+        origin,
+        snapshot.files.uri_of(&reach.path(place.file)?)?,
+        all,
+        Places::new(source, unit).range(place.selection),
+    )])
 }
 
 fn link(origin: Range, target_uri: gen_lsp_types::Uri, all: Range, selection: Range) -> LocationLink {

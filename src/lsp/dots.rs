@@ -7,11 +7,11 @@ use gen_lsp_types::{CodeLensParams, LspRequestMethod, MessageDirection, Request}
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
-use super::observe::MOST;
 use super::requests::{Answer, Snapshot};
 use crate::analysis::motion::{BlockTimes, Dot, Listener, Model, Planner, StepReader};
 use crate::diag::Findings;
+use crate::query::cursor::DOCUMENT;
+use crate::query::observe::MOST;
 use crate::run::{End, Executed, Sink};
 
 /// A program gives `[{ "line", "dot" }]`: lines from 0, the dot `yellow` or `red`. Where several joints are in a line, or one

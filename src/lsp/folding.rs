@@ -3,9 +3,9 @@
 use gen_lsp_types::{FoldingRange, FoldingRangeKind, FoldingRangeParams};
 
 use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
-use super::extents::{adjoin, loops, stands_alone, words_span};
 use super::requests::{Answer, Snapshot};
+use crate::query::cursor::DOCUMENT;
+use crate::query::extents::{adjoin, loops, stands_alone, words_span};
 use crate::resolve::{Unit, UnitKind};
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::Span;

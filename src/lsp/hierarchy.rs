@@ -10,12 +10,12 @@ use gen_lsp_types::{
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
-use super::cursor::{DOCUMENT, block_at, unit_of};
-use super::names::{Name, Usage};
-use super::navigation_texts::NavigationText;
 use super::places::{Places, offset};
-use super::reach::Reach;
 use super::requests::{Answer, Snapshot};
+use crate::query::cursor::{DOCUMENT, block_at, unit_of};
+use crate::query::names::{Name, Usage};
+use crate::query::navigation_texts::NavigationText;
+use crate::query::reach::Reach;
 use crate::resolve::{Unit, UnitId, UnitKind};
 use crate::text::FileId;
 
@@ -136,7 +136,7 @@ fn item(snapshot: &Snapshot, reach: &Reach<'_>, id: UnitId) -> Option<CallHierar
         kind: if unit.kind == UnitKind::Main { SymbolKind::Module } else { SymbolKind::Function },
         tags: None,
         detail: Some(title.unwrap_or_else(|| detail.text(snapshot.client.lang()))),
-        uri: reach.uri(unit.file)?,
+        uri: snapshot.files.uri_of(&reach.path(unit.file)?)?,
         range: range(all),
         selection_range: range(selection),
         data: Some(data),

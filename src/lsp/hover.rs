@@ -1,14 +1,14 @@
 //! What a word means, and what execution makes of its block.
 
-use gen_lsp_types::{Contents, Hover, HoverParams};
+use gen_lsp_types::{Contents, Hover, HoverParams, MarkupContent, MarkupKind};
 
 use super::analysis::Analysis;
-use super::cursor::{DOCUMENT, block_at, word_at};
-use super::meaning::Subject;
-use super::observe::{executing, observe_motion};
-use super::page::Page;
 use super::places::{Places, offset};
 use super::requests::{Answer, Snapshot};
+use crate::query::cursor::{DOCUMENT, block_at, word_at};
+use crate::query::meaning::Subject;
+use crate::query::observe::{executing, observe_motion};
+use crate::query::page::Page;
 
 /// `textDocument/hover`. At a comment or a blank: the execution of the block; before the first block: the program.
 pub(super) fn hover(snapshot: &Snapshot, analysis: &Analysis, params: HoverParams) -> Answer<Option<Hover>> {
@@ -20,16 +20,18 @@ pub(super) fn hover(snapshot: &Snapshot, analysis: &Analysis, params: HoverParam
     }
     let found = word_at(file, place);
     let block = found.map_or_else(|| block_at(file, place), |found| found.block);
-    let program = executing(snapshot, analysis);
+    let program = executing(snapshot.open(), analysis);
     let observation = match program {
-        Some(program) => match observe_motion(snapshot, program, analysis, block, &[]) {
+        Some(program) => match observe_motion(&snapshot.cancel, program, analysis, block, &[]) {
             Some(observation) => Some((program, observation)),
             None => return Ok(None),
         },
         None => None,
     };
     let subject = Subject { analysis, file, lang: client.lang() };
-    let mut page = Page::new(client);
+    // The form that the client names first.
+    let markdown = client.first("/textDocument/hover/contentFormat") != Some("plaintext");
+    let mut page = Page::new(markdown);
     match (block, file.program) {
         (Some(block), _) => {
             let observed = observation.as_ref().and_then(|(_, observation)| observation.of(block));
@@ -49,8 +51,9 @@ pub(super) fn hover(snapshot: &Snapshot, analysis: &Analysis, params: HoverParam
         }
         (None, None) => return Ok(None),
     }
+    let kind = if markdown { MarkupKind::Markdown } else { MarkupKind::PlainText };
     Ok(Some(Hover {
-        contents: Contents::MarkupContent(page.content()),
+        contents: Contents::MarkupContent(MarkupContent { kind, value: page.finish() }),
         range: found.map(|found| Places::new(&file.source, client.unit).range(found.span)),
     }))
 }

@@ -4,14 +4,14 @@
 use gen_lsp_types::{InlayHint, InlayHintParams, Label, Tooltip};
 
 use super::analysis::Analysis;
-use super::cursor::{DOCUMENT, block_at};
-use super::flow::Flow;
-use super::hover_texts::Said;
-use super::observe::{Observation, Observed, executing, observe};
 use super::places::{Places, span};
 use super::requests::{Answer, Snapshot};
-use super::shown::count;
 use crate::dict::{Decimal, GCode, Lang};
+use crate::query::cursor::{DOCUMENT, block_at};
+use crate::query::flow::Flow;
+use crate::query::hover_texts::Said;
+use crate::query::observe::{Observation, Observed, executing, observe};
+use crate::query::shown::count;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
 /// Different values that a hint shows; its tooltip shows more.
@@ -26,7 +26,7 @@ pub(super) fn inlay_hint(
     let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
     let unit = snapshot.client.unit;
     let asked = span(&file.source, params.range, unit);
-    let (Some(program), Some(last)) = (executing(snapshot, analysis), block_at(file, asked.end)) else {
+    let (Some(program), Some(last)) = (executing(snapshot.open(), analysis), block_at(file, asked.end)) else {
         return Ok(None);
     };
     let first = block_at(file, asked.start).unwrap_or_default();
@@ -34,7 +34,9 @@ pub(super) fn inlay_hint(
     if blocks.is_empty() {
         return Ok(None);
     }
-    let Some(observation) = observe(snapshot, program, analysis, blocks.iter().copied()) else { return Ok(None) };
+    let Some(observation) = observe(&snapshot.cancel, program, analysis, blocks.iter().copied()) else {
+        return Ok(None);
+    };
     let hinter = Hinter { analysis, file, observation: &observation, lang: snapshot.client.lang() };
     let mut places = Places::new(&file.source, unit);
     let mut hints = Vec::new();
@@ -62,7 +64,7 @@ fn has_hints(file: &ParsedFile, block: BlockId) -> bool {
     let flow = |code| matches!(code, GCode::G73 | GCode::G79);
     file.flags(block).has(BlockFlags::RICH)
         && (file.words(block).iter().any(|word| word.is_parametric())
-            || super::observe::g_functions(file, block).any(|(code, _)| flow(code)))
+            || crate::query::observe::g_functions(file, block).any(|(code, _)| flow(code)))
 }
 
 /// One hint, not yet as the protocol has it.

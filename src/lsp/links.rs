@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use gen_lsp_types::{DocumentLink, DocumentLinkParams, Uri};
 
 use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
-use super::names::{Name, Usage};
-use super::navigation_texts::NavigationText;
 use super::places::Places;
-use super::reach::Reach;
 use super::requests::{Answer, Snapshot};
+use crate::query::cursor::DOCUMENT;
+use crate::query::names::{Name, Usage};
+use crate::query::navigation_texts::NavigationText;
+use crate::query::reach::Reach;
 
 /// `textDocument/documentLink`.
 pub(super) fn document_links(

@@ -4,10 +4,10 @@ use gen_lsp_types::{DocumentOnTypeFormattingParams, Range, TextEdit};
 
 use super::analysis::Analysis;
 use super::completion::{next_numbers, written};
-use super::cursor::{DOCUMENT, block_at, unit_of};
 use super::places::offset;
 use super::requests::{Answer, Snapshot};
 use crate::dict::Address;
+use crate::query::cursor::{DOCUMENT, block_at, unit_of};
 use crate::resolve::UnitKind;
 use crate::syntax::{BlockFlags, Kind, ParsedFile, tokens};
 use crate::text::Span;

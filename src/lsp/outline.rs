@@ -2,12 +2,13 @@
 
 use gen_lsp_types::{
     BaseSymbolInformation, DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation,
+    SymbolKind,
 };
 
 use super::analysis::Analysis;
 use super::places::Places;
 use super::requests::{Answer, Snapshot};
-use super::sections::{Section, UnitSections, sections};
+use crate::query::sections::{Section, SectionKind, UnitSections, sections};
 
 /// `textDocument/documentSymbol`: the units, and within them the sections.
 pub(super) fn document_symbol(
@@ -35,14 +36,24 @@ pub(super) fn document_symbol(
         for (section, container) in with_container {
             let location = Location { uri: uri.clone(), range: places.range(section.span) };
             let (name, container_name) = (section.name.clone(), container.cloned());
-            let base = BaseSymbolInformation { name, kind: section.kind, tags: None, container_name };
+            let base = BaseSymbolInformation { name, kind: symbol_kind(section.kind), tags: None, container_name };
             flat.push(SymbolInformation::new(None, location, base));
         }
     }
     Ok(Some(flat.into()))
 }
 
+/// The kind of symbol that a section is.
+pub(super) const fn symbol_kind(kind: SectionKind) -> SymbolKind {
+    match kind {
+        SectionKind::Program => SymbolKind::Module,
+        SectionKind::Subprogram => SymbolKind::Function,
+        SectionKind::Tool => SymbolKind::Event,
+        SectionKind::Heading => SymbolKind::String,
+    }
+}
+
 fn symbol(section: &Section, children: Option<Vec<DocumentSymbol>>, places: &mut Places<'_>) -> DocumentSymbol {
     let (range, selection) = (places.range(section.span), places.range(section.head));
-    DocumentSymbol::new(section.name.clone(), None, section.kind, None, None, range, selection, children)
+    DocumentSymbol::new(section.name.clone(), None, symbol_kind(section.kind), None, None, range, selection, children)
 }

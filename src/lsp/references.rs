@@ -5,11 +5,11 @@ use std::path::Path;
 use gen_lsp_types::{DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, Location, ReferenceParams};
 
 use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
-use super::names::{Name, Usage};
 use super::places::{Places, offset};
-use super::reach::Reach;
 use super::requests::{Answer, Snapshot};
+use crate::query::cursor::DOCUMENT;
+use crate::query::names::{Name, Usage};
+use crate::query::reach::Reach;
 use crate::text::FileId;
 
 /// `textDocument/references`.
@@ -102,7 +102,8 @@ fn in_files(
 ) -> Vec<Location> {
     let mut found = Vec::new();
     for file in files {
-        let (Some(parsed), Some(uri)) = (reach.resolved().file(file), reach.uri(file)) else { continue };
+        let uri = reach.path(file).and_then(|path| snapshot.files.uri_of(&path));
+        let (Some(parsed), Some(uri)) = (reach.resolved().file(file), uri) else { continue };
         let mut places = Places::new(&parsed.source, snapshot.client.unit);
         for naming in reach.occurrences(file, name, &snapshot.cancel) {
             if wanted(naming.usage) {

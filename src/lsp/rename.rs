@@ -8,14 +8,14 @@ use gen_lsp_types::{
 };
 
 use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
-use super::line_length::first_long_line;
-use super::names::{Name, Naming, Usage};
-use super::navigation_texts::NavigationText;
 use super::places::{Places, offset};
-use super::reach::Reach;
-use super::rename_doubts::Doubts;
 use super::requests::{Answer, Refusal, Snapshot};
+use crate::edit::line_length::first_long_line;
+use crate::query::cursor::DOCUMENT;
+use crate::query::names::{Name, Naming, Usage};
+use crate::query::navigation_texts::NavigationText;
+use crate::query::reach::Reach;
+use crate::query::rename_doubts::Doubts;
 
 /// `textDocument/prepareRename`: the number, or why it cannot be changed.
 pub(super) fn prepare(
@@ -28,7 +28,7 @@ pub(super) fn prepare(
     let place = offset(&file.source, params.text_document_position_params.position, unit);
     let reach = Reach::of(analysis);
     let Some(naming) = reach.naming_at(place).filter(|naming| is_number(naming, place)) else { return Ok(None) };
-    let refused = Doubts { snapshot, reach: &reach, name: naming.name }.against_any();
+    let refused = doubts(snapshot, &reach, naming.name).against_any();
     if let Some(reason) = refused {
         return Err(Refusal::new(reason.text(snapshot.client.lang())));
     }
@@ -45,6 +45,11 @@ pub(super) fn rename(snapshot: &Snapshot, analysis: &Analysis, params: RenamePar
         .map_err(|reason| Refusal::new(reason.text(snapshot.client.lang())))
 }
 
+fn doubts<'a>(snapshot: &'a Snapshot, reach: &'a Reach<'a>, name: Name) -> Doubts<'a> {
+    let found = snapshot.found.as_ref().map(|found| &found.report);
+    Doubts { found, cancel: &snapshot.cancel, reach, name }
+}
+
 /// Whether the number itself is meant, or its address, and not a function that takes it.
 fn is_number(naming: &Naming, offset: u32) -> bool {
     naming.written && naming.around.start <= offset && offset <= naming.around.end
@@ -58,7 +63,7 @@ fn edits(snapshot: &Snapshot, analysis: &Analysis, params: &RenameParams) -> Res
     let reach = Reach::of(analysis);
     let Some(naming) = reach.naming_at(place).filter(|naming| is_number(naming, place)) else { return Err(nothing) };
     let digits = number_of(&params.new_name, naming.name)?;
-    let doubts = Doubts { snapshot, reach: &reach, name: naming.name };
+    let doubts = doubts(snapshot, &reach, naming.name);
     if let Some(reason) = doubts.against_any() {
         return Err(reason);
     }

@@ -7,13 +7,14 @@ use lsp_server::{ErrorCode, ResponseError};
 use serde_json::Value;
 
 use super::analysis::{Analysis, Found};
-use super::cancel::Cancel;
 use super::client::Client;
 use super::files::EditorFiles;
 use super::{
     code_actions, code_lens, commands, completion, definition, dots, explain, folding, hierarchy, hover, inlay_hints,
     links, on_type, outline, references, rename, selection, semantic_tokens, signals, workspace_symbols,
 };
+use crate::query;
+use crate::query::cancel::Cancel;
 
 /// What the server knows at the moment of a request. Handlers work on it in threads of their own.
 #[derive(Clone, Debug)]
@@ -28,6 +29,13 @@ pub(super) struct Snapshot {
     pub(super) analyses: Vec<Arc<Analysis>>,
     /// Raised when the client wants no answer any more.
     pub(super) cancel: Cancel,
+}
+
+impl Snapshot {
+    /// The analyses of all open documents.
+    pub(super) fn open(&self) -> impl Iterator<Item = &query::analysis::Analysis> {
+        self.analyses.iter().map(|analysis| &***analysis)
+    }
 }
 
 /// Why a request gets no result.

@@ -12,7 +12,6 @@ use serde_json::{Value, json};
 
 use super::analysis::{self, Analysis, Found, Progress, is_configuration};
 use super::baseline::Baseline;
-use super::cancel::Cancel;
 use super::files::Document;
 use super::findings::{by_file, in_piece};
 use super::places::span;
@@ -20,6 +19,7 @@ use super::requests::Needs;
 use super::server::{Server, Waiting};
 use super::texts::Text;
 use super::workers::guarded;
+use crate::query::cancel::Cancel;
 use crate::session::Session;
 use crate::text::{SourceText, Span};
 

@@ -3,10 +3,10 @@
 use gen_lsp_types::{SelectionRange, SelectionRangeParams};
 
 use super::analysis::Analysis;
-use super::cursor::{DOCUMENT, block_at, unit_of, word_at};
-use super::extents::{block_span, loops, unit_span, words_span};
 use super::places::{Places, offset};
 use super::requests::{Answer, Snapshot};
+use crate::query::cursor::{DOCUMENT, block_at, unit_of, word_at};
+use crate::query::extents::{block_span, loops, unit_span, words_span};
 use crate::text::{FileId, SourceText, Span};
 
 /// `textDocument/selectionRange`: one for each position.

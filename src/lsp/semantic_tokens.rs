@@ -29,10 +29,10 @@ use gen_lsp_types::{
 };
 
 use super::analysis::Analysis;
-use super::cursor::{DOCUMENT, block_at};
 use super::places::{Places, span};
 use super::requests::{Answer, Snapshot};
 use crate::dict::{Address, GCode, GGroup};
+use crate::query::cursor::{DOCUMENT, block_at};
 use crate::resolve::g_code;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::Span;

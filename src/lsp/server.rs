@@ -12,7 +12,6 @@ use gen_lsp_types::Uri;
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response, ResponseError};
 use serde_json::{Value, json};
 
-use super::cancel::Cancel;
 use super::client::Client;
 use super::files::{Disk, EditorFiles};
 use super::publisher::Publisher;
@@ -23,6 +22,7 @@ use super::transport::{self, Incoming, Outgoing};
 use super::workers::{Workers, guarded};
 use super::{capabilities, settings};
 use crate::dict::Lang;
+use crate::query::cancel::Cancel;
 
 /// Messages that wait between the reading thread and this one: then reading waits.
 const QUEUE: usize = 64;

@@ -7,18 +7,18 @@ use gen_lsp_types::{LspRequestMethod, MessageDirection, Request, TextDocumentPos
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
-use super::cursor::{DOCUMENT, block_at};
-use super::edit_texts::EditText;
-use super::hover_texts::Said;
-use super::observe::{MOST, executing};
 use super::places::offset;
 use super::requests::{Answer, Refusal, Snapshot};
-use super::shown::count;
 use crate::analysis::plc::{self, Form, Header, Place, Range, Reader, Signal, Step, Writer};
 use crate::dict::Lang;
+use crate::edit::edit_texts::EditText;
+use crate::query;
+use crate::query::cursor::{DOCUMENT, block_at};
+use crate::query::hover_texts::Said;
+use crate::query::observe::{MOST, executing};
+use crate::query::shown::count;
 use crate::run::End;
 use crate::session::Session;
-use crate::text::Loader;
 
 /// Most different steps of the block that are shown.
 const SHOWN: usize = 20;
@@ -45,7 +45,7 @@ pub(super) fn signals(
     let place = offset(&file.source, params.position, snapshot.client.unit);
     let block = block_at(file, place).filter(|_| place <= file.end);
     let Some((block, number)) = block.and_then(|block| Some((block, file.n_word(block)?))) else { return Ok(None) };
-    let Some(program) = executing(snapshot, analysis) else {
+    let Some(program) = executing(snapshot.open(), analysis) else {
         let macrocycle = Session::is_macrocycle_name(&analysis.path);
         let why = if macrocycle { Said::NoProgram } else { Said::HasErrors };
         return Err(Refusal::new(why.text(lang)));
@@ -79,7 +79,7 @@ pub(super) fn signals(
 /// What is seen of the block.
 struct Sheet<'a> {
     snapshot: &'a Snapshot,
-    program: &'a Analysis,
+    program: &'a query::analysis::Analysis,
     /// The document.
     path: &'a Path,
     /// Line and column of the block's `N`.
@@ -109,7 +109,7 @@ impl Writer for Sheet<'_> {
     }
 
     fn file(&mut self, index: u32, name: &str) -> io::Result<()> {
-        if self.index.is_none() && self.program.files.canonical(Path::new(name)) == self.path {
+        if self.index.is_none() && self.program.loader.canonical(Path::new(name)) == self.path {
             self.index = Some(index);
         }
         Ok(())

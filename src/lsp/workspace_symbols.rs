@@ -7,11 +7,12 @@ use std::sync::Arc;
 use gen_lsp_types::{BaseSymbolInformation, Location, WorkspaceSymbol, WorkspaceSymbolParams, WorkspaceSymbolResponse};
 
 use super::analysis::configuration;
-use super::cursor::DOCUMENT;
+use super::outline::symbol_kind;
 use super::places::Places;
 use super::requests::{Answer, Snapshot};
-use super::sections::{Section, head, units};
 use crate::diag::Findings;
+use crate::query::cursor::DOCUMENT;
+use crate::query::sections::{Section, head, units};
 use crate::resolve::{Library, Unit, UnitKind};
 use crate::syntax::{BlockId, Form, parse};
 use crate::text::{Encoding, FileId, Loader, SourceText};
@@ -77,7 +78,7 @@ impl Search<'_> {
         let range = Places::new(source, self.snapshot.client.unit).range(section.head);
         let base = BaseSymbolInformation {
             name: section.name,
-            kind: section.kind,
+            kind: symbol_kind(section.kind),
             tags: None,
             container_name: path.file_name().map(|name| name.to_string_lossy().into_owned()),
         };

@@ -11,7 +11,7 @@ use crate::samples::root;
 const LONGEST: usize = 800;
 
 /// Which top-level modules each may use.
-const LAYERS: [(&str, &[&str]); 14] = [
+const LAYERS: [(&str, &[&str]); 16] = [
     ("text", &[]),
     ("dict", &[]),
     ("diag", &["text", "dict"]),
@@ -24,12 +24,20 @@ const LAYERS: [(&str, &[&str]); 14] = [
     ("stream", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis"]),
     ("view", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
     ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
-    ("lsp", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "view", "session", "explain"]),
+    ("query", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
+    ("edit", &["text", "dict", "diag", "syntax", "resolve", "query"]),
+    (
+        "lsp",
+        &[
+            "text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "view", "session", "explain",
+            "query", "edit",
+        ],
+    ),
     (
         "cli",
         &[
             "text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "view", "session",
-            "explain", "lsp",
+            "explain", "edit", "lsp",
         ],
     ),
 ];

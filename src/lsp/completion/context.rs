@@ -1,7 +1,7 @@
 //! What is being typed at a place, told from the text before it on its line and from the block that it is in.
 
 use crate::dict::Address;
-use crate::lsp::cursor::block_at;
+use crate::query::cursor::block_at;
 use crate::syntax::{BlockId, Kind, ParsedFile, Token, Word, tokens};
 use crate::text::Span;
 

@@ -5,7 +5,7 @@ use gen_lsp_types::{
     MarkupContent, MarkupKind, Range, TextEdit,
 };
 
-use crate::lsp::cancel::Cancel;
+use crate::query::cancel::Cancel;
 
 /// In which order items are shown.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]

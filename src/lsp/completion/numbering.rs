@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::context::previous;
 use crate::lsp::analysis::Analysis;
-use crate::lsp::cursor::unit_of;
+use crate::query::cursor::unit_of;
 use crate::syntax::{BlockId, ParsedFile};
 
 /// Highest block number (§2).

@@ -9,7 +9,7 @@ use super::targets::{HIGHEST, missing_subprograms, next_subprogram};
 use super::texts::ItemText;
 use super::{Context, Source};
 use crate::dict::{Address, AxisLetter};
-use crate::lsp::cursor::unit_of;
+use crate::query::cursor::unit_of;
 use crate::resolve::{Library, UnitKind};
 use crate::syntax::BlockFlags;
 

@@ -10,7 +10,7 @@ use super::texts::ItemText;
 use super::{Context, Source};
 use crate::diag::{Findings, shown};
 use crate::dict::{Address, GCode, GGroup};
-use crate::lsp::cursor::{DOCUMENT, unit_of};
+use crate::query::cursor::{DOCUMENT, unit_of};
 use crate::resolve::{Library, Target, UnitKind, g_code};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, parse};
 use crate::text::{FileId, Loader, Span};

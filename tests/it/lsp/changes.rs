@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cnc872c::config::{configure, find_project};
-use cnc872c::diag::{Findings, apply_fixes};
+use cnc872c::diag::Findings;
 use cnc872c::dict::Address;
+use cnc872c::edit::apply_fixes;
 use cnc872c::session::Session;
 use cnc872c::syntax::{Form, ParsedFile, Word, parse};
 use cnc872c::text::{FileId, Loader, SourceText, Sources};

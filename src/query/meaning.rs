@@ -21,16 +21,16 @@ const EXCERPT: usize = 60;
 
 /// What a hover is about.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Subject<'a> {
-    pub(super) analysis: &'a Analysis,
+pub(crate) struct Subject<'a> {
+    pub(crate) analysis: &'a Analysis,
     /// The document.
-    pub(super) file: &'a ParsedFile,
-    pub(super) lang: Lang,
+    pub(crate) file: &'a ParsedFile,
+    pub(crate) lang: Lang,
 }
 
 impl Subject<'_> {
     /// Adds what a word of a block is.
-    pub(super) fn word(&self, page: &mut Page, block: BlockId, word: Word, observed: Option<&Observed>) {
+    pub(crate) fn word(&self, page: &mut Page, block: BlockId, word: Word, observed: Option<&Observed>) {
         let shown_word = shown::word(word, self.unit_of_word(block, word, observed));
         let number = word.whole().and_then(|number| u8::try_from(number).ok());
         match (word.address, number) {
@@ -239,7 +239,7 @@ const fn lasts(lasting: Lasting) -> Said {
 }
 
 /// The last part of a path.
-pub(super) fn file_name(path: &str) -> String {
+pub(crate) fn file_name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
 }
 

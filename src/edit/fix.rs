@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Edit, Fix};
+use crate::diag::{Edit, Fix};
 use crate::text::{Encoding, FileId, SourceText, Span};
 
 /// A file after some of its fixes.

@@ -1,11 +1,11 @@
 //! Why a number cannot get another: what the text does not show may mean it, too.
 
+use super::cancel::Cancel;
 use super::cursor::{DOCUMENT, block_at};
 use super::names::{Name, Naming, Usage, arithmetic, control_words, is_unknown};
 use super::navigation_texts::NavigationText;
 use super::reach::Reach;
-use super::requests::Snapshot;
-use crate::diag::{Code, Diagnostic, Finding};
+use crate::diag::{Code, Diagnostic, Finding, Report};
 use crate::dict::{Address, GCode};
 use crate::resolve::{Roles, Taker, UnitId, UnitKind, control_word, l_number};
 use crate::session::Session;
@@ -17,15 +17,17 @@ const RESERVED: u8 = 95;
 const CONTROL: std::ops::RangeInclusive<u8> = 5..=8;
 
 /// Looks for reasons against another number in place of `name`.
-pub(super) struct Doubts<'a> {
-    pub(super) snapshot: &'a Snapshot,
-    pub(super) reach: &'a Reach<'a>,
-    pub(super) name: Name,
+pub(crate) struct Doubts<'a> {
+    /// What was found in the document.
+    pub(crate) found: Option<&'a Report>,
+    pub(crate) cancel: &'a Cancel,
+    pub(crate) reach: &'a Reach<'a>,
+    pub(crate) name: Name,
 }
 
 impl Doubts<'_> {
     /// Why it cannot get any other.
-    pub(super) fn against_any(&self) -> Option<NavigationText> {
+    pub(crate) fn against_any(&self) -> Option<NavigationText> {
         match self.name {
             Name::Block(number) => {
                 let unit = self.unit_of_block(number)?;
@@ -38,8 +40,8 @@ impl Doubts<'_> {
     }
 
     /// Why it cannot be `new`, when the places in `meant` change.
-    pub(super) fn against(&self, new: Name, meant: &[Naming]) -> Option<NavigationText> {
-        let known = self.reach.occurrences(DOCUMENT, new, &self.snapshot.cancel);
+    pub(crate) fn against(&self, new: Name, meant: &[Naming]) -> Option<NavigationText> {
+        let known = self.reach.occurrences(DOCUMENT, new, self.cancel);
         let exists = known.iter().any(|naming| naming.usage == Usage::Definition);
         let dangling = known.first().map(|naming| self.would_lead_here(naming));
         match new {
@@ -55,7 +57,7 @@ impl Doubts<'_> {
             Name::Subprogram(l) => dangling.or_else(|| self.unclear(GCode::G71, l)),
             Name::Macrocycle(l) => Some(NavigationText::MacrocycleFile { l }),
             Name::Parameter(r) => self.special(r).or_else(|| {
-                let used = |file| !self.reach.occurrences(file, new, &self.snapshot.cancel).is_empty();
+                let used = |file| !self.reach.occurrences(file, new, self.cancel).is_empty();
                 self.reach.files().any(used).then_some(NavigationText::ParameterUsed { r })
             }),
         }
@@ -140,7 +142,7 @@ impl Doubts<'_> {
     fn uses(&self, r: u8) -> Option<NavigationText> {
         let (mut assigned, mut read) = (false, false);
         for file in self.reach.files() {
-            let found = self.reach.occurrences(file, Name::Parameter(r), &self.snapshot.cancel);
+            let found = self.reach.occurrences(file, Name::Parameter(r), self.cancel);
             let macrocycle = self.reach.names(file).and_then(|names| names.macrocycle);
             if let (Some(l), false) = (macrocycle, found.is_empty()) {
                 return Some(NavigationText::UsedInMacrocycle { r, l });
@@ -169,10 +171,10 @@ impl Doubts<'_> {
         let analysis = self.reach.analysis;
         let is_it = |diagnostic: &Diagnostic| matches!(diagnostic.finding, Finding::UnassignedParameter { parameter } if parameter == r);
         if analysis.settings.severity(Code::W0503).is_some() {
-            let found = self.snapshot.found.iter().flat_map(|found| found.report.items());
+            let found = self.found.iter().flat_map(|report| report.items());
             return found.into_iter().any(|item| is_it(&item.diagnostic));
         }
-        let goes_on = |_| !self.snapshot.cancel.is_cancelled();
+        let goes_on = |_| !self.cancel.is_cancelled();
         let session = Session { progress: Some(&goes_on), ..analysis.session() };
         let outcome = session.check(&analysis.path, "");
         outcome.findings.items().iter().any(is_it)

@@ -3,8 +3,6 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
-use gen_lsp_types::Uri;
-
 use super::analysis::Analysis;
 use super::cancel::Cancel;
 use super::cursor::{DOCUMENT, word_at};
@@ -20,16 +18,16 @@ const STRIDE: u32 = 1 << 12;
 
 /// An analysis with all files that are known without executing the program.
 #[derive(Debug)]
-pub(super) struct Reach<'a> {
-    pub(super) analysis: &'a Analysis,
+pub(crate) struct Reach<'a> {
+    pub(crate) analysis: &'a Analysis,
     resolved: Cow<'a, Resolved>,
     sources: Cow<'a, Sources>,
     /// A macrocycle of the cycle map is not to be had.
-    pub(super) misses: bool,
+    pub(crate) misses: bool,
 }
 
 impl<'a> Reach<'a> {
-    pub(super) fn of(analysis: &'a Analysis) -> Self {
+    pub(crate) fn of(analysis: &'a Analysis) -> Self {
         let mut reach = Self {
             analysis,
             resolved: Cow::Borrowed(&analysis.resolved),
@@ -70,12 +68,12 @@ impl<'a> Reach<'a> {
         }
     }
 
-    pub(super) fn resolved(&self) -> &Resolved {
+    pub(crate) fn resolved(&self) -> &Resolved {
         &self.resolved
     }
 
     /// The unit of a macrocycle, loaded when it was not yet.
-    pub(super) fn macrocycle(&mut self, l: u32) -> Option<UnitId> {
+    pub(crate) fn macrocycle(&mut self, l: u32) -> Option<UnitId> {
         let known = self.resolved.units().find(|(_, unit)| unit.kind == UnitKind::Macrocycle(l)).map(|(id, _)| id);
         if known.is_some() {
             return known;
@@ -87,12 +85,12 @@ impl<'a> Reach<'a> {
     }
 
     /// The files, the document first.
-    pub(super) fn files(&self) -> impl Iterator<Item = FileId> + '_ {
+    pub(crate) fn files(&self) -> impl Iterator<Item = FileId> + '_ {
         (0..).map(FileId).take_while(|file| self.resolved.file(*file).is_some())
     }
 
     /// The names in a file.
-    pub(super) fn names(&self, file: FileId) -> Option<Names<'_>> {
+    pub(crate) fn names(&self, file: FileId) -> Option<Names<'_>> {
         let parsed = self.resolved.file(file)?;
         let macrocycle = self.resolved.units().find_map(|(_, unit)| match unit.kind {
             UnitKind::Macrocycle(l) if unit.file == file => Some(l),
@@ -102,25 +100,21 @@ impl<'a> Reach<'a> {
     }
 
     /// The canonical path of a file.
-    pub(super) fn path(&self, file: FileId) -> Option<PathBuf> {
+    pub(crate) fn path(&self, file: FileId) -> Option<PathBuf> {
         if file == DOCUMENT {
             return Some(self.analysis.path.clone());
         }
         let parsed = self.resolved.file(file)?;
-        Some(crate::text::Loader::canonical(&self.analysis.files, Path::new(parsed.source.name())))
-    }
-
-    pub(super) fn uri(&self, file: FileId) -> Option<Uri> {
-        self.analysis.files.uri_of(&self.path(file)?)
+        Some(self.analysis.loader.canonical(Path::new(parsed.source.name())))
     }
 
     /// The file at that canonical path.
-    pub(super) fn file_at(&self, path: &Path) -> Option<FileId> {
+    pub(crate) fn file_at(&self, path: &Path) -> Option<FileId> {
         self.files().find(|file| self.path(*file).as_deref() == Some(path))
     }
 
     /// What the word of the document at `offset` names.
-    pub(super) fn naming_at(&self, offset: u32) -> Option<Naming> {
+    pub(crate) fn naming_at(&self, offset: u32) -> Option<Naming> {
         let names = self.names(DOCUMENT)?;
         let at = word_at(names.file, offset)?;
         let touches = |span: Span| span.start <= offset && offset <= span.end && at.span.start <= span.start;
@@ -136,7 +130,7 @@ impl<'a> Reach<'a> {
     }
 
     /// Every place in a file that names `name`, in the order of the text. Those found until nobody wants them any more.
-    pub(super) fn occurrences(&self, file: FileId, name: Name, cancel: &Cancel) -> Vec<Naming> {
+    pub(crate) fn occurrences(&self, file: FileId, name: Name, cancel: &Cancel) -> Vec<Naming> {
         let Some(names) = self.names(file) else { return Vec::new() };
         let mut found = Vec::new();
         for block in names.file.block_ids() {
@@ -150,12 +144,12 @@ impl<'a> Reach<'a> {
     }
 
     /// The unit of a block.
-    pub(super) fn unit_of(&self, file: FileId, block: BlockId) -> Option<(UnitId, &Unit)> {
+    pub(crate) fn unit_of(&self, file: FileId, block: BlockId) -> Option<(UnitId, &Unit)> {
         self.resolved.units().find(|(_, unit)| unit.file == file && unit.contains(block))
     }
 
     /// All of a unit, and the number that names it, else its first word.
-    pub(super) fn unit_place(&self, unit: &Unit) -> Option<(Span, Span)> {
+    pub(crate) fn unit_place(&self, unit: &Unit) -> Option<(Span, Span)> {
         let names = self.names(unit.file)?;
         let file = names.file;
         let begin = if unit.kind == UnitKind::Main { file.program } else { file.n_word(unit.first) };
@@ -173,7 +167,7 @@ impl<'a> Reach<'a> {
 }
 
 /// From the `N` of a block to the end of its last word.
-pub(super) fn block_span(file: &ParsedFile, block: BlockId) -> Span {
+pub(crate) fn block_span(file: &ParsedFile, block: BlockId) -> Span {
     let text = file.source.text();
     let Some(begin) = file.n_word(block).map(|word| word.span(text)) else { return Span::empty(file.start) };
     file.words(block).last().map_or(begin, |word| begin.to(word.span(text)))

@@ -1,16 +1,12 @@
 //! A short text for a popup, in Markdown or plain, as the client takes it.
 
-use gen_lsp_types::{MarkupContent, MarkupKind};
-
-use super::client::Client;
-
 /// Characters that mean something in Markdown.
 const SPECIAL: &[char] =
     &['\\', '`', '*', '_', '{', '}', '[', ']', '<', '>', '(', ')', '#', '+', '-', '.', '!', '|', '~', '&', '$'];
 
 /// A text in the making.
 #[derive(Debug)]
-pub(super) struct Page {
+pub(crate) struct Page {
     markdown: bool,
     text: String,
     /// The last thing added is an item of a list.
@@ -18,14 +14,13 @@ pub(super) struct Page {
 }
 
 impl Page {
-    /// Empty, in the form that hovers of that client have: the one that it names first.
-    pub(super) fn new(client: &Client) -> Self {
-        let form = client.first("/textDocument/hover/contentFormat");
-        Self { markdown: form != Some("plaintext"), text: String::new(), in_list: false }
+    /// Empty.
+    pub(crate) const fn new(markdown: bool) -> Self {
+        Self { markdown, text: String::new(), in_list: false }
     }
 
     /// Something as it stands in programs: `G01`.
-    pub(super) fn code(&self, text: &str) -> String {
+    pub(crate) fn code(&self, text: &str) -> String {
         if !self.markdown || text.is_empty() {
             text.to_owned()
         } else if text.contains('`') {
@@ -36,7 +31,7 @@ impl Page {
     }
 
     /// Text of the user, in which nothing is markup.
-    pub(super) fn user(&self, text: &str) -> String {
+    pub(crate) fn user(&self, text: &str) -> String {
         if !self.markdown {
             return text.to_owned();
         }
@@ -51,19 +46,19 @@ impl Page {
     }
 
     /// A heading: a thing of programs, and what it is.
-    pub(super) fn heading(&mut self, name: &str, meaning: &str) {
+    pub(crate) fn heading(&mut self, name: &str, meaning: &str) {
         let text = if self.markdown { format!("**`{name}`** {meaning}") } else { format!("{name}: {meaning}") };
         self.line(&text);
     }
 
     /// A sentence that says what the items after it are about.
-    pub(super) fn title(&mut self, text: &str) {
+    pub(crate) fn title(&mut self, text: &str) {
         let text = if self.markdown { format!("**{text}**") } else { text.to_owned() };
         self.line(&text);
     }
 
     /// A paragraph.
-    pub(super) fn line(&mut self, text: &str) {
+    pub(crate) fn line(&mut self, text: &str) {
         if !self.text.is_empty() {
             self.text.push_str(if self.markdown { "\n\n" } else { "\n" });
         }
@@ -72,7 +67,7 @@ impl Page {
     }
 
     /// An item of a list.
-    pub(super) fn item(&mut self, label: &str, value: &str) {
+    pub(crate) fn item(&mut self, label: &str, value: &str) {
         if self.markdown {
             self.text.push_str(if self.in_list { "\n- " } else { "\n\n- " });
         } else {
@@ -83,7 +78,7 @@ impl Page {
     }
 
     /// What follows is about something else.
-    pub(super) fn rule(&mut self) {
+    pub(crate) fn rule(&mut self) {
         if self.text.is_empty() {
             return;
         }
@@ -94,9 +89,8 @@ impl Page {
         }
     }
 
-    /// As the protocol has it.
-    pub(super) fn content(self) -> MarkupContent {
-        let kind = if self.markdown { MarkupKind::Markdown } else { MarkupKind::PlainText };
-        MarkupContent { kind, value: self.text }
+    /// The text.
+    pub(crate) fn finish(self) -> String {
+        self.text
     }
 }

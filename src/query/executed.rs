@@ -20,7 +20,7 @@ const CALLS: usize = 7;
 
 impl Subject<'_> {
     /// Adds what was seen of a block. `word`: the one that is asked for.
-    pub(super) fn execution(
+    pub(crate) fn execution(
         &self,
         page: &mut Page,
         program: &Analysis,
@@ -51,14 +51,14 @@ impl Subject<'_> {
     }
 
     /// Why nothing is known of the execution of the document.
-    pub(super) fn no_execution(&self, page: &mut Page) {
+    pub(crate) fn no_execution(&self, page: &mut Page) {
         let macrocycle = Session::is_macrocycle_name(&self.analysis.path);
         let said = if macrocycle { Said::NoProgram } else { Said::HasErrors };
         page.line(&said.text(self.lang));
     }
 
     /// Adds what there is to say of the whole program.
-    pub(super) fn program(&self, page: &mut Page, word: Word, observation: Option<&Observation>) {
+    pub(crate) fn program(&self, page: &mut Page, word: Word, observation: Option<&Observation>) {
         let title = self.file.title.map(|title| self.file.comment_text(title)).unwrap_or_default();
         let meaning = Address::Program.row().meaning.get(self.lang);
         page.heading(&super::shown::word(word, ""), meaning);

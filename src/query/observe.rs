@@ -5,9 +5,9 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use super::analysis::Analysis;
+use super::cancel::Cancel;
 use super::cursor::DOCUMENT;
 use super::moves::{Moves, Seen};
-use super::requests::Snapshot;
 use super::values::Values;
 use crate::config::Machine;
 use crate::diag::Findings;
@@ -16,88 +16,90 @@ use crate::resolve::{ControlWord, Library, control_word, g_code};
 use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Sink};
 use crate::session::Session;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
-use crate::text::{FileId, Loader};
+use crate::text::FileId;
 
 /// Most blocks that are executed to answer a request.
-pub(super) const MOST: u64 = 2_000_000;
+pub(crate) const MOST: u64 = 2_000_000;
 /// Executed blocks between two looks at whether the answer is still wanted.
 const PERIOD: u64 = 1 << 12;
 
 /// What was seen of one block.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Observed {
+pub(crate) struct Observed {
     /// How often it was executed.
-    pub(super) runs: u64,
+    pub(crate) runs: u64,
     /// How often its jump was taken.
-    pub(super) jumps: u64,
+    pub(crate) jumps: u64,
     /// How often the jump was taken each time that its counter was armed (FLW-4).
-    pub(super) taken: Values<u64>,
+    pub(crate) taken: Values<u64>,
     /// Jumps since the counter was armed, and what it held after the last; `None`: it is not armed.
     armed: Option<(u64, u32)>,
     /// After the block, by letter.
-    pub(super) positions: [Values<Micro>; AxisLetter::ALL.len()],
+    pub(crate) positions: [Values<Micro>; AxisLetter::ALL.len()],
     /// In the block, by group.
-    pub(super) g: [Values<u8>; GGroup::ALL.len()],
+    pub(crate) g: [Values<u8>; GGroup::ALL.len()],
     /// After the block, by group.
-    pub(super) m: [Values<u8>; M_GROUPS],
+    pub(crate) m: [Values<u8>; M_GROUPS],
     /// Of its motions; unknown ones too.
-    pub(super) length_mm: Values<Micro>,
+    pub(crate) length_mm: Values<Micro>,
     /// Of motions of rotary axes only.
-    pub(super) length_deg: Values<Micro>,
-    pub(super) feed: Values<Decimal>,
-    pub(super) feed_unit: Values<FeedUnit>,
-    pub(super) speed: Values<Decimal>,
-    pub(super) tool: Values<Decimal>,
-    pub(super) h: Values<Decimal>,
-    pub(super) p: Values<Decimal>,
-    pub(super) d: Values<Decimal>,
-    pub(super) correction: Values<u16>,
-    pub(super) dwell_s: Values<Micro>,
+    pub(crate) length_deg: Values<Micro>,
+    pub(crate) feed: Values<Decimal>,
+    pub(crate) feed_unit: Values<FeedUnit>,
+    pub(crate) speed: Values<Decimal>,
+    pub(crate) tool: Values<Decimal>,
+    pub(crate) h: Values<Decimal>,
+    pub(crate) p: Values<Decimal>,
+    pub(crate) d: Values<Decimal>,
+    pub(crate) correction: Values<u16>,
+    pub(crate) dwell_s: Values<Micro>,
     /// What the block reads of parameters: the values from before it.
-    pub(super) reads: BTreeMap<u8, Values<Decimal>>,
+    pub(crate) reads: BTreeMap<u8, Values<Decimal>>,
     /// What it writes: the values after it.
-    pub(super) writes: BTreeMap<u8, Values<Decimal>>,
+    pub(crate) writes: BTreeMap<u8, Values<Decimal>>,
 }
 
 /// One execution, with what was seen of some blocks.
 #[derive(Debug, Default)]
-pub(super) struct Observation {
+pub(crate) struct Observation {
     blocks: BTreeMap<BlockId, Observed>,
     /// Blocks executed.
-    pub(super) executed: u64,
+    pub(crate) executed: u64,
     /// The sum of the lengths.
-    pub(super) path: Micro,
+    pub(crate) path: Micro,
     /// M02 or M30, when that was reached.
-    pub(super) end: Option<u8>,
+    pub(crate) end: Option<u8>,
     /// The number of the last executed block.
-    pub(super) last: u32,
+    pub(crate) last: u32,
     /// How the machine moves, where that is asked for and configured, and the program ended.
-    pub(super) moves: Option<Seen>,
+    pub(crate) moves: Option<Seen>,
 }
 
 impl Observation {
     /// What was seen of a block; `None` unless it was asked for.
-    pub(super) fn of(&self, block: BlockId) -> Option<&Observed> {
+    pub(crate) fn of(&self, block: BlockId) -> Option<&Observed> {
         self.blocks.get(&block)
     }
 
     /// Whether the program was not executed further because it is long.
-    pub(super) const fn is_cut(&self) -> bool {
+    pub(crate) const fn is_cut(&self) -> bool {
         self.end.is_none() && self.executed >= MOST
     }
 }
 
 /// The program that shows what a document does when executed: the document itself, or, for a macrocycle, the first open
 /// program that leads to it.
-pub(super) fn executing<'a>(snapshot: &'a Snapshot, analysis: &'a Analysis) -> Option<&'a Analysis> {
+pub(crate) fn executing<'a>(
+    open: impl IntoIterator<Item = &'a Analysis>,
+    analysis: &'a Analysis,
+) -> Option<&'a Analysis> {
     if analysis.executable {
         return Some(analysis);
     }
     if !Session::is_macrocycle_name(&analysis.path) {
         return None;
     }
-    let others = snapshot.analyses.iter().map(AsRef::as_ref);
-    others.filter(|other| other.executable && other.path != analysis.path).find(|other| {
+    open.into_iter().filter(|other| other.executable && other.path != analysis.path).find(|other| {
         if is_cycle_of(other, analysis) {
             return true;
         }
@@ -114,44 +116,44 @@ fn is_cycle_of(program: &Analysis, document: &Analysis) -> bool {
     let mapped = program.settings.machine.cycles.values().find(|l| Some(**l) == number);
     mapped.is_some_and(|l| {
         let found = program.session().library(&program.path).find(*l);
-        found.is_ok_and(|path| program.files.canonical(&path) == document.path)
+        found.is_ok_and(|path| program.loader.canonical(&path) == document.path)
     })
 }
 
 /// Whether `name`, in the program of an analysis, is the document.
 fn is(other: &Analysis, name: &str, document: &Analysis) -> bool {
-    other.files.canonical(Path::new(name)) == document.path
+    other.loader.canonical(Path::new(name)) == document.path
 }
 
 /// Executes `program` and looks at `blocks` of the document. `None` when the answer is not wanted any more.
-pub(super) fn observe(
-    snapshot: &Snapshot,
+pub(crate) fn observe(
+    cancel: &Cancel,
     program: &Analysis,
     document: &Analysis,
     blocks: impl IntoIterator<Item = BlockId>,
 ) -> Option<Observation> {
-    run(snapshot, program, Observer::new(snapshot, program, document, blocks))
+    run(cancel, program, Observer::new(cancel, program, document, blocks))
 }
 
 /// The same, with how the machine moves; `units`: from which block up to which those reach whose times are wanted.
-pub(super) fn observe_motion(
-    snapshot: &Snapshot,
+pub(crate) fn observe_motion(
+    cancel: &Cancel,
     program: &Analysis,
     document: &Analysis,
     blocks: impl IntoIterator<Item = BlockId>,
     units: &[(BlockId, BlockId)],
 ) -> Option<Observation> {
-    let mut observer = Observer::new(snapshot, program, document, blocks);
+    let mut observer = Observer::new(cancel, program, document, blocks);
     if program.settings.machine.motion.configured {
         observer.moves = Some(Moves::new(&program.settings, units.len()));
         observer.units = units.to_vec();
     }
-    run(snapshot, program, observer)
+    run(cancel, program, observer)
 }
 
-fn run(snapshot: &Snapshot, program: &Analysis, mut observer: Observer<'_>) -> Option<Observation> {
+fn run(cancel: &Cancel, program: &Analysis, mut observer: Observer<'_>) -> Option<Observation> {
     program.session().observe(&program.path, program.resolved.clone(), program.sources.clone(), &mut observer);
-    if snapshot.cancel.is_cancelled() {
+    if cancel.is_cancelled() {
         return None;
     }
     let Observer { mut observation, moves, .. } = observer;
@@ -164,7 +166,7 @@ fn run(snapshot: &Snapshot, program: &Analysis, mut observer: Observer<'_>) -> O
 
 /// Looks at every executed block. What it has seen when execution stopped early counts as well.
 struct Observer<'a> {
-    snapshot: &'a Snapshot,
+    cancel: &'a Cancel,
     program: &'a Analysis,
     document: &'a Analysis,
     machine: &'a Machine,
@@ -180,7 +182,7 @@ struct Observer<'a> {
 
 impl<'a> Observer<'a> {
     fn new(
-        snapshot: &'a Snapshot,
+        cancel: &'a Cancel,
         program: &'a Analysis,
         document: &'a Analysis,
         blocks: impl IntoIterator<Item = BlockId>,
@@ -210,7 +212,7 @@ impl<'a> Observer<'a> {
         }
         let before = before.into_iter().collect();
         Self {
-            snapshot,
+            cancel,
             program,
             document,
             machine,
@@ -276,7 +278,7 @@ impl Sink for &mut Observer<'_> {
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
         self.look(block);
         let executed = self.observation.executed;
-        if executed >= MOST || (executed.is_multiple_of(PERIOD) && self.snapshot.cancel.is_cancelled()) {
+        if executed >= MOST || (executed.is_multiple_of(PERIOD) && self.cancel.is_cancelled()) {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
@@ -352,12 +354,12 @@ impl Observed {
 }
 
 /// The G functions that a block writes out.
-pub(super) fn g_functions(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = (GCode, Word)> + '_ {
+pub(crate) fn g_functions(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = (GCode, Word)> + '_ {
     file.words(block).iter().filter_map(|word| Some((g_code(*word)?, *word)))
 }
 
 /// The control word that an R word of a block is (PAR-7), when G26–G29 and the word are written out.
-pub(super) fn control_of(machine: &Machine, file: &ParsedFile, block: BlockId, word: Word) -> Option<ControlWord> {
+pub(crate) fn control_of(machine: &Machine, file: &ParsedFile, block: BlockId, word: Word) -> Option<ControlWord> {
     let operations = g_functions(file, block).map(|(code, _)| code.operations()).max()?;
     let place = word.target().checked_sub(5).filter(|_| word.address == Address::R)?;
     if usize::from(place) >= operations {

@@ -6,20 +6,20 @@ use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{FileId, Span};
 
 /// The document of an analysis: file 0.
-pub(super) const DOCUMENT: FileId = FileId(0);
+pub(crate) const DOCUMENT: FileId = FileId(0);
 
 /// A word with the block it is in.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct WordAt {
+pub(crate) struct WordAt {
     /// `None`: the `%` word.
-    pub(super) block: Option<BlockId>,
-    pub(super) word: Word,
+    pub(crate) block: Option<BlockId>,
+    pub(crate) word: Word,
     /// All of it.
-    pub(super) span: Span,
+    pub(crate) span: Span,
 }
 
 /// The block that a place is in: from its `N` up to the next one.
-pub(super) fn block_at(file: &ParsedFile, offset: u32) -> Option<BlockId> {
+pub(crate) fn block_at(file: &ParsedFile, offset: u32) -> Option<BlockId> {
     let (mut low, mut high) = (0, file.block_count());
     while low < high {
         let middle = low + (high - low) / 2;
@@ -33,7 +33,7 @@ pub(super) fn block_at(file: &ParsedFile, offset: u32) -> Option<BlockId> {
 }
 
 /// The word that covers a place, or ends there: at the border of two words the one that begins.
-pub(super) fn word_at(file: &ParsedFile, offset: u32) -> Option<WordAt> {
+pub(crate) fn word_at(file: &ParsedFile, offset: u32) -> Option<WordAt> {
     let text = file.source.text();
     let block = block_at(file, offset);
     let of_block = block.into_iter().flat_map(|block| {
@@ -49,6 +49,6 @@ pub(super) fn word_at(file: &ParsedFile, offset: u32) -> Option<WordAt> {
 }
 
 /// The unit that a block of the document belongs to.
-pub(super) fn unit_of(analysis: &Analysis, block: BlockId) -> Option<(UnitId, &Unit)> {
+pub(crate) fn unit_of(analysis: &Analysis, block: BlockId) -> Option<(UnitId, &Unit)> {
     analysis.resolved.units().find(|(_, unit)| unit.file == DOCUMENT && unit.contains(block))
 }

@@ -7,7 +7,7 @@ const KEPT: usize = 4;
 
 /// The different values of one thing, in the order in which they came.
 #[derive(Clone, Debug, Eq, PartialEq)]
-pub(super) struct Values<T> {
+pub(crate) struct Values<T> {
     kept: Vec<T>,
     /// There are more than are kept.
     more: bool,
@@ -25,7 +25,7 @@ impl<T> Default for Values<T> {
 
 impl<T: Copy + Ord> Values<T> {
     /// Takes the value of one execution; `None`: not known.
-    pub(super) fn add(&mut self, value: Option<T>) {
+    pub(crate) fn add(&mut self, value: Option<T>) {
         let Some(value) = value else {
             self.unknown = true;
             return;
@@ -44,17 +44,17 @@ impl<T: Copy + Ord> Values<T> {
     }
 
     /// Whether it was known at least once.
-    pub(super) fn is_known(&self) -> bool {
+    pub(crate) fn is_known(&self) -> bool {
         !self.kept.is_empty()
     }
 
     /// Whether nothing came, not even something unknown.
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.kept.is_empty() && !self.unknown
     }
 
     /// The value, when it was always the same.
-    pub(super) fn only(&self) -> Option<T> {
+    pub(crate) fn only(&self) -> Option<T> {
         match self.kept.as_slice() {
             [only] if !self.unknown => Some(*only),
             _ => None,
@@ -62,12 +62,12 @@ impl<T: Copy + Ord> Values<T> {
     }
 
     /// The first value.
-    pub(super) fn first(&self) -> Option<T> {
+    pub(crate) fn first(&self) -> Option<T> {
         self.kept.first().copied()
     }
 
     /// The values made into others; `each` keeps or turns their order.
-    pub(super) fn map<U: Copy + Ord>(&self, each: impl Fn(T) -> U) -> Values<U> {
+    pub(crate) fn map<U: Copy + Ord>(&self, each: impl Fn(T) -> U) -> Values<U> {
         let turned = |(a, b): (T, T)| {
             let (a, b) = (each(a), each(b));
             (a.min(b), a.max(b))
@@ -81,7 +81,7 @@ impl<T: Copy + Ord> Values<T> {
     }
 
     /// `10, 20, 30, 40, … (min 10, max 200)`; `?` stands for what was not known.
-    pub(super) fn list<D: Display>(&self, shown: impl Fn(T) -> D) -> String {
+    pub(crate) fn list<D: Display>(&self, shown: impl Fn(T) -> D) -> String {
         let mut text = self.brief(KEPT, &shown);
         if self.more
             && let Some((least, greatest)) = self.limits
@@ -92,7 +92,7 @@ impl<T: Copy + Ord> Values<T> {
     }
 
     /// `10, 20, 30, …`, at most `count` of them.
-    pub(super) fn brief<D: Display>(&self, count: usize, shown: impl Fn(T) -> D) -> String {
+    pub(crate) fn brief<D: Display>(&self, count: usize, shown: impl Fn(T) -> D) -> String {
         let mut parts: Vec<String> = self.kept.iter().take(count).map(|value| shown(*value).to_string()).collect();
         if self.more || self.kept.len() > count {
             parts.push("…".to_owned());

@@ -11,7 +11,7 @@ use crate::syntax::BlockId;
 
 /// What gives the velocity at the start of a motion.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-pub(super) enum JoinedBy {
+pub(crate) enum JoinedBy {
     /// The machine stops.
     Broken(Break),
     /// It goes on.
@@ -20,19 +20,19 @@ pub(super) enum JoinedBy {
 
 /// How the machine moves through one block.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Moved {
+pub(crate) struct Moved {
     /// Seconds.
-    pub(super) time_s: Values<Micro>,
+    pub(crate) time_s: Values<Micro>,
     /// Velocities at the start, the greatest, at the end, in mm/min or deg/min.
-    pub(super) velocities: [Values<Micro>; 3],
+    pub(crate) velocities: [Values<Micro>; 3],
     /// Only rotary axes move.
-    pub(super) in_degrees: bool,
+    pub(crate) in_degrees: bool,
     /// What gives the velocity at the start.
-    pub(super) joined: Values<JoinedBy>,
+    pub(crate) joined: Values<JoinedBy>,
 }
 
 /// Plans the motion of an execution.
-pub(super) struct Moves {
+pub(crate) struct Moves {
     reader: StepReader,
     planner: Planner,
     seen: Seen,
@@ -40,20 +40,20 @@ pub(super) struct Moves {
 
 /// What came out so far.
 #[derive(Debug, Default)]
-pub(super) struct Seen {
+pub(crate) struct Seen {
     /// Blocks that are not given yet: which block of those asked for, and which unit.
     waiting: VecDeque<(Option<BlockId>, Option<usize>)>,
     /// Of the blocks asked for.
-    pub(super) blocks: BTreeMap<BlockId, Moved>,
+    pub(crate) blocks: BTreeMap<BlockId, Moved>,
     /// Seconds in the units asked for, without those that they call.
-    pub(super) units_s: Vec<f64>,
+    pub(crate) units_s: Vec<f64>,
     /// Seconds of the program.
-    pub(super) time_s: f64,
+    pub(crate) time_s: f64,
 }
 
 impl Moves {
     /// For programs executed with these settings; so many units are asked for.
-    pub(super) fn new(settings: &Settings, units: usize) -> Self {
+    pub(crate) fn new(settings: &Settings, units: usize) -> Self {
         Self {
             reader: StepReader::new(settings),
             planner: Planner::new(Model::of(settings), false),
@@ -62,13 +62,13 @@ impl Moves {
     }
 
     /// The next executed block, with what it is of what was asked for.
-    pub(super) fn push(&mut self, executed: &Executed<'_>, block: Option<BlockId>, unit: Option<usize>) {
+    pub(crate) fn push(&mut self, executed: &Executed<'_>, block: Option<BlockId>, unit: Option<usize>) {
         self.seen.waiting.push_back((block, unit));
         self.planner.push(&self.reader.read(executed), &mut self.seen);
     }
 
     /// The program ended.
-    pub(super) fn finish(mut self) -> Seen {
+    pub(crate) fn finish(mut self) -> Seen {
         self.planner.finish(&mut self.seen);
         self.seen
     }

@@ -6,7 +6,7 @@ use crate::run::FeedUnit;
 use crate::syntax::{Value, Word};
 
 /// A count with its thousands apart: `2 000 000`.
-pub(super) fn count(number: u64) -> String {
+pub(crate) fn count(number: u64) -> String {
     let digits = number.to_string();
     if digits.len() < 5 {
         return digits;
@@ -22,7 +22,7 @@ pub(super) fn count(number: u64) -> String {
 }
 
 /// With all its decimals, without trailing zeros.
-pub(super) fn exact(value: Micro) -> String {
+pub(crate) fn exact(value: Micro) -> String {
     let millionths = value.millionths();
     let sign = if millionths < 0 { "-" } else { "" };
     let magnitude = millionths.unsigned_abs();
@@ -31,14 +31,14 @@ pub(super) fn exact(value: Micro) -> String {
 }
 
 /// To thousandths, the resolution of the control: for computed lengths.
-pub(super) fn rounded(value: Micro) -> String {
+pub(crate) fn rounded(value: Micro) -> String {
     let millionths = value.millionths();
     let thousandths = (millionths + if millionths < 0 { -500 } else { 500 }) / 1000;
     Decimal::from_thousandths(thousandths).to_string()
 }
 
 /// The unit of F.
-pub(super) const fn feed_unit(unit: FeedUnit, lang: Lang) -> &'static str {
+pub(crate) const fn feed_unit(unit: FeedUnit, lang: Lang) -> &'static str {
     match (unit, lang) {
         (FeedUnit::MmPerMinute, _) => "mm/min",
         (FeedUnit::MmPerRevolution, Lang::En) => "mm/rev",
@@ -50,7 +50,7 @@ pub(super) const fn feed_unit(unit: FeedUnit, lang: Lang) -> &'static str {
 }
 
 /// The unit of S.
-pub(super) const fn speed_unit(lang: Lang) -> &'static str {
+pub(crate) const fn speed_unit(lang: Lang) -> &'static str {
     match lang {
         Lang::En => "rev/min",
         Lang::Cs => "ot/min",
@@ -58,7 +58,7 @@ pub(super) const fn speed_unit(lang: Lang) -> &'static str {
 }
 
 /// A word as one would write it: `G01`, `X -12.5 mm`, `R11 = -R10`.
-pub(super) fn word(word: Word, unit: &str) -> String {
+pub(crate) fn word(word: Word, unit: &str) -> String {
     let letter = word.address.letter();
     let value = match word.value() {
         Value::None => return letter.to_owned(),
@@ -85,7 +85,7 @@ pub(super) fn word(word: Word, unit: &str) -> String {
 }
 
 /// `R12 = R10 + R11`
-pub(super) fn formula(control: ControlWord) -> String {
+pub(crate) fn formula(control: ControlWord) -> String {
     let a = format!("R{}", control.first);
     let b = control.second.map_or(String::new(), |second| format!("R{second}"));
     let right = match control.operation {

@@ -8,8 +8,6 @@
 //! A tool change is a block with M06, named by the T of the block or the last one before it in the unit (TEC-4); in a file
 //! without M06, where a macrocycle changes the tool, a block with T.
 
-use gen_lsp_types::SymbolKind;
-
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
 use super::extents::{adjoin, block_span, comments_above, content_end, stands_alone, unit_span, words_span};
@@ -23,26 +21,39 @@ const MOST: usize = 10_000;
 /// Names are cut after this many characters.
 const LONGEST_NAME: usize = 120;
 
+/// What a section is.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(crate) enum SectionKind {
+    /// A program.
+    Program,
+    /// A subprogram or macrocycle.
+    Subprogram,
+    /// A tool change.
+    Tool,
+    /// A heading.
+    Heading,
+}
+
 /// A part of a unit, up to the next one.
 #[derive(Clone, Debug)]
-pub(super) struct Section {
-    pub(super) name: String,
-    pub(super) kind: SymbolKind,
+pub(crate) struct Section {
+    pub(crate) name: String,
+    pub(crate) kind: SectionKind,
     /// All of it.
-    pub(super) span: Span,
+    pub(crate) span: Span,
     /// What it is named after.
-    pub(super) head: Span,
+    pub(crate) head: Span,
 }
 
 /// A unit with its parts.
 #[derive(Clone, Debug)]
-pub(super) struct UnitSections {
-    pub(super) unit: Section,
-    pub(super) parts: Vec<Section>,
+pub(crate) struct UnitSections {
+    pub(crate) unit: Section,
+    pub(crate) parts: Vec<Section>,
 }
 
 /// The units of the document with their sections, in the order of the text.
-pub(super) fn sections(analysis: &Analysis) -> Vec<UnitSections> {
+pub(crate) fn sections(analysis: &Analysis) -> Vec<UnitSections> {
     let Some(file) = analysis.resolved.file(DOCUMENT) else { return Vec::new() };
     let change = if file.block_ids().any(|block| has_m06(file, block)) { Change::ByM06 } else { Change::ByT };
     let mut left = MOST;
@@ -50,7 +61,7 @@ pub(super) fn sections(analysis: &Analysis) -> Vec<UnitSections> {
 }
 
 /// The units of the document without their sections.
-pub(super) fn units(analysis: &Analysis) -> impl Iterator<Item = Section> {
+pub(crate) fn units(analysis: &Analysis) -> impl Iterator<Item = Section> {
     let file = analysis.resolved.file(DOCUMENT);
     file.into_iter().flat_map(|file| units_of(analysis).map(|unit| head(file, unit).0))
 }
@@ -104,7 +115,7 @@ fn of_unit(file: &ParsedFile, unit: &Unit, change: Change, left: &mut usize) -> 
                 }
                 if let Some(name) = heading(file, comment) {
                     let head = if own_line { comment } else { block_span(file, block) };
-                    parts.push(Section { name: cut(name), kind: SymbolKind::String, span: head, head });
+                    parts.push(Section { name: cut(name), kind: SectionKind::Heading, span: head, head });
                 }
             }
         }
@@ -119,7 +130,7 @@ fn of_unit(file: &ParsedFile, unit: &Unit, change: Change, left: &mut usize) -> 
 }
 
 /// The unit itself, and the comment that is its title.
-pub(super) fn head(file: &ParsedFile, unit: &Unit) -> (Section, Option<Span>) {
+pub(crate) fn head(file: &ParsedFile, unit: &Unit) -> (Section, Option<Span>) {
     let span = unit_span(file, unit);
     let name = |title: Option<&str>, name: String| match title {
         Some(title) => cut(&format!("{name} {title}")),
@@ -129,7 +140,10 @@ pub(super) fn head(file: &ParsedFile, unit: &Unit) -> (Section, Option<Span>) {
         let head = file.program.map_or(Span::empty(span.start), |word| word.span(file.source.text()));
         let number = file.program.and_then(Word::whole).map_or_else(String::new, |number| number.to_string());
         let title = file.title.map(|title| file.comment_text(title));
-        return (Section { name: name(title, format!("%{number}")), kind: SymbolKind::Module, span, head }, file.title);
+        return (
+            Section { name: name(title, format!("%{number}")), kind: SectionKind::Program, span, head },
+            file.title,
+        );
     }
     let above = comments_above(file, unit.first);
     let text = file.source.text();
@@ -142,7 +156,7 @@ pub(super) fn head(file: &ParsedFile, unit: &Unit) -> (Section, Option<Span>) {
     });
     let shown = title.and_then(|title| heading(file, title)).map(|title| without_number(title, &unit.name()));
     let head = words_span(file, unit.first);
-    let section = Section { name: name(shown, unit.name()), kind: SymbolKind::Function, span, head };
+    let section = Section { name: name(shown, unit.name()), kind: SectionKind::Subprogram, span, head };
     (section, title)
 }
 
@@ -174,7 +188,7 @@ fn tool_change(file: &ParsedFile, block: BlockId, tool: Option<Word>) -> Section
     };
     let comment = comment.and_then(|comment| heading(file, *comment)).map(str::to_owned);
     let name: Vec<String> = number.into_iter().chain([tool]).chain(comment).collect();
-    Section { name: cut(&name.join(" ")), kind: SymbolKind::Event, span: head, head }
+    Section { name: cut(&name.join(" ")), kind: SectionKind::Tool, span: head, head }
 }
 
 /// What a comment says, without dashes around it; `None` when that is nothing, or a block that was taken out.

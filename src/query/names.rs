@@ -11,7 +11,7 @@ const FIRST_CONTROL: u8 = 5;
 
 /// What a number names.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-pub(super) enum Name {
+pub(crate) enum Name {
     /// A block of the file; its number stands once there (BLK-7).
     Block(u32),
     /// A subprogram of the file.
@@ -24,7 +24,7 @@ pub(super) enum Name {
 
 /// What happens to what is named.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub(super) enum Usage {
+pub(crate) enum Usage {
     /// It is here: `N10`, the L of a G79.
     Definition,
     /// It is called or jumped to.
@@ -37,31 +37,31 @@ pub(super) enum Usage {
 
 /// One place that names something.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Naming {
-    pub(super) name: Name,
-    pub(super) usage: Usage,
+pub(crate) struct Naming {
+    pub(crate) name: Name,
+    pub(crate) usage: Usage,
     /// The number; where none is written, the word that stands for it.
-    pub(super) number: Span,
+    pub(crate) number: Span,
     /// Whether another number can be written in place of `number`.
-    pub(super) written: bool,
+    pub(crate) written: bool,
     /// Where a cursor means it: the word, of a word with parameters its part.
-    pub(super) around: Span,
+    pub(crate) around: Span,
     /// The G word that makes a number of L a name: a cursor there means it, too.
-    pub(super) function: Option<Span>,
+    pub(crate) function: Option<Span>,
 }
 
 /// Whether it is not known before execution which function a G word is.
-pub(super) fn is_unknown(word: Word) -> bool {
+pub(crate) fn is_unknown(word: Word) -> bool {
     word.address == Address::G && (word.is_parametric() || word.is_void())
 }
 
 /// The function G26–G29 of a block.
-pub(super) fn arithmetic(words: &[Word]) -> Option<GCode> {
+pub(crate) fn arithmetic(words: &[Word]) -> Option<GCode> {
     words.iter().find_map(|word| g_code(*word).filter(|code| code.group() == GGroup::G4))
 }
 
 /// The control words of a block with that function: the first R word of each (PAR-7).
-pub(super) fn control_words(words: &[Word], function: GCode) -> impl Iterator<Item = Word> + '_ {
+pub(crate) fn control_words(words: &[Word], function: GCode) -> impl Iterator<Item = Word> + '_ {
     (FIRST_CONTROL..).take(function.operations()).filter_map(|parameter| {
         words.iter().copied().find(|word| word.address == Address::R && !word.is_void() && word.target() == parameter)
     })
@@ -69,16 +69,16 @@ pub(super) fn control_words(words: &[Word], function: GCode) -> impl Iterator<It
 
 /// Reads what the blocks of one file name.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Names<'a> {
-    pub(super) machine: &'a Machine,
-    pub(super) file: &'a ParsedFile,
+pub(crate) struct Names<'a> {
+    pub(crate) machine: &'a Machine,
+    pub(crate) file: &'a ParsedFile,
     /// The number of the macrocycle that the file holds; `None`: a program.
-    pub(super) macrocycle: Option<u32>,
+    pub(crate) macrocycle: Option<u32>,
 }
 
 impl Names<'_> {
     /// Every place in a block that names something that is wanted, N first.
-    pub(super) fn of_block(&self, block: BlockId, wanted: impl Fn(Name) -> bool) -> Vec<Naming> {
+    pub(crate) fn of_block(&self, block: BlockId, wanted: impl Fn(Name) -> bool) -> Vec<Naming> {
         let mut found = Vec::new();
         let mut add = |name: Name, naming: &dyn Fn() -> Naming| {
             if wanted(name) {
@@ -155,7 +155,7 @@ impl Names<'_> {
     }
 
     /// The macrocycle that the cycle map gives for a G word (GRP-6).
-    pub(super) fn mapped(&self, word: Word) -> Option<u32> {
+    pub(crate) fn mapped(&self, word: Word) -> Option<u32> {
         let cycle = g_code(word).filter(|code| code.is_cycle())?;
         self.machine.cycles.get(&cycle.number()).copied()
     }

@@ -7,7 +7,7 @@ use crate::syntax::{BlockId, ParsedFile};
 use crate::text::Span;
 
 /// A block from its `N` to its last word.
-pub(super) fn words_span(file: &ParsedFile, block: BlockId) -> Span {
+pub(crate) fn words_span(file: &ParsedFile, block: BlockId) -> Span {
     let text = file.source.text();
     let first = file.n_word(block).map_or(Span::empty(file.start), |word| word.span(text));
     let end = file.words(block).last().map_or(first.end, |word| word.span(text).end);
@@ -15,14 +15,14 @@ pub(super) fn words_span(file: &ParsedFile, block: BlockId) -> Span {
 }
 
 /// A block from its `N` to the last of its words and of the comments behind them.
-pub(super) fn block_span(file: &ParsedFile, block: BlockId) -> Span {
+pub(crate) fn block_span(file: &ParsedFile, block: BlockId) -> Span {
     let words = words_span(file, block);
     let comments = file.comments_behind(block).last().map_or(words.end, |comment| comment.end);
     Span::new(words.start, words.end.max(comments))
 }
 
 /// Whether nothing else stands in the lines of a comment.
-pub(super) fn stands_alone(text: &str, comment: Span) -> bool {
+pub(crate) fn stands_alone(text: &str, comment: Span) -> bool {
     let blank = [' ', '\t', '\u{feff}'];
     let before = text.get(..comment.start as usize).unwrap_or_default().trim_end_matches(blank);
     let after = text.get(comment.end as usize..).unwrap_or_default().trim_start_matches(blank);
@@ -30,13 +30,13 @@ pub(super) fn stands_alone(text: &str, comment: Span) -> bool {
 }
 
 /// Whether `next` begins in the line after that in which `before` ends, with nothing in between.
-pub(super) fn adjoin(text: &str, before: u32, next: u32) -> bool {
+pub(crate) fn adjoin(text: &str, before: u32, next: u32) -> bool {
     let between = text.get(before as usize..next as usize).unwrap_or_default().trim_matches([' ', '\t']);
     matches!(between, "\r\n" | "\n" | "\r")
 }
 
 /// The comments in the lines directly above a block.
-pub(super) fn comments_above(file: &ParsedFile, block: BlockId) -> &[Span] {
+pub(crate) fn comments_above(file: &ParsedFile, block: BlockId) -> &[Span] {
     let text = file.source.text();
     let before = match block.0.checked_sub(1) {
         Some(before) => file.comments_behind(BlockId(before)),
@@ -53,7 +53,7 @@ pub(super) fn comments_above(file: &ParsedFile, block: BlockId) -> &[Span] {
 }
 
 /// Where a unit of the document begins: a program at `%`, a subprogram with the comments above it.
-pub(super) fn unit_start(file: &ParsedFile, unit: &Unit) -> u32 {
+pub(crate) fn unit_start(file: &ParsedFile, unit: &Unit) -> u32 {
     match unit.kind {
         UnitKind::Main => file.start,
         UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
@@ -64,7 +64,7 @@ pub(super) fn unit_start(file: &ParsedFile, unit: &Unit) -> u32 {
 }
 
 /// A unit of the document, with the comments that belong to it.
-pub(super) fn unit_span(file: &ParsedFile, unit: &Unit) -> Span {
+pub(crate) fn unit_span(file: &ParsedFile, unit: &Unit) -> Span {
     let start = unit_start(file, unit);
     let end = match unit.end.0.checked_sub(1).map(BlockId).filter(|last| unit.contains(*last)) {
         Some(last) => block_span(file, last).end,
@@ -79,13 +79,13 @@ pub(super) fn unit_span(file: &ParsedFile, unit: &Unit) -> Span {
 }
 
 /// Where the last thing before `offset` ends.
-pub(super) fn content_end(file: &ParsedFile, offset: u32) -> u32 {
+pub(crate) fn content_end(file: &ParsedFile, offset: u32) -> u32 {
     let before = file.source.text().get(..offset as usize).unwrap_or_default().trim_end();
     u32::try_from(before.len()).unwrap_or(offset)
 }
 
 /// The loops of the document, as the block that a jump goes back to and the block of the jump, in the order of the jumps.
-pub(super) fn loops(analysis: &Analysis) -> impl Iterator<Item = (BlockId, BlockId)> + '_ {
+pub(crate) fn loops(analysis: &Analysis) -> impl Iterator<Item = (BlockId, BlockId)> + '_ {
     analysis.resolved.targets(DOCUMENT).iter().filter_map(|(jump, target)| match target {
         Target::Block(first) if first <= jump => Some((*first, *jump)),
         Target::Block(_) | Target::Unit(_) => None,

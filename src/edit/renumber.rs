@@ -5,11 +5,11 @@
 
 use std::collections::BTreeMap;
 
-use super::analysis::Analysis;
-use super::cursor::DOCUMENT;
 use super::edit_texts::EditText;
 use super::line_length::first_long_line;
 use crate::dict::{Address, GCode};
+use crate::query::analysis::Analysis;
+use crate::query::cursor::DOCUMENT;
 use crate::resolve::{Roles, Taker, Target, g_code};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::Span;
@@ -23,10 +23,10 @@ const HIGHEST: u32 = 99_999_999;
 
 /// The new numbers of a file.
 #[derive(Debug)]
-pub(super) struct Renumbering {
-    pub(super) step: u32,
+pub(crate) struct Renumbering {
+    pub(crate) step: u32,
     /// What is replaced, in the order of the text.
-    pub(super) edits: Vec<(Span, String)>,
+    pub(crate) edits: Vec<(Span, String)>,
 }
 
 /// The L word of a jump and the block that it leads to, by the block of the jump.
@@ -36,7 +36,7 @@ type Jumps = BTreeMap<BlockId, (Word, BlockId)>;
 ///
 /// # Errors
 /// Why that cannot be done.
-pub(super) fn renumber(analysis: &Analysis) -> Result<Renumbering, EditText> {
+pub(crate) fn renumber(analysis: &Analysis) -> Result<Renumbering, EditText> {
     let Some(file) = analysis.resolved.file(DOCUMENT).filter(|file| file.block_count() > 0) else {
         return Err(EditText::NoBlocks);
     };

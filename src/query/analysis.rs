@@ -1,0 +1,39 @@
+//! What is known of a program or macrocycle before it is executed.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::config::Settings;
+use crate::resolve::Resolved;
+use crate::session::Session;
+use crate::text::{Loader, Sources};
+
+/// A document and what it leads to, resolved. The document itself is file 0.
+pub(crate) struct Analysis {
+    /// Canonical.
+    pub(crate) path: PathBuf,
+    /// The files as they were.
+    pub(crate) loader: Arc<dyn Loader + Send + Sync>,
+    /// The configuration.
+    pub(crate) settings: Settings,
+    /// The texts.
+    pub(crate) sources: Sources,
+    /// Units, targets, blocks, words.
+    pub(crate) resolved: Resolved,
+    /// Whether the program can be executed, so that positions and values are known.
+    pub(crate) executable: bool,
+}
+
+impl Analysis {
+    /// A session over the same files.
+    pub(crate) fn session(&self) -> Session<'_> {
+        Session { loader: self.loader.as_ref(), settings: &self.settings, progress: None }
+    }
+}
+
+impl fmt::Debug for Analysis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Analysis").field("path", &self.path).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,21 @@
+//! Answers about a program as plain data: what stands at a place, what names what, from where to where things reach, what
+//! execution makes of a block. Nothing here knows of editors; `lsp` turns the answers into those of its protocol.
+
+pub(crate) mod analysis;
+pub(crate) mod cancel;
+pub(crate) mod cursor;
+pub(crate) mod executed;
+pub(crate) mod extents;
+pub(crate) mod flow;
+pub(crate) mod hover_texts;
+pub(crate) mod meaning;
+pub(crate) mod moves;
+pub(crate) mod names;
+pub(crate) mod navigation_texts;
+pub(crate) mod observe;
+pub(crate) mod page;
+pub(crate) mod reach;
+pub(crate) mod rename_doubts;
+pub(crate) mod sections;
+pub(crate) mod shown;
+pub(crate) mod values;
