@@ -12,11 +12,10 @@ use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{Failure, Status};
 use super::threads;
-use super::words::{Words, reason};
+use super::words::Words;
 use crate::dict::Lang;
 use crate::run::End;
 use crate::session::{Part, Run, Session};
-use crate::text::path_name;
 
 pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
@@ -47,7 +46,7 @@ pub(super) fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) 
     match output {
         // Also a pipe after -o may be closed by its reader.
         Some(output) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Words::CannotWrite { file: path_name(output), reason: reason(&error, lang) }.into()
+            Words::cannot_write(output, &error, lang).into()
         }
         _ => Failure::Stdout(error),
     }

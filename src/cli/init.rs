@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::args::InitArgs;
 use super::locale::Locale;
 use super::status::{Failure, Status, tell};
-use super::words::{Words, reason};
+use super::words::Words;
 use crate::config::{PROJECT_FILE, initial};
 use crate::dict::Lang;
 use crate::text::path_name;
@@ -32,6 +32,6 @@ fn write(path: &Path, text: &str, lang: Lang) -> Result<(), Words> {
     written.map_err(|error| match (error.kind(), path.parent()) {
         (ErrorKind::AlreadyExists, _) => Words::FileExists { file },
         (ErrorKind::NotFound, Some(folder)) => Words::NoSuchFolder { folder: path_name(folder) },
-        _ => Words::CannotWrite { file, reason: reason(&error, lang) },
+        _ => Words::cannot_write(path, &error, lang),
     })
 }

@@ -54,7 +54,8 @@ fn what(error: &clap::Error, lang: Lang) -> String {
             format!("za {argument} nemůže být „{value}“{}", list(&choices)),
         ),
         ErrorKind::ValueValidation => {
-            let why = std::error::Error::source(error).map(|why| format!(": {why}")).unwrap_or_default();
+            let why = std::error::Error::source(error).map(|why| format!(": {}", reason(&why.to_string(), lang)));
+            let why = why.unwrap_or_default();
             text(format!("{argument} does not take `{value}`{why}"), format!("za {argument} nemůže být „{value}“{why}"))
         }
         ErrorKind::UnknownArgument if argument.len() == 2 && argument.ends_with(char::is_alphabetic) => text(
@@ -83,6 +84,22 @@ fn what(error: &clap::Error, lang: Lang) -> String {
         }
         ErrorKind::InvalidUtf8 => text("an argument is not UTF-8".to_owned(), "argument není v UTF-8".to_owned()),
         _ => error.kind().as_str().unwrap_or("wrong usage").to_owned(),
+    }
+}
+
+/// Why a value cannot be read: the library speaks English only.
+fn reason(why: &str, lang: Lang) -> String {
+    let (en, cs) = match why.rsplit_once(" is not in ").and_then(|(_, range)| range.split_once("..")) {
+        Some((least, _)) => (format!("it is at least {least}"), format!("nejmenší hodnota je {least}")),
+        None if why.contains("invalid digit") || why.contains("from empty string") => {
+            ("it is a whole number".to_owned(), "má to být celé číslo".to_owned())
+        }
+        None if why.starts_with("number too large") => ("it is too large".to_owned(), "číslo je příliš velké".to_owned()),
+        None => (why.to_owned(), why.to_owned()),
+    };
+    match lang {
+        Lang::En => en,
+        Lang::Cs => cs,
     }
 }
 
@@ -121,6 +138,10 @@ mod tests {
         );
         assert!(said(Lang::Cs, &wrong).starts_with("chyba: za --dialect <SYSTÉM> nemůže být „cnc827“"));
         assert!(said(Lang::Cs, &["cnc872c", "check"]).contains("chybí <CESTA>"));
+        let limit = |value| said(Lang::Cs, &["cnc872c", "check", "a.nc", "--max-blocks", value]);
+        assert!(limit("0").contains("nemůže být „0“: nejmenší hodnota je 1\n"), "{}", limit("0"));
+        assert!(limit("x").contains("nemůže být „x“: má to být celé číslo\n"), "{}", limit("x"));
+        assert!(limit("99999999999999999999").contains(": číslo je příliš velké\n"));
         assert!(said(Lang::Cs, &["cnc872c", "check"]).contains("Použití: cnc872c check"));
         assert!(said(Lang::En, &["cnc872c", "check", "-x.nc"]).contains("given as `./-…`"));
         assert!(said(Lang::Cs, &["cnc872c", "check", "-x.nc"]).contains("zadává jako „./-…“"));

@@ -123,10 +123,7 @@ fn write(bytes: &[u8], output: Option<&Path>, locale: Locale) -> Result<(), Fail
     };
     clean_up_when_interrupted(locale.lang);
     let written = Replacement::begin(output).and_then(|mut file| file.write_all(bytes).and_then(|()| file.commit()));
-    written.map_err(|error| {
-        let file = path_name(output);
-        Words::CannotWrite { file, reason: reason(&error, locale.lang) }.into()
-    })
+    written.map_err(|error| Words::cannot_write(output, &error, locale.lang).into())
 }
 
 /// Opens a file with the program that the system has for it.

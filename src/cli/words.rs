@@ -1,9 +1,11 @@
 //! What the command line says in its own name, on stderr, in both languages.
 
 use std::io;
+use std::path::Path;
 
 use crate::diag::{Code, Problem, terminal_safe};
 use crate::dict::{Bilingual, Lang, bilingual};
+use crate::text::path_name;
 
 bilingual! {
     /// One thing to say.
@@ -154,6 +156,17 @@ bilingual! {
 }
 
 impl Words {
+    /// A file that could not be written. A new file that is "not found" lacks its folder.
+    pub fn cannot_write(path: &Path, error: &io::Error, lang: Lang) -> Self {
+        let file = path_name(path);
+        let reason = match (error.kind(), lang) {
+            (io::ErrorKind::NotFound, Lang::En) => "there is no such folder".to_owned(),
+            (io::ErrorKind::NotFound, Lang::Cs) => "taková složka není".to_owned(),
+            _ => reason(error, lang),
+        };
+        Self::CannotWrite { file, reason }
+    }
+
     /// The text in `lang`, with no character that a terminal might act on.
     pub fn shown(&self, lang: Lang) -> String {
         terminal_safe(&self.text(lang)).into_owned()
@@ -170,11 +183,12 @@ pub const fn error_prefix(lang: Lang) -> &'static str {
 
 /// Why writing or reading failed, in the user's language where there is a text for it.
 pub fn reason(error: &io::Error, lang: Lang) -> String {
-    const TEXTS: [(io::ErrorKind, Bilingual); 4] = [
+    const TEXTS: [(io::ErrorKind, Bilingual); 5] = [
         (io::ErrorKind::StorageFull, Bilingual { en: "the disk is full", cs: "disk je plný" }),
         (io::ErrorKind::QuotaExceeded, Bilingual { en: "the disk quota is used up", cs: "disková kvóta je vyčerpána" }),
         (io::ErrorKind::ReadOnlyFilesystem, Bilingual { en: "the disk is read-only", cs: "disk je jen pro čtení" }),
         (io::ErrorKind::FileTooLarge, Bilingual { en: "it is too large", cs: "soubor je příliš velký" }),
+        (io::ErrorKind::NotADirectory, Bilingual { en: "a file is named as a folder", cs: "soubor je zde uveden jako složka" }),
     ];
     let text = TEXTS.iter().find(|(kind, _)| *kind == error.kind());
     text.map_or_else(|| Problem::from_io(error).text(lang), |(_, text)| text.get(lang).to_owned())

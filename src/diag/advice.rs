@@ -50,6 +50,27 @@ impl NumberMeant {
 }
 
 bilingual! {
+    /// What was probably meant by text behind `*` (W0110).
+    AfterEndMeant {
+        Text "move it before `*`, or make it a comment", "přesunout před hvězdičku, nebo z něj udělat komentář";
+        Program "put it into a file of its own", "dát ho do samostatného souboru";
+        Product "there are no expressions: products are computed by G26 to G29; `*` ends the file", "výrazy se psát nedají: součiny počítají G26 až G29; hvězdička ukončuje soubor";
+    }
+}
+
+impl AfterEndMeant {
+    /// What is wrong.
+    pub(super) const fn message(&self, lang: Lang) -> &'static str {
+        match (self, lang) {
+            (Self::Program, Lang::En) => "a second program after `*`: the control never reads it",
+            (Self::Program, Lang::Cs) => "za hvězdičkou je druhý program, systém ho nikdy nečte",
+            (Self::Text | Self::Product, Lang::En) => "the control never reads what follows `*`",
+            (Self::Text | Self::Product, Lang::Cs) => "text za hvězdičkou systém nikdy nečte",
+        }
+    }
+}
+
+bilingual! {
     /// What was probably meant by a name that is no address (E0301).
     AddressMeant {
         Word "delete the word, or write the address that was meant", "slovo vymazat, nebo napsat adresu, která byla míněna";
@@ -275,12 +296,12 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
             "mm/ot platí při G95; při G94 je posuv v mm za minutu",
         ),
         Address::F if range.ends_with("/rev") => (
-            "under this function the feed is in mm per revolution: a quarter of a millimetre is `F0.25`",
-            "při této funkci je posuv v mm na otáčku: čtvrt milimetru je „F0.25“",
+            "the feed is in mm per revolution here: a quarter of a millimetre is `F0.25`; under G94 it is in mm per minute",
+            "posuv je zde v mm na otáčku: čtvrt milimetru je „F0.25“; při G94 je v mm za minutu",
         ),
         Address::F => (
-            "the feed is in mm per minute here; under G95 it is in mm per revolution",
-            "posuv je zde v mm za minutu; na otáčku se zadává při G95",
+            "the feed is in mm per minute here; under G95 it is 0.001–99.999 mm/rev",
+            "posuv je zde v mm za minutu; při G95 má rozsah 0.001–99.999 mm/ot",
         ),
         Address::L => (
             "subprograms, macrocycles and targets of jumps have numbers of at most four digits",

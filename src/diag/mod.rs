@@ -17,7 +17,7 @@ mod report;
 mod shown;
 
 pub use advice::{
-    AddressMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant, UnusedMeant,
+    AddressMeant, AfterEndMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant, UnusedMeant,
 };
 pub use details::{
     ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, JointBreak, JointLimit, KnownNames,

@@ -7,7 +7,7 @@
 
 use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs, value_wanted};
 use super::{
-    AddressMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem,
+    AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem,
     DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant, OtherControl, OtherMeaning,
     ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedConstant, UnusedMeant,
 };
@@ -206,10 +206,11 @@ diagnostics! {
            | (if joined.is_empty() { "napsat buď parametr, nebo číslo".to_owned() } else { format!("napsat „{joined}“, nebo druhému číslu doplnit adresu") })
         note "blanks are allowed between the address and its number, never inside the number or after its sign"
            | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
-    [E0103] MissingValue "missing-value" Error { address: String, beyond: bool, arc: bool }
+    [E0103] MissingValue "missing-value" Error { address: String, beyond: bool, arc: bool, fixed: Option<String> }
         en "`{address}` has no value"
         cs "adresa {address} nemá hodnotu"
-        help (value_wanted(address, *arc, Lang::En)) | (value_wanted(address, *arc, Lang::Cs))
+        help (fixed.as_ref().map_or_else(|| value_wanted(address, *arc, Lang::En), |fixed| format!("write `{fixed}`")))
+           | (fixed.as_ref().map_or_else(|| value_wanted(address, *arc, Lang::Cs), |fixed| format!("napsat „{fixed}“")))
         note (if *beyond { "a line end or a comment between an address and its number leaves the address without a value" } else if address.starts_with('R') { "R is a parameter on this control, never a radius or a height" } else { "" })
            | (if *beyond { "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty" } else if address.starts_with('R') { "R je v tomto systému parametr, nikdy poloměr ani výška" } else { "" })
     [E0104] DecimalComma "decimal-comma" Error { fixed: String }
@@ -242,11 +243,10 @@ diagnostics! {
         cs "řádek má {length} znaků; systém jich čte 80"
         help "break the line between two words: a block may go on in the next line, a comment may not"
            | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, komentář ne"
-    [W0110] TextAfterEnd "text-after-end" Warning { program: bool }
-        en (if *program { "a second program after `*`: the control never reads it" } else { "the control never reads what follows `*`" })
-        cs (if *program { "za hvězdičkou je druhý program, systém ho nikdy nečte" } else { "text za hvězdičkou systém nikdy nečte" })
-        help (if *program { "put it into a file of its own" } else { "move it before `*`, or make it a comment" })
-           | (if *program { "dát ho do samostatného souboru" } else { "přesunout před hvězdičku, nebo z něj udělat komentář" })
+    [W0110] TextAfterEnd "text-after-end" Warning { meant: AfterEndMeant }
+        en (meant.message(Lang::En))
+        cs (meant.message(Lang::Cs))
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0111] StrayText "stray-text" Error { text: String, meant: TextMeant }
         en "`{text}` is text outside a comment"
         cs "„{text}“ je text mimo komentář"

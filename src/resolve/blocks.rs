@@ -479,10 +479,12 @@ impl<'a> BlockChecker<'a> {
             let place = usize::from(index);
             if let (Some(Some(first)), Some(warned @ false)) = (assigned.get(place), warned.get_mut(place)) {
                 *warned = true;
-                let diagnostic =
-                    Diagnostic::new(Finding::AssignedAndRead { parameter: index }, self.file.word_place(word));
+                let (read, assigned) = (self.file.word_place(word), self.file.word_place(*first));
+                let diagnostic = Diagnostic::new(Finding::AssignedAndRead { parameter: index }, read);
+                // `R50=R50` needs no mark: the word itself shows both.
+                let elsewhere = read.span != assigned.span;
                 let label = LabelText::AssignedHere { parameter: index };
-                self.findings.add(diagnostic.with_label(self.file.word_place(*first), label));
+                self.findings.add(if elsewhere { diagnostic.with_label(assigned, label) } else { diagnostic });
             }
         }
         if let Some((function, g_word)) = functions.of(GGroup::G4) {

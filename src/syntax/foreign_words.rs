@@ -183,8 +183,10 @@ impl Lowering<'_> {
         let digits = text.trim_start_matches(|character: char| !character.is_ascii_digit());
         let text_here = format!("%{digits}");
         let percent = self.at(Span::new(token.start, token.start + 1));
-        let finding = Finding::MissingValue { address: "%".to_owned(), beyond: false, arc: false };
-        let title = FixTitle::Write { text: shown(&text_here) };
+        let fixed = shown(&text_here);
+        let finding =
+            Finding::MissingValue { address: "%".to_owned(), beyond: false, arc: false, fixed: Some(fixed.clone()) };
+        let title = FixTitle::Write { text: fixed };
         self.pending.push(Diagnostic::new(finding, percent).with_fix(title, self.at(span), text_here));
         match Number::parse(digits.as_bytes()) {
             Some(number) => self.push_written(Address::Program, span, &Written::Number(number)),
@@ -239,7 +241,7 @@ impl Lowering<'_> {
             self.push_void(Address::R, span);
             return;
         }
-        let finding = Finding::MissingValue { address: name, beyond, arc: false };
+        let finding = Finding::MissingValue { address: name, beyond, arc: false, fixed: None };
         let Some(address) = self.address(address.start, span) else { return };
         self.report(span, finding);
         let word = Word::bare(address, span).faulty();

@@ -1,7 +1,7 @@
 //! What is judged by lines and characters: their length, case, and what follows the end.
 
 use super::{Kind, tokens};
-use crate::diag::{Diagnostic, Edit, Finding, Findings, FixTitle};
+use crate::diag::{AfterEndMeant, Diagnostic, Edit, Finding, Findings, FixTitle};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// Most characters of a line (LEX-7).
@@ -53,7 +53,16 @@ pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, fi
         let span = first.span().to(last.span());
         let starts = |start: u32| text.as_bytes().get(start as usize) == Some(&b'%');
         let program = starts(first.start) || rest.take(FAR).any(|token| starts(token.start));
-        findings.add(Diagnostic::new(Finding::TextAfterEnd { program }, Location { file, span }));
+        // `R50=R50*2`: nothing but the star is between two factors.
+        let factor = |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
+        let before = text.as_bytes().get((after as usize).saturating_sub(2));
+        let product = first.start == after && factor(before) && factor(text.as_bytes().get(first.start as usize));
+        let meant = match (program, product) {
+            (true, _) => AfterEndMeant::Program,
+            (false, true) => AfterEndMeant::Product,
+            (false, false) => AfterEndMeant::Text,
+        };
+        findings.add(Diagnostic::new(Finding::TextAfterEnd { meant }, Location { file, span }));
     }
 }
 

@@ -281,7 +281,7 @@ impl<'t> Lowering<'t> {
             None if joined.len() > 2 => malformed(self.slice(span)),
             None => {
                 let address = shown(prefix.trim_end_matches('='));
-                Finding::MissingValue { address, beyond: false, arc: false }
+                Finding::MissingValue { address, beyond: false, arc: false, fixed: None }
             }
         };
         // Of words without a decimal point two may have been written as one, `M0 3`: joining is offered, and its value
