@@ -45,9 +45,7 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
 pub(super) fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {
     match output {
         // Also a pipe after -o may be closed by its reader.
-        Some(output) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Words::cannot_write(output, &error, lang).into()
-        }
+        Some(output) if error.kind() != io::ErrorKind::BrokenPipe => Words::cannot_write(output, &error, lang).into(),
         _ => Failure::Stdout(error),
     }
 }

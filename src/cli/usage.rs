@@ -94,7 +94,9 @@ fn reason(why: &str, lang: Lang) -> String {
         None if why.contains("invalid digit") || why.contains("from empty string") => {
             ("it is a whole number".to_owned(), "má to být celé číslo".to_owned())
         }
-        None if why.starts_with("number too large") => ("it is too large".to_owned(), "číslo je příliš velké".to_owned()),
+        None if why.starts_with("number too large") => {
+            ("it is too large".to_owned(), "číslo je příliš velké".to_owned())
+        }
         None => (why.to_owned(), why.to_owned()),
     };
     match lang {

@@ -188,7 +188,10 @@ pub fn reason(error: &io::Error, lang: Lang) -> String {
         (io::ErrorKind::QuotaExceeded, Bilingual { en: "the disk quota is used up", cs: "disková kvóta je vyčerpána" }),
         (io::ErrorKind::ReadOnlyFilesystem, Bilingual { en: "the disk is read-only", cs: "disk je jen pro čtení" }),
         (io::ErrorKind::FileTooLarge, Bilingual { en: "it is too large", cs: "soubor je příliš velký" }),
-        (io::ErrorKind::NotADirectory, Bilingual { en: "a file is named as a folder", cs: "soubor je zde uveden jako složka" }),
+        (
+            io::ErrorKind::NotADirectory,
+            Bilingual { en: "a file is named as a folder", cs: "soubor je zde uveden jako složka" },
+        ),
     ];
     let text = TEXTS.iter().find(|(kind, _)| *kind == error.kind());
     text.map_or_else(|| Problem::from_io(error).text(lang), |(_, text)| text.get(lang).to_owned())

@@ -14,7 +14,7 @@ pub const LIMIT_PER_CODE: usize = 10_000;
 pub struct Findings {
     levels: Levels,
     items: Vec<Diagnostic>,
-    seen: HashSet<(Code, Location)>,
+    seen: HashSet<(Code, Location, u8)>,
     counts: BTreeMap<(FileId, Code), Count>,
     /// Those beyond the limit included.
     errors: usize,
@@ -57,7 +57,7 @@ impl Findings {
         if self.levels.of(code).is_none() {
             return;
         }
-        let key = (code, diagnostic.at);
+        let key = (code, diagnostic.at, diagnostic.which());
         let count = self.counts.entry((diagnostic.at.file, code)).or_default();
         if count.kept < LIMIT_PER_CODE {
             if self.seen.insert(key) {

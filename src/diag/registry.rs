@@ -7,9 +7,10 @@
 
 use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs, value_wanted};
 use super::{
-    AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem,
-    DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant, OtherControl, OtherMeaning,
-    ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedConstant, UnusedMeant,
+    AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem,
+    ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant, OtherControl,
+    OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedConstant,
+    UnusedMeant,
 };
 use crate::dict::{Address, Dialect, GCode, GGroup, Lang, Plane};
 

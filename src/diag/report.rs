@@ -23,7 +23,7 @@ pub struct Reported {
 pub struct Report {
     sources: Sources,
     by_name: BTreeMap<String, Vec<FileId>>,
-    items: BTreeMap<(Location, Code), Reported>,
+    items: BTreeMap<(Location, Code, u8), Reported>,
     counts: BTreeMap<(FileId, Code), Count>,
     programs: usize,
     not_executed: Vec<NotExecuted>,
@@ -107,7 +107,7 @@ impl Report {
     }
 
     fn add_one(&mut self, severity: Severity, diagnostic: Diagnostic) {
-        let key = (diagnostic.at, diagnostic.code());
+        let key = (diagnostic.at, diagnostic.code(), diagnostic.which());
         if let Some(known) = self.items.get_mut(&key) {
             known.severity = known.severity.min(severity);
             return;
@@ -311,7 +311,8 @@ mod tests {
     #[test]
     fn severities_of_the_run() {
         let files = sources(&[("a.nc", "N1 N2")]);
-        let text_after_end = Diagnostic::new(Finding::TextAfterEnd { program: false }, empty_block(0, 3).at);
+        let text_after_end =
+            Diagnostic::new(Finding::TextAfterEnd { meant: crate::diag::AfterEndMeant::Text }, empty_block(0, 3).at);
         let levels = Levels::new(|code| (code != Code::W0110).then_some(Severity::Error));
         let mut report = Report::new();
         report.add(&files, at_levels(levels, [empty_block(0, 0), text_after_end]));

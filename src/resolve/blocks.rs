@@ -423,6 +423,7 @@ impl<'a> BlockChecker<'a> {
             let value = String::new();
             let finding = Finding::UnusableParameterValue { address: Address::L, parameter: index, value, needs };
             self.report(l, finding);
+            self.refused.push(l.start());
         }
     }
 

@@ -147,7 +147,9 @@ fn jump(
         // It has its finding: what its fix makes of it is a guess.
         Err(_) if written.l.is_faulty() => None,
         Err(diagnostic) => {
-            context.findings.add(*diagnostic);
+            if let Some(diagnostic) = diagnostic {
+                context.findings.add(*diagnostic);
+            }
             None
         }
     }
@@ -165,9 +167,15 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         if has_parametric_call(words) {
             return;
         }
-        // A G71 that clashes with another function of its group names it too.
-        if words.iter().any(|word| g_code(*word) == Some(GCode::G71)) {
-            let l = words.iter().copied().find(|word| word.address == Address::L).and_then(l_number);
+        let calls = words.iter().any(|word| g_code(*word) == Some(GCode::G71));
+        let l = words.iter().copied().find(|word| word.address == Address::L);
+        if calls && l.is_none() {
+            // It has its finding: it may be to call any of them.
+            return;
+        }
+        // A G71 that clashes with another function of its group names it too, and so does one from a parameter.
+        if calls || Roles::written(words).taker.may_be(GCode::G71) {
+            let l = l.and_then(l_number);
             // Of a number that no subprogram has, the one that it offers was meant.
             let known =
                 |l: u32| if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l) };

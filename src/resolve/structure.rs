@@ -7,6 +7,7 @@ use super::blocks::{BlockChecker, g_code, m_number};
 use super::checks::look_at_blocks;
 use super::foreign::Origin;
 use super::letters::Letters;
+use super::meant::{may_have_end, may_hold};
 use super::numbers::REACHABLE;
 use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
@@ -123,12 +124,13 @@ impl Context<'_, '_> {
         let file = FileId(0);
         let (end, ended) = main_end(&parsed);
         let first = BlockId(0);
-        resolved.add_unit(Unit { kind: UnitKind::Main, file, first, end, entry: program });
+        let main = Unit { kind: UnitKind::Main, file, first, end, entry: program };
+        resolved.add_unit(main);
         let mut excused = Vec::new();
         self.add_subprograms(resolved, &parsed, end, &mut excused);
         // Words without any block are one error already (BLK-2).
         let no_block = parsed.block_count() == 0 && parsed.words_outside;
-        if !ended && !no_block {
+        if !ended && !no_block && !may_have_end(&parsed, &main) {
             let place = if end == first { program } else { parsed.n_place(BlockId(end.0 - 1)) };
             // An end that stands behind subprograms is the one that is missing before them.
             let late = self.pending.take_end().and_then(|block| end_word(self.settings, &parsed, block));
@@ -154,7 +156,7 @@ impl Context<'_, '_> {
         excused: &mut Vec<BlockId>,
     ) {
         let mut block = from;
-        let mut stray = false;
+        let (mut stray, mut unread) = (false, false);
         let mut count = 0;
         let mut first_of: BTreeMap<u32, Word> = BTreeMap::new();
         let program_end = parsed.program_end();
@@ -162,11 +164,18 @@ impl Context<'_, '_> {
             let flags = parsed.flags(block);
             if !flags.has(BlockFlags::ENTRY) {
                 if !stray {
+                    // With a G79 that cannot be read it is a subprogram, nobody knows which.
+                    unread = may_hold(parsed, block, Address::G, &[GCode::G79.number()]);
+                    resolved.nameless_subprogram |= unread;
+                }
+                if !stray && !unread {
                     let number = parsed.shown_number(block);
                     self.pending.strays.push(Stray::new(parsed.n_place(block), number));
                 }
                 stray = true;
-                self.pending.note(block, flags);
+                if !unread {
+                    self.pending.note(block, flags);
+                }
                 block = block.next();
                 continue;
             }
@@ -174,9 +183,6 @@ impl Context<'_, '_> {
             count += 1;
             let entry = entry_place(parsed, block);
             let (end, ended) = unit_end(parsed, block);
-            if !ended {
-                excused.extend(self.report_unterminated(parsed, block, end, entry, false));
-            }
             if count == SUBPROGRAMS + 1 {
                 self.report(entry, Finding::TooManySubprograms {});
             }
@@ -184,7 +190,11 @@ impl Context<'_, '_> {
             let l_word = entry_l(parsed, block);
             let l = l_word.and_then(l_number);
             let kind = UnitKind::Subprogram(l);
-            let id = resolved.add_unit(Unit { kind, file: FileId(0), first: block, end, entry });
+            let unit = Unit { kind, file: FileId(0), first: block, end, entry };
+            let id = resolved.add_unit(unit);
+            if !ended {
+                excused.extend(self.report_unterminated(parsed, &unit));
+            }
             if let (Some(word), Some(l)) = (l_word, l) {
                 match first_of.get(&l) {
                     None => {
@@ -203,14 +213,12 @@ impl Context<'_, '_> {
     }
 
     /// A unit without G70 (PRG-3). Gives the block at its end that holds M02 or M30 instead: it has no finding of its own.
-    fn report_unterminated(
-        &mut self,
-        parsed: &ParsedFile,
-        first: BlockId,
-        end: BlockId,
-        entry: Location,
-        macrocycle: bool,
-    ) -> Option<BlockId> {
+    fn report_unterminated(&mut self, parsed: &ParsedFile, unit: &Unit) -> Option<BlockId> {
+        let Unit { kind, first, end, entry, .. } = *unit;
+        let macrocycle = matches!(kind, UnitKind::Macrocycle(_));
+        if may_have_end(parsed, unit) {
+            return None;
+        }
         let last = end.0.checked_sub(1).map(BlockId).filter(|last| *last >= first);
         let ends = last.and_then(|last| end_word(self.settings, parsed, last));
         let instead = ends.or_else(|| self.return_elsewhere(parsed, last?));
@@ -263,17 +271,18 @@ impl Context<'_, '_> {
             let finding = Finding::MacrocycleNumberMismatch { file: name, expected: l, found: None };
             self.report(entry, finding);
         }
+        let file = FileId(u32::try_from(resolved.files.len()).unwrap_or(u32::MAX));
+        let unit = Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry };
         let mut excused = None;
         if !ended && (begins || empty) {
-            excused = self.report_unterminated(&parsed, first, end, entry, true);
+            excused = self.report_unterminated(&parsed, &unit);
         }
         if end.0 < parsed.block_count() {
             let finding = Finding::BlockAfterMacrocycleEnd { block: parsed.shown_number(end) };
             self.report(parsed.n_place(end), finding);
         }
-        let file = FileId(u32::try_from(resolved.files.len()).unwrap_or(u32::MAX));
         let known = resolved.units.len();
-        let id = resolved.add_unit(Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry });
+        let id = resolved.add_unit(unit);
         resolved.macrocycles.insert(l, id);
         self.add_checked(resolved, parsed, known, excused.as_slice());
         id

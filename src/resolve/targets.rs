@@ -1,6 +1,7 @@
 //! Where calls and jumps lead, and what is said when they lead nowhere: the same for numbers that are written and for those
 //! that parameters give.
 
+use super::meant::may_have_block;
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind};
 use crate::config::Machine;
 use crate::diag::{Diagnostic, Finding, LabelText, shown};
@@ -51,18 +52,19 @@ pub fn missing_control_words(function: GCode, has: impl Fn(u8) -> bool) -> Optio
 /// The block that a jump of `unit` to `l` reaches (FLW-5).
 ///
 /// # Errors
-/// Why there is none, at `at`.
-pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Result<BlockId, Box<Diagnostic>> {
+/// Why there is none, at `at`; nothing when it may be a block whose number cannot be read, which has its finding.
+pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Result<BlockId, Option<Box<Diagnostic>>> {
     match resolved.numbered(unit.file, l) {
         Some(block) if unit.contains(block) => Ok(block),
         Some(block) => {
             let there = resolved.file(unit.file).map(|file| file.n_place(block)).unwrap_or_default();
             let label = LabelText::BlockHere { block: l };
-            Err(Box::new(Diagnostic::new(Finding::JumpOutOfUnit { l }, at).with_label(there, label)))
+            Err(Some(Box::new(Diagnostic::new(Finding::JumpOutOfUnit { l }, at).with_label(there, label))))
         }
+        None if resolved.file(unit.file).is_some_and(|file| may_have_block(file, unit, l)) => Err(None),
         None => {
             let near = resolved.nearest_block(unit, l);
-            Err(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near }, at)))
+            Err(Some(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near }, at))))
         }
     }
 }

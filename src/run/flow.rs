@@ -234,7 +234,9 @@ impl Flow<'_, '_> {
         match jump_target(&self.program.resolved, &unit, number, place) {
             Ok(block) => Some(block),
             Err(diagnostic) => {
-                self.report(with_origin(self.state, *diagnostic, word));
+                if let Some(diagnostic) = diagnostic {
+                    self.report(with_origin(self.state, *diagnostic, word));
+                }
                 None
             }
         }

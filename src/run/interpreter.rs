@@ -11,7 +11,7 @@ use super::state::{Origins, State};
 use super::{functions, m_functions, motion, parameters, reading, technology, warnings};
 use crate::diag::{Diagnostic, Finding, Findings};
 use crate::dict::{GCode, GGroup};
-use crate::resolve::{Target, Unit, UnitKind};
+use crate::resolve::{Target, Unit, UnitKind, may_have_end};
 use crate::syntax::{BlockFlags, BlockId};
 use crate::text::FileId;
 
@@ -254,6 +254,9 @@ impl Interpreter {
 
     /// BLK-10: a skipped end is a missing end.
     fn report_missing_end(&self, program: &Program<'_>, unit: Unit, findings: &mut Findings) {
+        if program.resolved.file(unit.file).is_some_and(|file| may_have_end(file, &unit)) {
+            return;
+        }
         let (finding, at) = match unit.kind {
             UnitKind::Main => {
                 let last = BlockId(unit.end.0.saturating_sub(1));

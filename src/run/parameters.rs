@@ -257,14 +257,14 @@ fn report_arithmetic(
 /// The G function that a word gives, also from a parameter (PAR-3, BLK-10).
 pub(super) fn evaluate_g(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: Word) -> Option<GCode> {
     let Some(value) = evaluate(site, state, word) else {
-        words.unknown_g = true;
+        (words.unknown_g, words.malformed_g) = (true, true);
         return None;
     };
     let number = value.as_whole().and_then(|number| u8::try_from(number).ok()).filter(|number| *number <= 99);
     let Some(number) = number else {
         let needs = if value.is_whole() { ParameterNeed::Range("0–99".to_owned()) } else { ParameterNeed::Whole };
         report_unusable(site, state, word, value, needs);
-        words.unknown_g = true;
+        (words.unknown_g, words.malformed_g) = (true, true);
         return None;
     };
     let Some(code) = GCode::from_number(number) else {
@@ -275,15 +275,20 @@ pub(super) fn evaluate_g(site: &mut Site<'_>, state: &mut State, words: &mut Blo
     };
     if word.is_parametric() && matches!(code, GCode::G70 | GCode::G79) {
         report_unusable(site, state, word, value, ParameterNeed::WrittenOut(code.to_string()));
+        words.unknown_g = true;
         return None;
     }
     Some(code)
 }
 
 /// The M function that a word gives, also from a parameter (PAR-3, BLK-10).
-pub(super) fn evaluate_m(site: &mut Site<'_>, state: &mut State, word: Word) -> Option<u8> {
-    let value = evaluate_form(site, state, word, false, None).value?;
-    let number = value.as_whole().and_then(|number| u8::try_from(number).ok())?;
+pub(super) fn evaluate_m(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: Word) -> Option<u8> {
+    let value = evaluate_form(site, state, word, false, None).value;
+    let whole = |value: Decimal| Some((value, u8::try_from(value.as_whole()?).ok()?));
+    let Some((value, number)) = value.and_then(whole) else {
+        words.malformed_m = true;
+        return None;
+    };
     if word.is_parametric() && PROGRAM_ENDS.contains(&number) {
         report_unusable(site, state, word, value, ParameterNeed::WrittenOut(format!("M{number:02}")));
         return None;

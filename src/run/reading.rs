@@ -113,7 +113,7 @@ fn read_m(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
         }
         return;
     }
-    let Some(number) = evaluate_m(site, state, word) else { return };
+    let Some(number) = evaluate_m(site, state, words, word) else { return };
     let functions = &site.machine().m_functions;
     let group = functions.group(number);
     let conflict = words.m.iter().copied().find(|(other, _)| functions.group(*other) == group);

@@ -37,9 +37,9 @@ pub(super) struct BlockWords {
     pub(super) r: Vec<Word>,
     /// A G word whose value is not known.
     pub(super) unknown_g: bool,
-    /// A G word that is malformed: it may be any function.
+    /// A G word that is malformed, or whose parameter has no value of use: it may be any function.
     pub(super) malformed_g: bool,
-    /// An M word that is malformed.
+    /// The same of an M word.
     pub(super) malformed_m: bool,
     /// G groups of which two functions are written (E0307), those in which one of the two lasts.
     pub(super) clashes: Groups,

@@ -54,7 +54,8 @@ pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, fi
         let starts = |start: u32| text.as_bytes().get(start as usize) == Some(&b'%');
         let program = starts(first.start) || rest.take(FAR).any(|token| starts(token.start));
         // `R50=R50*2`: nothing but the star is between two factors.
-        let factor = |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
+        let factor =
+            |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
         let before = text.as_bytes().get((after as usize).saturating_sub(2));
         let product = first.start == after && factor(before) && factor(text.as_bytes().get(first.start as usize));
         let meant = match (program, product) {

@@ -8,7 +8,10 @@ use crate::cli::{BAD, GOOD, Place, Run, closed_pipe};
 fn the_output_must_be_a_place_for_a_file() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("folder/x", b"")]);
     place.run(&["compile", "a.nc", "-o", "folder"]).ends(2).says("cannot write folder: it is a directory");
-    place.run(&["compile", "a.nc", "-o", "missing/a.jsonl"]).ends(2).says("cannot write missing/a.jsonl: there is no such folder");
+    place
+        .run(&["compile", "a.nc", "-o", "missing/a.jsonl"])
+        .ends(2)
+        .says("cannot write missing/a.jsonl: there is no such folder");
     place.run(&["compile", "a.nc", "-o", "missing/a.jsonl", "--lang", "cs"]).ends(2).says("nelze zapsat");
     assert_eq!(place.list(), ["a.nc", "folder"]);
 }

@@ -1,0 +1,21 @@
+%196 "what an unknown function may have changed is unknown
+N10 G0 X0 Y0 F100 S500
+N20 GR77
+"   ^^^^ W0503
+N30 X5 Y0
+N40 G2 X10 Y0 I5
+N50 F0.5
+N60 G94 F100
+N70 MR78
+"   ^^^^ W0503
+N80 G1 X20 Y0
+N90 M3
+N110 R1=-91
+N120 GR1
+"    ^^^ E0510
+N130 X5 Y0
+N140 G2 X10 Y0 I5
+N150 R1=79
+N160 GR1 L5
+"    ^^^ E0510
+N170 M30

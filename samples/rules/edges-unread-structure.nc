@@ -1,0 +1,23 @@
+%197 "what may be there, but cannot be read, is not missed
+N10 R1=71
+N20 G71 L7
+N30 G71 L8
+N40 G71 L9
+N50 GR1 L10
+N60 G73 L80 Q2
+N-80 X5
+"^^^ E0305
+N90 G73 L80 Q2
+N100 M30
+N110 G79.5 L7
+"     ^^^^ E0304
+N120 G70
+N130 G79 L8
+N140 X1
+N150 G70.5
+"     ^^^^ E0304
+N160 G79 L9
+N170 G-70
+"     ^^^ E0305
+N180 G79 L10
+N190 G70

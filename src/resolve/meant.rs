@@ -1,0 +1,40 @@
+//! What a malformed word may have been meant as. It has its finding; what follows from not knowing it has none (§13).
+
+use super::{Unit, UnitKind};
+use crate::dict::{Address, GCode, PROGRAM_ENDS};
+use crate::syntax::{BlockId, ParsedFile, Word};
+
+/// Whether a block has a word of that address whose number cannot be used, and that may have been meant as one of `numbers`.
+pub(super) fn may_hold(file: &ParsedFile, block: BlockId, address: Address, numbers: &[u8]) -> bool {
+    let unread = |word: &Word| {
+        let read = word.whole().and_then(|number| u8::try_from(number).ok()).is_some();
+        word.address == address && !read && !word.is_parametric()
+    };
+    let mut words = file.words(block).iter().copied().filter(unread);
+    words.any(|word| numbers.iter().any(|number| may_mean(file, word, u32::from(*number))))
+}
+
+/// Whether a unit without an end may have one that cannot be read: M02 or M30, in subprograms and macrocycles G70.
+pub fn may_have_end(file: &ParsedFile, unit: &Unit) -> bool {
+    let mut blocks = (unit.first.0..unit.end.0).map(BlockId);
+    match unit.kind {
+        UnitKind::Main => blocks.any(|block| may_hold(file, block, Address::M, &PROGRAM_ENDS)),
+        UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
+            blocks.any(|block| may_hold(file, block, Address::G, &[GCode::G70.number()]))
+        }
+    }
+}
+
+/// Whether a block of the unit has a number that cannot be read, and that may be `number`.
+pub(super) fn may_have_block(file: &ParsedFile, unit: &Unit, number: u32) -> bool {
+    let unread = |block: &BlockId| file.number(*block).is_none();
+    let mut blocks = (unit.first.0..unit.end.0).map(BlockId).filter(unread);
+    blocks.any(|block| file.n_word(block).is_some_and(|word| may_mean(file, word, number)))
+}
+
+/// Whether the digits of a word begin with those of `number`, or a parameter that does not exist stands for them.
+fn may_mean(file: &ParsedFile, word: Word, number: u32) -> bool {
+    let text = file.source.slice(word.span(file.source.text()));
+    let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+    text.contains(['R', 'r']) || digits.trim_start_matches('0').starts_with(&number.to_string())
+}
