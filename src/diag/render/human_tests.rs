@@ -264,11 +264,11 @@ fn a_line_of_ten_megabytes() {
 /// long, where a search from the beginning would take a hundred times. The bound leaves room for a busy machine.
 #[test]
 fn ten_thousand_findings() {
-    let time_of = |count: usize| {
+    let time_of = |count: u32| {
         let report = samples::many(count);
         let start = std::time::Instant::now();
         let text = rendered(Format::Human, &report, Lang::En, true);
-        assert_eq!(text.matches("is the first one").count(), count);
+        assert_eq!(text.matches("is the first one").count(), count as usize);
         start.elapsed()
     };
     let (few, many) = (time_of(999), time_of(9_999));
