@@ -36,7 +36,7 @@ pub(super) fn run(args: &ReportArgs, locale: Locale) -> Result<Status, Failure> 
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let sinks = ((SheetReader::new(), Estimate::new(settings, 0)), ());
     // A parameter of the machine is no error here: the sheet lists it.
-    let Run { outcome, whole } = session.run(&job.target().path, &job.target().name(), Purpose::Check, sinks);
+    let Run { outcome, whole } = session.run(&job.target().path, &job.target().name(), Purpose::Report, sinks);
     drop(progress);
     job.refuse_input()?;
     if let Some(((sheet, summary), _)) = &whole {

@@ -37,7 +37,7 @@ pub fn configure(
     let folder = project.and_then(Path::parent).unwrap_or(Path::new(""));
     settings.macrocycles = if overrides.macrocycles.is_empty() {
         let named = values.macrocycles.iter().flat_map(|list| &list.value);
-        let folders: Vec<_> = named.map(|(name, at)| (join(folder, name), *at)).collect();
+        let folders: Vec<_> = named.map(|(name, at)| (join(folder, name, files.loader), *at)).collect();
         files.check_folders(&folders, file);
         folders.into_iter().map(|(folder, _)| folder).collect()
     } else {
@@ -67,9 +67,21 @@ fn value<T>(setting: Option<Setting<T>>) -> Option<T> {
     setting.map(|setting| setting.value)
 }
 
-/// `name` in `folder`, without the parts that lead nowhere.
-fn join(folder: &Path, name: &str) -> PathBuf {
-    folder.join(name).components().filter(|part| *part != Component::CurDir).collect()
+/// `name` in `folder`, without the parts that lead nowhere, and without those that lead back where that is the same place
+/// (it is not behind a link): `q/../m` is `m`, so that one file has one name.
+fn join(folder: &Path, name: &str, loader: &dyn Loader) -> PathBuf {
+    let path: PathBuf = folder.join(name).components().filter(|part| *part != Component::CurDir).collect();
+    let mut short = PathBuf::new();
+    for part in path.components() {
+        let back = part == Component::ParentDir && matches!(short.components().next_back(), Some(Component::Normal(_)));
+        if back {
+            short.pop();
+        } else {
+            short.push(part);
+        }
+    }
+    let same = !short.as_os_str().is_empty() && loader.canonical(&short) == loader.canonical(&path);
+    if same { short } else { path }
 }
 
 /// What the machine is, M functions excepted.
@@ -245,7 +257,7 @@ impl Files<'_> {
         let dialect = settings.machine.dialect;
         let (path, option) = match (&overrides.channel_config, &values.channel_config) {
             (Some(path), _) => (path.clone(), None),
-            (None, Some(named)) => (join(folder, &named.value), Some(named)),
+            (None, Some(named)) => (join(folder, &named.value, self.loader), Some(named)),
             (None, None) => return,
         };
         if !dialect.has_channel_config() {

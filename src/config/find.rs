@@ -1,7 +1,7 @@
 //! The project file of a program: in its folder, or in the nearest folder above.
 
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use crate::text::Loader;
 
@@ -9,15 +9,23 @@ use crate::text::Loader;
 pub const PROJECT_FILE: &str = "cnc872c.toml";
 
 /// The project file of the programs in `start_folder`: that of the folder itself or of the nearest folder above it, by
-/// the folder's absolute path. A relative path comes back when the file is in `start_folder` or in a folder that its
-/// path passes through, so that messages name it as the user would.
+/// the folder's absolute path. From a relative path a relative one comes back: through the folders that it names, else
+/// upwards from the working folder. So messages name files as the user would, and streams name them alike on every machine.
 ///
 /// A file that exists and cannot be read counts, so that [`configure`](super::configure()) reports it.
 pub fn find_project(start_folder: &Path, loader: &dyn Loader) -> Option<PathBuf> {
     let start = canonical(start_folder, loader);
     let folder = start.ancestors().find(|folder| exists(&folder.join(PROJECT_FILE), loader))?;
-    let named = start_folder.ancestors().find(|named| canonical(named, loader) == folder).unwrap_or(folder);
-    Some(named.join(PROJECT_FILE))
+    let named = start_folder.ancestors().find(|named| canonical(named, loader) == folder).map(Path::to_path_buf);
+    let named = named.or_else(|| if start_folder.is_absolute() { None } else { upwards(folder, loader) });
+    Some(named.unwrap_or_else(|| folder.to_path_buf()).join(PROJECT_FILE))
+}
+
+/// The way from the working folder up to one above it.
+fn upwards(folder: &Path, loader: &dyn Loader) -> Option<PathBuf> {
+    let here = canonical(Path::new(""), loader);
+    let below = here.strip_prefix(folder).ok()?;
+    Some(below.components().map(|_| Component::ParentDir).collect())
 }
 
 /// The canonical path of a folder; the working folder, which is an empty path here, is `.` to the operating system.
@@ -78,8 +86,8 @@ mod tests {
             ("samples", "/shop/samples/cnc872c.toml", "samples/cnc872c.toml"),
             ("samples/err", "/shop/samples/cnc872c.toml", "samples/cnc872c.toml"),
             ("samples/err", "/shop/cnc872c.toml", "cnc872c.toml"),
-            ("samples", "/cnc872c.toml", "/cnc872c.toml"),
-            ("", "/cnc872c.toml", "/cnc872c.toml"),
+            ("samples", "/cnc872c.toml", "../cnc872c.toml"),
+            ("", "/cnc872c.toml", "../cnc872c.toml"),
             ("/shop/a", "/shop/cnc872c.toml", "/shop/cnc872c.toml"),
             ("/locked/a", "/nothing", "/locked/a/cnc872c.toml"),
         ] {

@@ -321,6 +321,8 @@ pub enum Purpose {
     Check,
     /// `compile`: the stream; a parameter without a value is an error there (PAR-5).
     Compile,
+    /// `report`: all that a program does. What only the machine knows is listed there, and is no error.
+    Report,
 }
 
 impl Settings {
@@ -328,7 +330,7 @@ impl Settings {
     pub fn severity_for(&self, code: Code, purpose: Purpose) -> Option<Severity> {
         match purpose {
             Purpose::Compile if code == Code::W0503 => Some(Severity::Error),
-            Purpose::Compile | Purpose::Check => self.severity(code),
+            Purpose::Compile | Purpose::Check | Purpose::Report => self.severity(code),
         }
     }
 

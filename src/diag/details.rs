@@ -13,7 +13,7 @@ bilingual! {
         Link "it is a link that leads to no file", "je to odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
         Changing "it is being written to", "právě se do něj zapisuje";
-        MacrocycleGiven "it is a macrocycle; compile takes a program", "je to makrocyklus; compile zpracuje program";
+        MacrocycleGiven "it is a macrocycle; name the program that calls it", "je to makrocyklus; uvést program, který ho volá";
         Other { reason: String } "{reason}", "{reason}";
     }
 }

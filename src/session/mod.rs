@@ -97,7 +97,7 @@ impl<'a> Session<'a> {
     /// What was found, when there is nothing to execute: the file cannot be read, its structure or flow has errors, or it is a
     /// macrocycle.
     pub fn open(&self, path: &Path, name: &str, purpose: Purpose) -> Result<Execution<'a>, Box<Outcome>> {
-        if purpose == Purpose::Compile && Self::is_macrocycle_name(path) {
+        if purpose != Purpose::Check && Self::is_macrocycle_name(path) {
             let mut outcome = self.outcome(purpose);
             self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
             return Err(Box::new(outcome));
@@ -232,7 +232,7 @@ fn first_fault(outcome: &Outcome, name: &str) -> Option<NotExecuted> {
 /// executing the program.
 const fn is_stopped(findings: &Findings, purpose: Purpose) -> bool {
     match purpose {
-        Purpose::Check => findings.fault_count() > 0,
+        Purpose::Check | Purpose::Report => findings.fault_count() > 0,
         Purpose::Compile => findings.has_errors(),
     }
 }

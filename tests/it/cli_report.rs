@@ -69,3 +69,10 @@ fn faults() {
     place.run(&["report", "a.nc", "-o", "sheet.html", "--format", "html"]).ends(0);
     assert!(place.read("sheet.html").starts_with(b"<!DOCTYPE html>"));
 }
+
+/// A macrocycle has no sheet of its own, as it has no stream.
+#[test]
+fn of_a_macrocycle() {
+    let run = place().run(&["report", "L9"]).ends(2);
+    assert!(run.stderr.contains("E0112") && run.stderr.contains("name the program that calls it"), "{run:?}");
+}

@@ -117,3 +117,21 @@ fn a_diff_is_a_patch() {
     assert!(!String::from_utf8(place.read("a.nc")).unwrap().contains('g'));
     place.run(&["check", "--diff", "a.nc"]).ends(0);
 }
+
+/// A macrocycle that the projects of two folders reach by two spellings is one file, with one name, and found once.
+#[test]
+fn one_macrocycle_of_two_projects() {
+    let project = "macrocycles = [\"../m\"]\n".as_bytes();
+    let program = b"%1\nN1 G72 L9001\nN2 M30\n";
+    let place = Place::with(&[
+        ("p/cnc872c.toml", project),
+        ("q/cnc872c.toml", project),
+        ("p/a.nc", program),
+        ("q/b.nc", program),
+        ("m/L9001", b"N1 G79 L9001\nN2\nN3 G70\n"),
+    ]);
+    let run = place.run(&["check", ".", "--format", "short"]).ends(0);
+    assert_eq!(run.stdout, "m/L9001:2:1: warning[W0214]: block N2 is empty\n", "{run:?}");
+    let run = place.run(&["compile", "p/a.nc"]).ends(0);
+    assert!(run.stdout.contains("\"name\":\"m/L9001\""), "{run:?}");
+}
