@@ -8,7 +8,7 @@ use std::path::Path;
 use cnc872c::config::{Purpose, Settings};
 use cnc872c::dict::Micro;
 use cnc872c::run::{End, Executed, FeedUnit, Length, MotionType, Sink};
-use cnc872c::{cli::DiskLoader, diag::Findings, session::Session};
+use cnc872c::{diag::Findings, disk::DiskLoader, session::Session};
 
 /// Rapid motions, in mm/min.
 const RAPID: f64 = 10_000.0;

@@ -7,7 +7,6 @@ use rayon::prelude::*;
 
 use super::args::{CheckArgs, FindingsArgs};
 use super::common::{Origins, Projects, overrides};
-use super::disk::DiskLoader;
 use super::fix::{diff_all, fix_all};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
@@ -16,6 +15,7 @@ use super::threads;
 use super::walk::{Found, Target, targets};
 use super::words::Words;
 use crate::diag::{Diagnostic, Finding, Findings, Format, Problem, Report, Shown, render};
+use crate::disk::DiskLoader;
 use crate::session::{Outcome, Session};
 use crate::text::{Location, SourceText, Sources, path_name};
 

@@ -5,7 +5,6 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::{CommonArgs, FindingsArgs};
-use super::disk::{DiskLoader, canonical, is_same_file, is_stdin};
 use super::locale::Locale;
 use super::status::{Failure, tell_unshown};
 use super::walk::Target;
@@ -13,6 +12,7 @@ use super::words::Words;
 use crate::config::{Overrides, Settings, configure, find_project, parse_parameter};
 use crate::diag::{Code, Findings, Format, Report, Shown, render};
 use crate::dict::Lang;
+use crate::disk::{DiskLoader, canonical, is_same_file, is_stdin};
 use crate::explain::nearest;
 use crate::text::{Loader, Sources};
 

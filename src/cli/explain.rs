@@ -1,4 +1,4 @@
-//! `explain`: pages about findings, functions, addresses and keys of the project file; else those that speak of a word.
+//! `explain`: pages about findings, functions, addresses and keys of the project file; else those that mention a word.
 
 use std::io::{self, IsTerminal, Write};
 
@@ -47,7 +47,7 @@ pub(super) fn run(args: &ExplainArgs, locale: Locale) -> Result<Status, Failure>
     Ok(status)
 }
 
-/// The pages that speak of a word. What has digits is a code or function, misspelled or of another control.
+/// The pages that mention a word. What has digits is a code or function, misspelled or of another control.
 fn hits(name: &str, unknown: &Unknown) -> Option<Vec<Hit>> {
     match unknown {
         Unknown::Word(_) | Unknown::M(_) => None,

@@ -9,7 +9,6 @@ use rayon::prelude::*;
 
 use super::common::Projects;
 use super::diff;
-use super::disk::{DiskLoader, canonical};
 use super::locale::Locale;
 use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{complain, tell};
@@ -18,6 +17,7 @@ use super::words::{Words, reason};
 use crate::config::{Level, Settings};
 use crate::diag::{Code, Diagnostic, Fix, FixTitle};
 use crate::dict::Lang;
+use crate::disk::{DiskLoader, canonical};
 use crate::edit::apply_fixes;
 use crate::session::Session;
 use crate::text::{FileId, Loader, Numbered, Sources};

@@ -260,7 +260,7 @@ Examples:
   cnc872c explain '&' X               addresses
   cnc872c explain ZMM10PI             signals of the PLC
   cnc872c explain limits.feed g97     keys of cnc872c.toml
-  cnc872c explain radius              the pages that speak of a word",
+  cnc872c explain radius              the pages that mention a word",
             cs: "\
 Příklady:
   cnc872c explain                     seznam všech hlášení
@@ -297,7 +297,7 @@ V souboru jsou všechny výchozí hodnoty; kde žádná není, je za # příklad
     about(
         "lsp",
         "Serves an editor: findings while typing, meanings, jumps (language server on stdin and stdout)",
-        "Slouží editoru: nálezy při psaní, významy, skoky (jazykový server na stdin a stdout)",
+        "Slouží editoru: hlášení při psaní, významy, skoky (jazykový server na stdin a stdout)",
         Bilingual {
             en: "\
 Editors start it themselves; docs/guide/editors.en.md says how they are set up.",

@@ -3,10 +3,10 @@
 use std::io::{self, BufReader, BufWriter, IsTerminal};
 use std::sync::Arc;
 
-use super::disk::DiskLoader;
 use super::locale::Locale;
 use super::status::{Failure, Status, tell};
 use super::words::Words;
+use crate::disk::DiskLoader;
 use crate::lsp::{Ended, serve};
 
 pub(super) fn run(locale: Locale) -> Result<Status, Failure> {

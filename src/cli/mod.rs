@@ -5,7 +5,6 @@ mod check;
 mod common;
 mod compile;
 mod diff;
-mod disk;
 mod explain;
 mod fix;
 mod help;
@@ -36,7 +35,6 @@ use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
 use args::{Command, CommandLine};
-pub use disk::DiskLoader;
 use locale::Locale;
 use status::{Failure, Status, exit_code};
 

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use super::args::{PlaneName, ViewArgs};
 use super::common::{overrides, print_beside};
-use super::disk::is_stdin;
 use super::job::{Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
@@ -14,6 +13,7 @@ use super::status::{Failure, Status, tell};
 use super::threads;
 use super::words::{Words, reason};
 use crate::config::Purpose;
+use crate::disk::is_stdin;
 use crate::session::Session;
 use crate::text::{FileId, path_name};
 use crate::view::{Part, Plane, Still, View, page};

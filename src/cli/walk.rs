@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::disk::{Entry, begins_program, canonical, entries, is_stdin};
+use crate::disk::{Entry, begins_program, canonical, entries, is_stdin};
 use crate::session::Session;
 use crate::text::{BrokenLink, path_name};
 

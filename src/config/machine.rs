@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use super::{ArcCenters, G97, MFunctions, Motion, SpindleAxis};
 use crate::diag::{Code, Levels, Severity};
-use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, M_GROUPS, Operation};
+use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, HIGHEST_S, M_GROUPS, Operation};
 use crate::text::Encoding;
 
 /// One axis of the machine.
@@ -137,7 +137,7 @@ impl Limits {
             records: 10_000_000,
             nesting: 32,
             feed: dialect.highest_feed(),
-            speed: 9999,
+            speed: HIGHEST_S,
             arc_tolerance: Decimal::from_thousandths(10),
         }
     }

@@ -41,7 +41,10 @@ impl Decades {
         } else {
             let (number, exact) = super::number::parse_rounding(&written.digits).ok_or(Miswritten::Digits)?;
             let shown = number.abs().thousandths();
-            u32::try_from(shown).ok().filter(|shown| exact && *shown <= 99_999_999).ok_or(Miswritten::Digits)?
+            u32::try_from(shown)
+                .ok()
+                .filter(|shown| exact && Decimal::whole(i64::from(*shown)) <= Decimal::WHOLE_MAX)
+                .ok_or(Miswritten::Digits)?
         };
         let negative = written.digits.starts_with('-') && thousandths != 0;
         if negative && !signed {

@@ -6,7 +6,7 @@ use super::motion::TimedFunction;
 use super::near::nearest;
 use super::number::HIGHEST_PARAMETER;
 use crate::diag::{Code, KnownNames};
-use crate::dict::{AxisLetter, Decimal, GGroup, Lang, M_GROUPS};
+use crate::dict::{AxisLetter, Decimal, GGroup, HIGHEST_L, Lang, M_GROUPS};
 
 /// Highest number of a machine constant.
 const HIGHEST_CONSTANT: u16 = 999;
@@ -80,7 +80,7 @@ impl Names {
             Self::Axes | Self::Corrections => DIMENSION,
             Self::Parameters => Takes::ParameterValue,
             Self::Operations => Takes::OneOf(operations),
-            Self::Cycles => Takes::Whole { min: 1, max: Some(9999) },
+            Self::Cycles => Takes::Whole { min: 1, max: Some(i64::from(HIGHEST_L)) },
             Self::Timed => Takes::Number { min: Decimal::ZERO, max: Decimal::whole(1_000_000) },
             Self::Constants => Takes::Constant,
             Self::Lints => Takes::OneOf(|| LEVELS.iter().map(|(name, _)| *name).collect()),

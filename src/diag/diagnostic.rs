@@ -3,7 +3,7 @@
 use super::{Code, Finding, FixTitle, LabelText};
 use crate::text::{FileId, Location};
 
-/// A finding, where it is, what else belongs to it, and how it may be mended.
+/// A finding, where it is, what else belongs to it, and how it may be fixed.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
     /// What is wrong.
@@ -70,7 +70,7 @@ pub struct CallSite {
     pub at: Location,
 }
 
-/// A change that mends a finding.
+/// A change that fixes what a finding reports.
 #[derive(Clone, Debug)]
 pub struct Fix {
     /// What it does.

@@ -19,7 +19,7 @@ use crate::dict::{Address, Dialect, GCode, GGroup, Lang, Plane};
 pub enum Severity {
     /// The program is wrong, or means something else than written.
     Error,
-    /// The program is legal but hardly meant so.
+    /// The program is legal, but probably not intended.
     Warning,
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Bilingual, Dialect};
+use super::{Bilingual, Decimal, Dialect};
 
 /// One of the nine letters an axis may have.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -173,12 +173,31 @@ pub struct AddressRow {
     pub meaning: Bilingual,
 }
 
+/// The highest block number (BLK-7).
+pub const HIGHEST_BLOCK: u32 = 99_999_999;
+/// The highest number of a subprogram or macrocycle, and of a block that L can name (FLW-5).
+pub const HIGHEST_L: u32 = 9999;
+/// The highest number of a parameter (PAR-1).
+pub const HIGHEST_PARAMETER: u8 = 95;
+/// Reserved for control functions.
+pub const RESERVED_PARAMETER: u8 = 95;
+/// The first parameter that holds a control word (PAR-7).
+pub const FIRST_CONTROL: u8 = 5;
+/// The last one.
+pub const LAST_CONTROL: u8 = 8;
+/// The most repeats, and the longest dwell in units of 10 ms (GRP-5).
+pub const HIGHEST_Q: i64 = 9999;
+/// The highest spindle speed, unless configured.
+pub const HIGHEST_S: u32 = 9999;
+/// The range of F per revolution, in mm (TEC-1).
+pub const FEED_PER_REVOLUTION: (Decimal, Decimal) = (Decimal::from_thousandths(1), Decimal::from_thousandths(99_999));
+
 use ValueForm::{Auxiliary, CorrectionDigits, Dimension, Feed, Parameter, Technological, Whole};
 
 addresses! {
     Program "%" b'%' Whole { min: 1, max: 999_999 }, false, false,
         "program number", "číslo partprogramu";
-    N "N" b'N' Whole { min: 1, max: 99_999_999 }, false, false,
+    N "N" b'N' Whole { min: 1, max: HIGHEST_BLOCK as i64 }, false, false,
         "block number", "číslo bloku";
     Skip "/" b'/' ValueForm::None, false, false,
         "block skip: the block is left out while block skip is on", "vynechání bloku: při zapnutém režimu „/“ se blok neprovede";
@@ -210,11 +229,11 @@ addresses! {
     F "F" b'F' Feed, false, true,
         "feed: mm/min under G94 and G96, mm/rev under G95; under G97 by the key `g97`",
         "posuv: při G94 a G96 v mm/min, při G95 v mm/ot; při G97 podle klíče `g97`";
-    S "S" b'S' Whole { min: 0, max: 9999 }, false, true, "spindle speed in rev/min", "otáčky vřetena za minutu";
-    L "L" b'L' Whole { min: 1, max: 9999 }, false, false,
+    S "S" b'S' Whole { min: 0, max: HIGHEST_S as i64 }, false, true, "spindle speed in rev/min", "otáčky vřetena za minutu";
+    L "L" b'L' Whole { min: 1, max: HIGHEST_L as i64 }, false, false,
         "number of a subprogram or macrocycle, or the block to jump to",
         "číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče";
-    Q "Q" b'Q' Whole { min: 1, max: 9999 }, false, false,
+    Q "Q" b'Q' Whole { min: 1, max: HIGHEST_Q }, false, false,
         "repeats of a call or jump; with G04 the dwell in units of 10 ms",
         "počet opakování volání nebo skoku; s G04 časová prodleva po 10 ms";
     H "H" b'H' Auxiliary, false, true, "auxiliary function, by the machine builder", "pomocná funkce, podle výrobce stroje";

@@ -1,8 +1,9 @@
 //! The three controls (§12 of the language).
 
 /// Which control a program is for.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, clap::ValueEnum)]
-#[value(rename_all = "lower")]
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "cli", value(rename_all = "lower"))]
 pub enum Dialect {
     /// CNC8x6: six axes, machine constants R56–R59 for M groups 10–13.
     Cnc8x6,

@@ -1,13 +1,25 @@
 //! The two languages of the project's users.
 
 /// A language of messages and pages.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Lang {
     /// English.
     #[default]
     En,
     /// Czech.
     Cs,
+}
+
+impl Lang {
+    /// The language that options and settings call so: `en`, `cs`, in either case.
+    pub fn named(name: &str) -> Option<Self> {
+        match name.to_ascii_lowercase().as_str() {
+            "en" => Some(Self::En),
+            "cs" => Some(Self::Cs),
+            _ => None,
+        }
+    }
 }
 
 /// One text in both languages.

@@ -10,6 +10,38 @@ pub const MOMENTARY_GROUPS: [u8; 3] = [1, 7, 9];
 
 /// Feed reduced 1:100 (TEC-6).
 pub const REDUCED_FEED: u8 = 37;
+/// The group of M36 and M37 (TEC-6).
+pub const FEED_GROUP: usize = 4;
+
+/// The group of stops and of the end of the program.
+pub const PROGRAM_GROUP: usize = 1;
+/// The program stands until START (MFN-8).
+pub const PROGRAM_STOP: u8 = 0;
+/// The same, with optional stop (MFN-8).
+pub const OPTIONAL_STOP: u8 = 1;
+
+/// The spindle's group.
+pub const SPINDLE_GROUP: usize = 2;
+/// The spindle turns.
+pub const SPINDLE_TURNS: [u8; 2] = [3, 4];
+/// The spindle stands.
+pub const SPINDLE_STOP: u8 = 5;
+/// The spindle stands where it is oriented (MFN-10).
+pub const ORIENTED_STOP: u8 = 19;
+
+/// The group of spindle ranges.
+pub const GEAR_GROUP: usize = 3;
+/// The range follows from S (MFN-9).
+pub const GEAR_BY_SPEED: u8 = 40;
+/// The functions of ranges 1 to 4.
+pub const GEARS: std::ops::RangeInclusive<u8> = 41..=44;
+
+/// Tool change.
+pub const TOOL_CHANGE: u8 = 6;
+
+/// Groups that are switched off while the program stands and at its end, with the functions that do it when no others are
+/// configured: spindle, coolant 1 and 2, coolant 3 and 4 (MFN-6, MFN-8).
+pub const HELD_AT_STOP: [(usize, u8); 3] = [(SPINDLE_GROUP, SPINDLE_STOP), (5, 9), (6, 53)];
 
 /// The functions that end a program.
 pub const PROGRAM_ENDS: [u8; 2] = [2, 30];

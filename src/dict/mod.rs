@@ -1,7 +1,7 @@
 //! The language as data: addresses, G functions, M functions, dialects, and the exact numbers of words.
 //!
-//! Every row says what it is in English and Czech and which rule it comes from. The parser, the checks, `explain` and the
-//! reference pages read these rows; nothing else knows the functions by number.
+//! Every row says what it is in English and Czech. The parser, the checks, `explain` and the reference pages read these
+//! rows. M functions that rules of execution name are constants beside the rows; so are limits.
 
 mod address;
 mod arithmetic;
@@ -13,13 +13,20 @@ mod mcode;
 mod micro;
 mod plane;
 
-pub use address::{Address, AddressRow, AxisLetter, ValueForm};
+pub use address::{
+    Address, AddressRow, AxisLetter, FEED_PER_REVOLUTION, FIRST_CONTROL, HIGHEST_BLOCK, HIGHEST_L, HIGHEST_PARAMETER,
+    HIGHEST_Q, HIGHEST_S, LAST_CONTROL, RESERVED_PARAMETER, ValueForm,
+};
 pub use arithmetic::Operation;
 pub use decimal::Decimal;
 pub use dialect::Dialect;
 pub use gcode::{GCode, GGroup, Lasting};
 pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
-pub use mcode::{M_GROUPS, MOMENTARY_GROUPS, MRow, PROGRAM_ENDS, REDUCED_FEED, standard_m_functions};
+pub use mcode::{
+    FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP, GEARS, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, MRow, OPTIONAL_STOP,
+    ORIENTED_STOP, PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, REDUCED_FEED, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS,
+    TOOL_CHANGE, standard_m_functions,
+};
 pub use micro::Micro;
 pub use plane::{Plane, PlaneAxis};

@@ -1,13 +1,13 @@
 //! New numbers for the blocks of a file: N10, N20, and so on through all its units, with the jumps rewritten.
 //!
 //! `%` and the L of calls and subprograms stay. When ten by ten gives a jump a target that it cannot reach (FLW-5), or a
-//! line that is too long (LEX-7), a smaller step is taken. Duplicate numbers are mended, unless a jump leads to one.
+//! line that is too long (LEX-7), a smaller step is taken. Duplicate numbers are corrected, unless a jump leads to one.
 
 use std::collections::BTreeMap;
 
 use super::edit_texts::EditText;
 use super::line_length::first_long_line;
-use crate::dict::{Address, GCode};
+use crate::dict::{Address, GCode, HIGHEST_BLOCK, HIGHEST_L};
 use crate::query::analysis::Analysis;
 use crate::query::cursor::DOCUMENT;
 use crate::resolve::{Roles, Taker, Target, g_code};
@@ -16,10 +16,6 @@ use crate::text::Span;
 
 /// Distances of numbers, the usual one first.
 const STEPS: [u32; 4] = [10, 5, 2, 1];
-/// The highest number that a jump reaches (FLW-5).
-const REACHABLE: u32 = 9999;
-/// The highest number of a block.
-const HIGHEST: u32 = 99_999_999;
 
 /// The new numbers of a file.
 #[derive(Debug)]
@@ -111,7 +107,7 @@ fn unambiguous(file: &ParsedFile, jumps: &Jumps) -> Result<(), EditText> {
 
 /// The edits that give the blocks numbers of that distance.
 fn numbered(file: &ParsedFile, jumps: &Jumps, step: u32) -> Result<Vec<(Span, String)>, EditText> {
-    let number = |block: BlockId| block.0.checked_add(1)?.checked_mul(step).filter(|number| *number <= HIGHEST);
+    let number = |block: BlockId| block.0.checked_add(1)?.checked_mul(step).filter(|number| *number <= HIGHEST_BLOCK);
     if number(BlockId(file.block_count() - 1)).is_none() {
         return Err(EditText::TooManyBlocks);
     }
@@ -127,7 +123,7 @@ fn numbered(file: &ParsedFile, jumps: &Jumps, step: u32) -> Result<Vec<(Span, St
         let (Some(word), Some(new)) = (file.n_word(block), number(block)) else { return Err(EditText::TooManyBlocks) };
         replace(word, new);
         if let Some((l, target)) = jumps.get(&block) {
-            let Some(target) = number(*target).filter(|target| *target <= REACHABLE) else {
+            let Some(target) = number(*target).filter(|target| *target <= HIGHEST_L) else {
                 return Err(EditText::TargetTooHigh);
             };
             replace(*l, target);

@@ -1,4 +1,4 @@
-//! Which pages speak of a word: `explain posuv`, `explain radius`.
+//! Which pages mention a word: `explain posuv`, `explain radius`.
 
 use super::Topic;
 use crate::dict::Lang;

@@ -22,7 +22,7 @@ use crate::query;
 use crate::session::Session;
 use crate::text::{FileId, SourceText, Span};
 
-/// Most rounds of fixes: each mends what the one before brought to light.
+/// Most rounds of fixes: each applies what the one before uncovered.
 const MOST_ROUNDS: usize = 16;
 /// The fixes of a file together.
 pub(super) const FIX_ALL: &str = "source.fixAll.cnc872c";

@@ -10,6 +10,7 @@ use gen_lsp_types::{
 use super::analysis::Analysis;
 use super::places::{Places, offset};
 use super::requests::{Answer, Refusal, Snapshot};
+use crate::dict::{HIGHEST_BLOCK, HIGHEST_L, HIGHEST_PARAMETER};
 use crate::edit::line_length::first_long_line;
 use crate::query::cursor::DOCUMENT;
 use crate::query::names::{Name, Naming, Usage};
@@ -106,9 +107,9 @@ fn meant(all: Vec<Naming>, chosen: &Naming) -> Vec<Naming> {
 /// The digits that are to be written: of a block or subprogram as they were typed, with or without its letter.
 fn number_of(typed: &str, name: Name) -> Result<String, NavigationText> {
     let (letter, most, reason) = match name {
-        Name::Block(_) => ('N', 99_999_999, NavigationText::BlockNumber),
-        Name::Subprogram(_) | Name::Macrocycle(_) => ('L', 9999, NavigationText::SubprogramNumber),
-        Name::Parameter(_) => ('R', 95, NavigationText::ParameterNumber),
+        Name::Block(_) => ('N', HIGHEST_BLOCK, NavigationText::BlockNumber),
+        Name::Subprogram(_) | Name::Macrocycle(_) => ('L', HIGHEST_L, NavigationText::SubprogramNumber),
+        Name::Parameter(_) => ('R', u32::from(HIGHEST_PARAMETER), NavigationText::ParameterNumber),
     };
     let typed = typed.trim();
     let digits = typed.strip_prefix([letter, letter.to_ascii_lowercase()]).unwrap_or(typed);

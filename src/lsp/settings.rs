@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ValueEnum;
 use serde_json::Value;
 
 use crate::config::{Overrides, client_overrides};
@@ -30,7 +29,7 @@ pub(super) fn read(settings: &Value, folder: &Path) -> (ClientSettings, Vec<Stri
         match value.as_str() {
             Some("auto" | "") => {}
             name => {
-                lang = name.and_then(|name| Lang::from_str(name, true).ok());
+                lang = name.and_then(Lang::named);
                 if lang.is_none() {
                     wrong.push(format!("language: {value}"));
                 }

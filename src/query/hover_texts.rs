@@ -12,8 +12,8 @@ bilingual! {
         GGroup { group: String, meaning: &'static str } "group {group}: {meaning}", "skupina {group}: {meaning}";
         MGroup { group: u8 } "group {group} of the M functions", "skupina {group} funkcí M";
         ByBuilder "what it does is up to the machine builder", "co dělá, určuje výrobce stroje";
-        BreakCont "breaks continuous motion at the start of the block", "na začátku bloku přeruší plynulý pohyb";
-        BreakContEnd "breaks continuous motion at the end of the block", "na konci bloku přeruší plynulý pohyb";
+        BreakCont "breaks continuous motion at the start of the block", "na začátku bloku přeruší plynulou návaznost";
+        BreakContEnd "breaks continuous motion at the end of the block", "na konci bloku přeruší plynulou návaznost";
         ChangePos "moves the machine; positions are unknown after it", "pohne strojem; polohy po něm nejsou známy";
         LinearAxis "linear axis", "lineární osa";
         RotaryAxis "rotary axis", "rotační osa";

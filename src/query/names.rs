@@ -1,13 +1,10 @@
 //! What the words of a block name: blocks, subprograms, macrocycles, parameters.
 
 use crate::config::Machine;
-use crate::dict::{Address, GCode, GGroup};
+use crate::dict::{Address, FIRST_CONTROL, GCode, GGroup};
 use crate::resolve::{Roles, Taker, control_word, g_code, l_number};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::Span;
-
-/// The parameter of the first control word (PAR-7).
-const FIRST_CONTROL: u8 = 5;
 
 /// What a number names.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]

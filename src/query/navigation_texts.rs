@@ -27,7 +27,7 @@ bilingual! {
         Configured { r: u8 } "the configuration gives R{r} a value", "parametru R{r} dává hodnotu konfigurace";
         UsedInMacrocycle { r: u8, l: u32 } "macrocycle L{l} uses R{r} too, and programs that are not open may call it", "R{r} používá i makrocyklus L{l}, který mohou volat i programy, které nejsou otevřené";
         UnknownMacrocycle { n: u32 } "block N{n} may call a macrocycle that is known only when the program runs, and that may use the parameter", "blok N{n} může volat makrocyklus, který je znám až za běhu programu a může parametr používat";
-        MissingMacrocycle "a macrocycle that the program calls is not to be had, and may use the parameter", "makrocyklus, který program volá, není k dispozici a může parametr používat";
+        MissingMacrocycle "a called macrocycle cannot be loaded, and may use the parameter", "makrocyklus, který program volá, není k dispozici a může parametr používat";
         UnknownControlWord { n: u32 } "which parameters the control word in block N{n} names is not known", "které parametry označuje řídicí slovo v bloku N{n}, není známo";
         NotExecuted "the program has errors: which values its parameters have is not known", "program obsahuje chyby: jaké hodnoty mají parametry, není známo";
         NeverAssigned { r: u8 } "nothing here assigns R{r}: its value comes from the parameter table of the machine", "R{r} zde nedostává hodnotu: bere se z tabulky parametrů stroje";

@@ -11,7 +11,7 @@ use super::moves::{Moves, Seen};
 use super::values::Values;
 use crate::config::Machine;
 use crate::diag::Findings;
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro, PROGRAM_GROUP};
 use crate::resolve::{ControlWord, Library, control_word, g_code};
 use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Sink};
 use crate::session::Session;
@@ -228,7 +228,7 @@ impl<'a> Observer<'a> {
         self.observation.executed = executed.seq() + 1;
         self.observation.last = executed.n();
         if executed.last() {
-            self.observation.end = executed.m(1);
+            self.observation.end = executed.m(PROGRAM_GROUP);
         }
         if let Some(length) = executed.motion().and_then(|motion| motion.length().mm()) {
             self.observation.path = self.observation.path.plus(length);

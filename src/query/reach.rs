@@ -22,7 +22,7 @@ pub(crate) struct Reach<'a> {
     pub(crate) analysis: &'a Analysis,
     resolved: Cow<'a, Resolved>,
     sources: Cow<'a, Sources>,
-    /// A macrocycle of the cycle map is not to be had.
+    /// A macrocycle of the cycle map cannot be loaded.
     pub(crate) misses: bool,
 }
 

@@ -6,13 +6,11 @@ use super::names::{Name, Naming, Usage, arithmetic, control_words, is_unknown};
 use super::navigation_texts::NavigationText;
 use super::reach::Reach;
 use crate::diag::{Code, Diagnostic, Finding, Report};
-use crate::dict::{Address, GCode};
+use crate::dict::{Address, GCode, HIGHEST_L, RESERVED_PARAMETER};
 use crate::resolve::{Roles, Taker, UnitId, UnitKind, control_word, l_number};
 use crate::session::Session;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
-/// Reserved for control functions.
-const RESERVED: u8 = 95;
 /// The parameters of control words (PAR-7).
 const CONTROL: std::ops::RangeInclusive<u8> = 5..=8;
 
@@ -50,7 +48,7 @@ impl Doubts<'_> {
                 let (Name::Block(old), false) = (self.name, exists) else {
                     return Some(NavigationText::BlockExists { n });
                 };
-                let unreachable = (jumps && n > 9999).then_some(NavigationText::ReachableBlock { n: old });
+                let unreachable = (jumps && n > HIGHEST_L).then_some(NavigationText::ReachableBlock { n: old });
                 dangling.or(unreachable).or_else(|| self.unclear(GCode::G73, n))
             }
             Name::Subprogram(l) if exists => Some(NavigationText::SubprogramExists { l }),
@@ -119,7 +117,7 @@ impl Doubts<'_> {
     /// Parameters that something else than the program's words uses.
     fn special(&self, r: u8) -> Option<NavigationText> {
         let configured = self.reach.analysis.settings.machine.parameters.contains_key(&r);
-        if r == RESERVED {
+        if r == RESERVED_PARAMETER {
             Some(NavigationText::Reserved { r })
         } else if configured {
             Some(NavigationText::Configured { r })

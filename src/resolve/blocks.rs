@@ -11,7 +11,9 @@ use crate::diag::{
     Diagnostic, Finding, Findings, FixTitle, LabelText, OtherMeaning, ParameterNeed, PointMeant, TargetMeant,
     UnusedMeant,
 };
-use crate::dict::{Address, Decimal, GCode, GGroup, M_GROUPS, PROGRAM_ENDS};
+use crate::dict::{
+    Address, Decimal, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, M_GROUPS, PROGRAM_ENDS, RESERVED_PARAMETER,
+};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::{Location, Span};
 
@@ -21,12 +23,6 @@ const MOST_M: usize = 10;
 const MOST_R: usize = 95;
 /// So many subprograms are named in a help.
 const MOST_NAMED: usize = 5;
-/// The first parameter that holds a control word (PAR-7).
-pub const FIRST_CONTROL: u8 = 5;
-/// The last one.
-pub const LAST_CONTROL: u8 = 8;
-/// Reserved for control functions.
-const RESERVED: u8 = 95;
 
 /// Checks blocks of one file.
 pub(super) struct BlockChecker<'a> {
@@ -470,7 +466,7 @@ impl<'a> BlockChecker<'a> {
             {
                 *slot = Some(word);
             }
-            if word.target() == RESERVED && !word.is_void() {
+            if word.target() == RESERVED_PARAMETER && !word.is_void() {
                 self.report(word, Finding::ReservedParameter {});
             }
         }
@@ -645,7 +641,8 @@ impl<'a> BlockChecker<'a> {
 
 /// A call as other controls write it in one P, `P40010` for four times `O0010`.
 fn packed_call(address: Address, value: Decimal) -> Option<String> {
-    let digits = value.as_whole().filter(|digits| address == Address::P && (10_000..=99_999_999).contains(digits))?;
+    let digits = value.as_whole().filter(|digits| *digits >= 10_000)?;
+    (address == Address::P && value <= Decimal::WHOLE_MAX).then_some(())?;
     let (count, l) = (digits / 10_000, digits % 10_000);
     (1..=99).contains(&count).then_some(())?;
     (l > 0).then(|| format!("G71 L{l} Q{count}"))

@@ -2,8 +2,6 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::Unit;
 use super::blocks::BlockChecker;
 use super::letters::Letters;
@@ -11,6 +9,7 @@ use super::lines;
 use super::numbers::number_blocks;
 use crate::config::Settings;
 use crate::diag::{Diagnostic, Findings};
+use crate::parallel;
 use crate::syntax::{BlockId, ParsedFile};
 
 /// Longer files are checked in parts of so many blocks, on all cores.
@@ -52,7 +51,7 @@ pub(super) fn look_at_blocks(
     let layout = || (number_blocks(parsed), lines::check(parsed, units));
     let long = parsed.block_count() > SIDE_BY_SIDE;
     let (mut checked, (numbered, (findings, continuing_lines))) =
-        if long { rayon::join(check, layout) } else { (check(), layout()) };
+        if long { parallel::join(check, layout) } else { (check(), layout()) };
     checked.findings.append(numbered.findings);
     checked.findings.append(findings);
     checked.reachable = numbered.reachable;
@@ -86,7 +85,7 @@ fn check_blocks(
     }
     let parts = count.div_ceil(SIDE_BY_SIDE);
     let part = |part: u32| part * SIDE_BY_SIDE..count.min((part + 1) * SIDE_BY_SIDE);
-    let found: Vec<Checked> = (0..parts).into_par_iter().map(|at| check(part(at))).collect();
+    let found: Vec<Checked> = parallel::map((0..parts).collect(), |at| check(part(at)));
     let mut checked = Checked::default();
     found.into_iter().for_each(|part| checked.append(part));
     checked

@@ -2,7 +2,7 @@
 //! parameters give.
 
 use crate::config::Machine;
-use crate::dict::{Address, Decimal, GCode, ValueForm};
+use crate::dict::{Address, Decimal, FEED_PER_REVOLUTION, GCode, ValueForm};
 
 /// How a value does not fit.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -17,7 +17,7 @@ pub enum FormFault {
 
 /// The range of F that counts: by the G6 function in force, or both when that is not known (TEC-1).
 pub fn feed_range(machine: &Machine, mode: Option<GCode>) -> (Decimal, Decimal) {
-    let per_revolution = (Decimal::from_thousandths(1), Decimal::from_thousandths(99_999));
+    let per_revolution = FEED_PER_REVOLUTION;
     let per_minute = (Decimal::whole(1), machine.limits.feed);
     match mode {
         Some(mode) if machine.feeds_per_revolution(mode) => per_revolution,
@@ -45,7 +45,11 @@ pub fn check_form(
         if min <= value && value <= max { Ok(()) } else { Err(FormFault::Range(format!("{min}–{max}{unit}"))) }
     };
     let dimension = |unit: &str| {
-        if value.abs() <= Decimal::DIMENSION_MAX { Ok(()) } else { Err(FormFault::Range(format!("±69999.999{unit}"))) }
+        if value.abs() <= Decimal::DIMENSION_MAX {
+            Ok(())
+        } else {
+            Err(FormFault::Range(format!("±{}{unit}", Decimal::DIMENSION_MAX)))
+        }
     };
     match form {
         ValueForm::None => Ok(()),
@@ -66,7 +70,7 @@ pub fn check_form(
         ValueForm::Auxiliary => within(Decimal::whole(1), Decimal::whole(99), ""),
         ValueForm::Technological => within(Decimal::ZERO, Decimal::whole(i64::from(machine.dialect.highest_m())), ""),
         ValueForm::Parameter if value.fits_parameter() => Ok(()),
-        ValueForm::Parameter => Err(FormFault::Range("±69999.999, ±99999999".to_owned())),
+        ValueForm::Parameter => Err(FormFault::Range(format!("±{}, ±{}", Decimal::DIMENSION_MAX, Decimal::WHOLE_MAX))),
         ValueForm::Feed => {
             let (min, max) = feed_range(machine, feed);
             let unit = match feed {

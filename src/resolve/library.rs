@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::Problem;
+use crate::dict::HIGHEST_L;
 use crate::text::{Encoding, Loader, Numbered, SourceText, path_name};
 
 /// Why a macrocycle cannot be called.
@@ -60,7 +61,7 @@ impl<'a> Library<'a> {
         if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
             return None;
         }
-        digits.trim_start_matches('0').parse().ok().filter(|number| (1..=9999).contains(number))
+        digits.trim_start_matches('0').parse().ok().filter(|number| (1..=HIGHEST_L).contains(number))
     }
 
     /// The file of macrocycle `l`.

@@ -23,7 +23,7 @@ mod structure;
 mod targets;
 mod window;
 
-pub use blocks::{FIRST_CONTROL, LAST_CONTROL, g_code, m_number};
+pub use blocks::{g_code, m_number};
 pub use forms::{FormFault, check_form, feed_range};
 pub use library::{Library, MacrocycleFault};
 pub use meant::may_have_end;

@@ -1,10 +1,8 @@
 //! The block numbers of a file: which jumps can reach, and which stand twice (BLK-7).
 
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
+use crate::dict::HIGHEST_L;
 use crate::syntax::{BlockId, ParsedFile};
-
-/// Jumps and calls reach numbers of four digits (FLW-5).
-pub(super) const REACHABLE: u32 = 9999;
 
 /// What the numbers of a file's blocks lead to.
 pub(super) struct Numbered {
@@ -24,7 +22,7 @@ pub(super) fn number_blocks(parsed: &ParsedFile) -> Numbered {
         let Some(number) = parsed.number(block) else { continue };
         rising &= number > last;
         last = number;
-        if number <= REACHABLE {
+        if number <= HIGHEST_L {
             numbered.reachable.push((number, block));
         }
     }

@@ -1,5 +1,7 @@
 //! How near two numbers are as they are written.
 
+use crate::dict::HIGHEST_L;
+
 /// A sort key: how many digits have to be put in, left out, changed, or exchanged with their neighbours to make one of
 /// the other, and then how far they are from each other.
 pub(super) fn distance(one: u32, other: u32) -> (usize, u32) {
@@ -51,7 +53,7 @@ pub(super) fn slips(number: u32) -> impl Iterator<Item = u32> {
         }
     }
     let value = |text: Vec<u8>| String::from_utf8(text).ok()?.parse::<u32>().ok();
-    texts.into_iter().filter_map(value).filter(move |slip| *slip != number && (1..=9999).contains(slip))
+    texts.into_iter().filter_map(value).filter(move |slip| *slip != number && (1..=HIGHEST_L).contains(slip))
 }
 
 #[cfg(test)]

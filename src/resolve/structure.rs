@@ -8,12 +8,11 @@ use super::checks::look_at_blocks;
 use super::foreign::Origin;
 use super::letters::Letters;
 use super::meant::{may_have_end, may_hold};
-use super::numbers::REACHABLE;
 use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
-use crate::dict::{Address, Decimal, GCode, PROGRAM_ENDS};
+use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
 use crate::text::{FileId, Location, SourceText, Sources, Span, path_name};
 
@@ -385,7 +384,7 @@ fn entry_l(parsed: &ParsedFile, block: BlockId) -> Option<Word> {
 /// The number that an L word writes out, when it is in range.
 pub fn l_number(word: Word) -> Option<u32> {
     let number = word.whole().and_then(|number| u32::try_from(number).ok())?;
-    (1..=REACHABLE).contains(&number).then_some(number)
+    (1..=HIGHEST_L).contains(&number).then_some(number)
 }
 
 /// A control word taken apart (PAR-8).
@@ -408,7 +407,7 @@ pub struct ControlWord {
 /// # Errors
 /// What is wrong with it: its form, its operation, its fields, in this order.
 pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Finding> {
-    let whole = value.as_whole().filter(|whole| whole.abs() <= 99_999_999);
+    let whole = value.as_whole().filter(|_| value.abs() <= Decimal::WHOLE_MAX);
     let Some(whole) = whole else { return Err(Finding::MalformedControlWord { field: None }) };
     let digits = whole.abs();
     let operation_code = digits / 1_000_000;
@@ -419,7 +418,7 @@ pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Fi
     let field = |unit: i64| {
         let field = (digits / unit) % 100;
         match u8::try_from(field) {
-            Ok(parameter) if parameter <= 95 => Ok(parameter),
+            Ok(parameter) if parameter <= HIGHEST_PARAMETER => Ok(parameter),
             _ => Err(Finding::MalformedControlWord { field: Some(field) }),
         }
     };
@@ -432,8 +431,8 @@ pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Fi
 /// The parameter that receives the result of a control word, also of one that is wrong elsewhere; `None` when that cannot be
 /// told (§13).
 pub fn control_result(value: Decimal) -> Option<u8> {
-    let whole = value.as_whole().filter(|whole| whole.abs() <= 99_999_999)?;
-    u8::try_from(whole.abs() % 100).ok().filter(|parameter| *parameter <= 95)
+    let whole = value.as_whole().filter(|_| value.abs() <= Decimal::WHOLE_MAX)?;
+    u8::try_from(whole.abs() % 100).ok().filter(|parameter| *parameter <= HIGHEST_PARAMETER)
 }
 
 #[cfg(test)]

@@ -7,22 +7,17 @@ use super::state::State;
 use super::words::BlockWords;
 use crate::config::Machine;
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Decimal, GGroup};
+use crate::dict::{Decimal, GEAR_BY_SPEED, GEAR_GROUP, GEARS, GGroup};
 use crate::syntax::Word;
-
-/// The group of spindle ranges.
-pub(super) const RANGES: usize = 3;
-/// The range follows from S.
-pub(super) const BY_SPEED: u8 = 40;
 
 /// The gear in force, 1–4: by M41–M44, or the lowest that S fits under M40.
 pub(super) fn gear(machine: &Machine, state: &State) -> Option<u8> {
-    match state.m(RANGES) {
-        Some(m @ 41..=44) => Some(m - BY_SPEED),
-        Some(BY_SPEED) => {
+    match state.m(GEAR_GROUP) {
+        Some(m) if GEARS.contains(&m) => Some(m - GEAR_BY_SPEED),
+        Some(GEAR_BY_SPEED) => {
             let speed = speed(state)?;
             let gears = machine.gears.iter();
-            gears.filter(|gear| gear.min <= speed && speed <= gear.max).map(|gear| gear.m - BY_SPEED).min()
+            gears.filter(|gear| gear.min <= speed && speed <= gear.max).map(|gear| gear.m - GEAR_BY_SPEED).min()
         }
         Some(_) | None => None,
     }
@@ -39,14 +34,14 @@ pub(super) fn check(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &
     if machine.gears.is_empty() {
         return;
     }
-    let m_word = words.m.iter().find(|(m, _)| usize::from(machine.m_functions.group(*m)) == RANGES);
+    let m_word = words.m.iter().find(|(m, _)| usize::from(machine.m_functions.group(*m)) == GEAR_GROUP);
     let m_word: Option<Word> = m_word.map(|(_, word)| *word);
     let s_word = words.s.map(|valued| valued.word);
-    let (Some(word), Some(m), Some(s)) = (s_word.or(m_word), state.m(RANGES), speed(state)) else { return };
+    let (Some(word), Some(m), Some(s)) = (s_word.or(m_word), state.m(GEAR_GROUP), speed(state)) else { return };
     if g.of(GGroup::G6).is_some_and(|mode| machine.cuts_at_constant_speed(mode)) {
         return;
     }
-    let finding = if m == BY_SPEED {
+    let finding = if m == GEAR_BY_SPEED {
         if gear(machine, state).is_some() {
             return;
         }

@@ -7,15 +7,10 @@ use super::words::BlockWords;
 use super::{gears, spindle};
 use crate::config::{Machine, Settings};
 use crate::diag::Finding;
-use crate::dict::{M_GROUPS, PROGRAM_ENDS};
-
-/// Groups whose value is shown only in the block that programs them (MFN-6).
-const MOMENTARY: [usize; 3] = [1, 7, 9];
-
-/// Groups whose functions M02 and M30 send, whether they change or not (MFN-6).
-const SENT_AT_END: [usize; 3] = [2, 5, 6];
-/// The group of M36 and M37 (TEC-6).
-const FEED_RATE: usize = 4;
+use crate::dict::{
+    FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, OPTIONAL_STOP, ORIENTED_STOP,
+    PROGRAM_ENDS, PROGRAM_STOP, SPINDLE_GROUP, TOOL_CHANGE,
+};
 
 /// What M groups 2, 5 and 6 hold while the program stands.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -70,7 +65,7 @@ pub(super) fn apply(
     (m.moves_before, m.moves_after) = (false, false);
     (m.stop, m.end) = (None, None);
     let mut changed = [false; M_GROUPS];
-    let spindle_before = state.m(spindle::SPINDLE);
+    let spindle_before = state.m(SPINDLE_GROUP);
     for &(number, word) in &words.m {
         let Some(function) = site.machine().m_functions.get(number) else { continue };
         let group = usize::from(function.group);
@@ -88,9 +83,9 @@ pub(super) fn apply(
         m.break_cont |= function.break_cont;
         m.break_cont_end |= function.break_cont_end;
         match number {
-            0 | 1 => m.stop = Some(number),
-            6 => state.in_spindle = state.tool,
-            19 if !site.settings.machine.oriented_stop => {
+            PROGRAM_STOP | OPTIONAL_STOP => m.stop = Some(number),
+            TOOL_CHANGE => state.in_spindle = state.tool,
+            ORIENTED_STOP if !site.settings.machine.oriented_stop => {
                 site.found(Finding::OrientedStopUnavailable {}, site.word_place(word));
             }
             number if PROGRAM_ENDS.contains(&number) => m.end = Some(number),
@@ -98,20 +93,20 @@ pub(super) fn apply(
         }
     }
     forget_functions(state, words);
-    state.feed_reduced = site.machine().m_functions.reduces_feed(state.m(FEED_RATE));
+    state.feed_reduced = site.machine().m_functions.reduces_feed(state.m(FEED_GROUP));
     if m.end.is_some() {
         reset(site.machine(), state, &mut changed);
     }
     let gear = gears::gear(site.machine(), state);
-    if let Some(changed) = changed.get_mut(gears::RANGES) {
-        *changed |= state.m(gears::RANGES) == Some(gears::BY_SPEED) && gear != state.gear;
+    if let Some(changed) = changed.get_mut(GEAR_GROUP) {
+        *changed |= state.m(GEAR_GROUP) == Some(GEAR_BY_SPEED) && gear != state.gear;
     }
     state.gear = gear;
     gears::check(site, state, words, g);
     m.in_force = state.m;
     m.changed.extend((0..).zip(changed).filter_map(|(group, changed)| changed.then_some(group)));
-    for group in MOMENTARY {
-        if let Some(held) = state.m.get_mut(group) {
+    for group in MOMENTARY_GROUPS {
+        if let Some(held) = state.m.get_mut(usize::from(group)) {
             *held = None;
         }
     }
@@ -139,7 +134,7 @@ fn reset(machine: &Machine, state: &mut State, changed: &mut [bool; M_GROUPS]) {
     let defaults = machine.m_power_up;
     for (group, ((held, default), changed)) in state.m.iter_mut().zip(defaults).zip(changed).enumerate() {
         if let Some(default) = default {
-            *changed |= *held != Some(default) || SENT_AT_END.contains(&group);
+            *changed |= *held != Some(default) || HELD_AT_STOP.iter().any(|(sent, _)| *sent == group);
             *held = Some(default);
         }
     }
@@ -147,12 +142,10 @@ fn reset(machine: &Machine, state: &mut State, changed: &mut [bool; M_GROUPS]) {
 
 /// What holds while the program stands (MFN-8).
 pub(super) fn at_stop(machine: &Machine) -> MStop {
-    let default = |group: usize| machine.m_functions.defaults().get(group).copied().flatten();
-    MStop {
-        spindle: default(2).unwrap_or(5),
-        coolant_12: default(5).unwrap_or(9),
-        coolant_34: default(6).unwrap_or(53),
-    }
+    let defaults = machine.m_functions.defaults();
+    let held = |(group, function): (usize, u8)| defaults.get(group).copied().flatten().unwrap_or(function);
+    let [spindle, coolant_12, coolant_34] = HELD_AT_STOP.map(held);
+    MStop { spindle, coolant_12, coolant_34 }
 }
 
 /// What happens to positions at the end of the block: an M function may move the machine (MFN-4), and START after a stop
@@ -168,5 +161,5 @@ pub(super) fn finish(site: &Site<'_>, state: &mut State, m: &MFunctionsOfBlock) 
 
 /// Whether the program stands at the end of the block (MFN-8): M00, and M01 with optional stop.
 pub(super) fn halts(settings: &Settings, m: &MFunctionsOfBlock) -> bool {
-    m.stop == Some(0) || (m.stop == Some(1) && settings.optional_stop)
+    m.stop == Some(PROGRAM_STOP) || (m.stop == Some(OPTIONAL_STOP) && settings.optional_stop)
 }

@@ -6,11 +6,8 @@ use super::site::Site;
 use super::state::{Origin, Parameter, State};
 use super::words::{BlockWords, Valued};
 use crate::diag::{ArithmeticFault, Diagnostic, Finding, LabelText, ParameterNeed};
-use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
-use crate::resolve::{
-    FIRST_CONTROL, FormFault, LAST_CONTROL, check_form, control_result, control_word, missing_control_words,
-    value_or_word,
-};
+use crate::dict::{Address, Decimal, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, PROGRAM_ENDS};
+use crate::resolve::{FormFault, check_form, control_result, control_word, missing_control_words, value_or_word};
 use crate::syntax::{Value, Word};
 use crate::text::Location;
 

@@ -7,29 +7,22 @@ use super::travel::Travel;
 use super::words::BlockWords;
 use crate::config::Machine;
 use crate::diag::{Diagnostic, Finding, SpindleFault};
-use crate::dict::{Decimal, Micro};
-
-/// The spindle group.
-pub(super) const SPINDLE: usize = 2;
-/// The spindle turns.
-const TURNING: [u8; 2] = [3, 4];
-/// The spindle stands where it is oriented.
-const ORIENTED: u8 = 19;
+use crate::dict::{Decimal, Micro, ORIENTED_STOP, SPINDLE_GROUP, SPINDLE_TURNS};
 
 /// The axis that is the spindle at the moment, by place in machine order.
 #[inline]
 pub(super) fn axis(machine: &Machine, state: &State) -> Option<usize> {
-    (state.m(SPINDLE) == Some(ORIENTED)).then(|| machine.spindle()).flatten()
+    (state.m(SPINDLE_GROUP) == Some(ORIENTED_STOP)).then(|| machine.spindle()).flatten()
 }
 
 /// M19 puts the spindle at its oriented position; M03, M04 and M05 leave it anywhere, when M19 was in force or configuration
 /// says which axis it is. `before`: the function of the group before the block. Comes before the block's own motion.
 pub(super) fn apply(machine: &Machine, state: &mut State, words: &BlockWords, before: Option<u8>) {
     let group = |m: u8| usize::from(machine.m_functions.group(m));
-    let Some(&(written, _)) = words.m.iter().find(|(m, _)| group(*m) == SPINDLE) else { return };
-    if written == ORIENTED {
+    let Some(&(written, _)) = words.m.iter().find(|(m, _)| group(*m) == SPINDLE_GROUP) else { return };
+    if written == ORIENTED_STOP {
         orient(machine, state);
-    } else if (before == Some(ORIENTED) || machine.spindle_is_configured())
+    } else if (before == Some(ORIENTED_STOP) || machine.spindle_is_configured())
         && let Some(axis) = machine.spindle()
     {
         state.set_position(axis, Position::Unknown);
@@ -47,7 +40,7 @@ pub(super) fn orient(machine: &Machine, state: &mut State) {
 
 /// Whether words of the spindle's axis are errors: it turns, and configuration says which axis it is.
 pub(super) fn turns(machine: &Machine, state: &State) -> bool {
-    machine.spindle_is_configured() && state.m(SPINDLE).is_some_and(|m| TURNING.contains(&m))
+    machine.spindle_is_configured() && state.m(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m))
 }
 
 /// E0614: words of the spindle's axis while it turns, and turns too far for one block.
@@ -62,7 +55,7 @@ pub(super) fn check(site: &mut Site<'_>, state: &State, travels: &[Travel]) {
         let Some(word) = travel.word else { continue };
         let letter = travel.definition.letter.letter();
         if turning == Some(travel.axis) {
-            let m = state.m(SPINDLE).unwrap_or_default();
+            let m = state.m(SPINDLE_GROUP).unwrap_or_default();
             site.found(
                 Finding::SpindleTurn { axis: letter, fault: SpindleFault::Turning { m } },
                 site.word_place(word),

@@ -3,21 +3,16 @@
 use super::block::InForce;
 use super::parameters::with_origin;
 use super::site::Site;
-use super::spindle::SPINDLE;
 use super::state::{Held, State};
 use super::travel::Travel;
 use super::words::BlockWords;
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::dict::{
+    Address, AxisLetter, Decimal, GCode, GGroup, Micro, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
+};
 use crate::resolve::value_or_word;
 use crate::syntax::Word;
 use crate::text::{FileId, Location};
-
-/// Spindle stop, and what turns it.
-const STOPPED: u8 = 5;
-const TURNING: [i64; 2] = [3, 4];
-/// Tool change.
-const TOOL_CHANGE: u8 = 6;
 
 /// What a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a spindle that
 /// turns (W0619).
@@ -78,7 +73,7 @@ fn check_feed_unit(site: &mut Site<'_>, state: &mut State, g: &InForce, at: Loca
 
 /// Whether the spindle stands where it should turn, and nobody said so yet (TEC-7).
 fn lacks_spindle(site: &Site<'_>, state: &mut State, thread: bool) -> bool {
-    state.m(SPINDLE) == Some(STOPPED)
+    state.m(SPINDLE_GROUP) == Some(SPINDLE_STOP)
         && !state.said.spindle_stopped
         && (thread || *state.turns_spindle.get_or_insert_with(|| program_turns_spindle(site)))
 }
@@ -87,7 +82,8 @@ fn lacks_spindle(site: &Site<'_>, state: &mut State, thread: bool) -> bool {
 /// program's business.
 fn program_turns_spindle(site: &Site<'_>) -> bool {
     let turns = |word: &Word| {
-        word.address == Address::M && word.number().and_then(Decimal::as_whole).is_some_and(|m| TURNING.contains(&m))
+        word.address == Address::M
+            && word.number().and_then(Decimal::as_whole).is_some_and(|m| SPINDLE_TURNS.map(i64::from).contains(&m))
     };
     let mut files = (0..).map_while(|file| site.resolved.file(FileId(file)));
     files.any(|file| file.block_ids().any(|block| file.words(block).iter().any(turns)))

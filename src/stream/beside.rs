@@ -3,11 +3,12 @@
 
 use std::io::{self, Write};
 use std::sync::mpsc::{Receiver, Sender, SyncSender, TrySendError, channel, sync_channel};
-use std::thread::{Builder, scope};
+use std::thread::scope;
 
 use super::records::{BlockRecord, Record};
 use super::writer::Writer;
 use crate::dict::AxisLetter;
+use crate::parallel;
 
 /// Records go to the thread in batches of so many. Fuzzing has short programs.
 const BATCH: usize = if cfg!(fuzzing) { 2 } else { 512 };
@@ -70,7 +71,7 @@ pub(super) struct Records<'o> {
 enum Way<'o> {
     /// To the thread that writes, which gives them back empty.
     Beside { full: SyncSender<Batch>, written: Receiver<Batch> },
-    /// The system gives no thread: to the writer at once, and its error here.
+    /// There is no thread: to the writer at once, and its error here.
     Alone { out: &'o mut (dyn Write + Send), error: Option<io::Error> },
 }
 
@@ -142,8 +143,8 @@ impl<'o> Records<'o> {
     }
 }
 
-/// Runs `execute`, and beside it writes to `out` the records that it gives, for a machine with these axes. When the system
-/// gives no thread, they are written in between.
+/// Runs `execute`, and beside it writes to `out` the records that it gives, for a machine with these axes. Without
+/// a thread they are written in between.
 ///
 /// # Errors
 /// What `out` says.
@@ -157,8 +158,7 @@ pub(super) fn write_beside<T>(
     let beside = scope(|scope| {
         let (full, batches) = sync_channel(QUEUE);
         let (done, written) = channel();
-        let thread = Builder::new().name("writer".to_owned());
-        let thread = thread.spawn_scoped(scope, || write(out, Writer::new(axes), batches, done)).ok()?;
+        let thread = parallel::beside(scope, "writer", || write(out, Writer::new(axes), batches, done))?;
         let execute = execute.take()?;
         let mut records = Records::new(Way::Beside { full, written }, axes);
         let result = execute(&mut records).and_then(|result| records.hand_on().map(|()| result));

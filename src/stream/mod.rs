@@ -7,10 +7,12 @@ mod lines;
 mod records;
 mod row;
 mod schema;
+#[cfg(feature = "view")]
 mod single;
 mod writer;
 
 pub use json::{JsonStream, Part, write};
 pub use records::SCHEMA;
 pub use schema::schema;
+#[cfg(feature = "view")]
 pub(crate) use single::SingleRecord;

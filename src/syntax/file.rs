@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::{Form, Word};
+use crate::dict::HIGHEST_BLOCK;
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// Index of a block in its file.
@@ -130,7 +131,7 @@ impl ParsedFile {
     #[inline]
     pub fn number(&self, block: BlockId) -> Option<u32> {
         let number = self.n_word(block)?.whole()?;
-        u32::try_from(number).ok().filter(|number| (1..=99_999_999).contains(number))
+        u32::try_from(number).ok().filter(|number| (1..=HIGHEST_BLOCK).contains(number))
     }
 
     /// The number of a block for a message; 0 when it has none.

@@ -8,11 +8,8 @@ use crate::diag::{
     AddressMeant, Diagnostic, Edit, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, TextMeant, is_blank,
     shown,
 };
-use crate::dict::{Address, GCode};
+use crate::dict::{Address, GCode, HIGHEST_L};
 use crate::text::Span;
-
-/// Greatest number of a block that a jump reaches (FLW-5).
-const HIGHEST_TARGET: u32 = 9999;
 
 /// What stands where a number should.
 enum Written {
@@ -204,7 +201,7 @@ impl Lowering<'_> {
         let place = self.at(last.map_or(span, |word| word.span(self.text)));
         let target = Number::parse(number.as_bytes()).filter(|_| {
             // A subprogram has a number of its own, which is not that of a block.
-            function == GCode::G73 && number.parse().is_ok_and(|number: u32| (1..=HIGHEST_TARGET).contains(&number))
+            function == GCode::G73 && number.parse().is_ok_and(|number: u32| (1..=HIGHEST_L).contains(&number))
         });
         let Some(target) = target else {
             self.pending

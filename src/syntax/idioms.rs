@@ -4,15 +4,13 @@
 use super::lower::Lowering;
 use super::{BlockFlags, Kind, Word, tokens};
 use crate::diag::{Code, Diagnostic, DwellMeant, Finding, FixTitle, NumberMeant, TargetMeant, shown};
-use crate::dict::{Address, Decimal, GCode, GGroup};
+use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_Q};
 use crate::syntax::number::Number;
 
 /// So far back a G02 or G03 is looked for that is in force where a part of a long text begins.
 const FAR: u32 = 1 << 20;
 /// A dwell without a point is taken for milliseconds from here on: nobody writes so many seconds.
 const MILLISECONDS: i64 = 100;
-/// Longest dwell, in units of 10 ms.
-const LONGEST: i64 = 9999;
 
 impl Lowering<'_> {
     /// Whether a word of the block in hand may be written as other controls do, so that its end has to be looked at.
@@ -95,7 +93,7 @@ impl Lowering<'_> {
             Some(whole) if !seconds => (whole >= MILLISECONDS).then_some((whole + 5) / 10),
             Some(_) | None => Some((value.thousandths() + 5) / 10),
         };
-        let units = units.filter(|units| (1..=LONGEST).contains(units));
+        let units = units.filter(|units| (1..=HIGHEST_Q).contains(units));
         let span = time.span(self.text);
         let place = self.at(span);
         let text = units.map(|units| format!("Q{units}"));

@@ -247,14 +247,21 @@ impl<'t> Lowering<'t> {
         let Some(address) = self.address(token.start, span) else { return };
         let run = String::from_utf8_lossy(self.number_text(token)).into_owned();
         let prefix = char::from(self.byte(token.start).to_ascii_uppercase()).to_string();
-        match self.mend(run, pieces, address, &prefix, span) {
+        match self.corrected(run, pieces, address, &prefix, span) {
             Some(number) => self.push(Word::with_number(address, span, number).faulty(), span),
             None => self.push(Word::bare(address, span).faulty(), span),
         }
     }
 
     /// Reads a faulty number as its fix would write it, and reports what is wrong with it. Without a fix it has no value.
-    fn mend(&mut self, run: String, pieces: &[Token], address: Address, prefix: &str, span: Span) -> Option<Number> {
+    fn corrected(
+        &mut self,
+        run: String,
+        pieces: &[Token],
+        address: Address,
+        prefix: &str,
+        span: Span,
+    ) -> Option<Number> {
         let mut joined = run;
         for piece in pieces {
             joined.push_str(self.slice(piece.span()));
@@ -287,16 +294,16 @@ impl<'t> Lowering<'t> {
         // Of words without a decimal point two may have been written as one, `M0 3`: joining is offered, and its value
         // taken for what follows, so that one slip stays one finding.
         let doubtful = matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
-        let mended = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
+        let corrected = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
         let title = FixTitle::Write { text: shown(&fixed) };
         let diagnostic = Diagnostic::new(finding, place);
-        self.pending.push(match (mended, doubtful) {
+        self.pending.push(match (corrected, doubtful) {
             (false, _) => diagnostic,
             (true, true) => diagnostic.with_offer(title, place, fixed),
             (true, false) => diagnostic.with_fix(title, place, fixed),
         });
-        number.filter(|_| mended)
+        number.filter(|_| corrected)
     }
 
     /// The number of a parameter, 0–95, and whether it has a finding already.
@@ -438,7 +445,7 @@ impl<'t> Lowering<'t> {
             if sign.is_some() {
                 self.mend_split_sign(&run, pieces, number, &prefix, span)
             } else {
-                self.mend(run, pieces, Address::R, &prefix, span)
+                self.corrected(run, pieces, Address::R, &prefix, span)
             }
         };
         let word = match value {
@@ -465,7 +472,7 @@ impl<'t> Lowering<'t> {
             self.pending.push(diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, place, joined));
             return Number::parse(run.as_bytes());
         }
-        self.mend(run.to_owned(), &more, Address::R, prefix, span)
+        self.corrected(run.to_owned(), &more, Address::R, prefix, span)
     }
 }
 
@@ -480,15 +487,10 @@ pub(super) fn printed_number(run: &str, prefix: &str) -> NumberMeant {
         return if sum && prefix.starts_with('R') { NumberMeant::Computed } else { NumberMeant::Form };
     }
     let thousandths = run.parse::<f64>().ok().map(|value| (value * 1000.0).round());
-    match thousandths.filter(|value| value.abs() <= DIMENSION_MAX) {
-        #[allow(clippy::cast_possible_truncation, reason = "checked against the range above")]
-        Some(value) => {
-            let written = Decimal::from_thousandths(value as i64);
-            NumberMeant::Exponent { written: format!("{prefix}{written}") }
-        }
+    #[allow(clippy::cast_possible_truncation, reason = "what is too large for it is the largest number, and refused")]
+    let written = thousandths.map(|value| Decimal::from_thousandths(value as i64));
+    match written.filter(|written| written.abs() <= Decimal::DIMENSION_MAX) {
+        Some(written) => NumberMeant::Exponent { written: format!("{prefix}{written}") },
         None => NumberMeant::ExponentForm,
     }
 }
-
-/// The largest dimension, in thousandths.
-const DIMENSION_MAX: f64 = 69_999_999.0;

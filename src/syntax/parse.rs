@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use chumsky::Parser;
 use chumsky::inspector::SimpleState;
-use rayon::prelude::*;
 
 use super::file::Block;
 use super::lower::Lowering;
 use super::{BlockFlags, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle};
 use crate::dict::Address;
+use crate::parallel;
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// What a file is.
@@ -27,7 +27,7 @@ const BATCH: usize = 1 << 10;
 
 /// Parses a file. What is wrong with its form goes to `findings`; the tree holds all that could be read.
 pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
-    let alone = source.len() < LONG || rayon::current_num_threads() == 1;
+    let alone = source.len() < LONG || parallel::threads() == 1;
     let pieces = if alone { 1 } else { source.len() / PIECE };
     parse_in(pieces, true, file, source, form, findings)
 }
@@ -92,7 +92,7 @@ fn parse_in(
         // A word has eight characters or so; pages that are not filled cost nothing.
         whole.parsed.words.reserve((end - start) as usize / 8);
         // The lines are wanted by what follows; finding them fits beside the reading.
-        rayon::join(|| whole.read_side_by_side(&piece_bounds(text, start, end, pieces), read), || source.lines());
+        parallel::join(|| whole.read_side_by_side(&piece_bounds(text, start, end, pieces), read), || source.lines());
     }
     let Whole { mut parsed, lowercase, outside, .. } = whole;
     if let Some(outside) = outside {
@@ -134,8 +134,8 @@ impl Whole<'_> {
     fn read_side_by_side<'t>(&mut self, bounds: &[(u32, u32)], read: impl Fn((u32, u32)) -> Reader<'t> + Sync) {
         let mut done: Vec<Reader<'t>> = Vec::new();
         for some in bounds.chunks(AT_ONCE) {
-            let next = || some.par_iter().copied().map(&read).collect();
-            let (next, ()) = rayon::join(next, || done.drain(..).for_each(|piece| self.append(piece)));
+            let next = || parallel::map(some.to_vec(), &read);
+            let (next, ()) = parallel::join(next, || done.drain(..).for_each(|piece| self.append(piece)));
             done = next;
             if self.ended {
                 return;

@@ -1,29 +1,30 @@
 //! The code pages that part programs come in (LEX-13).
 
 /// How the bytes of a file become characters, when they are not valid UTF-8.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Encoding {
     /// UTF-8: tried first on every file.
-    #[value(skip)]
+    #[cfg_attr(feature = "cli", value(skip))]
     Utf8,
     /// DOS Latin 2, the default of what is not UTF-8.
     #[default]
-    #[value(name = "cp852")]
+    #[cfg_attr(feature = "cli", value(name = "cp852"))]
     Cp852,
     /// Windows, Central European.
-    #[value(name = "windows-1250")]
+    #[cfg_attr(feature = "cli", value(name = "windows-1250"))]
     Windows1250,
     /// ISO Latin 2.
-    #[value(name = "iso-8859-2")]
+    #[cfg_attr(feature = "cli", value(name = "iso-8859-2"))]
     Iso88592,
     /// The code of the Kamenický brothers (CP895), of Czech DOS machines.
-    #[value(name = "kamenicky")]
+    #[cfg_attr(feature = "cli", value(name = "kamenicky"))]
     Kamenicky,
     /// UTF-16, the lower byte of each unit first: told by its bytes, and no encoding of part programs.
-    #[value(skip)]
+    #[cfg_attr(feature = "cli", value(skip))]
     Utf16Le,
     /// UTF-16, the higher byte first.
-    #[value(skip)]
+    #[cfg_attr(feature = "cli", value(skip))]
     Utf16Be,
 }
 

@@ -1,9 +1,9 @@
 //! Columns and their header as one deflated stream, and that stream as text of a page.
 
 use flate2::{Compress, Compression, FlushCompress};
-use rayon::prelude::*;
 
 use super::column::{Column, Form};
+use crate::parallel;
 
 /// Bytes that are deflated together; pieces are independent of one another, so that all processors work.
 const PIECE: usize = 1 << 19;
@@ -21,14 +21,12 @@ pub(super) struct Container {
 impl Container {
     /// Packs columns under their names, on all processors.
     pub fn add_all(&mut self, columns: Vec<(String, &Column)>) {
-        let filled = columns.into_par_iter().filter(|(_, column)| column.len() > 0);
-        let packed: Vec<(String, Form, Vec<u8>)> = filled
-            .map(|(name, column)| {
-                let mut bytes = Vec::new();
-                let form = column.pack(&mut bytes);
-                (name, form, bytes)
-            })
-            .collect();
+        let filled = columns.into_iter().filter(|(_, column)| column.len() > 0).collect();
+        let packed = parallel::map(filled, |(name, column): (String, &Column)| {
+            let mut bytes = Vec::new();
+            let form = column.pack(&mut bytes);
+            (name, form, bytes)
+        });
         for (name, form, bytes) in packed {
             self.bytes.extend_from_slice(&bytes);
             self.columns.push((name, form));
@@ -47,7 +45,7 @@ impl Container {
         let mut head = u32::try_from(header.len()).unwrap_or(u32::MAX).to_le_bytes().to_vec();
         head.extend_from_slice(&header);
         let pieces: Vec<&[u8]> = head.chunks(PIECE).chain(self.bytes.chunks(PIECE)).collect();
-        let deflated: Vec<Vec<u8>> = pieces.into_par_iter().map(deflate).collect();
+        let deflated: Vec<Vec<u8>> = parallel::map(pieces, deflate);
         let mut stream = deflated.concat();
         // The last block: empty.
         stream.extend_from_slice(&[3, 0]);

@@ -29,7 +29,7 @@ pub(super) struct About {
 pub(super) fn pack(rows: &Rows, times: &Times, about: About) -> Vec<u8> {
     let mut container = Container::default();
     let mut per = Map::new();
-    let (text, (positions, times)) = rayon::join(|| Text::of(rows), || (positions(rows), times.pack(rows)));
+    let (text, (positions, times)) = crate::parallel::join(|| Text::of(rows), || (positions(rows), times.pack(rows)));
     let named = |name: &'static str, column| (name.to_owned(), column);
     let mut columns = vec![
         named("row.block", &rows.block),

@@ -17,7 +17,7 @@ use crate::run::MotionType;
 const PER_FEED: f64 = 10_000.0;
 /// Angles are whole parts of a degree.
 const PER_DEGREE: f64 = 200.0;
-/// Microseconds that a time may differ before it is put right.
+/// Microseconds that a time may differ before it is corrected.
 const SLACK_US: i64 = 200;
 
 /// What the planner said of an executed block: feeds in parts of a mm/min or deg/min, 0 where there is none.
@@ -237,7 +237,7 @@ fn is_near(feed: i64, other: i64) -> bool {
     feed.abs_diff(other) <= 4 + feed.unsigned_abs() / 2_500_000
 }
 
-/// What it takes to put right a foretold feed.
+/// What it takes to correct a foretold feed.
 fn correction(feed: i64, foretold: i64) -> i64 {
     if is_near(feed, foretold) { 0 } else { feed - foretold }
 }

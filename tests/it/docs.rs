@@ -197,6 +197,9 @@ fn terminal_sessions() {
     let mut sessions = 0;
     for path in markdown() {
         let text = fs::read_to_string(&path).unwrap();
+        if !text.contains("```console\n") {
+            continue;
+        }
         let place = tempfile::tempdir().unwrap();
         copy(&root().join("samples"), &place.path().join("samples"));
         copy(&root().join("docs/guide/examples"), place.path());
@@ -217,7 +220,7 @@ fn terminal_sessions() {
             fs::write(&path, written).unwrap();
         }
     }
-    assert!(different.is_empty(), "{}mend with `DOCS=write cargo test --test it docs`", different.join("\n"));
+    assert!(different.is_empty(), "{}update with `DOCS=write cargo test --test it docs`", different.join("\n"));
     assert!(sessions > 10, "the sessions are not found");
 }
 
@@ -326,7 +329,7 @@ fn files_shown() {
     assert!(shown >= 5, "{shown} files are shown");
 }
 
-/// The picture in the README shows what the program says about the program of the guide, once its slips are mended.
+/// The picture in the README shows what the program says about the program of the guide, once its slips are fixed.
 #[test]
 fn picture() {
     let place = tempfile::tempdir().unwrap();

@@ -33,6 +33,7 @@ mod run;
 mod samples;
 mod stream;
 mod terminal;
+mod terms;
 mod tidy;
 mod time;
 mod traps;

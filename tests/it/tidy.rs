@@ -11,18 +11,20 @@ use crate::samples::root;
 const LONGEST: usize = 800;
 
 /// Which top-level modules each may use.
-const LAYERS: [(&str, &[&str]); 16] = [
+const LAYERS: [(&str, &[&str]); 18] = [
     ("text", &[]),
+    ("disk", &["text"]),
+    ("parallel", &[]),
     ("dict", &[]),
     ("diag", &["text", "dict"]),
-    ("syntax", &["text", "dict", "diag"]),
+    ("syntax", &["text", "dict", "diag", "parallel"]),
     ("config", &["text", "dict", "diag"]),
     ("explain", &["text", "dict", "diag", "config", "analysis"]),
-    ("resolve", &["text", "dict", "diag", "syntax", "config"]),
+    ("resolve", &["text", "dict", "diag", "syntax", "config", "parallel"]),
     ("run", &["text", "dict", "diag", "syntax", "config", "resolve"]),
-    ("analysis", &["text", "dict", "diag", "syntax", "config", "resolve", "run"]),
-    ("stream", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis"]),
-    ("view", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
+    ("analysis", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "parallel"]),
+    ("stream", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "parallel"]),
+    ("view", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "parallel"]),
     ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
     ("query", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
     ("edit", &["text", "dict", "diag", "syntax", "resolve", "query"]),
@@ -36,8 +38,8 @@ const LAYERS: [(&str, &[&str]); 16] = [
     (
         "cli",
         &[
-            "text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "view", "session",
-            "explain", "edit", "lsp",
+            "text", "disk", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "view",
+            "session", "explain", "edit", "lsp",
         ],
     ),
 ];
@@ -130,6 +132,47 @@ fn layers() {
         }
     }
     fail_with(&wrong);
+}
+
+/// Limits of the language, without separators.
+const LIMITS: [&str; 7] = ["9999", "99999", "24000", "69999", "69999999", "9999999", "99999999"];
+
+/// What is wrong with a line of code outside the rows of the language: a limit, or the number of an M function or group.
+fn number_of_the_language(line: &str) -> Option<&str> {
+    let code = line.trim_start();
+    if code.starts_with("//") {
+        return None;
+    }
+    // Texts have their own words for limits.
+    let outside = code.split('"').step_by(2);
+    let mut words = outside.flat_map(|code| code.split(|c: char| !(c.is_alphanumeric() || "_.".contains(c))));
+    let limit = words.find(|word| LIMITS.contains(&word.replace('_', "").as_str()));
+    let m_group = line.split(".m(").nth(1).filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    let m_function = line.split(".m(").nth(1).and_then(|rest| rest.split(") == Some(").nth(1));
+    limit.or(m_group).or(m_function.filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())))
+}
+
+/// Limits and M numbers stand in rows: of `dict`, and of the keys of the project file.
+#[test]
+fn the_language_is_data() {
+    let mut wrong = Vec::new();
+    for source in sources("src") {
+        let is_row = source.name.starts_with("src/dict/") || source.name.ends_with("keys.rs");
+        if is_row || source.name.contains("tests.rs") || source.name.ends_with("/samples.rs") {
+            continue;
+        }
+        let code = source.text.split("#[cfg(test)]\nmod tests").next().unwrap();
+        for (at, line) in code.lines().enumerate() {
+            if let Some(number) = number_of_the_language(line) {
+                wrong.push(format!("{}:{}: {number}", source.name, at + 1));
+            }
+        }
+    }
+    fail_with(&wrong);
+    assert!(number_of_the_language("if number <= 9_999 {").is_some());
+    assert!(number_of_the_language("state.m(SPINDLE_GROUP) == Some(19)").is_some());
+    assert!(number_of_the_language("block.m(1)").is_some());
+    assert!(number_of_the_language("let help = \"up to 9999\";").is_none());
 }
 
 /// The core is used by the command line only through the library: `main.rs` is short.

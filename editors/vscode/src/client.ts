@@ -195,7 +195,7 @@ export class Server implements vscode.Disposable {
     const text =
       found.kind === 'wrong-setting'
         ? vscode.l10n.t(
-            'The program {0}, which the setting "cnc872c.server.path" names, cannot be run. Until this is mended, programs are coloured but not checked.',
+            'The program {0}, which the setting "cnc872c.server.path" names, cannot be run. Until this is fixed, programs are coloured but not checked.',
             found.program,
           )
         : vscode.l10n.t(

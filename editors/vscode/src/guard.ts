@@ -15,7 +15,7 @@ export function guardEncodings(): vscode.Disposable {
     const concerns = document.languageId === 'cnc872' && document.uri.scheme === 'file' && !seen.has(key);
     if (concerns && isDamaged(document.getText())) {
       seen.add(key);
-      void mend(document);
+      void restore(document);
     }
   };
   vscode.workspace.textDocuments.forEach(look);
@@ -30,7 +30,7 @@ export function guardEncodings(): vscode.Disposable {
   );
 }
 
-async function mend(document: vscode.TextDocument): Promise<void> {
+async function restore(document: vscode.TextDocument): Promise<void> {
   const scope = { uri: document.uri, languageId: document.languageId };
   const configured = vscode.workspace.getConfiguration('files', scope).get<string>('encoding');
   const encoding = again(configured, document.encoding) ?? (await ask(document));

@@ -2,12 +2,13 @@
 
 use std::io;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
-use std::thread::{Builder, scope};
+use std::thread::scope;
 
 use super::reader::{Header, Writer};
 use super::steps::{Place, Step};
 use super::values::Value;
 use crate::dict::Micro;
+use crate::parallel;
 use crate::run::End;
 
 /// Steps go to the thread in batches of so many. Fuzzing has short programs.
@@ -17,22 +18,19 @@ const CHANGES: usize = 1 << 14;
 /// Batches under way at most: what writes slowly makes execution wait, not grow.
 const QUEUE: usize = 2;
 
-/// Lets `run` have a writer whose steps go to `writer` in a thread beside it; where the system gives no thread, `writer`
+/// Lets `run` have a writer whose steps go to `writer` in a thread beside it; without a thread, `writer`
 /// itself. The second result is the first error of `writer` in its thread.
 pub fn beside<T>(writer: &mut (dyn Writer + Send), run: impl FnOnce(&mut dyn Writer) -> T) -> (T, io::Result<()>) {
     let (full, messages) = sync_channel(QUEUE);
     let (done, empty) = channel();
-    scope(|scope| {
-        let thread = Builder::new().name("writer".to_owned());
-        match thread.spawn_scoped(scope, || write(messages, done)) {
-            Ok(thread) => {
-                let mut here = Beside { writer: Some(writer), full, empty, batch: Batch::default(), begun: false };
-                let result = run(&mut here);
-                drop(here);
-                (result, thread.join().unwrap_or_else(|_| Err(stopped())))
-            }
-            Err(_) => (run(writer), Ok(())),
+    scope(|scope| match parallel::beside(scope, "writer", || write(messages, done)) {
+        Some(thread) => {
+            let mut here = Beside { writer: Some(writer), full, empty, batch: Batch::default(), begun: false };
+            let result = run(&mut here);
+            drop(here);
+            (result, thread.join().unwrap_or_else(|_| Err(stopped())))
         }
+        None => (run(writer), Ok(())),
     })
 }
 

@@ -1,12 +1,10 @@
 //! What the PLC reads of one step, before it is put into cells: all that follows from the executed block.
 
 use super::dictionary::{AXES, Flag, OneBlock};
-use crate::dict::{Decimal, M_GROUPS, Micro};
+use crate::dict::{Decimal, M_GROUPS, MOMENTARY_GROUPS, Micro};
 
 /// Places of axes, as indices.
 pub(super) const PLACES: usize = AXES as usize;
-/// M groups that hold in their block only.
-const MOMENTARY: [usize; 3] = [1, 7, 9];
 /// M groups that a stop switches off for its length (MFN-8).
 pub const STOPPED: [usize; 3] = [2, 5, 6];
 
@@ -154,8 +152,8 @@ impl Facts {
             positions: self.positions,
             ..Self::default()
         };
-        for group in MOMENTARY {
-            if let Some(slot) = m.get_mut(group) {
+        for group in MOMENTARY_GROUPS {
+            if let Some(slot) = m.get_mut(usize::from(group)) {
                 *slot = None;
             }
         }

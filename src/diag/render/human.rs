@@ -116,7 +116,7 @@ impl Human<'_> {
         remarks
     }
 
-    /// The last lines: how many, what can be mended, where to read on.
+    /// The last lines: how many, what can be fixed, where to read on.
     fn summary(&self, report: &Report, out: &mut dyn Write) -> io::Result<()> {
         let style = match (report.errors(), report.warnings()) {
             (0, 0) => Style::Strong,

@@ -68,7 +68,7 @@ struct Item<'a> {
     labels: Vec<Label<'a>>,
     /// The calls that led there, outermost first.
     calls: Vec<Call<'a>>,
-    /// Changes, each of which mends it.
+    /// Changes, each of which fixes it.
     fixes: Vec<Fix<'a>>,
 }
 
@@ -130,7 +130,7 @@ struct Call<'a> {
     line: u32,
 }
 
-/// A change that mends a finding.
+/// A change that fixes what a finding reports.
 #[derive(Serialize, JsonSchema)]
 struct Fix<'a> {
     /// What it does.

@@ -1,11 +1,14 @@
 //! The forms in which findings leave the program: for people, for editors, for other programs.
 
+#[cfg(feature = "cli")]
 mod excerpt;
 mod few;
+#[cfg(feature = "cli")]
 mod frame;
 mod github;
+#[cfg(feature = "cli")]
 mod human;
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 mod human_tests;
 mod json;
 mod json_text;
@@ -14,7 +17,9 @@ mod places;
 mod samples;
 mod sarif;
 mod short;
+#[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "for the form for people"))]
 pub(super) mod style;
+#[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "for the form for people"))]
 mod words;
 
 use std::io::{self, Write};
@@ -25,10 +30,11 @@ use super::Report;
 use crate::dict::Lang;
 
 /// A form of the findings of a run.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Format {
-    /// For people: the lines of the program, why, and what to write.
-    #[default]
+    /// For people: the lines of the program, why, and what to write. With the feature `cli`.
+    #[cfg(feature = "cli")]
     Human,
     /// One line each, as editors and grep read them: `path:line:column: error[E0306]: message`.
     Short,
@@ -65,6 +71,7 @@ pub fn render(format: Format, report: &Report, shown: Shown, out: &mut dyn Write
     let lang = shown.lang;
     let mut out = io::BufWriter::new(out);
     match format {
+        #[cfg(feature = "cli")]
         Format::Human => human::write(report, shown, &mut out)?,
         Format::Short => short::write(report, shown, &mut out)?,
         Format::Json => json::write(report, lang, &mut out)?,

@@ -108,7 +108,7 @@ pub(super) fn suppressed(count: usize, lang: Lang) -> String {
     }
 }
 
-/// How many findings a machine can mend.
+/// How many findings have a certain fix.
 pub(super) fn fixable(count: usize, lang: Lang) -> String {
     match lang {
         Lang::En => format!("fixable with cnc872c check --fix: {count}"),

@@ -5,7 +5,7 @@ use gen_lsp_types::CompletionItemKind;
 use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
-use crate::dict::{Address, GCode, ValueForm};
+use crate::dict::{Address, Decimal, GCode, ValueForm};
 use crate::resolve::g_code;
 
 /// In the order of use; G, M and N have items of their own.
@@ -111,10 +111,10 @@ fn documentation(source: &Source<'_>, address: Address) -> String {
     let range = match row.form {
         ValueForm::None => None,
         ValueForm::Whole { min, max } => Some(format!("{min}–{max}")),
-        ValueForm::Dimension => Some(format!("±69999.999{unit}")),
+        ValueForm::Dimension => Some(format!("±{}{unit}", Decimal::DIMENSION_MAX)),
         ValueForm::Parameter => Some(ItemText::ParameterRange.text(lang)),
         ValueForm::Feed => Some(ItemText::FeedRange { feed: machine.limits.feed.to_string() }.text(lang)),
-        ValueForm::Auxiliary if row.form.takes_point(machine.dialect) => Some("±69999.999".to_owned()),
+        ValueForm::Auxiliary if row.form.takes_point(machine.dialect) => Some(format!("±{}", Decimal::DIMENSION_MAX)),
         ValueForm::Auxiliary => Some("1–99".to_owned()),
         ValueForm::CorrectionDigits => Some(ItemText::FourDigits.text(lang)),
         ValueForm::Technological => Some(format!("0–{}", machine.dialect.highest_m())),

@@ -3,12 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::context::previous;
+use crate::dict::HIGHEST_BLOCK;
 use crate::lsp::analysis::Analysis;
 use crate::query::cursor::unit_of;
 use crate::syntax::{BlockId, ParsedFile};
 
-/// Highest block number (§2).
-const HIGHEST: u32 = 99_999_999;
 /// Between two blocks where the program does not show another.
 const STEP: u32 = 10;
 /// What is more is no step but the number of another part.
@@ -30,7 +29,7 @@ pub(crate) fn next_numbers(analysis: &Analysis, file: &ParsedFile, at: u32, coun
     });
     let is_typed = |block: BlockId| file.n_word(block).is_some_and(|word| word.start() == at);
     let next = behind.filter(|block| !is_typed(*block)).find_map(|block| file.number(block));
-    let above = next.filter(|next| *next > base).unwrap_or(HIGHEST + 1);
+    let above = next.filter(|next| *next > base).unwrap_or(HIGHEST_BLOCK + 1);
     let usual = step(analysis, file, last);
 
     let room = above - base;
@@ -53,7 +52,7 @@ pub(crate) fn next_numbers(analysis: &Analysis, file: &ParsedFile, at: u32, coun
         .find(|series| step > 0 && series.iter().all(|number| *number < above && !taken.contains(number)));
     free.or_else(|| {
         let series = series(highest.saturating_add(usual), usual);
-        series.iter().all(|number| *number <= HIGHEST).then_some(series)
+        series.iter().all(|number| *number <= HIGHEST_BLOCK).then_some(series)
     })
 }
 

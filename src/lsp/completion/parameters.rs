@@ -9,12 +9,9 @@ use super::targets::NEAR;
 use super::texts::ItemText;
 use super::{Context, Source};
 use crate::diag::shown;
-use crate::dict::{Address, GCode, Operation};
+use crate::dict::{Address, FIRST_CONTROL, GCode, Operation};
 use crate::resolve::g_code;
 use crate::syntax::{BlockFlags, BlockId, Value};
-
-/// The first control word (PAR-7).
-const FIRST_CONTROL: u8 = 5;
 
 /// The parameters in use, each with its first value: `R10=` to be assigned, or `R10` to be read.
 pub(super) fn parameters(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>, assigned: bool) {

@@ -5,10 +5,10 @@ use gen_lsp_types::CompletionItemKind;
 use super::context::Wanted;
 use super::items::{Entry, Items, Section};
 use super::numbering::{next_numbers, written};
-use super::targets::{HIGHEST, missing_subprograms, next_subprogram};
+use super::targets::{missing_subprograms, next_subprogram};
 use super::texts::ItemText;
 use super::{Context, Source};
-use crate::dict::{Address, AxisLetter};
+use crate::dict::{Address, AxisLetter, HIGHEST_L};
 use crate::query::cursor::unit_of;
 use crate::resolve::{Library, UnitKind};
 use crate::syntax::BlockFlags;
@@ -119,7 +119,7 @@ fn repeated(source: &Source<'_>, context: &Context<'_>) -> Option<Made> {
     let at = context.replaced.start;
     let numbers = next_numbers(source.analysis, context.file, at, 2)?;
     let [first, second] = numbers.as_slice() else { return None };
-    if *first > HIGHEST {
+    if *first > HIGHEST_L {
         return None;
     }
     let mut frame = Frame::new(context);

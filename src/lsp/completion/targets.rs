@@ -9,14 +9,12 @@ use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
 use crate::diag::{Findings, shown};
-use crate::dict::{Address, GCode, GGroup};
+use crate::dict::{Address, GCode, GGroup, HIGHEST_L};
 use crate::query::cursor::{DOCUMENT, unit_of};
 use crate::resolve::{Library, Target, UnitKind, g_code};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, parse};
 use crate::text::{FileId, Loader, Span};
 
-/// Highest number that L can have.
-pub(super) const HIGHEST: u32 = 9999;
 /// Most macrocycles that are offered at once.
 const MACROCYCLES: usize = 1000;
 /// Longest macrocycle, in bytes, that is read for its title.
@@ -123,7 +121,7 @@ impl Offer<'_, '_, '_, '_> {
         let (first, end) =
             unit_of(analysis, here).map_or((0, file.block_count()), |(_, unit)| (unit.first.0, unit.end.0));
         let is_fitting = |block: &BlockId| {
-            file.number(*block).is_some_and(|number| number <= HIGHEST && filter(context, number).is_some())
+            file.number(*block).is_some_and(|number| number <= HIGHEST_L && filter(context, number).is_some())
         };
         let nearest = first.max(here.0.saturating_sub(NEAR));
         let farthest = end.min(here.0.saturating_add(NEAR));
@@ -197,7 +195,7 @@ pub(super) fn missing_subprograms(source: &Source<'_>, file: &ParsedFile) -> BTr
         let words = file.words(block);
         if words.iter().any(|word| g_code(*word) == Some(GCode::G71)) {
             let l = words.iter().find(|word| word.address == Address::L).and_then(|word| word.whole());
-            let l = l.and_then(|l| u32::try_from(l).ok()).filter(|l| (1..=HIGHEST).contains(l));
+            let l = l.and_then(|l| u32::try_from(l).ok()).filter(|l| (1..=HIGHEST_L).contains(l));
             missing.extend(l.filter(|l| resolved.subprogram(*l).is_none()));
         }
     }
@@ -213,6 +211,6 @@ pub(super) fn next_subprogram(source: &Source<'_>) -> Option<u32> {
     });
     let Some(highest) = numbers.max() else { return Some(1) };
     let step = [100, 10, 1].into_iter().find(|step| highest.is_multiple_of(*step)).unwrap_or(1);
-    let next = Some(highest + step).filter(|next| *next <= HIGHEST);
-    next.or_else(|| (1..=HIGHEST).find(|l| resolved.subprogram(*l).is_none()))
+    let next = Some(highest + step).filter(|next| *next <= HIGHEST_L);
+    next.or_else(|| (1..=HIGHEST_L).find(|l| resolved.subprogram(*l).is_none()))
 }

@@ -170,7 +170,7 @@ fn valid_samples() {
     let programs = programs(&["samples/ok", "samples/projects", "docs/guide/examples"]);
     assert!(programs.len() > 20);
     for (name, source, form) in programs {
-        // The guide mends their slips.
+        // The guide fixes their slips.
         if name.ends_with("examples/plate.nc") || name.ends_with("examples/deska.nc") {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Files of the disk, and standard input.
+//! Files of the disk, and standard input: a [`Loader`] of them, and what searches of folders need.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, FileType};
