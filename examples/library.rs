@@ -1,6 +1,7 @@
 //! What is wrong with a program, what the control makes of its blocks, and its block stream.
 //! `cargo run --no-default-features --example library`
 
+use std::io;
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -32,7 +33,7 @@ impl Sink for Travel {
 }
 
 /// Looks at two programs: one that is right, and one with an axis written twice.
-pub fn run() {
+pub fn run() -> io::Result<()> {
     let loader = MemoryLoader::new().with("part.nc", PART).with("twice.nc", "%2\nN10 X1 X2\nN20 M30\n");
     let settings = Settings::default();
     let session = Session { loader: &loader, settings: &settings, progress: None };
@@ -43,7 +44,7 @@ pub fn run() {
     assert_eq!(travel.whole, Some(50.0));
 
     let mut stream = Vec::new();
-    let whole = session.compile(part, "part.nc", Part::default(), &mut stream).expect("memory takes it");
+    let whole = session.compile(part, "part.nc", Part::default(), &mut stream)?;
     assert!(whole.whole.is_some());
     let stream = String::from_utf8_lossy(&stream);
     assert!(stream.lines().any(|line| line.contains(r#""n":60"#) && line.contains(r#""position":{"X":50}"#)));
@@ -52,10 +53,11 @@ pub fn run() {
     let mut report = Report::new();
     report.add_program(&outcome.sources, outcome.findings);
     let mut lines = Vec::new();
-    render(Format::Short, &report, Shown::default(), &mut lines).expect("memory takes it");
+    render(Format::Short, &report, Shown::default(), &mut lines)?;
     assert!(String::from_utf8_lossy(&lines).starts_with("twice.nc:2:8: error[E0306]"));
+    Ok(())
 }
 
-fn main() {
-    run();
+fn main() -> io::Result<()> {
+    run()
 }

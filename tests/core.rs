@@ -79,5 +79,5 @@ fn findings() {
 
 #[test]
 fn the_example() {
-    example::run();
+    example::run().unwrap();
 }
