@@ -47,18 +47,23 @@ fn streams() {
     assert!(compiled >= 10);
 }
 
+/// More than a megabyte.
+const BLOCKS: u32 = 60_000;
+
 /// A program of many blocks, which the full program reads and checks in pieces.
 #[test]
 fn a_long_program() {
-    let blocks: String = (1..=100_000).map(|n| format!("N{n} G01 X{} F200\n", n % 100)).collect();
-    let loader = MemoryLoader::new().with("long.nc", format!("%1\n{blocks}N100001 M30\n"));
+    let blocks: String = (1..=BLOCKS).map(|n| format!("N{n} G01 X{} F200\n", n % 100)).collect();
+    let loader = MemoryLoader::new().with("long.nc", format!("%1\n{blocks}N{} M30\n", BLOCKS + 1));
     let settings = Settings::default();
     let session = Session { loader: &loader, settings: &settings, progress: None };
     let outcome = session.check(Path::new("long.nc"), "long.nc");
-    assert_eq!((outcome.executed, outcome.findings.has_errors()), (100_001, false));
+    assert_eq!((outcome.executed, outcome.findings.has_errors()), (u64::from(BLOCKS) + 1, false));
     let mut out = Vec::new();
-    session.compile(Path::new("long.nc"), "long.nc", Part::default(), &mut out).unwrap();
-    assert_eq!(out.iter().filter(|byte| **byte == b'\n').count(), 100_001 + 3);
+    let last = Part { from: u64::from(BLOCKS) - 1, limit: None };
+    assert!(session.compile(Path::new("long.nc"), "long.nc", last, &mut out).unwrap().whole.is_some());
+    // The program, two blocks, the end.
+    assert_eq!(out.iter().filter(|byte| **byte == b'\n').count(), 4);
 }
 
 /// Findings in the forms for programs.
