@@ -16,7 +16,7 @@ use crate::config::Purpose;
 use crate::disk::is_stdin;
 use crate::session::Session;
 use crate::text::{FileId, path_name};
-use crate::view::{Part, Plane, Still, View, page};
+use crate::view::{Part, Picture, Plane, Still, View, page};
 
 pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
@@ -46,12 +46,16 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     if !unusable {
         let form = Form::of(output);
         let still = still(args);
+        let whole = |bytes: Vec<u8>| Picture { bytes, yellow_left_out: 0 };
         let picture = match form {
-            Form::Page => page(&view.data(&report), &job.target().name(), locale.chosen).into_bytes(),
-            Form::Svg => view.svg(still).into_bytes(),
+            Form::Page => whole(page(&view.data(&report), &job.target().name(), locale.chosen).into_bytes()),
+            Form::Svg => view.svg(still),
             Form::Png => view.png(still).ok_or(Words::PictureTooLarge)?,
         };
-        write(&picture, output, locale)?;
+        write(&picture.bytes, output, locale)?;
+        if picture.yellow_left_out > 0 {
+            tell(&Words::YellowLeftOut { count: picture.yellow_left_out }, locale.lang);
+        }
         if let Some(output) = output {
             tell(&Words::PictureWritten { file: path_name(output) }, locale.lang);
             if args.open {

@@ -34,6 +34,9 @@ bilingual! {
         PictureWritten { file: String }
             "written: {file}",
             "zapsáno: {file}";
+        YellowLeftOut { count: usize }
+            "{count} yellow dots are not drawn: they are too many for a picture, the page has them all",
+            "nekreslených žlutých teček: {count}; na obrázek je jich příliš mnoho, stránka je má všechny";
         CannotOpen { file: String, reason: String }
             "{file} is written, but cannot be opened: {reason}",
             "{file} je zapsán, ale nelze jej otevřít: {reason}";

@@ -25,6 +25,7 @@ mod inlay_hints;
 mod links;
 mod on_type;
 mod outline;
+mod path;
 mod places;
 mod publisher;
 mod references;

@@ -11,7 +11,7 @@ use super::client::Client;
 use super::files::EditorFiles;
 use super::{
     code_actions, code_lens, commands, completion, definition, dots, explain, folding, hierarchy, hover, inlay_hints,
-    links, on_type, outline, references, rename, selection, semantic_tokens, signals, workspace_symbols,
+    links, on_type, outline, path, references, rename, selection, semantic_tokens, signals, workspace_symbols,
 };
 use crate::query;
 use crate::query::cancel::Cancel;
@@ -88,6 +88,7 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
     Some(match method {
         "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Everything, hover::hover),
         "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Everything, dots::dots),
+        "cnc872c/path" => document::<path::PathRequest>(Needs::Everything, path::path),
         "cnc872c/signals" => document::<signals::SignalsRequest>(Needs::Everything, signals::signals),
         "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Everything, code_lens::code_lens),
         "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Everything, inlay_hints::inlay_hint),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde_json::{Map, Value, json};
 
 use super::pack::{About, pack};
-use super::picture::{Besides, Chain, Still, as_png, as_svg};
+use super::picture::{Besides, Chain, Picture, Still, as_png, as_svg};
 use super::rows::{Part, Rows};
 use super::times::Times;
 use crate::analysis::equidistant::Equidistant;
@@ -64,6 +64,11 @@ impl View {
         self.blocks = executed;
     }
 
+    /// The names of its files, by the index that the data give them.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        self.rows.files.iter().map(|file| file.source.name())
+    }
+
     /// The data of the page: a deflated stream.
     pub fn data(&self, report: &Report) -> Vec<u8> {
         let findings = self.findings(report);
@@ -80,12 +85,12 @@ impl View {
     }
 
     /// A still picture as SVG.
-    pub fn svg(&self, still: Still) -> String {
+    pub fn svg(&self, still: Still) -> Picture {
         as_svg(&self.rows, still, &self.besides())
     }
 
     /// A still picture as PNG. `None`: there is not enough memory for one of that size.
-    pub fn png(&self, still: Still) -> Option<Vec<u8>> {
+    pub fn png(&self, still: Still) -> Option<Picture> {
         as_png(&self.rows, still, &self.besides())
     }
 

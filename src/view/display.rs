@@ -42,6 +42,10 @@ pub(super) struct Display {
     pub path: Vec<Item>,
     /// Over the path.
     pub over: Vec<Item>,
+    /// Whether yellow dots are small and have no edge, because there are many.
+    pub fine: bool,
+    /// Yellow dots that are not drawn, because there are too many.
+    pub yellow_left_out: usize,
 }
 
 impl Class {
@@ -99,8 +103,8 @@ impl Class {
 pub(super) const DASH: f32 = 5.0;
 /// Red and yellow of dots, and their edge.
 pub(super) const DOTS: [[u8; 3]; 3] = [[0xd8, 0x1f, 0x26], [0xf2, 0xb7, 0x05], [0x26, 0x32, 0x3b]];
-/// Half the height of a red dot, radius of a yellow one.
-pub(super) const DOT_SIZES: [f64; 2] = [5.0, 3.0];
+/// Half the height of a red dot, radius of a yellow one, of one of many.
+pub(super) const DOT_SIZES: [f64; 3] = [5.0, 3.0, 1.6];
 /// Size of letters, and how wide one is taken to be.
 pub(super) const LETTER: [f64; 2] = [12.0, 7.2];
 

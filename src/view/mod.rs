@@ -7,7 +7,7 @@
 //! | take apart | texts | skeletons and what cannot be foretold | `text` |
 //! | pack | rows | columns of whole numbers, deflated | `pack`, with `column`, `tally`, `container`; `page` puts them into HTML |
 //! | lay out | rows | a still picture: lines, dots, texts | `picture`, with `lines`, `projection`, `display` |
-//! | write | a still picture | SVG, PNG | `svg`; `png` with `glyphs` |
+//! | write | a still picture | SVG, PNG | `svg`; `png` with `scan` and `glyphs` |
 //!
 //! `web/src/data` reads what is packed here; `docs/reference/page-data.md` describes it.
 
@@ -28,6 +28,7 @@ mod png;
 mod positions;
 mod projection;
 mod rows;
+mod scan;
 mod shapes;
 mod svg;
 mod tally;
@@ -38,6 +39,7 @@ mod times;
 pub use collect::{Collect, View};
 pub use pack::SCHEMA;
 pub use page::page;
-pub use picture::Still;
+pub use picture::{Picture, Still};
 pub use projection::Plane;
 pub use rows::Part;
+pub use svg::base64;

@@ -13,6 +13,8 @@ use super::svg::svg;
 const MOST_POINTS: usize = 50_000;
 /// With more yellow dots than these none is drawn, and the picture says so.
 const MOST_YELLOW: usize = 20_000;
+/// With more than these they are small.
+const MANY_YELLOW: usize = 1_000;
 /// Free at the left, top, right and bottom of the path, in pixels.
 const MARGINS: [f64; 4] = [64.0, 36.0, 64.0, 64.0];
 /// Points that are nearer to the one before, in pixels, are left out.
@@ -60,18 +62,29 @@ pub(super) struct Besides {
     pub equidistant: Vec<Chain>,
 }
 
+/// A still picture.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Yellow dots that are not drawn, because there are too many; the picture says so.
+    pub yellow_left_out: usize,
+}
+
 /// The picture as SVG.
-pub(super) fn as_svg(rows: &Rows, still: Still, besides: &Besides) -> String {
+pub(super) fn as_svg(rows: &Rows, still: Still, besides: &Besides) -> Picture {
     let display = lay_out(rows, still, besides);
     let points: usize =
         display.path.iter().map(|item| if let Item::Lines(_, places) = item { places.len() } else { 0 }).sum();
     let image = if points > MOST_POINTS { path_png(&display) } else { None };
-    svg(&display, image.as_deref())
+    let bytes = svg(&display, image.as_deref()).into_bytes();
+    Picture { bytes, yellow_left_out: display.yellow_left_out }
 }
 
 /// The picture as PNG.
-pub(super) fn as_png(rows: &Rows, still: Still, besides: &Besides) -> Option<Vec<u8>> {
-    png(&lay_out(rows, still, besides))
+pub(super) fn as_png(rows: &Rows, still: Still, besides: &Besides) -> Option<Picture> {
+    let display = lay_out(rows, still, besides);
+    Some(Picture { bytes: png(&display)?, yellow_left_out: display.yellow_left_out })
 }
 
 fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
@@ -100,6 +113,8 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
         under: Vec::new(),
         path: path(&lines, &strokes, &projection),
         over: Vec::new(),
+        fine: false,
+        yellow_left_out: 0,
     };
     let mut labels = Labels::default();
     let grid_labels = grid(&mut display, &bounds, &projection);
@@ -139,17 +154,17 @@ fn main_plane(lines: &Lines<'_>, strokes: &[(usize, Stroke)]) -> Plane {
     }
 }
 
-/// The lines in the order of the program, joined while they go on in one kind.
+/// The lines, kind by kind in the order of the program, joined while they go on in one kind.
 fn path(lines: &Lines<'_>, strokes: &[(usize, Stroke)], projection: &Projection) -> Vec<Item> {
     let deviation = 0.1 / projection.scale;
     let mut items = Vec::new();
     let mut open: Option<(Stroke, Vec<Place>, Place)> = None;
-    let close = |open: Option<(Stroke, Vec<Place>, Place)>, items: &mut Vec<Item>| {
+    let close = |open: Option<(Stroke, Vec<Place>, Place)>, items: &mut Vec<(Stroke, Vec<Place>)>| {
         if let Some((stroke, mut places, last)) = open {
             if places.last() != Some(&last) || places.len() == 1 {
                 places.push(last);
             }
-            items.push(Item::Lines(class(stroke), places));
+            items.push((stroke, places));
         }
     };
     for (row, stroke) in strokes {
@@ -174,9 +189,9 @@ fn path(lines: &Lines<'_>, strokes: &[(usize, Stroke)], projection: &Projection)
         });
     }
     close(open, &mut items);
-    // Rapid motions lie under working ones.
-    items.sort_by_key(|item| !matches!(item, Item::Lines(Class::Rapid, _)));
-    items
+    // Rapid motions lie under working ones, and what has one colour is painted at once.
+    items.sort_by_key(|(stroke, _)| *stroke);
+    items.into_iter().map(|(stroke, places)| Item::Lines(class(stroke), places)).collect()
 }
 
 const fn class(stroke: Stroke) -> Class {
@@ -364,11 +379,13 @@ impl Numbers {
 fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection: &Projection, labels: &mut Labels) {
     let place = |dot: &JointDot| projection.at(lines.start(dot.row));
     let yellow = besides.dots.iter().filter(|dot| !dot.red).count();
+    display.fine = yellow > MANY_YELLOW;
     if yellow <= MOST_YELLOW {
         for dot in besides.dots.iter().filter(|dot| !dot.red) {
             display.over.push(Item::Dot { at: place(dot), red: false, seq: dot.seq });
         }
     } else {
+        display.yellow_left_out = yellow;
         // The same bytes in every language.
         let text = format!("{yellow} yellow dots not drawn");
         display.over.push(Item::Text { at: [20.0, 22.0], class: Class::Faint, text });
@@ -380,7 +397,10 @@ fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection:
         let [x, y] = at;
         numbers.push(Numbers { at: [x + 8.0, y - 5.0], first: dot.n, last: dot.n });
     }
-    for number in joined(numbers) {
+    let width = f64::from(display.width);
+    for mut number in joined(numbers) {
+        let [.., right, _] = number.area();
+        number.at[0] -= (right - width).max(0.0);
         labels.block(number.area());
         display.over.push(Item::Text { at: number.at, class: Class::Ink, text: number.text() });
     }

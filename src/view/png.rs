@@ -1,20 +1,19 @@
 //! A still picture as PNG, drawn by tiny-skia: the same bytes on every computer.
 
 use flate2::{Compress, Compression, Crc, FlushCompress};
-use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
+use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
 
 use super::display::{Class, DASH, DOT_SIZES, DOTS, Display, Item, LETTER, Place};
 use super::glyphs;
-
-/// Points of one path, so that none becomes too long to be drawn quickly.
-const PIECE: usize = 4096;
+use super::scan::Coverage;
 
 /// Draws the picture. `None` when it has no size, or more pixels than there is memory for.
 pub(super) fn png(display: &Display) -> Option<Vec<u8>> {
     let mut pixmap = Pixmap::new(display.width, display.height)?;
     pixmap.fill(Color::WHITE);
+    let mut coverage = Coverage::new(display.width, display.height);
     for items in [&display.under, &display.path, &display.over] {
-        draw(&mut pixmap, items);
+        draw(&mut pixmap, &mut coverage, items, display.fine);
     }
     Some(encoded(&pixmap, false))
 }
@@ -22,7 +21,7 @@ pub(super) fn png(display: &Display) -> Option<Vec<u8>> {
 /// Draws the path alone, on nothing.
 pub(super) fn path_png(display: &Display) -> Option<Vec<u8>> {
     let mut pixmap = Pixmap::new(display.width, display.height)?;
-    draw(&mut pixmap, &display.path);
+    draw(&mut pixmap, &mut Coverage::new(display.width, display.height), &display.path, display.fine);
     Some(encoded(&pixmap, true))
 }
 
@@ -87,13 +86,26 @@ const fn single(value: f64) -> f32 {
     value as f32
 }
 
-fn draw(pixmap: &mut Pixmap, items: &[Item]) {
+/// Draws items in their order. Lines of one class that follow one another are painted together.
+fn draw(pixmap: &mut Pixmap, coverage: &mut Coverage, items: &[Item], fine: bool) {
+    let mut open: Option<Class> = None;
     for item in items {
+        let class = if let Item::Lines(class, _) = item { Some(*class) } else { None };
+        if let Some(before) = open.filter(|before| class != Some(*before)) {
+            coverage.paint(pixmap.data_mut(), before.colour());
+        }
+        open = class;
         match item {
-            Item::Lines(class, places) => lines(pixmap, *class, places),
-            Item::Dot { at, red, .. } => dot(pixmap, *at, *red),
+            Item::Lines(class, places) => {
+                let dash = if *class == Class::Rapid { f64::from(DASH) } else { 0.0 };
+                coverage.lines(places, f64::from(class.width()), dash);
+            }
+            Item::Dot { at, red, .. } => dot(pixmap, *at, *red, fine),
             Item::Text { at, class, text } => letters(pixmap, *at, *class, text),
         }
+    }
+    if let Some(last) = open {
+        coverage.paint(pixmap.data_mut(), last.colour());
     }
 }
 
@@ -105,22 +117,9 @@ fn chain(places: &[Place]) -> Option<Path> {
     builder.finish()
 }
 
-fn lines(pixmap: &mut Pixmap, class: Class, places: &[Place]) {
-    let dash = if class == Class::Rapid { StrokeDash::new(vec![DASH, DASH], 0.0) } else { None };
-    let stroke = Stroke { width: class.width(), line_join: LineJoin::Round, dash, ..Stroke::default() };
-    let paint = paint(class.colour());
-    let mut first = 0;
-    while first + 1 < places.len() {
-        let piece = places.get(first..places.len().min(first + PIECE)).unwrap_or_default();
-        if let Some(path) = chain(piece) {
-            pixmap.stroke_path(&path, &paint, &stroke, Transform::identity(), None);
-        }
-        first += PIECE - 1;
-    }
-}
-
-fn dot(pixmap: &mut Pixmap, [x, y]: Place, red: bool) {
-    let [size, small] = DOT_SIZES;
+/// `fine`: a yellow one is small and has no edge.
+fn dot(pixmap: &mut Pixmap, [x, y]: Place, red: bool, fine: bool) {
+    let [size, usual, small] = DOT_SIZES;
     let path = if red {
         let mut builder = PathBuilder::new();
         builder.move_to(single(x), single(y - size));
@@ -130,12 +129,15 @@ fn dot(pixmap: &mut Pixmap, [x, y]: Place, red: bool) {
         builder.close();
         builder.finish()
     } else {
-        PathBuilder::from_circle(single(x), single(y), single(small))
+        PathBuilder::from_circle(single(x), single(y), single(if fine { small } else { usual }))
     };
     let [red_fill, yellow, edge] = DOTS;
     if let Some(path) = path {
         let fill = paint(if red { red_fill } else { yellow });
         pixmap.fill_path(&path, &fill, FillRule::Winding, Transform::identity(), None);
+        if fine && !red {
+            return;
+        }
         let stroke = Stroke { width: 0.9, ..Stroke::default() };
         pixmap.stroke_path(&path, &paint(edge), &stroke, Transform::identity(), None);
     }

@@ -7,7 +7,7 @@ use super::display::{Class, DASH, DOT_SIZES, DOTS, Display, Item, LETTER, Place}
 /// Writes the picture. `image`: the path as PNG, in place of its lines.
 pub(super) fn svg(display: &Display, image: Option<&[u8]>) -> String {
     let mut out = String::with_capacity(1 << 16);
-    let Display { width, height, title, under, path, over } = display;
+    let Display { width, height, title, under, path, over, fine, yellow_left_out: _ } = display;
     // Writing to a String cannot fail.
     let _ = writeln!(
         out,
@@ -15,9 +15,9 @@ pub(super) fn svg(display: &Display, image: Option<&[u8]>) -> String {
          role=\"img\">"
     );
     let _ = writeln!(out, "<title>{}</title>", escaped(title));
-    styles(&mut out);
+    styles(&mut out, *fine);
     let _ = writeln!(out, "<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>");
-    items(&mut out, under);
+    items(&mut out, under, *fine);
     match image {
         Some(png) => {
             let _ = writeln!(
@@ -26,14 +26,14 @@ pub(super) fn svg(display: &Display, image: Option<&[u8]>) -> String {
                 base64(png)
             );
         }
-        None => items(&mut out, path),
+        None => items(&mut out, path, *fine),
     }
-    items(&mut out, over);
+    items(&mut out, over, *fine);
     out.push_str("</svg>\n");
     out
 }
 
-fn styles(out: &mut String) {
+fn styles(out: &mut String, fine: bool) {
     let lines = [
         Class::Grid,
         Class::GridStrong,
@@ -60,16 +60,17 @@ fn styles(out: &mut String) {
         );
     }
     let [red, yellow, edge] = DOTS.map(hex);
+    let edgeless = if fine { ";stroke:none" } else { "" };
     let _ = writeln!(
         out,
         "path.rapid{{stroke-dasharray:{DASH}}}.dot{{stroke:{edge};stroke-width:.9}}path.dot.red{{fill:{red};stroke:{edge};stroke-width:.9}}\
-         .dot.yellow{{fill:{yellow}}}text{{font:{}px monospace;paint-order:stroke;stroke:#fff;stroke-width:3px;\
+         .dot.yellow{{fill:{yellow}{edgeless}}}text{{font:{}px monospace;paint-order:stroke;stroke:#fff;stroke-width:3px;\
          stroke-linejoin:round}}</style>",
         LETTER[0]
     );
 }
 
-fn items(out: &mut String, items: &[Item]) {
+fn items(out: &mut String, items: &[Item], fine: bool) {
     for item in items {
         match item {
             Item::Lines(class, places) => {
@@ -98,7 +99,7 @@ fn items(out: &mut String, items: &[Item]) {
                 number(out, *x);
                 out.push_str("\" cy=\"");
                 number(out, *y);
-                let _ = writeln!(out, "\" r=\"{}\" data-seq=\"{seq}\"/>", DOT_SIZES[1]);
+                let _ = writeln!(out, "\" r=\"{}\" data-seq=\"{seq}\"/>", DOT_SIZES[if fine { 2 } else { 1 }]);
             }
             Item::Text { at: [x, y], class, text } => {
                 let _ = write!(out, "<text class=\"{}\" x=\"", class.name());
@@ -141,7 +142,8 @@ fn escaped(text: &str) -> String {
     text.chars().map(safe).collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-fn base64(bytes: &[u8]) -> String {
+/// Bytes as base 64, with padding.
+pub fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len() * 4 / 3 + 4);
     for three in bytes.chunks(3) {

@@ -216,3 +216,22 @@ fn the_equidistant_is_in_the_picture() {
     assert_eq!(pieces[0]["seq"], 1);
     assert_eq!(pieces[0]["points"].as_array().unwrap().len(), 6);
 }
+
+/// What a picture leaves out is said in it and by the command.
+#[test]
+fn too_many_yellow_dots_are_left_out_and_that_is_said() {
+    let mut program = String::from("%1\nN1 G23 G17 G90 G0 X0 Y0 Z0\nN2 G1 X1 F3000\n");
+    for block in 3..20_030 {
+        program.push_str(&format!("N{block} X{block}\n"));
+    }
+    program.push_str("N20030 M30\n");
+    let place = Place::with(&[("long.nc", program.as_bytes())]);
+    let said = "yellow dots are not drawn";
+    place.run(&["view", "long.nc", "-o", "a.svg"]).ends(0).says(said);
+    let svg = String::from_utf8(place.read("a.svg")).unwrap();
+    assert!(svg.contains("yellow dots not drawn</text>") && !svg.contains("<circle"));
+    place.run(&["view", "long.nc", "-o", "a.png", "--lang", "cs"]).ends(0).says("nekreslených žlutých teček");
+    let few = place.run(&["view", "long.nc", "-o", "a.svg", "--blocks", "900"]).ends(0);
+    assert!(!few.stderr.contains(said));
+    assert_eq!(dots(&String::from_utf8(place.read("a.svg")).unwrap(), "dot yellow").len(), 896);
+}

@@ -58,14 +58,14 @@ export function api(app: App, view: View, player: Player, setLanguage: (lang: La
       return row >= 0 && app.path.hasLine(row) ? view.camera.project(app.path.at(row, 0.5)) : null;
     },
     dots: () =>
-      (app.times?.dots() ?? []).map(({ index, red }) => {
+      Array.from(app.times?.dots() ?? [], (index) => {
         const place = app.place(index);
         const joint = app.times!.joint(index)!;
         const reason = joint.broken_by ?? joint.limited_by;
         return {
           seq: place.seq,
           n: app.program.n[place.block]!,
-          dot: red ? 'red' : 'yellow',
+          dot: app.times!.dotOf(index)!,
           ...(reason === undefined ? {} : { reason }),
           feed: joint.feed,
           ...(joint.angle_deg === undefined ? {} : { angle_deg: joint.angle_deg }),

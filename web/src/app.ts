@@ -5,6 +5,7 @@ import type { Header } from './data/header.ts';
 import { Program } from './data/program.ts';
 import { Text } from './data/text.ts';
 import { Times } from './data/times.ts';
+import type { Place } from './panel.ts';
 import { Path } from './scene/path.ts';
 
 export const COLOURS = ['motion', 'feed', 'velocity', 'tool', 'set', 'time'] as const;
@@ -40,6 +41,7 @@ interface Events {
   language: undefined;
   theme: undefined;
   measure: undefined;
+  stale: undefined;
 }
 
 export class App {
@@ -48,6 +50,8 @@ export class App {
   text!: Text;
   times: Times | undefined;
   current: number | null = null;
+  /** Whether the picture is that of an earlier text, because the program cannot be executed now. */
+  stale = false;
   colourBy: ColourBy = 'motion';
   readonly shown: Shown = { red: true, yellow: true, numbers: true, equidistant: true, rapids: true, grid: true };
   filter: Filter = { tools: new Set(), units: new Set(), from: 0, to: 0 };
@@ -65,16 +69,48 @@ export class App {
     this.filter = { tools: new Set(), units: new Set(), from: 0, to: Math.max(this.program.count - 1, 0) };
   }
 
-  /** Shows other data, such as those of the program after a change. The block in hand stays when it is there. */
-  replace(data: Container<Header>): void {
-    const before = this.current === null ? null : this.place(this.current);
+  /** Shows other data, such as those of the program after a change. What is in hand, or the block at `at`, stays in hand. */
+  replace(data: Container<Header>, at?: Place): void {
+    const before = this.current;
+    const place = at ?? (before === null ? undefined : this.place(before));
+    const { tools, units } = this.filter;
     this.#read(data);
+    this.filter = { ...this.filter, tools, units };
     this.current = null;
+    this.stale = false;
     this.emit('data', undefined);
-    if (before !== null) {
-      const executions = this.program.executionsAt(before.file, before.line);
-      this.select(executions[0] ?? null, 'script');
+    if (place !== undefined) {
+      this.select(this.#nearest(place, before ?? 0), 'script');
     }
+  }
+
+  /** The data are those of an earlier text from now on. */
+  age(): void {
+    this.stale = true;
+    this.emit('stale', undefined);
+  }
+
+  /** Takes the block at a place in hand, unless one of its executions is: the one nearest to what was in hand. */
+  follow(place: Place): void {
+    const current = this.current === null ? undefined : this.place(this.current);
+    if (current?.file === place.file && current.line === place.line) {
+      return;
+    }
+    const nearest = this.#nearest(place, this.current ?? 0);
+    if (nearest !== null) {
+      this.select(nearest, 'script');
+    }
+  }
+
+  /** Of the executions of the block at a place, the one nearest to another block. */
+  #nearest({ file, line }: Place, index: number): number | null {
+    let nearest: number | null = null;
+    for (const execution of this.program.executionsAt(file, line)) {
+      if (nearest === null || Math.abs(execution - index) < Math.abs(nearest - index)) {
+        nearest = execution;
+      }
+    }
+    return nearest;
   }
 
   on<E extends keyof Events>(event: E, listener: (value: Events[E]) => void): void {

@@ -7,7 +7,9 @@ import { App } from './app.ts';
 import { bytesOfText, Container, inflate } from './data/columns.ts';
 import type { Header } from './data/header.ts';
 import { type Lang, language, setLanguage, t } from './i18n.ts';
+import { editor } from './panel.ts';
 import { View } from './scene/view.ts';
+import { followTheme } from './theme.ts';
 import { Chart } from './ui/chart.ts';
 import { Code } from './ui/code.ts';
 import { h, labelled, retell } from './ui/dom.ts';
@@ -19,6 +21,9 @@ import { Player } from './ui/player.ts';
 import { State } from './ui/state.ts';
 import { tabs } from './ui/tabs.ts';
 import { legend, title, toolbar } from './ui/toolbar.ts';
+
+/** The form of the data that is read here. */
+const SCHEMA = 'cnc872c.path/1';
 
 declare global {
   interface Window {
@@ -36,12 +41,21 @@ function chooseLanguage(): Lang {
   return wanted.find((tag): tag is Lang => tag === 'en' || tag === 'cs') ?? 'en';
 }
 
-async function readData(): Promise<Container<Header>> {
+/** The data that the page holds. */
+function ownData(): Uint8Array<ArrayBuffer> {
   const holder = document.getElementById('cnc872c-data')!;
   const bytes = bytesOfText(holder.textContent ?? '');
   // The text is not needed any more: it would take memory.
   holder.remove();
-  return new Container<Header>(await inflate(bytes));
+  return bytes;
+}
+
+async function unpack(bytes: Uint8Array<ArrayBuffer>): Promise<Container<Header>> {
+  const data = new Container<Header>(await inflate(bytes));
+  if (data.header.schema !== SCHEMA) {
+    throw new Error(`${data.header.schema}, ${SCHEMA}`);
+  }
+  return data;
 }
 
 function build(app: App): { view: View; player: Player; say: (lang: Lang) => void } {
@@ -107,12 +121,21 @@ async function start(): Promise<void> {
   // Whoever asks before the data are read waits for `ready`.
   window.cnc872c = { ready } as Api;
   ready.catch(() => undefined);
+  let shown: App | undefined;
+  followTheme(() => shown?.emit('theme', undefined));
   try {
-    const app = new App(await readData());
+    const around = editor();
+    const { data, place } = around === undefined ? { data: ownData(), place: undefined } : await around.first();
+    const app = new App(await unpack(data));
+    shown = app;
     const { view, player, say } = build(app);
     view.drawNow();
     window.cnc872c = api(app, view, player, say, ready);
     connect(app, window.cnc872c);
+    around?.connect(app, async (later, at) => app.replace(await unpack(later), at));
+    if (place !== undefined) {
+      app.follow(place);
+    }
     drawn();
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);

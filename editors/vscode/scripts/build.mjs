@@ -3,7 +3,7 @@
 //   node scripts/build.mjs [--production] [--watch]
 
 import { existsSync } from 'node:fs';
-import { readFile, readdir, writeFile } from 'node:fs/promises';
+import { cp, readFile, readdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 
 import esbuild from 'esbuild';
@@ -31,6 +31,8 @@ if (process.argv.includes('--watch')) {
   await context.watch();
 } else {
   const { metafile } = await esbuild.build(options);
+  // The viewer of paths is that of the pages of `cnc872c view`.
+  await cp('../../src/view/viewer', 'dist/viewer', { recursive: true });
   await writeFile('dist/THIRD-PARTY.txt', await licences(Object.keys(metafile.inputs)));
 }
 

@@ -5,14 +5,24 @@ import * as vscode from 'vscode';
 import { type Server, SHOW_REFERENCES } from './client';
 import { toggle } from './comments';
 import { asCode, choices, codeOf, pageOf } from './findings';
+import type { PathPanel } from './panel';
 import { language } from './settings';
 import type { Views } from './view';
 
 /** Registers every command of package.json, and that of code lenses. */
-export function registerCommands(context: vscode.ExtensionContext, server: Server, views: Views): void {
+export function registerCommands(
+  context: vscode.ExtensionContext,
+  server: Server,
+  views: Views,
+  path: PathPanel,
+): void {
   const commands: Record<string, (...values: unknown[]) => unknown> = {
     'cnc872c.restart': () => server.restart(),
     'cnc872c.showOutput': () => server.output.show(),
+    'cnc872c.showPath': () => {
+      const program = activeProgram();
+      return program && path.show(program);
+    },
     'cnc872c.showStream': () => {
       const program = activeProgram();
       return program && views.showStream(program.document.uri);

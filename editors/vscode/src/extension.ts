@@ -6,6 +6,7 @@ import { Server } from './client';
 import { registerCommands } from './commands';
 import { Dots } from './dots';
 import { guardEncodings } from './guard';
+import { PathPanel } from './panel';
 import { Views } from './view';
 
 let server: Server | undefined;
@@ -14,8 +15,9 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const started = new Server(context);
   server = started;
   const views = new Views(started);
-  context.subscriptions.push(started, views, new Dots(started), guardEncodings());
-  registerCommands(context, started, views);
+  const path = new PathPanel(started, context.extensionUri);
+  context.subscriptions.push(started, views, path, new Dots(started), guardEncodings());
+  registerCommands(context, started, views, path);
   await started.start();
 }
 

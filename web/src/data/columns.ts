@@ -1,8 +1,8 @@
 // The packed data of a page: one deflated stream of a header and columns of whole numbers. What is read here is written
 // by src/view/container.rs and column.rs.
 
-/** A column, read back: one number a row. */
-export type Numbers = Int32Array | Float64Array;
+/** A column, read back: one number a row, each in as few bytes as the greatest needs. */
+export type Numbers = Uint8Array | Uint16Array | Int32Array | Float64Array;
 
 /** What the header says of a column: name, count, order of differences, sparse, wide, bytes. */
 type Form = [string, number, number, 0 | 1, 0 | 1, number];
@@ -102,9 +102,26 @@ class Planes {
   }
 }
 
-function read(bytes: Uint8Array, start: number, form: Form): Numbers {
+/** The same numbers in fewer bytes, where they fit. */
+function narrowed(values: Int32Array | Float64Array): Numbers {
+  let [least, most] = [0, 0];
+  for (const value of values) {
+    least = value < least ? value : least;
+    most = value > most ? value : most;
+  }
+  if (least < 0 || most > 0xffff || values instanceof Float64Array) {
+    return values;
+  }
+  return most > 0xff ? Uint16Array.from(values) : Uint8Array.from(values);
+}
+
+function read(bytes: Uint8Array, start: number, form: Form): Int32Array | Float64Array {
   const [, count, order, sparse, wide] = form;
-  const values: Numbers = wide ? new Float64Array(count) : new Int32Array(count);
+  // All are 0.
+  if (sparse && form[5] === 4) {
+    return new Int32Array(count);
+  }
+  const values = wide ? new Float64Array(count) : new Int32Array(count);
   if (sparse) {
     const kept = new DataView(bytes.buffer, bytes.byteOffset + start).getUint32(0, true);
     const gaps = new Planes(bytes, start + 4, kept);
@@ -152,7 +169,7 @@ export class Container<H> {
   /** A column; an empty one when the stream has none of that name. */
   take(name: string): Numbers {
     const column = this.#columns.get(name);
-    return column === undefined ? new Int32Array(0) : read(this.#bytes, column.start, column.form);
+    return column === undefined ? new Uint8Array(0) : narrowed(read(this.#bytes, column.start, column.form));
   }
 
   has(name: string): boolean {

@@ -22,7 +22,7 @@ export class Program {
   /** By row: which block of the text. */
   readonly block: Numbers;
   /** By row: the row whose positions are those before it. */
-  readonly before: Numbers;
+  readonly before: Int32Array;
   readonly state: Numbers;
   readonly extra: Numbers;
   readonly shape: Numbers;
@@ -60,9 +60,10 @@ export class Program {
     this.linear = header.program.axes.flatMap((axis, place) => (axis.kind === 'linear' ? [place] : [])).slice(0, 3);
     this.block = data.take('row.block');
     this.rows = this.block.length;
-    this.before = data.take('row.before');
+    const back = data.take('row.before');
+    this.before = new Int32Array(this.rows);
     for (let row = 0; row < this.rows; row += 1) {
-      this.before[row] = Math.max(row - 1 - this.before[row]!, 0);
+      this.before[row] = Math.max(row - 1 - back[row]!, 0);
     }
     this.state = data.take('row.state');
     this.extra = data.take('row.extra');
@@ -72,7 +73,12 @@ export class Program {
       this.letters.reduce((sum, letter, axis) => (letters?.includes(letter) ? sum | (1 << axis) : sum), 0);
     this.#bits = header.shapes.map((shape) => ({ known: bits(shape.k), coded: bits(shape.c) }));
     this.per = this.letters.map((letter) => header.per[`pos.${letter}`] ?? 1000);
-    this.position = this.letters.map((letter, axis) => this.#readPositions(data.take(`pos.${letter}`), axis));
+    // Axes that are never known share their zeros.
+    const nowhere = new Uint8Array(this.rows);
+    const known = this.#bits.reduce((sum, shape) => sum | shape.known, 0);
+    this.position = this.letters.map((letter, axis) =>
+      known & (1 << axis) ? this.#readPositions(data.take(`pos.${letter}`), axis) : nowhere,
+    );
     this.center = [data.take('arc.0'), data.take('arc.1')];
     this.centerPer = header.per['arc'] ?? 1000;
     this.centerAt = this.#placeCenters();

@@ -77,12 +77,16 @@ export class Text {
     });
     for (const [letter, count] of counts) {
       if (data.has(`text.${letter}`)) {
+        const values = data.take(`text.${letter}`);
+        if (foretold[letter] === 'row' && values.every((value) => value === 0)) {
+          continue;
+        }
         const at = new Int32Array(blocks);
         for (let block = 0, next = 0; block < blocks; block += 1) {
           at[block] = next;
           next += count[this.#skeleton[block]!]!;
         }
-        this.#numbers.set(letter, { values: data.take(`text.${letter}`), at, foretold: foretold[letter] === 'row' });
+        this.#numbers.set(letter, { values, at, foretold: foretold[letter] === 'row' });
       }
     }
     this.lines = data.header.files.map((file, index) => {
@@ -94,14 +98,15 @@ export class Text {
   /** A skeleton is the one that stood last where a block of the same shape was executed, unless another is named. */
   #readSkeletons(column: Numbers): Numbers {
     const last = new Int32Array(this.#program.header.shapes.length);
+    const skeletons = this.#skeletons.length > 0xff ? new Int32Array(column.length) : new Uint8Array(column.length);
     for (let block = 0; block < column.length; block += 1) {
       const shape = this.#program.shape[this.#firstRow[block]!]!;
       const value = column[block]!;
       const skeleton = value === 0 ? last[shape]! : value - 1;
       last[shape] = skeleton;
-      column[block] = skeleton;
+      skeletons[block] = skeleton;
     }
-    return column;
+    return skeletons;
   }
 
   /** The text of a block, from its N to the next one, with what stands between. Lines end with `\n`. */

@@ -24,12 +24,6 @@ const STRETCH = 1 << 9;
 const MERGED = 1 << 10;
 const RAPID = 1 << 11;
 
-/** A joint with a dot. */
-export interface Dot {
-  index: number;
-  red: boolean;
-}
-
 /** The joint between a motion and the one before it: feeds in mm/min. */
 export interface Joint {
   feed: number;
@@ -71,7 +65,7 @@ export class Times {
   readonly #angle = new Map<number, number>();
   readonly #with = new Map<number, number>();
   readonly #piece = new Map<number, number>();
-  #dots: Dot[] | undefined;
+  #dots: Int32Array | undefined;
 
   constructor(data: Container<Header>, program: Program) {
     this.#program = program;
@@ -379,19 +373,30 @@ export class Times {
     return joint;
   }
 
-  /** All joints with a dot, ascending. */
-  dots(): Dot[] {
+  /** The blocks whose joint has a dot, ascending. */
+  dots(): Int32Array {
     if (this.#dots === undefined) {
-      this.#dots = [];
-      const kinds = this.#codes.map((code) => code.dot);
-      for (let index = 0; index < this.#code.length; index += 1) {
-        const dot = kinds[this.#code[index]!];
-        if (dot !== undefined) {
-          this.#dots.push({ index, red: dot === 'red' });
+      const has = this.#codes.map((code) => code.dot !== undefined);
+      const code = this.#code;
+      let count = 0;
+      for (let index = 0; index < code.length; index += 1) {
+        count += has[code[index]!] ? 1 : 0;
+      }
+      this.#dots = new Int32Array(count);
+      for (let index = 0, at = 0; index < code.length; index += 1) {
+        if (has[code[index]!]) {
+          this.#dots[at] = index;
+          at += 1;
         }
       }
     }
     return this.#dots;
+  }
+
+  /** Those of them whose dot is red. */
+  redDots(): Int32Array {
+    const red = this.#codes.map((code) => code.dot === 'red');
+    return this.dots().filter((index) => red[this.#code[index]!]!);
   }
 
   /** Seconds of motion from the start of a block to the end of its stretch. */

@@ -25,6 +25,8 @@ export interface Theme {
   gridLine: number;
   gridStrong: number;
   kinds: number[];
+  /** The velocity in the chart. */
+  velocity: number;
   axes: [string, string, string];
   selection: string;
   selectionEdge: string;
@@ -42,7 +44,9 @@ export const LIGHT: Theme = {
   faint: '#5b6b78',
   gridLine: colour('#e6ebef'),
   gridStrong: colour('#cfd8de'),
-  kinds: ['#8a97a3', '#0b62a8', '#00805f', '#8a3f86'].map(colour),
+  // None is blue: that is the equidistant's.
+  kinds: ['#8a97a3', '#33414d', '#00805f', '#8a3f86'].map(colour),
+  velocity: colour('#0b62a8'),
   axes: ['#b3261e', '#1c7a2e', '#1f4fbf'],
   selection: '#e0218a',
   selectionEdge: '#ffffff',
@@ -60,7 +64,8 @@ export const DARK: Theme = {
   faint: '#9aa9b4',
   gridLine: colour('#1f2930'),
   gridStrong: colour('#2f3c45'),
-  kinds: ['#73828e', '#56b4e9', '#2fc79a', '#d58ad0'].map(colour),
+  kinds: ['#73828e', '#d3dde4', '#2fc79a', '#d58ad0'].map(colour),
+  velocity: colour('#56b4e9'),
   axes: ['#ff7b72', '#56d364', '#79b0ff'],
   selection: '#ff5fb3',
   selectionEdge: '#12181d',

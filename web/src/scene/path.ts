@@ -1,5 +1,6 @@
 // The lines of the path: which rows have one, and their shape in space.
 
+import type { Numbers } from '../data/columns.ts';
 import type { Shape } from '../data/header.ts';
 import type { Program } from '../data/program.ts';
 import type { Box, Vector } from './camera.ts';
@@ -59,7 +60,8 @@ export class Path {
     this.#shapes = program.header.shapes.map(lineOf);
     const [X, Y, Z] = this.#axes;
     const rows = new Int32Array(program.rows);
-    const columns = [X, Y, Z].map((axis) => program.position[axis]);
+    const none = new Uint8Array(program.rows);
+    const [px, py, pz] = [X, Y, Z].map((axis) => program.position[axis] ?? none) as [Numbers, Numbers, Numbers];
     const hasLine = new Uint8Array(program.rows);
     let count = 0;
     for (let row = 1; row < program.rows; row += 1) {
@@ -72,7 +74,7 @@ export class Path {
         continue;
       }
       const before = program.before[row]!;
-      const moves = columns.some((column) => column !== undefined && column[row] !== column[before]);
+      const moves = px[row] !== px[before] || py[row] !== py[before] || pz[row] !== pz[before];
       if (moves || (line.arc && this.#isArcInSpace(row))) {
         hasLine[row] = 1;
         rows[count] = row;
@@ -129,6 +131,19 @@ export class Path {
 
   start(row: number): Vector {
     return this.point(this.program.before[row]!);
+  }
+
+  /** Tells of rows whether the tool stands within so many pixels after them, by the coefficients of a projection. */
+  within(m: Float64Array, width: number, height: number): (row: number) => boolean {
+    const none = new Uint8Array(0);
+    const [px, py, pz] = this.#axes.map((axis) => this.program.position[axis] ?? none) as [Numbers, Numbers, Numbers];
+    const [sx, sy, sz] = this.#axes.map((axis) => 1 / (this.program.per[axis] ?? 1)) as Vector;
+    return (row) => {
+      const [x, y, z] = [(px[row] ?? 0) * sx, (py[row] ?? 0) * sy, (pz[row] ?? 0) * sz];
+      const px0 = m[0]! * x + m[1]! * y + m[2]! * z + m[3]!;
+      const py0 = m[4]! * x + m[5]! * y + m[6]! * z + m[7]!;
+      return px0 >= 0 && py0 >= 0 && px0 <= width && py0 <= height;
+    };
   }
 
   /** The point of a line at a share of its way, 0 to 1. */
@@ -217,14 +232,17 @@ export class Path {
     [X, Y, Z].forEach((axis, i) => {
       const position = program.position[axis];
       const per = program.per[axis] ?? 1;
-      for (const row of this.rows) {
+      const { rows } = this;
+      for (let place = 0; place < rows.length; place += 1) {
+        const row = rows[place]!;
         const works = this.kind(row) !== Kind.Rapid;
-        for (const at of [row, program.before[row]!]) {
-          const value = position === undefined ? 0 : position[at]! / per;
-          include(all, i, value);
-          if (works) {
-            include(working, i, value);
-          }
+        const from = position === undefined ? 0 : position[program.before[row]!]! / per;
+        const to = position === undefined ? 0 : position[row]! / per;
+        include(all, i, from);
+        include(all, i, to);
+        if (works) {
+          include(working, i, from);
+          include(working, i, to);
         }
       }
     });

@@ -2,8 +2,9 @@
 
 import type { App } from '../app.ts';
 import { t } from '../i18n.ts';
+import { isDark } from '../theme.ts';
 import { Camera, type Plane, type Vector } from './camera.ts';
-import { DARK, LIGHT, type Legend, type Theme, colour, paint } from './colours.ts';
+import { DARK, LIGHT, type Legend, type Theme, paint } from './colours.ts';
 import { Gl, hardwareContext } from './gl.ts';
 import { grid, type GridLabel } from './grid.ts';
 import { Lines } from './lines.ts';
@@ -39,11 +40,13 @@ export class View {
   onLegend: (() => void) | undefined;
   readonly #marks: HTMLCanvasElement;
   readonly #renderer: Renderer;
-  #wanted = false;
+  /** What the next frame draws. */
+  #wanted: 'nothing' | 'marks' | 'all' = 'nothing';
+  #gridLabels: GridLabel[] = [];
   #moving = false;
   #restTimer = 0;
   #dots: Dots = { points: new Float32Array(0), red: new Uint8Array(0) };
-  #allDots: { points: Float32Array; red: Uint8Array; index: Int32Array } | undefined;
+  #redDots: Int32Array | undefined;
   #dotsFor = '';
   #yellowHidden = false;
   #standard: Standard = 'iso';
@@ -63,22 +66,18 @@ export class View {
     element.append(this.canvas, this.#marks);
     this.#renderer = makeRenderer(this.canvas);
     element.dataset['renderer'] = this.#renderer.name;
-    const dark = window.matchMedia('(prefers-color-scheme: dark)');
-    const themed = (): void => {
-      this.theme = dark.matches ? DARK : LIGHT;
-    };
-    themed();
-    dark.addEventListener('change', () => {
-      themed();
-      this.repaint();
-      app.emit('theme', undefined);
-    });
+    this.theme = isDark() ? DARK : LIGHT;
     this.#load();
+    // Before others, who take colours from here.
+    app.on('theme', () => {
+      this.theme = isDark() ? DARK : LIGHT;
+      this.repaint();
+    });
     app.on('data', () => this.#load());
     app.on('colour', () => this.repaint());
     app.on('filter', () => this.#rebuild());
     app.on('shown', () => this.#rebuild());
-    app.on('select', () => this.request());
+    app.on('select', () => this.request('marks'));
     app.on('language', () => this.request());
     new ResizeObserver(() => this.#resize()).observe(element);
     this.#hands();
@@ -92,7 +91,7 @@ export class View {
 
   #load(): void {
     this.measured = [];
-    this.#allDots = undefined;
+    this.#redDots = undefined;
     this.#dotsFor = '';
     this.#rebuild();
     if (this.#untouched) {
@@ -168,15 +167,20 @@ export class View {
     this.camera.fit(this.app.path.box, [52, 48, 52, 48]);
   }
 
-  /** The picture is drawn anew before the next frame. */
-  request(): void {
-    if (!this.#wanted) {
-      this.#wanted = true;
+  /** The picture, or only what stands over the path, is drawn anew before the next frame. */
+  request(what: 'marks' | 'all' = 'all'): void {
+    if (this.#wanted === 'nothing') {
       requestAnimationFrame(() => {
-        this.#wanted = false;
-        this.#draw();
+        const all = this.#wanted === 'all';
+        this.#wanted = 'nothing';
+        if (all) {
+          this.#draw();
+        } else {
+          drawMarks(this, this.#marks, this.#gridLabels);
+        }
       });
     }
+    this.#wanted = what === 'all' || this.#wanted === 'all' ? 'all' : 'marks';
   }
 
   /** The hand moves the picture: it need not be complete until it rests. */
@@ -219,6 +223,7 @@ export class View {
       dots: this.#dots,
       dotColours: { red: theme.red, yellow: theme.yellow, edge: theme.dotEdge },
     });
+    this.#gridLabels = labels;
     drawMarks(this, this.#marks, labels);
     const took = performance.now() - begun;
     if (this.#moving && lines.count > FLUENT) {
@@ -253,81 +258,50 @@ export class View {
     }
   }
 
-  /** All dots of the page, with their places. */
-  #dotPlaces(): { points: Float32Array; red: Uint8Array; index: Int32Array } {
-    if (this.#allDots === undefined) {
-      const dots = this.app.times?.dots() ?? [];
-      const { program, path } = this.app;
-      const points = new Float32Array(3 * dots.length);
-      const red = new Uint8Array(dots.length);
-      const index = new Int32Array(dots.length);
-      dots.forEach((dot, at) => {
-        points.set(path.start(program.rowOf(dot.index)), 3 * at);
-        red[at] = dot.red ? 1 : 0;
-        index[at] = dot.index;
-      });
-      this.#allDots = { points, red, index };
-    }
-    return this.#allDots;
-  }
-
   /** Places of the red dots that may be numbered, with their blocks. */
   redDots(): { index: number; point: Vector }[] {
-    const { points, red, index } = this.#dotPlaces();
-    const found: { index: number; point: Vector }[] = [];
-    for (let at = 0; at < red.length; at += 1) {
-      if (red[at] === 1 && !(this.app.isFiltered && this.app.isHidden(index[at]!))) {
-        found.push({ index: index[at]!, point: [points[3 * at]!, points[3 * at + 1]!, points[3 * at + 2]!] });
-      }
-    }
-    return found;
+    const { app } = this;
+    const { path, program } = app;
+    this.#redDots ??= app.times?.redDots() ?? new Int32Array(0);
+    const seen = app.isFiltered ? this.#redDots.filter((index) => !app.isHidden(index)) : this.#redDots;
+    return Array.from(seen, (index) => ({ index, point: path.start(program.rowOf(index)) }));
   }
 
+  /** The dots that are drawn: those in sight, and yellow ones only while they are not too many. */
   #chooseDots(): void {
     const { app, camera } = this;
-    const all = this.#dotPlaces();
-    const { red: showRed, yellow: showYellow } = app.shown;
-    const many = all.red.length > MOST_YELLOW;
+    const { path, program, times, shown } = app;
+    const all = times?.dots() ?? new Int32Array(0);
+    const many = all.length > MOST_YELLOW;
     // Few dots are the same whatever is in sight.
-    const key = `${showRed} ${showYellow} ${many ? `${camera.matrix().join(' ')} ${camera.width} ${camera.height}` : ''}`;
+    const key = `${shown.red} ${shown.yellow} ${many ? `${camera.matrix().join(' ')} ${camera.width} ${camera.height}` : ''}`;
     if (key === this.#dotsFor) {
       return;
     }
     this.#dotsFor = key;
     const m = camera.matrix();
-    const chosen: number[] = [];
+    const inSight = path.within(m, camera.width, camera.height);
+    const kept: number[] = [];
     let yellow = 0;
-    for (let at = 0; at < all.red.length; at += 1) {
-      const isRed = all.red[at] === 1;
-      if (isRed ? !showRed : !showYellow) {
+    for (const index of all) {
+      const isRed = times!.dotOf(index) === 'red';
+      if (
+        (isRed ? !shown.red : !shown.yellow || yellow > MOST_YELLOW) ||
+        (app.isFiltered && app.isHidden(index)) ||
+        (many && !inSight(program.before[program.rowOf(index)]!))
+      ) {
         continue;
       }
-      if (app.isFiltered && app.isHidden(all.index[at]!)) {
-        continue;
-      }
-      if (many) {
-        const [x, y, z] = [all.points[3 * at]!, all.points[3 * at + 1]!, all.points[3 * at + 2]!];
-        const px = m[0]! * x + m[1]! * y + m[2]! * z + m[3]!;
-        const py = m[4]! * x + m[5]! * y + m[6]! * z + m[7]!;
-        if (px < 0 || py < 0 || px > camera.width || py > camera.height) {
-          continue;
-        }
-      }
-      if (!isRed) {
-        yellow += 1;
-        if (yellow > MOST_YELLOW) {
-          continue;
-        }
-      }
-      chosen.push(at);
+      yellow += isRed ? 0 : 1;
+      kept.push(index);
     }
     this.#yellowHidden = yellow > MOST_YELLOW;
-    const kept = this.#yellowHidden ? chosen.filter((at) => all.red[at] === 1) : chosen;
-    const points = new Float32Array(3 * kept.length);
-    const red = new Uint8Array(kept.length);
-    kept.forEach((at, i) => {
-      points.set(all.points.subarray(3 * at, 3 * at + 3), 3 * i);
-      red[i] = all.red[at]!;
+    const drawn = this.#yellowHidden ? kept.filter((index) => times!.dotOf(index) === 'red') : kept;
+    const points = new Float32Array(3 * drawn.length);
+    const red = new Uint8Array(drawn.length);
+    drawn.forEach((index, i) => {
+      points.set(path.start(program.rowOf(index)), 3 * i);
+      red[i] = times!.dotOf(index) === 'red' ? 1 : 0;
     });
     this.#dots = { points, red };
   }
@@ -436,6 +410,11 @@ export class View {
         camera.zoom(1.25);
       } else if (event.key === '-' || event.key === '_') {
         camera.zoom(0.8);
+      } else if (event.key === 'Enter' && this.onPoint !== undefined) {
+        const { current, program, path } = this.app;
+        if (current !== null) {
+          this.onPoint({ index: current, point: path.point(program.rowOf(current)) });
+        }
       } else if (event.key === 'Home') {
         this.look('fit');
       } else {
@@ -449,11 +428,6 @@ export class View {
   /** What the canvas says to those who do not see it. */
   describe(): void {
     this.canvas.setAttribute('aria-label', t('canvas'));
-  }
-
-  /** The colour of the equidistant, for the legend. */
-  get equidistantColour(): number {
-    return this.theme.equidistant ?? colour('#0000ff');
   }
 }
 

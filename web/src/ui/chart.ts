@@ -45,7 +45,9 @@ export class Chart {
       said('button', 'chartCurrent', { type: 'button', onclick: () => this.#near() }),
       this.#facts,
     );
-    this.#plotPlace.setAttribute('role', 'img');
+    this.#plotPlace.setAttribute('role', 'application');
+    this.#plotPlace.tabIndex = 0;
+    this.#plotPlace.addEventListener('keydown', (event) => this.#key(event));
     labelled(this.#plotPlace, 'chartLabel');
     this.element = h('section', { class: 'chart' }, head, this.#plotPlace);
     app.on('data', () => this.#load());
@@ -114,13 +116,13 @@ export class Chart {
         scales: { x: { time: false }, y: { range: (_, __, max) => [0, Math.max(max, 1) * 1.06] } },
         axes: [
           { ...axis, size: 26, values: (_, ticks) => ticks.map((tick) => (this.#overTime ? shown(tick) : shown(tick, 0))) },
-          { ...axis, size: 52 },
+          { ...axis, size: 64 },
         ],
         series: [
           {},
           { stroke: css(theme.gridStrong), width: 1.2, dash: [5, 4], spanGaps: false, points: { show: false } },
           { stroke: css(theme.kinds[2]!), width: 1, dash: [2, 3], spanGaps: false, points: { show: false } },
-          { stroke: css(theme.kinds[1]!), width: 1.6, spanGaps: false, points: { show: false }, fill: `${css(theme.kinds[1]!)}22` },
+          { stroke: css(theme.velocity), width: 1.6, spanGaps: false, points: { show: false }, fill: `${css(theme.velocity)}22` },
         ],
         hooks: {
           drawClear: [(plot) => this.#drawBlocks(plot)],
@@ -276,6 +278,32 @@ export class Chart {
       ctx.fillRect(from - ratio, bbox.top, 2 * ratio, bbox.height);
     }
     ctx.restore();
+  }
+
+  /** Arrows pan, plus and minus zoom about the block in hand, Home shows all. */
+  #key(event: KeyboardEvent): void {
+    const { times, current } = this.#app;
+    if (times === undefined || event.ctrlKey || event.altKey || event.metaKey) {
+      return;
+    }
+    const [low, high] = this.#range;
+    const span = high - low;
+    const hand = current === null ? NaN : this.#x(current);
+    const at = hand >= low && hand <= high ? hand : (low + high) / 2;
+    const zoom = (factor: number): void => this.#zoom(at - (at - low) * factor, at + (high - at) * factor);
+    const actions: { [key: string]: () => void } = {
+      ArrowLeft: () => this.#zoom(low - span / 8, high - span / 8),
+      ArrowRight: () => this.#zoom(low + span / 8, high + span / 8),
+      '+': () => zoom(0.7),
+      '=': () => zoom(0.7),
+      '-': () => zoom(1 / 0.7),
+      Home: () => this.#whole(),
+    };
+    const action = actions[event.key];
+    if (action !== undefined) {
+      event.preventDefault();
+      action();
+    }
   }
 
   #hands(plot: uPlot): void {

@@ -17,12 +17,12 @@ export function joints(app: App): HTMLElement {
       element.replaceChildren(h('p', { class: 'empty' }, t('noMotion')));
       return;
     }
-    const red = times.dots().filter((dot) => dot.red);
+    const red = times.redDots();
     if (red.length === 0) {
       element.replaceChildren(h('p', { class: 'empty' }, t('noRed')));
       return;
     }
-    const items = red.slice(0, listed).map(({ index }) => {
+    const items = Array.from(red.subarray(0, listed), (index) => {
       const joint = times.joint(index)!;
       const place = app.place(index);
       const why = joint.broken_by !== undefined ? named('broken', joint.broken_by) : named('limited', joint.limited_by ?? '');

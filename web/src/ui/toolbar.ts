@@ -15,7 +15,8 @@ export function title(app: App): HTMLElement {
     document.title = `${heading.textContent} – ${program.name}`;
     const time = total?.['time_s'];
     const bound = total?.['lower_bound'] === true ? `${t('lowerBound')} ` : '';
-    const parts = [program.name, `${app.header.blocks.toLocaleString(language())} ${t('blocks')}`];
+    facts.title = program.name;
+    const parts = [program.name.split(/[/\\]/).pop() ?? '', `${app.header.blocks.toLocaleString(language())} ${t('blocks')}`];
     if (typeof time === 'number') {
       parts.push(bound + clock(time));
     }
@@ -109,6 +110,18 @@ export function legend(app: App, view: View): HTMLElement {
       const ends = legend.unit === 's' ? [clock(legend.from), clock(legend.to)] : [shown(legend.from, 1), `${shown(legend.to, 1)} ${legend.unit}`];
       list.append(h('span', { class: 'item' }, ends[0]!, h('span', { class: 'scale' }), ends[1]!));
     }
+    const { equidistant } = app.header;
+    if (equidistant !== undefined && app.shown.equidistant) {
+      const swatch = (colour: number, key: Key): void => {
+        const mark = h('span', { class: 'swatch thin' });
+        mark.style.setProperty('--colour', css(colour));
+        list.append(h('span', { class: 'item' }, mark, t(key)));
+      };
+      swatch(view.theme.equidistant, 'equidistant');
+      if (equidistant.pieces.some((piece) => piece.bad)) {
+        swatch(view.theme.collision, 'collides');
+      }
+    }
   };
   const tellNotes = (): void => {
     const { header, path, program } = app;
@@ -118,6 +131,9 @@ export function legend(app: App, view: View): HTMLElement {
     }
     if (!header.whole) {
       said.push(t('notWhole'));
+    }
+    if (app.stale) {
+      said.push(t('stale'));
     }
     if (path.unknown > 0) {
       said.push(t('unknownLines', { n: path.unknown }));
@@ -154,6 +170,7 @@ export function legend(app: App, view: View): HTMLElement {
   };
   both();
   app.on('data', both);
+  app.on('stale', both);
   app.on('language', both);
   return h('div', { class: 'overlay' }, notes, list);
 }

@@ -1,0 +1,63 @@
+//! `cnc872c/path`: the data of the page that shows a program's path, for editors that show it beside the text.
+
+use gen_lsp_types::{CodeLensParams, LspRequestMethod, MessageDirection, Request, Uri};
+use serde_json::{Value, json};
+
+use super::analysis::{Analysis, configuration};
+use super::requests::{Answer, Snapshot};
+use crate::config::Purpose;
+use crate::diag::Report;
+use crate::query;
+use crate::query::observe::{MOST, executing};
+use crate::session::Session;
+use crate::text::{FileId, Loader};
+use crate::view::{Part, View, base64};
+
+/// A program, or a macrocycle that an open program calls, gives `{ "uri", "files", "blocks", "truncated", "data" }`: the program
+/// that is shown, the URIs of its files by the index that the data give them, how many blocks were executed, whether there are
+/// more, and the data of its page in base 64. Null for what no program executes.
+#[derive(Debug)]
+pub(super) enum PathRequest {}
+
+impl Request for PathRequest {
+    type Params = CodeLensParams;
+    type Result = Option<Value>;
+    const METHOD: LspRequestMethod<'static> = LspRequestMethod::Custom("cnc872c/path");
+    const MESSAGE_DIRECTION: MessageDirection = MessageDirection::ClientToServer;
+}
+
+/// Answers [`PathRequest`].
+pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) -> Answer<Option<Value>> {
+    let program: &query::analysis::Analysis = match executing(snapshot.open(), analysis) {
+        Some(program) => program,
+        None if Session::is_macrocycle_name(&analysis.path) => return Ok(None),
+        // Its errors are told in the picture.
+        None => analysis,
+    };
+    let (files, settings, path) = (&snapshot.files, &program.settings, &program.path);
+    let (_, config_sources, config_findings) = configuration(path, files, &snapshot.client);
+    let mut report = Report::new();
+    report.add(&config_sources, config_findings);
+    let goes_on = |executed| executed <= MOST && !snapshot.cancel.is_cancelled();
+    let session = Session { loader: files, settings, progress: Some(&goes_on) };
+    let root = files.canonical(&snapshot.client.root());
+    let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().into_owned();
+    let mut view = View::new(settings, Part { from: 0, blocks: Some(MOST) });
+    let outcome = session.run(path, &name, Purpose::Compile, view.collect()).outcome;
+    if snapshot.cancel.is_cancelled() {
+        return Ok(None);
+    }
+    view.finish(outcome.sources.get(FileId(0)), &name, outcome.executed);
+    report.add_program(&outcome.sources, outcome.findings);
+    let uri = |name: &str| files.uri_of(std::path::Path::new(name)).map(|uri| uri.as_str().to_owned());
+    let own = files.uri_of(path).as_ref().map(|uri: &Uri| uri.as_str().to_owned());
+    let uris: Vec<Option<String>> =
+        view.files().enumerate().map(|(index, name)| if index == 0 { own.clone() } else { uri(name) }).collect();
+    Ok(Some(json!({
+        "uri": own,
+        "files": uris,
+        "blocks": outcome.executed,
+        "truncated": outcome.executed > MOST,
+        "data": base64(&view.data(&report)),
+    })))
+}
