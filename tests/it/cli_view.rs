@@ -233,5 +233,5 @@ fn too_many_yellow_dots_are_left_out_and_that_is_said() {
     place.run(&["view", "long.nc", "-o", "a.png", "--lang", "cs"]).ends(0).says("nekreslených žlutých teček");
     let few = place.run(&["view", "long.nc", "-o", "a.svg", "--blocks", "900"]).ends(0);
     assert!(!few.stderr.contains(said));
-    assert_eq!(dots(&String::from_utf8(place.read("a.svg")).unwrap(), "dot yellow").len(), 896);
+    assert_eq!(dots(&String::from_utf8(place.read("a.svg")).unwrap(), "dot yellow").len(), 898);
 }

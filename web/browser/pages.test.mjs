@@ -1,7 +1,7 @@
 // Pages in Chromium: what they show is what the streams say, without network, by keyboard, for everybody.
 
 import assert from 'node:assert/strict';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
@@ -19,6 +19,31 @@ const PROGRAMS = [
   'projects/drilling/bolt-circle.nc',
   'rules/equ-corrections/program.nc',
 ];
+/** Machines that move in other ways, as project files say, with a program that has joints of every kind. */
+const MACHINES = {
+  parabolic: '[motion]\nprofile = "parabolic"\n[motion.sets.1]\nparabolic = 20000\n',
+  ramps: '[motion]\nprofile = "ramps"\n',
+};
+const JOINTS = `%1
+N10 G23 G17 G90 G0 X0 Y0 Z0
+N20 G1 X10 F1000
+N30 X20 Y.2
+N40 X30
+N50 G2 X40 Y-10 I0 J-10
+N60 G1 Y-30
+N70 X10 Y-40
+N80 X10.05
+N90 G0 X0
+N100 G1 Y0 F2500
+N110 G4 Q50
+N120 X5
+N130 X10 Z-1
+N140 X15 Z-1.9
+N150 X20 Z-3
+N160 G24 X25
+N170 X30
+N180 M30
+`;
 
 let browser;
 before(async () => {
@@ -62,9 +87,8 @@ function sameMotion(shown, motion) {
   }
 }
 
-for (const name of PROGRAMS) {
-  test(`the state of ${name} is that of the streams`, { timeout: 60_000 }, async () => {
-    const file = sample(name);
+function sameAsStreams(name, file) {
+  test(`the state of ${name} is that of the streams`, { timeout: 180_000 }, async () => {
     const blocks = records('compile', file).filter((record) => record.kind === 'block');
     const motions = records('motion', file).filter((record) => record.kind === 'block');
     const { tab, wrong, close } = await open(browser, page(file));
@@ -100,7 +124,18 @@ for (const name of PROGRAMS) {
   });
 }
 
-test('a line is picked where it is drawn', { timeout: 60_000 }, async () => {
+for (const name of PROGRAMS) {
+  sameAsStreams(name, sample(name));
+}
+for (const [name, machine] of Object.entries(MACHINES)) {
+  const place = path.join(folder, name);
+  mkdirSync(place);
+  writeFileSync(path.join(place, 'cnc872c.toml'), machine);
+  writeFileSync(path.join(place, 'joints.nc'), JOINTS);
+  sameAsStreams(`joints, ${name}`, path.join(place, 'joints.nc'));
+}
+
+test('a line is picked where it is drawn', { timeout: 180_000 }, async () => {
   const file = sample('ok/flange.nc');
   const { tab, wrong, close } = await open(browser, page(file));
   const found = await tab.evaluate(() => {
@@ -131,7 +166,7 @@ test('a line is picked where it is drawn', { timeout: 60_000 }, async () => {
   await close();
 });
 
-test('scripts and messages', { timeout: 60_000 }, async () => {
+test('scripts and messages', { timeout: 180_000 }, async () => {
   const file = page(sample('ok/nested-loops.nc'));
   const { tab, wrong, close } = await open(browser, file);
   const told = await tab.evaluate(async () => {
@@ -202,7 +237,7 @@ test('scripts and messages', { timeout: 60_000 }, async () => {
   await embedding.close();
 });
 
-test('text and path are one', { timeout: 60_000 }, async () => {
+test('text and path are one', { timeout: 180_000 }, async () => {
   const file = sample('ok/flange.nc');
   const blocks = records('compile', file).filter((record) => record.kind === 'block');
   const { tab, close } = await open(browser, page(file));
@@ -220,7 +255,7 @@ test('text and path are one', { timeout: 60_000 }, async () => {
   await close();
 });
 
-test('keys alone reach everything', { timeout: 60_000 }, async () => {
+test('keys alone reach everything', { timeout: 180_000 }, async () => {
   const { tab, close } = await open(browser, page(sample('ok/nested-loops.nc')));
   await tab.focus('#path');
   const seq = async (key) => {
@@ -280,7 +315,7 @@ test('keys alone reach everything', { timeout: 60_000 }, async () => {
   await close();
 });
 
-test('nobody is shut out', { timeout: 60_000 }, async () => {
+test('nobody is shut out', { timeout: 180_000 }, async () => {
   const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
   const file = page(sample('ok/flange.nc'));
   for (const scheme of ['light', 'dark']) {
@@ -299,7 +334,7 @@ test('nobody is shut out', { timeout: 60_000 }, async () => {
   }
 });
 
-test('a program with errors, and a part of one', { timeout: 60_000 }, async () => {
+test('a program with errors, and a part of one', { timeout: 180_000 }, async () => {
   const bad = path.join(folder, 'bad.nc');
   writeFileSync(bad, '%1\nN10 G0 G90 X0 Y0 Z5\nN20 G1 X5 F100\nN30 G71 LR5\nN40 M30\n');
   let { tab, wrong, close } = await open(browser, page(bad));
@@ -340,7 +375,7 @@ function difference(a, b) {
   return a.reduce((sum, value, i) => sum + Math.abs(value - b[i]), 0) / a.length;
 }
 
-test('pictures look as before', { timeout: 60_000 }, async () => {
+test('pictures look as before', { timeout: 180_000 }, async () => {
   const stored = path.join(root, 'web/browser/pictures.json');
   const known = process.env.PICTURES === 'write' ? {} : JSON.parse(readFileSync(stored, 'utf8'));
   const made = {};
@@ -367,7 +402,7 @@ test('pictures look as before', { timeout: 60_000 }, async () => {
   }
 });
 
-test('both ways of drawing look alike', { timeout: 60_000 }, async () => {
+test('both ways of drawing look alike', { timeout: 180_000 }, async () => {
   const file = page(sample('ok/flange.nc'));
   const pictures = [];
   for (const hash of ['#draw=software', '#draw=gl']) {
@@ -381,7 +416,7 @@ test('both ways of drawing look alike', { timeout: 60_000 }, async () => {
   assert.ok(difference(...pictures) < 3);
 });
 
-test('still pictures open, with every dot', { timeout: 60_000 }, async () => {
+test('still pictures open, with every dot', { timeout: 180_000 }, async () => {
   const file = sample('ok/cam-surface.nc');
   const svg = path.join(folder, 'cam.svg');
   assert.equal(run('view', file, '-o', svg).status, 0);

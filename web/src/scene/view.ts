@@ -164,7 +164,9 @@ export class View {
   }
 
   #fit(): void {
-    this.camera.fit(this.app.path.box, [52, 48, 52, 48]);
+    const { camera } = this;
+    const [wide, high] = [Math.min(52, camera.width * 0.12), Math.min(48, camera.height * 0.12)];
+    camera.fit(this.app.path.box, [wide, high, wide, high]);
   }
 
   /** The picture, or only what stands over the path, is drawn anew before the next frame. */

@@ -86,7 +86,7 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
     h('label', { class: 'group', for: 'colour' }, said('span', 'colourBy'), colours),
     labelled(h('div', { class: 'group', role: 'group' }, ...boxes), 'show'),
     h('span', { class: 'gap' }),
-    labelled(h('div', { class: 'group', role: 'group' }, ...languages), 'language'),
+    labelled(h('div', { class: 'group languages', role: 'group' }, ...languages), 'language'),
     said('button', 'help', { type: 'button', onclick: help }),
   );
 }

@@ -202,6 +202,34 @@ try {
     await editor.command('View: Close All Editors');
   });
 
+  await step('path', undefined, async () => {
+    await editor.openFile('flange.nc');
+    await editor.goTo(17, 1);
+    await editor.command('CNC872: Show Path');
+    await page.waitForSelector('.tab[aria-label*="Path: flange.nc"]', { timeout: 20_000 });
+    // The viewer is two frames deep: that of VS Code, then its own.
+    const viewer = page.frameLocator('iframe.webview').frameLocator('iframe');
+    const which = viewer.locator('.which').first();
+    await which.waitFor({ timeout: 60_000 });
+    const block = async (name) => {
+      for (let tries = 0; tries < 60 && !(await which.innerText()).startsWith(name); tries += 1) {
+        await page.waitForTimeout(250);
+      }
+      assert.ok((await which.innerText()).startsWith(name), `${name}: ${await which.innerText()}`);
+    };
+    await block('N90');
+    await editor.picture('path');
+    // The cursor leads the picture, the picture leads the cursor.
+    await editor.goTo(19, 1);
+    await block('N110');
+    await viewer.locator('#path').focus();
+    await page.keyboard.press('.');
+    await block('N120');
+    await says('.line-numbers.active-line-number', '22');
+    await editor.picture('path-stepped');
+    await editor.command('View: Close All Editors');
+  });
+
   await step('code-page', undefined, async () => {
     const file = path.join(open.folder, 'rezani.nc');
     const before = readFileSync(file);
