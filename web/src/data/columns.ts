@@ -104,15 +104,18 @@ class Planes {
 
 /** The same numbers in fewer bytes, where they fit. */
 function narrowed(values: Int32Array | Float64Array): Numbers {
-  let [least, most] = [0, 0];
-  for (const value of values) {
-    least = value < least ? value : least;
-    most = value > most ? value : most;
-  }
-  if (least < 0 || most > 0xffff || values instanceof Float64Array) {
+  if (values instanceof Float64Array) {
     return values;
   }
-  return most > 0xff ? Uint16Array.from(values) : Uint8Array.from(values);
+  // A negative number has its highest bit set.
+  let bits = 0;
+  for (let row = 0; row < values.length && (bits & ~0xffff) === 0; row += 1) {
+    bits |= values[row]!;
+  }
+  if ((bits & ~0xffff) !== 0) {
+    return values;
+  }
+  return bits > 0xff ? new Uint16Array(values) : new Uint8Array(values);
 }
 
 function read(bytes: Uint8Array, start: number, form: Form): Int32Array | Float64Array {

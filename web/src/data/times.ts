@@ -463,7 +463,9 @@ export class Times {
 
 /** Seconds of a motion that rises to its greatest velocity and falls, by one acceleration. */
 function duration(startFeed: number, endFeed: number, peakFeed: number, accel: number, length: number): number {
-  const [start, end, peak] = [startFeed, endFeed, peakFeed].map((feed) => feed / PER_FEED / 60) as [number, number, number];
+  const start = startFeed / PER_FEED / 60;
+  const end = endFeed / PER_FEED / 60;
+  const peak = peakFeed / PER_FEED / 60;
   if (peak <= 0) {
     return 0;
   }

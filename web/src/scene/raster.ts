@@ -6,6 +6,9 @@ import type { Dots, Frame, Renderer } from './renderer.ts';
 /** Length of a dash of rapid motion and of the gap behind it, in CSS pixels. */
 const DASH = 6;
 
+/** Lines are at least so long, in pixels of the screen, before they are drawn. */
+const SHORT = 1;
+
 export class Raster implements Renderer {
   readonly name = 'software';
   readonly #canvas: HTMLCanvasElement;
@@ -90,11 +93,23 @@ export class Raster implements Renderer {
         const at = 6 * chord;
         const to = 6 * last;
         const [x, y, z] = [points[at]!, points[at + 1]!, points[at + 2]!];
-        const [X, Y, Z] = [points[to + 3]!, points[to + 4]!, points[to + 5]!];
+        let [X, Y, Z] = [points[to + 3]!, points[to + 4]!, points[to + 5]!];
         const x0 = m0 * x + m1 * y + m2 * z + m3;
-        const x1 = m0 * X + m1 * Y + m2 * Z + m3;
+        let x1 = m0 * X + m1 * Y + m2 * Z + m3;
         const y0 = m4 * x + m5 * y + m6 * z + m7;
-        const y1 = m4 * X + m5 * Y + m6 * Z + m7;
+        let y1 = m4 * X + m5 * Y + m6 * Z + m7;
+        // What is shorter than a pixel is drawn as one with what goes on from it.
+        for (let next = to + 6; last + 1 < end && Math.abs(x1 - x0) + Math.abs(y1 - y0) < SHORT; next += 6) {
+          const goesOn =
+            points[next] === X && points[next + 1] === Y && points[next + 2] === Z && kinds[last + 1] === kinds[chord];
+          if (!goesOn) {
+            break;
+          }
+          last += 1;
+          [X, Y, Z] = [points[next + 3]!, points[next + 4]!, points[next + 5]!];
+          x1 = m0 * X + m1 * Y + m2 * Z + m3;
+          y1 = m4 * X + m5 * Y + m6 * Z + m7;
+        }
         if (!((x0 < 0 && x1 < 0) || (y0 < 0 && y1 < 0) || (x0 > W && x1 > W) || (y0 > H && y1 > H))) {
           const z0 = m8 * x + m9 * y + m10 * z + m11;
           const z1 = m8 * X + m9 * Y + m10 * Z + m11;

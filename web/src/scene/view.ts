@@ -43,6 +43,7 @@ export class View {
   /** What the next frame draws. */
   #wanted: 'nothing' | 'marks' | 'all' = 'nothing';
   #gridLabels: GridLabel[] = [];
+  #ratio = 0;
   #moving = false;
   #restTimer = 0;
   #dots: Dots = { points: new Float32Array(0), red: new Uint8Array(0) };
@@ -79,7 +80,11 @@ export class View {
     app.on('shown', () => this.#rebuild());
     app.on('select', () => this.request('marks'));
     app.on('language', () => this.request());
-    new ResizeObserver(() => this.#resize()).observe(element);
+    new ResizeObserver(() => {
+      if (this.#resize()) {
+        this.#draw();
+      }
+    }).observe(element);
     this.#hands();
     this.#keys();
     this.#resize();
@@ -130,11 +135,14 @@ export class View {
     this.request();
   }
 
-  #resize(): void {
+  /** Takes the size of the page; whether it has changed. */
+  #resize(): boolean {
     const { clientWidth, clientHeight } = this.element;
-    if (clientWidth === 0 || clientHeight === 0) {
-      return;
+    const known = this.camera.width === clientWidth && this.camera.height === clientHeight;
+    if (clientWidth === 0 || clientHeight === 0 || (known && this.#ratio === window.devicePixelRatio)) {
+      return false;
     }
+    this.#ratio = window.devicePixelRatio;
     const refit = this.#untouched;
     this.camera.width = clientWidth;
     this.camera.height = clientHeight;
@@ -145,7 +153,7 @@ export class View {
     if (refit) {
       this.#fit();
     }
-    this.drawNow();
+    return true;
   }
 
   /** Shows a plane, or all of the path from where it is seen. */
@@ -173,11 +181,11 @@ export class View {
   request(what: 'marks' | 'all' = 'all'): void {
     if (this.#wanted === 'nothing') {
       requestAnimationFrame(() => {
-        const all = this.#wanted === 'all';
+        const wanted = this.#wanted;
         this.#wanted = 'nothing';
-        if (all) {
+        if (wanted === 'all') {
           this.#draw();
-        } else {
+        } else if (wanted === 'marks') {
           drawMarks(this, this.#marks, this.#gridLabels);
         }
       });
@@ -198,6 +206,8 @@ export class View {
   }
 
   drawNow(): void {
+    this.#resize();
+    this.#wanted = 'nothing';
     this.#draw();
   }
 
