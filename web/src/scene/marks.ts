@@ -14,6 +14,14 @@ export interface MeasurePoint {
 
 type Box = [number, number, number, number];
 
+/** A number at a red dot, with its place. */
+export interface Numbered {
+  text: string;
+  x: number;
+  y: number;
+  box: Box;
+}
+
 /** Texts that do not cover one another. */
 class Labels {
   readonly #context: CanvasRenderingContext2D;
@@ -21,6 +29,11 @@ class Labels {
 
   constructor(context: CanvasRenderingContext2D) {
     this.#context = context;
+  }
+
+  /** Takes a box, whether it is free or not. */
+  block(box: Box): void {
+    this.#taken.push(box);
   }
 
   /** Whether a box is free; it is taken then. */
@@ -62,7 +75,14 @@ export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: Gri
   labels.take([camera.width - 150, camera.height - 34, camera.width, camera.height]);
   drawSelection(view, context);
   if (app.shown.numbers && app.shown.red) {
-    drawNumbers(view, labels, background);
+    const placed = view.numbered !== undefined;
+    view.numbered ??= placeNumbers(view, labels);
+    for (const { text, x, y, box } of view.numbered) {
+      if (placed) {
+        labels.block(box);
+      }
+      labels.draw(text, x, y, theme.ink, background);
+    }
   }
   drawEnds(view, context, labels, background);
   for (const { at, outward, text } of gridLabels) {
@@ -139,9 +159,9 @@ function drawSelection(view: View, context: CanvasRenderingContext2D): void {
   stand(path.at(row, view.share ?? 1), 5);
 }
 
-function drawNumbers(view: View, labels: Labels, background: string): void {
-  const { app, camera, theme } = view;
-  let drawn = 0;
+function placeNumbers(view: View, labels: Labels): Numbered[] {
+  const { app, camera } = view;
+  const numbered: Numbered[] = [];
   for (const { index, point } of view.redDots()) {
     const { x, y } = camera.project(point);
     if (x < 0 || y < 0 || x > camera.width || y > camera.height) {
@@ -153,16 +173,17 @@ function drawNumbers(view: View, labels: Labels, background: string): void {
       [8, 14],
       [-8 - 7 * text.length, -6],
     ] as const) {
-      if (labels.take(labels.box(text, x + dx, y + dy))) {
-        labels.draw(text, x + dx, y + dy, theme.ink, background);
-        drawn += 1;
+      const box = labels.box(text, x + dx, y + dy);
+      if (labels.take(box)) {
+        numbered.push({ text, x: x + dx, y: y + dy, box });
         break;
       }
     }
-    if (drawn >= 400) {
-      return;
+    if (numbered.length >= 400) {
+      break;
     }
   }
+  return numbered;
 }
 
 function drawEnds(view: View, context: CanvasRenderingContext2D, labels: Labels, background: string): void {

@@ -8,7 +8,7 @@ import { DARK, LIGHT, type Legend, type Theme, paint } from './colours.ts';
 import { Gl, hardwareContext } from './gl.ts';
 import { grid, type GridLabel } from './grid.ts';
 import { Lines } from './lines.ts';
-import { drawMarks, type MeasurePoint } from './marks.ts';
+import { drawMarks, type MeasurePoint, type Numbered } from './marks.ts';
 import { pick } from './pick.ts';
 import { Raster } from './raster.ts';
 import type { Dots, Renderer } from './renderer.ts';
@@ -33,6 +33,8 @@ export class View {
   /** Asked for points of the path by a click, instead of a block. */
   onPoint: ((point: MeasurePoint) => void) | undefined;
   measured: MeasurePoint[] = [];
+  /** The numbers at red dots, until the picture is drawn anew. */
+  numbered: Numbered[] | undefined;
   /** Where the tool stands within the block in hand while it plays, 0 to 1. */
   share: number | undefined;
   /** Called after each picture. */
@@ -213,6 +215,7 @@ export class View {
 
   #draw(): void {
     const { app, camera, theme } = this;
+    this.numbered = undefined;
     if (!this.#moving) {
       this.refine();
     }
