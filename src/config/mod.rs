@@ -3,6 +3,7 @@
 mod channel;
 mod client;
 mod configure;
+mod constant;
 mod constants;
 mod find;
 mod init;
@@ -32,6 +33,7 @@ mod xml;
 
 pub use client::client_overrides;
 pub use configure::configure;
+pub use constant::Constant;
 pub use find::{PROJECT_FILE, find_project};
 pub use init::initial;
 pub use key::Key;

@@ -3,7 +3,7 @@
 use super::functions::{add_findings, address_page, g_page, m_page};
 use super::signal_page::{run_time_page, signal_page};
 use crate::analysis::plc;
-use crate::config::Key;
+use crate::config::{Constant, Key};
 use crate::diag::{Code, Finding, explain};
 use crate::dict::{Address, Dialect, GCode, Lang, standard_m_functions};
 
@@ -23,6 +23,8 @@ pub enum Topic {
     Address(Address),
     /// A key or table of the project file.
     Key(Key),
+    /// A machine constant.
+    Constant(Constant),
     /// A signal of the PLC, by name.
     Signal(&'static str),
     /// A name of the PLC interface that a part program does not determine.
@@ -49,6 +51,14 @@ impl Topic {
         let signals = Self::signals(name);
         if !signals.is_empty() {
             return Ok(signals);
+        }
+        if let Some(constant) = Constant::find(name) {
+            let parameter = is_parameter(name).then_some(Self::Address(Address::R));
+            return Ok(parameter.into_iter().chain([Self::Constant(constant)]).collect());
+        }
+        let bare = Self::bare_keys(name);
+        if !bare.is_empty() {
+            return Ok(bare);
         }
         let key = Key::find(name).map(Self::Key);
         match Self::find_word(name) {
@@ -92,6 +102,13 @@ impl Topic {
             }
             _ => Err(Unknown::Name(nearest(name))),
         }
+    }
+
+    /// The keys of that name without their table, when the name has a hyphen: `angle-deg`. Other words are looked for.
+    fn bare_keys(name: &str) -> Vec<Self> {
+        let plain = name.trim().to_ascii_lowercase().replace('_', "-");
+        let has_name = |key: &Key| key.path().rsplit_once('.').is_some_and(|(_, bare)| bare == plain);
+        if plain.contains('-') { Key::all().filter(has_name).map(Self::Key).collect() } else { Vec::new() }
     }
 
     /// What a pattern with `*` means: signals of the PLC, and when there are none, names that a part program does not
@@ -153,6 +170,7 @@ impl Topic {
             Self::M(number) => format!("M{number:02}"),
             Self::Address(address) => address.to_string(),
             Self::Key(key) => key.path(),
+            Self::Constant(constant) => constant.name(),
             Self::Signal(name) | Self::RunTime(name) => name.to_owned(),
         }
     }
@@ -171,7 +189,7 @@ impl Topic {
                 }
                 meanings.join("; ")
             }
-            Self::G(_) | Self::Address(_) | Self::Key(_) | Self::Signal(_) | Self::RunTime(_) => {
+            Self::G(_) | Self::Address(_) | Self::Key(_) | Self::Constant(_) | Self::Signal(_) | Self::RunTime(_) => {
                 let page = self.page(lang);
                 let heading = page.lines().next().unwrap_or_default();
                 heading.split_once(": ").map_or_else(String::new, |(_, title)| title.to_owned())
@@ -191,6 +209,11 @@ impl Topic {
                 add_findings(&mut page, &format!("`{}`", key.path()), lang);
                 page
             }
+            Self::Constant(constant) => {
+                let mut page = constant.page(lang);
+                add_findings(&mut page, &format!("`{}`", constant.name()), lang);
+                page
+            }
             Self::Signal(name) => signal_page(name, lang),
             Self::RunTime(name) => run_time_page(name, lang),
         }
@@ -207,6 +230,7 @@ impl Topic {
         functions
             .chain(addresses)
             .chain(Key::all().map(Self::Key))
+            .chain(Constant::all().map(Self::Constant))
             .chain(Code::ALL.iter().map(|&code| Self::Finding(code)))
     }
 }
@@ -214,6 +238,12 @@ impl Topic {
 /// `BLK[0].M11`, as PLC programs write it, is `BLK.M11`.
 fn plain_signal(name: &str) -> String {
     name.strip_prefix("BLK[0].").map_or_else(|| name.to_owned(), |cell| format!("BLK.{cell}"))
+}
+
+/// R0 to R95 are parameters of programs first.
+fn is_parameter(name: &str) -> bool {
+    let digits = name.trim().trim_start_matches(['R', 'r']).trim_start();
+    digits.parse::<u32>().is_ok_and(|number| number <= 95)
 }
 
 /// `W0306` is meant as a code, though W is an address too.
@@ -302,6 +332,16 @@ mod tests {
         assert!(Topic::M(80).page(Lang::Cs).contains("určuje výrobce stroje"));
         assert!(Topic::M(100).page(Lang::En).contains("CNC872\n"));
         assert!(!Topic::M(100).page(Lang::En).contains("CNC8x6"));
+    }
+
+    #[test]
+    fn constants_and_bare_keys() {
+        let names = |name: &str| Topic::find(name).unwrap().into_iter().map(Topic::name).collect::<Vec<_>>();
+        assert_eq!(names("R384"), ["R384"]);
+        assert_eq!(names("angle-deg"), ["motion.angle-deg"]);
+        assert_eq!(names("R39"), ["R", "R39"], "a parameter of programs first");
+        assert_eq!(names("R40"), ["R"]);
+        assert!(Topic::find("R384").unwrap()[0].page(Lang::Cs).contains("motion.accuracy-um"));
     }
 
     /// A key may have the name of a function.

@@ -70,6 +70,11 @@ impl<'a> Execution<'a> {
         Self { despite_errors: true, ..self }
     }
 
+    /// Whether no error was found so far, and nobody gave up.
+    pub(super) const fn is_whole(&self) -> bool {
+        self.whole
+    }
+
     /// The program.
     pub const fn program(&self) -> &Program<'a> {
         &self.program

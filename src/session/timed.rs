@@ -151,8 +151,12 @@ impl<'a, S: TimedSink> Timed<'a, S> {
     }
 
     fn run(mut self) -> Run<S::Whole> {
-        self.sink.begin(self.execution.program());
-        let ended = self.show();
+        let ended = if self.execution.is_whole() {
+            self.sink.begin(self.execution.program());
+            self.show()
+        } else {
+            ControlFlow::Continue(())
+        };
         if ended.is_break() {
             self.execution.give_up();
         }

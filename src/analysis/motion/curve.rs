@@ -7,14 +7,18 @@
 //!    joint's cap exactly (after it for a fall). What can then no longer be reached is left out.
 //! 3. Where places were put in between two lowest ones, a rise that ends at the cap of one of the blocks may be faster than
 //!    one that meets the joints: it is tried.
-//! 4. A rise between two lowest places that saves too little time is taken back (VEL-12).
+//! 4. A place that was put in costs time. Without it, up to other velocities, or with a ramp of less acceleration that meets
+//!    the joint, the way may be faster: `better` tries that.
+//! 5. A rise between two lowest places that saves too little time is taken back (VEL-12).
 
 #![expect(clippy::indexing_slicing, reason = "ids and places are made here and index the lists they were made for")]
 
+mod again;
+mod better;
+mod joints;
+
 use super::ramp::{Hump, Limits};
 
-/// Levels that are tried between two lowest places.
-const LEVELS: usize = 4;
 /// Nobody: end of a list.
 const NONE: usize = usize::MAX;
 
@@ -46,9 +50,14 @@ struct Place {
     prev: usize,
     /// Greatest velocity up to the next place.
     cap: f64,
+    /// Greatest accelerations of the rise and of the fall up to the next place, where they are kept below the limits.
+    soft: [f64; 2],
     /// The way to the next place.
     hump: Option<Hump>,
 }
+
+/// No acceleration is kept below the limits.
+const HARD: [f64; 2] = [f64::INFINITY; 2];
 
 /// Links with the same limits, one after another.
 #[derive(Clone, Copy, Debug)]
@@ -80,6 +89,8 @@ pub(super) struct Curve {
     tolerance: f64,
     /// Whether look-ahead ends before the stretch somewhere.
     blind: bool,
+    /// A first plan is there: ways are planned again, where joints may be left out.
+    again: bool,
 }
 
 impl Curve {
@@ -98,8 +109,10 @@ impl Curve {
         if !self.settle_all() {
             self.crawl(links, offset, entry);
         } else {
-            self.try_levels();
+            self.again = true;
+            self.better();
         }
+        self.again = true;
         if raise_s > 0.0 {
             self.take_back_rises(raise_s);
         }
@@ -114,6 +127,29 @@ impl Curve {
             at = place.next;
             Some((place.s, next.s, place.hump?))
         })
+    }
+
+    /// Whether the plan was looked for: places were put in, so that the way backwards may give another one.
+    pub(super) fn is_searched(&self) -> bool {
+        !self.blind && self.places.len() > self.s.len()
+    }
+
+    /// The time of the plan.
+    pub(super) fn seconds(&self) -> f64 {
+        self.humps().map(|(.., hump)| hump.time()).sum()
+    }
+
+    /// Takes over the plan of the way backwards.
+    pub(super) fn turn(&mut self, back: &Self) {
+        let way = self.s.last().copied().unwrap_or(0.0);
+        let humps: Vec<(f64, f64, Hump)> = back.humps().collect();
+        let empty =
+            Place { s: way, v: 0.0, after: 0, before: 0, next: NONE, prev: NONE, cap: 0.0, soft: HARD, hump: None };
+        self.places.clear();
+        for (at, (_, end, hump)) in humps.iter().rev().enumerate() {
+            self.places.push(Place { s: way - end, v: hump.to, next: at + 1, hump: Some(hump.turned()), ..empty });
+        }
+        self.places.push(empty);
     }
 
     /// Where link `k` begins; the end of the last when `k` is their count.
@@ -158,6 +194,7 @@ impl Curve {
         }
         self.tolerance = 1e-12 + 1e-14 * way;
         self.blind = links.len() > look_ahead;
+        self.again = false;
         self.highest = blocks.iter().copied().fold(0.0, f64::max);
         self.lowest_block = blocks.iter().copied().fold(f64::INFINITY, f64::min);
     }
@@ -165,8 +202,17 @@ impl Curve {
     /// The first and the last place. Ids up to the count of links are those of the joints.
     fn begin(&mut self, offset: f64, entry: f64) {
         let last = self.s.len() - 1;
-        let empty =
-            Place { s: 0.0, v: 0.0, after: 0, before: 0, next: NONE, prev: NONE, cap: self.highest, hump: None };
+        let empty = Place {
+            s: 0.0,
+            v: 0.0,
+            after: 0,
+            before: 0,
+            next: NONE,
+            prev: NONE,
+            cap: self.highest,
+            soft: HARD,
+            hump: None,
+        };
         self.places.clear();
         self.places.extend(self.s.iter().zip(&self.caps).enumerate().map(|(k, (&s, &v))| Place {
             s,
@@ -287,7 +333,7 @@ impl Curve {
         let after = self.s.partition_point(|&joint| joint <= s);
         let before = self.s.partition_point(|&joint| joint < s).saturating_sub(1);
         let right = self.places[left].next;
-        self.places.push(Place { s, v, after, before, next: NONE, prev: NONE, cap: 0.0, hump: None });
+        self.places.push(Place { s, v, after, before, next: NONE, prev: NONE, cap: 0.0, soft: HARD, hump: None });
         self.link(left, id, right);
         id
     }
@@ -346,6 +392,14 @@ impl Curve {
         let way = r.s - l.s;
         let cap = l.cap.max(l.v).max(r.v);
         if let [run] = self.runs.as_slice() {
+            if l.soft == HARD {
+                return Hump::new(l.v, r.v, run.limits, run.limits, way, cap);
+            }
+            let [rise, fall] = l.soft.map(|accel| Limits { accel: run.limits.accel.min(accel), ..run.limits });
+            let whole = if l.v <= r.v { rise } else { fall };
+            if whole.distance(l.v, r.v) <= way {
+                return Hump::new(l.v, r.v, rise, fall, way, cap);
+            }
             return Hump::new(l.v, r.v, run.limits, run.limits, way, cap);
         }
         let mut rise = self.limits(l.s, l.s);
@@ -369,147 +423,6 @@ impl Curve {
         Hump::new(l.v, r.v, all, all, way, cap)
     }
 
-    /// Looks for joints that the hump passes too fast, and puts places before or behind them.
-    fn find_places(&mut self, left: usize, right: usize, hump: &Hump) -> Changed {
-        let (l, r) = (self.places[left], self.places[right]);
-        let mut changed = Changed::default();
-        if l.after > r.before {
-            return changed;
-        }
-        let tolerance = 4.0 * self.tolerance;
-        let rise_end = l.s + hump.rise_way();
-        let fall_start = r.s - hump.fall_way();
-        // What stopping may take at most anywhere on it.
-        let stop = if self.blind {
-            hump.rise_way() + hump.fall.distance(0.0, hump.peak).max(hump.rise.distance(0.0, hump.peak))
-        } else {
-            0.0
-        };
-        let mut rising = None;
-        let mut k = l.after;
-        while k <= r.before && self.s[k] < rise_end {
-            let (at, cap) = (self.s[k] - l.s, self.caps[k]);
-            if cap < l.v && at > tolerance {
-                if self.drop(left) {
-                    changed.back = Some(l.prev);
-                    return changed;
-                }
-            } else if cap < hump.peak && hump.rises_to(cap.max(l.v)) < at - tolerance {
-                rising = Some((k, self.start_for(&l, hump.rise, at, cap)));
-                break;
-            } else if self.seen[k] < stop && !self.stops(hump.rise, hump.rise.phases(l.v, hump.peak), at, k) {
-                rising = Some((k, (at, hump.rise.reach(l.v, at).min(cap))));
-                break;
-            }
-            k += 1;
-        }
-        let mut falling = None;
-        let mut k = r.before;
-        while k >= l.after && k > 0 && self.s[k] > fall_start {
-            let (at, cap) = (r.s - self.s[k], self.caps[k]);
-            if cap < r.v && at > tolerance {
-                if self.drop(right) {
-                    changed.any = true;
-                    return changed;
-                }
-            } else if cap < hump.peak && hump.falls_to(cap.max(r.v)) < at - tolerance {
-                falling = Some((k, self.start_for(&r, hump.fall, at, cap)));
-                break;
-            } else if self.seen[k] < stop {
-                let way = self.s[k] - fall_start;
-                if !self.stops(hump.fall, hump.fall.phases(hump.peak, r.v), way, k) {
-                    falling = Some((k, (at, hump.fall.reach(r.v, at).min(cap))));
-                    break;
-                }
-            }
-            k -= 1;
-        }
-        // With the same limits everywhere, what is passed at the peak was found to fit before.
-        if rising.is_none() && falling.is_none() && self.runs.len() > 1 {
-            let mut k = l.after;
-            while k <= r.before {
-                let inside = self.s[k] >= rise_end && self.s[k] <= fall_start;
-                if inside && self.caps[k] < hump.peak * (1.0 - 1e-12) {
-                    self.insert(left, self.s[k], self.caps[k]);
-                    changed.any = true;
-                    return changed;
-                }
-                if self.s[k] > fall_start {
-                    break;
-                }
-                k += 1;
-            }
-        }
-        let mut behind = left;
-        if let Some((_, (at, v))) = rising {
-            behind = self.insert(behind, l.s + at, v);
-            changed.any = true;
-        }
-        if let Some((joint, (at, v))) = falling {
-            let apart = rising.is_none_or(|(other, (start, _))| other < joint && l.s + start < r.s - at);
-            if apart {
-                self.insert(behind, r.s - at, v);
-                changed.any = true;
-            }
-        }
-        changed
-    }
-
-    /// How far from a place, and at what velocity, the rise begins again that comes to `cap` at the joint `at` from it:
-    /// as fast as possible up to there.
-    fn start_for(&self, place: &Place, limits: Limits, at: f64, cap: f64) -> (f64, f64) {
-        if cap <= place.v {
-            return (at, place.v);
-        }
-        let (mut low, mut high) = (place.v, cap);
-        for _ in 0..60 {
-            let middle = f64::midpoint(low, high);
-            if limits.distance(place.v, middle) + limits.climb(middle, cap) <= at {
-                low = middle;
-            } else {
-                high = middle;
-            }
-            if high - low <= 1e-15 * high {
-                break;
-            }
-        }
-        let way = limits.distance(place.v, low);
-        // From where it stands still nothing is gained by waiting.
-        if low == place.v { (at - limits.climb(low, cap), low) } else { (way, low) }
-    }
-
-    /// Whether the machine can stop within what is seen from joint `k`, which lies `way` behind the start of the ramp.
-    fn stops(&self, limits: Limits, phases: [super::times::Phase; 3], way: f64, k: usize) -> bool {
-        let mut rest = way;
-        for phase in phases {
-            let length = phase.way_at(phase.duration_s);
-            if rest <= length && phase.duration_s > 0.0 {
-                let state = phase.after(phase.time_at(rest));
-                let own = self.limits(self.s[k], self.s[k]);
-                let with = if own.accel < limits.accel || own.jerk < limits.jerk { own } else { limits };
-                return with.stopping_way(state.velocity, state.acceleration) <= self.seen[k] * (1.0 + 1e-9);
-            }
-            rest -= length;
-        }
-        true
-    }
-
-    /// Where the peak lies within one block and above its cap, the cap becomes the highest velocity up to the next place.
-    fn lower_to_block(&mut self, left: usize, right: usize, hump: &Hump) -> bool {
-        if hump.peak <= self.lowest_block * (1.0 + 1e-12) {
-            return false;
-        }
-        let (l, r) = (self.places[left], self.places[right]);
-        let top = (l.s + hump.rise_way()).clamp(l.s, r.s);
-        let block = self.s.partition_point(|&joint| joint <= top).saturating_sub(1);
-        let cap = self.blocks[block.min(self.blocks.len() - 1)];
-        if hump.peak <= cap * (1.0 + 1e-12) || l.cap <= cap {
-            return false;
-        }
-        self.places[left].cap = cap.max(l.v).max(r.v);
-        self.places[left].cap < l.cap
-    }
-
     /// What surely holds everything: acceleration 0 at every joint.
     fn crawl(&mut self, links: &[Link], offset: f64, entry: f64) {
         self.begin(offset, entry);
@@ -531,215 +444,4 @@ impl Curve {
             (self.places[k].next, self.places[k + 1].prev) = (k + 1, k);
         }
     }
-
-    /// Plans the way between two lowest places anew, not above the cap of one of its blocks, where that is faster.
-    fn try_levels(&mut self) {
-        let joints = self.s.len();
-        if self.places.len() == joints {
-            return;
-        }
-        let mut left = 0;
-        while let Some((right, mut time)) = self.next_lowest(left) {
-            let mut levels: Vec<f64> = self.levels(left, right);
-            levels.truncate(LEVELS);
-            for level in levels {
-                let kept = self.places.len();
-                let saved = self.room(left, right);
-                let mut at = self.places[left].next;
-                while at != right {
-                    let next = self.places[at].next;
-                    if at >= joints || self.places[at].v > level {
-                        self.drop(at);
-                    }
-                    at = next;
-                }
-                let held = self.hold(left, right, level);
-                if held < time * (1.0 - 1e-9) {
-                    time = held;
-                } else {
-                    self.restore(&saved, kept);
-                }
-            }
-            left = right;
-        }
-    }
-
-    /// Caps of blocks between two places that were put together with others between them: above both, below the highest
-    /// peak, the lowest first.
-    fn levels(&self, left: usize, right: usize) -> Vec<f64> {
-        let (mut at, mut peak, mut put) = (left, 0.0_f64, false);
-        while at != right {
-            let place = self.places[at];
-            put |= at >= self.s.len();
-            peak = peak.max(place.hump.map_or(0.0, |hump| hump.peak));
-            at = place.next;
-        }
-        if !put {
-            return Vec::new();
-        }
-        let (l, r) = (self.places[left], self.places[right]);
-        let least = l.v.max(r.v);
-        let blocks = self.blocks[l.after.saturating_sub(1)..r.before + 1].iter().copied();
-        let mut levels: Vec<f64> = blocks.filter(|cap| *cap >= least && *cap < self.highest).collect();
-        levels.push(peak);
-        levels.sort_by(f64::total_cmp);
-        levels.dedup_by(|a, b| (*a - *b).abs() <= 1e-9 * *b);
-        levels
-    }
-
-    /// Takes back rises between two lowest places that save too little against holding the higher of them (VEL-12).
-    fn take_back_rises(&mut self, raise_s: f64) {
-        let mut left = 0;
-        loop {
-            let Some((right, time)) = self.next_lowest(left) else { return };
-            let (l, r) = (self.places[left], self.places[right]);
-            let higher = l.v.max(r.v);
-            if higher > 0.0 && self.rises_above(left, right, higher) {
-                let kept = self.places.len();
-                let saved = self.room(left, right);
-                let time_held = self.hold(left, right, higher);
-                if time_held.is_finite() && time_held - time < raise_s {
-                    // The higher one is no lowest place any more: looked at again from the one before.
-                    if l.v >= r.v {
-                        left = self.lowest_before(left);
-                    } else if self.places[right].next == NONE {
-                        return;
-                    }
-                    continue;
-                }
-                self.restore(&saved, kept);
-            }
-            left = right;
-        }
-    }
-
-    /// The next place behind `left` that is lower than what is around it, or the last one; with the time up to there.
-    fn next_lowest(&self, left: usize) -> Option<(usize, f64)> {
-        let mut at = left;
-        let mut time = 0.0;
-        let mut fallen = false;
-        loop {
-            let place = self.places[at];
-            if place.next == NONE {
-                return (at != left).then_some((at, time));
-            }
-            let hump = place.hump?;
-            if at != left && fallen && hump.peak > hump.from {
-                return Some((at, time));
-            }
-            time += hump.time();
-            if hump.to < hump.peak {
-                fallen = true;
-            } else if hump.peak > hump.from {
-                fallen = false;
-            }
-            at = place.next;
-        }
-    }
-
-    /// The lowest place before `id`, or the first one.
-    fn lowest_before(&self, id: usize) -> usize {
-        let mut at = id;
-        let mut falls = false;
-        while let Some(before) = self.places.get(self.places[at].prev) {
-            let id = self.places[at].prev;
-            if let Some(hump) = before.hump {
-                // Backwards: it goes down when the hump rises towards where we come from.
-                if falls && hump.to < hump.peak {
-                    return at;
-                }
-                if hump.peak > hump.from {
-                    falls = true;
-                }
-            }
-            at = id;
-        }
-        at
-    }
-
-    /// Whether a place is still among those of the plan.
-    fn is_linked(&self, id: usize) -> bool {
-        self.places.get(self.places[id].prev).is_none_or(|before| before.next == id)
-    }
-
-    fn rises_above(&self, left: usize, right: usize, level: f64) -> bool {
-        let mut at = left;
-        while at != right {
-            let place = self.places[at];
-            if place.hump.is_some_and(|hump| hump.peak > level * (1.0 + 1e-12)) {
-                return true;
-            }
-            at = place.next;
-        }
-        false
-    }
-
-    /// What is needed to undo [`Self::hold`].
-    fn room(&self, left: usize, right: usize) -> Vec<(usize, Place)> {
-        let around = [self.places[left].prev, self.places[right].next];
-        let mut saved: Vec<_> =
-            around.into_iter().filter_map(|id| self.places.get(id).map(|place| (id, *place))).collect();
-        let mut at = left;
-        loop {
-            saved.push((at, self.places[at]));
-            if at == right {
-                return saved;
-            }
-            at = self.places[at].next;
-        }
-    }
-
-    fn restore(&mut self, saved: &[(usize, Place)], count: usize) {
-        self.places.truncate(count);
-        for &(id, place) in saved {
-            self.places[id] = place;
-        }
-    }
-
-    /// Plans the way between two places again, not above `level`; gives its time.
-    fn hold(&mut self, left: usize, right: usize, level: f64) -> f64 {
-        let mut at = left;
-        while at != right {
-            let next = self.places[at].next;
-            if at != left && self.places[at].v > level {
-                self.drop(at);
-            }
-            at = next;
-        }
-        let mut at = left;
-        while at != right {
-            self.places[at].cap = self.places[at].cap.min(level).max(self.places[at].v);
-            self.places[at].hump = None;
-            at = self.places[at].next;
-        }
-        let mut at = left;
-        for _ in 0..4096 {
-            if at == right {
-                break;
-            }
-            at = self.settle(at);
-            if !self.is_linked(left) || !self.is_linked(right) {
-                return f64::INFINITY;
-            }
-        }
-        if at != right {
-            return f64::INFINITY;
-        }
-        let mut time = 0.0;
-        let mut at = left;
-        while at != right {
-            let place = self.places[at];
-            time += place.hump.map_or(f64::INFINITY, |hump| hump.time());
-            at = place.next;
-        }
-        time
-    }
-}
-
-/// What looking at a hump changed.
-#[derive(Clone, Copy, Debug, Default)]
-struct Changed {
-    any: bool,
-    /// The start of the hump is out: where to go on.
-    back: Option<usize>,
 }

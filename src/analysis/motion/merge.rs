@@ -4,6 +4,9 @@ use super::joint::Piece;
 use super::step::{Direction, Unit};
 use crate::run::MotionType;
 
+/// So many blocks make a piece at most: to and fro without end must not gather them.
+const MOST: usize = 500;
+
 /// Joins blocks; gives pieces in their order.
 #[derive(Debug)]
 pub(super) struct Merger {
@@ -42,6 +45,8 @@ impl Merger {
                 self.open.push(piece);
                 if ends || norm(self.vector) >= self.length {
                     self.complete(out);
+                } else if self.open.len() >= MOST {
+                    self.stand_alone(out);
                 }
                 return;
             }
@@ -116,6 +121,11 @@ impl Merger {
                 return;
             }
         }
+        self.stand_alone(out);
+    }
+
+    /// What is open is a piece of its own; out and back, it stays the blocks that it is.
+    fn stand_alone(&mut self, out: &mut impl FnMut(Merged)) {
         if norm(self.vector) > 0.0 {
             self.complete(out);
         } else {

@@ -7,6 +7,9 @@ use super::times::{Phase, Velocities};
 /// Blocks that are planned at once beyond those that are looked ahead over.
 const PART: usize = 2048;
 
+/// Stretches of so many blocks are planned backwards too, where places had to be looked for: the faster plan counts.
+const BOTH_WAYS: usize = 256;
+
 /// What a motion becomes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Curved {
@@ -28,6 +31,8 @@ pub(super) struct Parabola {
     wants_phases: bool,
     links: Vec<Link>,
     curve: Curve,
+    /// The way backwards.
+    back: Curve,
     /// How much of the first link is settled, and the velocity there; the acceleration is 0.
     offset: f64,
     entry: f64,
@@ -47,6 +52,7 @@ impl Parabola {
             wants_phases,
             links: Vec::new(),
             curve: Curve::default(),
+            back: Curve::default(),
             offset: 0.0,
             entry: 0.0,
             part: Curved::default(),
@@ -82,6 +88,9 @@ impl Parabola {
         }
         let count = self.links.len();
         self.curve.plan(&self.links, self.offset, self.entry, self.look_ahead, self.raise_s);
+        if closed && count <= BOTH_WAYS && self.offset == 0.0 && self.entry == 0.0 && self.curve.is_searched() {
+            self.plan_back();
+        }
         // What the end of what is known by now bears on is not settled yet.
         let until = if closed { f64::INFINITY } else { self.curve.joint(count - 2 * self.look_ahead - 1) };
         let Some((end, velocity)) = self.settled_end(until).filter(|(end, _)| closed || *end > self.offset) else {
@@ -114,6 +123,17 @@ impl Parabola {
         }
         (self.offset, self.entry) = ((end - self.curve.joint(walk.finished.min(count))).max(0.0), velocity);
         self.links.drain(..walk.finished);
+    }
+
+    /// Plans a whole stretch backwards, and takes that when it is faster.
+    fn plan_back(&mut self) {
+        let joints = self.links.iter().skip(1).map(|link| link.joint).chain([0.0]);
+        let mut links: Vec<Link> = self.links.iter().zip(joints).map(|(link, joint)| Link { joint, ..*link }).collect();
+        links.reverse();
+        self.back.plan(&links, 0.0, 0.0, self.look_ahead, self.raise_s);
+        if self.back.seconds() < self.curve.seconds() * (1.0 - 1e-9) {
+            self.curve.turn(&self.back);
+        }
     }
 
     /// The last place without acceleration up to `until`, with the velocity there.

@@ -233,6 +233,11 @@ impl Hump {
         Self { from, peak, to, rise, fall, hold: (way - ways(peak)).max(0.0) }
     }
 
+    /// The same backwards.
+    pub(super) const fn turned(self) -> Self {
+        Self { from: self.to, to: self.from, rise: self.fall, fall: self.rise, ..self }
+    }
+
     /// Way of the rise.
     pub(super) fn rise_way(&self) -> f64 {
         self.rise.distance(self.from, self.peak)

@@ -3,6 +3,8 @@
 
 use super::dictionary::{AXES, Cell, Flag, OneBlock, Signal};
 use super::facts::{Facts, STOPPED, StepTimes};
+use super::steps::Onward;
+use super::values::Part;
 use crate::config::{Machine, Profile, SetKey};
 use crate::dict::{Address, AxisLetter, GCode, GGroup, Micro};
 use crate::run::{ArcPath, Executed, Length, Motion, MotionType};
@@ -21,6 +23,8 @@ pub(super) struct Blocks {
     directions: bool,
     /// Motion is configured, with a parabolic profile.
     parabolic: bool,
+    /// Nothing that holds for one block only is in the facts of the block before: one that moves on has them as well.
+    steady: bool,
 }
 
 impl Blocks {
@@ -34,7 +38,39 @@ impl Blocks {
             after_stop: false,
             directions,
             parabolic,
+            steady: false,
         }
+    }
+
+    /// Brings the facts of the block before to those of one that only moves on; what of them is another. `None`: it does
+    /// more.
+    #[inline]
+    pub(super) fn go_on(&self, block: &Executed<'_>, times: Option<StepTimes>, facts: &mut Facts) -> Option<Onward> {
+        let motion = block.motion().filter(|_| self.steady && block.moves_on())?;
+        let mut onward = Onward::default();
+        let before = (facts.moves, facts.directed, facts.negative, facts.length);
+        self.read_motion(facts, block, &motion);
+        onward.put(Part::Moves, before.0 != facts.moves);
+        onward.put(Part::Directions, (before.1, before.2) != (facts.directed, facts.negative));
+        onward.put(Part::Length, before.3 != facts.length);
+        let axes = &block.settings().machine.axes;
+        for letter in motion.axes() {
+            if let Some(place) = axes.index(letter)
+                && let Some(slot) = facts.positions.get_mut(place)
+            {
+                let position = block.position(letter);
+                if *slot != position {
+                    *slot = position;
+                    onward.places |= 1 << place;
+                }
+            }
+        }
+        if let Some(times) = times {
+            let before = facts.motion;
+            facts.motion.set_times(times);
+            onward.put(Part::Motion, before != facts.motion);
+        }
+        Some(onward)
     }
 
     /// Puts the facts of the block's step into `facts`, in place of those of another one, with its times when motion is
@@ -63,23 +99,7 @@ impl Blocks {
             *slot = block.position(axis.letter);
         }
         if let Some(motion) = block.motion() {
-            facts.length = match motion.length() {
-                Length::Mm(length) | Length::Deg(length) => Some(length),
-                Length::Missing(_) => None,
-            };
-            let directed = self.directions && keeps_directions(block, &motion);
-            // PLC-4: an axis moves that is written, or that is one of the two of an arc.
-            let of_arc = motion.arc().into_iter().flat_map(|arc| arc.plane);
-            for letter in motion.axes().chain(of_arc) {
-                let Some(place) = machine.axes.index(letter).filter(|place| *place < usize::from(AXES)) else {
-                    continue;
-                };
-                facts.moves |= 1 << place;
-                if directed && let Some(negative) = direction(block, &motion, letter) {
-                    facts.directed |= 1 << place;
-                    facts.negative |= u16::from(negative) << place;
-                }
-            }
+            self.read_motion(facts, block, &motion);
         }
         if let Some(times) = times {
             facts.motion.set_times(times);
@@ -98,11 +118,35 @@ impl Blocks {
         if interpolation != Some(GCode::G30) {
             self.modal = interpolation;
         }
+        self.steady = facts.marks == 0 && facts.written() == 0 && !block.first();
         block.m_at_stop().map(|held| {
+            self.steady = false;
             self.after_stop = true;
             let (rapid, thread) = (self.modal == Some(GCode::G00), self.modal == Some(GCode::G33));
             facts.at_stop([held.spindle, held.coolant_12, held.coolant_34], rapid, thread)
         })
+    }
+
+    /// How the axes move, and how far.
+    #[inline]
+    fn read_motion(&self, facts: &mut Facts, block: &Executed<'_>, motion: &Motion<'_>) {
+        let axes = &block.settings().machine.axes;
+        (facts.moves, facts.directed, facts.negative) = (0, 0, 0);
+        facts.length = match motion.length() {
+            Length::Mm(length) | Length::Deg(length) => Some(length),
+            Length::Missing(_) => None,
+        };
+        let directed = self.directions && keeps_directions(block, motion);
+        // PLC-4: an axis moves that is written, or that is one of the two of an arc.
+        let of_arc = motion.arc().into_iter().flat_map(|arc| arc.plane);
+        for letter in motion.axes().chain(of_arc) {
+            let Some(place) = axes.index(letter).filter(|place| *place < usize::from(AXES)) else { continue };
+            facts.moves |= 1 << place;
+            if directed && let Some(negative) = direction(block, motion, letter) {
+                facts.directed |= 1 << place;
+                facts.negative |= u16::from(negative) << place;
+            }
+        }
     }
 
     fn set_flags(&self, facts: &mut Facts, block: &Executed<'_>) {

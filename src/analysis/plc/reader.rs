@@ -120,6 +120,10 @@ impl<'w> Reader<'w> {
     /// The step whose facts the tracker has been given.
     fn step(&mut self, place: Place, machine: &Machine) -> io::Result<()> {
         self.tracker.take(machine);
+        self.give(place)
+    }
+
+    fn give(&mut self, place: Place) -> io::Result<()> {
         if self.range.contains(place.seq) { self.writer.step(&self.tracker.step(place)) } else { Ok(()) }
     }
 
@@ -143,13 +147,17 @@ impl<'w> Reader<'w> {
             self.writer.file(index, block.file_name())?;
         }
         let machine = &block.settings().machine;
+        let LineColumn { line, column } =
+            if self.lines { block.line_column() } else { LineColumn { line: 0, column: 0 } };
+        let place = Place { seq: block.seq(), n: block.n(), file: index, line, column, stop: false };
+        if let Some(onward) = self.blocks.go_on(block, times, self.tracker.current()) {
+            self.tracker.go_on(onward, machine);
+            return self.give(place);
+        }
         let stop = self.blocks.read(block, times, self.tracker.room());
         if let Some(fits) = &self.fits {
             fits.check(block, findings);
         }
-        let LineColumn { line, column } =
-            if self.lines { block.line_column() } else { LineColumn { line: 0, column: 0 } };
-        let place = Place { seq: block.seq(), n: block.n(), file: index, line, column, stop: false };
         self.step(place, machine)?;
         match stop {
             Some(facts) => {

@@ -40,6 +40,22 @@ pub struct Step<'a> {
     pub changed: &'a [usize],
 }
 
+/// What is another in a step that only moves on.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Onward {
+    /// A bit for each [`Part`].
+    parts: u8,
+    /// A bit for each place whose axis has another position.
+    pub(super) places: u16,
+}
+
+impl Onward {
+    /// The part is another, when `changed`.
+    pub(super) const fn put(&mut self, part: Part, changed: bool) {
+        self.parts |= (changed as u8) << part as u8;
+    }
+}
+
 /// Follows the values of some signals from step to step. Before the first step bits are 0, all else is absent.
 #[derive(Debug)]
 pub struct Tracker {
@@ -99,44 +115,64 @@ impl Tracker {
         &mut self.next
     }
 
+    /// The facts of the step taken last, for one that only moves on: see [`Self::go_on`].
+    pub(super) fn current(&mut self) -> &mut Facts {
+        &mut self.facts
+    }
+
     /// Takes the facts of the next step.
     pub fn take(&mut self, machine: &Machine) {
-        for &index in &self.changed {
-            if let (Some(before), Some(now)) = (self.before.get_mut(index), self.values.get(index)) {
-                *before = *now;
-            }
-        }
-        self.changed.clear();
+        self.forget();
         for (part, indices) in Part::ALL.into_iter().zip(&self.parts) {
             if indices.is_empty() || (self.started && part.is_same(&self.facts, &self.next)) {
                 continue;
             }
-            for &index in indices {
-                let (Some(signal), Some(slot)) = (self.signals.get(index), self.values.get_mut(index)) else {
-                    continue;
-                };
-                let now = value(signal.cell, &self.next, machine);
-                if now != *slot {
-                    *slot = now;
-                    self.changed.push(index);
-                }
-            }
+            update(indices, &self.next, machine, &self.signals, &mut self.values, &mut self.changed);
         }
         if self.has_positions {
-            self.take_positions();
+            self.take_positions(self.facts.moved_places(&self.next), true);
         }
         self.changed.sort_unstable();
         std::mem::swap(&mut self.facts, &mut self.next);
         self.started = true;
     }
 
-    /// What changes in nearly every block.
-    fn take_positions(&mut self) {
-        let mut moved = self.facts.moved_places(&self.next);
+    /// Takes the next step, whose facts have been put in place of those of the step before.
+    #[inline]
+    pub(super) fn go_on(&mut self, onward: Onward, machine: &Machine) {
+        self.forget();
+        if onward.parts != 0 {
+            for (part, indices) in Part::ALL.into_iter().zip(&self.parts) {
+                if onward.parts >> part as u8 & 1 == 1 && !indices.is_empty() {
+                    update(indices, &self.facts, machine, &self.signals, &mut self.values, &mut self.changed);
+                }
+            }
+        }
+        if self.has_positions {
+            self.take_positions(onward.places, false);
+        }
+        self.changed.sort_unstable();
+    }
+
+    /// What changed in the step before holds before the next one.
+    #[inline]
+    fn forget(&mut self) {
+        for &index in &self.changed {
+            if let (Some(before), Some(now)) = (self.before.get_mut(index), self.values.get(index)) {
+                *before = *now;
+            }
+        }
+        self.changed.clear();
+    }
+
+    /// What changes in nearly every block: the positions at these places, of the next step or of the one in hand.
+    #[inline]
+    fn take_positions(&mut self, mut moved: u16, next: bool) {
+        let facts = if next { &self.next } else { &self.facts };
         while moved != 0 {
             let place = moved.trailing_zeros() as usize;
             moved &= moved - 1;
-            let (Some(&Some(index)), Some(position)) = (self.places.get(place), self.next.positions.get(place)) else {
+            let (Some(&Some(index)), Some(position)) = (self.places.get(place), facts.positions.get(place)) else {
                 continue;
             };
             if let Some(slot) = self.values.get_mut(index) {
@@ -150,6 +186,26 @@ impl Tracker {
     pub fn step(&self, place: Place) -> Step<'_> {
         let MotionFacts { start_s, end_s, .. } = self.facts.motion;
         Step { place, start_s, end_s, values: &self.values, before: &self.before, changed: &self.changed }
+    }
+}
+
+/// Brings the values of some signals up to the facts, and adds those that change.
+#[inline]
+fn update(
+    indices: &[usize],
+    facts: &Facts,
+    machine: &Machine,
+    signals: &[&'static Signal],
+    values: &mut [Value],
+    changed: &mut Vec<usize>,
+) {
+    for &index in indices {
+        let (Some(signal), Some(slot)) = (signals.get(index), values.get_mut(index)) else { continue };
+        let now = value(signal.cell, facts, machine);
+        if now != *slot {
+            *slot = now;
+            changed.push(index);
+        }
     }
 }
 

@@ -71,6 +71,10 @@ fn paths(profile: Profile) -> impl Iterator<Item = (Model, Path, Random)> {
 /// How far a parabolic profile may be from one of the same time: it is not optimal (VEL-13).
 const SLACK: f64 = 0.05;
 
+/// What more of something may cost with a parabolic profile, which is near the fastest one (VEL-13): of 10,000 such changes of
+/// random programs eight cost more than a ten thousandth, one more than a hundredth.
+const LOSS: f64 = 1.0 + 1e-4;
+
 const PROFILES: [Profile; 3] = [Profile::Ramps, Profile::Linear, Profile::Parabolic];
 
 /// Directions and the names of axes do not matter.
@@ -132,8 +136,7 @@ fn more_is_not_slower() {
             others[3].dynamics.accuracy_um *= more;
             others[4].dynamics.overload *= more;
             for (kind, other) in others.iter().enumerate() {
-                // Where the profile is not optimal it may lose a little.
-                let slack = if profile == Profile::Parabolic { 1.0 + 2.0 * SLACK } else { 1.0 + 1e-9 };
+                let slack = if profile == Profile::Parabolic { LOSS } else { 1.0 + 1e-9 };
                 let changed = other.time(&model);
                 assert!(
                     changed <= time * slack,

@@ -1,6 +1,6 @@
 //! CNT-4: short blocks that are joined before anything else.
 
-use cnc872c::analysis::motion::{Break, Model, Profile, Step};
+use cnc872c::analysis::motion::{Break, Model, Planner, Profile, Step};
 
 use super::build::{Planned, close, dynamics, idle, lines, model, plan};
 use super::verify::verify;
@@ -92,6 +92,25 @@ fn out_and_back() {
     let vectors = [[5.0, 0.0, 0.0], [0.2, 0.0, 0.0], [-0.2, 0.0, 0.0]];
     let planned = plan(&merging(0.5), &lines(&vectors, 3000.0, dynamics()));
     assert!(pieces(&planned).iter().flatten().all(|length| *length > 0.0), "{:?}", pieces(&planned));
+}
+
+/// To and fro for ever: no more blocks than the control sees become one piece, and blocks come out while others go in.
+#[test]
+fn to_and_fro_without_end() {
+    let there_and_back = [[0.2, 0.0, 0.0], [-0.2, 0.0, 0.0]];
+    for before in [None, Some([5.0, 0.0, 0.0])] {
+        let vectors: Vec<_> = before.into_iter().chain(there_and_back.into_iter().cycle().take(20_001)).collect();
+        let mut planner = Planner::new(merging(0.5), false);
+        let mut planned = Planned::default();
+        let mut waiting = 0;
+        for (pushed, step) in (1..).zip(lines(&vectors, 3000.0, dynamics())) {
+            planner.push(&step, &mut planned);
+            waiting = waiting.max(pushed - planned.blocks.len());
+        }
+        assert!(waiting <= 5000, "{waiting}");
+        planner.finish(&mut planned);
+        assert_eq!(planned.blocks.len(), vectors.len());
+    }
 }
 
 /// A straight line in tiny blocks takes as long as the line.

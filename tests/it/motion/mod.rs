@@ -7,5 +7,6 @@ mod constants;
 mod invariance;
 mod joints;
 mod merging;
+mod optimal;
 mod random;
 mod verify;
