@@ -97,7 +97,7 @@ fn set_path(set: u8) -> String {
 
 /// Which decades, and what they are.
 fn decades(holds: Holds, lang: Lang) -> (String, String) {
-    let pick = |en: &str, cs: &str| Bilingual { en, cs }.get(lang).to_owned();
+    let pick = |en: &'static str, cs: &'static str| Bilingual { en, cs }.get(lang).to_owned();
     let from_to = |first: u32, last: u32| match lang {
         Lang::En => format!("Decades {first} to {last}"),
         Lang::Cs => format!("Dekády {first} až {last}"),
