@@ -17,6 +17,9 @@ bilingual! {
         Distance "write the number without a name: under G91 it is a distance, under G90 a coordinate", "napsat jen číslo: při G91 je to přírůstek, při G90 souřadnice";
         FromStart "write the number without a name: the distance from the start of the arc to its centre, under G90 too", "napsat jen číslo: vzdálenost od začátku oblouku ke středu, a to i při G90";
         SignBehind { written: String } "write the sign behind the address: `{written}`", "znaménko psát až za adresu: „{written}“";
+        OneSpindle { written: String } "the control has one spindle: `{written}`", "systém má jediné vřeteno: „{written}“";
+        ToolName "a tool has a number, not a name: `T1`", "nástroj má číslo, ne jméno: „T1“";
+        LetterTwice { written: String } "the address is written twice: `{written}`", "adresa je napsána dvakrát: „{written}“";
         Radius "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start", "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
         Parameter "R takes the number of a parameter, 0 to 95, and its value: `R10=5.5`", "R má číslo parametru 0 až 95 a jeho hodnotu: „R10=5.5“";
     }
@@ -54,6 +57,7 @@ bilingual! {
     AfterEndMeant {
         Text "move it before `*`, or make it a comment", "přesunout před hvězdičku, nebo z něj udělat komentář";
         Program "put it into a file of its own", "dát ho do samostatného souboru";
+        Separator { line: String } "`*` ends the file: a line between blocks is a comment, `\"{line}\"`", "hvězdička ukončuje soubor; řádek mezi bloky se píše jako komentář: \"{line}\"";
         Product "there are no expressions: products are computed by G26 to G29; `*` ends the file", "výrazy se psát nedají: součiny počítají G26 až G29; hvězdička ukončuje soubor";
     }
 }
@@ -64,8 +68,10 @@ impl AfterEndMeant {
         match (self, lang) {
             (Self::Program, Lang::En) => "a second program after `*`: the control never reads it",
             (Self::Program, Lang::Cs) => "za hvězdičkou je druhý program, systém ho nikdy nečte",
-            (Self::Text | Self::Product, Lang::En) => "the control never reads what follows `*`",
-            (Self::Text | Self::Product, Lang::Cs) => "text za hvězdičkou systém nikdy nečte",
+            (Self::Text | Self::Product | Self::Separator { .. }, Lang::En) => {
+                "the control never reads what follows `*`"
+            }
+            (Self::Text | Self::Product | Self::Separator { .. }, Lang::Cs) => "text za hvězdičkou systém nikdy nečte",
         }
     }
 }
@@ -111,7 +117,35 @@ bilingual! {
     /// What was probably meant by text outside a comment (E0111).
     TextMeant {
         Comment { text: String } "if it is meant as a comment, put it between quotes: `\"{text}\"`", "má-li to být komentář, dát ho do uvozovek: \"{text}\"";
+        WithWords { text: String, words: String, all: String } "put the comment between quotes: `\"{all}\"`; where `{words}` belongs to the program, `\"{text}\" {words}`", "komentář dát do uvozovek: \"{all}\"; patří-li {words} do programu, tak \"{text}\" {words}";
+        Unit "delete it: lengths are in mm, feeds in mm/min, under G95 in mm/rev", "vymazat: délky jsou v mm, posuvy v mm/min, při G95 v mm/ot";
+        OtherUnit "feeds are in mm/min: write the number for that, without a unit", "posuvy jsou v mm/min: přepočítat číslo a jednotku nepsat";
+        Call "there is no such statement; a subprogram is called by `G71 L100`, a macrocycle by `G72 L9001`", "takový příkaz zde není; podprogram se volá „G71 L100“, makrocyklus „G72 L9001“";
+        Jump "there is no such statement; a jump, for example to block N190, is `G73 L190`", "takový příkaz zde není; skok například na blok N190 se píše „G73 L190“";
+        Cycle "there is no such statement; fixed cycles are G81 to G89, each written in its block", "takový příkaz zde není; pevné cykly jsou G81 až G89 a píšou se do každého bloku";
+        Return "there is no such statement; a subprogram ends with G70", "takový příkaz zde není; podprogram končí funkcí G70";
+        End "there is no such statement; a program ends with M30, a subprogram with G70", "takový příkaz zde není; program končí funkcí M30, podprogram G70";
+        Condition "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`, twice with `Q2`", "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“, dvojí s „Q2“";
         Message "a message to the operator is a comment here: write the text alone, between quotes", "hlášení pro obsluhu je zde komentář: napsat jen text v uvozovkách";
+    }
+}
+
+impl TextMeant {
+    /// What a statement of other controls does here, where `text` begins with one.
+    pub fn statement(text: &str) -> Option<Self> {
+        let name: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
+        let cycle = text.get(name.len()..).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+        Some(match name.to_ascii_uppercase().as_str() {
+            "CALL" | "EXTCALL" | "PCALL" => Self::Call,
+            "GOTO" | "GOTOB" | "GOTOF" | "GOTOC" => Self::Jump,
+            "MCALL" => Self::Cycle,
+            "CYCLE" if cycle => Self::Cycle,
+            "RET" => Self::Return,
+            "END" => Self::End,
+            "IF" | "ELSE" | "ENDIF" | "WHILE" | "ENDWHILE" | "FOR" | "ENDFOR" | "LOOP" | "ENDLOOP" | "REPEAT"
+            | "UNTIL" => Self::Condition,
+            _ => return None,
+        })
     }
 }
 
@@ -121,6 +155,7 @@ bilingual! {
         Subprogram "write the number of the subprogram: `L100`", "doplnit číslo podprogramu: „L100“";
         OneOf { known: String } "write the number of the subprogram; the file has {known}", "doplnit číslo podprogramu; podprogramy v souboru: {known}";
         Millimetres "delete it if millimetres are meant: lengths are always in millimetres; if a call is meant, write the number of the subprogram: `L100`", "měla-li být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, doplnit číslo podprogramu: „L100“";
+        InPlace { block: String } "write the number of the subprogram with `L` in place of `{block}`: `L100`", "místo {block} napsat číslo podprogramu s L: „L100“";
         Macrocycle "write the number of the macrocycle: `L9001`", "doplnit číslo makrocyklu: „L9001“";
         Block "write the number of the block to jump to: `L10`", "doplnit číslo bloku, na který se skáče: „L10“";
         Written { written: String } "the number is written with `L`: `{written}`", "cíl se píše s L: „{written}“";
@@ -163,14 +198,68 @@ impl TargetMeant {
 bilingual! {
     /// What was probably meant by a dwell without Q (E0411).
     DwellMeant {
+        Seconds { address: Address, written: String } "if {address} is meant as the dwell in seconds, write `{written}` in its place; if not, add the dwell: `Q100` is one second", "je-li {address} míněno jako prodleva v sekundách, napsat místo něj „{written}“; jinak doplnit délku prodlevy: „Q100“ je jedna sekunda";
         Perhaps { address: Address, written: String } "if {address} is meant in milliseconds, write `{written}` in its place; if it is a coordinate, add the dwell: `Q100` is one second", "je-li {address} míněno v milisekundách, napsat místo něj „{written}“; je-li to souřadnice, doplnit délku prodlevy: „Q100“ je jedna sekunda";
         Units "write the dwell in units of 10 ms: `Q100` is one second", "doplnit délku prodlevy po 10 ms: „Q100“ je jedna sekunda";
         Written { written: String } "the dwell is written with `Q`, in units of 10 ms: `{written}`", "délka prodlevy se píše s Q v jednotkách po 10 ms: „{written}“";
     }
 }
 
-/// What to write after an address without a value; `arc`: in a block with an arc.
-pub(super) fn value_wanted(address: &str, arc: bool, lang: Lang) -> String {
+/// What is known of an address without a value (E0103).
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum ValueMeant {
+    /// Its number is missing, or the value of a parameter.
+    Number,
+    /// It stands beyond a line end or a comment.
+    Beyond,
+    /// R in a block with an arc.
+    Radius,
+    /// The number of the parameter behind an address: `XR`.
+    Parameter,
+    /// What to write.
+    Written {
+        /// The word.
+        written: String,
+    },
+    /// A `%` before the line with the number of the program.
+    EarlyStart,
+}
+
+impl ValueMeant {
+    /// What to write.
+    pub(super) fn help(&self, address: &str, lang: Lang) -> String {
+        match (self, lang) {
+            (Self::Written { written }, Lang::En) => format!("write `{written}`"),
+            (Self::Written { written }, Lang::Cs) => format!("napsat „{written}“"),
+            (Self::EarlyStart, Lang::En) => "delete it; in a remark spell the word `percent`".to_owned(),
+            (Self::EarlyStart, Lang::Cs) => "vymazat ho; v poznámce vypsat slovo procent".to_owned(),
+            (Self::Radius, _) => NumberMeant::Radius.text(lang),
+            (Self::Number | Self::Beyond | Self::Parameter, _) => value_wanted(address, lang),
+        }
+    }
+
+    /// Why it is so.
+    pub(super) fn note(&self, address: &str, lang: Lang) -> &'static str {
+        match (self, lang) {
+            (Self::Beyond, Lang::En) => {
+                "a line end or a comment between an address and its number leaves the address without a value"
+            }
+            (Self::Beyond, Lang::Cs) => "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty",
+            (Self::EarlyStart, Lang::En) => "the program begins with the first `%`, even one between quotes",
+            (Self::EarlyStart, Lang::Cs) => "program začíná prvním %, i když je v uvozovkách",
+            (Self::Number | Self::Radius, Lang::En) if address.starts_with('R') => {
+                "R is a parameter on this control, never a radius or a height"
+            }
+            (Self::Number | Self::Radius, Lang::Cs) if address.starts_with('R') => {
+                "R je v tomto systému parametr, nikdy poloměr ani výška"
+            }
+            (Self::Number | Self::Radius | Self::Parameter | Self::Written { .. }, _) => "",
+        }
+    }
+}
+
+/// What to write after an address without a value.
+fn value_wanted(address: &str, lang: Lang) -> String {
     let (en, cs) = ("write its number on the same line", "napsat číslo na tentýž řádek");
     let example = match address {
         "L" => "100",
@@ -178,7 +267,6 @@ pub(super) fn value_wanted(address: &str, arc: bool, lang: Lang) -> String {
         "F" => "200",
         "&" => "0010",
         "N" | "%" | "G" | "M" | "D" | "H" | "P" => "1",
-        parameter if parameter.starts_with('R') && arc => return NumberMeant::Radius.text(lang),
         "R" => {
             return match lang {
                 Lang::En => "write the number of the parameter: `R10`".to_owned(),

@@ -128,8 +128,14 @@ impl Diagnostic {
 
     /// With a change of one place that is offered, but not applied by itself.
     #[must_use]
-    pub fn with_offer(mut self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
-        self.fixes.push(Fix { title, edits: vec![Edit { at, text: text.into() }], certain: false });
+    pub fn with_offer(self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
+        self.with_offers(title, vec![Edit { at, text: text.into() }])
+    }
+
+    /// With a change of several edits that is offered, but not applied by itself.
+    #[must_use]
+    pub fn with_offers(mut self, title: FixTitle, edits: Vec<Edit>) -> Self {
+        self.fixes.push(Fix { title, edits, certain: false });
         self
     }
 

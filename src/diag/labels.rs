@@ -8,6 +8,7 @@ bilingual! {
         First { what: String } "`{what}` is the first one", "první je {what}";
         FirstBlock { block: u32 } "N{block} is used here first", "N{block} je poprvé zde";
         EndHere { function: u8 } "M{function:02} is here, after subprograms", "M{function:02} je až zde, za podprogramy";
+        FileEnds "the file ends here", "zde soubor končí";
         InPlaceOfG70 { function: u8 } "M{function:02} is here in place of G70", "místo G70 je zde M{function:02}";
         WithoutEntry "these blocks end with G70, but no G79 begins them", "tyto bloky končí funkcí G70, ale žádné G79 je nezačíná";
         ParameterValue { parameter: u8, value: String } "R{parameter} got the value {value} here", "zde dostal R{parameter} hodnotu {value}";

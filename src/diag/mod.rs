@@ -17,7 +17,8 @@ mod report;
 mod shown;
 
 pub use advice::{
-    AddressMeant, AfterEndMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant, UnusedMeant,
+    AddressMeant, AfterEndMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant,
+    UnusedMeant, ValueMeant,
 };
 pub use details::{
     ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, JointBreak, JointLimit, KnownNames,

@@ -5,12 +5,12 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
-use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs, value_wanted};
+use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs};
 use super::{
     AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem,
     ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant, OtherControl,
     OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedConstant,
-    UnusedMeant,
+    UnusedMeant, ValueMeant,
 };
 use crate::dict::{Address, Dialect, GCode, GGroup, Lang, Plane};
 
@@ -207,13 +207,11 @@ diagnostics! {
            | (if joined.is_empty() { "napsat buď parametr, nebo číslo".to_owned() } else { format!("napsat „{joined}“, nebo druhému číslu doplnit adresu") })
         note "blanks are allowed between the address and its number, never inside the number or after its sign"
            | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
-    [E0103] MissingValue "missing-value" Error { address: String, beyond: bool, arc: bool, fixed: Option<String> }
+    [E0103] MissingValue "missing-value" Error { address: String, meant: ValueMeant }
         en "`{address}` has no value"
         cs "adresa {address} nemá hodnotu"
-        help (fixed.as_ref().map_or_else(|| value_wanted(address, *arc, Lang::En), |fixed| format!("write `{fixed}`")))
-           | (fixed.as_ref().map_or_else(|| value_wanted(address, *arc, Lang::Cs), |fixed| format!("napsat „{fixed}“")))
-        note (if *beyond { "a line end or a comment between an address and its number leaves the address without a value" } else if address.starts_with('R') { "R is a parameter on this control, never a radius or a height" } else { "" })
-           | (if *beyond { "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty" } else if address.starts_with('R') { "R je v tomto systému parametr, nikdy poloměr ani výška" } else { "" })
+        help (meant.help(address, Lang::En)) | (meant.help(address, Lang::Cs))
+        note (meant.note(address, Lang::En)) | (meant.note(address, Lang::Cs))
     [E0104] DecimalComma "decimal-comma" Error { fixed: String }
         en "a decimal comma"
         cs "desetinná čárka"
@@ -276,10 +274,10 @@ diagnostics! {
         cs (meant.text(Lang::Cs))
         help (meant.help(*count, Lang::En)) | (meant.help(*count, Lang::Cs))
 
-    [E0201] MissingProgramStart "missing-program-start" Error {}
+    [E0201] MissingProgramStart "missing-program-start" Error { number: u32 }
         en "no `%`: the control would ignore the whole file"
         cs "chybí %: systém by celý soubor přeskočil"
-        help "begin the program with `%` and its number: `%1`" | "začít program znakem % a číslem: „%1“"
+        help "begin the program with `%` and its number: `%{number}`" | "začít program znakem % a číslem: „%{number}“"
     [E0202] SecondProgramStart "second-program-start" Error { bare: bool }
         en "a second `%` in one file"
         cs "druhé % v jednom souboru"
@@ -288,7 +286,8 @@ diagnostics! {
     [E0203] WordOutsideBlock "word-outside-block" Error { word: String, more: usize, blocks: bool, number: i64 }
         en (match (blocks, more) { (false, _) => "the program has no block: no line begins with a block number".to_owned(), (true, 0) => format!("`{word}` comes before the first block"), (true, 1) => format!("`{word}` and another word come before the first block"), (true, _) => format!("`{word}` and {more} other words come before the first block") })
         cs (match (blocks, more) { (false, _) => "program nemá žádný blok: žádný řádek nezačíná číslem bloku".to_owned(), (true, 0) => format!("slovo {word} stojí před prvním blokem"), (true, _) => format!("slovo {word} a další ({more}) stojí před prvním blokem") })
-        help "begin each block with its number: `N{number} {word}`" | "každý blok začít jeho číslem: „N{number} {word}“"
+        help (if word.starts_with('/') && *more == 0 && *blocks { format!("write `/` after the number of the block to skip: `N{number} /`") } else { format!("begin each block with its number: `N{number} {word}`") })
+           | (if word.starts_with('/') && *more == 0 && *blocks { format!("psát / až za číslo bloku, který se má vynechat: „N{number} /“") } else { format!("každý blok začít jeho číslem: „N{number} {word}“") })
     [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32, last: Option<u32> }
         en (match last { Some(last) => format!("the blocks N{block} to N{last} are in this file twice"), None => format!("block number N{block} is used twice in this file") })
         cs (match last { Some(last) => format!("bloky N{block} až N{last} jsou v souboru dvakrát"), None => format!("číslo bloku N{block} je v souboru dvakrát") })
@@ -296,11 +295,11 @@ diagnostics! {
            | (if last.is_some() { "jednu kopii vymazat, nebo její bloky přečíslovat" } else { "jednomu z bloků dát jiné číslo" })
         note "subprograms count too: one file, one set of block numbers"
            | "platí i pro podprogramy: v jednom souboru smí být každé číslo bloku jen jednou"
-    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8>, instead: Option<u8> }
-        en (match (late, skipped) { (Some(m), _) => format!("the main program has no end: M{m:02} is after the subprograms"), (None, true) => "with block skip on, the end of the program is left out".to_owned(), (None, false) => "the program has no end: no block holds M02 or M30".to_owned() })
-        cs (match (late, skipped) { (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
-        help (match (late, instead) { (Some(m), _) => format!("move the subprograms behind the block with M{m:02}"), (None, Some(m)) => format!("write M30 in place of M{m:02}, which does not end the program here"), (None, None) => "end the main program with a block of its own: `N… M30`".to_owned() })
-           | (match (late, instead) { (Some(m), _) => format!("podprogramy přesunout za blok s M{m:02}"), (None, Some(m)) => format!("místo M{m:02}, které zde program neukončí, napsat M30"), (None, None) => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
+    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8>, instead: Option<u8>, unread: Option<(u8, u32)> }
+        en (match (late, skipped) { _ if unread.is_some() => { let (m, line) = unread.unwrap_or_default(); format!("the program has no end: M{m:02} in line {line} is after `*`, which ends the file") } (Some(m), _) => format!("the main program has no end: M{m:02} is after the subprograms"), (None, true) => "with block skip on, the end of the program is left out".to_owned(), (None, false) => "the program has no end: no block holds M02 or M30".to_owned() })
+        cs (match (late, skipped) { _ if unread.is_some() => { let (m, line) = unread.unwrap_or_default(); format!("program nemá konec: M{m:02} na řádku {line} je až za hvězdičkou, která ukončuje soubor") } (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
+        help (match (late, instead) { _ if unread.is_some() => "put the line with `*` between quotes, or delete it".to_owned(), (Some(m), _) => format!("move the subprograms behind the block with M{m:02}"), (None, Some(m)) => format!("write M30 in place of M{m:02}, which does not end the program here"), (None, None) => "end the main program with a block of its own: `N… M30`".to_owned() })
+           | (match (late, instead) { _ if unread.is_some() => "řádek s hvězdičkou dát do uvozovek, nebo vymazat".to_owned(), (Some(m), _) => format!("podprogramy přesunout za blok s M{m:02}"), (None, Some(m)) => format!("místo M{m:02}, které zde program neukončí, napsat M30"), (None, None) => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
     [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32 }
         en "N{block} comes after the end of the program and belongs to no subprogram"
         cs "blok N{block} stojí za koncem programu a nepatří do žádného podprogramu"

@@ -6,7 +6,7 @@ use super::blocks::g_code;
 use super::structure::{Context, l_number};
 use super::{Resolved, Roles, Target, Unit, UnitId, UnitKind, targets};
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Address, GCode};
+use crate::dict::{Address, Decimal, GCode};
 use crate::syntax::{BlockFlags, BlockId, Word};
 use crate::text::FileId;
 
@@ -183,7 +183,9 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         }
         // M98 has its finding: it was to call the subprogram.
         if words.iter().any(|word| word.address == Address::M && word.whole() == Some(98)) {
-            let called = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
+            // The number of a subprogram is seldom one that P takes.
+            let number = |word: &Word| word.number().or_else(|| word.refused_number()).and_then(Decimal::as_whole);
+            let called = words.iter().find(|word| word.address == Address::P).and_then(number);
             named.extend(called.and_then(|called| u32::try_from(called).ok()));
         }
     }

@@ -13,7 +13,7 @@ use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, ri
 use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
-use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
+use crate::syntax::{BlockFlags, BlockId, Form, Kind, ParsedFile, Word, parse, tokens};
 use crate::text::{FileId, Location, SourceText, Sources, Span, path_name};
 
 /// Most subprograms of a file (PRG-4).
@@ -136,8 +136,13 @@ impl Context<'_, '_> {
             let function = late.map(|(function, _)| function);
             let last = end.0.checked_sub(1).map(BlockId);
             let instead = last.and_then(|last| self.return_elsewhere(&parsed, last)).map(|(function, _)| function);
-            let finding = Finding::MissingProgramEnd { skipped: false, late: function, instead };
+            let unread = function.is_none().then(|| unread_end(&parsed)).flatten();
+            let finding = Finding::MissingProgramEnd { skipped: false, late: function, instead, unread };
             let mut diagnostic = Diagnostic::new(finding, place);
+            if unread.is_some() {
+                let star = Span::new(parsed.end.saturating_sub(1), parsed.end);
+                diagnostic = diagnostic.with_label(parsed.at(star), LabelText::FileEnds);
+            }
             if let Some((function, word)) = late {
                 diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::EndHere { function });
             }
@@ -346,6 +351,38 @@ fn main_end(parsed: &ParsedFile) -> (BlockId, bool) {
         }
     }
     (BlockId(parsed.block_count()), ended)
+}
+
+/// So many bytes behind `*` are looked at for the end of the program.
+const UNREAD: u32 = 1 << 20;
+
+/// The M02 or M30 that stands behind `*`, with its line: the first that follows a block number.
+fn unread_end(parsed: &ParsedFile) -> Option<(u8, u32)> {
+    let text = parsed.source.text();
+    if !text.get(..parsed.end as usize)?.ends_with('*') {
+        return None;
+    }
+    let mut end = parsed.source.len().min(parsed.end.saturating_add(UNREAD));
+    while !text.is_char_boundary(end as usize) {
+        end -= 1;
+    }
+    let letter = |word: &str, letter: char| word.starts_with([letter, letter.to_ascii_lowercase()]);
+    let words = tokens(text, parsed.end, end).filter(|token| token.kind == Kind::Word);
+    let mut numbered = false;
+    for token in words {
+        let word = text.get(token.span().range()).unwrap_or_default();
+        // A second program has an end of its own.
+        if letter(word, '%') {
+            return None;
+        }
+        numbered |= letter(word, 'N');
+        let number = word.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']).parse().ok();
+        if let Some(function) = number.filter(|number| numbered && letter(word, 'M') && PROGRAM_ENDS.contains(number)) {
+            let line = parsed.source.lines().line_at(token.start) + 1;
+            return Some((function, u32::try_from(line).unwrap_or(u32::MAX)));
+        }
+    }
+    None
 }
 
 /// The M02 or M30 of a block.

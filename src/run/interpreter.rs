@@ -261,7 +261,7 @@ impl Interpreter {
             UnitKind::Main => {
                 let last = BlockId(unit.end.0.saturating_sub(1));
                 let at = program.resolved.file(unit.file).map_or(unit.entry, |file| file.n_place(last));
-                (Finding::MissingProgramEnd { skipped: true, late: None, instead: None }, at)
+                (Finding::MissingProgramEnd { skipped: true, late: None, instead: None, unread: None }, at)
             }
             UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
                 let macrocycle = matches!(unit.kind, UnitKind::Macrocycle(_));

@@ -5,8 +5,7 @@ use super::lower::{Lowering, PARAMETERS, printed_number};
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word};
 use crate::diag::{
-    AddressMeant, Diagnostic, Edit, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, TextMeant, is_blank,
-    shown,
+    AddressMeant, Diagnostic, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, ValueMeant, is_blank, shown,
 };
 use crate::dict::{Address, GCode, HIGHEST_L};
 use crate::text::Span;
@@ -29,6 +28,32 @@ fn written(text: &str) -> Option<Written> {
     parameter_number(digits).map(|number| Written::Parameter(number, sign))
 }
 
+/// A word whose address has an accent, and what it is without: `Ý40`.
+fn accented_word(text: &str) -> Option<(Address, String)> {
+    const LETTERS: [(char, char); 15] = [
+        ('Á', 'A'),
+        ('Č', 'C'),
+        ('Ď', 'D'),
+        ('Í', 'I'),
+        ('Ľ', 'L'),
+        ('Ĺ', 'L'),
+        ('Š', 'S'),
+        ('Ť', 'T'),
+        ('Ú', 'U'),
+        ('Ů', 'U'),
+        ('Ý', 'Y'),
+        ('Ž', 'Z'),
+        ('Ć', 'C'),
+        ('Ź', 'Z'),
+        ('Ż', 'Z'),
+    ];
+    let first = text.chars().next()?;
+    let upper = first.to_uppercase().next()?;
+    let (_, letter) = LETTERS.into_iter().find(|(accented, _)| *accented == upper)?;
+    let number = text.get(first.len_utf8()..).filter(|number| Number::parse(number.as_bytes()).is_some())?;
+    Some((Address::from_byte(u8::try_from(letter).ok()?)?, format!("{letter}{number}")))
+}
+
 fn parameter_number(digits: &str) -> Option<u8> {
     let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
     digits.parse().ok().filter(|number| whole && *number < PARAMETERS)
@@ -43,6 +68,7 @@ impl Lowering<'_> {
             (Kind::Variable, Self::variable),
             (Kind::ForeignStart, Self::foreign_start),
             (Kind::JumpTarget, Self::jump_target),
+            (Kind::Unit, Self::unit),
         ];
         if let Some((_, handle)) = handle.into_iter().find(|(kind, _)| *kind == token.kind) {
             handle(self, token);
@@ -64,7 +90,7 @@ impl Lowering<'_> {
         self.push(word.faulty(), span);
     }
 
-    fn push_void(&mut self, address: Address, span: Span) {
+    pub(super) fn push_void(&mut self, address: Address, span: Span) {
         self.push(Word::bare(address, span).faulty(), span);
     }
 
@@ -77,6 +103,10 @@ impl Lowering<'_> {
         let prefix = address.to_string();
         let fastest = ["max", "auto"].iter().any(|name| number.eq_ignore_ascii_case(name));
         let meant = if fastest { NumberMeant::Fastest } else { printed_number(number, &prefix) };
+        let meant = match meant {
+            NumberMeant::Exponent { .. } | NumberMeant::ExponentForm if address == Address::R => NumberMeant::Parameter,
+            meant => meant,
+        };
         let value_of = |written: &str| Number::parse(written.get(1..).unwrap_or_default().as_bytes());
         // Other words hold whole numbers without a sign, `&` four digits.
         let fits = |value: Number| {
@@ -121,12 +151,26 @@ impl Lowering<'_> {
             self.push_written(address, span, &written);
             return;
         }
+        let digits = name.get(1..).unwrap_or_default().trim_matches([' ', '\t']);
+        // `S1=1200`, `M1=3`: of one spindle among several.
+        let of_spindle = matches!(address, Address::S | Address::M) && !digits.is_empty() && !product;
+        if let Some(Written::Number(number)) = written(value).filter(|_| of_spindle) {
+            let text_here = format!("{address}{upper}");
+            let meant = NumberMeant::OneSpindle { written: shown(&text_here) };
+            let place = self.at(span);
+            let diagnostic = Diagnostic::new(Finding::MalformedNumber { text: shown(text), meant }, place);
+            self.pending.push(diagnostic.with_offer(FixTitle::Write { text: shown(&text_here) }, place, text_here));
+            self.push_written(address, span, &Written::Number(number));
+            return;
+        }
         let computed = product || upper.contains('R') && upper.contains(['+', '-', '*', '/']);
         let meant = if upper.starts_with("IC(") || upper.starts_with("AC(") {
             let of_center = matches!(address, Address::I | Address::J | Address::K);
             if of_center { NumberMeant::FromStart } else { NumberMeant::Distance }
         } else if computed {
             NumberMeant::Computed
+        } else if address == Address::T && value.starts_with('"') {
+            NumberMeant::ToolName
         } else {
             NumberMeant::EqualsForm
         };
@@ -181,8 +225,8 @@ impl Lowering<'_> {
         let text_here = format!("%{digits}");
         let percent = self.at(Span::new(token.start, token.start + 1));
         let fixed = shown(&text_here);
-        let finding =
-            Finding::MissingValue { address: "%".to_owned(), beyond: false, arc: false, fixed: Some(fixed.clone()) };
+        let meant = ValueMeant::Written { written: fixed.clone() };
+        let finding = Finding::MissingValue { address: "%".to_owned(), meant };
         let title = FixTitle::Write { text: fixed };
         self.pending.push(Diagnostic::new(finding, percent).with_fix(title, self.at(span), text_here));
         match Number::parse(digits.as_bytes()) {
@@ -204,8 +248,11 @@ impl Lowering<'_> {
             function == GCode::G73 && number.parse().is_ok_and(|number: u32| (1..=HIGHEST_L).contains(&number))
         });
         let Some(target) = target else {
-            self.pending
-                .push(Diagnostic::new(Finding::MissingTarget { function, meant: TargetMeant::of(function) }, place));
+            let meant = match TargetMeant::of(function) {
+                TargetMeant::Subprogram => TargetMeant::InPlace { block: shown(self.slice(span)) },
+                meant => meant,
+            };
+            self.pending.push(Diagnostic::new(Finding::MissingTarget { function, meant }, place));
             self.push_void(Address::L, span);
             return;
         };
@@ -238,11 +285,58 @@ impl Lowering<'_> {
             self.push_void(Address::R, span);
             return;
         }
-        let finding = Finding::MissingValue { address: name, beyond, arc: false, fixed: None };
+        let meant = if beyond { ValueMeant::Beyond } else { ValueMeant::Number };
+        let finding = Finding::MissingValue { address: name, meant };
         let Some(address) = self.address(address.start, span) else { return };
         self.report(span, finding);
         let word = Word::bare(address, span).faulty();
         self.push(target.map_or(word, |target| word.assigning(target)), span);
+    }
+
+    /// `XR`: an address, and R without the number of the parameter.
+    pub(super) fn no_parameter(&mut self, address: Token, parameter: Token) {
+        let span = address.span().to(parameter.span());
+        let Some(address) = self.address(address.start, span) else { return };
+        let finding = Finding::MissingValue { address: "R".to_owned(), meant: ValueMeant::Parameter };
+        self.report(parameter.span(), finding);
+        self.push_void(address, span);
+    }
+
+    /// `R1 0=5`: a blank in the number of a parameter.
+    pub(super) fn split_parameter(&mut self, target: Token, value: Token) {
+        let span = target.span().to(value.span());
+        let joined: String = self.slice(span).chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
+        let joined = joined.to_ascii_uppercase();
+        let (name, text) = joined.split_once('=').unwrap_or((&joined, ""));
+        let number = name.strip_prefix('R').and_then(parameter_number);
+        let (Some(number), Some(written)) = (number, written(text)) else {
+            self.radius(target, span);
+            return;
+        };
+        let word = match written {
+            Written::Number(value) => Word::with_number(Address::R, span, value),
+            Written::Parameter(source, sign) => Word::with_parameter(Address::R, span, source, sign),
+        };
+        self.report_with_text(span, Finding::SplitNumber { joined: shown(&joined) }, joined);
+        self.push(word.assigning(number).faulty(), span);
+    }
+
+    /// `TT1`: an address written twice.
+    pub(super) fn doubled_letter(&mut self, address: Address, word: &str, span: Span) {
+        let written_here = word.to_ascii_uppercase();
+        let number = written_here.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let text = shown(self.slice(span));
+        match Number::parse(number.as_bytes()) {
+            Some(number) => {
+                let meant = NumberMeant::LetterTwice { written: shown(&written_here) };
+                self.report_with_text(span, Finding::MalformedNumber { text, meant }, written_here);
+                self.push_written(address, span, &Written::Number(number));
+            }
+            None => {
+                self.report(span, Finding::MalformedNumber { text, meant: NumberMeant::Form });
+                self.push_void(address, span);
+            }
+        }
     }
 
     /// R and something that is no number of a parameter: `R5.5`, `R-5`.
@@ -299,13 +393,30 @@ impl Lowering<'_> {
         }
     }
 
+    /// `%_N_2107_MPF`, `%MPF2107`: a program that is named as other controls do.
+    fn program_name(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        let mut numbers = text.split(|character: char| !character.is_ascii_digit()).filter(|digits| !digits.is_empty());
+        let number = numbers.next().filter(|digits| digits.len() <= 6 && digits.bytes().any(|digit| digit != b'0'));
+        let written = number.filter(|_| numbers.next().is_none()).map(|digits| format!("%{digits}"));
+        let meant = Meant::ProgramName { written: written.clone().unwrap_or_else(|| "%1".to_owned()) };
+        let place = self.at(span);
+        let diagnostic = Diagnostic::new(Finding::UnknownCharacter { text: shown(text), meant }, place);
+        self.pending.push(match written {
+            Some(written) => diagnostic.with_offer(FixTitle::Write { text: written.clone() }, place, written),
+            None => diagnostic,
+        });
+        self.push_void(Address::Program, span);
+    }
+
     /// A word with characters in it that the control does not know.
     pub(super) fn garbled(&mut self, token: Token) {
         let span = token.span();
         let text = self.slice(span);
         let rest = text.get(1..).unwrap_or_default();
-        if text.starts_with("%_") {
-            self.void_word(token, span, |text| Finding::UnknownCharacter { text, meant: Meant::ProgramName });
+        if text.starts_with('%') && rest.starts_with(|first: char| first == '_' || first.is_ascii_alphabetic()) {
+            self.program_name(token);
             return;
         }
         let blank = |character: char| is_blank(character) || matches!(character, ' ' | '\t');
@@ -333,57 +444,6 @@ impl Lowering<'_> {
         self.void_word(token, span, |text| Finding::UnknownCharacter { text, meant });
     }
 
-    /// Text that is no comment.
-    pub(super) fn stray_text(&mut self, span: Span) {
-        let text = self.slice(span);
-        let message =
-            text.strip_prefix("MSG").and_then(|rest| rest.trim_start_matches([' ', '\t']).strip_prefix("(\""));
-        if let Some(inner) = message.and_then(|rest| rest.strip_suffix("\")")).filter(|inner| !inner.contains('"')) {
-            let end = span.end - 2;
-            let start = end - u32::try_from(inner.len()).unwrap_or(0);
-            let edits = vec![
-                Edit { at: self.at(Span::new(span.start, start)), text: "\"".to_owned() },
-                Edit { at: self.at(Span::new(end, span.end)), text: "\"".to_owned() },
-            ];
-            let finding = Finding::StrayText { text: shown(text), meant: TextMeant::Message };
-            self.flags.set(BlockFlags::DEBRIS);
-            self.pending.push(Diagnostic::new(finding, self.at(span)).with_edits(FixTitle::Comment, edits));
-            return;
-        }
-        let finding = if text.is_ascii() {
-            let meant = TextMeant::Comment { text: shown(text) };
-            Finding::StrayText { text: shown(text), meant }
-        } else {
-            Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment }
-        };
-        self.debris(span, finding);
-    }
-
-    /// A comment as other controls write it: `(text)`, `; text`, `{text}`, `// text`, `# text`.
-    pub(super) fn foreign_comment(&mut self, token: Token) {
-        let span = token.span();
-        let text = self.slice(span);
-        let inner = text.trim_start_matches("//").trim_start_matches(['(', '{', '\'', '`', ';', '#']);
-        let opening = span.len() - u32::try_from(inner.len()).unwrap_or(0);
-        let closed = inner.ends_with([')', '}', '\'', '`']) && !text.starts_with([';', '#', '/']);
-        let body = inner.get(..inner.len() - usize::from(closed)).unwrap_or_default();
-        let finding = Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment };
-        self.flags.set(BlockFlags::DEBRIS);
-        let mut diagnostic = Diagnostic::new(finding, self.at(span));
-        if body.trim().is_empty() {
-            diagnostic = diagnostic.with_fix(FixTitle::Delete { text: shown(text) }, self.at(span), "");
-        } else if !body.contains('"') {
-            let blanks = body.len() - body.trim_start_matches([' ', '\t']).len();
-            let start = span.start + opening + u32::try_from(blanks).unwrap_or(0);
-            let kept = body.trim_matches([' ', '\t']);
-            let end = start + u32::try_from(kept.len()).unwrap_or(0);
-            let quote = |from: u32, to: u32| Edit { at: self.at(Span::new(from, to)), text: "\"".to_owned() };
-            let edits = vec![quote(span.start, start), quote(end, span.end)];
-            diagnostic = diagnostic.with_edits(FixTitle::Comment, edits);
-        }
-        self.pending.push(diagnostic);
-    }
-
     /// Characters that mean nothing.
     pub(super) fn unknown(&mut self, token: Token) {
         let span = token.span();
@@ -393,6 +453,12 @@ impl Lowering<'_> {
         let line_ends = rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']) || rest.trim().is_empty();
         let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
         let place = self.at(span);
+        if let Some((address, written)) = accented_word(text) {
+            let diagnostic = Diagnostic::new(finding(Meant::Accent { written: written.clone() }), place);
+            self.pending.push(diagnostic.with_offer(FixTitle::Write { text: written.clone() }, place, written));
+            self.push_void(address, span);
+            return;
+        }
         self.pending.push(if text == ";" && line_ends {
             let title = FixTitle::Delete { text: ";".to_owned() };
             Diagnostic::new(finding(Meant::BlockEnd), place).with_fix(title, place, "")

@@ -25,9 +25,15 @@ pub(super) enum Item {
     Assignment { target: Token, sign: Option<Token>, number: Token, pieces: Vec<Token> },
     /// An address with a sign, blanks, and a number.
     SplitSign { address: Token, number: Token, pieces: Vec<Token> },
-    /// R with `=` and a number, or a parameter with several `=`.
+    /// A parameter with several `=`.
     ForeignAssignment { address: Token, number: Token },
-    /// R and what is no number of a parameter: `R-5`.
+    /// An address with several signs and a parameter: `X--R1`.
+    ManySigns { first: Token, last: Token },
+    /// An address, and R without the number of the parameter: `XR`.
+    NoParameter { address: Token, parameter: Token },
+    /// A blank in the number of a parameter: `R1 0=5`.
+    SplitParameter { target: Token, value: Token },
+    /// R and what is no number of a parameter: `R-5`, `R-1=5`, `R=5`.
     Radius { first: Token, last: Token },
     /// A sign before a word: `-X10`.
     SignFirst { sign: Token, word: Token },
@@ -67,12 +73,18 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .repeated()
         .collect::<Vec<Vec<Token>>>()
         .map(|operands| operands.concat());
+    let value = number.or(parameter);
+    let assigned_value = one(Kind::Equals)
+        .then(one(Kind::Sign).or_not())
+        .then(value.or_not())
+        .map(|((equals, sign), value): ((Token, Option<Token>), Option<Token>)| value.or(sign).unwrap_or(equals));
     // A number beyond a line end or a comment: the value that an address lacks.
     let beyond = any()
         .filter(|token: &Token| matches!(token.kind, Kind::LineEnd | Kind::Comment))
         .repeated()
+        .at_least(1)
         .collect::<Vec<Token>>()
-        .then_ignore(number)
+        .then_ignore(number.or(assigned_value))
         .or_not()
         .map(|tokens: Option<Vec<Token>>| {
             tokens.map(|tokens| tokens.into_iter().filter(|token| token.kind == Kind::Comment).collect::<Vec<_>>())
@@ -86,7 +98,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         if count == 0 { Err(EmptyErr::default()) } else { Ok(()) }
     });
     let word = any()
-        .filter(|token: &Token| matches!(token.kind, Kind::Word | Kind::LooseWord))
+        .filter(|token: &Token| matches!(token.kind, Kind::Word | Kind::LooseWord | Kind::ManySigns))
         .then(pieces)
         .map(|(word, pieces)| Item::Word { word, pieces });
     let comment =
@@ -118,12 +130,27 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .then(number)
         .then(pieces)
         .map(|((address, number), pieces)| Item::SplitSign { address, number, pieces });
-    let foreign = any()
-        .filter(|token: &Token| token.kind == Kind::BareR)
-        .then_ignore(one(Kind::Equals))
-        .then(number)
-        .map(|(address, number)| Item::ForeignAssignment { address, number });
-    let radius = one(Kind::BareR).then(number).map(|(first, last)| Item::Radius { first, last });
+    let radius = one(Kind::BareR)
+        .then(number.or(assigned_value))
+        .foldl(assigned_value.repeated(), |(first, _), last| (first, last))
+        .map(|(first, last)| Item::Radius { first, last });
+    let many_signs = one(Kind::ManySigns)
+        .then(parameter)
+        .then(operands)
+        .map(|((first, last), operands)| Item::ManySigns { first, last: operands.last().copied().unwrap_or(last) });
+    let no_parameter = address
+        .then(one(Kind::BareR))
+        .then_ignore(number.or(one(Kind::Equals)).not())
+        .map(|(address, parameter)| Item::NoParameter { address, parameter });
+    let split_parameter = parameter
+        .then_ignore(number.then(one(Kind::Equals)).then(one(Kind::Sign).or_not()))
+        .then(value)
+        .map(|(target, value)| Item::SplitParameter { target, value });
+    // `R10= R11=80`: the value that R10 should get is missing.
+    let unassigned = parameter
+        .then(one(Kind::Equals))
+        .then_ignore(parameter.then(one(Kind::Equals)).rewind())
+        .map(|(address, end)| Item::Valueless { address, end, comments: None });
     let sign_first = one(Kind::Sign).then(one(Kind::Word)).map(|(sign, word)| Item::SignFirst { sign, word });
     let odd_value = parameter
         .then_ignore(one(Kind::Equals))
@@ -139,6 +166,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
                     | Kind::Variable
                     | Kind::ForeignStart
                     | Kind::JumpTarget
+                    | Kind::Unit
             )
         })
         .map(Item::Foreign);
@@ -147,8 +175,8 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .then(number)
         .map(|(address, number)| Item::ForeignAssignment { address, number });
     let valueless = address
-        .or(one(Kind::BareR))
         .map(|address| (address, address))
+        .or(one(Kind::BareR).then(one(Kind::Sign).or_not()).map(|(address, sign)| (address, sign.unwrap_or(address))))
         .or(parameter
             .then(one(Kind::Equals).or_not())
             .then_ignore(one(Kind::Sign).or_not())
@@ -166,6 +194,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         matches!(
             token.kind,
             Kind::Text
+                | Kind::Unit
                 | Kind::Number
                 | Kind::LooseNumber
                 | Kind::Unknown
@@ -181,13 +210,14 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
 
     let odd = choice((
         comment,
+        many_signs,
         word,
+        choice((unassigned, split_parameter, no_parameter)),
         copy,
         assignment,
         short_assignment,
         parametric,
         split_sign,
-        foreign,
         radius,
         double,
         odd_value,

@@ -3,7 +3,7 @@
 
 use super::lower::Lowering;
 use super::{BlockFlags, Kind, Word, tokens};
-use crate::diag::{Code, Diagnostic, DwellMeant, Finding, FixTitle, NumberMeant, TargetMeant, shown};
+use crate::diag::{Code, Diagnostic, DwellMeant, Finding, FixTitle, NumberMeant, TargetMeant, ValueMeant, shown};
 use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_Q};
 use crate::syntax::number::Number;
 
@@ -27,6 +27,7 @@ impl Lowering<'_> {
         if self.pending.is_empty() {
             return;
         }
+        self.letters_for_one(first);
         self.radius_in_arc(first);
         for diagnostic in self.pending.drain(..) {
             self.findings.add(diagnostic);
@@ -84,13 +85,16 @@ impl Lowering<'_> {
             .zip(self.block_words(first))
             .filter(|(_, word)| !matches!(word.address, Address::N | Address::G | Address::M | Address::Skip));
         let (Some((at, &time)), None) = (others.next(), others.next()) else { return };
-        let known = matches!(time.address, Address::P | Address::X | Address::U | Address::F);
+        // Words of other controls that are something else here too.
+        let other = matches!(time.address, Address::H | Address::K | Address::S);
+        let known = other || matches!(time.address, Address::P | Address::X | Address::U | Address::F);
         let Some(value) = time.number().filter(|value| known && !time.is_faulty() && value.thousandths() > 0) else {
             return;
         };
         let seconds = time.has_point() || time.address == Address::F;
         let units = match value.as_whole() {
-            Some(whole) if !seconds => (whole >= MILLISECONDS).then_some((whole + 5) / 10),
+            Some(whole) if !seconds && !other && whole >= MILLISECONDS => Some((whole + 5) / 10),
+            Some(whole) if !seconds => Some(whole * 100),
             Some(_) | None => Some((value.thousandths() + 5) / 10),
         };
         let units = units.filter(|units| (1..=HIGHEST_Q).contains(units));
@@ -99,7 +103,9 @@ impl Lowering<'_> {
         let text = units.map(|units| format!("Q{units}"));
         // A block with G04 may move: a whole X may be a coordinate.
         let maybe_target = matches!(time.address, Address::X | Address::U) && !time.has_point();
+        let in_seconds = other || !seconds && value < Decimal::whole(MILLISECONDS);
         let meant = match &text {
+            Some(text) if in_seconds => DwellMeant::Seconds { address: time.address, written: text.clone() },
             Some(text) if maybe_target => DwellMeant::Perhaps { address: time.address, written: text.clone() },
             Some(text) => DwellMeant::Written { written: text.clone() },
             None => DwellMeant::Units,
@@ -107,7 +113,7 @@ impl Lowering<'_> {
         let mut diagnostic = Diagnostic::new(Finding::MissingDwell { meant }, self.at(g.span(self.text)));
         if let Some(text) = text {
             let title = FixTitle::Write { text: shown(&text) };
-            diagnostic = if maybe_target {
+            diagnostic = if maybe_target || in_seconds {
                 diagnostic.with_offer(title, place, text)
             } else {
                 diagnostic.with_fix(title, place, text)
@@ -127,10 +133,62 @@ impl Lowering<'_> {
         }
     }
 
+    /// `G0I`, `X6l`: a letter without a value, right behind a number, is a digit 1. Of words without a decimal point too the
+    /// other reading is possible, so that it is offered only.
+    fn letters_for_one(&mut self, first: usize) {
+        while let Some(at) = (first + 2..self.words.len()).find(|at| self.is_letter_for_one(first, *at)) {
+            let (Some(word), Some(letter)) = (self.words.get(at - 1).copied(), self.words.get(at).copied()) else {
+                return;
+            };
+            let (word_span, letter_span) = (word.span(self.text), letter.span(self.text));
+            let span = word_span.to(letter_span);
+            let text = format!("{}1", self.slice(word_span).to_ascii_uppercase());
+            let number = text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+            let Some(number) = Number::parse(number.as_bytes()) else { return };
+            self.words.remove(at);
+            if let Some(slot) = self.words.get_mut(at - 1) {
+                // A coordinate may have been meant otherwise.
+                let known = !word.address.is_dimensional();
+                let word =
+                    if known { Word::with_number(word.address, span, number) } else { Word::bare(word.address, span) };
+                *slot = word.faulty();
+            }
+            let about_letter = |found: &Diagnostic| found.code() == Code::E0103 && found.at.span == letter_span;
+            self.pending.retain(|found| !about_letter(found));
+            let place = self.at(span);
+            let diagnostic = Diagnostic::new(Finding::LetterForDigit { fixed: shown(&text) }, place);
+            self.pending.push(diagnostic.with_offer(FixTitle::Write { text: shown(&text) }, place, text));
+        }
+    }
+
+    /// Whether the word at `at` is a letter for the last digit of the word before it, in a block whose words begin at `first`.
+    fn is_letter_for_one(&mut self, first: usize, at: usize) -> bool {
+        let (Some(word), Some(letter)) = (self.words.get(at - 1).copied(), self.words.get(at).copied()) else {
+            return false;
+        };
+        if !letter.is_void() || !letter.is_faulty() || !matches!(letter.address, Address::I | Address::L) {
+            return false;
+        }
+        let (word_span, letter_span) = (word.span(self.text), letter.span(self.text));
+        let behind = word.is_plain() && word_span.end == letter_span.start && letter_span.len() == 1;
+        let numbered = !matches!(word.address, Address::R | Address::N | Address::Skip | Address::Program);
+        // Functions have two digits.
+        let room = !matches!(word.address, Address::G | Address::M) || word_span.len() == 2;
+        let center = |word: &Word| matches!(word.address, Address::J | Address::K);
+        behind
+            && numbered
+            && room
+            && match self.byte(letter_span.start) {
+                b'l' => true,
+                b'I' => !self.block_words(first).iter().any(center) && !self.arc_in_force(),
+                _ => false,
+            }
+    }
+
     /// R without `=` in a block with an arc is meant as its radius.
     fn radius_in_arc(&mut self, first: usize) {
         let is_radius = |diagnostic: &Diagnostic| {
-            matches!(&diagnostic.finding, Finding::MissingValue { address, .. } if address.starts_with('R'))
+            matches!(&diagnostic.finding, Finding::MissingValue { address, meant: ValueMeant::Number | ValueMeant::Beyond } if address.starts_with('R'))
                 || matches!(&diagnostic.finding, Finding::MalformedNumber { meant: NumberMeant::Parameter, .. })
         };
         let Some(span) = self.pending.iter().find(|found| is_radius(found)).map(|found| found.at.span) else { return };
@@ -141,8 +199,8 @@ impl Lowering<'_> {
             if !is_radius(diagnostic) {
                 continue;
             }
-            if let Finding::MissingValue { arc, .. } = &mut diagnostic.finding {
-                *arc = true;
+            if let Finding::MissingValue { meant, .. } = &mut diagnostic.finding {
+                *meant = ValueMeant::Radius;
             } else if let Finding::MalformedNumber { meant, .. } = &mut diagnostic.finding {
                 *meant = NumberMeant::Radius;
             }

@@ -1,7 +1,7 @@
 //! What is judged by lines and characters: their length, case, and what follows the end.
 
 use super::{Kind, tokens};
-use crate::diag::{AfterEndMeant, Diagnostic, Edit, Finding, Findings, FixTitle};
+use crate::diag::{AfterEndMeant, Diagnostic, Edit, Finding, Findings, FixTitle, shown};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// Most characters of a line (LEX-7).
@@ -58,8 +58,13 @@ pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, fi
             |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
         let before = text.as_bytes().get((after as usize).saturating_sub(2));
         let product = first.start == after && factor(before) && factor(text.as_bytes().get(first.start as usize));
+        // `*** KONTURA ***`
+        let line = text.get(first.start as usize..end as usize).unwrap_or_default();
+        let line = line.split(['\n', '\r']).next().unwrap_or_default().trim_end_matches([' ', '\t']);
+        let separator = first.start == after && line.starts_with('*');
         let meant = match (program, product) {
             (true, _) => AfterEndMeant::Program,
+            (false, _) if separator => AfterEndMeant::Separator { line: shown(&format!("*{line}").replace('"', "")) },
             (false, true) => AfterEndMeant::Product,
             (false, false) => AfterEndMeant::Text,
         };

@@ -3,7 +3,7 @@
 use super::grammar::Item;
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
-use crate::diag::{Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, shown};
+use crate::diag::{Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
 use crate::text::{FileId, Location, Span};
 
@@ -65,9 +65,6 @@ impl<'t> Lowering<'t> {
                 all.extend(pieces);
                 self.loose_word(address, &all);
             }
-            Item::ForeignAssignment { address, number } if address.kind == Kind::BareR => {
-                self.radius(address, address.span().to(number.span()));
-            }
             Item::ForeignAssignment { address, number } => {
                 let span = address.span().to(number.span());
                 self.void_word(address, span, |text| Finding::MalformedNumber { text, meant: NumberMeant::EqualsForm });
@@ -78,6 +75,12 @@ impl<'t> Lowering<'t> {
                     self.comment(comment);
                 }
             }
+            Item::ManySigns { first, last } => {
+                let meant = NumberMeant::Form;
+                self.void_word(first, first.span().to(last.span()), |text| Finding::MalformedNumber { text, meant });
+            }
+            Item::NoParameter { address, parameter } => self.no_parameter(address, parameter),
+            Item::SplitParameter { target, value } => self.split_parameter(target, value),
             Item::Radius { first, last } => self.radius(first, first.span().to(last.span())),
             Item::SignFirst { sign, word } => self.sign_first(sign, word),
             Item::OddValue { target, value } => self.odd_value(target, value),
@@ -247,6 +250,10 @@ impl<'t> Lowering<'t> {
         let Some(address) = self.address(token.start, span) else { return };
         let run = String::from_utf8_lossy(self.number_text(token)).into_owned();
         let prefix = char::from(self.byte(token.start).to_ascii_uppercase()).to_string();
+        if run.get(..1).is_some_and(|letter| letter.eq_ignore_ascii_case(&prefix)) {
+            self.doubled_letter(address, &run, span);
+            return;
+        }
         match self.corrected(run, pieces, address, &prefix, span) {
             Some(number) => self.push(Word::with_number(address, span, number).faulty(), span),
             None => self.push(Word::bare(address, span).faulty(), span),
@@ -267,8 +274,8 @@ impl<'t> Lowering<'t> {
             joined.push_str(self.slice(piece.span()));
         }
         let comma = joined.contains(',');
-        let letter = joined.contains(['o', 'O', 'l']);
-        let fixed = joined.replace(',', ".").replace(['o', 'O'], "0").replace('l', "1");
+        let letter = joined.contains(['o', 'O', 'l', 'I']);
+        let fixed = joined.replace(',', ".").replace(['o', 'O'], "0").replace(['l', 'I'], "1");
         // A comma behind a number parts it from the next word.
         let fixed = if joined.ends_with(',') { fixed.trim_end_matches('.') } else { fixed.as_str() };
         let number = Number::parse(fixed.as_bytes());
@@ -288,12 +295,12 @@ impl<'t> Lowering<'t> {
             None if joined.len() > 2 => malformed(self.slice(span)),
             None => {
                 let address = shown(prefix.trim_end_matches('='));
-                Finding::MissingValue { address, beyond: false, arc: false, fixed: None }
+                Finding::MissingValue { address, meant: ValueMeant::Number }
             }
         };
         // Of words without a decimal point two may have been written as one, `M0 3`: joining is offered, and its value
-        // taken for what follows, so that one slip stays one finding.
-        let doubtful = matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
+        // taken for what follows, so that one slip stays one finding. `XI` may be two addresses without values.
+        let doubtful = joined == "I" || matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
         let corrected = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
         let title = FixTitle::Write { text: shown(&fixed) };
@@ -303,7 +310,7 @@ impl<'t> Lowering<'t> {
             (true, true) => diagnostic.with_offer(title, place, fixed),
             (true, false) => diagnostic.with_fix(title, place, fixed),
         });
-        number.filter(|_| corrected)
+        number.filter(|_| corrected && !(doubtful && address.is_dimensional()))
     }
 
     /// The number of a parameter, 0–95, and whether it has a finding already.
@@ -486,7 +493,7 @@ pub(super) fn printed_number(run: &str, prefix: &str) -> NumberMeant {
         let sum = run.chars().zip(run.chars().skip(1)).any(|(one, next)| one.is_ascii_digit() && "+-".contains(next));
         return if sum && prefix.starts_with('R') { NumberMeant::Computed } else { NumberMeant::Form };
     }
-    let thousandths = run.parse::<f64>().ok().map(|value| (value * 1000.0).round());
+    let thousandths = run.replace(',', ".").parse::<f64>().ok().map(|value| (value * 1000.0).round());
     #[allow(clippy::cast_possible_truncation, reason = "what is too large for it is the largest number, and refused")]
     let written = thousandths.map(|value| Decimal::from_thousandths(value as i64));
     match written.filter(|written| written.abs() <= Decimal::DIMENSION_MAX) {

@@ -3,6 +3,7 @@
 //! Nothing here knows a machine. Parsing never fails: every fault becomes a finding, and its block's other words and the
 //! other blocks stay unharmed. Comments and layout survive: each word and comment knows its span.
 
+mod comments;
 mod file;
 mod foreign;
 mod foreign_words;

@@ -5,10 +5,11 @@ use std::sync::Arc;
 use chumsky::Parser;
 use chumsky::inspector::SimpleState;
 
+use super::comments::is_jump_elsewhere;
 use super::file::Block;
 use super::lower::Lowering;
-use super::{BlockFlags, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
-use crate::diag::{Diagnostic, Finding, Findings, FixTitle};
+use super::{BlockFlags, BlockId, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
+use crate::diag::{Diagnostic, Finding, Findings, FixTitle, ValueMeant};
 use crate::dict::Address;
 use crate::parallel;
 use crate::text::{FileId, Location, SourceText, Span};
@@ -58,9 +59,19 @@ fn parse_in(
     let start = match form {
         Form::Macrocycle => source.first_offset(),
         Form::Program => match memchr::memchr(b'%', text.as_bytes()) {
-            Some(start) => u32::try_from(start).unwrap_or(u32::MAX),
+            Some(start) => {
+                let start = u32::try_from(start).unwrap_or(u32::MAX);
+                match start_behind(text, start) {
+                    Some(behind) => {
+                        let finding = Finding::MissingValue { address: "%".to_owned(), meant: ValueMeant::EarlyStart };
+                        findings.add(Diagnostic::new(finding, at(Span::new(start, start + 1))));
+                        behind
+                    }
+                    None => start,
+                }
+            }
             None => {
-                findings.add(Diagnostic::new(Finding::MissingProgramStart {}, at(Span::empty(source.first_offset()))));
+                findings.add(missing_start(file, source));
                 end
             }
         },
@@ -99,7 +110,9 @@ fn parse_in(
         // All of them are one run, whatever comments stand between them (BLK-2).
         parsed.words_outside = true;
         let word = crate::diag::shown(source.slice(outside.first));
-        let number = free_number(&parsed);
+        let skip = word.starts_with('/') && outside.more == 0;
+        let number = skip.then(|| parsed.n_word(BlockId(0)).and_then(Word::whole)).flatten();
+        let number = number.unwrap_or_else(|| free_number(&parsed));
         let finding = Finding::WordOutsideBlock { word, more: outside.more, blocks: !parsed.blocks.is_empty(), number };
         findings.add(Diagnostic::new(finding, at(outside.first)));
     }
@@ -108,6 +121,53 @@ fn parse_in(
     layout::check_lines(file, source, parsed.start, parsed.end, findings);
     parsed
 }
+
+/// The finding that there is no `%`: with the number that other controls write behind `O` or `:` in the first line.
+fn missing_start(file: FileId, source: &SourceText) -> Diagnostic {
+    let first = source.first_offset();
+    let at = |from: u32, to: u32| Location { file, span: Span::new(from, to) };
+    let text = source.text().get(first as usize..).unwrap_or_default();
+    let line = text.split(['\n', '\r']).next().unwrap_or_default();
+    let rest = line.strip_prefix(['O', 'o', ':']).unwrap_or_default();
+    let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
+    let number = digits.parse().ok().filter(|number| (1..=HIGHEST_PROGRAM).contains(number));
+    let finding = Finding::MissingProgramStart { number: number.unwrap_or(1) };
+    let diagnostic = Diagnostic::new(finding, at(first, first));
+    match number {
+        Some(number) => {
+            diagnostic.with_offer(FixTitle::Write { text: format!("%{number}") }, at(first, first + 1), "%")
+        }
+        None => diagnostic,
+    }
+}
+
+/// Where the program begins when the first `%` is one of a remark above it: without a number, and before any block there is
+/// a line that begins with `%` and its number.
+fn start_behind(text: &str, start: u32) -> Option<u32> {
+    let rest = text.get(start as usize + 1..)?;
+    let line = rest.trim_start_matches([' ', '\t']);
+    // `%` and on the next line `O2107`, `%_N_2107`, `%O1`: a start in the manner of other controls.
+    let odd = line.starts_with(|first: char| first.is_ascii_digit() || "+-.,_".contains(first));
+    if odd || rest.starts_with(|first: char| first.is_ascii_alphabetic()) {
+        return None;
+    }
+    let mut at = start as usize + 1;
+    for line in rest.split_inclusive(['\n', '\r']) {
+        let words = line.trim_start_matches([' ', '\t']);
+        let begins = at > start as usize + 1;
+        match words.as_bytes() {
+            [b'%', number @ ..] if begins && number.trim_ascii_start().first().is_some_and(u8::is_ascii_digit) => {
+                return u32::try_from(at + line.len() - words.len()).ok();
+            }
+            [b'N' | b'n' | b'O' | b'o', b'0'..=b'9', ..] if begins => return None,
+            _ => at += line.len(),
+        }
+    }
+    None
+}
+
+/// Greatest number of a program (PRG-1).
+const HIGHEST_PROGRAM: u32 = 999_999;
 
 /// A block number that no block of the file has, below that of the first one where there is such: 10, 5, or another.
 fn free_number(parsed: &ParsedFile) -> i64 {
@@ -251,6 +311,26 @@ fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
     flow && count
 }
 
+/// The tokens before the first block; text on the line of `%` is one token to the end of the line, with the words in it: a
+/// title without quotes.
+fn with_whole_title(batch: &[Token], text: &str) -> Vec<Token> {
+    let mut tokens = batch.to_vec();
+    let is_text = |token: &Token| matches!(token.kind, Kind::Text | Kind::Unit);
+    let is_percent = |token: &Token| text.as_bytes().get(token.start as usize) == Some(&b'%');
+    let Some(from) = tokens.iter().position(is_percent) else { return tokens };
+    let ends = |token: &Token| {
+        matches!(token.kind, Kind::LineEnd | Kind::Comment | Kind::TypographicComment | Kind::ForeignComment)
+    };
+    let line = tokens.iter().skip(from).position(ends).map_or(tokens.len(), |length| from + length);
+    let Some(first) = (from..line).find(|at| tokens.get(*at).is_some_and(is_text)) else { return tokens };
+    let end = tokens.get(line - 1).map_or(0, |last| last.end);
+    if let Some(title) = tokens.get_mut(first) {
+        *title = Token { kind: Kind::Text, end, ..*title };
+    }
+    tokens.drain(first + 1..line);
+    tokens
+}
+
 /// Reads one piece of a text.
 struct Reader<'t> {
     lowering: Lowering<'t>,
@@ -323,6 +403,7 @@ impl<'t> Reader<'t> {
                 token.kind,
                 Kind::Word
                     | Kind::LooseWord
+                    | Kind::ManySigns
                     | Kind::Letter
                     | Kind::SignedLetter
                     | Kind::GarbledWord
@@ -332,6 +413,7 @@ impl<'t> Reader<'t> {
             );
             match bytes.get(token.start as usize).filter(|_| with_address) {
                 Some(b'N' | b'n') if is_jump_target(bytes, &batch, token) => token.kind = Kind::JumpTarget,
+                Some(b'N' | b'n') if is_jump_elsewhere(bytes, &batch, token) => token.kind = Kind::Text,
                 Some(b'N' | b'n') => {
                     if batch.len() >= BATCH {
                         self.parse_batch(&batch, &cuts);
@@ -402,13 +484,14 @@ impl<'t> Reader<'t> {
     /// The `%` word, the title, and words that belong to no block (BLK-2).
     fn parse_header(&mut self, batch: &[Token]) {
         let mut header = Header::default();
+        let text = self.lowering.text;
         {
+            let batch = with_whole_title(batch, text);
             let parser = grammar::block();
             let mut state = SimpleState(&mut self.lowering);
-            let _ = parser.parse_with_state(batch, &mut state);
+            let _ = parser.parse_with_state(&batch, &mut state);
             state.finish_block(0);
         }
-        let text = self.lowering.text;
         let file = self.lowering.file;
         let mut after_program = self.form == Form::Macrocycle;
         let mut program_end = 0;
@@ -462,7 +545,6 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::syntax::BlockId;
 
     fn codes(text: &str) -> Vec<(String, String)> {
         let source = Arc::new(SourceText::from_text("t.nc", text));

@@ -17,9 +17,41 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
         start += 1;
     }
     let tokens: Vec<Token> = tokens(text, start, comment.end).collect();
-    let ends = |from: usize| Run { text, tokens: tokens.get(from..).unwrap_or_default() }.whole();
+    let ends =
+        |from: usize| Run { text, tokens: tokens.get(from..).unwrap_or_default() }.whole(LEAST, None) == Some(true);
     let from = (0..tokens.len()).find(|from| ends(*from))?;
     Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
+}
+
+/// The words that `span` holds, when nothing but words and comments is in it.
+pub(super) fn only_words(text: &str, span: Span) -> Option<Vec<Token>> {
+    if span.len() > TAIL {
+        return None;
+    }
+    let mut words: Vec<Token> = tokens(text, span.start, span.end).collect();
+    words.retain(|token| token.kind != Kind::Comment);
+    Run { text, tokens: &words }.whole(1, words.first().map(|first| first.start))?;
+    words.retain(|token| matches!(token.kind, Kind::Word | Kind::Letter | Kind::SignedLetter));
+    Some(words)
+}
+
+/// Where words stand that follow a text on its line, up to a comment or the next block.
+pub(super) fn words_behind(text: &str, start: u32) -> Option<Span> {
+    let rest = text.as_bytes().get(start as usize..)?;
+    let line = rest.iter().take(TAIL as usize).take_while(|byte| !matches!(byte, b'\n' | b'\r')).count();
+    let mut end = start + u32::try_from(line).unwrap_or(0);
+    while !text.is_char_boundary(end as usize) {
+        end -= 1;
+    }
+    let is_word = |token: &Token| {
+        let letter = text.as_bytes().get(token.start as usize).copied().unwrap_or(b' ');
+        matches!(token.kind, Kind::Word | Kind::Letter | Kind::SignedLetter | Kind::Parameter)
+            && !matches!(letter, b'N' | b'n')
+    };
+    let mut behind = tokens(text, start, end).take_while(is_word);
+    let first = behind.next().filter(|first| first.kind == Kind::Word)?;
+    let last = behind.last().unwrap_or(first);
+    Some(first.span().to(last.span()))
 }
 
 /// What may be words up to the end of a comment.
@@ -29,24 +61,25 @@ struct Run<'t> {
 }
 
 impl Run<'_> {
-    /// Whether it is nothing but words, and enough of them.
-    fn whole(mut self) -> bool {
+    /// Whether one of the words is N, G, M or an axis; `None` when it is not nothing but words, or fewer than `least`.
+    /// `end`: where a word may begin without a blank before it.
+    fn whole(mut self, least: usize, mut end: Option<u32>) -> Option<bool> {
         let (mut words, mut telling) = (0, false);
-        let mut end = None;
         while let Some(&first) = self.tokens.first() {
-            if words > 0 && matches!(first.kind, Kind::Skip | Kind::End) {
+            if end != Some(first.start) && !self.is_apart(first) {
+                return None;
+            }
+            if first.kind == Kind::Skip || words > 0 && first.kind == Kind::End {
                 self.next();
+                end = Some(first.end);
                 continue;
             }
-            if end != Some(first.start) && !self.is_apart(first) {
-                return false;
-            }
-            let Some(last) = self.word() else { return false };
+            let last = self.word()?;
             words += 1;
             telling |= is_telling(self.letter(first));
             end = Some(last.end);
         }
-        words >= LEAST && telling
+        (words >= least).then_some(telling)
     }
 
     /// Takes one word; gives its last token.

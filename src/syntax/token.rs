@@ -2,6 +2,7 @@
 
 use logos::Logos;
 
+use crate::dict::Address;
 use crate::text::Span;
 
 /// What a token is.
@@ -45,12 +46,14 @@ pub enum Kind {
     #[regex(r"[+\-]", priority = 35)]
     Sign,
     /// An address other than R with something like a number: `X1,5`, `X1O0`, `X--5`, `Xl0`, `X.`.
-    #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[Ool])[+\-.,0-9Oo]*", priority = 20)]
+    #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[ \t]*[+\-]l|[Ool])[+\-.,0-9Oo]*", priority = 20)]
     LooseWord,
-    /// An address with a number as programs print it, `X1.5E-05`, `S1.2E+03`, a dimensional one also `XNaN`, `X-inf`;
-    /// `FMAX`.
+    /// An address other than R with several signs and no number: `X--`.
+    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-][+\-]+", priority = 36)]
+    ManySigns,
+    /// An address with a number as programs print it: `X1.5E-05`, `S1.2E+03`, `XNaN`, `D-inf`; `FMAX`.
     #[regex(
-        r"[A-QS-Za-qs-z&%][ \t]*[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])",
+        r"[A-Za-z&%][ \t]*[+\-]?([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[DGHL-TNdghl-t&%][+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])",
         priority = 25
     )]
     PrintedWord,
@@ -59,7 +62,7 @@ pub enum Kind {
     LooseParameter,
     /// Something like a number without an address: `1,5`, `--5`, `1.5E-05`.
     #[regex(
-        r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+\.?[0-9]*|\.[0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff])",
+        r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff])",
         priority = 10
     )]
     LooseNumber,
@@ -90,7 +93,7 @@ pub enum Kind {
     #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", priority = 40)]
     TypographicComment,
     /// A word with characters in it that the control does not know: `X#1`, `X−5`, `X[R1+5]`, `X(5)`.
-    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[[^\]"\r\n]{0,80}\]|\([^)"\r\n]{0,80}\))|%_[A-Za-z0-9_]*"#, priority = 15)]
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[[^\]"\r\n]{0,80}\]|\([^)"\r\n]{0,80}\))|%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)"#, priority = 15)]
     GarbledWord,
     /// A comment as other controls write it.
     #[regex(
@@ -99,9 +102,11 @@ pub enum Kind {
         allow_greedy = true
     )]
     ForeignComment,
-    /// Two letters or more in a row.
-    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž]+", priority = 8)]
+    /// Two letters or more in a row, also with `/` between them: `najezd/odjezd`.
+    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž]+|[Mm]/[Mm][Ii][Nn]", priority = 8)]
     Text,
+    /// The name of a unit: `mm/min`. The lexer reads it as a text.
+    Unit,
     /// Characters that the control does not know.
     #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]+([+\\-.,]*[0-9]+)*", priority = 2)]
     Unknown,
@@ -125,12 +130,22 @@ impl Token {
     }
 }
 
+/// Names of units that are the control's own; and `m/min`, which is not.
+const UNITS: [&str; 11] =
+    ["mm", "deg", "ot", "rpm", "mm/min", "mm/ot", "mm/rev", "mm/r", "ot/min", "rev/min", METRES_PER_MINUTE];
+/// Of all units the one that is not the control's.
+pub(super) const METRES_PER_MINUTE: &str = "m/min";
 /// Longer runs of letters before a number are names: `CYCLE81`.
 const MOST: usize = 3;
 
 /// The tokens of `text` from `start` up to `end`.
 pub fn tokens(text: &str, start: u32, end: u32) -> impl Iterator<Item = Token> + '_ {
-    Tokens { text: text.get(..end as usize).unwrap_or(text), lexer: lexer_at(text, start, end), pending: None }
+    Tokens {
+        text: text.get(..end as usize).unwrap_or(text),
+        lexer: lexer_at(text, start, end),
+        pending: None,
+        after_text: false,
+    }
 }
 
 fn lexer_at(text: &str, start: u32, end: u32) -> logos::Lexer<'_, Kind> {
@@ -143,6 +158,8 @@ struct Tokens<'t> {
     text: &'t str,
     lexer: logos::Lexer<'t, Kind>,
     pending: Option<Token>,
+    /// The token before was a text.
+    after_text: bool,
 }
 
 impl Iterator for Tokens<'_> {
@@ -156,7 +173,7 @@ impl Iterator for Tokens<'_> {
         let kind = self.lexer.next()?.unwrap_or(Kind::Unknown);
         let span = self.lexer.span();
         let token = Token { kind, start: offset(span.start), end: offset(span.end) };
-        Some(if kind == Kind::Text {
+        let token = if kind == Kind::Text {
             self.text_token(token)
         } else if kind == Kind::Skip {
             self.skip_token(token)
@@ -164,7 +181,9 @@ impl Iterator for Tokens<'_> {
             self.comment_token(token)
         } else {
             token
-        })
+        };
+        self.after_text = token.kind == Kind::Text;
+        Some(token)
     }
 }
 
@@ -206,6 +225,9 @@ impl Tokens<'_> {
     /// A run of letters is text, but its last letter may be the address of a word (`XYZ5`), and letters O after the first
     /// may stand for digits (`GOOX10`).
     fn text_token(&mut self, token: Token) -> Token {
+        if let Some(token) = self.whole_text(token).or_else(|| self.two_letters(token)) {
+            return token;
+        }
         let bytes = self.text.as_bytes();
         let run = bytes.get(token.span().range()).unwrap_or_default();
         let letters = self.text.get(token.span().range()).unwrap_or_default().chars().take(MOST + 1).count();
@@ -242,6 +264,65 @@ impl Tokens<'_> {
         let second = Token { kind: letter_kind(bytes, kept.start + 1), start: kept.start + 1, end: kept.end };
         self.pending = Some(second);
         Token { kind: letter_kind(bytes, kept.start), start: kept.start, end: kept.start + 1 }
+    }
+
+    /// Letters with `/` between them, which is no block skip there, and the names of units.
+    fn whole_text(&mut self, token: Token) -> Option<Token> {
+        let bytes = self.text.as_bytes();
+        let mut end = token.end;
+        while let Some([b'/', rest @ ..]) = bytes.get(end as usize..) {
+            let letters = rest.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
+            let name = letters > 1 || matches!(rest.first(), Some(b'R' | b'r'));
+            let behind = rest.get(letters);
+            let value = behind.is_some_and(|byte| byte.is_ascii_digit() || b"+-.=".contains(byte));
+            if !name || letters == 0 || value {
+                break;
+            }
+            end += 1 + offset(letters);
+        }
+        let name = self.text.get(token.start as usize..end as usize).unwrap_or_default();
+        let value = bytes.get(end as usize).is_some_and(|byte| byte.is_ascii_digit() || b"+-.=".contains(byte));
+        let unit = !value && UNITS.iter().any(|unit| unit.eq_ignore_ascii_case(name));
+        if end != token.end {
+            self.restart(end);
+        }
+        let kind = if unit { Kind::Unit } else { Kind::Text };
+        (unit || name.contains('/')).then_some(Token { kind, end, ..token })
+    }
+
+    /// Two letters alone that are a word with a slip in it: `XR`, `TI`, `TT1`.
+    fn two_letters(&mut self, token: Token) -> Option<Token> {
+        let bytes = self.text.as_bytes();
+        let Some(&[first, second]) = bytes.get(token.span().range()) else { return None };
+        Address::from_byte(first).filter(|address| *address != Address::R)?;
+        let rest = bytes.get(token.end as usize..).unwrap_or_default();
+        let blanks = rest.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+        let behind = rest.get(blanks..).unwrap_or_default();
+        if first.eq_ignore_ascii_case(&second) {
+            let number = behind.iter().take_while(|byte| byte.is_ascii_digit() || b"+-.".contains(byte)).count();
+            let digits = behind.get(..number)?.iter().any(u8::is_ascii_digit);
+            let end = token.end + offset(blanks + number);
+            return digits.then(|| {
+                self.restart(end);
+                Token { kind: Kind::LooseWord, end, ..token }
+            });
+        }
+        let value = behind.first().is_some_and(|byte| byte.is_ascii_digit() || b"+-.=".contains(byte));
+        let text = matches!(behind, [one, next, ..] if one.is_ascii_alphabetic() && next.is_ascii_alphabetic())
+            || behind.first().is_some_and(|byte| !byte.is_ascii());
+        if value || text || self.after_text {
+            return None;
+        }
+        match second {
+            b'R' | b'r' if b"XYZUVWIJKLQFSGM".contains(&first.to_ascii_uppercase()) => {
+                self.restart(token.end);
+                let start = token.start + 1;
+                self.pending = Some(Token { kind: Kind::BareR, start, end: token.end });
+                Some(Token { kind: Kind::Letter, end: start, ..token })
+            }
+            b'I' if !matches!(first, b'N' | b'n') => Some(Token { kind: Kind::LooseWord, ..token }),
+            _ => None,
+        }
     }
 
     fn restart(&mut self, at: u32) {

@@ -59,7 +59,7 @@ mod tests {
     fn what_delimits_commands_is_escaped() {
         let sources = samples::sources(&[("C:\\a,b%.nc", b"")]);
         let at = crate::text::Location::default();
-        let report = samples::report(&sources, [Diagnostic::new(Finding::MissingProgramStart {}, at)]);
+        let report = samples::report(&sources, [Diagnostic::new(Finding::MissingProgramStart { number: 1 }, at)]);
         insta::assert_snapshot!(rendered(Format::Github, &report, Lang::En, false), @r"::error file=C%3A\a%2Cb%25.nc,line=1,col=1,endLine=1,endColumn=1,title=E0201::no `%25`: the control would ignore the whole file%0Abegin the program with `%25` and its number: `%251`");
     }
 }

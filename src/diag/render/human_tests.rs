@@ -297,7 +297,7 @@ proptest! {
         let mut places = places
             .into_iter()
             .map(|(start, len)| Location { file, span: Span::new(boundary(start), boundary(start + len)) });
-        let mut diagnostic = Diagnostic::new(Finding::MissingProgramStart {}, places.next().unwrap());
+        let mut diagnostic = Diagnostic::new(Finding::MissingProgramStart { number: 1 }, places.next().unwrap());
         for place in places {
             diagnostic = diagnostic.with_label(place, LabelText::First { what: "X0".to_owned() });
         }

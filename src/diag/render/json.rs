@@ -135,6 +135,10 @@ struct Call<'a> {
 struct Fix<'a> {
     /// What it does.
     title: String,
+    /// Set where something else may be meant as well: a change to choose, which `check --fix` does not apply by itself.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "bool")]
+    offered: Option<bool>,
     /// Replacements that do not overlap.
     #[schemars(with = "Vec<Edit<'a>>")]
     edits: Edits<'a>,
@@ -264,6 +268,7 @@ impl<'a> Form<'a> {
                 .iter()
                 .map(|fix| Fix {
                     title: safe(fix.title.text(self.lang)),
+                    offered: (!fix.certain).then_some(true),
                     edits: Edits { form: self, edits: &fix.edits },
                 })
                 .collect(),

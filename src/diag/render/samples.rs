@@ -91,11 +91,11 @@ pub(super) fn mixed() -> Report {
         [
             Diagnostic::new(Finding::UnassignedParameter { parameter: 1 }, find(&sources, 0, "XR1", 0)),
             Diagnostic::new(
-                Finding::MissingProgramEnd { skipped: false, late: None, instead: None },
+                Finding::MissingProgramEnd { skipped: false, late: None, instead: None, unread: None },
                 Location { file: end.file, span: Span::empty(end.span.end) },
             ),
             Diagnostic::new(Finding::UnreadableFile { problem: Problem::NotFound, file: None }, missing),
-            Diagnostic::new(Finding::MissingProgramStart {}, missing),
+            Diagnostic::new(Finding::MissingProgramStart { number: 1 }, missing),
         ],
     )
 }

@@ -182,7 +182,8 @@ impl Log<'_> {
             });
             set(&mut said, "stacks", json!([{"frames": frames.collect::<Vec<_>>()}]));
         }
-        let fixes = fixes.iter().map(|fix| Fix {
+        // The form has no mark for a change that is only offered.
+        let fixes = fixes.iter().filter(|fix| fix.certain).map(|fix| Fix {
             description: message(&terminal_safe(&fix.title.text(self.lang))),
             artifact_changes: fix
                 .edits
@@ -368,7 +369,7 @@ mod tests {
         let place = |file, what| samples::find(&sources, file, what, 0);
         let edits = [(0, "n"), (0, "x"), (1, "n")]
             .map(|(file, what)| Edit { at: place(file, what), text: what.to_uppercase() });
-        let mut diagnostic = Diagnostic::new(crate::diag::Finding::MissingProgramStart {}, place(0, "n"));
+        let mut diagnostic = Diagnostic::new(crate::diag::Finding::MissingProgramStart { number: 1 }, place(0, "n"));
         diagnostic = diagnostic.with_fix(crate::diag::FixTitle::UpperCase, place(0, "n"), "N");
         diagnostic.fixes[0].edits = edits.to_vec();
         let log = sarif(&samples::report(&sources, [diagnostic]), Lang::En);

@@ -152,6 +152,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::SignedLetter
         | Kind::Skip
         | Kind::LooseWord
+        | Kind::ManySigns
         | Kind::LooseParameter
         | Kind::LooseNumber
         | Kind::PrintedWord
@@ -163,6 +164,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::GarbledWord
         | Kind::ForeignComment
         | Kind::Text
+        | Kind::Unit
         | Kind::Unknown
             if touching =>
         {
@@ -176,6 +178,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::Number
         | Kind::Skip
         | Kind::LooseWord
+        | Kind::ManySigns
         | Kind::LooseParameter
         | Kind::LooseNumber
         | Kind::PrintedWord
@@ -187,6 +190,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::GarbledWord
         | Kind::ForeignComment
         | Kind::Text
+        | Kind::Unit
         | Kind::Unknown => words,
     }
 }
@@ -214,6 +218,7 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
         | Kind::End
         | Kind::BareR
         | Kind::LooseWord
+        | Kind::ManySigns
         | Kind::LooseParameter
         | Kind::LooseNumber
         | Kind::PrintedWord
@@ -226,6 +231,7 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
         | Kind::GarbledWord
         | Kind::ForeignComment
         | Kind::Text
+        | Kind::Unit
         | Kind::Unknown => None,
     }
 }

@@ -1,0 +1,13 @@
+%1 "prodleva v sekundach"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 G04 X2
+"   ^^^ E0411
+N60 G04 P5
+"   ^^^ E0411
+N70 G04 S2
+"   ^^^ E0411
+N80 G0 Z50
+N90 M30

@@ -1,0 +1,12 @@
+%1 "pismeno misto 1 za cislem"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 G0I X6I Y5
+"   ^^^ E0107
+"       ^^^ E0107
+N60 G0l X5
+"   ^^^ E0107
+N80 G0 Z50
+N90 M30

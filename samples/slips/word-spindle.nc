@@ -1,0 +1,8 @@
+%1 "vreteno s rovnitkem"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1=1200 M3
+"   ^^^^^^^ E0106
+N40 G1 Z-2 F300
+N80 G0 Z50
+N90 M30

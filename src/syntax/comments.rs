@@ -1,0 +1,109 @@
+//! Text that is no comment, and comments as other controls write them.
+
+use super::lower::Lowering;
+use super::token::METRES_PER_MINUTE;
+use super::{BlockFlags, Kind, Token, swallowed};
+use crate::diag::{Diagnostic, Edit, Finding, FixTitle, Meant, TextMeant, shown};
+use crate::dict::Address;
+use crate::text::{Location, Span};
+
+impl Lowering<'_> {
+    /// Text that is no comment.
+    pub(super) fn stray_text(&mut self, span: Span) {
+        let text = self.slice(span);
+        self.flags.set(BlockFlags::DEBRIS);
+        let message =
+            text.strip_prefix("MSG").and_then(|rest| rest.trim_start_matches([' ', '\t']).strip_prefix("(\""));
+        if let Some(inner) = message.and_then(|rest| rest.strip_suffix("\")")).filter(|inner| !inner.contains('"')) {
+            let end = span.end - 2;
+            let start = end - u32::try_from(inner.len()).unwrap_or(0);
+            let edits = vec![
+                Edit { at: self.at(Span::new(span.start, start)), text: "\"".to_owned() },
+                Edit { at: self.at(Span::new(end, span.end)), text: "\"".to_owned() },
+            ];
+            let finding = Finding::StrayText { text: shown(text), meant: TextMeant::Message };
+            self.pending.push(Diagnostic::new(finding, self.at(span)).with_edits(FixTitle::Comment, edits));
+            return;
+        }
+        // Words behind it on its line are executed, whatever becomes of the text.
+        let behind = swallowed::words_behind(self.text, span.end);
+        let words = behind.map(|words| shown(self.slice(words).trim_end()));
+        let shown_text = shown(text);
+        let finding = if text.is_ascii() {
+            let meant = TextMeant::statement(text).unwrap_or_else(|| match (words, behind) {
+                (Some(words), Some(behind)) => {
+                    let all = shown(self.slice(span.to(behind)).trim_end());
+                    TextMeant::WithWords { text: shown_text.clone(), words, all }
+                }
+                _ => TextMeant::Comment { text: shown_text.clone() },
+            });
+            Finding::StrayText { text: shown_text, meant }
+        } else {
+            let meant = words.map_or(Meant::Comment, |words| Meant::CommentBefore { words });
+            Finding::UnknownCharacter { text: shown_text, meant }
+        };
+        self.report(span, finding);
+    }
+
+    /// The name of a unit behind a number: `F300mm/min`.
+    pub(super) fn unit(&mut self, token: Token) {
+        let (span, place) = (token.span(), self.at(token.span()));
+        let text = shown(self.slice(span));
+        self.flags.set(BlockFlags::DEBRIS);
+        let own = !text.eq_ignore_ascii_case(METRES_PER_MINUTE);
+        let meant = if own { TextMeant::Unit } else { TextMeant::OtherUnit };
+        let diagnostic = Diagnostic::new(Finding::StrayText { text: text.clone(), meant }, place);
+        self.pending.push(if own { diagnostic.with_offer(FixTitle::Delete { text }, place, "") } else { diagnostic });
+    }
+
+    /// A comment as other controls write it: `(text)`, `; text`, `{text}`, `// text`, `# text`.
+    pub(super) fn foreign_comment(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        let inner = text.trim_start_matches("//").trim_start_matches(['(', '{', '\'', '`', ';', '#']);
+        let opening = span.len() - u32::try_from(inner.len()).unwrap_or(0);
+        let closed = inner.ends_with([')', '}', '\'', '`']) && !text.starts_with([';', '#', '/']);
+        let body = inner.get(..inner.len() - usize::from(closed)).unwrap_or_default();
+        let blanks = body.len() - body.trim_start_matches([' ', '\t']).len();
+        let start = span.start + opening + u32::try_from(blanks).unwrap_or(0);
+        let kept = body.trim_matches([' ', '\t']);
+        let end = start + u32::try_from(kept.len()).unwrap_or(0);
+        self.flags.set(BlockFlags::DEBRIS);
+        let place = self.at(span);
+        let quote =
+            |from: u32, to: u32| Edit { at: Location { span: Span::new(from, to), ..place }, text: "\"".to_owned() };
+        let quotes = || vec![quote(span.start, start), quote(end, span.end)];
+        let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
+        let words = swallowed::only_words(self.text, Span::new(start, end));
+        let diagnostic = if body.trim().is_empty() {
+            let title = FixTitle::Delete { text: shown(text) };
+            Diagnostic::new(finding(Meant::Comment), place).with_fix(title, place, "")
+        } else if words.is_none() && body.contains('"') {
+            Diagnostic::new(finding(Meant::Comment), place)
+        } else if words.is_none() {
+            Diagnostic::new(finding(Meant::Comment), place).with_edits(FixTitle::Comment, quotes())
+        } else {
+            // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment.
+            let meant = Meant::CommentOrWords { words: shown(kept) };
+            let diagnostic = Diagnostic::new(finding(meant), place);
+            let diagnostic = diagnostic.with_offer(FixTitle::Write { text: shown(kept) }, place, kept);
+            if body.contains('"') { diagnostic } else { diagnostic.with_offers(FixTitle::Comment, quotes()) }
+        };
+        self.pending.push(diagnostic);
+        // What the words would set is not known.
+        for word in words.unwrap_or_default() {
+            if let Some(address) = Address::from_byte(self.byte(word.start)).filter(|address| *address != Address::N) {
+                self.push_void(address, word.span());
+            }
+        }
+    }
+}
+
+/// Whether a block number stands right behind a jump of other controls: `GOTOB N190`.
+pub(super) fn is_jump_elsewhere(bytes: &[u8], before: &[Token], token: Token) -> bool {
+    let Some(last) = before.last().filter(|last| last.kind == Kind::Text && token.kind == Kind::Word) else {
+        return false;
+    };
+    let name = bytes.get(last.span().range()).unwrap_or_default();
+    [&b"GOTO"[..], b"GOTOB", b"GOTOF", b"GOTOC"].iter().any(|jump| jump.eq_ignore_ascii_case(name))
+}
