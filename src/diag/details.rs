@@ -67,7 +67,7 @@ bilingual! {
         Variable { written: String } "there are no variables `#`; write a parameter: `{written}`", "proměnné # zde nejsou; napsat parametr: „{written}“";
         Expression "there are no variables `#` and no expressions; write a parameter, as in `XR10`; G26 to G29 compute", "proměnné # ani výrazy zde nejsou; napsat parametr, například „XR10“; počítají G26 až G29";
         ProgramName { written: String } "a program is named by its number: `{written}`", "program se označuje číslem: „{written}“";
-        CommentOrWords { words: String } "if it belongs to the program, write it alone: `{words}`; if it is a comment, put it between quotes: `\"{words}\"`", "patří-li to do programu, napsat jen „{words}“; je-li to komentář, dát ho do uvozovek: \"{words}\"";
+        CommentOrWords { words: String, comment: String } "if it belongs to the program, write it alone: `{words}`; if it is a comment, put it between quotes: `\"{comment}\"`", "patří-li to do programu, napsat jen „{words}“; je-li to komentář, dát ho do uvozovek: \"{comment}\"";
         Accent { written: String } "if the address is meant, write `{written}`; else delete it", "je-li to adresa, napsat „{written}“, jinak vymazat";
         CommentBefore { words: String } "put the comment between quotes, together with `{words}` where that is a part of it", "komentář dát do uvozovek, a to i s {words}, pokud k němu patří";
     }

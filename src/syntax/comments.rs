@@ -84,7 +84,7 @@ impl Lowering<'_> {
             Diagnostic::new(finding(Meant::Comment), place).with_edits(FixTitle::Comment, quotes())
         } else {
             // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment.
-            let meant = Meant::CommentOrWords { words: shown(kept) };
+            let meant = Meant::CommentOrWords { words: shown(kept), comment: shown(&kept.replace('"', "")) };
             let diagnostic = Diagnostic::new(finding(meant), place);
             let diagnostic = diagnostic.with_offer(FixTitle::Write { text: shown(kept) }, place, kept);
             if body.contains('"') { diagnostic } else { diagnostic.with_offers(FixTitle::Comment, quotes()) }

@@ -76,8 +76,7 @@ fn a_folder_is_fixed_with_its_macrocycles() {
 #[test]
 fn doubtful_changes_are_offered_only() {
     let text = b"%1\nN10 G0 G90 X1 ;Y5\n; N15 X5\nN20 X2; N25 X3\nN30 G04 X500\nN35 G04 X0.5\nN40 S1.2E+03\nN50 M30\n";
-    let fixed =
-        b"%1\nN10 G0 G90 X1 \"Y5\"\n\"N15 X5\"\nN20 X2; N25 X3\nN30 G04 X500\nN35 G04 Q50\nN40 S1200\nN50 M30\n";
+    let fixed = b"%1\nN10 G0 G90 X1 ;Y5\n; N15 X5\nN20 X2; N25 X3\nN30 G04 X500\nN35 G04 Q50\nN40 S1200\nN50 M30\n";
     let place = Place::with(&[("a.nc", text)]);
     place.run(&["check", "--fix", "a.nc"]).ends(1);
     assert_eq!(place.read("a.nc"), fixed);
