@@ -1,7 +1,6 @@
 //! `plc`: what the PLC program reads of a part program.
 
 use std::io::{self, BufWriter, Write};
-use std::ops::ControlFlow;
 
 use super::args::{FindingsArgs, PlcArgs, PlcFormat};
 use super::common::overrides;
@@ -13,16 +12,14 @@ use super::status::{Failure, Status};
 use super::threads;
 use super::walk::Target;
 use super::words::Words;
-use crate::analysis::motion::BlockTimes;
 use crate::analysis::plc::{
-    self, Cell, Condition, Csv, Finder, Json, NoSignal, Range, Reader, Signal, StepTimes, Table, Wave, Writer,
-    signal_problem,
+    self, Cell, Condition, Csv, Finder, Json, NoSignal, Range, Reader, Signal, Table, Wave, Writer, signal_problem,
 };
 use crate::config::{Machine, Purpose};
 use crate::diag::{Diagnostic, Finding, Findings, Format, Report};
 use crate::dict::{Dialect, Lang};
-use crate::run::{End, Executed, Program, Sink};
-use crate::session::{Outcome, Session, TimedSink, Times};
+use crate::run::End;
+use crate::session::{Outcome, Session, TimedSignals, Times};
 use crate::text::{SourceText, Sources};
 
 /// The name that a condition has in findings.
@@ -115,7 +112,7 @@ impl Run<'_> {
         let reader = if shown { reader } else { reader.unreported() };
         let (path, name) = (&target.path, target.name());
         let run = match times {
-            Some(times) => session.run_timed(path, &name, Purpose::Compile, times, Timed(reader)),
+            Some(times) => session.run_timed(path, &name, Purpose::Compile, times, TimedSignals(reader)),
             None => session.run(path, &name, Purpose::Compile, reader),
         };
         match failed {
@@ -136,32 +133,6 @@ impl Run<'_> {
     fn beside(self, mut writer: impl Writer + Send) -> io::Result<(Outcome, Option<End>)> {
         let (ran, written) = plc::beside(&mut writer, |writer| self.to(writer, true));
         written.and(ran)
-    }
-}
-
-/// Reads blocks with their times.
-struct Timed<'w>(Reader<'w>);
-
-impl TimedSink for Timed<'_> {
-    type Whole = End;
-
-    fn begin(&mut self, program: &Program<'_>) {
-        Sink::begin(&mut self.0, program);
-    }
-
-    fn block(&mut self, block: &Executed<'_>, times: &BlockTimes, findings: &mut Findings) -> ControlFlow<()> {
-        let stretch = times.motion.as_ref().and_then(|motion| motion.stretch).filter(|stretch| stretch.continued);
-        let times = StepTimes {
-            start_s: times.start_s,
-            duration_s: times.duration_s,
-            in_stretch: stretch.is_some(),
-            time_dist_s: stretch.and_then(|stretch| stretch.time_dist_s),
-        };
-        self.0.timed(block, times, findings)
-    }
-
-    fn end(self, end: End, findings: &mut Findings) -> End {
-        Sink::end(self.0, end, findings)
     }
 }
 

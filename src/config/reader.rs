@@ -8,7 +8,7 @@ use super::near::nearest;
 use super::number::{parse_decimal, parse_rounding};
 use super::row::{Default, Row};
 use super::taken::{Setting, Taken, Values};
-use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, KnownNames, LabelText, NameKind, shown};
+use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, KnownNames, LabelText, NameKind, shown};
 use crate::dict::{AxisLetter, Decimal};
 use crate::text::{FileId, Location, Span};
 
@@ -72,8 +72,15 @@ impl<'t> Reader<'t> {
 
     /// Reports a key that is not known (W0705).
     pub(super) fn unknown(&mut self, name: &str, at: Span, near: Option<String>, known: Option<KnownNames>) {
-        let finding = Finding::UnknownConfigurationKey { kind: NameKind::Key, key: shown(name), near, known };
-        self.findings.add(Diagnostic::new(finding, self.place(at)));
+        let finding =
+            Finding::UnknownConfigurationKey { kind: NameKind::Key, key: shown(name), near: near.clone(), known };
+        let meant = near.map(|near| (FixTitle::Write { text: near.clone() }, near));
+        let place = self.place(at);
+        let diagnostic = Diagnostic::new(finding, place);
+        self.findings.add(match meant {
+            Some((title, near)) => diagnostic.with_offer(title, place, near),
+            None => diagnostic,
+        });
     }
 
     /// Reports the keys of a table that are none of `known`.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use super::{Code, Diagnostic, Levels, Severity};
+use super::{Code, Diagnostic, Fix, Levels, Severity};
 use crate::text::{FileId, LineIndex, Location};
 
 /// How many findings of each code are kept for each file; the rest is counted.
@@ -161,6 +161,13 @@ impl Findings {
     /// Those kept so far, in the order found. The first of each code is among them.
     pub fn items(&self) -> &[Diagnostic] {
         &self.items
+    }
+
+    /// Adds to those that have no fix yet, at most so many, the changes that `make` offers.
+    pub fn offer(&mut self, most: usize, mut make: impl FnMut(&Diagnostic) -> Vec<Fix>) {
+        for diagnostic in self.items.iter_mut().filter(|diagnostic| diagnostic.fixes.is_empty()).take(most) {
+            diagnostic.fixes = make(diagnostic);
+        }
     }
 
     /// Whether a finding of that code is among them.

@@ -35,6 +35,9 @@ bilingual! {
         PlainBlank "write a plain blank", "napsat obyčejnou mezeru";
         Comment "make a comment of it, between quotes", "udělat z toho komentář v uvozovkách";
         Delete { text: String } "delete `{text}`", "vymazat „{text}“";
+        Insert { text: String } "insert `{text}`", "vložit „{text}“";
+        DeleteBlock { block: u32 } "delete N{block}", "vymazat N{block}";
+        DeleteSubprogram { l: u32 } "delete the subprogram L{l}", "vymazat podprogram L{l}";
         UpperCase "write addresses in upper case", "psát adresy velkými písmeny";
         MoveSkip { block: u32 } "move `/` behind N{block}", "přesunout „/“ za N{block}";
     }

@@ -179,6 +179,11 @@ impl Report {
         self.counts.get(&(file, code)).map_or((0, 0), |count| (count.kept, count.beyond))
     }
 
+    /// How many findings of a file are only counted.
+    pub fn beyond(&self, file: FileId) -> usize {
+        self.counts.iter().filter(|((found_in, _), _)| *found_in == file).map(|(_, count)| count.beyond).sum()
+    }
+
     /// How many findings of each code there are, those that were not kept included.
     pub fn by_code(&self) -> BTreeMap<Code, usize> {
         let mut found = BTreeMap::new();

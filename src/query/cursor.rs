@@ -20,16 +20,7 @@ pub(crate) struct WordAt {
 
 /// The block that a place is in: from its `N` up to the next one.
 pub(crate) fn block_at(file: &ParsedFile, offset: u32) -> Option<BlockId> {
-    let (mut low, mut high) = (0, file.block_count());
-    while low < high {
-        let middle = low + (high - low) / 2;
-        if file.n_word(BlockId(middle)).is_some_and(|word| word.start() <= offset) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    low.checked_sub(1).map(BlockId)
+    file.block_at(offset)
 }
 
 /// The word that covers a place, or ends there: at the border of two words the one that begins.

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use super::{Outcome, Run, Session, is_stopped};
+use super::{Outcome, Run, Session, is_stopped, offers};
 use crate::config::Purpose;
 use crate::diag::Findings;
 use crate::resolve::Resolved;
@@ -179,7 +179,11 @@ impl<'a> Execution<'a> {
         self.interpreter.executed() == self.most && self.interpreter.state() == state
     }
 
-    fn into_outcome(self) -> Outcome {
+    fn into_outcome(mut self) -> Outcome {
+        // A piece of a program does not tell which numbers are free.
+        if self.most == u64::MAX {
+            offers::add(&mut self.outcome.findings, &self.program.resolved);
+        }
         Outcome { sources: self.program.sources, ..self.outcome }
     }
 

@@ -1,6 +1,8 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
 mod execution;
+mod offers;
+mod signals;
 mod timed;
 
 use std::io::{self, Write};
@@ -17,6 +19,7 @@ use crate::stream;
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 pub use execution::Execution;
+pub use signals::TimedSignals;
 pub use timed::{TimedSink, Times};
 
 pub use crate::stream::Part;
@@ -126,6 +129,7 @@ impl<'a> Session<'a> {
             Some(l) => resolve_macrocycle(&source, l, self.settings, &mut library, sources, findings),
             None => resolve_program(&source, self.settings, &mut library, sources, findings),
         };
+        offers::add(&mut outcome.findings, &resolved);
         (outcome, resolved)
     }
 

@@ -139,6 +139,13 @@ impl ParsedFile {
         self.number(block).unwrap_or(0)
     }
 
+    /// The block that a place is in: from its `N` up to the next one.
+    pub fn block_at(&self, offset: u32) -> Option<BlockId> {
+        let starts = |block: &Block| self.words.get(block.first_word as usize).is_some_and(|n| n.start() <= offset);
+        let behind = self.blocks.partition_point(starts);
+        behind.checked_sub(1).and_then(|at| u32::try_from(at).ok()).map(BlockId)
+    }
+
     /// The words of a block after its `N`.
     #[inline]
     pub fn words(&self, block: BlockId) -> &[Word] {

@@ -24,6 +24,7 @@ mod lsp;
 mod markers;
 mod model;
 mod motion;
+mod offers;
 mod plc;
 mod plc_cli;
 mod plc_random;

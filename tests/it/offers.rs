@@ -1,0 +1,165 @@
+//! Changes that findings offer without being sure: each removes its finding and gives no other one.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use cnc872c::config::{configure, find_project};
+use cnc872c::diag::{Code, Diagnostic, Findings, Fix};
+use cnc872c::dict::Lang;
+use cnc872c::edit::apply_fixes;
+use cnc872c::session::Session;
+use cnc872c::text::{FileId, MemoryLoader, SourceText, Sources};
+
+use crate::markers::{Request, files, request};
+use crate::samples::root;
+
+/// The findings of a program in memory.
+fn check(loader: &MemoryLoader, file: &str, request: &Request) -> Option<Vec<Diagnostic>> {
+    let project = find_project(Path::new(""), loader);
+    let (mut sources, mut findings) = (Sources::new(), Findings::new());
+    let settings = configure(project.as_deref(), &request.overrides, loader, &mut sources, &mut findings);
+    if findings.has_errors() {
+        return None;
+    }
+    let session = Session { loader, settings: &settings, progress: None };
+    let outcome = session.check(Path::new(file), file);
+    Some(outcome.findings.items().iter().filter(|item| settings.severity(item.code()).is_some()).cloned().collect())
+}
+
+fn counts(found: &[Diagnostic]) -> BTreeMap<Code, usize> {
+    let mut counts = BTreeMap::new();
+    for item in found {
+        *counts.entry(item.code()).or_default() += 1;
+    }
+    counts
+}
+
+/// The text after a change of it.
+fn changed(text: &str, fix: &Fix) -> String {
+    let source = SourceText::from_text("", text);
+    let fixed = apply_fixes(&source, FileId(0), text.as_bytes(), [fix]);
+    assert_eq!(fixed.applied, [0], "{}", fix.title.text(Lang::En));
+    String::from_utf8(fixed.bytes).unwrap()
+}
+
+/// What is offered for the only finding of that code, and the program after it.
+fn offered(program: &str, code: Code) -> (String, String) {
+    let check = |text: &str| check(&MemoryLoader::new().with("p.nc", text), "p.nc", &Request::default()).unwrap();
+    let found = check(program);
+    let item = found.iter().find(|item| item.code() == code);
+    let item = item.unwrap_or_else(|| panic!("no {code} in {program:?}: {:?}", counts(&found)));
+    let fix = item.fixes.first().unwrap_or_else(|| panic!("{code} offers nothing in {program:?}"));
+    assert!(!fix.certain, "{code}: nothing applies this by itself");
+    let now = changed(program, fix);
+    let (before, after) = (counts(&found), counts(&check(&now)));
+    assert_eq!(after.get(&code).copied().unwrap_or(0) + 1, before[&code], "{code} stays in {now:?}");
+    for (code, count) in &after {
+        assert!(before.get(code).is_some_and(|before| count <= before), "{code} comes by the offer: {now:?}");
+    }
+    (fix.title.text(Lang::En), now)
+}
+
+#[test]
+fn what_is_offered() {
+    let cases = [
+        (
+            Code::E0404,
+            "%1\nN10 G71 L110\nN20 M30\nN30 G79 L100\nN40 G0 X1\nN50 G70\n",
+            "write `G71 L100`",
+            "G71 L100\n",
+        ),
+        (Code::E0406, "%1\nN10 G0 X1\nN20 G73 L11 Q2\nN30 M30\n", "write `G73 L10`", "G73 L10 Q2\n"),
+        (Code::E0304, "%1\nN10 G0. X1\nN20 M30\n", "write `G0`", "N10 G0 X1\n"),
+        (Code::E0305, "%1\nN10 S-500 M03\nN20 M30\n", "write `S500`", "N10 S500 M03\n"),
+        (Code::E0205, "%1\nN10 G0 X1\n", "insert `N20 M30`", "N10 G0 X1\nN20 M30\n"),
+        (
+            Code::E0207,
+            "%1\nN10 G71 L5\nN20 M30\nN30 G79 L5\nN40 G0 X1 \"up\"\n",
+            "insert `N50 G70`",
+            "N40 G0 X1 \"up\"\nN50 G70\n",
+        ),
+        (Code::E0204, "%1\nN10 G0 X1\nN10 X2\nN20 M30\n", "write `N15`", "N10 G0 X1\nN15 X2\n"),
+        (Code::E0401, "%1\nN10 G71 Q2\nN20 M30\nN30 G79 L5\nN40 G0 X1\nN50 G70\n", "write `G71 L5`", "G71 L5 Q2\n"),
+        (Code::E0411, "%1\nN10 G04\nN20 M30\n", "write `G04 Q100`", "N10 G04 Q100\n"),
+        (Code::W0214, "%1\nN10 G0 X1\nN20\nN30 M30\n", "delete N20", "%1\nN10 G0 X1\nN30 M30\n"),
+        (
+            Code::W0211,
+            "%1\nN10 G0 X1\nN20 M30\n\n\"a pocket\"\nN30 G79 L5\nN40 X1\nN50 G70\n",
+            "delete the subprogram L5",
+            "N20 M30\n\n",
+        ),
+        (Code::W0303, "%1\nN10 G0 X10.0012\nN20 M30\n", "write `X10.001`", "X10.001\n"),
+        (Code::W0402, "%1\nN10 G0 X1 L5\nN20 M30\n", "delete `L5`", "N10 G0 X1\n"),
+        (Code::W0403, "%1\nN10 G0 X1 Q5\nN20 M30\n", "delete `Q5`", "N10 G0 X1\n"),
+        (Code::W0503, "%1\nN10 G0 XR10\nN20 M30\n", "insert `N5 R10=0`", "%1\nN5 R10=0\nN10 G0 XR10\n"),
+    ];
+    for (code, program, title, result) in cases {
+        let (offered, now) = offered(program, code);
+        assert_eq!(offered, title, "{code}");
+        assert!(now.contains(result), "{code}: {now:?}");
+    }
+}
+
+/// A macrocycle is called as one, and the lines of a file end as they did.
+#[test]
+fn other_functions_and_line_ends() {
+    let loader = |text: &str| MemoryLoader::new().with("p.nc", text).with("L9001", "N1 G79 L9001\nN2 G0 X1\nN3 G70\n");
+    let text = "%1\r\nN10 G71 L9001\r\n";
+    let found = check(&loader(text), "p.nc", &Request::default()).unwrap();
+    let fixes: Vec<&Fix> = found.iter().flat_map(|item| &item.fixes).collect();
+    let mut now = text.to_owned();
+    for fix in fixes.iter().rev() {
+        now = changed(&now, fix);
+    }
+    assert_eq!(now, "%1\r\nN10 G72 L9001\r\nN20 M30\r\n");
+    assert!(check(&loader(&now), "p.nc", &Request::default()).unwrap().is_empty());
+}
+
+/// In all samples: what is offered removes its finding, and gives no other.
+#[test]
+fn offers_in_samples() {
+    let mut tried = 0;
+    let mut wrong = Vec::new();
+    for folder in ["err", "rules", "slips"] {
+        let mut samples: Vec<PathBuf> =
+            fs::read_dir(root().join("samples").join(folder)).unwrap().map(|entry| entry.unwrap().path()).collect();
+        samples.sort();
+        for sample in samples {
+            let (base, file) = if sample.is_dir() {
+                (sample.clone(), "program.nc".to_owned())
+            } else {
+                (sample.parent().unwrap().to_path_buf(), sample.file_name().unwrap().to_str().unwrap().to_owned())
+            };
+            let Ok(bytes) = fs::read(base.join(&file)) else { continue };
+            let (request, Ok(text)) = (request(&bytes), String::from_utf8(bytes)) else { continue };
+            let mut loader = MemoryLoader::new();
+            if sample.is_dir() {
+                for path in files(&base) {
+                    loader = loader.with(path.strip_prefix(&base).unwrap(), fs::read(&path).unwrap());
+                }
+            }
+            let Some(found) = check(&loader.clone().with(&file, text.as_str()), &file, &request) else { continue };
+            let before = counts(&found);
+            for (item, fix) in found.iter().flat_map(|item| item.fixes.iter().map(move |fix| (item, fix))) {
+                if fix.certain || item.at.file != FileId(0) {
+                    continue;
+                }
+                tried += 1;
+                let now = changed(&text, fix);
+                let after = counts(&check(&loader.clone().with(&file, now), &file, &request).unwrap());
+                let title = format!("{}: {} {}", sample.display(), item.code(), fix.title.text(Lang::En));
+                if after.get(&item.code()).copied().unwrap_or(0) >= before[&item.code()] {
+                    wrong.push(format!("{title}: the finding stays"));
+                }
+                for (code, count) in &after {
+                    if before.get(code).is_none_or(|before| count > before) {
+                        wrong.push(format!("{title}: gives {code}"));
+                    }
+                }
+            }
+        }
+    }
+    assert!(tried > 40, "{tried}");
+    assert!(wrong.is_empty(), "{} of {tried}:\n{}", wrong.len(), wrong.join("\n"));
+}
