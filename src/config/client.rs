@@ -12,6 +12,9 @@ use super::taken::Setting;
 use crate::diag::Findings;
 use crate::text::{FileId, SourceText};
 
+/// Letters that a misspelt name may have wrong.
+const SLIPS: usize = 2;
+
 /// What the settings of an editor say over the project files, folders and files in them relative to `folder`; and the
 /// keys whose values cannot be used, as `limits.records: -1`. Keys that have no option on the command line are those of
 /// others, and left alone; so is what is `null`.
@@ -38,6 +41,7 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
             (None, _) => {}
         }
     }
+    wrong.extend(misspelt(settings));
     let mut overrides = Overrides::default();
     for (text, key, value) in texts {
         // An empty text is how editors say that nothing is set.
@@ -52,6 +56,21 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
         take(&mut overrides, project, folder);
     }
     (overrides, wrong)
+}
+
+/// Names that nearly are those of settings: `dialec`. Others are somebody else's.
+fn misspelt(settings: &Map<String, Value>) -> Vec<String> {
+    let rows = ROOT.form.rows().iter().filter(|row| row.option.is_some()).map(|row| row.name);
+    let tables = SECTIONS.iter().filter(|section| !section.name.is_empty());
+    let tables =
+        tables.filter(|section| section.option.is_some() || section.form.rows().iter().any(|row| row.option.is_some()));
+    let known: Vec<&str> = rows.chain(tables.map(|section| section.name)).chain(["language"]).collect();
+    let unknown = settings.iter().filter(|(name, value)| !value.is_null() && !known.contains(&name.as_str()));
+    let near = |name: &str| {
+        let plain = name.to_lowercase().replace('_', "-");
+        known.iter().copied().find(|known| strsim::osa_distance(&plain, known) <= SLIPS && plain.len() > SLIPS + 1)
+    };
+    unknown.filter_map(|(name, _)| Some(format!("{name} ({}?)", near(name)?))).collect()
 }
 
 /// The settings of one table: those before all tables, `{"limits": {…}}`.
@@ -125,6 +144,13 @@ mod tests {
                 assert!(wrong.is_empty() && format!("{overrides:?}") != nothing, "{object}: {overrides:?} {wrong:?}");
             }
         }
+    }
+
+    /// A name that is nearly that of a setting is named; what is far from all is somebody else's.
+    #[test]
+    fn misspelt_names() {
+        let (_, wrong) = read(&json!({ "dialec": "cnc872", "block_skip": true, "inlayHints": false, "trace": {} }));
+        assert_eq!(wrong, ["block_skip (block-skip?)", "dialec (dialect?)"]);
     }
 
     /// A part of a key that cannot be used does not hide the rest.

@@ -48,6 +48,59 @@ impl Key {
         }
     }
 
+    /// The key of that name in a table, which a line of the project file names: `feed` in `limits`, `radius` in
+    /// `corrections.7`.
+    pub fn of(table: &str, name: &str) -> Option<Self> {
+        Self::all().find(|key| key.is_in(table) && key.name() == name)
+    }
+
+    /// The table that a line of the project file begins: `limits`, `corrections.7`.
+    pub fn of_table(table: &str) -> Option<Self> {
+        Self::all().find(|key| key.is_table() && key.holds(table))
+    }
+
+    /// Whether it is a table.
+    pub const fn is_table(&self) -> bool {
+        self.row.is_none()
+    }
+
+    /// Whether it is a key of that table.
+    pub fn is_in(&self, table: &str) -> bool {
+        self.row.is_some() && self.holds(table)
+    }
+
+    fn holds(&self, table: &str) -> bool {
+        let by_name = matches!(self.section.form, Form::Tables(..));
+        if by_name {
+            table.rsplit_once('.').is_some_and(|(outer, _)| outer == self.section.name)
+        } else {
+            table == self.section.name
+        }
+    }
+
+    /// Its name in its table.
+    pub fn name(&self) -> &'static str {
+        self.row.map_or(self.section.name, |row| row.name)
+    }
+
+    /// The line of the project file that sets it to its default or an example; of a table the line that begins it.
+    pub fn line(&self) -> String {
+        match (self.row, self.section.form) {
+            (Some(row), _) => {
+                let value = literal(row, Dialect::default()).unwrap_or_else(|| row.example.to_owned());
+                format!("{} = {value}", row.name)
+            }
+            (None, Form::List(..)) => format!("[[{}]]", self.section.name),
+            (None, Form::Tables(..)) => format!("[{}.{}]", self.section.name, self.section.example),
+            (None, Form::Keys(..) | Form::Map(..)) => format!("[{}]", self.section.name),
+        }
+    }
+
+    /// The values that it takes, as TOML, where there are few.
+    pub fn choices(&self) -> Vec<String> {
+        self.row.map(|row| row.takes.choices()).unwrap_or_default()
+    }
+
     /// What it sets.
     pub fn meaning(&self, lang: Lang) -> &'static str {
         self.row.map_or(self.section.meaning, |row| row.meaning).get(lang)

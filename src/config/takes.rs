@@ -145,6 +145,17 @@ impl Takes {
         }
     }
 
+    /// The values as TOML, where there are few.
+    pub(super) fn choices(self) -> Vec<String> {
+        if let Self::OneOf(choices) = self {
+            choices().into_iter().map(|choice| format!("\"{choice}\"")).collect()
+        } else if matches!(self, Self::Flag) {
+            vec!["true".to_owned(), "false".to_owned()]
+        } else {
+            Vec::new()
+        }
+    }
+
     /// As the reference page says it in `lang`.
     pub(super) fn shown(self, lang: Lang) -> String {
         let text = |en: &str, cs: &str| match lang {

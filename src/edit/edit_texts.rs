@@ -5,6 +5,9 @@ use crate::dict::bilingual;
 bilingual! {
     /// A text about changes.
     EditText {
+        CreateMacrocycle { l: u32 } "create macrocycle L{l}", "vytvořit makrocyklus L{l}";
+        Allow { name: &'static str } "allow `{name}` in cnc872c.toml", "povolit {name} v cnc872c.toml";
+        MacrocycleStream "a macrocycle has no stream of its own: show the one of a program that calls it", "makrocyklus nemá vlastní proud bloků: zobrazte proud partprogramu, který ho volá";
         FixAll "apply all fixes of this file", "použít všechny opravy v tomto souboru";
         Renumber { step: u32 } "renumber the blocks {step} by {step}", "přečíslovat bloky po {step}";
         NumberedAlready "the blocks have these numbers already", "bloky už jsou takto očíslovány";

@@ -4,8 +4,8 @@ use gen_lsp_types::{
     CallHierarchyProvider, CodeActionKind, CodeActionOptions, CodeActionProvider, CodeLensOptions, CompletionOptions,
     DeclarationProvider, DefinitionProvider, DiagnosticOptions, DiagnosticProvider, DocumentHighlightProvider,
     DocumentLinkOptions, DocumentOnTypeFormattingOptions, ExecuteCommandOptions, HoverProvider, PositionEncodingKind,
-    ReferencesProvider, RenameOptions, RenameProvider, SemanticTokensProvider, ServerCapabilities, TextDocumentSync,
-    TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
+    ReferencesProvider, RenameOptions, RenameProvider, SemanticTokensProvider, ServerCapabilities,
+    SignatureHelpOptions, TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions, WorkDoneProgressOptions,
 };
 use serde_json::{Value, json};
 
@@ -14,7 +14,7 @@ use super::code_actions::{FIX_ALL, RENUMBER};
 use super::commands::STREAM;
 use super::completion::TRIGGERS;
 use super::findings::SCHEME;
-use super::semantic_tokens;
+use super::{semantic_tokens, signature};
 use crate::text::ColumnUnit;
 
 /// The capabilities for that client.
@@ -40,6 +40,10 @@ pub(super) fn capabilities(client: &Client) -> Value {
         document_on_type_formatting_provider: Some(DocumentOnTypeFormattingOptions {
             first_trigger_character: "\n".to_owned(),
             more_trigger_character: None,
+        }),
+        signature_help_provider: Some(SignatureHelpOptions {
+            trigger_characters: Some(signature::TRIGGERS.map(str::to_owned).to_vec()),
+            ..SignatureHelpOptions::default()
         }),
         hover_provider: Some(HoverProvider::Bool(true)),
         document_symbol_provider: Some(true.into()),
@@ -77,7 +81,7 @@ pub(super) fn capabilities(client: &Client) -> Value {
         diagnostic_provider: Some(DiagnosticProvider::DiagnosticOptions(DiagnosticOptions {
             identifier: Some("cnc872c".to_owned()),
             inter_file_dependencies: true,
-            workspace_diagnostics: false,
+            workspace_diagnostics: true,
             work_done_progress_options: WorkDoneProgressOptions::default(),
         })),
         ..ServerCapabilities::default()
@@ -88,6 +92,9 @@ pub(super) fn capabilities(client: &Client) -> Value {
             "workspace".to_owned(),
             json!({
                 "workspaceFolders": { "supported": true, "changeNotifications": true },
+                "fileOperations": {
+                    "willRename": { "filters": [{ "pattern": { "glob": "**/[lL][0-9]*" } }] },
+                },
                 "textDocumentContent": { "schemes": [SCHEME] },
             }),
         );
@@ -97,7 +104,7 @@ pub(super) fn capabilities(client: &Client) -> Value {
 
 /// What the client is asked to watch: files that findings depend on and that other programs change.
 pub(super) fn registrations() -> Value {
-    let globs = ["**/cnc872c.toml", "**/*.[xX][mM][lL]", "**/*.{nc,NC,ncp,NCP,mrc,MRC}", "**/[lL][0-9]*"];
+    let globs = ["**/cnc872c.toml", "**/*.[xX][mM][lL]", "**/*.{nc,NC,ncp,NCP,mrc,MRC,mpf,MPF}", "**/[lL][0-9]*"];
     let watchers: Vec<Value> = globs.iter().map(|glob| json!({ "globPattern": glob })).collect();
     json!({
         "registrations": [{

@@ -70,6 +70,12 @@ impl Client {
         self.capabilities.pointer(capability)?.as_array()?.first()?.as_str()
     }
 
+    /// Whether the client lists a name at that path.
+    pub(super) fn lists(&self, capability: &str, name: &str) -> bool {
+        let list = self.capabilities.pointer(capability).and_then(Value::as_array);
+        list.is_some_and(|list| list.iter().any(|listed| listed.as_str() == Some(name)))
+    }
+
     /// Whether the client asks for findings itself, so that they are not sent for open documents: it must also be told
     /// when to ask again, because a file may get findings by a change of another.
     pub(super) fn pulls(&self) -> bool {

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use super::analysis::{Analysis, Found};
 use super::edits::document_edit;
 use super::findings::Converter;
+use super::offered;
 use super::places::{Places, span};
 use super::requests::{Answer, Refusal, Snapshot};
 use crate::diag::Reported;
@@ -48,6 +49,7 @@ pub(super) fn code_action(
         if wanted.kind(CodeActionKind::QuickFix.as_str()) {
             let range = span(source, params.range, snapshot.client.unit);
             actions.extend(fixes.quick_fixes(range));
+            actions.extend(offered::actions(snapshot, analysis, source, found, range));
         }
         if wanted.for_the_file(FIX_ALL) {
             actions.extend(fixes.fix_all());

@@ -80,7 +80,7 @@ fn json_list(uri: &Uri, position: &gen_lsp_types::Position, places: &[LspLocatio
 fn observed(snapshot: &Snapshot, analysis: &Analysis, units: &[(UnitId, Unit)]) -> Option<Observation> {
     let program = analysis.executable.then_some(analysis)?;
     let reach: Vec<_> = units.iter().map(|(_, unit)| (unit.first, unit.end)).collect();
-    let observation = observe_motion(&snapshot.cancel, program, analysis, [], &reach)?;
+    let observation = observe_motion(&snapshot.cancel, program, analysis, [], &reach, &[])?;
     observation.end.is_some().then_some(observation)
 }
 

@@ -41,6 +41,19 @@ pub(super) fn by_file(
         let converter = Converter { report, files, unit, lang };
         found.entry(uri.clone()).or_default().push(converter.diagnostic(item, places));
     }
+    for (id, source) in report.sources().iter() {
+        let beyond = report.beyond(id);
+        let Some(uri) = files.uri_of(Path::new(source.name())).filter(|_| beyond > 0) else { continue };
+        let found = found.entry(uri).or_default();
+        let message = Text::NotShown { shown: found.len(), all: found.len() + beyond }.text(lang);
+        let diagnostic = LspDiagnostic {
+            severity: Some(DiagnosticSeverity::Information),
+            source: Some("cnc872c".to_owned()),
+            message: Message::String(message),
+            ..LspDiagnostic::default()
+        };
+        found.insert(0, diagnostic);
+    }
     found
 }
 
@@ -143,4 +156,32 @@ fn tag(code: Code) -> Option<DiagnosticTag> {
     const DEPRECATED: Code = Code::W0213;
     let unnecessary = UNNECESSARY.contains(&code).then_some(DiagnosticTag::Unnecessary);
     unnecessary.or((code == DEPRECATED).then_some(DiagnosticTag::Deprecated))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::diag::{Finding, Findings};
+    use crate::text::{Location, MemoryLoader, SourceText, Sources, Span};
+
+    /// Findings beyond the limit are told in one line.
+    #[test]
+    fn what_is_not_shown() {
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        let file = sources.add(SourceText::from_text("/p.nc", "N".repeat(10_010)));
+        for at in 0..10_005 {
+            let at = Location { file, span: Span::new(at, at + 1) };
+            findings.add(Diagnostic::new(Finding::EmptyBlock { block: 1 }, at));
+        }
+        let mut report = Report::new();
+        report.add_program(&sources, findings);
+        let files = EditorFiles::new(Arc::new(MemoryLoader::new()));
+        let found = by_file(&report, &files, ColumnUnit::Utf16, Lang::En);
+        let all = found.values().next().unwrap();
+        assert_eq!(all.len(), 10_001);
+        assert_eq!(all[0].message, Message::String("10000 of 10005 findings are shown".to_owned()));
+        assert_eq!(all[0].severity, Some(DiagnosticSeverity::Information));
+    }
 }

@@ -1,11 +1,12 @@
-//! What can be folded: units, loops, comments of several lines.
+//! What can be folded: units, their sections, loops, comments of several lines.
 
 use gen_lsp_types::{FoldingRange, FoldingRangeKind, FoldingRangeParams};
 
 use super::analysis::Analysis;
 use super::requests::{Answer, Snapshot};
 use crate::query::cursor::DOCUMENT;
-use crate::query::extents::{adjoin, loops, stands_alone, words_span};
+use crate::query::extents::{adjoin, content_end, loops, stands_alone, words_span};
+use crate::query::sections::{Section, SectionKind, sections};
 use crate::resolve::{Unit, UnitKind};
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::Span;
@@ -28,11 +29,38 @@ pub(super) fn folding_range(
     let of_loop = |(first, jump)| Span::new(words_span(file, first).start, words_span(file, jump).end);
     let loops = loops(analysis).map(|blocks| (of_loop(blocks), FoldingRangeKind::Region));
     let comments = comment_runs(file).map(|run| (run, FoldingRangeKind::Comment));
-    let all = units.chain(loops).chain(comments);
+    let sections = sections(analysis).into_iter().flat_map(|unit| tool_spans(file, &unit.parts));
+    let sections = sections.map(|span| (span, FoldingRangeKind::Region));
+    let all = units.chain(loops).chain(sections).chain(comments);
     let folded = all.map(|(span, kind)| (line(span.start), line(span.end), kind));
     let mut folded: Vec<_> = folded.filter(|(start, end, _)| start < end).take(MOST).collect();
     folded.sort_by_key(|(start, end, _)| (*start, std::cmp::Reverse(*end)));
     Ok(Some(nested(folded)))
+}
+
+/// The sections of a unit by tool; without a tool change, those of its headings. The headings directly before a tool change
+/// stay with it.
+fn tool_spans(file: &ParsedFile, parts: &[Section]) -> Vec<Span> {
+    let by_tool = parts.iter().any(|part| part.kind == SectionKind::Tool);
+    let wanted = if by_tool { SectionKind::Tool } else { SectionKind::Heading };
+    let blank = |from: u32, to: u32| from <= to && file.source.slice(Span::new(from, to)).trim().is_empty();
+    let mut spans: Vec<Span> = Vec::new();
+    let mut before: Option<&Section> = None;
+    for part in parts {
+        if part.kind == wanted {
+            let led = before.filter(|before| by_tool && before.kind == SectionKind::Heading);
+            let led = led.filter(|before| blank(before.head.end, part.head.start));
+            let start = led.map_or(part.head.start, |before| before.head.start);
+            if let Some(last) = spans.last_mut() {
+                last.end = content_end(file, start).max(last.start);
+            }
+            spans.push(Span::new(part.head.start, part.span.end));
+        } else if let Some(last) = spans.last_mut() {
+            last.end = part.span.end;
+        }
+        before = Some(part);
+    }
+    spans
 }
 
 /// A unit from its beginning to its last word.

@@ -21,14 +21,15 @@ pub(super) fn hover(snapshot: &Snapshot, analysis: &Analysis, params: HoverParam
     let found = word_at(file, place);
     let block = found.map_or_else(|| block_at(file, place), |found| found.block);
     let program = executing(snapshot.open(), analysis);
+    let subject = Subject { analysis, file, lang: client.lang() };
+    let inputs = block.map(|block| subject.inputs(block)).unwrap_or_default();
     let observation = match program {
-        Some(program) => match observe_motion(&snapshot.cancel, program, analysis, block, &[]) {
+        Some(program) => match observe_motion(&snapshot.cancel, program, analysis, block, &[], &inputs) {
             Some(observation) => Some((program, observation)),
             None => return Ok(None),
         },
         None => None,
     };
-    let subject = Subject { analysis, file, lang: client.lang() };
     // The form that the client names first.
     let markdown = client.first("/textDocument/hover/contentFormat") != Some("plaintext");
     let mut page = Page::new(markdown);

@@ -6,12 +6,13 @@ use gen_lsp_types::{InlayHint, InlayHintParams, Label, Tooltip};
 use super::analysis::Analysis;
 use super::places::{Places, span};
 use super::requests::{Answer, Snapshot};
-use crate::dict::{Decimal, GCode, Lang};
+use crate::dict::{Address, Decimal, GCode, Lang, Micro, Plane};
 use crate::query::cursor::{DOCUMENT, block_at};
 use crate::query::flow::Flow;
 use crate::query::hover_texts::Said;
-use crate::query::observe::{Observation, Observed, executing, observe};
-use crate::query::shown::count;
+use crate::query::observe::{Observation, Observed, control_of, executing, observe};
+use crate::query::shown::{count, exact, formula};
+use crate::resolve::{Roles, g_code};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
 /// Different values that a hint shows; its tooltip shows more.
@@ -26,22 +27,25 @@ pub(super) fn inlay_hint(
     let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
     let unit = snapshot.client.unit;
     let asked = span(&file.source, params.range, unit);
-    let (Some(program), Some(last)) = (executing(snapshot.open(), analysis), block_at(file, asked.end)) else {
-        return Ok(None);
-    };
+    let Some(last) = block_at(file, asked.end) else { return Ok(None) };
     let first = block_at(file, asked.start).unwrap_or_default();
-    let blocks: Vec<BlockId> = (first.0..=last.0).map(BlockId).filter(|block| has_hints(file, *block)).collect();
-    if blocks.is_empty() {
-        return Ok(None);
-    }
-    let Some(observation) = observe(&snapshot.cancel, program, analysis, blocks.iter().copied()) else {
-        return Ok(None);
+    let rich = |block: &BlockId| file.flags(*block).has(BlockFlags::RICH);
+    let blocks: Vec<BlockId> = (first.0..=last.0).map(BlockId).filter(rich).collect();
+    let executed: Vec<BlockId> = blocks.iter().copied().filter(|block| has_hints(file, *block)).collect();
+    let program = executing(snapshot.open(), analysis).filter(|_| !executed.is_empty());
+    let observation = match program {
+        None => Observation::default(),
+        Some(program) => match observe(&snapshot.cancel, program, analysis, executed) {
+            Some(observation) => observation,
+            None => return Ok(None),
+        },
     };
     let hinter = Hinter { analysis, file, observation: &observation, lang: snapshot.client.lang() };
     let mut places = Places::new(&file.source, unit);
     let mut hints = Vec::new();
     for block in blocks {
         let mut found = hinter.block(block);
+        found.extend(hinter.written(block));
         found.sort_by_key(|hint| hint.at);
         for hint in found.into_iter().filter(|hint| asked.start <= hint.at && hint.at <= asked.end) {
             hints.push(InlayHint {
@@ -56,7 +60,7 @@ pub(super) fn inlay_hint(
             });
         }
     }
-    Ok(Some(hints))
+    Ok(Some(hints).filter(|hints| program.is_some() || !hints.is_empty()))
 }
 
 /// Whether a block may have hints.
@@ -91,6 +95,32 @@ impl Hinter<'_> {
             hints.extend(hint);
         }
         hints
+    }
+
+    /// What words mean that are hard to read: control words, the planes that ISO names otherwise, the time of a dwell.
+    fn written(&self, block: BlockId) -> Vec<Hint> {
+        let text = self.file.source.text();
+        let words = self.file.words(block);
+        let dwell = Roles::written(words).dwell.is_some();
+        let hint = |word: &Word| {
+            let (label, tooltip) =
+                if let Some(control) = control_of(&self.analysis.settings.machine, self.file, block, *word) {
+                    let formula = formula(control);
+                    (formula.clone(), Said::HintControl { formula })
+                } else if let Some(code @ (GCode::G18 | GCode::G19)) = g_code(*word)
+                    && let Some(plane) = Plane::of(code)
+                {
+                    (plane.name.to_owned(), Said::HintPlane { g: code.number(), name: plane.name })
+                } else if word.address == Address::Q && dwell {
+                    let units = word.number().filter(|_| !word.is_faulty())?;
+                    let s = exact(Micro::from_millionths(units.thousandths().saturating_mul(10)));
+                    (format!("= {s} s"), Said::HintDwell { s })
+                } else {
+                    return None;
+                };
+            Some(Hint { at: word.span(text).end, label, tooltip: tooltip.text(self.lang) })
+        };
+        words.iter().filter_map(hint).collect()
     }
 
     /// `= 10, 20, 30, …` after a word that a parameter gives; nothing where it was never known.

@@ -7,6 +7,7 @@ use gen_lsp_types::{DocumentHighlight, DocumentHighlightKind, DocumentHighlightP
 use super::analysis::Analysis;
 use super::places::{Places, offset};
 use super::requests::{Answer, Snapshot};
+use super::workspace;
 use crate::query::cursor::DOCUMENT;
 use crate::query::names::{Name, Usage};
 use crate::query::reach::Reach;
@@ -79,6 +80,14 @@ pub(super) fn everywhere(
         if shares {
             let files: Vec<FileId> = reach.files().collect();
             found.extend(in_files(snapshot, &reach, name, &wanted, &mut files.into_iter()));
+        }
+    }
+    if let (Name::Macrocycle(_), Some((l, path))) = (name, &macrocycle) {
+        for named in workspace::naming(snapshot, *l, path) {
+            let mut places = Places::new(&named.file.source, snapshot.client.unit);
+            for naming in named.namings.iter().filter(|naming| wanted(naming.usage)) {
+                found.push(Location { uri: named.uri.clone(), range: places.range(naming.number) });
+            }
         }
     }
     // Documents that lead to the same file both have what is in it.

@@ -1,6 +1,7 @@
 //! Another number for a block, a subprogram or a parameter, everywhere at once, where everywhere is known.
 
 use std::collections::HashMap;
+use std::path::PathBuf;
 
 use gen_lsp_types::{
     DocumentChange, Edit, OptionalVersionedTextDocumentIdentifier, PrepareRenameParams, PrepareRenamePlaceholder,
@@ -10,6 +11,7 @@ use gen_lsp_types::{
 use super::analysis::Analysis;
 use super::places::{Places, offset};
 use super::requests::{Answer, Refusal, Snapshot};
+use super::workspace;
 use crate::dict::{HIGHEST_BLOCK, HIGHEST_L, HIGHEST_PARAMETER};
 use crate::edit::line_length::first_long_line;
 use crate::query::cursor::DOCUMENT;
@@ -30,7 +32,7 @@ pub(super) fn prepare(
     let reach = Reach::of(analysis);
     let Some(naming) = reach.naming_at(place).filter(|naming| is_number(naming, place)) else { return Ok(None) };
     let refused = doubts(snapshot, &reach, naming.name).against_any();
-    if let Some(reason) = refused {
+    if let Some(reason) = refused.filter(|_| macrocycle(snapshot, analysis, naming.name).is_none()) {
         return Err(Refusal::new(reason.text(snapshot.client.lang())));
     }
     Ok(Some(PrepareRenameResult::PrepareRenamePlaceholder(PrepareRenamePlaceholder {
@@ -41,9 +43,39 @@ pub(super) fn prepare(
 
 /// `textDocument/rename`.
 pub(super) fn rename(snapshot: &Snapshot, analysis: &Analysis, params: RenameParams) -> Answer<Option<WorkspaceEdit>> {
-    edits(snapshot, analysis, &params)
-        .map(|edits| Some(workspace_edit(snapshot, analysis, edits)))
-        .map_err(|reason| Refusal::new(reason.text(snapshot.client.lang())))
+    let failed = |reason: NavigationText| Refusal::new(reason.text(snapshot.client.lang()));
+    if let Some(edit) = of_macrocycle(snapshot, analysis, &params) {
+        return edit.map(Some).map_err(failed);
+    }
+    edits(snapshot, analysis, &params).map(|edits| Some(workspace_edit(snapshot, analysis, edits))).map_err(failed)
+}
+
+/// Another number for a macrocycle, everywhere in the workspace; `None` when something else is renamed, or the client
+/// renames no files.
+fn of_macrocycle(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    params: &RenameParams,
+) -> Option<Result<WorkspaceEdit, NavigationText>> {
+    let file = analysis.resolved.file(DOCUMENT)?;
+    let place = offset(&file.source, params.text_document_position_params.position, snapshot.client.unit);
+    let naming = Reach::of(analysis).naming_at(place).filter(|naming| is_number(naming, place))?;
+    let (l, path) = macrocycle(snapshot, analysis, naming.name)?;
+    let new = number_of(&params.new_name, naming.name)
+        .and_then(|digits| digits.parse().map_err(|_| NavigationText::SubprogramNumber));
+    Some(new.and_then(|new| {
+        let edit = workspace::rename(snapshot, l, new, &path)?;
+        serde_json::from_value(edit).map_err(|_| NavigationText::NothingToRename)
+    }))
+}
+
+/// The number and file of a macrocycle whose file can be renamed.
+fn macrocycle(snapshot: &Snapshot, analysis: &Analysis, name: Name) -> Option<(u32, PathBuf)> {
+    let Name::Macrocycle(l) = name else { return None };
+    let mut reach = Reach::of(analysis);
+    let file = reach.macrocycle(l).and_then(|id| reach.resolved().unit(id)).map(|unit| unit.file)?;
+    let mapped = analysis.settings.machine.cycles.values().any(|mapped| *mapped == l);
+    reach.path(file).filter(|_| workspace::can_rename(snapshot) && !mapped).map(|path| (l, path))
 }
 
 fn doubts<'a>(snapshot: &'a Snapshot, reach: &'a Reach<'a>, name: Name) -> Doubts<'a> {

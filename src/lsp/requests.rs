@@ -9,9 +9,11 @@ use serde_json::Value;
 use super::analysis::{Analysis, Found};
 use super::client::Client;
 use super::files::EditorFiles;
+use super::workspace_findings::{self, Checked};
 use super::{
     code_actions, code_lens, commands, completion, definition, dots, explain, folding, hierarchy, hover, inlay_hints,
-    links, on_type, outline, path, references, rename, selection, semantic_tokens, signals, workspace_symbols,
+    links, offered, on_type, outline, path, project_file, references, rename, selection, semantic_tokens, signals,
+    signature, workspace, workspace_symbols,
 };
 use crate::query;
 use crate::query::cancel::Cancel;
@@ -27,6 +29,8 @@ pub(super) struct Snapshot {
     pub(super) found: Option<Arc<Found>>,
     /// Of all open documents.
     pub(super) analyses: Vec<Arc<Analysis>>,
+    /// Programs that are not open.
+    pub(super) checked: Checked,
     /// Raised when the client wants no answer any more.
     pub(super) cancel: Cancel,
 }
@@ -86,13 +90,19 @@ pub(super) struct Handler {
 pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
-        "textDocument/hover" => document::<lsp::HoverRequest>(Needs::Everything, hover::hover),
+        "textDocument/hover" => {
+            or_project_file(document::<lsp::HoverRequest>(Needs::Everything, hover::hover), project_file::hover)
+        }
+        "textDocument/signatureHelp" => untyped(Needs::Everything, signature::signature_help),
         "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Everything, dots::dots),
         "cnc872c/path" => document::<path::PathRequest>(Needs::Everything, path::path),
         "cnc872c/signals" => document::<signals::SignalsRequest>(Needs::Everything, signals::signals),
         "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Everything, code_lens::code_lens),
         "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Everything, inlay_hints::inlay_hint),
-        "textDocument/completion" => document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
+        "textDocument/completion" => or_project_file(
+            document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
+            project_file::completion,
+        ),
         "textDocument/onTypeFormatting" => {
             document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
         }
@@ -103,7 +113,10 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
         "textDocument/selectionRange" => {
             document::<lsp::SelectionRangeRequest>(Needs::Analysis, selection::selection_range)
         }
-        "textDocument/codeAction" => document::<lsp::CodeActionRequest>(Needs::Findings, code_actions::code_action),
+        "textDocument/codeAction" => or_project_file(
+            document::<lsp::CodeActionRequest>(Needs::Findings, code_actions::code_action),
+            |snapshot, params| Ok(offered::in_project_file(snapshot, params).unwrap_or_default()),
+        ),
         "codeAction/resolve" => document::<lsp::CodeActionResolveRequest>(Needs::Analysis, code_actions::resolve),
         "textDocument/semanticTokens/full" => {
             document::<lsp::SemanticTokensRequest>(Needs::Analysis, semantic_tokens::full)
@@ -113,6 +126,14 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
         }
         "workspace/symbol" => {
             workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
+        }
+        "workspace/diagnostic" => {
+            let run = |snapshot: &Snapshot, params: Value| workspace_findings::workspace_diagnostic(snapshot, &params);
+            Handler { needs: Needs::Nothing, run: Box::new(run) }
+        }
+        "workspace/willRenameFiles" => {
+            let run = |snapshot: &Snapshot, params: Value| workspace::will_rename_files(snapshot, &params);
+            Handler { needs: Needs::Nothing, run: Box::new(run) }
         }
         "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
         "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Everything, definition::definition),
@@ -148,6 +169,24 @@ fn document<R: Request>(needs: Needs, answer: fn(&Snapshot, &Analysis, R::Params
             Some(analysis) => result::<R>(answer(snapshot, analysis, params)?),
             None => Ok(Value::Null),
         }
+    };
+    Handler { needs, run: Box::new(run) }
+}
+
+/// The same, with an answer for the project file.
+fn or_project_file(handler: Handler, answer: fn(&Snapshot, &Value) -> Answer<Value>) -> Handler {
+    let Handler { needs, run } = handler;
+    let run = move |snapshot: &Snapshot, params: Value| {
+        if snapshot.analysis.is_none() { answer(snapshot, &params) } else { run(snapshot, params) }
+    };
+    Handler { needs, run: Box::new(run) }
+}
+
+/// A request about one program or macrocycle whose parameters and result are taken as JSON.
+fn untyped(needs: Needs, answer: fn(&Snapshot, &Analysis, &Value) -> Answer<Value>) -> Handler {
+    let run = move |snapshot: &Snapshot, params: Value| match &snapshot.analysis {
+        Some(analysis) => answer(snapshot, analysis, &params),
+        None => Ok(Value::Null),
     };
     Handler { needs, run: Box::new(run) }
 }

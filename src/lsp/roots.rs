@@ -65,6 +65,13 @@ pub(super) struct Run {
     generation: u64,
 }
 
+impl Run {
+    /// The document.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
 /// An open document with what is known of it.
 #[derive(Debug, Default)]
 pub(super) struct Root {
@@ -184,6 +191,7 @@ impl Server {
         {
             self.notify("textDocument/publishDiagnostics", json!({ "uri": uri, "diagnostics": [] }));
         }
+        self.checked.changed(false);
         let opened = Document { uri: document.uri, version: document.version, source: Arc::new(source) };
         self.files.open_mut().insert(path.clone(), opened);
         let root = self.roots.entry(path.clone()).or_default();
@@ -194,7 +202,15 @@ impl Server {
         Ok(())
     }
 
-    pub(super) fn did_change(&mut self, params: Value) -> Result<(), String> {
+    pub(super) fn did_change(&mut self, mut params: Value) -> Result<(), String> {
+        // A client that counts no versions: what it sends is the newest text all the same.
+        let counts = params.pointer("/textDocument/version").is_some_and(Value::is_i64);
+        if let (false, Some(document)) = (counts, params.pointer_mut("/textDocument").and_then(Value::as_object_mut)) {
+            let uri = document.get("uri").and_then(Value::as_str).and_then(|uri| Uri::parse(uri).ok());
+            let path = uri.map(|uri| self.files.path_of(&uri));
+            let version = path.and_then(|path| self.files.buffer(&path)).map_or(0, |document| document.version);
+            document.insert("version".to_owned(), version.into());
+        }
         let params: DidChangeTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
         let path = self.files.path_of(&params.text_document.text_document_identifier.uri);
         let unit = self.client.unit;
@@ -210,7 +226,9 @@ impl Server {
             }
         }
         let Some(document) = self.files.open_mut().get_mut(&path) else { return Err("not open".to_owned()) };
-        document.version = params.text_document.version;
+        let version = params.text_document.version;
+        let goes_back = (version < document.version).then(|| format!("version {version} after {}", document.version));
+        document.version = version;
         let source = Arc::make_mut(&mut document.source);
         let mut changes = Vec::new();
         for change in params.content_changes {
@@ -228,7 +246,8 @@ impl Server {
         }
         self.changed(&path, false);
         self.look(&path, &changes);
-        Ok(())
+        // The text is taken: without it nothing would be right from here on.
+        goes_back.map_or(Ok(()), Err)
     }
 
     /// Looks at changes of a long program alone, when that tells all.
@@ -264,6 +283,7 @@ impl Server {
         if self.files.open_mut().remove(&path).is_none() {
             return Err("not open".to_owned());
         }
+        self.checked.changed(false);
         if let Some(root) = self.roots.remove(&path) {
             root.running.cancel();
             for waiting in root.waiting {
@@ -322,6 +342,9 @@ impl Server {
             Event::Analysed { run, analysis, read } => {
                 // Open macrocycles show how this program executes them.
                 let concerns = read.iter().any(|file| *file != run.path && self.roots.contains_key(file));
+                if self.newest(&run).is_some() {
+                    self.watch_outside(&read);
+                }
                 if let Some(root) = self.newest(&run) {
                     root.analysis = Some(analysis);
                     root.read = read;
@@ -336,9 +359,13 @@ impl Server {
             Event::FoundSoFar { run, found } => {
                 if self.newest(&run).is_some() {
                     self.show(&run.path, &found);
+                    self.begin_progress(&run);
                 }
             }
-            Event::Finished { run, found } => self.finished(&run, found),
+            Event::Finished { run, found } => {
+                self.end_progress(&run);
+                self.finished(&run, found);
+            }
         }
     }
 

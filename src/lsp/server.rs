@@ -1,6 +1,6 @@
 //! The server's one thread that listens: it keeps the documents, starts work in other threads, and answers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, BufRead, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -12,17 +12,20 @@ use gen_lsp_types::Uri;
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response, ResponseError};
 use serde_json::{Value, json};
 
+use super::analysis::is_configuration;
 use super::client::Client;
 use super::files::{Disk, EditorFiles};
 use super::publisher::Publisher;
 use super::requests::{Needs, Snapshot, handler};
-use super::roots::{Event, Root};
+use super::roots::{Event, Root, Run};
 use super::texts::Text;
 use super::transport::{self, Incoming, Outgoing};
 use super::workers::{Workers, guarded};
+use super::workspace_findings::Checked;
 use super::{capabilities, settings};
 use crate::dict::Lang;
 use crate::query::cancel::Cancel;
+use crate::session::Session;
 
 /// Messages that wait between the reading thread and this one: then reading waits.
 const QUEUE: usize = 64;
@@ -102,6 +105,13 @@ pub(super) struct Waiting {
     pub(super) needs: Needs,
 }
 
+/// Whether files changed that programs depend on, and not only programs.
+fn concerns_programs(params: &Value) -> bool {
+    let changes = params.get("changes").and_then(Value::as_array).into_iter().flatten();
+    let paths = changes.filter_map(|change| Uri::parse(change.get("uri")?.as_str()?).ok()?.to_file_path().ok());
+    paths.into_iter().any(|path| is_configuration(&path) || Session::is_macrocycle_name(&path))
+}
+
 /// The state of the server.
 #[derive(Debug)]
 pub(super) struct Server {
@@ -112,6 +122,8 @@ pub(super) struct Server {
     /// By the canonical path of the open document.
     pub(super) roots: BTreeMap<PathBuf, Root>,
     pub(super) publisher: Publisher,
+    /// Programs that are not open.
+    pub(super) checked: Checked,
     /// Requests not answered yet: the client may cancel them.
     pending: BTreeMap<RequestId, Cancel>,
     asked: BTreeMap<RequestId, Asked>,
@@ -121,6 +133,11 @@ pub(super) struct Server {
     finished: Receiver<Event>,
     pub(super) analysts: Workers,
     helpers: Workers,
+    /// Runs of which the client is told that they go on, with their tokens.
+    pub(super) in_progress: Vec<(Run, String)>,
+    pub(super) progress_count: u64,
+    /// Folders outside of the workspace that the client watches.
+    pub(super) watched: BTreeSet<PathBuf>,
     /// Whether the client was told that its configuration has errors.
     pub(super) told_misconfigured: bool,
 }
@@ -135,6 +152,7 @@ impl Server {
             files: EditorFiles::new(disk),
             roots: BTreeMap::new(),
             publisher: Publisher::default(),
+            checked: Checked::default(),
             pending: BTreeMap::new(),
             asked: BTreeMap::new(),
             asked_count: 0,
@@ -142,7 +160,11 @@ impl Server {
             events,
             finished,
             analysts: Workers::new("analysis", THREADS)?,
-            helpers: Workers::new("request", THREADS)?,
+            // One more: checking all programs of the workspace keeps no other request waiting.
+            helpers: Workers::new("request", THREADS + 1)?,
+            in_progress: Vec::new(),
+            progress_count: 0,
+            watched: BTreeSet::new(),
             told_misconfigured: false,
         })
     }
@@ -247,11 +269,15 @@ impl Server {
                     self.set_settings(vec![section.clone()]);
                 }
             }
-            "workspace/didChangeWatchedFiles" => self.files_changed(),
+            "workspace/didChangeWatchedFiles" => {
+                self.checked.changed(concerns_programs(&params));
+                self.files_changed();
+            }
             "workspace/didChangeWorkspaceFolders" => {
                 let wrong = Arc::make_mut(&mut self.client).change_folders(&params);
                 self.complain(&wrong);
                 self.files.set_root(self.client.root());
+                self.checked.changed(true);
                 self.files_changed();
                 self.ask_settings();
             }
@@ -298,6 +324,7 @@ impl Server {
         }
         let wrong = Arc::make_mut(&mut self.client).configure(sections);
         self.complain(&wrong);
+        self.checked.changed(true);
         self.files_changed();
     }
 
@@ -377,6 +404,7 @@ impl Server {
             analysis: root.and_then(|root| root.analysis.clone()),
             found: root.and_then(|root| root.found.clone()),
             analyses: self.roots.values().filter_map(|root| root.analysis.clone()).collect(),
+            checked: self.checked.clone(),
             cancel,
         };
         let events = self.events.clone();
@@ -421,6 +449,11 @@ impl Server {
         let id = RequestId::from(self.asked_count);
         self.asked.insert(id.clone(), asked);
         self.send(Request { id, method: method.to_owned(), params });
+    }
+
+    /// Asks the client something whose answer does not matter.
+    pub(super) fn ask_for_nothing(&mut self, method: &str, params: Value) {
+        self.ask(method, params, Asked::Nothing);
     }
 
     /// Asks the client to ask for findings again.

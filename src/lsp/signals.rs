@@ -10,6 +10,7 @@ use super::analysis::Analysis;
 use super::places::offset;
 use super::requests::{Answer, Refusal, Snapshot};
 use crate::analysis::plc::{self, Form, Header, Place, Range, Reader, Signal, Step, Writer};
+use crate::config::Purpose;
 use crate::dict::Lang;
 use crate::edit::edit_texts::EditText;
 use crate::query;
@@ -18,7 +19,7 @@ use crate::query::hover_texts::Said;
 use crate::query::observe::{MOST, executing};
 use crate::query::shown::count;
 use crate::run::End;
-use crate::session::Session;
+use crate::session::{Session, TimedSignals, Times};
 
 /// Most different steps of the block that are shown.
 const SHOWN: usize = 20;
@@ -52,8 +53,7 @@ pub(super) fn signals(
     };
     let at = file.source.line_column(number.start());
     let machine = &program.settings.machine;
-    let signals = plc::default(machine.dialect, true, false);
-    let mut sheet = Sheet {
+    let empty = || Sheet {
         snapshot,
         program,
         path: &analysis.path,
@@ -64,9 +64,23 @@ pub(super) fn signals(
         seen: Vec::new(),
         more: false,
     };
+    let mut sheet = empty();
     let mut failed = None;
-    let reader = Reader::new(signals, machine, Range::default(), &mut sheet, &mut failed).unreported();
-    program.session().observe(&program.path, program.resolved.clone(), program.sources.clone(), reader);
+    if machine.motion.configured {
+        // With those that motion gives, as far as the program has no errors.
+        let signals = plc::default(machine.dialect, true, true);
+        let reader = Reader::new(signals, machine, Range::default(), &mut sheet, &mut failed).unreported();
+        let times = Times { phases: false, time_dist: true };
+        let name = program.path.to_string_lossy();
+        program.session().run_timed(&program.path, &name, Purpose::Check, times, TimedSignals(reader));
+    }
+    if sheet.runs == 0 && !snapshot.cancel.is_cancelled() {
+        sheet = empty();
+        failed = None;
+        let signals = plc::default(machine.dialect, true, false);
+        let reader = Reader::new(signals, machine, Range::default(), &mut sheet, &mut failed).unreported();
+        program.session().observe(&program.path, program.resolved.clone(), program.sources.clone(), reader);
+    }
     if snapshot.cancel.is_cancelled() {
         return Ok(None);
     }

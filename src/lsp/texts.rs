@@ -8,6 +8,8 @@ bilingual! {
         Note { note: String } "note: {note}", "poznámka: {note}";
         Help { help: String } "help: {help}", "nápověda: {help}";
         CalledBy { n: u32, by: &'static str, l: u32 } "called by N{n} {by} L{l}", "voláno z bloku N{n} {by} L{l}";
+        NotShown { shown: usize, all: usize } "{shown} of {all} findings are shown", "zobrazeno je {shown} z {all} hlášení";
+        Checking "checking", "kontroluje se";
         Misconfigured "the configuration has errors; programs are checked when they are fixed", "konfigurace obsahuje chyby; programy se zkontrolují, až budou opraveny";
         Settings { wrong: String } "these settings cannot be used: {wrong}", "tato nastavení nelze použít: {wrong}";
     }

@@ -119,7 +119,7 @@ impl Search<'_> {
 }
 
 /// The files of the workspace that may be programs or macrocycles, by folders, those above first.
-fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
+pub(super) fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
     let mut level: Vec<PathBuf> = snapshot.client.folders.clone();
     let mut seen = BTreeSet::new();
     let mut found = Vec::new();

@@ -29,6 +29,10 @@ bilingual! {
         Macrocycle { name: String } "calls macrocycle {name}", "volá makrocyklus {name}";
         Times { text: String, times: i64 } "{text}, {times}×", "{text}, {times}×";
         Target "target", "cíl";
+        Inputs "takes", "přebírá";
+        HintPlane { g: u8, name: &'static str } "G{g} is the plane {name} on this control", "G{g} je v tomto systému rovina {name}";
+        HintControl { formula: String } "The block computes {formula}.", "Blok počítá {formula}.";
+        HintDwell { s: String } "The dwell is counted in units of 10 ms: {s} s.", "Prodleva se zadává po 10 ms: {s} s.";
         InFile { file: String } "in {file}", "v souboru {file}";
         Title { title: String } "“{title}”", "„{title}“";
         Jump { to: u32 } "jumps to N{to}", "skok na blok N{to}";

@@ -3,10 +3,12 @@
 use std::path::Path;
 
 use super::analysis::Analysis;
+use super::callee::{about, inputs, tool};
 use super::flow::Flow;
 use super::hover_texts::Said;
 use super::observe::{Observed, control_of, g_functions};
 use super::page::Page;
+use super::reach::Reach;
 use super::shown;
 use crate::analysis::plc;
 use crate::dict::Micro;
@@ -43,6 +45,11 @@ impl Subject<'_> {
             _ => {
                 page.heading(&shown_word, word.address.row().meaning.get(self.lang));
                 self.address(page, block, word);
+                if word.address == Address::T
+                    && let Some(title) = word.whole().and_then(|number| tool(self.file, number))
+                {
+                    page.line(&self.say(&Said::Title { title: page.user(title) }));
+                }
             }
         }
         self.signals(page, word);
@@ -51,6 +58,35 @@ impl Subject<'_> {
             && (word.address != Address::G || word.start() == flow.word.start())
         {
             self.flow(page, block, &flow);
+            self.called(page, &flow, observed);
+        }
+    }
+
+    /// The parameters that the macrocycle takes which a block calls.
+    pub(crate) fn inputs(&self, block: BlockId) -> Vec<u8> {
+        let flow = Flow::of(self.analysis, self.file, block).filter(|flow| flow.code == GCode::G72);
+        let Some(Target::Unit(id)) = flow.and_then(|flow| flow.target) else { return Vec::new() };
+        let reach = Reach::of(self.analysis);
+        let unit = reach.resolved().unit(id).copied();
+        unit.and_then(|unit| Some(inputs(&reach.names(unit.file)?, &unit))).unwrap_or_default()
+    }
+
+    /// What the comments of the called unit say, and the values that it takes.
+    fn called(&self, page: &mut Page, flow: &Flow, observed: Option<&Observed>) {
+        let Some(Target::Unit(id)) = flow.target else { return };
+        let Some(unit) = self.analysis.resolved.unit(id) else { return };
+        if let Some(file) = self.analysis.resolved.file(unit.file) {
+            page.quote(&about(file, unit));
+        }
+        let values = observed.map(|observed| &observed.inputs).into_iter().flatten();
+        let shown: Vec<String> = values
+            .map(|(index, values)| match values.is_known() {
+                true => format!("R{index} = {}", values.list(|value| value)),
+                false => format!("R{index}"),
+            })
+            .collect();
+        if !shown.is_empty() {
+            page.item(&self.say(&Said::Inputs), &shown.join("; "));
         }
     }
 
@@ -219,7 +255,8 @@ impl Subject<'_> {
         let file = self.analysis.resolved.file(index)?;
         let mut parts = vec![page.code(&excerpt(file, block))];
         let comments = file.comments(block).iter().map(|comment| file.comment_text(*comment));
-        if let Some(title) = comments.into_iter().find(|text| !text.is_empty()) {
+        let of_unit = matches!(flow.target, Some(Target::Unit(_)));
+        if let Some(title) = comments.into_iter().find(|text| !text.is_empty()).filter(|_| !of_unit) {
             parts.push(self.say(&Said::Title { title: page.user(title) }));
         }
         if matches!(flow.target, Some(Target::Unit(_))) && index != super::cursor::DOCUMENT {

@@ -2,6 +2,7 @@
 //! execution makes of a block. Nothing here knows of editors; `lsp` turns the answers into those of its protocol.
 
 pub(crate) mod analysis;
+pub(crate) mod callee;
 pub(crate) mod cancel;
 pub(crate) mod cursor;
 pub(crate) mod executed;

@@ -21,6 +21,7 @@ bilingual! {
         Unclear { n: u32, l: u32 } "what L{l} in block N{n} names is known only when the program runs", "co v bloku N{n} označuje L{l}, je známo až za běhu programu";
         JumpByParameter { n: u32, r: u8 } "block N{n} takes the number of a block from R{r}: it may jump here", "blok N{n} bere číslo bloku z R{r}: může skákat sem";
         CallByParameter { n: u32, r: u8 } "block N{n} takes the number of a subprogram from R{r}: it may call this one", "blok N{n} bere číslo podprogramu z R{r}: může volat tento";
+        MacrocycleExists { l: u32 } "macrocycle L{l} exists already", "makrocyklus L{l} už existuje";
         MacrocycleFile { l: u32 } "the file of macrocycle L{l} is named by its number, and programs that are not open may call it", "soubor makrocyklu L{l} se jmenuje podle jeho čísla a volat ho mohou i programy, které nejsou otevřené";
         Reserved { r: u8 } "R{r} is reserved for control functions", "R{r} je vyhrazen pro řídicí funkce";
         ControlParameter "R5–R8 hold the control words of G26–G29, which the program uses", "R5–R8 nesou řídicí slova funkcí G26–G29, které program používá";

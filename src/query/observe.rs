@@ -57,6 +57,8 @@ pub(crate) struct Observed {
     pub(crate) reads: BTreeMap<u8, Values<Decimal>>,
     /// What it writes: the values after it.
     pub(crate) writes: BTreeMap<u8, Values<Decimal>>,
+    /// What the unit that it calls takes: the values with which that begins.
+    pub(crate) inputs: BTreeMap<u8, Values<Decimal>>,
 }
 
 /// One execution, with what was seen of some blocks.
@@ -135,15 +137,31 @@ pub(crate) fn observe(
     run(cancel, program, Observer::new(cancel, program, document, blocks))
 }
 
-/// The same, with how the machine moves; `units`: from which block up to which those reach whose times are wanted.
+/// The same of one block, with the values of parameters after it.
+pub(crate) fn observe_inputs(
+    cancel: &Cancel,
+    program: &Analysis,
+    document: &Analysis,
+    block: BlockId,
+    inputs: &[u8],
+) -> Option<Observation> {
+    let mut observer = Observer::new(cancel, program, document, [block]);
+    observer.watch(inputs);
+    run(cancel, program, observer)
+}
+
+/// The same, with how the machine moves; `units`: from which block up to which those reach whose times are wanted;
+/// `inputs`: parameters whose values after the blocks are.
 pub(crate) fn observe_motion(
     cancel: &Cancel,
     program: &Analysis,
     document: &Analysis,
     blocks: impl IntoIterator<Item = BlockId>,
     units: &[(BlockId, BlockId)],
+    inputs: &[u8],
 ) -> Option<Observation> {
     let mut observer = Observer::new(cancel, program, document, blocks);
+    observer.watch(inputs);
     if program.settings.machine.motion.configured {
         observer.moves = Some(Moves::new(&program.settings, units.len()));
         observer.units = units.to_vec();
@@ -224,6 +242,13 @@ impl<'a> Observer<'a> {
         }
     }
 
+    /// Looks at the values of those parameters after each block, too.
+    fn watch(&mut self, inputs: &[u8]) {
+        for observed in self.observation.blocks.values_mut() {
+            observed.inputs = inputs.iter().map(|index| (*index, Values::default())).collect();
+        }
+    }
+
     fn look(&mut self, executed: &Executed<'_>) {
         self.observation.executed = executed.seq() + 1;
         self.observation.last = executed.n();
@@ -247,6 +272,9 @@ impl<'a> Observer<'a> {
                 }
             }
             for (index, values) in &mut observed.writes {
+                values.add(executed.parameter(*index));
+            }
+            for (index, values) in &mut observed.inputs {
                 values.add(executed.parameter(*index));
             }
             observed.take(executed, self.machine);

@@ -66,6 +66,14 @@ impl Page {
         self.in_list = false;
     }
 
+    /// Lines of the user that stay lines.
+    pub(crate) fn quote(&mut self, lines: &[&str]) {
+        let shown: Vec<String> = lines.iter().map(|line| self.user(line)).collect();
+        if !shown.is_empty() {
+            self.line(&shown.join(if self.markdown { "  \n" } else { "\n" }));
+        }
+    }
+
     /// An item of a list.
     pub(crate) fn item(&mut self, label: &str, value: &str) {
         if self.markdown {

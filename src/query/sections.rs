@@ -192,7 +192,7 @@ fn tool_change(file: &ParsedFile, block: BlockId, tool: Option<Word>) -> Section
 }
 
 /// What a comment says, without dashes around it; `None` when that is nothing, or a block that was taken out.
-fn heading(file: &ParsedFile, comment: Span) -> Option<&str> {
+pub(crate) fn heading(file: &ParsedFile, comment: Span) -> Option<&str> {
     let said = file.comment_text(comment).trim_matches(['-', '=', '*', '_', '#', '~', '+', '.', ' ', '\t']);
     let mut characters = said.trim_start_matches(['/', ' ']).chars();
     let is_block = characters.next().is_some_and(|c| c.eq_ignore_ascii_case(&'N'))

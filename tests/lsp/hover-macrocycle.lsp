@@ -72,7 +72,7 @@ N50 M30
 {
   "contents": {
     "kind": "plaintext",
-    "value": "L9001: number of a subprogram or macrocycle, or the block to jump to\ncalls macrocycle L9001, 2×\ntarget: N1 G79 L9001 “groove” in L9001\n\nN20 runs 1×\nposition after the block: X 0 mm\nG functions in force: G00 G17 G98 G40 G53 G94 G72 G80 G90 G75 G34\nM functions after the block: M05 M40 M09 M53 M48"
+    "value": "L9001: number of a subprogram or macrocycle, or the block to jump to\ncalls macrocycle L9001, 2×\ntarget: N1 G79 L9001 in L9001\ngroove\ntakes: R1 = 5; R2 = 7.5\n\nN20 runs 1×\nposition after the block: X 0 mm\nG functions in force: G00 G17 G98 G40 G53 G94 G72 G80 G90 G75 G34\nM functions after the block: M05 M40 M09 M53 M48"
   },
   "range": {
     "end": {

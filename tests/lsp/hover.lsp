@@ -110,7 +110,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`L10`** číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče\n\nvolá podprogram L10\n\n- cíl: `N500 G79 L10` „jeden dulek“\n\n---\n\n**blok N50 se provede 12×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00/G01 G17 G98 G40 G54 G94 G71 G80 G90/G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120, 150, ? mm/min; S 2000 ot/min; T7"
+    "value": "**`L10`** číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče\n\nvolá podprogram L10\n\n- cíl: `N500 G79 L10`\n\njeden dulek\n\n---\n\n**blok N50 se provede 12×**\n\n- poloha po bloku: X 0, -5, -10, -15, … (min -33, max 0) mm; Y 0 mm; Z 5 mm; C 0 °\n- platné funkce G: `G00/G01 G17 G98 G40 G54 G94 G71 G80 G90/G91 G75 G34`\n- funkce M po bloku: `M03 M40 M36 M08 M53 M48`\n- technologie: F 120, 150, ? mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {

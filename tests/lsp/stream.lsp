@@ -32,7 +32,7 @@ N20 G70
 === answer
 {
   "code": -32803,
-  "message": "partprogram nelze přeložit; počet chyb: 1, první: L9001, řádek 1: soubor nelze přečíst: je to makrocyklus; uvést program, který ho volá"
+  "message": "makrocyklus nemá vlastní proud bloků: zobrazte proud partprogramu, který ho volá"
 }
 === request workspace/executeCommand
 { "command": "cnc872c.stream", "arguments": [7] }

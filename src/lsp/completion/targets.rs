@@ -10,8 +10,10 @@ use super::texts::ItemText;
 use super::{Context, Source};
 use crate::diag::{Findings, shown};
 use crate::dict::{Address, GCode, GGroup, HIGHEST_L};
+use crate::query::callee::about;
 use crate::query::cursor::{DOCUMENT, unit_of};
-use crate::resolve::{Library, Target, UnitKind, g_code};
+use crate::query::extents::{comments_above, stands_alone};
+use crate::resolve::{Library, Target, Unit, UnitKind, g_code};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, parse};
 use crate::text::{FileId, Loader, Span};
 
@@ -52,9 +54,24 @@ struct Offer<'a, 'c, 'i, 'f> {
 
 impl Offer<'_, '_, '_, '_> {
     fn add(&mut self, l: u32, kind: CompletionItemKind, detail: String, section: Section, order: u32) {
+        self.add_told(l, kind, detail, &[], section, order);
+    }
+
+    /// The same with the comments that say what it is.
+    fn add_told(
+        &mut self,
+        l: u32,
+        kind: CompletionItemKind,
+        detail: String,
+        told: &[String],
+        section: Section,
+        order: u32,
+    ) {
         let Some(filter) = filter(self.context, l) else { return };
         let (label, text) = (format!("L{l}"), format!("L{l}"));
-        self.items.add(Entry { label, kind, detail, documentation: None, section, order, filter, text, snippet: None });
+        let documentation =
+            (told.len() > 1).then(|| told.iter().map(|line| escaped(line)).collect::<Vec<_>>().join("  \n"));
+        self.items.add(Entry { label, kind, detail, documentation, section, order, filter, text, snippet: None });
     }
 
     fn subprograms(&mut self) {
@@ -75,9 +92,10 @@ impl Offer<'_, '_, '_, '_> {
                 Some(&count) => ItemText::Called { count },
                 None => ItemText::NotCalled,
             };
-            let title = comment(self.context.file, unit.first).map(|title| format!("{title}, ")).unwrap_or_default();
+            let told: Vec<String> = about(self.context.file, unit).into_iter().map(shown).collect();
+            let title = told.first().map(|title| format!("{title}, ")).unwrap_or_default();
             let detail = format!("{title}{}", called.text(lang));
-            self.add(l, CompletionItemKind::Function, detail, Section::First, l);
+            self.add_told(l, CompletionItemKind::Function, detail, &told, Section::First, l);
         }
     }
 
@@ -94,24 +112,24 @@ impl Offer<'_, '_, '_, '_> {
                 return;
             }
             let name = path.file_name().unwrap_or_default().to_string_lossy();
-            let title = self.title(path).map(|title| format!("{title}, ")).unwrap_or_default();
-            self.add(l, CompletionItemKind::File, format!("{title}{name}"), Section::First, l);
+            let told = self.told(path);
+            let title = told.first().map(|title| format!("{title}, ")).unwrap_or_default();
+            self.add_told(l, CompletionItemKind::File, format!("{title}{name}"), &told, Section::First, l);
         }
     }
 
-    /// The first comment of a macrocycle file.
-    fn title(&self, path: &Path) -> Option<String> {
+    /// What the comments of a macrocycle file say of it.
+    fn told(&self, path: &Path) -> Vec<String> {
         let files = &self.source.analysis.files;
         if files.size(path).is_none_or(|size| size > LONGEST) {
-            return None;
+            return Vec::new();
         }
-        let text = files.load(path, &path.to_string_lossy(), self.source.settings.encoding).ok()?;
+        let name = path.to_string_lossy();
+        let Ok(text) = files.load(path, &name, self.source.settings.encoding) else { return Vec::new() };
         let parsed = parse(FileId(0), &text, Form::Macrocycle, &mut Findings::new());
-        let comments = parsed.title.into_iter().chain(parsed.block_ids().take(2).flat_map(|block| {
-            // Of all comments only the first is the title.
-            parsed.comments(block).first().copied()
-        }));
-        comments.map(|comment| parsed.comment_text(comment)).find(|text| !text.is_empty()).map(shown)
+        let (first, end) = (BlockId(0), BlockId(parsed.block_count()));
+        let unit = Unit { kind: UnitKind::Macrocycle(0), file: FileId(0), first, end, entry: parsed.n_place(first) };
+        about(&parsed, &unit).into_iter().map(shown).collect()
     }
 
     fn blocks(&mut self) {
@@ -137,7 +155,7 @@ impl Offer<'_, '_, '_, '_> {
             nearest > first || farthest < end || before.next().is_some() || behind.next().is_some();
         for (section, block) in found {
             let Some(number) = file.number(block) else { continue };
-            let detail = comment(file, block).unwrap_or_else(|| content(file, block));
+            let detail = title(file, block).unwrap_or_else(|| content(file, block));
             self.add(number, CompletionItemKind::Reference, detail, section, block.0.abs_diff(here.0));
         }
     }
@@ -170,10 +188,24 @@ fn filter(context: &Context<'_>, number: u32) -> Option<String> {
     number.starts_with(digits).then(|| format!("{}{zeros}{number}", context.head()))
 }
 
-/// The first comment of a block.
-fn comment(file: &ParsedFile, block: BlockId) -> Option<String> {
-    let first = *file.comments(block).first()?;
-    Some(file.comment_text(first)).filter(|text| !text.is_empty()).map(shown)
+/// What a block is told by: the comment in its line, else the one directly above it.
+fn title(file: &ParsedFile, block: BlockId) -> Option<String> {
+    let text = file.source.text();
+    let beside = file.comments_behind(block).iter().find(|comment| !stands_alone(text, **comment));
+    let comment = beside.or_else(|| comments_above(file, block).last())?;
+    Some(file.comment_text(*comment)).filter(|text| !text.is_empty()).map(shown)
+}
+
+/// A comment in which nothing is Markdown.
+fn escaped(line: &str) -> String {
+    let mut page = String::new();
+    for character in line.chars() {
+        if matches!(character, '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '#' | '|' | '~' | '&' | '$') {
+            page.push('\\');
+        }
+        page.push(character);
+    }
+    page
 }
 
 /// What a block without a comment is told by: its words.

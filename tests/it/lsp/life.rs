@@ -111,3 +111,21 @@ fn nothing_blocks() {
     let of_the_long = json!({ "textDocument": { "uri": "file:///long.nc" } });
     assert!(client.request("textDocument/documentSymbol", of_the_long)["result"].is_array(), "needs no execution");
 }
+
+/// A macrocycle that is not there can be made, by clients that create files.
+#[test]
+fn missing_macrocycles_are_created() {
+    let workspace = json!({ "workspaceEdit": { "documentChanges": true, "resourceOperations": ["create"] } });
+    let literal = json!({ "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } } });
+    let capabilities = json!({ "workspace": workspace, "textDocument": { "codeAction": literal } });
+    let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
+    open(&mut client, "%1\nN10 G72 L9001\nN20 M30\n");
+    let range = json!({ "start": { "line": 1, "character": 9 }, "end": { "line": 1, "character": 9 } });
+    let params = json!({ "textDocument": { "uri": "file:///p.nc" }, "range": range, "context": { "diagnostics": [] } });
+    let answer = client.request("textDocument/codeAction", params);
+    let action = answer["result"].as_array().unwrap().iter().find(|one| one["title"] == "create macrocycle L9001");
+    let changes = &action.unwrap()["edit"]["documentChanges"];
+    assert_eq!(changes[0]["kind"], "create", "{changes}");
+    assert_eq!(changes[0]["uri"], "file:///L9001");
+    assert_eq!(changes[1]["edits"][0]["newText"], "N10 G79 L9001\nN20 G70\n");
+}

@@ -41,7 +41,7 @@ test('files of the manifest exist', () => {
   const { languages, grammars, snippets } = manifest.contributes;
   const files = [
     manifest.icon,
-    ...languages.flatMap(({ configuration, icon }) => [configuration, icon.light, icon.dark]),
+    ...languages.flatMap(({ configuration, icon }) => [configuration, ...(icon ? [icon.light, icon.dark] : [])]),
     ...grammars.map((grammar) => grammar.path),
     ...snippets.map((snippet) => snippet.path),
   ];

@@ -1,0 +1,180 @@
+//! Completion and hover in the project file, made of the rows of its keys.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use gen_lsp_types::{Position, Range, Uri};
+use serde_json::{Value, json};
+
+use super::places::{Places, offset};
+use super::requests::{Answer, Snapshot};
+use crate::config::{Key, PROJECT_FILE};
+use crate::diag::Code;
+use crate::dict::Lang;
+use crate::text::{SourceText, Span};
+
+/// Kinds of items, as the protocol numbers them.
+const MODULE: u32 = 9;
+const PROPERTY: u32 = 10;
+const VALUE: u32 = 12;
+
+/// An open project file.
+pub(super) struct ProjectFile {
+    pub(super) path: PathBuf,
+    pub(super) source: Arc<SourceText>,
+}
+
+/// The open project file that a request is about.
+pub(super) fn of_request(snapshot: &Snapshot, params: &Value) -> Option<ProjectFile> {
+    let uri = Uri::parse(params.pointer("/textDocument/uri")?.as_str()?).ok()?;
+    let path = snapshot.files.path_of(&uri);
+    let document =
+        snapshot.files.buffer(&path).filter(|_| path.file_name().is_some_and(|name| name == PROJECT_FILE))?;
+    Some(ProjectFile { source: Arc::clone(&document.source), path })
+}
+
+fn place(snapshot: &Snapshot, params: &Value) -> Option<(ProjectFile, u32)> {
+    let file = of_request(snapshot, params)?;
+    let position: Position = serde_json::from_value(params.get("position")?.clone()).ok()?;
+    let at = offset(&file.source, position, snapshot.client.unit);
+    Some((file, at))
+}
+
+/// A line with the table that it is in.
+struct Line<'t> {
+    table: &'t str,
+    text: &'t str,
+    span: Span,
+}
+
+impl<'t> Line<'t> {
+    /// The key that the line sets.
+    fn key(&self) -> Option<&'t str> {
+        let (key, _) = self.text.split_once('=')?;
+        let key = key.trim().trim_matches('"');
+        (!key.is_empty() && !key.starts_with(['#', '['])).then_some(key)
+    }
+
+    /// The table that the line begins.
+    fn header(&self) -> Option<&'t str> {
+        let name = self.text.trim_start().strip_prefix('[')?.trim_start_matches('[');
+        name.split(']').next().map(str::trim).filter(|name| !name.is_empty())
+    }
+}
+
+fn lines(source: &SourceText) -> Vec<Line<'_>> {
+    let mut table = "";
+    let spans = (0..source.lines().count()).map(|line| source.line_span(line));
+    let lines = spans.map(|span| {
+        let mut line = Line { table, text: source.slice(span), span };
+        if let Some(header) = line.header() {
+            table = header;
+            line.table = header;
+        }
+        line
+    });
+    lines.collect()
+}
+
+/// `textDocument/completion`: keys of the table, values of a key, tables.
+pub(super) fn completion(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
+    let Some((file, at)) = place(snapshot, params) else { return Ok(Value::Null) };
+    let lines = lines(&file.source);
+    let Some(line) = lines.iter().find(|line| line.span.start <= at && at <= line.span.end) else {
+        return Ok(Value::Null);
+    };
+    let mut places = Places::new(&file.source, snapshot.client.unit);
+    let mut items = Items { lang: snapshot.client.lang(), list: Vec::new() };
+    let before = file.source.slice(Span::new(line.span.start, at));
+    if before.trim_start().starts_with('#') {
+        return Ok(Value::Null);
+    }
+    if let Some((_, typed)) = before.split_once('=') {
+        let from = at.saturating_sub(u32::try_from(typed.trim_start().len()).unwrap_or(0));
+        let range = places.range(Span::new(from, line.span.end));
+        if let Some(key) = line.key().and_then(|name| Key::of(line.table, name)) {
+            for choice in key.choices() {
+                items.add(&choice, VALUE, &key, &choice, range);
+            }
+        }
+        return Ok(items.finish());
+    }
+    let range = places.range(line.span);
+    let sets = |table: &str, name: &str| lines.iter().any(|line| line.table == table && line.key() == Some(name));
+    if !before.trim_start().starts_with('[') {
+        for key in Key::all().filter(|key| key.is_in(line.table) && !sets(line.table, key.name())) {
+            items.add(key.name(), PROPERTY, &key, &key.line(), range);
+        }
+        items.names(line.table, range, |name| sets(line.table, name));
+    }
+    for key in Key::all().filter(Key::is_table) {
+        let header = key.line();
+        if header.starts_with("[[") || !lines.iter().any(|line| line.header() == Some(header.trim_matches(['[', ']'])))
+        {
+            items.add(&header, MODULE, &key, &header, range);
+        }
+    }
+    Ok(items.finish())
+}
+
+/// Items in the making.
+struct Items {
+    lang: Lang,
+    list: Vec<Value>,
+}
+
+impl Items {
+    fn add(&mut self, label: &str, kind: u32, key: &Key, text: &str, range: Range) {
+        self.push(label, kind, key.meaning(self.lang), &key.page(self.lang), text, range);
+    }
+
+    /// The names of the control that a table takes; of findings those whose level can be set.
+    fn names(&mut self, table: &str, range: Range, there: impl Fn(&str) -> bool) {
+        if table != "lints" {
+            return;
+        }
+        for code in
+            Code::ALL.iter().filter(|code| code.is_configurable() && !there(code.name()) && !there(code.as_str()))
+        {
+            let page = code.page(self.lang);
+            let title = page.lines().next().unwrap_or_default().trim_start_matches(['#', ' ']);
+            self.push(code.name(), PROPERTY, title, page, &format!("{} = \"allow\"", code.name()), range);
+        }
+    }
+
+    fn push(&mut self, label: &str, kind: u32, detail: &str, page: &str, text: &str, range: Range) {
+        self.list.push(json!({
+            "label": label,
+            "kind": kind,
+            "detail": detail,
+            "documentation": { "kind": "markdown", "value": page },
+            "sortText": format!("{:04}", self.list.len()),
+            "filterText": text,
+            "textEdit": { "range": range, "newText": text },
+        }));
+    }
+
+    fn finish(self) -> Value {
+        json!({ "isIncomplete": false, "items": self.list })
+    }
+}
+
+/// `textDocument/hover`: the page of the key or table; of a finding's level that of the finding.
+pub(super) fn hover(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
+    let Some((file, at)) = place(snapshot, params) else { return Ok(Value::Null) };
+    let lang = snapshot.client.lang();
+    let lines = lines(&file.source);
+    let Some(line) = lines.iter().find(|line| line.span.start <= at && at <= line.span.end) else {
+        return Ok(Value::Null);
+    };
+    let lint =
+        || line.key().filter(|_| line.table == "lints").and_then(Code::find).map(|code| code.page(lang).to_owned());
+    let key = || line.key().and_then(|name| Key::of(line.table, name)).map(|key| key.page(lang));
+    let table = || Key::of_table(line.table).map(|key| key.page(lang));
+    let Some(page) = lint().or_else(key).or_else(table).filter(|_| line.key().is_some() || line.header().is_some())
+    else {
+        return Ok(Value::Null);
+    };
+    let range = Places::new(&file.source, snapshot.client.unit).range(line.span);
+    Ok(json!({ "contents": { "kind": "markdown", "value": page }, "range": range }))
+}

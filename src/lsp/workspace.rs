@@ -1,0 +1,187 @@
+//! What names a macrocycle in all programs and macrocycles of the workspace, open or not, and its renaming there.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use gen_lsp_types::Uri;
+use serde_json::{Value, json};
+
+use super::analysis::configuration;
+use super::places::Places;
+use super::requests::{Answer, Snapshot};
+use super::workspace_symbols::files;
+use crate::config::Settings;
+use crate::diag::Findings;
+use crate::edit::line_length::first_long_line;
+use crate::query::names::{Name, Names, Naming};
+use crate::query::navigation_texts::NavigationText;
+use crate::resolve::{Library, Roles, Taker};
+use crate::session::Session;
+use crate::syntax::{Form, ParsedFile, Value as WordValue, parse};
+use crate::text::{FileId, Loader};
+
+/// Longest file that is looked into, in bytes.
+const LONGEST: u64 = 1 << 26;
+
+/// A file with the places in it that name a macrocycle.
+pub(super) struct Named {
+    pub(super) uri: Uri,
+    pub(super) file: ParsedFile,
+    pub(super) namings: Vec<Naming>,
+    /// A call in it whose number comes from a parameter.
+    parametric: Option<(u32, u8)>,
+}
+
+/// The files of the workspace, and the open ones, that name macrocycle `l`, where that is the file at `target`.
+pub(super) fn naming(snapshot: &Snapshot, l: u32, target: &Path) -> Vec<Named> {
+    let mut settings: BTreeMap<PathBuf, Settings> = BTreeMap::new();
+    let mut seen: BTreeSet<PathBuf> = BTreeSet::new();
+    let open = snapshot.analyses.iter().map(|analysis| analysis.path.clone());
+    let all = open.chain(files(snapshot)).chain([target.to_path_buf()]).collect::<Vec<_>>();
+    let mut found = Vec::new();
+    for path in all {
+        if snapshot.cancel.is_cancelled() {
+            break;
+        }
+        let path = snapshot.files.canonical(&path);
+        if !seen.insert(path.clone()) || snapshot.files.size(&path).is_none_or(|size| size > LONGEST) {
+            continue;
+        }
+        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let settings =
+            settings.entry(folder).or_insert_with(|| configuration(&path, &snapshot.files, &snapshot.client).0);
+        found.extend(named(snapshot, &path, settings, l, target));
+    }
+    found
+}
+
+fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, l: u32, target: &Path) -> Option<Named> {
+    let own = Library::number(path);
+    let source = snapshot.files.load(path, &path.to_string_lossy(), settings.encoding).ok()?;
+    let digits = l.to_string();
+    let mapped = settings.machine.cycles.values().any(|mapped| *mapped == l);
+    if !mapped && memchr::memmem::find(source.text().as_bytes(), digits.as_bytes()).is_none() {
+        return None;
+    }
+    let session = Session { loader: &snapshot.files, settings, progress: None };
+    let leads_there = path == target || {
+        let mut library = session.library(path);
+        library.find(l).is_ok_and(|found| snapshot.files.canonical(&found) == target)
+    };
+    if !leads_there {
+        return None;
+    }
+    let form = if own.is_some() { Form::Macrocycle } else { Form::Program };
+    let file = parse(FileId(0), &source, form, &mut Findings::new());
+    let names = Names { machine: &settings.machine, file: &file, macrocycle: own };
+    let wanted = |name| name == Name::Macrocycle(l);
+    let namings: Vec<Naming> = file.block_ids().flat_map(|block| names.of_block(block, wanted)).collect();
+    let parametric = file.block_ids().find_map(|block| {
+        let roles = Roles::written(file.words(block));
+        let calls = matches!(roles.taker, Taker::One(code, _) if code == crate::dict::GCode::G72);
+        match roles.l.filter(|_| calls)?.value() {
+            WordValue::Parameter { index, .. } => Some((file.shown_number(block), index)),
+            WordValue::None | WordValue::Number(_) => None,
+        }
+    });
+    let uri = snapshot.files.uri_of(path)?;
+    Some(Named { uri, file, namings, parametric })
+}
+
+/// The edits that give macrocycle `l` another number wherever it is named, as `documentChanges`.
+///
+/// # Errors
+/// Why it cannot have another one.
+fn edits(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Vec<Value>, NavigationText> {
+    let mut changes = Vec::new();
+    for Named { uri, file, namings, parametric } in naming(snapshot, l, target) {
+        if let Some((n, r)) = parametric {
+            return Err(NavigationText::CallByParameter { n, r });
+        }
+        if namings.iter().any(|naming| !naming.written) {
+            return Err(NavigationText::MacrocycleFile { l });
+        }
+        let digits = new.to_string();
+        if let Some(line) = first_long_line(&file, namings.iter().map(|naming| (naming.number, digits.len()))) {
+            return Err(NavigationText::LineTooLong { line });
+        }
+        if namings.is_empty() {
+            continue;
+        }
+        let mut places = Places::new(&file.source, snapshot.client.unit);
+        let edits: Vec<Value> =
+            namings.iter().map(|naming| json!({ "range": places.range(naming.number), "newText": digits })).collect();
+        let open = snapshot.files.open().values().find(|document| document.uri == uri);
+        let version = open.map(|document| document.version);
+        changes.push(json!({ "textDocument": { "uri": uri, "version": version }, "edits": edits }));
+    }
+    Ok(changes)
+}
+
+/// Whether the client can do what renaming a macrocycle takes.
+pub(super) fn can_rename(snapshot: &Snapshot) -> bool {
+    snapshot.client.has("/workspace/workspaceEdit/documentChanges")
+        && snapshot.client.lists("/workspace/workspaceEdit/resourceOperations", "rename")
+}
+
+/// Another number for the macrocycle in the file at `target`: its calls, its own G79, and its file.
+///
+/// # Errors
+/// Why it cannot have that.
+pub(super) fn rename(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Value, NavigationText> {
+    let renamed = renamed(target, l, new).ok_or(NavigationText::MacrocycleFile { l })?;
+    let folder = target.parent().unwrap_or(Path::new(""));
+    let taken = snapshot.files.list(folder).iter().any(|path| Library::number(path) == Some(new));
+    if taken && new != l {
+        return Err(NavigationText::MacrocycleExists { l: new });
+    }
+    let mut changes = edits(snapshot, l, new, target)?;
+    let uris = snapshot.files.uri_of(target).zip(Uri::from_file_path(renamed).ok());
+    if let Some((old, new)) = uris {
+        changes.push(json!({ "kind": "rename", "oldUri": old, "newUri": new }));
+    }
+    Ok(json!({ "documentChanges": changes }))
+}
+
+/// The file of a macrocycle with another number.
+fn renamed(path: &Path, l: u32, new: u32) -> Option<PathBuf> {
+    let name = path.file_name()?.to_str()?;
+    let (letter, rest) = name.split_at_checked(1)?;
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let (number, rest) = rest.split_at_checked(digits)?;
+    (number.parse() == Ok(l)).then(|| path.with_file_name(format!("{letter}{new}{rest}")))
+}
+
+/// `workspace/willRenameFiles`: the calls of a macrocycle follow its file.
+pub(super) fn will_rename_files(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
+    let mut changes = Vec::new();
+    for file in params.get("files").and_then(Value::as_array).into_iter().flatten() {
+        let path = |key: &str| Uri::parse(file.get(key)?.as_str()?).ok()?.to_file_path().ok();
+        let (Some(old), Some(new)) = (path("oldUri"), path("newUri")) else { continue };
+        let numbers = (Library::number(&old), Library::number(&new));
+        let (Some(l), Some(number)) = numbers else { continue };
+        // In another folder it may be another machine's.
+        if l == number || old.parent() != new.parent() {
+            continue;
+        }
+        // What keeps the edits from being made leaves the file to the user all the same.
+        changes.extend(edits(snapshot, l, number, &snapshot.files.canonical(&old)).unwrap_or_default());
+    }
+    if changes.is_empty() || !snapshot.client.has("/workspace/workspaceEdit/documentChanges") {
+        return Ok(Value::Null);
+    }
+    Ok(json!({ "documentChanges": changes }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files() {
+        let new = |path: &str| renamed(Path::new(path), 9001, 9100).map(|path| path.to_string_lossy().into_owned());
+        assert_eq!(new("/m/L9001").as_deref(), Some("/m/L9100"));
+        assert_eq!(new("/m/l9001.txt").as_deref(), Some("/m/l9100.txt"));
+        assert_eq!(new("/m/L9002"), None);
+    }
+}

@@ -1,0 +1,157 @@
+//! `workspace/diagnostic`: findings in the programs of the workspace that are not open. A program is checked again when its
+//! text changes, or what programs depend on: configuration and macrocycles.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use gen_lsp_types::Uri;
+use serde_json::{Value, json};
+
+use super::analysis::configuration;
+use super::findings::by_file;
+use super::requests::{Answer, Snapshot};
+use super::workspace_symbols::files;
+use crate::config::Settings;
+use crate::diag::Report;
+use crate::session::Session;
+use crate::text::Loader;
+
+/// Most programs that are checked, and the longest of them, in bytes.
+const PROGRAMS: usize = 2_000;
+const LONGEST: u64 = 1 << 24;
+/// Most blocks of a program that are executed.
+const BLOCKS: u64 = 200_000;
+
+/// What is known of programs that are not open; copies share it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Checked {
+    known: Arc<Mutex<Known>>,
+    /// Grows with every change of configuration and macrocycles.
+    environment: u64,
+    /// Grows with every change of files, and with documents that are opened and closed.
+    files: u64,
+}
+
+#[derive(Debug, Default)]
+struct Known {
+    /// The changes of files that were seen.
+    seen: Option<u64>,
+    /// Grows with every program that is checked.
+    revision: u64,
+    programs: BTreeMap<PathBuf, Program>,
+}
+
+#[derive(Debug)]
+struct Program {
+    environment: u64,
+    text: u64,
+    uri: Uri,
+    id: String,
+    items: Value,
+}
+
+impl Checked {
+    /// Files changed; `environment`: among them what programs depend on.
+    pub(super) const fn changed(&mut self, environment: bool) {
+        self.files += 1;
+        self.environment += environment as u64;
+    }
+}
+
+fn hash(value: impl Hash) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    value.hash(&mut hasher);
+    hasher.finish()
+}
+
+/// Answers the request with what the client does not have yet.
+pub(super) fn workspace_diagnostic(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
+    let mut known = snapshot.checked.known.lock().unwrap_or_else(PoisonError::into_inner);
+    if known.seen != Some(snapshot.checked.files) && look(snapshot, &mut known) {
+        known.seen = Some(snapshot.checked.files);
+    }
+    let previous = params.get("previousResultIds").and_then(Value::as_array).into_iter().flatten();
+    let previous: BTreeMap<&str, &str> =
+        previous.filter_map(|one| Some((one.get("uri")?.as_str()?, one.get("value")?.as_str()?))).collect();
+    let mut items = Vec::new();
+    let mut there = BTreeSet::new();
+    for program in known.programs.values() {
+        there.insert(program.uri.as_str());
+        let before = previous.get(program.uri.as_str());
+        let nothing = before.is_none() && program.items.as_array().is_none_or(Vec::is_empty);
+        if !nothing && before != Some(&program.id.as_str()) {
+            items.push(report(program.uri.as_str(), Some(&program.id), &program.items));
+        }
+    }
+    for uri in previous.keys().filter(|uri| !there.contains(*uri)) {
+        items.push(report(uri, None, &json!([])));
+    }
+    Ok(json!({ "items": items }))
+}
+
+fn report(uri: &str, id: Option<&str>, items: &Value) -> Value {
+    let mut report = json!({ "kind": "full", "uri": uri, "version": null, "items": items });
+    if let (Some(id), Some(report)) = (id, report.as_object_mut()) {
+        report.insert("resultId".to_owned(), id.into());
+    }
+    report
+}
+
+/// Checks the programs that changed. Whether all were looked at.
+fn look(snapshot: &Snapshot, known: &mut Known) -> bool {
+    let Known { revision, programs, .. } = known;
+    let mut settings: BTreeMap<PathBuf, Settings> = BTreeMap::new();
+    let mut there = BTreeSet::new();
+    for path in files(snapshot) {
+        if snapshot.cancel.is_cancelled() {
+            return false;
+        }
+        let path = snapshot.files.canonical(&path);
+        let open = snapshot.files.open().contains_key(&path);
+        if open || there.len() >= PROGRAMS || there.contains(&path) || Session::is_macrocycle_name(&path) {
+            continue;
+        }
+        if snapshot.files.size(&path).is_none_or(|size| size > LONGEST) {
+            continue;
+        }
+        let Ok(bytes) = snapshot.files.read(&path) else { continue };
+        let text = hash(&bytes);
+        let environment = snapshot.checked.environment;
+        let same = |program: &Program| program.text == text && program.environment == environment;
+        if programs.get(&path).is_some_and(same) {
+            there.insert(path);
+            continue;
+        }
+        let mut lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r'));
+        if !lines.any(|line| line.first() == Some(&b'%') && line.get(1).is_some_and(u8::is_ascii_digit)) {
+            continue;
+        }
+        let Some(uri) = snapshot.files.uri_of(&path) else { continue };
+        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        let settings =
+            settings.entry(folder).or_insert_with(|| configuration(&path, &snapshot.files, &snapshot.client).0);
+        let items = check(snapshot, &path, settings, &uri);
+        // The same findings as before need not be sent again.
+        let before = programs.get(&path).filter(|before| before.items == items).map(|before| before.id.clone());
+        *revision += 1;
+        let id = before.unwrap_or_else(|| revision.to_string());
+        programs.insert(path.clone(), Program { environment, text, uri, id, items });
+        there.insert(path);
+    }
+    programs.retain(|path, _| there.contains(path));
+    true
+}
+
+/// The findings in one program.
+fn check(snapshot: &Snapshot, path: &Path, settings: &Settings, uri: &Uri) -> Value {
+    let goes_on = |executed| executed <= BLOCKS && !snapshot.cancel.is_cancelled();
+    let session = Session { loader: &snapshot.files, settings, progress: Some(&goes_on) };
+    let outcome = session.check(path, &path.to_string_lossy());
+    let mut report = Report::new();
+    report.add_program(&outcome.sources, outcome.findings);
+    let client = &snapshot.client;
+    let found = by_file(&report, &snapshot.files, client.unit, client.lang()).remove(uri).unwrap_or_default();
+    serde_json::to_value(found).unwrap_or_default()
+}
