@@ -135,10 +135,6 @@ struct Call<'a> {
 struct Fix<'a> {
     /// What it does.
     title: String,
-    /// Set where something else may be meant as well: a change to choose, which `check --fix` does not apply by itself.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    #[schemars(with = "bool")]
-    offered: Option<bool>,
     /// Replacements that do not overlap.
     #[schemars(with = "Vec<Edit<'a>>")]
     edits: Edits<'a>,
@@ -266,9 +262,9 @@ impl<'a> Form<'a> {
                 .collect(),
             fixes: fixes
                 .iter()
+                .filter(|fix| fix.certain)
                 .map(|fix| Fix {
                     title: safe(fix.title.text(self.lang)),
-                    offered: (!fix.certain).then_some(true),
                     edits: Edits { form: self, edits: &fix.edits },
                 })
                 .collect(),

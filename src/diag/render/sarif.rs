@@ -182,7 +182,6 @@ impl Log<'_> {
             });
             set(&mut said, "stacks", json!([{"frames": frames.collect::<Vec<_>>()}]));
         }
-        // The form has no mark for a change that is only offered.
         let fixes = fixes.iter().filter(|fix| fix.certain).map(|fix| Fix {
             description: message(&terminal_safe(&fix.title.text(self.lang))),
             artifact_changes: fix
