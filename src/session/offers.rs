@@ -109,7 +109,7 @@ impl Offers<'_> {
     fn structure(&mut self, file: &ParsedFile, found: &Diagnostic) -> Option<Vec<Fix>> {
         let at = found.at.span;
         let place = found.labels.first().map(|label| label.at.span);
-        if let Finding::MissingProgramEnd { skipped: false, late: None, instead } = found.finding {
+        if let Finding::MissingProgramEnd { skipped: false, late: None, instead, unread: None } = found.finding {
             let main = self.main(file)?;
             return if instead.is_some() { instead_of_return(file, main) } else { self.end_of(file, main, "M30") };
         }
