@@ -99,7 +99,8 @@ fn items(out: &mut String, items: &[Item], fine: bool) {
                 number(out, *x);
                 out.push_str("\" cy=\"");
                 number(out, *y);
-                let _ = writeln!(out, "\" r=\"{}\" data-seq=\"{seq}\"/>", DOT_SIZES[if fine { 2 } else { 1 }]);
+                let [_, usual, small] = DOT_SIZES;
+                let _ = writeln!(out, "\" r=\"{}\" data-seq=\"{seq}\"/>", if fine { small } else { usual });
             }
             Item::Text { at: [x, y], class, text } => {
                 let _ = write!(out, "<text class=\"{}\" x=\"", class.name());
