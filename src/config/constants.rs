@@ -14,7 +14,7 @@ const DIGITS: usize = 8;
 /// The M group that a machine constant gives; `None` for the other constants.
 pub(super) fn group_of(constant: u16) -> Option<u8> {
     let place = u8::try_from(constant.checked_sub(*CONSTANTS.start())?).ok()?;
-    CONSTANTS.contains(&constant).then_some(FIRST_GROUP + place)
+    CONSTANTS.contains(&constant).then(|| FIRST_GROUP + place)
 }
 
 /// Puts the functions that R56–R59 name into groups 10–13: two digits each, `00` is none, missing leading digits are
