@@ -103,10 +103,8 @@ impl Lowering<'_> {
         let prefix = address.to_string();
         let fastest = ["max", "auto"].iter().any(|name| number.eq_ignore_ascii_case(name));
         let meant = if fastest { NumberMeant::Fastest } else { printed_number(number, &prefix) };
-        let meant = match meant {
-            NumberMeant::Exponent { .. } | NumberMeant::ExponentForm if address == Address::R => NumberMeant::Parameter,
-            meant => meant,
-        };
+        let exponent = matches!(meant, NumberMeant::Exponent { .. } | NumberMeant::ExponentForm);
+        let meant = if exponent && address == Address::R { NumberMeant::Parameter } else { meant };
         let value_of = |written: &str| Number::parse(written.get(1..).unwrap_or_default().as_bytes());
         // Other words hold whole numbers without a sign, `&` four digits.
         let fits = |value: Number| {
@@ -248,10 +246,9 @@ impl Lowering<'_> {
             function == GCode::G73 && number.parse().is_ok_and(|number: u32| (1..=HIGHEST_L).contains(&number))
         });
         let Some(target) = target else {
-            let meant = match TargetMeant::of(function) {
-                TargetMeant::Subprogram => TargetMeant::InPlace { block: shown(self.slice(span)) },
-                meant => meant,
-            };
+            let meant = TargetMeant::of(function);
+            let subprogram = meant == TargetMeant::Subprogram;
+            let meant = if subprogram { TargetMeant::InPlace { block: shown(self.slice(span)) } } else { meant };
             self.pending.push(Diagnostic::new(Finding::MissingTarget { function, meant }, place));
             self.push_void(Address::L, span);
             return;
