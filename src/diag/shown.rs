@@ -7,7 +7,7 @@ use crate::text::is_unsafe;
 /// Longest piece of program text that a message repeats, in characters.
 const LONGEST: usize = 40;
 
-/// `text` as a terminal may have it: what [`is_unsafe`] finds as `\u{…}`, the rest as it is. The last defence of every
+/// `text` as a terminal may have it: what `is_unsafe` finds as `\u{…}`, the rest as it is. The last defence of every
 /// rendering for people, whatever a message repeats.
 pub fn terminal_safe(text: &str) -> Cow<'_, str> {
     if !text.chars().any(is_unsafe) {

@@ -43,7 +43,7 @@ pub enum Unknown {
 }
 
 impl Topic {
-    /// What a name means: `limits.feed`, and what [`Self::find_word`] finds. `g97` is a function and a key.
+    /// What a name means: `limits.feed`, and what `find_word` finds. `g97` is a function and a key.
     ///
     /// # Errors
     /// What a name that means nothing may be told.

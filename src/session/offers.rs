@@ -80,7 +80,10 @@ impl Offers<'_> {
         {
             return Some(offer(FixTitle::Write { text: format!("G73 L{near}") }, file, at, near.to_string()));
         }
-        if let Finding::MissingTarget { function: GCode::G71, meant } = &found.finding {
+        if let Finding::MissingTarget { function: GCode::G71, meant } = &found.finding
+            // The number is there, behind another address.
+            && !matches!(meant, TargetMeant::InPlace { .. })
+        {
             return self.missing_target(file, block, word, meant);
         }
         None

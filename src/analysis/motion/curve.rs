@@ -13,8 +13,11 @@
 
 #![expect(clippy::indexing_slicing, reason = "ids and places are made here and index the lists they were made for")]
 
+#[path = "curve_again.rs"]
 mod again;
+#[path = "curve_better.rs"]
 mod better;
+#[path = "curve_joints.rs"]
 mod joints;
 
 use super::ramp::{Hump, Limits};
