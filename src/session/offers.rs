@@ -6,13 +6,11 @@ use std::collections::BTreeMap;
 use crate::diag::{
     Diagnostic, DwellMeant, Edit, Finding, Findings, Fix, FixTitle, PointMeant, TargetMeant, UnusedMeant,
 };
-use crate::dict::{Address, GCode};
+use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::resolve::{Resolved, Roles, Taker, Target, Unit, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, Span};
 
-/// The highest number of a block.
-const HIGHEST: u32 = 99_999_999;
 /// The usual distance of block numbers.
 const STEP: u32 = 10;
 
@@ -243,7 +241,7 @@ impl Offers<'_> {
         let mut near = [STEP, STEP / 2, 2, 1]
             .into_iter()
             .filter(|step| *step < room)
-            .filter_map(|step| before.checked_add(step).filter(|number| *number <= HIGHEST));
+            .filter_map(|step| before.checked_add(step).filter(|number| *number <= HIGHEST_BLOCK));
         match near.find(|number| !self.is_taken(file, *number)) {
             Some(number) => Some(number),
             None => self.free_at_end(file),
@@ -253,7 +251,7 @@ impl Offers<'_> {
     /// A number above all others.
     fn free_at_end(&mut self, file: &ParsedFile) -> Option<u32> {
         let highest = self.numbers(file).last().copied().unwrap_or(0);
-        (highest / STEP).checked_add(1)?.checked_mul(STEP).filter(|number| *number <= HIGHEST)
+        (highest / STEP).checked_add(1)?.checked_mul(STEP).filter(|number| *number <= HIGHEST_BLOCK)
     }
 
     fn is_taken(&mut self, file: &ParsedFile, number: u32) -> bool {
