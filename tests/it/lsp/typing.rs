@@ -1,4 +1,5 @@
-//! Every sample typed character by character, the inside of comments at once: the server lives, and finds at the end what `check` finds.
+//! Every sample typed: the server lives, and finds at the end what `check` finds. Every fourth one character by character,
+//! the others word by word; the inside of comments at once.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -28,14 +29,14 @@ fn every_sample() {
         .filter(|path| path.extension().is_some_and(|name| name == "nc") || Session::is_macrocycle_name(path))
         .collect();
     assert!(programs.len() > 300);
-    let queue = Mutex::new(programs);
+    let queue = Mutex::new(programs.into_iter().enumerate().collect::<Vec<_>>());
     thread::scope(|scope| {
         for _ in 0..thread::available_parallelism().map_or(2, usize::from) {
             scope.spawn(|| {
                 let capabilities = json!({ "general": { "positionEncodings": ["utf-32"] } });
                 let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
-                while let Some(path) = { queue.lock().unwrap().pop() } {
-                    type_in(&mut client, &path);
+                while let Some((at, path)) = { queue.lock().unwrap().pop() } {
+                    type_in(&mut client, &path, at % 4 == 0);
                 }
                 assert_eq!(client.end(), 0);
             });
@@ -43,7 +44,7 @@ fn every_sample() {
     });
 }
 
-fn type_in(client: &mut Client, path: &Path) {
+fn type_in(client: &mut Client, path: &Path, each_letter: bool) {
     let uri = format!("file://{}", path.display());
     let source = SourceText::decode("", std::fs::read(path).unwrap(), Encoding::default()).unwrap();
     let document = json!({ "uri": uri, "languageId": "cnc872", "version": 0, "text": "" });
@@ -52,7 +53,7 @@ fn type_in(client: &mut Client, path: &Path) {
     let (mut line, mut column, mut version) = (0, 0, 0);
     let typed = source.text().char_indices().nth(TYPED).map_or(source.text().len(), |(at, _)| at);
     let (first, rest) = source.text().split_at(typed);
-    for text in keystrokes(first).into_iter().chain(Some(rest).filter(|rest| !rest.is_empty())) {
+    for text in keystrokes(first, each_letter).into_iter().chain(Some(rest).filter(|rest| !rest.is_empty())) {
         version += 1;
         let at = json!({ "line": line, "character": column });
         change(client, &uri, version, &json!({ "range": { "start": at, "end": at }, "text": text }));
@@ -73,15 +74,22 @@ fn type_in(client: &mut Client, path: &Path) {
     client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
 }
 
-/// A text as it is typed: a character at a time, and what a comment says at once, after its opening quote and before the
-/// closing one: most of a sample is comments, and their letters are all alike to the server.
-fn keystrokes(text: &str) -> Vec<&str> {
+/// A text as it is typed: a character at a time, and at once what a comment says, after its opening quote and before the
+/// closing one: most of a sample is comments, and their letters are all alike to the server. Words, and spaces between them,
+/// come at once unless each letter is asked for.
+fn keystrokes(text: &str, each_letter: bool) -> Vec<&str> {
     let mut strokes = Vec::new();
     let mut rest = text;
     let mut in_comment = false;
     while let Some(next) = rest.chars().next() {
-        let comment = if in_comment { rest.find(['"', '\r', '\n']).unwrap_or(rest.len()) } else { 0 };
-        let (stroke, after) = rest.split_at(comment.max(next.len_utf8()));
+        let length = if in_comment {
+            rest.find(['"', '\r', '\n']).unwrap_or(rest.len())
+        } else if each_letter {
+            0
+        } else {
+            rest.find(['"', ' ', '\r', '\n']).unwrap_or(rest.len()).max(rest.len() - rest.trim_start_matches(' ').len())
+        };
+        let (stroke, after) = rest.split_at(length.max(next.len_utf8()));
         in_comment = match stroke {
             "\"" => !in_comment,
             "\r" | "\n" => false,
@@ -94,11 +102,12 @@ fn keystrokes(text: &str) -> Vec<&str> {
 }
 
 #[test]
-fn comments_at_once() {
-    assert_eq!(
-        keystrokes("%1\"ab c\"N1\n\"d\r\nX"),
-        ["%", "1", "\"", "ab c", "\"", "N", "1", "\n", "\"", "d", "\r", "\n", "X"]
-    );
+fn strokes() {
+    let text = "%1\"ab c\"N10  X5\n\"d\r\nX";
+    let each = ["%", "1", "\"", "ab c", "\"", "N", "1", "0", " ", " ", "X", "5", "\n", "\"", "d", "\r", "\n", "X"];
+    assert_eq!(keystrokes(text, true), each);
+    let rows = ["%1", "\"", "ab c", "\"", "N10", "  ", "X5", "\n", "\"", "d", "\r", "\n", "X"];
+    assert_eq!(keystrokes(text, false), rows);
 }
 
 fn change(client: &mut Client, uri: &str, version: i64, change: &Value) {
