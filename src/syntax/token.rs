@@ -80,7 +80,7 @@ pub enum Kind {
     NamedValue,
     /// A variable of other controls, with its value or without: `#50=0`.
     #[regex(
-        r#"#([0-9]+|<[A-Za-z0-9_]*>|\[[^\]\r\n"]{0,80}\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#,
+        r#"#([0-9]+|<[A-Za-z0-9_]*>|\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#,
         priority = 30
     )]
     Variable,
@@ -93,7 +93,7 @@ pub enum Kind {
     #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", priority = 40)]
     TypographicComment,
     /// A word with characters in it that the control does not know: `X#1`, `X−5`, `X[R1+5]`, `X(5)`.
-    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[[^\]"\r\n]{0,80}\]|\([^)"\r\n]{0,80}\))|%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)"#, priority = 15)]
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\]|\(([^()"\r\n]|\([^()"\r\n]*\))*\))|%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)"#, priority = 15)]
     GarbledWord,
     /// A comment as other controls write it.
     #[regex(

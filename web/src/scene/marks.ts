@@ -1,4 +1,4 @@
-// What stands over the path: the block in hand, numbers at red dots, start and end, labels of the grid, the axes, the
+// What stands over the path: numbers at red dots, start and end, labels of the grid, the axes, the
 // scale, measured points.
 
 import { t } from '../i18n.ts';
@@ -73,7 +73,6 @@ export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: Gri
   const labels = new Labels(context);
   labels.take([0, camera.height - 70, 76, camera.height]);
   labels.take([camera.width - 150, camera.height - 34, camera.width, camera.height]);
-  drawSelection(view, context);
   if (app.shown.numbers && app.shown.red) {
     const placed = view.numbered !== undefined;
     view.numbered ??= placeNumbers(view, labels);
@@ -100,63 +99,6 @@ export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: Gri
   drawMeasured(view, context, labels, background);
   drawAxes(view, context);
   drawScale(view, context);
-}
-
-function drawSelection(view: View, context: CanvasRenderingContext2D): void {
-  const { app, camera, theme } = view;
-  if (app.current === null) {
-    return;
-  }
-  const row = app.program.rowOf(app.current);
-  const { path } = app;
-  const stand = (point: Vector, size: number): void => {
-    const { x, y } = camera.project(point);
-    context.beginPath();
-    context.arc(x, y, size, 0, 2 * Math.PI);
-    context.fillStyle = theme.selection;
-    context.fill();
-    context.lineWidth = 2;
-    context.strokeStyle = theme.selectionEdge;
-    context.stroke();
-  };
-  if (!path.hasLine(row)) {
-    stand(path.point(row), 6);
-    return;
-  }
-  const parts = path.isArc(row) ? Math.min(path.chords(row, 0.2 / camera.scale), 360) : 1;
-  const places = Array.from({ length: parts + 1 }, (_, part) => camera.project(path.at(row, part / parts)));
-  for (const [width, colour] of [
-    [6, theme.selectionEdge],
-    [3.2, theme.selection],
-  ] as const) {
-    context.beginPath();
-    places.forEach(({ x, y }, i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
-    context.lineWidth = width;
-    context.strokeStyle = colour;
-    context.stroke();
-  }
-  // An arrow in the middle shows the way.
-  const length = places.slice(1).reduce((sum, at, i) => sum + Math.hypot(at.x - places[i]!.x, at.y - places[i]!.y), 0);
-  if (length > 24) {
-    const middle = camera.project(path.at(row, 0.5));
-    const before = camera.project(path.at(row, 0.49));
-    const angle = Math.atan2(middle.y - before.y, middle.x - before.x);
-    context.save();
-    context.translate(middle.x, middle.y);
-    context.rotate(angle);
-    context.beginPath();
-    context.moveTo(8, 0);
-    context.lineTo(-5, -6);
-    context.lineTo(-5, 6);
-    context.closePath();
-    context.fillStyle = theme.selection;
-    context.fill();
-    context.lineWidth = 1.2;
-    context.strokeStyle = theme.selectionEdge;
-    context.stroke();
-    context.restore();
-  }
-  stand(path.at(row, view.share ?? 1), 5);
 }
 
 function placeNumbers(view: View, labels: Labels): Numbered[] {

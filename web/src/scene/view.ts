@@ -7,6 +7,7 @@ import { Camera, type Plane, type Vector } from './camera.ts';
 import { DARK, LIGHT, type Legend, type Theme, paint } from './colours.ts';
 import { Gl, hardwareContext } from './gl.ts';
 import { grid, type GridLabel } from './grid.ts';
+import { Held } from './held.ts';
 import { Lines } from './lines.ts';
 import { drawMarks, type MeasurePoint, type Numbered } from './marks.ts';
 import { pick } from './pick.ts';
@@ -21,6 +22,10 @@ const MOST_YELLOW = 4000;
 const REST = 120;
 
 export type Standard = Plane | 'fit';
+
+/** What a frame draws anew: each includes those before it. */
+const AMOUNTS = ['nothing', 'held', 'marks', 'all'] as const;
+type Amount = (typeof AMOUNTS)[number];
 
 export class View {
   readonly app: App;
@@ -40,10 +45,11 @@ export class View {
   /** Called after each picture. */
   onDrawn: ((facts: { thinned: boolean; yellowHidden: boolean }) => void) | undefined;
   onLegend: (() => void) | undefined;
+  readonly #held = new Held();
   readonly #marks: HTMLCanvasElement;
   readonly #renderer: Renderer;
   /** What the next frame draws. */
-  #wanted: 'nothing' | 'marks' | 'all' = 'nothing';
+  #wanted: Amount = 'nothing';
   #gridLabels: GridLabel[] = [];
   #ratio = 0;
   #moving = false;
@@ -66,7 +72,7 @@ export class View {
     this.#marks = document.createElement('canvas');
     this.#marks.className = 'marks';
     this.#marks.setAttribute('aria-hidden', 'true');
-    element.append(this.canvas, this.#marks);
+    element.append(this.canvas, this.#held.canvas, this.#marks);
     this.#renderer = makeRenderer(this.canvas);
     element.dataset['renderer'] = this.#renderer.name;
     this.theme = isDark() ? DARK : LIGHT;
@@ -80,7 +86,7 @@ export class View {
     app.on('colour', () => this.repaint());
     app.on('filter', () => this.#rebuild());
     app.on('shown', () => this.#rebuild());
-    app.on('select', () => this.request('marks'));
+    app.on('select', () => this.request('held'));
     app.on('language', () => this.request());
     new ResizeObserver(() => {
       if (this.#resize()) {
@@ -179,20 +185,25 @@ export class View {
     camera.fit(this.app.path.box, [wide, high, wide, high]);
   }
 
-  /** The picture, or only what stands over the path, is drawn anew before the next frame. */
-  request(what: 'marks' | 'all' = 'all'): void {
+  /** The picture, or only what stands over the path, or only the block in hand, is drawn anew before the next frame. */
+  request(what: Amount = 'all'): void {
     if (this.#wanted === 'nothing') {
       requestAnimationFrame(() => {
         const wanted = this.#wanted;
         this.#wanted = 'nothing';
         if (wanted === 'all') {
           this.#draw();
-        } else if (wanted === 'marks') {
-          drawMarks(this, this.#marks, this.#gridLabels);
+        } else if (wanted !== 'nothing') {
+          this.#held.draw(this);
+          if (wanted === 'marks') {
+            drawMarks(this, this.#marks, this.#gridLabels);
+          }
         }
       });
     }
-    this.#wanted = what === 'all' || this.#wanted === 'all' ? 'all' : 'marks';
+    if (AMOUNTS.indexOf(what) > AMOUNTS.indexOf(this.#wanted)) {
+      this.#wanted = what;
+    }
   }
 
   /** The hand moves the picture: it need not be complete until it rests. */
@@ -239,6 +250,7 @@ export class View {
       dotColours: { red: theme.red, yellow: theme.yellow, edge: theme.dotEdge },
     });
     this.#gridLabels = labels;
+    this.#held.draw(this);
     drawMarks(this, this.#marks, labels);
     const took = performance.now() - begun;
     if (this.#moving && lines.count > FLUENT) {

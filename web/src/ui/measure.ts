@@ -50,16 +50,16 @@ export function measure(app: App, view: View): HTMLElement {
       if (view.measured.length === 2) {
         view.onPoint = undefined;
       }
-      view.request();
+      view.request('marks');
       tell();
     };
-    view.request();
+    view.request('marks');
     tell();
   };
   const clear = (): void => {
     view.measured = [];
     view.onPoint = undefined;
-    view.request();
+    view.request('marks');
     tell();
   };
   const stretchPart = (): HTMLElement => {

@@ -110,7 +110,7 @@ export class Player {
     const index = this.#at(time);
     this.#place(index);
     this.#app.select(index, 'play');
-    this.#view.request();
+    this.#view.request('held');
     this.#tell();
   }
 
@@ -180,7 +180,7 @@ export class Player {
     const ended = stop !== undefined || time >= this.#total;
     this.#frame = ended ? 0 : requestAnimationFrame(() => this.#tick());
     this.#app.select(index, 'play');
-    this.#view.request();
+    this.#view.request('held');
     this.#tell();
   }
 
