@@ -201,21 +201,10 @@ pub fn write_real(millionths: i64, out: &mut String) {
 
 /// Decimal digits, at least so many.
 pub(super) fn push_digits(number: u64, least: usize, out: &mut String) {
-    let mut digits = [b'0'; 20];
-    let mut rest = number;
-    let mut first = digits.len();
-    for (at, slot) in digits.iter_mut().enumerate().rev() {
-        if rest == 0 {
-            break;
-        }
-        // A remainder of ten is one digit.
-        *slot = b'0' + (rest % 10).to_le_bytes()[0];
-        rest /= 10;
-        first = at;
-    }
-    let first = first.min(digits.len().saturating_sub(least));
-    let text = digits.get(first..).and_then(|digits| std::str::from_utf8(digits).ok());
-    out.push_str(text.unwrap_or_default());
+    let mut digits = itoa::Buffer::new();
+    let digits = digits.format(number);
+    (digits.len()..least).for_each(|_| out.push('0'));
+    out.push_str(digits);
 }
 
 #[cfg(test)]

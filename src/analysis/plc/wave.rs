@@ -1,6 +1,6 @@
 //! Steps as a value change dump (IEEE 1364), for waveform viewers: bits as wires, bytes and words as vectors, real numbers
-//! as reals. Declarations and times are written by the `vcd` crate; values, which are nearly all of a long dump, go to the
-//! same place as text made here.
+//! as reals. Declarations are written by the `vcd` crate; times and values, which are nearly all of a long dump, go to the same
+//! place as text made here.
 
 use std::fmt;
 use std::io::{self, Write};
@@ -10,7 +10,7 @@ use vcd::{SimulationCommand, TimescaleUnit, VarType};
 use super::dictionary::{Form, Signal};
 use super::reader::{Header, Writer};
 use super::steps::{Place, Step};
-use super::values::{Value, write_real};
+use super::values::{Value, push_digits, write_real};
 use crate::dict::Micro;
 use crate::run::End;
 
@@ -28,6 +28,7 @@ pub struct Wave<W: Write> {
     before: Option<(u64, Place)>,
     /// When its block ends, µs, where that is known.
     end: Option<u64>,
+    /// Of one step.
     text: String,
 }
 
@@ -123,11 +124,17 @@ impl<W: Write> Wave<W> {
         }
     }
 
-    fn flush_text(&mut self) -> io::Result<()> {
+    fn write_text(&mut self) -> io::Result<()> {
         self.out.writer().write_all(self.text.as_bytes())?;
         self.text.clear();
         Ok(())
     }
+}
+
+fn push_time(text: &mut String, time: u64) {
+    text.push('#');
+    push_digits(time, 1, text);
+    text.push('\n');
 }
 
 fn microseconds(seconds: Micro) -> u64 {
@@ -224,22 +231,24 @@ impl<W: Write> Writer for Wave<W> {
 
     fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
         let time = self.time(step);
-        self.out.timestamp(time)?;
+        push_time(&mut self.text, time);
         let first = self.before.is_none();
         if first {
+            self.write_text()?;
             self.out.begin(SimulationCommand::Dumpvars)?;
         }
         self.write_changes(step);
         self.before = Some((time, step.place));
         self.end = step.end_s.map(microseconds);
-        self.flush_text()?;
+        self.write_text()?;
         if first { self.out.end() } else { Ok(()) }
     }
 
     fn end(&mut self, _: End) -> io::Result<()> {
         if let Some((time, _)) = self.before {
-            self.out.timestamp(self.end.unwrap_or(0).max(time + 1))?;
+            push_time(&mut self.text, self.end.unwrap_or(0).max(time + 1));
         }
+        self.write_text()?;
         self.out.flush()
     }
 }
