@@ -7,7 +7,7 @@ use std::path::Path;
 use cnc872c::analysis::plc::{Csv, Header, Json, Range, Reader, Step, Wave, Writer, beside, named};
 use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
-use cnc872c::session::{Outcome, Session};
+use cnc872c::session::{Outcome, Session, TimedSignals, Times};
 use cnc872c::text::{MemoryLoader, Sources};
 
 use crate::markers::options;
@@ -23,7 +23,14 @@ fn run(session: &Session<'_>, file: &str, signals: &str, range: Range, writer: &
     let signals = named(signals, machine.dialect).expect("signals");
     let mut failed = None;
     let reader = Reader::new(signals, machine, range, writer, &mut failed);
-    let outcome = session.run(Path::new(file), file, Purpose::Compile, reader).outcome;
+    let path = Path::new(file);
+    // As the command does where motion is configured.
+    let outcome = if machine.motion.configured {
+        let times = Times { phases: false, time_dist: true };
+        session.run_timed(path, file, Purpose::Compile, times, TimedSignals(reader)).outcome
+    } else {
+        session.run(path, file, Purpose::Compile, reader).outcome
+    };
     assert!(failed.is_none(), "{failed:?}");
     outcome
 }

@@ -1,4 +1,5 @@
-//! Random programs: JSON, CSV and the value change dump say the same, and change marks are those of the block stream.
+//! Random programs, without `[motion]` and with it: JSON, CSV and the value change dump say the same, also when steps start, and
+//! change marks are those of the block stream.
 
 use std::collections::BTreeMap;
 
@@ -44,7 +45,14 @@ fn block() -> impl Strategy<Value = String> {
 }
 
 fn program() -> impl Strategy<Value = Case> {
-    (prop::collection::vec(block(), 1..12), any::<bool>(), 0..4_u32).prop_map(|(blocks, stop, repeats)| {
+    let motion = prop::sample::select(&[
+        "",
+        "[motion]\nraise-ms = 20\n",
+        "[motion]\nprofile = \"linear\"\n",
+        "[motion]\nprofile = \"parabolic\"\ncycle-ms = 2\n[[motion.sets]]\nnumber = 1\nparabolic-ramp = 50.000\n",
+    ]);
+    let blocks = prop::collection::vec(block(), 1..12);
+    (blocks, any::<bool>(), 0..4_u32, motion).prop_map(|(blocks, stop, repeats, motion)| {
         let mut text = "%1\nN1 G0 G90 X0 Y0 Z0 C0\n".to_owned();
         for (index, block) in blocks.iter().enumerate() {
             text += &format!("N{}{block}\n", index + 2);
@@ -57,7 +65,7 @@ fn program() -> impl Strategy<Value = Case> {
             .replace("<C>", "<C><MFunctions>")
             .replace("</C>", "</MFunctions></C>");
         let config = "channel-config = \"C.xml\"\n[[gears]]\nm = 41\nmin = 0\nmax = 200\n[[gears]]\nm = 42\nmin = 0\nmax = 9000\n";
-        let case = case(&text).config(config).with("C.xml", &channel);
+        let case = case(&text).config(&format!("{config}{motion}")).with("C.xml", &channel);
         if stop { case.args("--optional-stop") } else { case }
     })
 }
@@ -82,10 +90,16 @@ fn of_json(case: &Case) -> Option<Vec<Step>> {
             now.insert("seq".to_owned(), record["seq"].to_string());
             now.insert("n".to_owned(), record["n"].to_string());
             now.insert("stop".to_owned(), record["stop"].as_bool().map_or(0, u8::from).to_string());
+            now.insert("start_s".to_owned(), seconds(&record["start_s"].to_string()));
             steps.push(now.clone());
         }
     }
     Some(steps)
+}
+
+/// A time as text that JSON and CSV share; absent is empty.
+fn seconds(text: &str) -> String {
+    text.parse::<f64>().map_or_else(|_| String::new(), |seconds| seconds.to_string())
 }
 
 fn of_csv(case: &Case) -> Vec<Step> {
@@ -95,9 +109,10 @@ fn of_csv(case: &Case) -> Vec<Step> {
     let cell = |name: &str, cell: &str| match cell.strip_suffix('h') {
         Some(digits) => u32::from_str_radix(digits, 16).unwrap().to_string(),
         None if name == "stop" && cell.is_empty() => "0".to_owned(),
+        None if name == "start_s" => seconds(cell),
         None => cell.to_owned(),
     };
-    let left_out = ["file", "line", "start_s"];
+    let left_out = ["file", "line"];
     lines
         .map(|line| {
             let cells = head.iter().zip(line.split(',')).filter(|(name, _)| !left_out.contains(name));
@@ -106,8 +121,8 @@ fn of_csv(case: &Case) -> Vec<Step> {
         .collect()
 }
 
-/// The dump as an independent reader sees it.
-fn of_vcd(case: &Case) -> Vec<Step> {
+/// The dump as an independent reader sees it; and when its steps start, in µs, and when the last one ends.
+fn of_vcd(case: &Case) -> (Vec<Step>, Vec<u64>) {
     let mut waves: Waveform = wellen::simple::read_from_reader(std::io::Cursor::new(case.vcd("*"))).expect("a dump");
     let names: BTreeMap<String, String> = signals()
         .iter()
@@ -129,9 +144,9 @@ fn of_vcd(case: &Case) -> Vec<Step> {
     assert_eq!(variables.len(), names.len());
     let references: Vec<SignalRef> = variables.iter().map(|(signal, _)| *signal).collect();
     waves.load_signals(&references);
-    let times = waves.time_table().len();
+    let times = waves.time_table().to_vec();
     // The last time closes the last step.
-    (0..times - 1)
+    let steps = (0..times.len() - 1)
         .map(|time| {
             let value = |signal: SignalRef| {
                 let signal = waves.get_signal(signal).expect("loaded");
@@ -151,7 +166,8 @@ fn of_vcd(case: &Case) -> Vec<Step> {
             };
             variables.iter().map(|(signal, name)| (name.clone(), value(*signal))).collect()
         })
-        .collect()
+        .collect();
+    (steps, times)
 }
 
 /// Change marks of the block stream, and whether the program stands after the block.
@@ -240,11 +256,19 @@ proptest! {
         let Some(json) = of_json(&program) else { return Ok(()) };
         let csv = of_csv(&program);
         prop_assert_eq!(&json, &csv);
-        let vcd = of_vcd(&program);
+        let (vcd, times) = of_vcd(&program);
         prop_assert_eq!(csv.len(), vcd.len());
-        for (csv, vcd) in csv.iter().zip(&vcd) {
-            prop_assert_eq!(csv, vcd);
+        let mut after = 0;
+        for ((mut csv, vcd), time) in csv.into_iter().zip(&vcd).zip(&times) {
+            // A step that takes no time is 1 µs after the one before it.
+            let start = csv.remove("start_s").expect("a column").parse::<f64>().map_or(after, |seconds| {
+                after.max((seconds * 1e6).round() as u64)
+            });
+            prop_assert_eq!(start, *time);
+            after = start + 1;
+            prop_assert_eq!(&csv, vcd);
         }
+        prop_assert!(times.last() >= Some(&after));
 
         let marks = marks(&program);
         let mut steps = json.iter();
