@@ -24,13 +24,33 @@ fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 }
 
 /// From now on an interruption (Ctrl-C, the end of the terminal's session) removes unfinished files, says so, and ends
-/// the run with status 130. When the signals are ignored on purpose (`nohup`), they stay ignored.
+/// the run with status 130. Signals that are ignored on purpose (`nohup`) stay ignored.
 pub fn clean_up_when_interrupted(lang: Lang) {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {
-        // Without the handler the worst is an unfinished file left behind, under a name of its own.
-        let _ = ctrlc::try_set_handler(move || end_interrupted(lang));
+        // Without a handler the worst is an unfinished file left behind, under a name of its own.
+        if ctrlc::try_set_handler(move || end_interrupted(lang)).is_err() {
+            #[cfg(unix)]
+            handle_others(lang);
+        }
     });
+}
+
+/// Handles those of the signals that are not ignored, where the system says which.
+#[cfg(unix)]
+fn handle_others(lang: Lang) {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let Some(ignored) = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()) else { return };
+    let others = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| ignored & (1 << (signal - 1)) == 0);
+    if let Ok(mut signals) = signal_hook::iterator::Signals::new(others) {
+        std::thread::spawn(move || {
+            if signals.forever().next().is_some() {
+                end_interrupted(lang);
+            }
+        });
+    }
 }
 
 #[expect(clippy::disallowed_methods, reason = "a signal ends the run from a thread that is not the main one")]

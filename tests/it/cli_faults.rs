@@ -415,3 +415,20 @@ fn ignored_signals_stay_ignored() {
     assert!(run.stderr.contains("E0410"), "{run:?}");
     assert_eq!(place.list(), ["a.nc", "bad.nc"]);
 }
+
+/// A signal that ends the run is heard though another one is ignored, as of jobs in the background.
+#[test]
+fn an_ignored_signal_does_not_hide_the_others() {
+    let place = Place::with(&[("a.nc", LONG.as_bytes()), ("out", b"old")]);
+    let ignoring = "trap '' INT; exec \"$0\" \"$@\"";
+    let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000000"];
+    let mut command = place.command_through(&["sh", "-c", ignoring], &line);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    wait_until("it writes", || place.list().len() == 3);
+    signal(&child, "INT");
+    signal(&child, "TERM");
+    let run = Run::of(child.wait_with_output().unwrap()).ends(130);
+    assert!(run.stderr.contains("no file is left half written"), "{run:?}");
+    assert_eq!(place.read("out"), b"old");
+    assert_eq!(place.list(), ["a.nc", "out"]);
+}
