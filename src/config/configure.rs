@@ -54,7 +54,8 @@ pub fn configure(
     if known {
         check_dialect(&values, file, dialect, files.findings);
         if !dialect.has_channel_config() {
-            constants::apply(&values.constants, file, &mut settings.machine.m_functions, files.findings);
+            let text = files.sources.get(file).map_or("", |source| source.text());
+            constants::apply(&values.constants, (file, text), &mut settings.machine.m_functions, files.findings);
         }
         settings.machine.motion = files.motion(&values, file, dialect, overrides);
         files.channel_config(&values, file, folder, overrides, &mut settings);
@@ -201,7 +202,7 @@ impl Files<'_> {
     /// The values of the project file; none when it cannot be read (E0701, at an empty text of its name).
     fn project(&mut self, path: &Path, fallback: Encoding) -> (Project, FileId) {
         let name = path.display().to_string();
-        match self.load(path, fallback) {
+        match self.load(path, fallback).and_then(in_utf_8) {
             Ok(source) => {
                 let file = self.sources.add(source);
                 let Some(source) = self.sources.get(file) else {
@@ -308,17 +309,22 @@ impl Files<'_> {
     }
 }
 
-/// What `--set` says, as a project file.
+/// What `--set` says, as a project file: a line each, so that places count the options.
 fn set_text(values: &[(String, String)]) -> String {
-    let (mut motion, mut constants) = (String::from("[motion]\n"), String::from("[machine-constants]\n"));
+    let mut text = String::new();
     for (key, value) in values {
         let is_value = value.parse::<toml_edit::Value>().is_ok();
         let value = if is_value { value.clone() } else { toml_edit::Value::from(value.as_str()).to_string() };
         let constant = key.strip_prefix('R').is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-        let table = if constant { &mut constants } else { &mut motion };
-        table.push_str(&format!("{key} = {value}\n"));
+        let table = if constant { "machine-constants" } else { "motion" };
+        text.push_str(&format!("{table}.{key} = {value}\n"));
     }
-    motion + &constants
+    text
+}
+
+/// TOML is UTF-8 and nothing else.
+fn in_utf_8(source: SourceText) -> Result<SourceText, ConfigProblem> {
+    if source.encoding() == Encoding::Utf8 { Ok(source) } else { Err(ConfigProblem::NotUtf8) }
 }
 
 /// Why the file of that name cannot be read.

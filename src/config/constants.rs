@@ -18,11 +18,12 @@ pub(super) fn group_of(constant: u16) -> Option<u8> {
 }
 
 /// Puts the functions that R56–R59 name into groups 10–13: two digits each, `00` is none, missing leading digits are
-/// zeros. E0706 at the value for more than eight digits, a sign or a point, a function of groups 1–9, or one named before, in the order of
+/// zeros; a number may stand as the control shows it, with a point before the last three. E0706 at the value for more than
+/// eight digits, a sign, in a text a point, a function of groups 1–9, or one named before, in the order of
 /// the text; nothing of such a constant is set. The other constants are passed over.
 pub(super) fn apply(
     constants: &[Setting<(u16, String)>],
-    file: FileId,
+    (file, text): (FileId, &str),
     functions: &mut MFunctions,
     findings: &mut Findings,
 ) {
@@ -32,7 +33,8 @@ pub(super) fn apply(
         let Some(group) = group_of(*number) else {
             continue;
         };
-        match functions_of(digits, functions, &named) {
+        let quoted = text.get(constant.at.start as usize..).is_some_and(|text| text.starts_with(['"', '\'']));
+        match functions_of(&as_digits(digits, quoted), functions, &named) {
             Ok(list) => {
                 for m in list {
                     named.push((m, constant.at));
@@ -58,6 +60,14 @@ pub(super) fn apply(
                 findings.add(diagnostic);
             }
         }
+    }
+}
+
+/// The digits of a constant: of a number as the control shows it, with three decimals, those before and behind the point.
+fn as_digits(written: &str, quoted: bool) -> String {
+    match written.split_once('.') {
+        Some((whole, thousandths)) if !quoted && thousandths.len() == 3 => format!("{whole}{thousandths}"),
+        Some(_) | None => written.to_owned(),
     }
 }
 

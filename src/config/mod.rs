@@ -29,6 +29,7 @@ mod sections;
 mod taken;
 mod takes;
 mod toml_problem;
+mod tried;
 mod xml;
 
 pub use client::client_overrides;
@@ -50,6 +51,7 @@ pub use schema::schema;
 #[cfg(test)]
 pub(crate) use sections::options;
 use takes::Takes;
+pub use tried::{TriedFault, tried_fault};
 
 #[cfg(test)]
 mod row_tests;

@@ -13,6 +13,7 @@ use crate::diag::Code;
 pub fn schema() -> Value {
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "$id": "urn:cnc872c.config:1",
         "title": "cnc872c.toml",
         "description": "Configuration of the compiler cnc872c: the machine that part programs are for.",
         "type": "object",

@@ -533,9 +533,31 @@ fn encodings_of_the_files() {
         assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason: ConfigProblem::Utf16 });
     }
 
+    // TOML is UTF-8: in another code page names would be other names.
     let loader = MemoryLoader::new().with("cnc872c.toml", b"# p\xfd\xa1ruba\nblock-skip = 5\n".to_vec());
     let run = Run::with(Some("cnc872c.toml"), &Overrides::default(), &loader);
-    assert_eq!(run.found(), [(Code::E0702, "5")]);
+    assert_eq!(run.found(), [(Code::E0701, "")]);
+    assert_eq!(run.findings[0].finding, Finding::UnreadableConfiguration { reason: ConfigProblem::NotUtf8 });
+}
+
+/// R56 as the control shows it is a number with three decimals; as a text it is its digits.
+#[test]
+fn constants_as_the_control_shows_them() {
+    for (value, expected) in [
+        ("'91929394'", None),
+        ("91929.394", None),
+        ("'91929.394'", Some(Code::E0706)),
+        ("91929.39", Some(Code::E0706)),
+        ("-91929.394", Some(Code::E0706)),
+    ] {
+        let run = Run::of(&format!("dialect = 'cnc8x9'\n[machine-constants]\nR56 = {value}\n"), &Overrides::default());
+        let codes: Vec<_> = run.findings.iter().map(Diagnostic::code).collect();
+        assert_eq!(codes, Vec::from_iter(expected), "{value}");
+        if expected.is_none() {
+            let group = |m| run.settings.machine.m_functions.group(m);
+            assert_eq!([91, 92, 93, 94].map(group), [10; 4], "{value}");
+        }
+    }
 }
 
 /// §13 Configuration: an error leaves the defaults; all faults of a file are told in one run.

@@ -404,6 +404,8 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
             "a number with a decimal point has up to five digits before it, one without up to eight digits",
             "číslo s desetinnou tečkou má před ní nejvýše pět číslic, číslo bez ní nejvýše osm",
         ),
+        // The limit can be set no higher.
+        Address::S if range.contains("99999") => ("speeds have at most five digits", "otáčky mají nejvýše pět číslic"),
         Address::S => (
             "for a machine that turns faster set `speed` under [limits] in cnc872c.toml",
             "má-li stroj vyšší otáčky, nastavit speed v [limits] v souboru cnc872c.toml",

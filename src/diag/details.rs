@@ -167,6 +167,7 @@ bilingual! {
         Link { name: String } "`{name}` is a link that leads to no file", "{name} je odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
         Utf16 "it is in UTF-16; it must be in UTF-8", "je v kódování UTF-16; musí být v UTF-8";
+        NotUtf8 "it is not in UTF-8", "není v kódování UTF-8";
         NotToml "this is not TOML", "toto není TOML";
         KeyTwice { key: String } "`{key}` is defined twice", "{key} je zde dvakrát";
         ListAsTable { key: String } "`[{key}]` beside `[[{key}]]`: each is written `[[{key}]]`", "[{key}] vedle [[{key}]]: každá tabulka se píše [[{key}]]";
@@ -297,13 +298,24 @@ bilingual! {
         Dialect { dialect: String } "{dialect} takes motion from `[motion]` and from no constant", "u {dialect} se pohyb počítá podle [motion], ne podle konstant";
         Circles "how R232 limits the velocity on circles is in no source; `centripetal-mm-s2` or R411 with 1 in decade 8 does it", "jak R232 omezuje rychlost na kruhu, prameny neuvádějí; slouží k tomu centripetal-mm-s2 nebo R411 s 1 v 8. dekádě";
         Superseded "R386 is superseded by R395, the time criterion", "R386 nahradila R395, kritérium času";
-        LengthCorrection "how decade 8 corrects the criterion for the length of blocks is in no source; the digits before it are used", "jak 8. dekáda koriguje kritérium na délku bloku, prameny neuvádějí; ostatní číslice platí";
+        LengthCorrection "how decade 8 corrects the criterion for the length of blocks is in no source; the other digits are used", "jak 8. dekáda koriguje kritérium na délku bloku, prameny neuvádějí; ostatní číslice platí";
         Percentage "how a percentage limits the velocity on circles is in no source; with 1 in decade 8 the digits are a centripetal acceleration", "jak procento omezuje rychlost na kruhu, prameny neuvádějí; s 1 v 8. dekádě jsou číslice odstředivým zrychlením";
         TooFast { accel: u32, meant: String } "{accel} mm/s² is no acceleration of a machine; {meant} is probably meant", "{accel} mm/s² není zrychlení stroje; míněno je asi {meant}";
     }
 }
 
 impl UnusedConstant {
+    /// What is not used of a constant.
+    pub(super) fn what(&self, constant: &str, lang: Lang) -> String {
+        let part = matches!(self, Self::LengthCorrection);
+        match lang {
+            Lang::En if part => format!("decade 8 of machine constant {constant}"),
+            Lang::En => format!("machine constant {constant}"),
+            Lang::Cs if part => format!("8. dekáda strojní konstanty {constant}"),
+            Lang::Cs => format!("strojní konstanta {constant}"),
+        }
+    }
+
     /// Why a constant is not used that holds nothing that is.
     pub const fn of(number: u16) -> Self {
         if number == 232 { Self::Circles } else { Self::Superseded }
@@ -327,6 +339,7 @@ bilingual! {
         Inputs "it comes from the machine: switches, buttons, encoders", "přichází ze stroje: ze spínačů, tlačítek, snímačů";
         Configuration "it comes from the configuration of the machine", "pochází z konfigurace stroje";
         Unsaid "the sources do not say how a part program gives it", "podklady neříkají, jak ji partprogram udává";
+        Bytes { names: &'static str } "it is the name of a kind of bytes, which have names of their own: {names}", "je to název druhu bajtů, které mají vlastní názvy: {names}";
         Bits { names: &'static str } "its bits have names of their own: {names}", "její bity mají vlastní názvy: {names}";
     }
 }

@@ -190,6 +190,15 @@ fn grouped(number: u64, separator: char) -> String {
     digits.chars().zip(ends).flat_map(apart).collect()
 }
 
+/// Blocks in Czech behind their number.
+const fn blocks_cs(count: u64) -> &'static str {
+    match count {
+        1 => "blok",
+        2..=4 => "bloky",
+        _ => "bloků",
+    }
+}
+
 /// `text` with the nearest thing in it, or nothing when there is none.
 fn nearest<T: std::fmt::Display>(candidate: Option<&T>, before: &str, after: &str) -> String {
     candidate.map(|found| format!("{before}{found}{after}")).unwrap_or_default()
@@ -473,8 +482,8 @@ diagnostics! {
         cs "otevřených volání je více než {limit}"
         help "call fewer units from within one another" | "volat méně celků jeden z druhého"
     [E0410] ExpansionLimit "expansion-limit" Error { limit: u64, repeats: String }
-        en ({ let limit = grouped(*limit, ','); format!("the program executes more than {limit} blocks") })
-        cs ({ let limit = grouped(*limit, ' '); format!("program provede více než {limit} bloků") })
+        en ({ let (count, noun) = (grouped(*limit, ','), if *limit == 1 { "block" } else { "blocks" }); format!("the program executes more than {count} {noun}") })
+        cs ({ let (count, noun) = (grouped(*limit, ' '), blocks_cs(*limit)); format!("program provede více než {count} {noun}") })
         help "if intended, raise `records` under [limits], or `--max-blocks`"
            | "je-li to záměr, zvýšit records v [limits], nebo --max-blocks"
         note (if repeats.is_empty() { String::new() } else { format!("what multiplies here: {repeats}") })
@@ -683,8 +692,8 @@ diagnostics! {
         en ({ let what = problem.text(Lang::En); format!("machine constant {constant} {what}") })
         cs ({ let what = problem.text(Lang::Cs); format!("strojní konstanta {constant} {what}") })
     [W0707] ConstantNotUsed "constant-not-used" Warning { constant: String, problem: UnusedConstant }
-        en "machine constant {constant} is not used for motion"
-        cs "strojní konstanta {constant} se pro výpočet pohybu nepoužije"
+        en ({ let what = problem.what(constant, Lang::En); format!("{what} is not used for motion") })
+        cs ({ let what = problem.what(constant, Lang::Cs); format!("{what} se pro výpočet pohybu nepoužije") })
         note (problem.text(Lang::En)) | (problem.text(Lang::Cs))
     [W0708] NoMFunctions "no-m-functions" Warning {}
         en "this ChannelConfig holds no `MFunctions`: it sets no M function"

@@ -6,6 +6,7 @@ use super::flow::{Flow, Next, check_late_words};
 use super::frames::Frame;
 use super::points::Run;
 use super::program::Program;
+use super::repeats::Repeats;
 use super::site::{Site, report};
 use super::state::{Origins, State};
 use super::{functions, m_functions, motion, parameters, reading, technology, warnings};
@@ -48,6 +49,8 @@ pub struct Interpreter {
     pub(super) executed: u64,
     /// A macrocycle that execution loaded has errors: nothing is called any more.
     broken: bool,
+    /// What has multiplied so far.
+    repeats: Repeats,
     stop: Option<Stop>,
 }
 
@@ -68,6 +71,7 @@ impl Interpreter {
             shown_files: Vec::new(),
             executed: 0,
             broken: false,
+            repeats: Repeats::default(),
         }
     }
 
@@ -196,10 +200,19 @@ impl Interpreter {
                 }
             }
             // A jump leaves the unit nowhere, and so the block's G70 has nothing to end.
-            Next::Jump(target) => frame.next = target,
+            Next::Jump(target) => {
+                frame.next = target;
+                // As its counter is armed.
+                let armed = frame.counters.get(&block).filter(|counter| counter.left + 1 == counter.of);
+                if let Some(counter) = armed.filter(|_| target <= block) {
+                    let n = program.resolved.file(frame.unit.file).map_or(0, |file| file.shown_number(block));
+                    self.repeats.note_jump(frame.unit.file, n, counter.of);
+                }
+            }
             Next::Call { unit, call, cycle } => {
                 frame.next = block.next();
                 frame.returns |= returns;
+                self.repeats.note_call(&call);
                 let Some(&called) = program.resolved.unit(unit) else { return Err(Stop::Halted) };
                 let mut frame = Frame::new(unit, called, Some(call));
                 if cycle {
@@ -272,25 +285,25 @@ impl Interpreter {
         report(&self.frames, Diagnostic::new(finding, at), findings);
     }
 
-    /// FLW-9: names the calls and jumps that multiply.
+    /// FLW-9: names the calls and jumps that multiply: those under way, then those that are over.
     fn report_limit(&self, program: &Program<'_>, findings: &mut Findings) {
-        let mut repeats = Vec::new();
+        let mut repeats = Repeats::default();
         for frame in &self.frames {
-            if let Some(call) = frame.call.filter(|call| call.of > 1) {
-                repeats.push(format!("N{} {} L{} ×{}", call.n, call.by.name(), call.l, call.of));
+            if let Some(call) = frame.call {
+                repeats.note_call(&call);
             }
             for (block, counter) in &frame.counters {
                 let target = program.resolved.target(frame.unit.file, *block);
-                // A jump forward repeats nothing, one back runs its stretch once more than it jumps (FLW-3).
+                // A jump forward repeats nothing.
                 if !matches!(target, Some(Target::Block(target)) if target > *block) {
                     let n = program.resolved.file(frame.unit.file).map_or(0, |file| file.shown_number(*block));
-                    repeats.push(format!("N{n} G73 ×{}", u64::from(counter.of) + 1));
+                    repeats.note_jump(frame.unit.file, n, counter.of);
                 }
             }
         }
-        repeats.truncate(12);
+        let repeats = repeats.with(&self.repeats);
         let limit = program.settings.machine.limits.records;
-        let finding = Finding::ExpansionLimit { limit, repeats: repeats.join(", ") };
+        let finding = Finding::ExpansionLimit { limit, repeats };
         let at = program.resolved.file(self.block.file).map(|file| file.n_place(self.block.id)).unwrap_or_default();
         report(&self.frames, Diagnostic::new(finding, at), findings);
     }

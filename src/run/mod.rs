@@ -23,6 +23,7 @@ mod planes;
 mod points;
 mod program;
 mod reading;
+mod repeats;
 mod sink;
 mod site;
 mod spindle;
