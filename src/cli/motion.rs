@@ -10,15 +10,16 @@ use super::compile::{Stream, cannot_write};
 use super::job::{Ends, Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
-use super::status::{Failure, Status};
+use super::status::{Failure, Status, tell};
 use super::threads;
 use super::walk::Target;
 use super::words::Words;
 use crate::analysis::motion::{
     Account, Basis, BlockTimes, CSV_HEAD, Estimate, Profile, Summary, machine, total, write_block, write_csv,
 };
-use crate::config::{Overrides, Purpose, Settings};
+use crate::config::{Overrides, Purpose, Settings, TriedFault, tried_fault};
 use crate::diag::{Findings, Format};
+use crate::dict::Dialect;
 use crate::run::{End, Executed, Program};
 use crate::session::{Outcome, Run, Session, TimedSink, Times};
 use crate::text::Loader;
@@ -40,6 +41,9 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     let job = Job::new(args.file.clone(), args.output.clone());
     let mut projects = job.configure(&args.common, &overrides)?;
     let report = projects.report();
+    if let Some(settings) = projects.settings(job.target()) {
+        check_tried(&overrides.motion, settings.machine.dialect)?;
+    }
     let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
         return Ok(unusable(report, &shown, locale));
     };
@@ -54,11 +58,19 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     };
     let run = OneRun { loader: &job.loader, count: &count, target: job.target(), settings };
     let made = match args.format {
-        MotionFormat::Human => run.account(before, args.all, locale, &mut stream),
+        MotionFormat::Human => run.account(before, args.all, locale, &mut stream).map(|made| (made, 0)),
         MotionFormat::Json | MotionFormat::Csv => run.rows(args, &mut stream),
     };
     drop(progress);
     let made = made.map_err(|error| cannot_write(error, job.output(), locale.lang))?;
+    let (made, jerk_free) = made;
+    // A table has no place for it.
+    if args.format == MotionFormat::Csv && !settings.machine.motion.configured {
+        tell(&Words::AssumedMachine, locale.lang);
+    }
+    if jerk_free > 0 {
+        tell(&Words::JerkFree { blocks: jerk_free }, locale.lang);
+    }
     let reason = Words::NoWholeTime { file: job.target().name() };
     let ends = Ends { whole: Status::Fine, broken: Status::Faulty, reason };
     job.finish(stream, made, report, ends, &shown, locale)
@@ -72,6 +84,20 @@ fn set(text: &str) -> Result<(String, String), Words> {
         }
         _ => Err(Words::SetForm { text: text.to_owned() }),
     }
+}
+
+/// Refuses a key that changes nothing.
+fn check_tried(tried: &[(String, String)], dialect: Dialect) -> Result<(), Words> {
+    let fault = |(key, value): &(String, String)| {
+        let text = format!("{key}={value}");
+        Some(match tried_fault(key, dialect)? {
+            TriedFault::Unknown { near: Some(near) } => Words::SetUnknownNear { text, key: key.clone(), near },
+            TriedFault::Unknown { near: None } => Words::SetUnknown { text, key: key.clone() },
+            TriedFault::Constant => Words::SetConstant { text, key: key.clone() },
+            TriedFault::Dialect => Words::SetDialect { text, dialect: dialect.name().to_owned() },
+        })
+    };
+    tried.iter().find_map(fault).map_or(Ok(()), Err)
 }
 
 /// A run over one program.
@@ -118,20 +144,20 @@ impl OneRun<'_> {
         Ok((outcome, Some(end)))
     }
 
-    /// A row or record for each block.
-    fn rows(&self, args: &MotionArgs, out: &mut (impl Write + Send)) -> io::Result<(Outcome, Option<End>)> {
+    /// A row or record for each block. Also how many blocks take longer than is known, since P is not.
+    fn rows(&self, args: &MotionArgs, out: &mut (impl Write + Send)) -> io::Result<((Outcome, Option<End>), u64)> {
         let name = self.target.name();
         let json = args.format == MotionFormat::Json;
         let profile: Profile = self.settings.machine.motion.profile.value;
         let head = if json { machine(&Basis::of(self.settings), &name) } else { CSV_HEAD.to_owned() };
-        let mut rows = Rows { out, text: String::new(), error: None };
+        let mut rows = Rows { out, text: String::new(), jerk_free: 0, error: None };
         let times = Times { phases: args.phases, time_dist: true };
         let sink = RowSink { rows: &mut rows, head, summary: Summary::new(profile, 0), json };
         let run = self.session(self.settings).run_timed(self.path(), &name, Purpose::Compile, times, sink);
         rows.flush();
         match rows.error {
             Some(error) => Err(error),
-            None => Ok((run.outcome, run.whole)),
+            None => Ok(((run.outcome, run.whole), rows.jerk_free)),
         }
     }
 }
@@ -140,6 +166,8 @@ impl OneRun<'_> {
 struct Rows<'o, W> {
     out: &'o mut W,
     text: String,
+    /// Blocks whose jerk nothing limits, since P is not known.
+    jerk_free: u64,
     error: Option<io::Error>,
 }
 
@@ -170,6 +198,7 @@ impl<W: Write> TimedSink for RowSink<'_, '_, W> {
 
     fn block(&mut self, _: &Executed<'_>, times: &BlockTimes, _: &mut Findings) -> ControlFlow<()> {
         let Self { rows, summary, json, .. } = self;
+        rows.jerk_free += u64::from(times.motion.as_ref().is_some_and(|motion| motion.jerk_free));
         if *json {
             summary.add(times);
             write_block(&mut rows.text, times);

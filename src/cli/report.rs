@@ -36,7 +36,12 @@ pub(super) fn run(args: &ReportArgs, locale: Locale) -> Result<Status, Failure> 
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let sinks = ((SheetReader::new(), Estimate::new(settings, 0)), ());
     // A parameter of the machine is no error here: the sheet lists it.
-    let Run { outcome, whole } = session.run(&job.target().path, &job.target().name(), Purpose::Report, sinks);
+    let (path, name) = (&job.target().path, job.target().name());
+    let Run { mut outcome, whole } = session.run(path, &name, Purpose::Report, sinks);
+    if whole.is_none() && !outcome.findings.has_errors() {
+        // What depends on the parameter keeps the program from its end: an error, as for the other commands.
+        outcome = session.run(path, &name, Purpose::Compile, ()).outcome;
+    }
     drop(progress);
     job.refuse_input()?;
     if let Some(((sheet, summary), _)) = &whole {

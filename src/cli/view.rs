@@ -21,7 +21,9 @@ use crate::view::{Part, Picture, Plane, Still, View, page};
 pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
     threads::prepare();
-    let job = Job::new(args.file.clone(), output(args)?).refusing(|file| Words::PictureIsProgram { file });
+    let output = output(args)?;
+    check_usage(args, Form::of(output.as_deref()), output.is_some())?;
+    let job = Job::new(args.file.clone(), output).refusing(|file| Words::PictureIsProgram { file });
     let output = job.output();
     let mut projects = job.configure(&args.common, &overrides)?;
     let mut report = projects.report();
@@ -53,11 +55,20 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
             Form::Png => view.png(still).ok_or(Words::PictureTooLarge)?,
         };
         write(&picture.bytes, output, locale)?;
+        // What programs read on stderr holds nothing but the findings.
+        let say = |words: &Words| {
+            if args.shown.format.is_for_people() {
+                tell(words, locale.lang);
+            }
+        };
         if picture.yellow_left_out > 0 {
-            tell(&Words::YellowLeftOut { count: picture.yellow_left_out }, locale.lang);
+            say(&Words::YellowLeftOut { count: picture.yellow_left_out });
+        }
+        if form != Form::Page && !settings.machine.motion.configured {
+            say(&Words::AssumedMachine);
         }
         if let Some(output) = output {
-            tell(&Words::PictureWritten { file: path_name(output) }, locale.lang);
+            say(&Words::PictureWritten { file: path_name(output) });
             if args.open {
                 open(output, locale)?;
             }
@@ -91,6 +102,20 @@ impl Form {
             Some("png") => Self::Png,
             Some(_) | None => Self::Page,
         }
+    }
+}
+
+/// Refuses options that say nothing about what is written.
+fn check_usage(args: &ViewArgs, form: Form, has_file: bool) -> Result<(), Words> {
+    let option = match (args.plane, args.size) {
+        (Some(_), _) => Some("--plane"),
+        (None, Some(_)) => Some("--size"),
+        (None, None) => None,
+    };
+    match option.filter(|_| form == Form::Page) {
+        Some(option) => Err(Words::OptionOfPictures { option: option.to_owned() }),
+        None if args.open && !has_file => Err(Words::NothingToOpen),
+        None => Ok(()),
     }
 }
 

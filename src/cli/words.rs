@@ -37,6 +37,15 @@ bilingual! {
         YellowLeftOut { count: usize }
             "{count} yellow dots are not drawn: they are too many for a picture, the page has them all",
             "nekreslených žlutých teček: {count}; na obrázek je jich příliš mnoho, stránka je má všechny";
+        OptionOfPictures { option: String }
+            "{option} goes with a still picture: -o part.svg or -o part.png",
+            "{option} patří k obrázku: -o dil.svg nebo -o dil.png";
+        NothingToOpen
+            "--open opens a file, and -o - writes none: name a file after -o",
+            "--open otevírá soubor a -o - žádný nezapíše: za -o uvést soubor";
+        AssumedMachine
+            "the machine of the estimate is assumed: nothing is configured in [motion]",
+            "stroj pro odhad je předpokládaný: v [motion] není nastaveno nic";
         CannotOpen { file: String, reason: String }
             "{file} is written, but cannot be opened: {reason}",
             "{file} je zapsán, ale nelze jej otevřít: {reason}";
@@ -128,6 +137,21 @@ bilingual! {
         SetForm { text: String }
             "--set {text}: write a key of [motion] or a machine constant and its value, as in accuracy-um=4",
             "--set {text}: patří sem klíč z [motion] nebo strojní konstanta s hodnotou, například accuracy-um=4";
+        SetUnknown { text: String, key: String }
+            "--set {text}: {key} is no key of [motion] and no machine constant",
+            "--set {text}: {key} není klíč z [motion] ani strojní konstanta";
+        SetUnknownNear { text: String, key: String, near: String }
+            "--set {text}: {key} is no key of [motion] and no machine constant; perhaps {near} is meant",
+            "--set {text}: {key} není klíč z [motion] ani strojní konstanta; možná mělo být {near}";
+        SetConstant { text: String, key: String }
+            "--set {text}: motion does not depend on {key}",
+            "--set {text}: pohyb na {key} nezávisí";
+        SetDialect { text: String, dialect: String }
+            "--set {text}: {dialect} takes motion from [motion] and from no constant",
+            "--set {text}: u {dialect} se pohyb počítá podle [motion], ne podle konstant";
+        JerkFree { blocks: u64 }
+            "P is not known where it counts: the jerk is not limited there, and the time is at least this; such blocks: {blocks}",
+            "P tam, kde platí, není známo: ryv tam není omezen a čas je nejméně takový; takových bloků: {blocks}";
         NoWholeTime { file: String }
             "the time of {file} is not known: execution stopped before M02 or M30",
             "čas programu {file} není znám: provádění skončilo před M02 nebo M30";
@@ -186,10 +210,14 @@ pub const fn error_prefix(lang: Lang) -> &'static str {
 
 /// Why writing or reading failed, in the user's language where there is a text for it.
 pub fn reason(error: &io::Error, lang: Lang) -> String {
-    const TEXTS: [(io::ErrorKind, Bilingual); 5] = [
+    const TEXTS: [(io::ErrorKind, Bilingual); 6] = [
         (io::ErrorKind::StorageFull, Bilingual { en: "the disk is full", cs: "disk je plný" }),
         (io::ErrorKind::QuotaExceeded, Bilingual { en: "the disk quota is used up", cs: "disková kvóta je vyčerpána" }),
         (io::ErrorKind::ReadOnlyFilesystem, Bilingual { en: "the disk is read-only", cs: "disk je jen pro čtení" }),
+        (
+            io::ErrorKind::InvalidFilename,
+            Bilingual { en: "no file can have this name", cs: "takový název soubor mít nemůže" },
+        ),
         (io::ErrorKind::FileTooLarge, Bilingual { en: "it is too large", cs: "soubor je příliš velký" }),
         (
             io::ErrorKind::NotADirectory,

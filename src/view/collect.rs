@@ -98,6 +98,7 @@ impl View {
         let of = |name: &str| self.program.get(name).and_then(Value::as_str).unwrap_or_default();
         Besides {
             title: [of("name"), of("title")].join(" ").trim_end().to_owned(),
+            assumed: self.assumed,
             dots: self.times.dots(&self.rows),
             equidistant: self.chains().collect(),
         }

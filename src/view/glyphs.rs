@@ -41,8 +41,10 @@ const fn strokes(character: char) -> &'static [&'static str] {
         'Y' => &["002340", "2326"],
         'Z' => &["00400646"],
         'a' => &["123243461605143444"],
+        'c' => &["4332120305163645"],
         'd' => &["4046", "44341405163645"],
         'e' => &["04444332120305163645"],
+        'h' => &["0006", "0312324346"],
         'i' => &["2226", "2021"],
         'l' => &["2026"],
         'm' => &["0602", "03122226", "23324246"],
@@ -51,6 +53,7 @@ const fn strokes(character: char) -> &'static [&'static str] {
         'r' => &["0602", "041232"],
         's' => &["423212030414343645361605"],
         't' => &["10152636", "0232"],
+        'u' => &["0205163645", "4246"],
         'w' => &["0216243642"],
         'y' => &["0226", "4206"],
         '.' => &["2526"],
@@ -96,7 +99,7 @@ mod tests {
             assert!(digits.len() >= 4 && digits.len().is_multiple_of(2), "{character}: {stroke}");
             assert!(digits.chunks(2).all(|at| at[0] <= 4 && at[1] <= 6), "{character}: {stroke}");
         }
-        for text in ["N0123456789…", "X Y Z mm", "-.", "yellow dots not drawn"] {
+        for text in ["N0123456789…", "X Y Z mm", "-.", "yellow dots not drawn", "assumed machine"] {
             assert!(text.chars().all(|letter| letter == ' ' || !strokes(letter).is_empty()), "{text}");
         }
     }

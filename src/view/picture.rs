@@ -58,6 +58,8 @@ pub(super) struct Chain {
 #[derive(Debug, Default)]
 pub(super) struct Besides {
     pub title: String,
+    /// The dots are those of an assumed machine.
+    pub assumed: bool,
     pub dots: Vec<JointDot>,
     pub equidistant: Vec<Chain>,
 }
@@ -122,6 +124,9 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
         let class = if chain.collides { Class::Collision } else { Class::Equidistant };
         let places = chain.points.iter().map(|point| projection.at(*point)).collect();
         display.over.push(Item::Lines(class, places));
+    }
+    if besides.assumed {
+        assumption(&mut display, &mut labels);
     }
     axes(&mut display, &projection, &mut labels);
     scale(&mut display, &projection, &mut labels);
@@ -316,6 +321,14 @@ fn back_inside([x, y]: Place, wide: f64, [to_x, to_y]: Place, [width, height]: [
         .max(needs(x + wide + 4.0 - width, -to_x))
         .max(needs(LETTER[0] + 4.0 - y, to_y))
         .max(needs(y + 6.0 - height, -to_y))
+}
+
+/// Says in the upper right corner, above all dots, what they rest on. The same bytes in every language.
+fn assumption(display: &mut Display, labels: &mut Labels) {
+    let text = "assumed machine".to_owned();
+    let [left, y] = [f64::from(display.width) - 20.0 - text_width(&text), 14.0];
+    labels.block([left - 4.0, 0.0, f64::from(display.width), y + 4.0]);
+    display.over.push(Item::Text { at: [left, y], class: Class::Faint, text });
 }
 
 fn axes(display: &mut Display, projection: &Projection, labels: &mut Labels) {

@@ -176,7 +176,7 @@ impl Listener for Times {
     fn block(&mut self, block: &BlockTimes) {
         let of_set = self.waiting.pop_front().unwrap_or_default();
         self.end_s = block.start_s + block.duration_s;
-        self.unknown |= block.unknown;
+        self.unknown |= block.unknown || block.motion.as_ref().is_some_and(|motion| motion.jerk_free);
         if block.seq < self.from {
             return;
         }

@@ -32,6 +32,11 @@ fn json() {
     assert_eq!((&first["speeds"], &first["d"]), (&json!([1000, 1500]), &json!([1])));
     assert_eq!(first["extents"]["X"], json!([-5, 50]));
     assert_eq!((&second["t"], &second["changes"]), (&json!(5), &json!(1)));
+    // M06 is counted, not the tool that was in the spindle before.
+    place.put("twice.nc", "%1\nN1 G0 G90 X0\nN2 T3 M6\nN3 M6\nN4 G1 X5 F100\nN5 M30\n");
+    let twice: Value =
+        serde_json::from_str(&place.run(&["report", "twice.nc", "--format", "json"]).ends(0).stdout).unwrap();
+    assert_eq!((&twice["tools"][0]["changes"], &twice["tools"][1]["changes"]), (&json!(0), &json!(2)));
     assert_eq!(sheet["m_functions"][0], json!({ "no": 3, "count": 1, "n": 20 }));
     assert!(sheet["m_functions"].as_array().unwrap().contains(&json!({ "no": 8, "count": 3, "n": 220 })));
     assert_eq!(sheet["parameters"], json!([{ "r": 11, "value": 7.5, "n": 100 }]));
@@ -68,6 +73,10 @@ fn faults() {
     place.run(&["report", "a.nc", "-o", "a.nc"]).ends(2).says("another file belongs after -o");
     place.run(&["report", "a.nc", "-o", "sheet.html", "--format", "html"]).ends(0);
     assert!(place.read("sheet.html").starts_with(b"<!DOCTYPE html>"));
+    // A call by a parameter that nobody knows: no end, and so no sheet.
+    place.put("call.nc", "%1\nN1 G0 X0\nN2 G71 LR10\nN3 M30\nN4 G79 L5\nN5 G70\n");
+    let run = place.run(&["report", "call.nc"]).ends(1);
+    assert!(run.stderr.starts_with("error[W0503]") && !run.stderr.contains("no set-up sheet"), "{run:?}");
 }
 
 /// A macrocycle has no sheet of its own, as it has no stream.

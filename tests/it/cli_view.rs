@@ -157,8 +157,37 @@ fn a_still_picture_has_the_dots_of_the_motion_stream() {
         assert_eq!(svg, again);
         assert_ne!(svg, of(other), "{plane}, {other}");
     }
+    place.run(&["view", "joints.nc", "--plane", "XZ"]).ends(2).says("--plane goes with a still picture");
+    place.run(&["view", "joints.nc", "--size", "800x600"]).ends(2).says("--size goes with a still picture");
+    place.run(&["view", "joints.nc", "--open", "-o", "-"]).ends(2).says("-o - writes none");
     place.run(&["view", "joints.nc", "-o", "p.svg", "--size", "640"]).ends(2).says("1600x1000");
     place.run(&["view", "joints.nc", "-o", "p.svg", "--plane", "YX"]).ends(2);
+}
+
+/// motion.md: every output says that the machine is assumed; a picture, and words beside it.
+#[test]
+fn a_still_picture_says_what_its_dots_rest_on() {
+    let place = Place::with(&[("joints.nc", JOINTS.as_bytes())]);
+    let said = "the machine of the estimate is assumed";
+    place.run(&["view", "joints.nc", "-o", "a.svg"]).ends(0).says(said);
+    place.run(&["view", "joints.nc", "-o", "a.png"]).ends(0).says(said);
+    assert!(String::from_utf8(place.read("a.svg")).unwrap().contains(">assumed machine</text>"));
+    let page = place.run(&["view", "joints.nc"]).ends(0);
+    assert!(!page.stderr.contains(said), "the page says it itself: {page:?}");
+    place.put("cnc872c.toml", "[motion]\naccel-mm-s2 = 400\n");
+    let run = place.run(&["view", "joints.nc", "-o", "a.svg"]).ends(0);
+    assert!(!run.stderr.contains(said), "{run:?}");
+    assert!(!String::from_utf8(place.read("a.svg")).unwrap().contains("assumed"));
+}
+
+/// What other programs read on stderr is one object, and nothing else.
+#[test]
+fn findings_as_json_stand_alone() {
+    let place = Place::with(&[("bad.nc", BAD.as_bytes()), ("joints.nc", JOINTS.as_bytes())]);
+    for line in [&["view", "bad.nc"][..], &["view", "joints.nc", "-o", "a.svg"]] {
+        let run = place.run(&[line, &["--format", "json"]].concat());
+        serde_json::from_str::<Value>(&run.stderr).unwrap();
+    }
 }
 
 #[test]

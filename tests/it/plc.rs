@@ -430,6 +430,18 @@ fn directions_under_conversions() {
     assert_eq!(table(&program, "SM_POXPI"), cells);
 }
 
+/// PLC-5: no direction beside a function that moves the machine, before the block's motion or after it.
+#[test]
+fn directions_beside_change_pos() {
+    for attributes in ["", "BreakContEnd=\"1\"", "BreakCont=\"1\""] {
+        let functions = format!("<C><MFunctions><MFunc No=\"88\" ChangePos=\"1\" {attributes}/></MFunctions></C>");
+        let program = case("%1\nN10 G0 X3\nN20 X2 M88\nN30 X5\nN40 X4\nN50 M30")
+            .with("c.xml", &functions)
+            .config("channel-config = \"c.xml\"\n");
+        assert_eq!(table(&program, "SM_POXPI")[1], "-", "{attributes}");
+    }
+}
+
 /// PLC-16, S1 8.4: the program stands at M00: an own step, after which groups 2, 5 and 6 are marked.
 #[test]
 fn a_stop() {

@@ -278,3 +278,24 @@ fn dynamic_sets() {
     assert!(["ParabAccel", "LinearAccel", "G23ACT", "TIME_DIST"].iter().all(|name| !head.contains(name)));
     assert!(columns(&text).iter().all(|step| step["start_s"].is_empty()));
 }
+
+/// W0901 as an error: every place, and no end of what is written.
+#[test]
+fn denied_bytes() {
+    let place = Place::with(&[("a.nc", b"%1\nN1 G0 X0 H100\nN2 H-1\nN3 G73 L1 Q3\nN9 M30\n")]);
+    for format in ["table", "json"] {
+        let run = place.run(&["plc", "a.nc", "--signals", "PB05", "-D", "W0901", "--format", format]).ends(1);
+        assert_eq!(run.stderr.matches("error[W0901]").count(), 2, "{run:?}");
+        assert!(!run.stdout.contains("\"end\""), "{run:?}");
+    }
+}
+
+/// BZH is a kind of bytes: its name gets the answer that its members get.
+#[test]
+fn names_of_kinds() {
+    let place = place();
+    let run = place.run(&["explain", "BZH"]).ends(0);
+    assert!(run.stdout.contains("BZH10"), "{run:?}");
+    place.run(&["plc", "a.nc", "--signals", "BZH"]).ends(2).says("BZH08PI");
+    place.run(&["plc", "a.nc", "--find", "BZH"]).ends(2).says("BZH08PI");
+}

@@ -66,6 +66,9 @@ impl Account<'_> {
         let Self { summary, basis, .. } = self;
         let total = self.total().text(lang);
         lines.add(&format!("{}: {total}", terminal_safe(self.name)));
+        if summary.jerk_free_blocks > 0 {
+            lines.add(&Words::JerkFree { blocks: summary.jerk_free_blocks }.text(lang));
+        }
         self.add_basis(basis, &mut lines);
         self.add_changes(&mut lines);
         self.add_times(summary, &mut lines);
@@ -78,7 +81,11 @@ impl Account<'_> {
         let summary = self.summary;
         let time = clock(summary.time_s);
         match summary.unknown_blocks {
+            0 if summary.jerk_free_blocks > 0 => Words::AtLeastSo { time },
             0 => Words::Whole { time },
+            blocks if blocks == summary.approach_blocks && summary.jerk_free_blocks > 0 => {
+                Words::AtLeastWithoutApproach { time }
+            }
             blocks if blocks == summary.approach_blocks => Words::WithoutApproach { time },
             blocks => Words::AtLeast { time, blocks },
         }
@@ -97,8 +104,9 @@ impl Account<'_> {
             });
             values.collect::<Vec<_>>().join(", ")
         };
-        if basis.assumed {
-            lines.add(&format!("{}:", Words::Assumed.text(lang)));
+        if basis.values.iter().all(|value| value.assumed) {
+            let words = if basis.assumed { Words::Assumed } else { Words::AllAssumed };
+            lines.add(&format!("{}:", words.text(lang)));
             lines.add(&format!("  {}", list(&|_| true)));
             return;
         }

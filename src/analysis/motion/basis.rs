@@ -22,6 +22,7 @@ impl std::fmt::Display for BasisValue {
             Self::Number(number) => number.fmt(f),
             Self::Name(name) => f.write_str(name),
             Self::Parameter(number) => write!(f, "R{number}"),
+            Self::Axes(axes) if axes.is_empty() => f.write_str("{}"),
             Self::Axes(axes) => {
                 let axes: Vec<String> = axes.iter().map(|(letter, value)| format!("{letter} {value}")).collect();
                 f.write_str(&axes.join(", "))

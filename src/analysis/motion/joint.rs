@@ -86,8 +86,18 @@ pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, la
             Recognition::Automatic => still(earlier) || still(later),
             Recognition::Manual => earlier.unit != later.unit,
         };
-        apart.then_some(Break::Axes)
+        if apart {
+            Some(Break::Axes)
+        } else {
+            // In G98 also the earlier one ends with a ramp (CNT-1); in G24 it may go on (CNT-3).
+            (earlier.mode == Mode::Basic).then_some(Break::Mode)
+        }
     }
+}
+
+/// Whether nothing but the G98 of the block before breaks it so far: reasons that are looked for later come first.
+pub(super) fn is_after_basic(piece: &Piece) -> bool {
+    piece.broken == Some(Break::Mode) && piece.mode == Mode::Continuous
 }
 
 /// The reasons `short_length` … `angle` between two pieces that nothing before them breaks; `allowed` is the tangent of

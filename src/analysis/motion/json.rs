@@ -169,6 +169,7 @@ fn put(record: &mut Object<'_>, value: &InForce) {
         }
         BasisValue::Name(name) => record.text(&key, name),
         BasisValue::Parameter(number) => record.text(&key, &format!("R{number}")),
+        BasisValue::Axes(axes) if axes.is_empty() => {}
         BasisValue::Axes(axes) => {
             let mut table = record.object("rapid_axes_mm_min");
             for (letter, number) in axes {
@@ -226,6 +227,7 @@ fn put_motion(record: &mut Object<'_>, motion: &MotionTimes) {
         is_piece,
         joint,
         accel: _,
+        jerk_free: _,
         stretch,
         phases,
     } = motion;
@@ -289,7 +291,7 @@ pub fn total(summary: &Summary) -> String {
     record.number("time_s", summary.time_s);
     record.number("ideal_s", summary.ideal_s);
     record.present("no_jerk_s", summary.no_jerk_s);
-    record.flag("lower_bound", summary.unknown_blocks > 0);
+    record.flag("lower_bound", summary.is_lower_bound());
     record.whole("unknown_blocks", summary.unknown_blocks);
     record.numbers("time_by_type", summary.types().map(|(kind, seconds)| (kind.name(), seconds)));
     record.number("dwell_s", summary.dwell_s);

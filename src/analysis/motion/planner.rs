@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use super::curve;
 use super::envelope::{self, Envelope, Linked, trapezoid};
-use super::joint::{BlockCaps, JointCaps, Piece, angle_deg, early_break, half_tan, late_break};
+use super::joint::{BlockCaps, JointCaps, Piece, angle_deg, early_break, half_tan, is_after_basic, late_break};
 use super::merge::{Merged, Merger};
 use super::model::Model;
 use super::parabola::{Curved, Parabola};
@@ -231,6 +231,7 @@ impl Planner {
                 cap: None,
                 velocities: None,
                 accel: 0.0,
+                jerk_free: false,
                 merged: true,
                 is_piece: false,
                 joint: None,
@@ -246,8 +247,8 @@ impl Planner {
         if let Some(earlier) = earlier {
             piece.with = Some((earlier.seq, earlier.n, earlier.kind));
             piece.half_tan = half_tan(earlier.to, piece.from);
-            if piece.broken.is_none() {
-                piece.broken = late_break(&self.model, self.allowed, earlier, &piece);
+            if piece.broken.is_none() || is_after_basic(&piece) {
+                piece.broken = late_break(&self.model, self.allowed, earlier, &piece).or(piece.broken);
             }
         }
         if piece.broken.is_some() {
@@ -393,6 +394,7 @@ impl Planner {
                 cap: None,
                 velocities: None,
                 accel: 0.0,
+                jerk_free: false,
                 merged: false,
                 is_piece: piece.is_piece,
                 joint: Some(joint),
@@ -423,6 +425,7 @@ impl Planner {
             (None, false) if rapid => piece.dynamics.accel,
             (None, false) => self.model.accel,
         };
+        let jerk_free = piece.dynamics.jerk_free && (stretch.is_some() || self.goes_by_set(piece.kind));
         let joint = self.joint(&piece, joint_caps.as_ref(), velocities.start, seen, ends);
         let settle_s = if ends { self.settle_time(piece.end_mode) } else { 0.0 };
         if let Some(waiting) = self.waiting_at(piece.slot) {
@@ -437,6 +440,7 @@ impl Planner {
                 cap: Some((caps.least(), caps.by)),
                 velocities: Some(velocities),
                 accel,
+                jerk_free,
                 merged: false,
                 is_piece: piece.is_piece,
                 joint: Some(joint),

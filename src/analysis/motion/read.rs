@@ -256,11 +256,13 @@ impl StepReader {
             let value = |key| float(motion.dynamic(place, key, |number| block.parameter(number)));
             let accel = value(SetKey::Linear);
             let parabolic = value(SetKey::Parabolic);
-            // Without P nothing limits the jerk: so much of it is as good as none.
-            let jerk = if parabolic > 0.0 { parabolic / P_OF_JERK } else { accel * 1e6 };
+            // Without P nothing limits the jerk: so much of it is as good as no limit.
+            let jerk_free = parabolic <= 0.0;
+            let jerk = if jerk_free { accel * 1e6 } else { parabolic / P_OF_JERK };
             Dynamics {
                 accel,
                 jerk,
+                jerk_free,
                 accuracy_um: value(SetKey::Accuracy),
                 overload: value(SetKey::Overload),
                 centripetal: value(SetKey::Centripetal),
@@ -270,6 +272,7 @@ impl StepReader {
             Dynamics {
                 accel: value(MotionKey::AccelContinuous),
                 jerk: 0.0,
+                jerk_free: false,
                 accuracy_um: value(MotionKey::Accuracy),
                 overload: value(MotionKey::Overload),
                 centripetal: value(MotionKey::Centripetal),

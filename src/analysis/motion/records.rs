@@ -6,6 +6,8 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde_json::Value;
 
+use super::times::{Break, CapBy, Limit};
+use super::{Profile, Recognition};
 use crate::analysis::record_schema;
 
 /// Name and version of the form.
@@ -40,10 +42,10 @@ struct MachineRecord {
     #[schemars(default)]
     assumed: bool,
     /// Course of the velocity.
-    #[schemars(extend("enum" = ["ramps", "linear", "parabolic"]))]
+    #[schemars(extend("enum" = Profile::ALL.map(Profile::name)))]
     profile: String,
     /// How joints are recognised.
-    #[schemars(extend("enum" = ["manual", "automatic"]))]
+    #[schemars(extend("enum" = Recognition::ALL.map(Recognition::name)))]
     recognition: String,
     /// Interpolation cycle Ts.
     cycle_ms: Option<f64>,
@@ -138,7 +140,7 @@ struct BlockRecord {
     /// Greatest velocity in the block.
     cap: Option<f64>,
     /// What gives it.
-    #[schemars(extend("enum" = ["feed", "rapid", "centripetal", "shortest_block"]))]
+    #[schemars(extend("enum" = CapBy::ALL.map(CapBy::name)))]
     cap_by: Option<String>,
     /// Velocity at its start.
     start: Option<f64>,
@@ -170,59 +172,26 @@ struct JointRecord {
     /// It is passed continuously.
     continuous: Option<bool>,
     /// What breaks it.
-    broken_by: Option<BrokenBy>,
+    #[schemars(extend("enum" = breaks()))]
+    broken_by: Option<String>,
     /// Velocity at the joint.
     feed: f64,
     /// What gives this velocity.
-    limited_by: LimitedBy,
+    #[schemars(extend("enum" = limits()))]
+    limited_by: String,
     /// The dot that the control shows.
     #[schemars(extend("enum" = ["yellow", "red"]))]
     dot: Option<String>,
 }
 
-#[derive(JsonSchema)]
-#[schemars(rename_all = "snake_case")]
-#[expect(dead_code, reason = "as above")]
-enum BrokenBy {
-    Start,
-    Mode,
-    Rapid,
-    NoMotion,
-    OtherMotion,
-    Dwell,
-    Stop,
-    MFunction,
-    Unknown,
-    Axes,
-    ShortLength,
-    ShortTime,
-    Angle,
+/// What breaks joints, as in records.
+fn breaks() -> Vec<&'static str> {
+    Break::ALL.map(Break::name).to_vec()
 }
 
-#[derive(JsonSchema)]
-#[schemars(rename_all = "snake_case")]
-#[expect(dead_code, reason = "as above")]
-enum LimitedBy {
-    Feed,
-    Centripetal,
-    ShortestBlock,
-    Accuracy,
-    Overload,
-    LookAhead,
-    Ramp,
-    Start,
-    Mode,
-    Rapid,
-    NoMotion,
-    OtherMotion,
-    Dwell,
-    Stop,
-    MFunction,
-    Unknown,
-    Axes,
-    ShortLength,
-    ShortTime,
-    Angle,
+/// What gives the velocity at joints, as in records: for a broken one what breaks it.
+fn limits() -> Vec<&'static str> {
+    Limit::ALL.into_iter().map(Limit::name).chain(breaks()).collect()
 }
 
 /// The last record: the program ended without errors.
@@ -236,7 +205,7 @@ struct TotalRecord {
     ideal_s: f64,
     /// The same limits with infinite jerk, no time criterion; parabolic only.
     no_jerk_s: Option<f64>,
-    /// Some blocks have no known time: the time is at least this.
+    /// Some blocks have no known time, or no known limit of jerk: the time is at least this.
     lower_bound: Option<bool>,
     /// Blocks without known time.
     unknown_blocks: Option<u64>,

@@ -47,6 +47,8 @@ pub struct Dynamics {
     pub accel: f64,
     /// Greatest jerk, mm/s³: P/32.768; parabolic only.
     pub jerk: f64,
+    /// P is not known: nothing limits the jerk.
+    pub jerk_free: bool,
     /// Criterion of accuracy, µm.
     pub accuracy_um: f64,
     /// Dynamic criterion, mm/s².

@@ -46,6 +46,8 @@ pub struct Summary {
     pub unknown_blocks: u64,
     /// Those of them that lead to the first known position.
     pub approach_blocks: u64,
+    /// Blocks whose jerk nothing limits, since P is not known: they take at least their times.
+    pub jerk_free_blocks: u64,
     /// Motion, by place in [`MotionType::ALL`].
     pub by_type: [f64; MotionType::ALL.len()],
     /// Dwell.
@@ -88,6 +90,7 @@ impl Summary {
             no_jerk_s: (profile == Profile::Parabolic).then_some(0.0),
             unknown_blocks: 0,
             approach_blocks: 0,
+            jerk_free_blocks: 0,
             by_type: [0.0; MotionType::ALL.len()],
             dwell_s: 0.0,
             function_s: 0.0,
@@ -105,6 +108,11 @@ impl Summary {
             red_at: BTreeMap::new(),
             most_red,
         }
+    }
+
+    /// Whether the program takes at least its time: some blocks take longer than is known.
+    pub const fn is_lower_bound(&self) -> bool {
+        self.unknown_blocks + self.jerk_free_blocks > 0
     }
 
     /// Motion times by type, without those that did not occur.
@@ -143,6 +151,7 @@ impl Summary {
         self.approach_blocks += u64::from(block.unknown && block.approach);
         *self.by_tool.entry(block.tool).or_insert(0.0) += block.duration_s;
         let Some(motion) = &block.motion else { return };
+        self.jerk_free_blocks += u64::from(motion.jerk_free);
         if let Some(seconds) = motion.motion_s {
             if let Some(sum) = self.by_type.get_mut(motion.kind as usize) {
                 *sum += seconds;

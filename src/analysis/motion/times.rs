@@ -10,7 +10,7 @@ use crate::text::Location;
 pub enum Break {
     /// The first motion of the program.
     Start,
-    /// The later block is not in G23.
+    /// The later block is not in G23; where nothing else breaks the joint, also the earlier one in G98.
     Mode,
     /// One of the two is G00.
     Rapid,
@@ -252,6 +252,8 @@ pub struct MotionTimes {
     pub joint: Option<Joint>,
     /// Acceleration that it goes by, mm/s²; 0 where its time is not known.
     pub accel: f64,
+    /// Nothing limits its jerk, though the profile does (VEL-11): P is not known. It takes at least its time.
+    pub jerk_free: bool,
     /// Where in its stretch it is; none outside of stretches.
     pub stretch: Option<InStretch>,
     /// Its phases, when asked for.

@@ -19,7 +19,11 @@ bilingual! {
         Whole { time: String } "{time}", "{time}";
         AtLeast { time: String, blocks: u64 } "at least {time}; blocks of unknown time: {blocks}", "nejméně {time}; bloků s neznámým časem: {blocks}";
         WithoutApproach { time: String } "{time} without the approach", "{time} bez příjezdu";
+        AtLeastSo { time: String } "at least {time}", "nejméně {time}";
+        AtLeastWithoutApproach { time: String } "at least {time}, without the approach", "nejméně {time}, bez příjezdu";
+        JerkFree { blocks: u64 } "P is not known where it counts: the jerk is not limited there; such blocks: {blocks}", "P tam, kde platí, není známo: ryv tam není omezen; takových bloků: {blocks}";
         Assumed "The machine is assumed, nothing is configured in [motion]. The estimate rests on", "Stroj je předpokládaný, v [motion] není nastaveno nic. Odhad vychází z hodnot";
+        AllAssumed "[motion] gives no value, all are assumed. The estimate rests on", "[motion] žádnou hodnotu neudává, všechny jsou předpokládané. Odhad vychází z hodnot";
         Configured { values: String } "Configured: {values}", "Nastaveno: {values}";
         AlsoAssumed { values: String } "Assumed: {values}", "Předpokládá se: {values}";
         Changed "Changed against the configured machine", "Změny proti nastavenému stroji";
@@ -125,6 +129,7 @@ impl LimitName {
 bilingual! {
     /// What would make a joint faster.
     Help {
+        Mode "write G23 into the block before it already", "zapsat G23 už do předchozího bloku";
         NoMotion "where the order allows it, write what the blocks between them hold in a block that moves", "kde to pořadí dovolí, zapsat obsah bloků mezi nimi do bloku s pohybem";
         Dwell "without G04 the motion goes on", "bez G04 pohyb pokračuje";
         MFunction "write the M function where the machine stops anyway", "M funkci zapsat tam, kde se stroj stejně zastaví";
@@ -145,6 +150,8 @@ impl Help {
     /// For a broken joint with a dot; none where nothing but another program helps.
     pub const fn of_break(reason: Break) -> Option<Self> {
         match reason {
+            // A dot says that the later block is in G23: the earlier one is in G98.
+            Break::Mode => Some(Self::Mode),
             Break::NoMotion => Some(Self::NoMotion),
             Break::Dwell => Some(Self::Dwell),
             Break::MFunction => Some(Self::MFunction),
@@ -152,7 +159,7 @@ impl Help {
             Break::ShortLength => Some(Self::ShortLength),
             Break::ShortTime => Some(Self::ShortTime),
             Break::Angle => Some(Self::Angle),
-            Break::Start | Break::Mode | Break::Rapid | Break::OtherMotion | Break::Stop | Break::Axes => None,
+            Break::Start | Break::Rapid | Break::OtherMotion | Break::Stop | Break::Axes => None,
         }
     }
 

@@ -167,15 +167,15 @@ impl Blocks {
     }
 }
 
-/// Whether the servo moves as the programmed coordinates do: after a change of origin the way is another one (MOT-8), and
-/// under mirror, scale and rotation so is the direction (S0 8.1.8).
+/// Whether the servo moves as the programmed coordinates do: after a change of origin (MOT-8) and beside a function that moves
+/// the machine (ChangePos) the way is another one, and under mirror, scale and rotation so is the direction (S0 8.1.8).
 fn keeps_directions(block: &Executed<'_>, motion: &Motion<'_>) -> bool {
-    !motion.is_stale() && matches!(block.g(GGroup::G11), None | Some(GCode::G34 | GCode::G37))
+    !motion.is_stale() && !block.change_pos() && matches!(block.g(GGroup::G11), None | Some(GCode::G34 | GCode::G37))
 }
 
 /// PLC-5: whether an axis that moves does so in the negative direction; `None` when it does neither.
 fn direction(block: &Executed<'_>, motion: &Motion<'_>, axis: AxisLetter) -> Option<bool> {
-    if motion.kind() == MotionType::Reference || (block.change_pos() && motion.start(axis).is_none()) {
+    if motion.kind() == MotionType::Reference {
         return None;
     }
     let distance = motion.distance(axis).filter(|distance| *distance != Micro::ZERO)?;

@@ -506,6 +506,7 @@ mod tests {
     fn errors_have_their_places_and_fixes() {
         for (text, expected) in [
             ("M03PI && !M08PI", vec!["E0903 `&&` at 6: &"]),
+            ("PB06 === 19h | PB06 !== 19h", vec!["E0903 `===` at 5: ==", "E0903 `!==` at 20: !="]),
             ("M03PI || PB06 = 19h", vec!["E0903 `||` at 6: |", "E0903 `=` at 14: =="]),
             ("BLK.M[11] == 95", vec!["E0904 `95` at 13: 95h"]),
             ("BLK.T > 9.5", vec!["E0904 `9.5` at 8: -"]),

@@ -26,8 +26,8 @@ pub enum Comparison {
 impl Comparison {
     const fn of(kind: Kind) -> Option<Self> {
         Some(match kind {
-            Kind::Equal | Kind::SingleEqual => Self::Equal,
-            Kind::NotEqual | Kind::LessGreater => Self::NotEqual,
+            Kind::Equal | Kind::SingleEqual | Kind::TripleEqual => Self::Equal,
+            Kind::NotEqual | Kind::LessGreater | Kind::NotTripleEqual => Self::NotEqual,
             Kind::Less => Self::Less,
             Kind::AtMost | Kind::EqualLess => Self::AtMost,
             Kind::Greater => Self::Greater,

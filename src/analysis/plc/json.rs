@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use schemars::JsonSchema;
-use schemars::generate::SchemaSettings;
 
 use super::dictionary::{Form, Signal};
 use super::reader::{Header, Writer};
 use super::steps::Step;
 use super::values::{Value, push_digits, write_real};
+use crate::analysis::record_schema;
 use crate::run::End;
 use crate::text::is_unsafe;
 
@@ -37,12 +37,14 @@ enum Record {
 #[expect(dead_code, reason = "as above")]
 struct PlcRecord {
     /// `cnc872c.plc/1`.
+    #[schemars(extend("const" = SCHEMA))]
     schema: String,
     /// Name and version of the compiler.
     generator: String,
     /// The program, as the user named it; its index is 0.
     name: String,
-    /// `cnc8x6`, `cnc8x9`, `cnc872`.
+    /// The control.
+    #[schemars(extend("enum" = ["cnc8x6", "cnc8x9", "cnc872"]))]
     dialect: String,
     /// The chosen signals, in the order of the dictionary.
     signals: Vec<String>,
@@ -86,7 +88,8 @@ struct StepRecord {
 #[schemars(deny_unknown_fields)]
 #[expect(dead_code, reason = "as above")]
 struct EndRecord {
-    /// `M02` or `M30`.
+    /// The function that ends the program.
+    #[schemars(extend("enum" = ["M02", "M30"]))]
     reason: String,
     /// Executed blocks of the program, all of them.
     blocks: u64,
@@ -94,8 +97,7 @@ struct EndRecord {
 
 /// The schema of a line, JSON Schema 2020-12.
 pub fn schema() -> serde_json::Value {
-    let generator = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true).into_generator();
-    generator.into_root_schema_for::<Record>().to_value()
+    record_schema::<Record>(SCHEMA, &["Plc", "File", "Step", "End"])
 }
 
 /// JSON Lines.

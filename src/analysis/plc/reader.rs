@@ -8,8 +8,8 @@ use super::dictionary::Signal;
 use super::facts::StepTimes;
 use super::fits::Fits;
 use super::steps::{Place, Step, Tracker};
-use crate::config::{Machine, Settings};
-use crate::diag::Findings;
+use crate::config::{Machine, Purpose, Settings};
+use crate::diag::{Code, Findings, Severity};
 use crate::run::{End, Executed, Program, Sink};
 use crate::text::LineColumn;
 
@@ -80,6 +80,9 @@ pub struct Reader<'w> {
     tracker: Tracker,
     blocks: Blocks,
     fits: Option<Fits>,
+    /// W0901 where it is an error: an error ends the showing of blocks, and each place is to be found, so that it comes at
+    /// the end.
+    held: Option<Findings>,
     range: Range,
     next_file: u32,
     /// The writer wants lines and columns.
@@ -101,6 +104,7 @@ impl<'w> Reader<'w> {
     ) -> Self {
         Self {
             fits: Some(Fits::of(&signals)),
+            held: None,
             blocks: Blocks::new(machine, &signals),
             tracker: Tracker::new(signals),
             range,
@@ -156,7 +160,7 @@ impl<'w> Reader<'w> {
         }
         let stop = self.blocks.read(block, times, self.tracker.room());
         if let Some(fits) = &self.fits {
-            fits.check(block, findings);
+            fits.check(block, self.held.as_mut().unwrap_or(findings));
         }
         self.step(place, machine)?;
         match stop {
@@ -188,14 +192,18 @@ impl Sink for Reader<'_> {
         let begun = self.writer.begin(&header);
         // The first block ends the run.
         let _ = self.keep(begun);
+        let denied = program.settings.severity(Code::W0901) == Some(Severity::Error);
+        self.held = denied.then(|| Findings::with_levels(program.settings.levels(Purpose::Compile)));
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
         self.take(block, None, findings)
     }
 
-    fn end(mut self, end: End, _: &mut Findings) -> End {
-        if self.failed.is_none() {
+    fn end(mut self, end: End, findings: &mut Findings) -> End {
+        let held = self.held.take().unwrap_or_default();
+        held.items().iter().for_each(|found| findings.add(found.clone()));
+        if self.failed.is_none() && !held.has_errors() {
             let ended = self.writer.end(end);
             let _ = self.keep(ended);
         }

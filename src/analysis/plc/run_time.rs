@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::dictionary::AXIS_NAMES;
-use crate::diag::RunTimeReason::{self as Reason, Bits, Configuration, Inputs, Plc, Running, Unsaid};
+use crate::diag::RunTimeReason::{self as Reason, Bits, Bytes, Configuration, Inputs, Plc, Running, Unsaid};
 use crate::dict::Dialect;
 
 /// What the `x` of a name stands for.
@@ -53,6 +53,7 @@ const ROWS: &[Row] = &[
     ),
     row("8.1.2", One, Plc, "SIM_SPEED_PT OTACKY_VR REQW_SPEED2_PM"),
     row("8.1.3", One, Plc, "REQ_EXT_SPINDLE_GEAR REQ_MAN_SPINDLE_GEAR"),
+    row("8.1", One, Bytes { names: "BZH08PI, BZH08MAN, BZH09, BZH10, BZH13" }, "BZH"),
     row("8.1.4", Axes, Plc, "MP~PI"),
     row("8.1.4", One, Bits { names: "MPXPI … MP16PI" }, "BZH08PI BZH08PI2"),
     row("8.1.5", Axes, Plc, "MP~MAN"),

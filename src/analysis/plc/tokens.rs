@@ -65,6 +65,12 @@ pub(super) enum Kind {
     /// `=`
     #[token("=")]
     SingleEqual,
+    /// `===`
+    #[token("===")]
+    TripleEqual,
+    /// `!==`
+    #[token("!==")]
+    NotTripleEqual,
     /// `<>`
     #[token("<>")]
     LessGreater,
@@ -107,8 +113,8 @@ impl Kind {
         match self {
             Self::DoubleAnd => Some("&"),
             Self::DoubleOr => Some("|"),
-            Self::SingleEqual => Some("=="),
-            Self::LessGreater => Some("!="),
+            Self::SingleEqual | Self::TripleEqual => Some("=="),
+            Self::LessGreater | Self::NotTripleEqual => Some("!="),
             Self::EqualLess => Some("<="),
             Self::EqualGreater => Some(">="),
             Self::Name

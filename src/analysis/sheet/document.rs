@@ -41,8 +41,10 @@ pub fn document(sheet: &Sheet, summary: &Summary, assumed: bool, lang: Lang) -> 
     let program: Vec<String> = [number, title].into_iter().flatten().collect();
     let time = clock(summary.time_s);
     let time = match summary.unknown_blocks {
-        0 => time,
-        blocks if blocks == summary.approach_blocks => say(Words::WithoutApproach { time }),
+        0 if !summary.is_lower_bound() => time,
+        blocks if blocks > 0 && blocks == summary.approach_blocks && summary.jerk_free_blocks == 0 => {
+            say(Words::WithoutApproach { time })
+        }
         _ => say(Words::AtLeast { time }),
     };
     let time = if assumed { format!("{time} ({})", say(Words::Assumed)) } else { time };

@@ -105,7 +105,7 @@ struct ToolRecord {
     t: Option<Number>,
     /// The first block with it.
     n: u32,
-    /// How often it comes into the spindle.
+    /// How often M06 is executed with it; 0 before the first M06.
     changes: u64,
     /// Duration of the blocks with it.
     time_s: Number,
@@ -177,9 +177,12 @@ struct UnitRecord {
 
 /// The schema, JSON Schema 2020-12.
 pub fn schema() -> Value {
-    let generator = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true).into_generator();
+    let generator = SchemaSettings::draft2020_12().into_generator();
     let mut schema = generator.into_root_schema_for::<Record>().to_value();
     forbid_null(&mut schema);
+    if let Some(Value::Object(definitions)) = schema.get_mut("$defs") {
+        definitions.values_mut().for_each(forbid_null);
+    }
     if let Some(root) = schema.as_object_mut() {
         root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
     }
@@ -198,7 +201,7 @@ pub fn json(sheet: &Sheet, summary: &Summary, assumed: bool) -> String {
         dialect: head.dialect.to_owned(),
         time_s: summary.time_s.into(),
         assumed,
-        lower_bound: summary.unknown_blocks > 0,
+        lower_bound: summary.is_lower_bound(),
         extents: ExtentsRecord { working: reach(&sheet.working), all: reach(&sheet.all) },
         tools: sheet.tools.iter().map(|used| tool(used, summary)).collect(),
         m_functions: sheet

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::extents::Extents;
 use crate::diag::{CallKind, Findings};
-use crate::dict::{Address, Decimal, Micro};
+use crate::dict::{Address, Decimal, Micro, TOOL_CHANGE};
 use crate::run::{End, Executed, FeedUnit, Motion, MotionType, Program, Sink};
 use crate::syntax::Value;
 use crate::text::{FileId, Location};
@@ -30,7 +30,7 @@ pub struct ToolUse {
     pub tool: Option<Decimal>,
     /// The first block with it.
     pub n: u32,
-    /// How often it comes into the spindle.
+    /// How often M06 is executed with it.
     pub changes: u64,
     /// Path of working motion, mm.
     pub working: Micro,
@@ -182,10 +182,8 @@ impl SheetReader {
                 tools.len() - 1
             }
         };
-        let changed = self.tool.replace(at) != Some(at);
-        let known = tools.get_mut(at)?;
-        known.changes += u64::from(changed);
-        Some(known)
+        self.tool = Some(at);
+        tools.get_mut(at)
     }
 
     fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
@@ -234,6 +232,12 @@ impl Sink for SheetReader {
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
         self.calls(block);
         self.words(block);
+        if block.tool().is_some()
+            && block.m_written().contains(&TOOL_CHANGE)
+            && let Some(tool) = self.tool(block)
+        {
+            tool.changes += 1;
+        }
         match block.motion() {
             Some(motion) => self.motion(block, &motion),
             // The place of the tool in the order is that of its change.

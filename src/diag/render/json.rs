@@ -24,7 +24,11 @@ pub(super) fn write(report: &Report, lang: Lang, out: &mut dyn Write) -> io::Res
 /// The JSON Schema (2020-12) of the object that [`Format::Json`](super::Format::Json) writes.
 pub fn schema() -> serde_json::Value {
     let settings = SchemaSettings::draft2020_12().for_serialize();
-    settings.into_generator().into_root_schema_for::<Document<'static>>().to_value()
+    let mut schema = settings.into_generator().into_root_schema_for::<Document<'static>>().to_value();
+    if let Some(root) = schema.as_object_mut() {
+        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
+    }
+    schema
 }
 
 /// The findings of one run of cnc872c.
@@ -118,6 +122,7 @@ struct Label<'a> {
 #[derive(Serialize, JsonSchema)]
 struct Call<'a> {
     /// `G71`, `G72`, or the cycle function that stands for a macrocycle.
+    #[schemars(regex(pattern = "^G(71|72|8[1-9])$"))]
     by: &'static str,
     /// What was called.
     l: u32,

@@ -46,6 +46,18 @@ pub enum Format {
     Github,
 }
 
+impl Format {
+    /// Whether people read it: other words may stand beside it.
+    pub const fn is_for_people(self) -> bool {
+        match self {
+            #[cfg(feature = "cli")]
+            Self::Human => true,
+            Self::Short => true,
+            Self::Json | Self::Sarif | Self::Github => false,
+        }
+    }
+}
+
 /// How the findings are shown.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Shown {

@@ -28,7 +28,14 @@ pub fn model(profile: Profile) -> Model {
 
 /// Dynamics of S3's example: P 50.000, A 600.
 pub fn dynamics() -> Dynamics {
-    Dynamics { accel: 600.0, jerk: 50_000.0 / 32.768, accuracy_um: 0.0, overload: 0.0, centripetal: 0.0 }
+    Dynamics {
+        accel: 600.0,
+        jerk: 50_000.0 / 32.768,
+        jerk_free: false,
+        accuracy_um: 0.0,
+        overload: 0.0,
+        centripetal: 0.0,
+    }
 }
 
 /// A block that does nothing.

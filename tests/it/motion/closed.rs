@@ -88,6 +88,7 @@ fn joints_by_angle() {
                 accuracy_um: on.0,
                 overload: on.1,
                 jerk: 1e12,
+                jerk_free: false,
                 centripetal: 0.0,
             };
             let (sine, cosine) = f64::to_radians(angle).sin_cos();

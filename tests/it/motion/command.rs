@@ -199,6 +199,65 @@ fn account() {
     assert!(same.stdout.contains("  nothing differs\n"), "{}", same.stdout);
 }
 
+/// motion.md: every output says that the machine is assumed; a table on stderr.
+#[test]
+fn assumed_machines() {
+    let place = place();
+    let said = |arguments: &[&str]| place.run(&[&["motion", "a.nc"], arguments].concat()).ends(0).stderr;
+    assert!(said(&["--format", "csv"]).contains("the machine of the estimate is assumed"));
+    assert_eq!(said(&["--format", "csv", "--config", "t.toml"]), "");
+    place.put("empty.toml", "[motion]\n");
+    let run = place.run(&["motion", "a.nc", "--config", "empty.toml"]).ends(0);
+    assert!(run.stdout.contains("\n[motion] gives no value, all are assumed."), "{}", run.stdout);
+    place.put("table.toml", "[motion]\nrapid-mm-min = {}\n");
+    let run = place.run(&["motion", "a.nc", "--config", "table.toml", "--format", "json"]).ends(0);
+    assert!(!run.stdout.contains("{}"), "{}", run.stdout);
+}
+
+/// A P that nobody knows: the jerk is not limited, the time is a lower bound, and that is said.
+#[test]
+fn unknown_p() {
+    let place = Place::with(&[]);
+    place.put("a.nc", "%1\nN1 G0 G90 X0\nN2 G23 G1 X60 F600\nN3 X90\nN4 M30\n");
+    let constants = "R338 = \"20\"\nR406 = \"11\"\nR407 = \"10\"\nR408 = \"300\"\n";
+    place.put(
+        "cnc872c.toml",
+        format!("dialect = \"cnc8x9\"\n[start]\nX = 5\n[motion]\ncycle-ms = 2\n[machine-constants]\n{constants}"),
+    );
+    let total = |arguments: &[&str]| {
+        let run = place.run(&[&["motion", "a.nc", "--format", "json"], arguments].concat()).ends(0);
+        let total = serde_json::from_str::<Value>(run.stdout.lines().last().unwrap()).unwrap();
+        (total["lower_bound"] == true, run.stderr)
+    };
+    let (bound, said) = total(&[]);
+    assert!(bound && said.contains("P is not known where it counts") && said.contains("such blocks: 2"), "{said}");
+    assert_eq!(total(&["--param", "R10=50000"]), (false, String::new()));
+    let run = place.run(&["motion", "a.nc"]).ends(0);
+    assert!(run.stdout.starts_with("a.nc: at least 0:00:"), "{}", run.stdout);
+    let sheet = place.run(&["report", "a.nc", "--format", "json"]).ends(0).stdout;
+    assert_eq!(serde_json::from_str::<Value>(&sheet).unwrap()["lower_bound"], true);
+}
+
+/// `--set` names something that motion depends on.
+#[test]
+fn what_is_tried() {
+    let place = place();
+    let said = |set: &str| {
+        let run = place.run(&["motion", "a.nc", "--set", set]).ends(2);
+        assert_eq!(run.stdout, "");
+        run.stderr
+    };
+    assert!(said("foo=1").contains("--set foo=1: foo is no key of [motion] and no machine constant\n"));
+    assert!(said("accuracy=1").contains("perhaps accuracy-um is meant"));
+    assert!(said("R384=00200008").contains("cnc872 takes motion from [motion]"));
+    place.put("9.toml", "dialect = \"cnc8x9\"\n");
+    let run = place.run(&["motion", "a.nc", "--config", "9.toml", "--set", "R56=91"]).ends(2);
+    assert!(run.stderr.contains("--set R56=91: motion does not depend on R56"), "{run:?}");
+    // The place is that of the option.
+    let second = place.run(&["motion", "a.nc", "--set", "angle-deg=50", "--set", "accuracy-um=fast"]).ends(2);
+    assert!(second.stderr.contains("[ --set:2:"), "{second:?}");
+}
+
 /// More red joints than are listed.
 #[test]
 fn the_first_twenty() {

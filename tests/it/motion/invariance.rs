@@ -24,6 +24,7 @@ impl Path {
             dynamics: cnc872c::analysis::motion::Dynamics {
                 accel: random.scaled(100.0, 3000.0),
                 jerk: random.scaled(500.0, 1e5),
+                jerk_free: false,
                 accuracy_um: random.scaled(0.5, 50.0),
                 overload: random.scaled(500.0, 20_000.0),
                 centripetal: 0.0,

@@ -36,8 +36,9 @@ fn reasons() {
     assert_eq!(broken(&two()[..1]), Some(Break::Start));
     for mode in [Mode::Tight, Mode::Basic, Mode::Other] {
         assert_eq!(change(1, &|step| Step { mode, ..step }), Some(Break::Mode));
-        // CNT-3: the earlier block may be in another mode.
-        assert_eq!(change(0, &|step| Step { mode, ..step }), None);
+        // CNT-3: the earlier block may be in another mode, but for G98, in which it ends with a ramp (CNT-1).
+        let basic = (mode == Mode::Basic).then_some(Break::Mode);
+        assert_eq!(change(0, &|step| Step { mode, ..step }), basic);
     }
     for place in [0, 1] {
         for (kind, reason) in [
@@ -70,6 +71,10 @@ fn reasons() {
     let last = line(2, [10.0, 0.0, 0.0], 1000.0, dynamics());
     assert_eq!(broken(&[first, idle(1), last]), Some(Break::NoMotion));
     assert_eq!(broken(&[first, line(1, [0.0; 3], 1000.0, dynamics()), last]), Some(Break::NoMotion));
+    // CNT-1: the ramp of G98 is the reason where there is no other.
+    let basic = Step { mode: Mode::Basic, ..first };
+    assert_eq!(broken(&[basic, line(1, [0.0, 10.0, 0.0], 1000.0, dynamics())]), Some(Break::Angle));
+    assert_eq!(broken(&[Step { dwell_s: Some(0.0), ..basic }, last]), Some(Break::Dwell));
     // The first reason counts.
     let stopped = Step { dwell_s: Some(1.0), stops: true, breaks_after: true, ..first };
     assert_eq!(broken(&[stopped, last]), Some(Break::Dwell));

@@ -30,6 +30,7 @@ impl Program {
         let dynamics = |block: &Block| Dynamics {
             accel: block.accel,
             jerk: block.p / 32.768,
+            jerk_free: false,
             accuracy_um: self.accuracy_um,
             overload: 0.0,
             centripetal: 0.0,
