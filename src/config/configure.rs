@@ -9,7 +9,7 @@ use super::taken::Setting;
 use super::{Axes, MFunctions, Machine, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
-use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span};
+use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back};
 
 /// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
 /// command line says, value by value (§11, §13 Configuration).
@@ -72,15 +72,7 @@ fn value<T>(setting: Option<Setting<T>>) -> Option<T> {
 /// (it is not behind a link): `q/../m` is `m`, so that one file has one name.
 fn join(folder: &Path, name: &str, loader: &dyn Loader) -> PathBuf {
     let path: PathBuf = folder.join(name).components().filter(|part| *part != Component::CurDir).collect();
-    let mut short = PathBuf::new();
-    for part in path.components() {
-        let back = part == Component::ParentDir && matches!(short.components().next_back(), Some(Component::Normal(_)));
-        if back {
-            short.pop();
-        } else {
-            short.push(part);
-        }
-    }
+    let short = without_ways_back(&path);
     let same = !short.as_os_str().is_empty() && loader.canonical(&short) == loader.canonical(&path);
     if same { short } else { path }
 }

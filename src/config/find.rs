@@ -1,9 +1,9 @@
 //! The project file of a program: in its folder, or in the nearest folder above.
 
 use std::io::ErrorKind;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
-use crate::text::Loader;
+use crate::text::{Loader, way_back};
 
 /// Name of the project file.
 pub const PROJECT_FILE: &str = "cnc872c.toml";
@@ -25,7 +25,7 @@ pub fn find_project(start_folder: &Path, loader: &dyn Loader) -> Option<PathBuf>
 fn upwards(folder: &Path, loader: &dyn Loader) -> Option<PathBuf> {
     let here = canonical(Path::new(""), loader);
     let below = here.strip_prefix(folder).ok()?;
-    Some(below.components().map(|_| Component::ParentDir).collect())
+    Some(way_back(below))
 }
 
 /// The canonical path of a folder; the working folder, which is an empty path here, is `.` to the operating system.

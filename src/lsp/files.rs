@@ -2,13 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use gen_lsp_types::Uri;
 
-use crate::text::{Encoding, Loader, SourceText};
+use crate::text::{Encoding, Loader, SourceText, has_way_back};
 
 /// The loader under the buffers: the disk.
 pub(super) type Disk = Arc<dyn Loader + Send + Sync>;
@@ -93,8 +93,12 @@ impl EditorFiles {
         if let Some((path, _)) = self.open.iter().find(|(_, document)| document.uri == *uri) {
             return path.clone();
         }
-        let Ok(path) = uri.to_file_path() else {
-            let path = self.root.join(uri.path());
+        // `git:` has a path too, and is another text.
+        let file = Some(uri).filter(|uri| uri.scheme().eq_ignore_ascii_case("file")).map(|uri| uri.to_file_path());
+        let Some(Ok(path)) = file else {
+            let path = self
+                .root
+                .join(uri.to_file_path().map_or_else(|_| PathBuf::from(uri.path()), |path| path.to_path_buf()));
             return match (path.parent(), path.file_name()) {
                 (Some(folder), Some(name)) if Path::new(uri.path()).has_root() => {
                     let version = uri.as_str().split_once('?').map_or("", |(_, version)| version);
@@ -111,9 +115,7 @@ impl EditorFiles {
     pub(super) fn uri_of(&self, path: &Path) -> Option<Uri> {
         match self.buffer(path) {
             Some(document) => Some(document.uri.clone()),
-            None if path.components().any(|part| part == Component::ParentDir) => {
-                Uri::from_file_path(self.canonical(path)).ok()
-            }
+            None if has_way_back(path) => Uri::from_file_path(self.canonical(path)).ok(),
             None => Uri::from_file_path(path).ok(),
         }
     }

@@ -17,7 +17,7 @@ pub use columns::ColumnUnit;
 pub use encoding::Encoding;
 pub use lines::{LineColumn, LineIndex};
 pub use loader::{BrokenLink, Loader, MemoryLoader, Numbered};
-pub use path::path_name;
+pub use path::{has_way_back, path_name, way_back, without_ways_back};
 pub use source::{DecodeError, FileId, Location, SourceText};
 pub use sources::Sources;
 pub use span::Span;

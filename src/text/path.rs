@@ -1,6 +1,6 @@
-//! Names of files as text.
+//! Paths: as text, and the ways back in them.
 
-use std::path::Path;
+use std::path::{Component, Path, PathBuf};
 
 /// The path for messages, and as the name of its text: bytes that are no UTF-8, as shares of old systems have them, come as
 /// `\\xff`. Two files have two names, so that their findings are told apart.
@@ -16,12 +16,48 @@ pub fn path_name(path: &Path) -> String {
     name
 }
 
+/// Whether the path leads back somewhere: `q/../m`.
+pub fn has_way_back(path: &Path) -> bool {
+    path.components().any(|part| part == Component::ParentDir)
+}
+
+/// The way back through a relative path: `../..` for `a/b`.
+pub fn way_back(path: &Path) -> PathBuf {
+    path.components().map(|_| Component::ParentDir).collect()
+}
+
+/// The path without the names that it leads into and back out of: `m` for `q/../m`. Where one of them is a link, that may be
+/// another place.
+pub fn without_ways_back(path: &Path) -> PathBuf {
+    let mut short = PathBuf::new();
+    for part in path.components() {
+        let back = part == Component::ParentDir && matches!(short.components().next_back(), Some(Component::Normal(_)));
+        if back {
+            short.pop();
+        } else {
+            short.push(part);
+        }
+    }
+    short
+}
+
 #[cfg(all(test, unix))]
 mod tests {
     use std::ffi::OsStr;
     use std::os::unix::ffi::OsStrExt;
 
     use super::*;
+
+    #[test]
+    fn ways_back() {
+        for (path, short) in
+            [("q/../m", "m"), ("../m", "../m"), ("a/b/../../../m", "../m"), ("/../m", "/../m"), ("a/b", "a/b")]
+        {
+            assert_eq!(without_ways_back(Path::new(path)), Path::new(short), "{path}");
+        }
+        assert!(has_way_back(Path::new("a/../b")) && !has_way_back(Path::new("a/..b")));
+        assert_eq!(way_back(Path::new("a/b")), Path::new("../.."));
+    }
 
     #[test]
     fn names_stay_apart() {

@@ -129,3 +129,35 @@ fn missing_macrocycles_are_created() {
     assert_eq!(changes[0]["uri"], "file:///L9001");
     assert_eq!(changes[1]["edits"][0]["newText"], "N10 G79 L9001\nN20 G70\n");
 }
+
+/// A text as it was (`git:`) has the path of the file, and is another document: findings and edits stay with their own.
+#[test]
+fn versions_of_a_file_are_documents_of_their_own() {
+    let (file, git) = ("file:///parts/q.nc", "git:/parts/q.nc?ref=HEAD");
+    let texts = [(file, "%1\nN1 G0 X1 X2\nN2 M30\n"), (git, "%1\nN1 g0 X1\nN2 M30\n")];
+    for order in [[0, 1], [1, 0]] {
+        let literal = json!({ "codeActionLiteralSupport": { "codeActionKind": { "valueSet": ["quickfix"] } } });
+        let capabilities = json!({ "textDocument": { "codeAction": literal } });
+        let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
+        for (uri, text) in order.map(|at| texts[at]) {
+            let document = json!({ "uri": uri, "languageId": "cnc872", "version": 1, "text": text });
+            client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+        }
+        assert_eq!(client.findings(file, Some(1))[0]["code"], "E0306");
+        assert_eq!(client.findings(git, Some(1))[0]["code"], "W0108");
+        let line = json!({ "start": { "line": 1, "character": 0 }, "end": { "line": 1, "character": 8 } });
+        let asked = json!({ "textDocument": { "uri": git }, "range": line, "context": { "diagnostics": [] } });
+        let actions = client.request("textDocument/codeAction", asked).to_string();
+        assert!(actions.contains(git) && !actions.contains(file), "{actions}");
+        // What changes in one is nothing to the other.
+        let change = |uri: &str, text: &str| json!({ "textDocument": { "uri": uri, "version": 2 }, "contentChanges": [{ "text": text }] });
+        client.notify("textDocument/didChange", change(git, "%1\nN1 G0 X1\nN2 M30\n"));
+        assert_eq!(client.findings(git, Some(2)), json!([]));
+        client.notify("textDocument/didClose", json!({ "textDocument": { "uri": git } }));
+        client.notify("textDocument/didChange", change(file, "%1\nN1 G0 Y1 Y2\nN2 M30\n"));
+        assert_eq!(client.findings(file, Some(2))[0]["code"], "E0306");
+        let symbols = client.request("textDocument/documentSymbol", json!({ "textDocument": { "uri": file } }));
+        assert!(symbols["error"].is_null(), "{symbols}");
+        assert_eq!(client.end(), 0);
+    }
+}
