@@ -112,7 +112,8 @@ mod tests {
             .collect();
         let mut functions = MFunctions::standard(Dialect::Cnc8x9);
         let mut findings = Findings::new();
-        apply(&settings, FileId(0), &mut functions, &mut findings);
+        let quotes = "'".repeat(settings.len());
+        apply(&settings, (FileId(0), &quotes), &mut functions, &mut findings);
         (functions, findings.into_sorted())
     }
 
