@@ -38,6 +38,7 @@ pub fn clean_up_when_interrupted(lang: Lang) {
 
 /// Handles those of the signals that are not ignored, where the system says which.
 #[cfg(unix)]
+#[expect(clippy::disallowed_methods, reason = "what the system says of this process is no file of a run")]
 fn handle_others(lang: Lang) {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
