@@ -49,7 +49,7 @@ fn program() -> impl Strategy<Value = Case> {
         "",
         "[motion]\nraise-ms = 20\n",
         "[motion]\nprofile = \"linear\"\n",
-        "[motion]\nprofile = \"parabolic\"\ncycle-ms = 2\n[[motion.sets]]\nnumber = 1\nparabolic-ramp = 50.000\n",
+        "[motion]\nprofile = \"parabolic\"\ncycle-ms = 2\n[motion.sets.1]\nparabolic = 50000\nlinear-mm-s2 = 600\n",
     ]);
     let blocks = prop::collection::vec(block(), 1..12);
     (blocks, any::<bool>(), 0..4_u32, motion).prop_map(|(blocks, stop, repeats, motion)| {
