@@ -7,6 +7,8 @@ bilingual! {
     NumberMeant {
         Form "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own address", "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou adresou";
         NoAddress "write it behind its address, on the same line", "napsat ho za jeho adresu na tentýž řádek";
+        Ruler "a line between blocks is a comment, between quotes: `\"-----\"`", "čára mezi bloky se píše jako komentář do uvozovek: \"-----\"";
+        AddressMissing { loose: String, written: String } "an address is missing before `{loose}`: `{written}`?", "před {loose} chybí adresa: „{written}“?";
         Computed "there are no expressions; G26 to G29 compute with parameters", "výrazy se psát nedají; s parametry počítají G26 až G29";
         Exponent { written: String } "a number has no exponent: write `{written}`", "číslo se píše bez exponentu: „{written}“";
         ExponentForm "a number has no exponent: write out its digits", "číslo se píše bez exponentu, všemi číslicemi";
@@ -48,6 +50,29 @@ impl NumberMeant {
             }
             (Self::Radius | Self::Parameter, Lang::Cs) => "R je v tomto systému parametr, nikdy poloměr ani výška",
             _ => "",
+        }
+    }
+}
+
+bilingual! {
+    /// What was meant by a comma in a number (E0104).
+    CommaMeant {
+        Point { written: String } "the control knows the decimal point only: write `{written}`", "systém zná jen desetinnou tečku: napsat „{written}“";
+        Border { written: String } "words are parted by nothing or by blanks: write `{written}`", "slova se oddělují jen mezerami: napsat „{written}“";
+        Whole { address: Address } "{address} takes whole numbers only", "{address} má jen celá čísla";
+        WholeWritten { written: String } "the number is whole: write `{written}`", "je to celé číslo: napsat „{written}“";
+        Dwell { written: String } "the dwell takes whole units of 10 ms; if seconds are meant, write `{written}`", "prodleva se zadává v celých jednotkách po 10 ms; jsou-li míněny sekundy, napsat „{written}“";
+    }
+}
+
+impl CommaMeant {
+    /// What is wrong.
+    pub(super) const fn message(&self, lang: Lang) -> &'static str {
+        match (self, lang) {
+            (Self::Border { .. }, Lang::En) => "a comma behind a word",
+            (Self::Border { .. }, Lang::Cs) => "za slovem je čárka",
+            (_, Lang::En) => "a decimal comma",
+            (_, Lang::Cs) => "desetinná čárka",
         }
     }
 }
@@ -118,6 +143,8 @@ bilingual! {
     TextMeant {
         Comment { text: String } "if it is meant as a comment, put it between quotes: `\"{text}\"`", "má-li to být komentář, dát ho do uvozovek: \"{text}\"";
         WithWords { text: String, words: String, all: String } "put the comment between quotes: `\"{all}\"`; where `{words}` belongs to the program, `\"{text}\" {words}`", "komentář dát do uvozovek: \"{all}\"; patří-li {words} do programu, tak \"{text}\" {words}";
+        OpenQuote { text: String } "the quote before it is missing: `\"{text}\"`", "chybí uvozovky před ním: \"{text}\"";
+        SwallowedBefore { words: String } "a quote is missing before `{words}`, which the comment before swallows", "chybí uvozovky před „{words}“, které spolkl předchozí komentář";
         Unit "delete it: lengths are in mm, feeds in mm/min, under G95 in mm/rev", "vymazat: délky jsou v mm, posuvy v mm/min, při G95 v mm/ot";
         OtherUnit "feeds are in mm/min: write the number for that, without a unit", "posuvy jsou v mm/min: přepočítat číslo a jednotku nepsat";
         Call "there is no such statement; a subprogram is called by `G71 L100`, a macrocycle by `G72 L9001`", "takový příkaz zde není; podprogram se volá „G71 L100“, makrocyklus „G72 L9001“";
@@ -316,6 +343,7 @@ bilingual! {
     UnusedMeant {
         Target "`L` goes with G71, G72, G73 or G79", "L patří ke G71, G72, G73 nebo G79";
         Call { written: String } "M98 calls nothing here; a subprogram is called by `{written}`", "M98 zde nevolá podprogram; volá ho „{written}“";
+        Exchanged { written: String } "if a call is meant, write `{written}`", "mělo-li to být volání, napsat „{written}“";
         Tables "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59", "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59";
     }
 }
@@ -339,7 +367,7 @@ impl OtherMeaning {
                 "the program cannot limit the speed: delete both; `S` would be the speed itself".to_owned()
             }
             (Self::SpeedLimit, Lang::Cs) => {
-                "omezit otáčky program neumí: vymazat obojí; S by byly přímo otáčky".to_owned()
+                "omezit otáčky program neumí: vymazat obojí; S by znamenalo přímo otáčky".to_owned()
             }
         }
     }
@@ -352,6 +380,14 @@ pub(super) fn center_help(written: &str, lang: Lang) -> String {
         ("", Lang::Cs) => "vymazat ho, nebo zadat funkci, ke které patří".to_owned(),
         (written, Lang::En) => format!("write `{written}`"),
         (written, Lang::Cs) => format!("napsat „{written}“"),
+    }
+}
+
+/// What to write where a line lacks its block number.
+pub(super) const fn unnumbered_line(lang: Lang) -> &'static str {
+    match lang {
+        Lang::En => "the line does not begin with a block number: begin it with `N…`",
+        Lang::Cs => "řádek nezačíná číslem bloku: začít ho „N…“",
     }
 }
 
@@ -400,6 +436,34 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
             "jiné položky tabulka korekcí nemá; korekce se vypínají pomocí „&0000“ a G40",
         ),
         Address::G => ("functions have two digits", "funkce mají dvě číslice"),
+        Address::M if range.ends_with("100") => {
+            ("functions have two digits; only M100 has three", "funkce mají dvě číslice; jen M100 má tři")
+        }
+        Address::M => ("functions have two digits", "funkce mají dvě číslice"),
+        Address::N => (
+            "blocks are numbered from N1 on, with at most eight digits",
+            "bloky se číslují od N1, nejvýše osmi číslicemi",
+        ),
+        Address::Program => (
+            "a program has a number of one to six digits, not zero",
+            "číslo programu má jednu až šest číslic a není nula",
+        ),
+        Address::Q if range.contains("ms") => (
+            "the dwell is in units of 10 ms: `Q100` is one second",
+            "prodleva je v jednotkách po 10 ms: „Q100“ je jedna sekunda",
+        ),
+        Address::Q => (
+            "`Q` is the number of calls or jumps; to leave out the block, write `/` after its number",
+            "Q je počet volání nebo skoků; má-li se blok vynechat, napsat za jeho číslo /",
+        ),
+        Address::T => (
+            "a tool has a number of at most eight digits; its correction is chosen by `D`",
+            "číslo nástroje má nejvýše osm číslic; korekce se volí adresou D",
+        ),
+        Address::I | Address::J | Address::K => (
+            "a number without a decimal point counts whole millimetres, not thousandths",
+            "číslo bez desetinné tečky jsou celé milimetry, ne tisíciny",
+        ),
         Address::R => (
             "a number with a decimal point has up to five digits before it, one without up to eight digits",
             "číslo s desetinnou tečkou má před ní nejvýše pět číslic, číslo bez ní nejvýše osm",
@@ -414,9 +478,7 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
             "a number without a decimal point counts whole millimetres or degrees, not thousandths",
             "číslo bez desetinné tečky jsou celé milimetry nebo stupně, ne tisíciny",
         ),
-        Address::Program
-        | Address::N
-        | Address::Skip
+        Address::Skip
         | Address::X
         | Address::Y
         | Address::Z
@@ -426,14 +488,8 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
         | Address::U
         | Address::V
         | Address::W
-        | Address::I
-        | Address::J
-        | Address::K
-        | Address::M
         | Address::Correction
-        | Address::Q
-        | Address::H
-        | Address::T => ("", ""),
+        | Address::H => ("", ""),
     };
     match lang {
         Lang::En => en,
@@ -449,8 +505,8 @@ pub(super) fn foreign_g(number: u32, lang: Lang) -> &'static str {
         32 | 76 => ("threads are cut by G33", "závit se řeže funkcí G33"),
         43 | 44 | 49 => ("length corrections are chosen by `&` and `D`", "délkové korekce se volí adresami & a D"),
         50 => (
-            "conversions are cancelled by G34; the program cannot limit the speed",
-            "přepočty ruší G34; omezit otáčky program neumí",
+            "conversions are cancelled by G34; the program cannot limit the speed, and `S` beside it is the speed itself",
+            "přepočty ruší G34; omezit otáčky program neumí a S u něj jsou přímo otáčky",
         ),
         51 => ("coordinates are scaled by G36", "měřítko se zadává funkcí G36"),
         52 => ("origins are shifted by G54–G59, G92 and G93", "počátky se posouvají funkcemi G54–G59, G92 a G93"),

@@ -66,9 +66,13 @@ bilingual! {
         BlockEnd "delete it: a block ends where the next `N` begins", "vymazat ho: blok končí tam, kde začíná další N";
         Variable { written: String } "there are no variables `#`; write a parameter: `{written}`", "proměnné # zde nejsou; napsat parametr: „{written}“";
         Expression "there are no variables `#` and no expressions; write a parameter, as in `XR10`; G26 to G29 compute", "proměnné # ani výrazy zde nejsou; napsat parametr, například „XR10“; počítají G26 až G29";
+        Computed "there are no expressions; G26 to G29 compute with parameters", "výrazy se psát nedají; s parametry počítají G26 až G29";
+        Brackets { written: String } "write it without brackets: `{written}`", "napsat bez závorek: „{written}“";
         ProgramName { written: String } "a program is named by its number: `{written}`", "program se označuje číslem: „{written}“";
         CommentOrWords { words: String, comment: String } "if it belongs to the program, write it alone: `{words}`; if it is a comment, put it between quotes: `\"{comment}\"`", "patří-li to do programu, napsat jen „{words}“; je-li to komentář, dát ho do uvozovek: \"{comment}\"";
         Accent { written: String } "if the address is meant, write `{written}`; else delete it", "je-li to adresa, napsat „{written}“, jinak vymazat";
+        OpenQuote { text: String } "the quote before it is missing: `\"{text}\"`", "chybí uvozovky před ním: \"{text}\"";
+        SwallowedBefore { words: String } "a quote is missing before `{words}`, which the comment before swallows", "chybí uvozovky před „{words}“, které spolkl předchozí komentář";
         CommentBefore { words: String } "put the comment between quotes, together with `{words}` where that is a part of it", "komentář dát do uvozovek, a to i s {words}, pokud k němu patří";
     }
 }
@@ -224,7 +228,7 @@ bilingual! {
         Constant "takes a number, or its digits as a text", "musí být číslo, nebo jeho číslice jako text";
         Table "takes a table", "musí být tabulka";
         List { name: String } "takes a list: each of its tables is written `[[{name}]]`", "musí být seznam: každá jeho tabulka se píše [[{name}]]";
-        Texts "takes a list of texts, as `[\"makra\"]`", "musí být seznam textů, např. [\"makra\"]";
+        Texts "takes a list of texts, as `[\"macros\"]`", "musí být seznam textů, např. [\"makra\"]";
         Extensions "takes a list of extensions, as `[\"nc\", \"txt\"]`", "musí být seznam přípon, např. [\"nc\", \"txt\"]";
         Folder { name: String } "names `{name}`, which is no folder", "uvádí {name}, ale taková složka není";
         NoSuchAxis { letter: String, axes: String } "names {letter}, which `[[axes]]` does not list: {axes}", "uvádí osu {letter}, kterou [[axes]] nemá: {axes}";
@@ -232,12 +236,12 @@ bilingual! {
         MOfGroup { group: u8 } "takes an M function of group {group}", "musí být M funkce skupiny {group}";
         BlockOnly { group: u8 } "cannot be set: functions of M group {group} hold in their block only", "nastavit nelze: funkce M skupiny {group} platí jen ve svém bloku";
         OneOf { choices: String } "takes one of {choices}", "musí být jedno z: {choices}";
-        Missing { key: String } "lacks `{key}`", "postrádá {key}";
+        Missing { key: String } "lacks `{key}`", "nemá uvedeno {key}";
         Repeated "is defined twice", "je uvedeno dvakrát";
         TooManyAxes { limit: usize } "lists more axes than the control has, {limit}", "má více os než systém, tedy {limit}";
         NotForDialect { dialect: String } "does not exist on {dialect}", "u {dialect} neplatí";
         ErrorLevel "is an error and cannot be switched off; only warnings and E0109 have a level", "je chyba a vypnout nejde; nastavit lze jen varování a E0109";
-        Range "has a lower end above its upper end", "má dolní mez nad horní";
+        Range "has a lower end above its upper end", "má dolní mez vyšší než horní";
         GOfGroup { group: String } "takes a lasting function of group {group}", "musí být trvalá funkce skupiny {group}";
         ParameterValue "takes ±69999.999, or a whole number of up to eight digits", "musí být ±69999.999, nebo celé číslo nejvýše o osmi číslicích";
     }

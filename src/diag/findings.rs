@@ -81,6 +81,18 @@ impl Findings {
         }
     }
 
+    /// Keeps those of which `keep` holds, as it leaves them; what is beyond the limit stays counted.
+    pub fn revise(&mut self, mut keep: impl FnMut(&mut Diagnostic) -> bool) {
+        let before = std::mem::replace(self, Self::with_levels(self.levels));
+        let beyond: Vec<_> = before.beyond().collect();
+        for mut item in before.items {
+            if keep(&mut item) {
+                self.add(item);
+            }
+        }
+        beyond.into_iter().for_each(|(key, count)| self.add_beyond(key, count));
+    }
+
     fn add_beyond(&mut self, key: (FileId, Code), beyond: usize) {
         if beyond > 0 && self.levels.of(key.1).is_some() {
             self.counts.entry(key).or_default().beyond += beyond;

@@ -34,8 +34,16 @@ impl SpindleFault {
 bilingual! {
     /// How a plane does not fit.
     PlaneFault {
-        MissingAxis { axes: String } "the machine has no axis {axes}", "stroj nemá osu {axes}";
+        MissingAxis { axis: char } "the machine has no axis {axis}", "stroj nemá osu {axis}";
+        MissingFourth "the machine has no 4th axis", "stroj nemá 4. osu";
         OtherAxes { axes: String, correction: String } "the arc moves {axes}, and {correction} corrects the radius in the plane only", "oblouk se pohybuje v osách {axes} a {correction} koriguje poloměr jen v rovině";
+    }
+}
+
+impl PlaneFault {
+    /// That an axis is missing, by its letter, or the fourth.
+    pub fn missing(axis: Option<char>) -> Self {
+        axis.map_or(Self::MissingFourth, |axis| Self::MissingAxis { axis })
     }
 }
 

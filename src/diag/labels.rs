@@ -15,6 +15,7 @@ bilingual! {
         ParameterGiven { parameter: u8, value: String } "R{parameter} is {value} by the configuration or the command line", "R{parameter} má hodnotu {value} z konfigurace nebo z příkazového řádku";
         AssignedHere { parameter: u8 } "R{parameter} is assigned here", "zde se do R{parameter} přiřazuje";
         InForce { function: String } "{function} is in force", "platí {function}";
+        MakesArc { function: String } "it is an arc because {function} is in force", "je to oblouk, protože platí {function}";
         BlockHere { block: u32 } "block N{block} is here", "blok N{block} je zde";
         UnitBegins { l: u32 } "L{l} begins here", "L{l} začíná zde";
         MacrocycleFile { name: String } "one of them: {name}", "jeden z nich: {name}";

@@ -17,7 +17,7 @@ mod report;
 mod shown;
 
 pub use advice::{
-    AddressMeant, AfterEndMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant,
+    AddressMeant, AfterEndMeant, CommaMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant,
     UnusedMeant, ValueMeant,
 };
 pub use details::{

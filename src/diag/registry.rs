@@ -5,12 +5,12 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
-use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs};
+use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs, unnumbered_line};
 use super::{
-    AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem,
-    ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant, OtherControl,
-    OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnusedConstant,
-    UnusedMeant, ValueMeant,
+    AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, CommaMeant, ConfigNeed,
+    ConfigProblem, ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant,
+    OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant,
+    UnusedConstant, UnusedMeant, ValueMeant,
 };
 use crate::dict::{Address, Dialect, GCode, GGroup, Lang, Plane};
 
@@ -209,11 +209,11 @@ diagnostics! {
         en (match (super::shown::control_name(text), super::shown::control_inside(text)) { (Some(name), _) => format!("the character {name} means nothing to the control"), (None, Some((name, rest))) => format!("the character {name} inside `{rest}` means nothing to the control"), (None, None) => format!("`{text}` means nothing to the control") })
         cs (match (super::shown::control_name(text), super::shown::control_inside(text)) { (Some(name), _) => format!("znak {name} řídicí systém nezná"), (None, Some((name, rest))) => format!("znak {name} uvnitř „{rest}“ řídicí systém nezná"), (None, None) => { let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") } })
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
-    [E0102] SplitNumber "split-number" Error { joined: String }
+    [E0102] SplitNumber "split-number" Error { joined: String, loose: String, written: String }
         en "a blank inside a number"
         cs "mezera uvnitř čísla"
-        help (if joined.is_empty() { "write the parameter or the number, not both".to_owned() } else { format!("write `{joined}`, or give the second number an address of its own") })
-           | (if joined.is_empty() { "napsat buď parametr, nebo číslo".to_owned() } else { format!("napsat „{joined}“, nebo druhému číslu doplnit adresu") })
+        help (match (joined.is_empty(), loose.is_empty(), written.is_empty()) { (true, ..) => "write the parameter or the number, not both".to_owned(), (_, true, _) => format!("write `{joined}`, or give the second number an address of its own"), (_, false, true) => format!("an address is missing before `{loose}`; if it goes on with the number before it, write `{joined}`"), (_, false, false) => format!("an address is missing before `{loose}`: `{written}`? If it goes on with the number before it, write `{joined}`") })
+           | (match (joined.is_empty(), loose.is_empty(), written.is_empty()) { (true, ..) => "napsat buď parametr, nebo číslo".to_owned(), (_, true, _) => format!("napsat „{joined}“, nebo druhému číslu doplnit adresu"), (_, false, true) => format!("před {loose} chybí adresa; patří-li k předchozímu číslu, napsat „{joined}“"), (_, false, false) => format!("před {loose} chybí adresa: „{written}“? Patří-li k předchozímu číslu, napsat „{joined}“") })
         note "blanks are allowed between the address and its number, never inside the number or after its sign"
            | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
     [E0103] MissingValue "missing-value" Error { address: String, meant: ValueMeant }
@@ -221,11 +221,10 @@ diagnostics! {
         cs "adresa {address} nemá hodnotu"
         help (meant.help(address, Lang::En)) | (meant.help(address, Lang::Cs))
         note (meant.note(address, Lang::En)) | (meant.note(address, Lang::Cs))
-    [E0104] DecimalComma "decimal-comma" Error { fixed: String }
-        en "a decimal comma"
-        cs "desetinná čárka"
-        help "the control knows the decimal point only: write `{fixed}`"
-           | "systém zná jen desetinnou tečku: napsat „{fixed}“"
+    [E0104] DecimalComma "decimal-comma" Error { meant: CommaMeant }
+        en (meant.message(Lang::En))
+        cs (meant.message(Lang::Cs))
+        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0105] TypographicQuote "typographic-quote" Error { quote: char }
         en "the typographic quote `{quote}` instead of `\"`"
         cs "typografické uvozovky {quote} místo obyčejných \""
@@ -319,11 +318,11 @@ diagnostics! {
         cs (match (macrocycle, skipped, last) { (_, true, _) => "při zapnutém vynechávání bloků se vynechá i G70, které tento celek ukončuje", (true, false, _) => "makrocyklus nemá konec: v žádném bloku není G70", (false, false, true) => "podprogram nemá konec: až do konce souboru v žádném bloku není G70", (false, false, false) => "podprogram nemá konec: až po další podprogram v žádném bloku není G70" })
         help (match instead { Some(m @ (2 | 30)) => format!("write G70 in place of M{m:02}, which ends the whole program"), Some(m) => format!("write G70 in place of M{m:02}, which does not return to the caller here"), None => "end it with a block that holds G70: `N… G70`".to_owned() })
            | (match instead { Some(m @ (2 | 30)) => format!("místo M{m:02}, které ukončí celý program, napsat G70"), Some(m) => format!("místo M{m:02}, které se zde do volajícího programu nevrací, napsat G70"), None => "ukončit ho blokem s G70: „N… G70“".to_owned() })
-    [E0208] CrowdedSubprogramStart "crowded-subprogram-start" Error { word: String }
+    [E0208] CrowdedSubprogramStart "crowded-subprogram-start" Error { word: String, unnumbered: bool }
         en "`{word}` in the block that begins a subprogram"
         cs "slovo {word} stojí v úvodním bloku podprogramu"
-        help "that block holds its number, G79 and L only: `N… G79 L…`; move the rest into the next block"
-           | "v tomto bloku smí být jen číslo bloku, G79 a L: „N… G79 L…“; ostatní přesunout do dalšího bloku"
+        help (if *unnumbered { "begin the line with G79 with a block number: `N… G79 L…`" } else { "that block holds its number, G79 and L only: `N… G79 L…`; move the rest into the next block" })
+           | (if *unnumbered { "řádek s G79 začít číslem bloku: „N… G79 L…“" } else { "v tomto bloku smí být jen číslo bloku, G79 a L: „N… G79 L…“; ostatní přesunout do dalšího bloku" })
     [E0209] DuplicateSubprogram "duplicate-subprogram" Error { l: u32 }
         en "subprogram L{l} is defined twice in the file"
         cs "podprogram L{l} je v souboru dvakrát"
@@ -342,11 +341,11 @@ diagnostics! {
         cs (if *finishing { "G70 se slovy soustružnického cyklu" } else { "G70 v hlavním programu" })
         help (if *finishing { "turning cycles do not exist here, G70 ends a subprogram: write the contour as blocks" } else { "G70 ends subprograms and macrocycles; the main program ends with M02 or M30" })
            | (if *finishing { "soustružnické cykly zde nejsou, G70 ukončuje podprogram: konturu vypsat po blocích" } else { "G70 ukončuje podprogramy a makrocykly; hlavní program končí M02 nebo M30" })
-    [W0213] SkipBeforeBlockNumber "skip-before-block-number" Warning { block: u32 }
+    [W0213] SkipBeforeBlockNumber "skip-before-block-number" Warning { block: u32, entry: bool }
         en (if *block == 0 { "this `/` belongs to the block before it".to_owned() } else { format!("this `/` belongs to block N{block}, before it") })
         cs (if *block == 0 { "toto / patří k předchozímu bloku".to_owned() } else { format!("toto / patří k předchozímu bloku N{block}") })
-        help "write `/` after the number of the block to skip: `N… /`"
-           | "psát / až za číslo bloku, který se má vynechat: „N… /“"
+        help (if *entry { "delete it: a block with G79 cannot be skipped; to leave out a subprogram, write `/` in the block that calls it" } else { "write `/` after the number of the block to skip: `N… /`" })
+           | (if *entry { "vymazat ho: blok s G79 vynechat nelze; má-li se vynechat podprogram, napsat / do bloku, který ho volá" } else { "psát / až za číslo bloku, který se má vynechat: „N… /“" })
     [W0214] EmptyBlock "empty-block" Warning { block: u32 }
         en "block N{block} is empty"
         cs "blok N{block} je prázdný"
@@ -356,12 +355,12 @@ diagnostics! {
         cs "M{function:02} zde ukončí celý program, nejen tento celek"
         help "end subprograms and macrocycles with G70" | "podprogramy a makrocykly ukončovat funkcí G70"
     [E0216] MacrocycleNumberMismatch "macrocycle-number-mismatch" Error { file: String, expected: u32, found: Option<u32> }
-        en ({ let file = crate::diag::shown(file); match found { Some(l) => format!("the file {file} holds macrocycle L{l}"), None => format!("the macrocycle {file} does not begin with G79") } })
-        cs ({ let file = crate::diag::shown(file); match found { Some(l) => format!("soubor {file} obsahuje makrocyklus L{l}"), None => format!("makrocyklus {file} nezačíná funkcí G79") } })
+        en ({ let file = crate::diag::terminal_safe(file); match found { Some(l) => format!("the file {file} holds macrocycle L{l}"), None => format!("the macrocycle {file} does not begin with G79") } })
+        cs ({ let file = crate::diag::terminal_safe(file); match found { Some(l) => format!("soubor {file} obsahuje makrocyklus L{l}"), None => format!("makrocyklus {file} nezačíná funkcí G79") } })
         help "its first block is `N… G79 L{expected}`" | "první blok má být „N… G79 L{expected}“"
     [E0217] DuplicateMacrocycle "duplicate-macrocycle" Error { l: u32, first: String, second: String }
-        en ({ let (first, second) = (crate::diag::shown(first), crate::diag::shown(second)); format!("two files are macrocycle L{l}: {first} and {second}") })
-        cs ({ let (first, second) = (crate::diag::shown(first), crate::diag::shown(second)); format!("makrocyklus L{l} je ve dvou souborech: {first} a {second}") })
+        en ({ let (first, second) = (crate::diag::terminal_safe(first), crate::diag::terminal_safe(second)); format!("two files are macrocycle L{l}: {first} and {second}") })
+        cs ({ let (first, second) = (crate::diag::terminal_safe(first), crate::diag::terminal_safe(second)); format!("makrocyklus L{l} je ve dvou souborech: {first} a {second}") })
         help "keep one of them on the search path" | "na cestě hledání nechat jen jeden"
     [E0218] BlockAfterMacrocycleEnd "block-after-macrocycle-end" Error { block: u32 }
         en "N{block} comes after the G70 that ends the macrocycle"
@@ -403,20 +402,21 @@ diagnostics! {
         en "{address} takes no sign"
         cs "{address} nesmí mít znaménko"
         help "write the number without it" | "napsat číslo bez něj"
-    [E0306] DuplicateAddress "duplicate-address" Error { address: String }
+    [E0306] DuplicateAddress "duplicate-address" Error { address: String, unnumbered: bool }
         en "`{address}` is written twice in this block"
         cs "{address} je v bloku dvakrát"
-        help "keep one of them, or begin a new block with `N…`" | "nechat jen jedno slovo, nebo začít nový blok „N…“"
-    [E0307] ConflictingG "conflicting-g-functions" Error { first: GCode, second: GCode, group: GGroup }
+        help (if *unnumbered { unnumbered_line(Lang::En) } else { "keep one of them, or begin a new block with `N…`" })
+           | (if *unnumbered { unnumbered_line(Lang::Cs) } else { "nechat jen jedno slovo, nebo začít nový blok „N…“" })
+    [E0307] ConflictingG "conflicting-g-functions" Error { first: GCode, second: GCode, group: GGroup, unnumbered: bool }
         en (if first.group() == second.group() { format!("{first} and {second} are both of group {group}") } else { format!("{first} calls a macrocycle by the cycle map, and so the block cannot hold {second} as well") })
         cs (if first.group() == second.group() { format!("{first} a {second} jsou obě ze skupiny {group}") } else { format!("{first} volá makrocyklus podle mapy cyklů, {second} proto v bloku být nemůže") })
-        help "one function of a group per block: delete one, or give it a block of its own"
-           | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
-    [E0308] ConflictingM "conflicting-m-functions" Error { first: u8, second: u8, group: u8, dialect: Dialect }
+        help (if *unnumbered { unnumbered_line(Lang::En) } else { "one function of a group per block: delete one, or give it a block of its own" })
+           | (if *unnumbered { unnumbered_line(Lang::Cs) } else { "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok" })
+    [E0308] ConflictingM "conflicting-m-functions" Error { first: u8, second: u8, group: u8, dialect: Dialect, unnumbered: bool }
         en "M{first:02} and M{second:02} are both of M group {group}"
         cs ({ let of = of_group(*group); format!("M{first:02} a M{second:02} jsou obě {of} skupiny M funkcí") })
-        help "one function of a group per block: delete one, or give it a block of its own"
-           | "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok"
+        help (if *unnumbered { unnumbered_line(Lang::En) } else { "one function of a group per block: delete one, or give it a block of its own" })
+           | (if *unnumbered { unnumbered_line(Lang::Cs) } else { "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok" })
         note (match (*group >= 10, *dialect == Dialect::Cnc872) { (true, true) => "functions that the machine builder added are in the groups that `channel-config` gives", (true, false) => "functions that the machine builder added are in the groups that R56–R59 of `machine-constants` give", (false, _) => "" })
            | (match (*group >= 10, *dialect == Dialect::Cnc872) { (true, true) => "funkce výrobce stroje jsou ve skupinách podle channel-config", (true, false) => "funkce výrobce stroje jsou ve skupinách podle R56–R59 v machine-constants", (false, _) => "" })
     [E0309] UnknownG "unknown-g-function" Error { number: u32 }
@@ -457,11 +457,11 @@ diagnostics! {
         cs (if *from_macrocycle { format!("makrocyklus nemůže volat podprogram L{l}: podprogramy patří k souboru programu") } else { format!("podprogram L{l} v souboru není") })
         help (match without_entry { Some(block) => format!("if it begins with N{block}, put a block before it: `N… G79 L{l}`"), None if *macrocycle => format!("L{l} is a macrocycle: call it with `G72 L{l}`"), None if *from_macrocycle => "call a macrocycle with G72".to_owned(), None => nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
            | (match without_entry { Some(block) => format!("začíná-li blokem N{block}, doplnit před něj blok „N… G79 L{l}“"), None if *macrocycle => format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“"), None if *from_macrocycle => "volat makrocyklus pomocí G72".to_owned(), None => nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
-    [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool, calls: usize }
+    [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool, calls: usize, near: Option<u32> }
         en (if *calls > 1 { format!("macrocycle L{l} is not on the search path; {calls} blocks call it") } else { format!("macrocycle L{l} is not on the search path") })
         cs (if *calls > 1 { format!("makrocyklus L{l} na cestě hledání není; program ho volá {calls}×") } else { format!("makrocyklus L{l} na cestě hledání není") })
-        help (if *subprogram { format!("L{l} is a subprogram of this file: call it with `G71 L{l}`") } else { "name its folder with `-L` or under `macrocycles` in cnc872c.toml".to_owned() })
-           | (if *subprogram { format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“") } else { "uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml".to_owned() })
+        help (match (subprogram, near) { (true, _) => format!("L{l} is a subprogram of this file: call it with `G71 L{l}`"), (false, Some(near)) => format!("the nearest one is `G72 L{near}`; if L{l} is meant, name its folder with `-L` or under `macrocycles` in cnc872c.toml"), (false, None) => "name its folder with `-L` or under `macrocycles` in cnc872c.toml".to_owned() })
+           | (match (subprogram, near) { (true, _) => format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“"), (false, Some(near)) => format!("nejbližší je „G72 L{near}“; je-li míněno L{l}, uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml"), (false, None) => "uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml".to_owned() })
         note ({ let searched = crate::diag::terminal_safe(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::terminal_safe(searched); format!("hledalo se v: {searched}") })
     [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32> }
         en "there is no block N{l} to jump to"
@@ -620,8 +620,8 @@ diagnostics! {
         help "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX"
            | "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX"
     [W0612] FunctionNotModelled "function-not-modelled" Warning { function: GCode }
-        en (if function.is_cycle() { format!("how the fixed cycle {function} moves is not known: its blocks have no motion here") } else { format!("what {function} does is not modelled: the record shows the programmed path") })
-        cs (if function.is_cycle() { format!("jak se pevný cyklus {function} pohybuje, není známo: jeho bloky zde nemají žádný pohyb") } else { format!("účinek {function} se nemodeluje: záznam ukazuje programovanou dráhu") })
+        en (if function.is_cycle() { format!("how the fixed cycle {function} moves is not known: its blocks have no motion here") } else { format!("what {function} does is not modelled: the programmed path counts") })
+        cs (if function.is_cycle() { format!("jak se pevný cyklus {function} pohybuje, není známo: jeho bloky zde nemají žádný pohyb") } else { format!("účinek {function} se nemodeluje: počítá se s programovanou dráhou") })
         help (if function.is_cycle() { format!("name the macrocycle that the machine runs for it in the project file: `[cycles]`, `{function} = …`") } else { String::new() })
            | (if function.is_cycle() { format!("uvést v projektovém souboru makrocyklus, který stroj při něm provádí: [cycles], {function} = …") } else { String::new() })
     [W0613] HelixWithoutG09 "helix-without-g09" Warning {}
@@ -757,7 +757,7 @@ fn times(count: u64, lang: Lang) -> String {
     match (count, lang) {
         (0 | 1, _) => String::new(),
         (_, Lang::En) => format!("{count} times in this program"),
-        (_, Lang::Cs) => format!("v programu {count}krát"),
+        (_, Lang::Cs) => format!("v programu {count}×"),
     }
 }
 

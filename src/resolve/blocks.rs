@@ -12,9 +12,9 @@ use crate::diag::{
     UnusedMeant,
 };
 use crate::dict::{
-    Address, Decimal, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, M_GROUPS, PROGRAM_ENDS, RESERVED_PARAMETER,
+    Address, Decimal, FIRST_CONTROL, GCode, GGroup, HIGHEST_L, LAST_CONTROL, M_GROUPS, PROGRAM_ENDS, RESERVED_PARAMETER,
 };
-use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
+use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Value, Word};
 use crate::text::{Location, Span};
 
 /// Most words of an address in one block (BLK-3, BLK-4).
@@ -335,7 +335,8 @@ impl<'a> BlockChecker<'a> {
             Err(FormFault::Range(range)) => {
                 // What belongs to a function of another control has its finding there.
                 if !functions.takes_elsewhere(address) {
-                    let call = functions.calls_elsewhere().and_then(|_| packed_call(address, value));
+                    let call = functions.calls_elsewhere().and_then(|_| call_elsewhere(address, value, functions));
+                    let range = self.range_here(word, value, feed_mode).unwrap_or(range);
                     self.report_value(word, Finding::ValueOutOfRange { address, range, call });
                 }
                 return false;
@@ -360,6 +361,26 @@ impl<'a> BlockChecker<'a> {
         true
     }
 
+    /// The one range of F that holds at a word, where the block does not say it: by the last G6 function before it in the
+    /// text, in a program else by that of power-up.
+    fn range_here(&self, word: Word, value: Decimal, mode: Option<GCode>) -> Option<String> {
+        /// So many blocks are looked at.
+        const BLOCKS: u32 = 1 << 10;
+        if word.address != Address::F || mode.is_some() {
+            return None;
+        }
+        let block = self.file.block_at(word.start())?;
+        let of_group = |word: &Word| g_code(*word).filter(|code| code.group() == GGroup::G6);
+        let mut blocks = (block.0.saturating_sub(BLOCKS)..block.0).rev().map(BlockId);
+        let written = blocks.find_map(|block| self.file.words(block).iter().rev().find_map(of_group));
+        let power_up = || self.settings.machine.power_up.get(GGroup::G6.index()).copied().flatten();
+        let mode = written.or_else(|| power_up().filter(|_| self.file.form == Form::Program))?;
+        match check_form(&self.settings.machine, Address::F, value, false, Some(mode)) {
+            Err(FormFault::Range(range)) => Some(range),
+            Ok(()) | Err(FormFault::Fraction | FormFault::Digits) => None,
+        }
+    }
+
     /// Each address once (BLK-3); G and M by group, R by parameter.
     fn check_repeated(&mut self, words: &[Word]) {
         let mut addresses: [Option<Word>; Address::ALL.len()] = [None; Address::ALL.len()];
@@ -380,7 +401,7 @@ impl<'a> BlockChecker<'a> {
                 None => *slot = Some(word),
                 Some(first) => {
                     let address = if is_parameter { format!("R{}", word.target()) } else { word.address.to_string() };
-                    self.report_with_first(word, Finding::DuplicateAddress { address }, first);
+                    self.report_with_first(word, Finding::DuplicateAddress { address, unnumbered: false }, first);
                 }
             }
         }
@@ -403,11 +424,27 @@ impl<'a> BlockChecker<'a> {
                 let known = || self.known_subprograms().unwrap_or_else(|| meant.clone());
                 *meant = if only_g { TargetMeant::Millimetres } else { known() };
             }
-            if matches!(finding, Finding::UnusedRepeat {}) && functions.is_call_elsewhere(words) {
+            let exchanged = exchanged_call(words, functions).filter(|(_, l)| self.is_unit(*l));
+            if matches!(finding, Finding::UnusedRepeat {})
+                && (functions.is_call_elsewhere(words) || exchanged.is_some())
+            {
+                return;
+            }
+            let called = || words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
+            let is_target = matches!(finding, Finding::UnusedTarget { .. });
+            if is_target && functions.calls_elsewhere().is_some() && called().is_some_and(|p| !(1..=99).contains(&p)) {
+                // The P has its finding, with what is written here.
                 return;
             }
             if let Finding::UnusedTarget { meant } = &mut finding {
-                *meant = unused_meant(words, functions, word);
+                *meant = match exchanged {
+                    Some((code, l)) => {
+                        let count = functions.roles.q.and_then(Word::whole);
+                        let count = count.map_or_else(String::new, |count| format!(" Q{count}"));
+                        UnusedMeant::Exchanged { written: format!("{code} L{l}{count}") }
+                    }
+                    None => unused_meant(words, functions, word),
+                };
             }
             self.report(word, finding);
         });
@@ -421,6 +458,11 @@ impl<'a> BlockChecker<'a> {
             self.report(l, finding);
             self.refused.push(l.start());
         }
+    }
+
+    /// Whether the file has a subprogram of that number.
+    fn is_unit(&self, l: u32) -> bool {
+        self.units.iter().any(|unit| unit.kind == UnitKind::Subprogram(Some(l)))
     }
 
     /// The first subprograms of the file, when there are any.
@@ -583,9 +625,10 @@ impl<'a> BlockChecker<'a> {
             return;
         }
         let place = self.file.word_place(skip);
-        let finding = Finding::SkipBeforeBlockNumber { block: self.file.shown_number(block) };
+        let entry = next.is_some() && self.file.flags(block.next()).has(BlockFlags::ENTRY);
+        let finding = Finding::SkipBeforeBlockNumber { block: self.file.shown_number(block), entry };
         let mut diagnostic = Diagnostic::new(finding, place);
-        if let Some(next) = next.filter(|_| self.takes_skip(block.next(), line)) {
+        if let Some(next) = next.filter(|_| !entry && self.takes_skip(block.next(), line)) {
             let text = source.slice(place.span);
             let behind = Span::empty(next.span(source.text()).end);
             diagnostic = diagnostic.with_fix(
@@ -639,6 +682,13 @@ impl<'a> BlockChecker<'a> {
     }
 }
 
+/// A call as other controls write it with M98: `P100 L3`, `P30100`.
+fn call_elsewhere(address: Address, value: Decimal, functions: &Functions) -> Option<String> {
+    let l = value.as_whole().filter(|l| address == Address::P && (1..=i64::from(HIGHEST_L)).contains(l));
+    let count = functions.roles.l.and_then(Word::whole).map_or_else(String::new, |count| format!(" Q{count}"));
+    l.map(|l| format!("G71 L{l}{count}")).or_else(|| packed_call(address, value))
+}
+
 /// A call as other controls write it in one P, `P40010` for four times `O0010`.
 fn packed_call(address: Address, value: Decimal) -> Option<String> {
     let digits = value.as_whole().filter(|digits| *digits >= 10_000)?;
@@ -646,6 +696,15 @@ fn packed_call(address: Address, value: Decimal) -> Option<String> {
     let (count, l) = (digits / 10_000, digits % 10_000);
     (1..=99).contains(&count).then_some(())?;
     (l > 0).then(|| format!("G71 L{l} Q{count}"))
+}
+
+/// The call that a block makes when the digits of its plane are exchanged: `G17 L100` for `G71 L100`.
+fn exchanged_call(words: &[Word], functions: &Functions) -> Option<(GCode, u32)> {
+    let (plane, _) = functions.of(GGroup::G1).filter(|(code, _)| *code == GCode::G17)?;
+    let other = words.iter().any(|word| !matches!(word.address, Address::G | Address::L | Address::Q | Address::Skip));
+    let alone = !other && words.iter().filter(|word| word.address == Address::G).count() == 1;
+    let l = functions.roles.l.and_then(super::l_number)?;
+    (alone && plane == GCode::G17).then_some((GCode::G71, l))
 }
 
 /// What was meant by an L without use: other controls write tables and calls with it.

@@ -50,8 +50,9 @@ pub(super) fn look_at_blocks(
     let check = || check_blocks(settings, parsed, units, letters, excused);
     let layout = || (number_blocks(parsed), lines::check(parsed, units));
     let long = parsed.block_count() > SIDE_BY_SIDE;
-    let (mut checked, (numbered, (findings, continuing_lines))) =
+    let (mut checked, (numbered, (mut findings, continuing_lines))) =
         if long { parallel::join(check, layout) } else { (check(), layout()) };
+    lines::join_conflicts(parsed, excused, &mut findings, &mut checked.findings);
     checked.findings.append(numbered.findings);
     checked.findings.append(findings);
     checked.reachable = numbered.reachable;

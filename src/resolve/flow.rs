@@ -181,6 +181,14 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
                 |l: u32| if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l) };
             named.extend(l.and_then(known));
         }
+        // A G72 that finds no macrocycle, and a G17 with the number of a subprogram, have their findings: they were to call it.
+        let written = |code: GCode| words.iter().any(|word| g_code(*word) == Some(code));
+        if let Some(l) = l.and_then(l_number)
+            && (written(GCode::G17) && Roles::written(words).flow().is_none()
+                || written(GCode::G72) && context.library.find(l).is_err())
+        {
+            named.insert(l);
+        }
         // M98 has its finding: it was to call the subprogram.
         if words.iter().any(|word| word.address == Address::M && word.whole() == Some(98)) {
             // The number of a subprogram is seldom one that P takes.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::spelling::distance;
 use crate::diag::Problem;
 use crate::dict::HIGHEST_L;
 use crate::text::{Encoding, Loader, Numbered, SourceText, path_name};
@@ -14,6 +15,8 @@ pub enum MacrocycleFault {
     Missing {
         /// The folders, for the message.
         searched: String,
+        /// The one whose number is written nearly so.
+        near: Option<u32>,
     },
     /// Two files of that number.
     Ambiguous {
@@ -75,7 +78,10 @@ impl<'a> Library<'a> {
                     name if name.is_empty() => ".".to_owned(),
                     name => name,
                 };
-                Err(MacrocycleFault::Missing { searched: self.folders.iter().map(name).collect::<Vec<_>>().join(", ") })
+                let searched = self.folders.iter().map(name).collect::<Vec<_>>().join(", ");
+                let near = self.index().keys().copied().min_by_key(|number| distance(*number, l));
+                let near = near.filter(|near| distance(*near, l).0 == 1);
+                Err(MacrocycleFault::Missing { searched, near })
             }
             Some([only]) => Ok(only.clone()),
             Some([first, second, ..]) => {
@@ -148,6 +154,6 @@ mod tests {
         let mut library = Library::new(&loader, &[PathBuf::from("m")], Path::new("p.nc"));
         assert!(matches!(library.find(1), Err(MacrocycleFault::Ambiguous { .. })));
         assert_eq!(library.find(2), Ok(PathBuf::from("m/L2")));
-        assert_eq!(library.find(3), Err(MacrocycleFault::Missing { searched: "m".to_owned() }));
+        assert_eq!(library.find(3), Err(MacrocycleFault::Missing { searched: "m".to_owned(), near: Some(1) }));
     }
 }

@@ -1,10 +1,12 @@
 //! Lines that a block number was forgotten on (BLK-1).
 
+use std::collections::BTreeMap;
+
 use super::Unit;
-use crate::diag::{Diagnostic, Finding, Findings};
+use crate::diag::{Code, Diagnostic, Finding, Findings};
 use crate::dict::Address;
 use crate::syntax::{BlockId, ParsedFile, Word};
-use crate::text::{LineIndex, Span};
+use crate::text::{LineIndex, Location, Span};
 
 /// So many lines of a unit begin with `N`, at least.
 const LEAST: usize = 5;
@@ -26,6 +28,56 @@ pub(super) fn check(parsed: &ParsedFile, units: &[Unit]) -> (Findings, bool) {
         }
     }
     (findings, any)
+}
+
+/// Makes one finding of a line that was warned of and the conflicts of its words with those above it, which follow from the
+/// block number that was forgotten there: the first conflict, an error, takes the place of the warning and says so. Blocks
+/// without words that are numbered further on in the line are part of it. `entries`: begin subprograms, and have a finding
+/// about such a line.
+pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &mut Findings, findings: &mut Findings) {
+    let mut starts: Vec<u32> = warned.items().iter().map(|found| found.at.span.start).collect();
+    if starts.is_empty() {
+        return;
+    }
+    starts.sort_unstable();
+    let lines = parsed.source.lines();
+    let line_of = |found: &Diagnostic| {
+        let at = starts.partition_point(|start| *start <= found.at.span.start).checked_sub(1)?;
+        starts.get(at).copied()
+    };
+    let mut first: BTreeMap<u32, Location> = BTreeMap::new();
+    for found in findings.items().iter().filter(|found| is_conflict(found)) {
+        if let Some(line) = line_of(found).filter(|line| found.labels.iter().any(|label| label.at.span.start < *line)) {
+            let place = first.entry(line).or_insert(found.at);
+            *place = found.at.min(*place);
+        }
+    }
+    findings.revise(|found| {
+        let Some(line) = line_of(found) else { return true };
+        let start = found.at.span.start;
+        if found.code() == Code::W0214 && lines.line_at(start) == lines.line_at(line) {
+            return false;
+        }
+        let above = is_conflict(found) && found.labels.iter().any(|label| label.at.span.start < line);
+        if !above {
+            return true;
+        }
+        if let Finding::DuplicateAddress { unnumbered, .. }
+        | Finding::ConflictingG { unnumbered, .. }
+        | Finding::ConflictingM { unnumbered, .. } = &mut found.finding
+        {
+            *unnumbered = true;
+        }
+        first.get(&line) == Some(&found.at)
+    });
+    warned.revise(|found| {
+        let entry = parsed.block_at(found.at.span.start).is_some_and(|block| entries.contains(&block));
+        !entry && !first.contains_key(&found.at.span.start)
+    });
+}
+
+fn is_conflict(found: &Diagnostic) -> bool {
+    matches!(found.code(), Code::E0306 | Code::E0307 | Code::E0308)
 }
 
 /// The lines of a unit.

@@ -27,6 +27,7 @@ pub use blocks::{g_code, m_number};
 pub use forms::{FormFault, check_form, feed_range};
 pub use library::{Library, MacrocycleFault};
 pub use meant::may_have_end;
+pub use planes::missing_axis;
 pub use program::{Resolved, Target, Unit, UnitId, UnitKind};
 pub use rings::ring_text;
 pub use roles::{Roles, Taker};

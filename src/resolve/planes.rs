@@ -5,18 +5,14 @@ use crate::diag::{Finding, PlaneFault};
 use crate::dict::{GCode, Plane, PlaneAxis};
 
 /// What is wrong with choosing a plane by `function`, when the machine lacks one of its axes.
-pub(super) fn missing_axis(axes: &Axes, function: GCode) -> Option<Finding> {
+pub fn missing_axis(axes: &Axes, function: GCode) -> Option<Finding> {
     let plane = Plane::of(function)?;
     let missing = plane.axes.into_iter().find(|axis| !exists(axes, *axis))?;
     let letters = match missing {
-        PlaneAxis::Letter(letter) => letter.to_string(),
-        PlaneAxis::Fourth => "4".to_owned(),
+        PlaneAxis::Letter(letter) => Some(letter.letter()),
+        PlaneAxis::Fourth => None,
     };
-    Some(Finding::PlaneMismatch {
-        plane,
-        fault: PlaneFault::MissingAxis { axes: letters },
-        meant: meant(axes, function),
-    })
+    Some(Finding::PlaneMismatch { plane, fault: PlaneFault::missing(letters), meant: meant(axes, function) })
 }
 
 /// The plane that was probably meant: that of the same number in ISO 6983, else the only one that the machine has.

@@ -124,6 +124,11 @@ impl Resolved {
         self.continuing_lines
     }
 
+    /// Whether no call of a subprogram from a subprogram was reported before; it counts as reported now (FLW-2).
+    pub const fn is_first_inner_call(&mut self) -> bool {
+        !std::mem::replace(&mut self.subprogram_call_warned, true)
+    }
+
     /// The codes of operations that are not configured and have been reported (PAR-9).
     pub const fn unknown_operations(&self) -> &BTreeSet<i64> {
         &self.unknown_operations

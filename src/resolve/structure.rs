@@ -190,11 +190,13 @@ impl Context<'_, '_> {
             if count == SUBPROGRAMS + 1 {
                 self.report(entry, Finding::TooManySubprograms {});
             }
-            self.check_entry(parsed, block);
             let l_word = entry_l(parsed, block);
             let l = l_word.and_then(l_number);
             let kind = UnitKind::Subprogram(l);
             let unit = Unit { kind, file: FileId(0), first: block, end, entry };
+            let ends_before = ends_before_entry(parsed, block);
+            excused.extend(ends_before.then_some(block));
+            self.check_entry(parsed, block, ends_before);
             let id = resolved.add_unit(unit);
             if !ended {
                 excused.extend(self.report_unterminated(parsed, &unit));
@@ -264,7 +266,7 @@ impl Context<'_, '_> {
         let (end, ended) = unit_end(&parsed, first);
         let name = parsed.source.name().to_owned();
         if begins {
-            self.check_entry(&parsed, first);
+            self.check_entry(&parsed, first, false);
             if let Some(word) = entry_l(&parsed, first)
                 && let Some(found) = l_number(word).filter(|found| *found != l)
             {
@@ -320,14 +322,14 @@ impl Context<'_, '_> {
     }
 
     /// Nothing but `N`, G79 and L stands in the block that begins a unit (PRG-3).
-    fn check_entry(&mut self, parsed: &ParsedFile, block: BlockId) {
+    fn check_entry(&mut self, parsed: &ParsedFile, block: BlockId, unnumbered: bool) {
         for &word in parsed.words(block) {
             // A function of the same group, or a second L, is a finding of its own already.
             let of_group = g_code(word).is_some_and(|code| code.group() == GCode::G79.group());
             if !of_group && word.address != Address::L && !word.is_faulty() {
                 let place = parsed.word_place(word);
                 let shown = crate::diag::shown(parsed.source.slice(place.span));
-                self.report(place, Finding::CrowdedSubprogramStart { word: shown });
+                self.report(place, Finding::CrowdedSubprogramStart { word: shown, unnumbered });
                 return;
             }
         }
@@ -341,7 +343,7 @@ fn main_end(parsed: &ParsedFile) -> (BlockId, bool) {
     for block in parsed.block_ids() {
         let flags = parsed.flags(block);
         if flags.has(BlockFlags::ENTRY) {
-            return (block, ended);
+            return (block, ended || ends_before_entry(parsed, block));
         }
         if flags.has(BlockFlags::END) {
             ended = true;
@@ -351,6 +353,21 @@ fn main_end(parsed: &ParsedFile) -> (BlockId, bool) {
         }
     }
     (BlockId(parsed.block_count()), ended)
+}
+
+/// Whether the block that begins a subprogram holds the end of the main program on a line above G79: the number of its own
+/// was forgotten on that line.
+fn ends_before_entry(parsed: &ParsedFile, block: BlockId) -> bool {
+    if !parsed.flags(block).has(BlockFlags::END) {
+        return false;
+    }
+    let entry = entry_place(parsed, block).span.start;
+    let end = |word: &Word| {
+        let number = word.whole().and_then(|number| u8::try_from(number).ok());
+        word.address == Address::M && number.is_some_and(|number| PROGRAM_ENDS.contains(&number))
+    };
+    let line = |at: u32| parsed.source.lines().line_at(at);
+    parsed.words(block).iter().any(|word| end(word) && line(word.start()) < line(entry))
 }
 
 /// So many bytes behind `*` are looked at for the end of the program.

@@ -24,14 +24,16 @@ fn conflict(file: &ParsedFile, first: Word, name: String, second: Word, finding:
 
 /// Two G functions of one group in one block.
 pub fn conflicting_g(file: &ParsedFile, first: (GCode, Word), second: (GCode, Word)) -> Diagnostic {
-    let finding = Finding::ConflictingG { first: first.0, second: second.0, group: second.0.group() };
+    let finding =
+        Finding::ConflictingG { first: first.0, second: second.0, group: second.0.group(), unnumbered: false };
     conflict(file, first.1, first.0.to_string(), second.1, finding)
 }
 
 /// Two M functions of one group in one block.
 pub fn conflicting_m(file: &ParsedFile, first: (u8, Word), second: (u8, Word), machine: &Machine) -> Diagnostic {
     let group = machine.m_functions.group(second.0);
-    let finding = Finding::ConflictingM { first: first.0, second: second.0, group, dialect: machine.dialect };
+    let finding =
+        Finding::ConflictingM { first: first.0, second: second.0, group, dialect: machine.dialect, unnumbered: false };
     conflict(file, first.1, format!("M{:02}", first.0), second.1, finding)
 }
 
@@ -93,7 +95,9 @@ pub fn subprogram(
 /// The finding at the first of `calls` calls of a macrocycle that cannot be loaded.
 pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool, calls: usize) -> Finding {
     match fault {
-        MacrocycleFault::Missing { searched } => Finding::UnknownMacrocycle { l, searched, subprogram, calls },
+        MacrocycleFault::Missing { searched, near } => {
+            Finding::UnknownMacrocycle { l, searched, subprogram, calls, near }
+        }
         MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
         MacrocycleFault::Unreadable { file, problem } => Finding::UnreadableFile { problem, file: Some(file) },
     }

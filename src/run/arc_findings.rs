@@ -21,8 +21,23 @@ pub(super) fn center_axes(machine: &Machine, named: [usize; 2]) -> [usize; 2] {
     }
 }
 
+/// Shows what makes the block an arc when it does not say so itself.
+pub(super) fn because_of(state: &State, words: &BlockWords, g: &InForce, diagnostic: Diagnostic) -> Diagnostic {
+    let function = g.of(GGroup::G0).filter(|_| words.written(GGroup::G0).is_none());
+    let (Some(function), Some((n, place))) = (function, state.origins.motion.0) else { return diagnostic };
+    let function = if n == 0 { function.to_string() } else { format!("{function} (N{n})") };
+    diagnostic.with_label(place, LabelText::MakesArc { function })
+}
+
 /// W0616: under a radius correction an arc in other axes than those of the plane in force.
-pub(super) fn check_plane(site: &mut Site<'_>, g: &InForce, at: Location, pair: [usize; 2]) {
+pub(super) fn check_plane(
+    site: &mut Site<'_>,
+    state: &State,
+    words: &BlockWords,
+    g: &InForce,
+    at: Location,
+    pair: [usize; 2],
+) {
     let Some(correction) = g.of(GGroup::G3).filter(|code| *code != GCode::G40) else { return };
     let axes = &site.machine().axes;
     let (plane, meant) = (planes::in_force(g), planes::of_pair(axes, pair));
@@ -35,7 +50,8 @@ pub(super) fn check_plane(site: &mut Site<'_>, g: &InForce, at: Location, pair: 
         .map(|axis| axis.letter.to_string())
         .collect();
     let fault = PlaneFault::OtherAxes { axes: letters.join(", "), correction: correction.to_string() };
-    site.found(Finding::PlaneMismatch { plane, fault, meant }, at);
+    let diagnostic = Diagnostic::new(Finding::PlaneMismatch { plane, fault, meant }, at);
+    site.report(because_of(state, words, g, diagnostic));
 }
 
 /// E0602, with what makes the block an arc when it does not say so itself.
@@ -53,7 +69,14 @@ pub(super) fn missing_center(site: &mut Site<'_>, state: &State, words: &BlockWo
 }
 
 /// W0606, with the M function that moved the machine.
-pub(super) fn unknown_start(site: &mut Site<'_>, state: &State, at: Location, axes: [usize; 2], start: [Position; 2]) {
+pub(super) fn unknown_start(
+    site: &mut Site<'_>,
+    state: &State,
+    (words, g): (&BlockWords, &InForce),
+    at: Location,
+    axes: [usize; 2],
+    start: [Position; 2],
+) {
     let unknown: Vec<String> = axes
         .into_iter()
         .zip(start)
@@ -68,14 +91,14 @@ pub(super) fn unknown_start(site: &mut Site<'_>, state: &State, at: Location, ax
     if let Some((m, place)) = state.origins.moved.0 {
         diagnostic = diagnostic.with_label(place, LabelText::PositionLost { m });
     }
-    site.report(diagnostic);
+    site.report(because_of(state, words, g, diagnostic));
 }
 
 /// E0603 at I, else at J, with start, centre and end, and what I and J probably are.
 pub(super) fn radii(
     site: &mut Site<'_>,
     state: &State,
-    words: &BlockWords,
+    (words, g): (&BlockWords, &InForce),
     at: Location,
     named: [usize; 2],
     (arc, computed): (&Arc, &Computed),
@@ -107,6 +130,7 @@ pub(super) fn radii(
         meant: meant_center(machine, arc, in_order),
     };
     let diagnostic = offer(site, words, Diagnostic::new(finding, place));
+    let diagnostic = because_of(state, words, g, diagnostic);
     site.report(match word {
         Some(word) => with_origin(state, diagnostic, word),
         None => diagnostic,

@@ -40,8 +40,8 @@ pub(super) fn compute(
             return Err(ArithmeticFault::NegativeRoot { operand: first.to_string() });
         }
         Operation::Sqrt => nearest_root(a * scale),
-        Operation::Sin => scaled(sine(degrees(a)), scale),
-        Operation::Cos => scaled(sine(degrees(a) + 90_000), scale),
+        Operation::Sin => of_sine(degrees(a), scale),
+        Operation::Cos => of_sine(degrees(a) + 90_000, scale),
         Operation::Tan => {
             let angle = degrees(a).rem_euclid(180_000);
             if angle == 90_000 {
@@ -90,6 +90,12 @@ fn ratio(units: i128, scale: i128) -> f64 {
 #[expect(clippy::cast_possible_truncation, reason = "saturating; the range is checked after it")]
 fn scaled(value: f64, scale: i128) -> i128 {
     (value * ratio(scale, 1)).round() as i128
+}
+
+/// The sine of an angle in thousandths of a degree, in units of the mode: to 0.001 as the control resolves it, so that the
+/// half of 30° is one, then to whole numbers.
+fn of_sine(thousandths: i128, scale: i128) -> i128 {
+    divide(scaled(sine(thousandths), 1000), 1000 / scale)
 }
 
 fn radians(thousandths: i128) -> f64 {
@@ -152,6 +158,23 @@ mod tests {
         assert_eq!(real(Operation::Atan2, 1000, -1000), Some(135_000));
         assert_eq!(real(Operation::Acos, -1000, 0), Some(180_000));
         assert_eq!(real(Operation::Asin, 500, 0), Some(30_000));
+    }
+
+    /// PAR-8: the halves of sine and cosine are rounded away from zero.
+    #[test]
+    fn whole_sines() {
+        for (operation, degrees, expected) in [
+            (Operation::Sin, 30, 1),
+            (Operation::Sin, 150, 1),
+            (Operation::Sin, -30, -1),
+            (Operation::Sin, 29, 0),
+            (Operation::Cos, 60, 1),
+            (Operation::Cos, 120, -1),
+            (Operation::Cos, 300, 1),
+            (Operation::Cos, 90, 0),
+        ] {
+            assert_eq!(whole(operation, degrees * 1000, 0), Some(expected * 1000), "{operation:?} {degrees}");
+        }
     }
 
     #[test]

@@ -66,7 +66,7 @@ impl Flow<'_, '_> {
                 let place = self.cycle_place(cycle);
                 self.report(Diagnostic::new(Finding::FlowAfterEnd { function: cycle }, place));
             } else if let Some((second, word)) = flow {
-                let finding = Finding::ConflictingG { first: cycle, second, group: GGroup::G7 };
+                let finding = Finding::ConflictingG { first: cycle, second, group: GGroup::G7, unnumbered: false };
                 let place = self.cycle_place(cycle);
                 let diagnostic = Diagnostic::new(finding, self.word_place(word));
                 self.report(diagnostic.with_label(place, LabelText::InForce { function: cycle.to_string() }));
@@ -111,6 +111,9 @@ impl Flow<'_, '_> {
         let (Some(number), Some(count)) = (whole(l.value), self.repeats()) else { return Next::Halt };
         let place = self.file().map(|file| value_or_word(file, l.word)).unwrap_or_default();
         let by = if function == GCode::G71 { CallKind::Subprogram } else { CallKind::Macrocycle };
+        if function == GCode::G71 && word.is_parametric() {
+            self.warn_of_inner_call(number, word);
+        }
         let unit = match self.written_target(word, l.word) {
             Some(Target::Unit(unit)) => unit,
             _ if function == GCode::G71 => match self.find_subprogram(number, l.word, place) {
@@ -123,6 +126,16 @@ impl Flow<'_, '_> {
             },
         };
         self.enter(unit, self.call_info(by, number, count), self.word_place(l.word), Some(l.word))
+    }
+
+    /// FLW-2: a subprogram called from a subprogram by a G71 that a parameter gives; the written ones are found before.
+    fn warn_of_inner_call(&mut self, l: u32, word: Word) {
+        let Some(UnitKind::Subprogram(own)) = self.frames.last().map(|frame| frame.unit.kind) else { return };
+        if own != Some(l) && self.program.resolved.is_first_inner_call() {
+            let finding = Finding::SubprogramCallsSubprogram { l: Some(l) };
+            let diagnostic = Diagnostic::new(finding, self.word_place(word));
+            self.report(with_origin(self.state, diagnostic, word));
+        }
     }
 
     /// Where the call or jump leads, when `resolve` knows it: function and target are written with digits.

@@ -1,12 +1,14 @@
 //! The G functions of a block, and what a change of origin follows from.
 
 use super::block::InForce;
+use super::parameters::with_origin;
 use super::site::Site;
 use super::state::{AxisSet, Held, Noted, State};
 use super::unknown::Groups;
 use super::words::BlockWords;
-use crate::diag::Finding;
+use crate::diag::{Diagnostic, Finding};
 use crate::dict::{Decimal, GCode, GGroup, Lasting};
+use crate::resolve::missing_axis;
 use crate::text::Location;
 
 /// Puts the G functions of the block into force, and gives what holds in it: x functions hold in it only.
@@ -20,6 +22,12 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords) 
                 }
             }
             Lasting::Block => {}
+        }
+        // GRP-2: found before execution when it is written out.
+        if word.is_parametric()
+            && let Some(finding) = missing_axis(&site.machine().axes, code)
+        {
+            site.report(with_origin(state, Diagnostic::new(finding, site.word_place(word)), word));
         }
         // GRP-8: what G05–G08 do is not modelled; said once of each.
         if !code.is_modelled() {

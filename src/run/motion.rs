@@ -13,7 +13,7 @@ use super::warnings::check_travel;
 use super::words::{BlockWords, Valued};
 use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
-use crate::diag::{CenterPlace, Finding};
+use crate::diag::{CenterPlace, Diagnostic, Finding};
 use crate::dict::{Decimal, GCode, GGroup, Micro};
 use crate::text::Location;
 
@@ -165,7 +165,7 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
     let spiral = matches!(g.of(GGroup::G2), Some(GCode::G09 | GCode::G10));
     let cycle = g.of(GGroup::G8).is_some_and(GCode::is_cycle);
     let thread = g.of(GGroup::G0) == Some(GCode::G33);
-    let other_letters = is_arc && !spiral && other_centers::report_k(site, words, g);
+    let other_letters = is_arc && !spiral && other_centers::report_k(site, state, words, g);
     for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
         // A malformed word has its finding.
         let Some(valued) = valued.filter(|valued| !valued.word.is_void()) else { continue };
@@ -177,10 +177,10 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
             centers.extend(valued.value.map(|value| (letter, value)));
         } else if !(is_arc && letter != 'K') {
             let place = if circular && letter == 'K' { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
-            site.found(
-                Finding::CenterWordNotUsable { letter, place, written: String::new() },
-                site.word_place(valued.word),
-            );
+            let finding = Finding::CenterWordNotUsable { letter, place, written: String::new() };
+            let diagnostic = Diagnostic::new(finding, site.word_place(valued.word));
+            let of_arc = circular && letter == 'K';
+            site.report(if of_arc { arc_findings::because_of(state, words, g, diagnostic) } else { diagnostic });
         }
     }
 }
@@ -262,29 +262,34 @@ fn find_arc(
     let plane = planes::in_force(g);
     let Some((pair, helix)) = planes::of_arc(planes::axes_of(&machine.axes, plane), travels) else {
         let plane = format!("{} ({})", plane.name, plane.function);
-        site.found(Finding::ArcAxes { plane, many: travels.len() > 3 }, at);
+        let diagnostic = Diagnostic::new(Finding::ArcAxes { plane, many: travels.len() > 3 }, at);
+        site.report(arc_findings::because_of(state, words, g, diagnostic));
         return None;
     };
-    if helix.is_some() && g.of(GGroup::G2) != Some(GCode::G09) {
-        site.found(Finding::HelixWithoutG09 {}, at);
+    let zero = |word: Option<Valued>| word.is_none_or(|valued| valued.value == Some(Decimal::ZERO));
+    let centered = !(zero(words.i) && zero(words.j));
+    if helix.is_some() && centered && g.of(GGroup::G2) != Some(GCode::G09) {
+        let diagnostic = Diagnostic::new(Finding::HelixWithoutG09 {}, at);
+        site.report(arc_findings::because_of(state, words, g, diagnostic));
     }
-    arc_findings::check_plane(site, g, at, pair);
+    arc_findings::check_plane(site, state, words, g, at, pair);
     stay(machine, state, pair, travels);
     let named = planes::named(&machine.axes, pair);
     let [first, second] = named.map(|axis| machine.axes.get(axis).map(|axis| axis.letter));
     let mut arc = ArcFacts { plane: [first?, second?], helix, radius: None, computed: None };
     let Some(to_center) = center(site, state, words, g, named, at) else { return Some(arc) };
     arc.radius = Some(arc::radius(to_center));
-    let Some([start, end]) = ends(site, state, named, travels, at) else { return Some(arc) };
+    let Some([start, end]) = ends(site, state, (words, g), named, travels, at) else { return Some(arc) };
     let counter_clockwise = moving.kind == MotionType::ArcCcw;
     let path = Arc { start, end, to_center, counter_clockwise };
     let computed = path.compute();
     let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
     if !arc::radii_agree(&computed, tolerance) {
-        arc_findings::radii(site, state, words, at, named, (&path, &computed));
+        arc_findings::radii(site, state, (words, g), at, named, (&path, &computed));
     }
     if moving.stale {
-        site.found(Finding::ArcAfterOriginChange {}, at);
+        let diagnostic = Diagnostic::new(Finding::ArcAfterOriginChange {}, at);
+        site.report(arc_findings::because_of(state, words, g, diagnostic));
     }
     arc.computed = Some(computed);
     Some(arc)
@@ -328,6 +333,7 @@ fn center(
 fn ends(
     site: &mut Site<'_>,
     state: &State,
+    block: (&BlockWords, &InForce),
     named: [usize; 2],
     travels: &[Travel],
     at: Location,
@@ -338,7 +344,7 @@ fn ends(
         travel.map_or_else(|| state.position(axis), |travel| travel.after)
     });
     let (Some(start_u), Some(start_v)) = (start[0].known(), start[1].known()) else {
-        arc_findings::unknown_start(site, state, at, named, start);
+        arc_findings::unknown_start(site, state, block, at, named, start);
         return None;
     };
     Some([[start_u, start_v], [end[0].known()?, end[1].known()?]])

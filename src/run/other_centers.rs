@@ -1,9 +1,10 @@
 //! Centres of arcs as other controls write them: I, J, K for X, Y, Z in every plane (MOT-3).
 
-use super::arc_findings::center_axes;
+use super::arc_findings::{because_of, center_axes};
 use super::block::InForce;
 use super::planes;
 use super::site::Site;
+use super::state::State;
 use super::words::{BlockWords, Valued};
 use crate::diag::{CenterPlace, Diagnostic, Edit, Finding, FixTitle};
 use crate::dict::{AxisLetter, Decimal};
@@ -11,7 +12,7 @@ use crate::syntax::Word;
 
 /// A K in an arc of X and Z or of Y and Z is the distance along Z: says so, with the words that are written here, and
 /// leaves the centre unknown, so that one slip is one finding. Whether it did.
-pub(super) fn report_k(site: &mut Site<'_>, words: &mut BlockWords, g: &InForce) -> bool {
+pub(super) fn report_k(site: &mut Site<'_>, state: &State, words: &mut BlockWords, g: &InForce) -> bool {
     let Some(k) = words.k.filter(|k| !k.word.is_void()) else { return false };
     let machine = site.machine();
     let [x, y, z] = [AxisLetter::X, AxisLetter::Y, AxisLetter::Z].map(|axis| machine.axes.index(axis));
@@ -50,7 +51,8 @@ pub(super) fn report_k(site: &mut Site<'_>, words: &mut BlockWords, g: &InForce)
     let place = CenterPlace::OtherLetters;
     let finding = Finding::CenterWordNotUsable { letter: 'K', place, written: shown.clone() };
     let at = site.word_place(k.word);
-    site.report(Diagnostic::new(finding, at).with_edits(FixTitle::Write { text: shown }, edits));
+    let diagnostic = Diagnostic::new(finding, at).with_edits(FixTitle::Write { text: shown }, edits);
+    site.report(because_of(state, words, g, diagnostic));
     words.j = Some(Valued { value: None, ..k });
     true
 }

@@ -159,6 +159,15 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) {
             if g_word.is_parametric() {
                 site.found(finding, site.word_place(g_word));
             }
+        } else if g_word.is_parametric() {
+            let used = FIRST_CONTROL + u8::try_from(function.operations()).unwrap_or(0);
+            for parameter in used..=LAST_CONTROL {
+                if let Some((word, _)) = control(parameter).filter(|(word, _)| !word.is_void()) {
+                    let finding = Finding::SuperfluousControlWord { function, parameter };
+                    let diagnostic = Diagnostic::new(finding, site.word_place(word));
+                    site.report(with_origin(state, diagnostic, g_word));
+                }
+            }
         }
     }
     if anything {

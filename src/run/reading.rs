@@ -93,9 +93,11 @@ fn read_g(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
     let Some(code) = evaluate_g(site, state, words, word) else { return };
     if let Some((first, first_word)) = words.written(code.group()) {
         // Found before execution when both are written out.
-        let diagnostic = conflicting_g(site.file, (first, first_word), (code, word));
-        let diagnostic = with_origin(state, diagnostic, word);
-        site.report(with_origin(state, diagnostic, first_word));
+        if word.is_parametric() || first_word.is_parametric() {
+            let diagnostic = conflicting_g(site.file, (first, first_word), (code, word));
+            let diagnostic = with_origin(state, diagnostic, word);
+            site.report(with_origin(state, diagnostic, first_word));
+        }
         words.clash(first, code);
         return;
     }
@@ -118,9 +120,11 @@ fn read_m(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
     let group = functions.group(number);
     let conflict = words.m.iter().copied().find(|(other, _)| functions.group(*other) == group);
     if let Some((first, first_word)) = conflict {
-        let diagnostic = conflicting_m(site.file, (first, first_word), (number, word), site.machine());
-        let diagnostic = with_origin(state, diagnostic, word);
-        site.report(with_origin(state, diagnostic, first_word));
+        if word.is_parametric() || first_word.is_parametric() {
+            let diagnostic = conflicting_m(site.file, (first, first_word), (number, word), site.machine());
+            let diagnostic = with_origin(state, diagnostic, word);
+            site.report(with_origin(state, diagnostic, first_word));
+        }
         if !words.m_clashes.contains(&group) {
             words.m_clashes.push(group);
         }

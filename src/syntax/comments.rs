@@ -25,6 +25,9 @@ impl Lowering<'_> {
             self.pending.push(Diagnostic::new(finding, self.at(span)).with_edits(FixTitle::Comment, edits));
             return;
         }
+        if self.quotes_off.is_some_and(|end| span.start < end) || self.beside_quote(span) {
+            return;
+        }
         // Words behind it on its line are executed, whatever becomes of the text.
         let behind = swallowed::words_behind(self.text, span.end);
         let words = behind.map(|words| shown(self.slice(words).trim_end()));
@@ -43,6 +46,50 @@ impl Lowering<'_> {
             Finding::UnknownCharacter { text: shown_text, meant }
         };
         self.report(span, finding);
+    }
+
+    /// A text beside a quote that is one of an odd number: the quote before it is missing, or one within the comment before.
+    fn beside_quote(&mut self, span: Span) -> bool {
+        let text = self.slice(span);
+        let line = self.text.get(span.end as usize..).unwrap_or_default();
+        let line = line.split(['\r', '\n']).next().unwrap_or_default();
+        let behind = line.strip_prefix('"');
+        let inner = behind.map(|rest| rest.split('"').next().unwrap_or_default());
+        let inner_start = span.end + 1;
+        let length = |text: &str| u32::try_from(text.len()).unwrap_or(0);
+        let before = self.comments.last().copied().filter(|comment| comment.end == span.start && comment.len() > 2);
+        let swallowed = before
+            .filter(|comment| self.slice(*comment).ends_with('"'))
+            .and_then(|comment| swallowed::words(self.text, Span::new(comment.start + 1, comment.end - 1)));
+        let place = self.at(span);
+        let (meant, missing) = if let Some(words) = swallowed {
+            let words_text = shown(self.slice(words).trim_end());
+            (TextMeant::SwallowedBefore { words: words_text }, words.start)
+        } else if let Some(inner) = inner
+            && (behind.is_some_and(|rest| rest.trim().is_empty())
+                || behind != Some(inner)
+                    && swallowed::words(self.text, Span::new(inner_start, inner_start + length(inner))).is_some())
+        {
+            // Quotes further on in the line are off by one too.
+            self.quotes_off = Some(span.end + length(line));
+            (TextMeant::OpenQuote { text: shown(text) }, span.start)
+        } else {
+            return false;
+        };
+        let finding = if text.is_ascii() {
+            Finding::StrayText { text: shown(text), meant }
+        } else {
+            let meant = if let TextMeant::SwallowedBefore { words } = meant {
+                Meant::SwallowedBefore { words }
+            } else {
+                Meant::OpenQuote { text: shown(text) }
+            };
+            Finding::UnknownCharacter { text: shown(text), meant }
+        };
+        let title = FixTitle::Insert { text: "\"".to_owned() };
+        let missing = self.at(Span::empty(missing));
+        self.pending.push(Diagnostic::new(finding, place).with_offer(title, missing, "\""));
+        true
     }
 
     /// The name of a unit behind a number: `F300mm/min`.

@@ -1,7 +1,7 @@
 //! Words and signs as other controls, programs and text processors write them: each is one finding, with what is written
 //! here instead, as a fix where that is certain.
 
-use super::lower::{Lowering, PARAMETERS, printed_number};
+use super::lower::{Lowering, PARAMETERS, printed_number, split};
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word};
 use crate::diag::{
@@ -57,6 +57,19 @@ fn accented_word(text: &str) -> Option<(Address, String)> {
 fn parameter_number(digits: &str) -> Option<u8> {
     let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
     digits.parse().ok().filter(|number| whole && *number < PARAMETERS)
+}
+
+/// `R11` of `(R11)`, `-5` of `-(5)`: a value that stands alone between brackets.
+fn unbracketed(value: &str) -> Option<String> {
+    let value = value.trim_matches([' ', '\t']);
+    let inner = value.strip_prefix(['+', '-']).unwrap_or(value);
+    let sign = value.get(..value.len() - inner.len())?;
+    let inner = inner.trim_start_matches([' ', '\t']);
+    let close = inner.chars().next_back().filter(|close| ")]}>'`".contains(*close))?;
+    let inner = inner.get(1..inner.len() - close.len_utf8())?.trim_matches([' ', '\t']).to_ascii_uppercase();
+    let both = !sign.is_empty() && inner.starts_with(['+', '-']);
+    let whole = format!("{sign}{inner}");
+    written(&whole).filter(|_| !both).map(|_| whole)
 }
 
 impl Lowering<'_> {
@@ -314,8 +327,48 @@ impl Lowering<'_> {
             Written::Number(value) => Word::with_number(Address::R, span, value),
             Written::Parameter(source, sign) => Word::with_parameter(Address::R, span, source, sign),
         };
-        self.report_with_text(span, Finding::SplitNumber { joined: shown(&joined) }, joined);
+        self.report_with_text(span, split(shown(&joined)), joined);
         self.push(word.assigning(number).faulty(), span);
+    }
+
+    /// A value between brackets: `Z(R11)`, `R1=(R2+1)`.
+    pub(super) fn bracketed(&mut self, first: Token, last: Token) {
+        let span = first.span().to(last.span());
+        let text = self.slice(span);
+        let is_parameter = matches!(first.kind, Kind::Parameter | Kind::LooseParameter);
+        let (target, prefix, value) = if is_parameter {
+            let (target, faulty) = self.parameter(first);
+            let Some(target) = target.filter(|_| !faulty) else {
+                self.push_void(Address::R, span);
+                return;
+            };
+            let value = text.split_once('=').map_or("", |(_, value)| value);
+            (Some(target), format!("R{target}="), value)
+        } else {
+            let Some(address) = self.address(first.start, span) else { return };
+            (None, address.to_string(), text.get(1..).unwrap_or_default())
+        };
+        let address = if is_parameter { Some(Address::R) } else { Address::from_byte(self.byte(first.start)) };
+        let Some(address) = address else { return };
+        let numbered = matches!(address, Address::N | Address::Program);
+        let plain = unbracketed(value).filter(|value| !(numbered && value.contains('R')));
+        let place = self.at(span);
+        let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
+        self.pending.push(if let Some(value) = plain {
+            let written = format!("{prefix}{value}");
+            let diagnostic = Diagnostic::new(finding(Meant::Brackets { written: shown(&written) }), place);
+            diagnostic.with_offer(FixTitle::Write { text: shown(&written) }, place, written)
+        } else if value.trim_start_matches([' ', '\t']).starts_with(';') {
+            Diagnostic::new(finding(Meant::inside(value)), place)
+        } else if value.contains('#') {
+            Diagnostic::new(finding(Meant::Expression), place)
+        } else if value.contains(|character: char| character.is_ascii_digit()) {
+            Diagnostic::new(finding(Meant::Computed), place)
+        } else {
+            Diagnostic::new(finding(Meant::inside(value)), place)
+        });
+        let word = Word::bare(address, span).faulty();
+        self.push(target.map_or(word, |target| word.assigning(target)), span);
     }
 
     /// `TT1`: an address written twice.
@@ -455,6 +508,16 @@ impl Lowering<'_> {
             self.pending.push(diagnostic.with_offer(FixTitle::Write { text: written.clone() }, place, written));
             self.push_void(address, span);
             return;
+        }
+        let letter = text.chars().next().filter(|first| first.is_alphabetic() && !first.is_ascii());
+        let number = letter.and_then(|letter| Number::parse(text.get(letter.len_utf8()..)?.as_bytes()));
+        if number.is_some() {
+            // The address that it was meant as is not known.
+            self.push_void(Address::X, span);
+            self.push_void(Address::Y, span);
+            if !self.arc_in_force() {
+                self.push_void(Address::Z, span);
+            }
         }
         self.pending.push(if text == ";" && line_ends {
             let title = FixTitle::Delete { text: ";".to_owned() };

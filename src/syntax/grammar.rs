@@ -39,6 +39,8 @@ pub(super) enum Item {
     SignFirst { sign: Token, word: Token },
     /// A parameter with `=` and characters that the control does not know: `R10=−5`.
     OddValue { target: Token, value: Token },
+    /// An address or a parameter with `=`, and a value between brackets or of a function: `Z(R11)`, `R1=SIN(30)`.
+    Bracketed { first: Token, last: Token },
     /// A word, or something like one, that a single token holds: [`Kind::PrintedWord`] and the like.
     Foreign(Token),
     /// An address or R word without a value; a number beyond a line end or comments (then they are `Some`) was meant
@@ -66,7 +68,11 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
     let address = any().filter(|token: &Token| matches!(token.kind, Kind::Letter | Kind::SignedLetter));
     let pieces = number.repeated().collect::<Vec<Token>>();
     // What follows the parameter of an assignment, `R51+R52` too.
-    let operand = one(Kind::Sign).then(parameter.or(number)).map(|(sign, value)| vec![sign, value]);
+    let between = any().filter(|token: &Token| matches!(token.kind, Kind::Sign | Kind::Operator));
+    let operand = between
+        .then(between.or_not())
+        .then(parameter.or(number).or(one(Kind::Bracketed)))
+        .map(|((operator, _), value)| vec![operator, value]);
     let operands = number
         .map(|number| vec![number])
         .or(operand)
@@ -119,8 +125,13 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
     let short_assignment = parameter
         .then(one(Kind::Sign).or_not())
         .then(number)
-        .then(pieces)
+        .then(operands)
         .map(|(((target, sign), number), pieces)| Item::Assignment { target, sign, number, pieces });
+    let of_function = one(Kind::Text).or_not().then(one(Kind::Bracketed)).map(|(_, value)| value);
+    let bracketed =
+        assigned.map(|(target, _)| target).or(address).then(of_function).then(operands).map(
+            |((first, value), operands)| Item::Bracketed { first, last: operands.last().copied().unwrap_or(value) },
+        );
     let parametric = address.then(parameter).then(operands).map(|((address, parameter), pieces)| Item::Parametric {
         address,
         parameter,
@@ -169,6 +180,8 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
                     | Kind::Unit
             )
         })
+        // `X=R1*2`
+        .then_ignore(one(Kind::Operator).rewind().then(operands).or_not())
         .map(Item::Foreign);
     let double = parameter
         .then_ignore(one(Kind::Equals).repeated().at_least(2))
@@ -183,8 +196,9 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
             .map(|(parameter, equals): (Token, Option<Token>)| (parameter, equals.unwrap_or(parameter))))
         .then(beyond)
         .map(|((address, end), comments)| Item::Valueless { address, end, comments });
-    let stray_token = any()
-        .filter(|token: &Token| matches!(token.kind, Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals));
+    let stray_token = any().filter(|token: &Token| {
+        matches!(token.kind, Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals | Kind::Operator)
+    });
     let stray = stray_token
         .map(|token| (token, token))
         .foldl(stray_token.repeated(), |(first, _), last| (first, last))
@@ -201,6 +215,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
                 | Kind::Equals
                 | Kind::Sign
                 | Kind::ForeignComment
+                | Kind::Bracketed
         )
     });
     let text = one(Kind::Text)
@@ -212,7 +227,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         comment,
         many_signs,
         word,
-        choice((unassigned, split_parameter, no_parameter)),
+        choice((bracketed, unassigned, split_parameter, no_parameter)),
         copy,
         assignment,
         short_assignment,

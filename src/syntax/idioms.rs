@@ -3,9 +3,12 @@
 
 use super::lower::Lowering;
 use super::{BlockFlags, Kind, Word, tokens};
-use crate::diag::{Code, Diagnostic, DwellMeant, Finding, FixTitle, NumberMeant, TargetMeant, ValueMeant, shown};
+use crate::diag::{
+    Code, CommaMeant, Diagnostic, DwellMeant, Finding, FixTitle, NumberMeant, TargetMeant, ValueMeant, shown,
+};
 use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_Q};
 use crate::syntax::number::Number;
+use crate::text::{Location, Span};
 
 /// So far back a G02 or G03 is looked for that is in force where a part of a long text begins.
 const FAR: u32 = 1 << 20;
@@ -23,11 +26,14 @@ impl Lowering<'_> {
         if std::mem::take(&mut self.candidate) {
             self.turning_cycle(first);
             self.dwell(first);
+            self.dwell_with_comma(first);
         }
         if self.pending.is_empty() {
             return;
         }
+        self.forgotten_addresses(first);
         self.letters_for_one(first);
+        self.letters_in_functions(first);
         self.radius_in_arc(first);
         for diagnostic in self.pending.drain(..) {
             self.findings.add(diagnostic);
@@ -63,6 +69,11 @@ impl Lowering<'_> {
             if has(Address::L) || !cycle {
                 return;
             }
+            if let Some(number) = self.called_by_p(first) {
+                let place = place(g);
+                self.called_in_place(first, function, place, number);
+                return;
+            }
             let drilling = function == GCode::G73 && has(Address::Z) && !has(Address::P);
             let meant = if drilling { TargetMeant::Drilling } else { TargetMeant::Turning };
             Diagnostic::new(Finding::MissingTarget { function, meant }, place(g))
@@ -75,6 +86,33 @@ impl Lowering<'_> {
         let text = self.text;
         for word in self.words.iter_mut().skip(first).filter(|word| word.address != Address::N) {
             *word = Word::bare(word.address, word.span(text)).faulty().assigning(word.target());
+        }
+    }
+
+    /// The P of a block that has nothing else but Q, a count: the number of what it calls. With another block number in Q it
+    /// is a cycle.
+    fn called_by_p(&self, first: usize) -> Option<Word> {
+        let of = |address: Address| self.block_words(first).iter().copied().find(|word| word.address == address);
+        let p = of(Address::P)?;
+        let known =
+            |word: &Word| matches!(word.address, Address::N | Address::Skip | Address::G | Address::P | Address::Q);
+        let alone = self.block_words(first).iter().all(known);
+        let count = of(Address::Q).is_none_or(|q| q.whole().is_some_and(|q| p.whole().is_some_and(|p| q < p)));
+        (alone && count && p.is_digits()).then_some(p)
+    }
+
+    /// `G71 P100`: the number of a subprogram behind another address.
+    fn called_in_place(&mut self, first: usize, function: GCode, place: Location, p: Word) {
+        let span = p.span(self.text);
+        let letter = self.at(Span::new(span.start, span.start + 1));
+        let text = self.slice(span).to_ascii_uppercase();
+        let written = format!("L{}", text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']));
+        let meant = TargetMeant::Written { written: shown(&written) };
+        let diagnostic = Diagnostic::new(Finding::MissingTarget { function, meant }, place);
+        self.pending.push(diagnostic.with_offer(FixTitle::Write { text: shown(&written) }, letter, "L"));
+        let number = Number { value: p.number().unwrap_or_default(), ..Number::default() };
+        if let Some(slot) = self.words.iter_mut().skip(first).find(|word| word.start() == span.start) {
+            *slot = Word::with_number(Address::L, span, number).faulty();
         }
     }
 
@@ -133,6 +171,25 @@ impl Lowering<'_> {
         }
     }
 
+    /// `G04 Q0,5`: seconds.
+    fn dwell_with_comma(&mut self, first: usize) {
+        if self.g_word(first, &[GCode::G04]).is_none() {
+            return;
+        }
+        let text = self.text;
+        let of_dwell = |found: &&mut Diagnostic| {
+            matches!(found.finding, Finding::DecimalComma { meant: CommaMeant::Whole { address: Address::Q } })
+        };
+        for found in self.pending.iter_mut().filter(of_dwell) {
+            let number = text.get(found.at.span.range()).and_then(|word| word.get(1..)).unwrap_or_default();
+            let number: String = number.chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
+            let units = Number::parse(number.replace(',', ".").as_bytes()).map(|n| (n.value.thousandths() + 5) / 10);
+            if let Some(units) = units.filter(|units| (1..=HIGHEST_Q).contains(units)) {
+                found.finding = Finding::DecimalComma { meant: CommaMeant::Dwell { written: format!("Q{units}") } };
+            }
+        }
+    }
+
     /// `G0I`, `X6l`: a letter without a value, right behind a number, is a digit 1. Of words without a decimal point too the
     /// other reading is possible, so that it is offered only.
     fn letters_for_one(&mut self, first: usize) {
@@ -158,6 +215,23 @@ impl Lowering<'_> {
             let place = self.at(span);
             let diagnostic = Diagnostic::new(Finding::LetterForDigit { fixed: shown(&text) }, place);
             self.pending.push(diagnostic.with_offer(FixTitle::Write { text: shown(&text) }, place, text));
+        }
+    }
+
+    /// `G5A`: a letter without a value, right behind a function of one digit, stands in place of its second one.
+    fn letters_in_functions(&mut self, first: usize) {
+        for at in first + 1..self.words.len() {
+            let (Some(word), Some(letter)) = (self.words.get(at - 1).copied(), self.words.get(at).copied()) else {
+                return;
+            };
+            let (word_span, letter_span) = (word.span(self.text), letter.span(self.text));
+            let behind = word_span.end == letter_span.start && letter_span.len() == 1 && word_span.len() == 2;
+            if behind && letter.is_void() && letter.is_faulty() && word.is_plain() && word.address == Address::G {
+                let unknown = Word::bare(Address::G, word_span).faulty();
+                if let Some(slot) = self.words.get_mut(at - 1) {
+                    *slot = unknown;
+                }
+            }
         }
     }
 
@@ -213,7 +287,7 @@ impl Lowering<'_> {
     }
 
     /// Whether G02 or G03 is in force after the last word, in the order of the text.
-    fn arc_in_force(&mut self) -> bool {
+    pub(super) fn arc_in_force(&mut self) -> bool {
         let arc = self.arc.unwrap_or_else(|| arc_before(self.text, self.from));
         self.arc = Some(arc);
         arc

@@ -3,7 +3,7 @@
 use super::grammar::Item;
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
-use crate::diag::{Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
+use crate::diag::{CommaMeant, Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
 use crate::text::{FileId, Location, Span};
 
@@ -29,6 +29,8 @@ pub(super) struct Lowering<'t> {
     pub(super) from: u32,
     /// The block in hand has a function that other controls write with other words: its end is looked at.
     pub(super) candidate: bool,
+    /// Where the line ends in which a quote is missing: texts further on in it are none.
+    pub(super) quotes_off: Option<u32>,
 }
 
 /// The highest parameter is R95.
@@ -51,6 +53,7 @@ impl<'t> Lowering<'t> {
             first_word: None,
             arc: None,
             candidate: false,
+            quotes_off: None,
         }
     }
 
@@ -79,6 +82,7 @@ impl<'t> Lowering<'t> {
                 let meant = NumberMeant::Form;
                 self.void_word(first, first.span().to(last.span()), |text| Finding::MalformedNumber { text, meant });
             }
+            Item::Bracketed { first, last } => self.bracketed(first, last),
             Item::NoParameter { address, parameter } => self.no_parameter(address, parameter),
             Item::SplitParameter { target, value } => self.split_parameter(target, value),
             Item::Radius { first, last } => self.radius(first, first.span().to(last.span())),
@@ -96,6 +100,9 @@ impl<'t> Lowering<'t> {
                 let text = shown(self.slice(span));
                 let meant = match Number::parse(text.as_bytes()) {
                     Some(_) => NumberMeant::NoAddress,
+                    None if text.len() > 2 && text.chars().all(|sign| "+-=. \t…".contains(sign)) => {
+                        NumberMeant::Ruler
+                    }
                     None if text.contains('=') => NumberMeant::EqualsForm,
                     None => NumberMeant::Form,
                 };
@@ -285,10 +292,10 @@ impl<'t> Lowering<'t> {
             Finding::MalformedNumber { text: shown(text), meant }
         };
         let finding = match number {
-            Some(_) if comma => Finding::DecimalComma { fixed: shown(&fixed) },
+            Some(number) if comma => return self.with_comma(address, number, (&joined, fixed), prefix, span),
             Some(_) if letter => Finding::LetterForDigit { fixed: shown(&fixed) },
             Some(_) if pieces.is_empty() => return number,
-            Some(_) => Finding::SplitNumber { joined: shown(&fixed) },
+            Some(_) => split(shown(&fixed)),
             None if fixed.bytes().any(|byte| byte.is_ascii_digit() && !prefix.as_bytes().contains(&byte)) => {
                 malformed(self.slice(span))
             }
@@ -299,7 +306,7 @@ impl<'t> Lowering<'t> {
             }
         };
         // Of words without a decimal point two may have been written as one, `M0 3`: joining is offered, and its value
-        // taken for what follows, so that one slip stays one finding. `XI` may be two addresses without values.
+        // taken for what follows, unless an address is missing. `XI` may be two addresses without values.
         let doubtful = joined == "I" || matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
         let corrected = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
@@ -311,6 +318,36 @@ impl<'t> Lowering<'t> {
             (true, false) => diagnostic.with_fix(title, place, fixed),
         });
         number.filter(|_| corrected && !(doubtful && address.is_dimensional()))
+    }
+
+    /// A number with a comma: a decimal one, where its address takes a point, or one that parts it from the next word.
+    fn with_comma(
+        &mut self,
+        address: Address,
+        number: Number,
+        (joined, fixed): (&str, String),
+        prefix: &str,
+        span: Span,
+    ) -> Option<Number> {
+        let place = self.at(span);
+        let pointed = address.is_dimensional() || address == Address::H;
+        let (meant, fixed, value) = if joined.ends_with(',') && joined.matches(',').count() == 1 {
+            (CommaMeant::Border { written: shown(&fixed) }, Some(fixed), Some(number))
+        } else if pointed {
+            (CommaMeant::Point { written: shown(&fixed) }, Some(fixed), Some(number))
+        } else if let Some(whole) = number.value.as_whole().filter(|_| !number.rounded) {
+            let written = format!("{prefix}{whole}");
+            let number = Number { value: number.value, ..Number::default() };
+            (CommaMeant::WholeWritten { written: written.clone() }, Some(written), Some(number))
+        } else {
+            (CommaMeant::Whole { address }, None, None)
+        };
+        let diagnostic = Diagnostic::new(Finding::DecimalComma { meant }, place);
+        self.pending.push(match fixed {
+            Some(fixed) => diagnostic.with_fix(FixTitle::Write { text: shown(&fixed) }, place, fixed),
+            None => diagnostic,
+        });
+        value
     }
 
     /// The number of a parameter, 0–95, and whether it has a finding already.
@@ -383,13 +420,13 @@ impl<'t> Lowering<'t> {
     /// A number behind a parameter that stands for one.
     fn parameter_and_number(&mut self, span: Span, pieces: &[Token]) {
         let text = self.slice(span);
-        let computed = pieces.iter().any(|piece| matches!(self.byte(piece.start), b'+' | b'-'));
+        let computed = pieces.iter().any(|piece| b"+-*/([{<".contains(&self.byte(piece.start)));
         self.report(
             span,
             if computed {
                 Finding::MalformedNumber { text: shown(text), meant: NumberMeant::Computed }
             } else {
-                Finding::SplitNumber { joined: String::new() }
+                split(String::new())
             },
         );
     }
@@ -397,7 +434,7 @@ impl<'t> Lowering<'t> {
     /// A blank behind the sign of a parameter.
     fn split_sign(&mut self, span: Span, blanks: Span) {
         let joined: String = self.slice(span).chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
-        let diagnostic = Diagnostic::new(Finding::SplitNumber { joined: shown(&joined) }, self.at(span));
+        let diagnostic = Diagnostic::new(split(shown(&joined)), self.at(span));
         let fix = FixTitle::Write { text: shown(&joined) };
         self.pending.push(diagnostic.with_fix(fix, self.at(blanks), ""));
     }
@@ -475,12 +512,17 @@ impl<'t> Lowering<'t> {
         if more.is_empty() && matches!(number.kind, Kind::Number) && !matches!(self.byte(number.start), b'+' | b'-') {
             let joined = format!("{prefix}{run}");
             let place = self.at(span);
-            let diagnostic = Diagnostic::new(Finding::SplitNumber { joined: shown(&joined) }, place);
+            let diagnostic = Diagnostic::new(split(shown(&joined)), place);
             self.pending.push(diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, place, joined));
             return Number::parse(run.as_bytes());
         }
         self.corrected(run.to_owned(), &more, Address::R, prefix, span)
     }
+}
+
+/// A blank inside a number; which address is missing is said at the end of the block.
+pub(super) const fn split(joined: String) -> Finding {
+    Finding::SplitNumber { joined, loose: String::new(), written: String::new() }
 }
 
 /// What something that is no number may mean, `prefix` standing before it: programs print numbers with exponents.
@@ -491,7 +533,8 @@ pub(super) fn printed_number(run: &str, prefix: &str) -> NumberMeant {
     }
     if !run.contains(['e', 'E']) {
         let sum = run.chars().zip(run.chars().skip(1)).any(|(one, next)| one.is_ascii_digit() && "+-".contains(next));
-        return if sum && prefix.starts_with('R') { NumberMeant::Computed } else { NumberMeant::Form };
+        let computed = sum || run.contains(['*', '/', '(', '[', '{', '<']);
+        return if computed && prefix.starts_with('R') { NumberMeant::Computed } else { NumberMeant::Form };
     }
     let thousandths = run.replace(',', ".").parse::<f64>().ok().map(|value| (value * 1000.0).round());
     #[allow(clippy::cast_possible_truncation, reason = "what is too large for it is the largest number, and refused")]

@@ -243,8 +243,10 @@ pub(super) fn long_word(text: &str, start: u32) -> Span {
     for token in tokens(text, start, end) {
         let parameter = matches!(token.kind, Kind::Parameter | Kind::LooseParameter);
         parameters += u32::from(parameter);
-        let goes_on = matches!(token.kind, Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals)
-            || (parameter && parameters <= 2);
+        let goes_on = matches!(
+            token.kind,
+            Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals | Kind::Operator | Kind::Bracketed
+        ) || (parameter && parameters <= 2);
         if !goes_on && !item.is_empty() {
             break;
         }

@@ -107,8 +107,15 @@ pub enum Kind {
     Text,
     /// The name of a unit: `mm/min`. The lexer reads it as a text.
     Unit,
+    /// `/` or `*` between two operands of an expression: `R10=R11/2`. The lexer reads it as another sign; its place tells.
+    Operator,
+    /// A value between brackets: `Z(R11)`. The lexer reads it as a comment; its place tells.
+    Bracketed,
     /// Characters that the control does not know.
-    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]+([+\\-.,]*[0-9]+)*", priority = 2)]
+    #[regex(
+        "[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]+([+\\-.,]*[0-9]+[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]*)*",
+        priority = 2
+    )]
     Unknown,
 }
 
@@ -144,7 +151,8 @@ pub fn tokens(text: &str, start: u32, end: u32) -> impl Iterator<Item = Token> +
         text: text.get(..end as usize).unwrap_or(text),
         lexer: lexer_at(text, start, end),
         pending: None,
-        after_text: false,
+        last: None,
+        in_value: false,
     }
 }
 
@@ -158,8 +166,10 @@ struct Tokens<'t> {
     text: &'t str,
     lexer: logos::Lexer<'t, Kind>,
     pending: Option<Token>,
-    /// The token before was a text.
-    after_text: bool,
+    /// The token before.
+    last: Option<Token>,
+    /// It belongs to a parameter or to the value of one, where an expression may be written.
+    in_value: bool,
 }
 
 impl Iterator for Tokens<'_> {
@@ -168,6 +178,7 @@ impl Iterator for Tokens<'_> {
     #[inline]
     fn next(&mut self) -> Option<Token> {
         if let Some(token) = self.pending.take() {
+            self.note(token);
             return Some(token);
         }
         let kind = self.lexer.next()?.unwrap_or(Kind::Unknown);
@@ -175,19 +186,163 @@ impl Iterator for Tokens<'_> {
         let token = Token { kind, start: offset(span.start), end: offset(span.end) };
         let token = if kind == Kind::Text {
             self.text_token(token)
+        } else if matches!(kind, Kind::Skip | Kind::End) && self.is_operator(token) {
+            self.restart(token.start + 1);
+            Token { kind: Kind::Operator, end: token.start + 1, ..token }
         } else if kind == Kind::Skip {
             self.skip_token(token)
+        } else if matches!(kind, Kind::ForeignComment | Kind::Unknown)
+            && let Some(bracketed) = self.bracketed(token)
+        {
+            bracketed
         } else if kind == Kind::ForeignComment {
             self.comment_token(token)
+        } else if kind == Kind::GarbledWord {
+            self.garbled_token(token)
         } else {
             token
         };
-        self.after_text = token.kind == Kind::Text;
+        self.note(token);
         Some(token)
     }
 }
 
+/// Longer texts between brackets are no values.
+const BRACKETED: usize = 200;
+
 impl Tokens<'_> {
+    #[inline]
+    fn note(&mut self, token: Token) {
+        self.in_value = match token.kind {
+            Kind::Parameter | Kind::LooseParameter | Kind::AssignedWord => true,
+            Kind::Equals
+            | Kind::Sign
+            | Kind::Number
+            | Kind::LooseNumber
+            | Kind::Operator
+            | Kind::Bracketed
+            // The name of a function: `R1=SIN(30)`.
+            | Kind::Text => self.in_value,
+            Kind::Word
+            | Kind::Comment
+            | Kind::LineEnd
+            | Kind::Skip
+            | Kind::End
+            | Kind::Letter
+            | Kind::BareR
+            | Kind::SignedLetter
+            | Kind::LooseWord
+            | Kind::ManySigns
+            | Kind::PrintedWord
+            | Kind::NamedValue
+            | Kind::Variable
+            | Kind::JumpTarget
+            | Kind::ForeignStart
+            | Kind::TypographicComment
+            | Kind::GarbledWord
+            | Kind::ForeignComment
+            | Kind::Unit
+            | Kind::Unknown => false,
+        };
+        self.last = Some(token);
+    }
+
+    /// Whether `/` or `*` stands right between two operands, the first of which is a parameter or the value of one.
+    fn is_operator(&self, token: Token) -> bool {
+        let operand = |last: &Token| {
+            last.end == token.start
+                && matches!(
+                    last.kind,
+                    Kind::Parameter | Kind::LooseParameter | Kind::Number | Kind::LooseNumber | Kind::Bracketed
+                )
+        };
+        let product = |last: &Token| last.end == token.start && last.kind == Kind::AssignedWord;
+        let star = token.kind == Kind::End;
+        if !self.in_value || !self.last.as_ref().is_some_and(|last| operand(last) || star && product(last)) {
+            return false;
+        }
+        let rest = self.text.as_bytes().get(token.start as usize + 1..).unwrap_or_default();
+        let rest = rest.strip_prefix(b"-").or_else(|| rest.strip_prefix(b"+")).unwrap_or(rest);
+        match rest {
+            [b'0'..=b'9' | b'.' | b'(' | b'[', ..] => true,
+            [b'R' | b'r', digits @ ..] => {
+                let count = digits.iter().take_while(|byte| byte.is_ascii_digit()).count();
+                let behind = digits.get(count..).unwrap_or_default().trim_ascii_start();
+                // `/R10=5` assigns (PAR-2).
+                count > 0 && behind.first() != Some(&b'=')
+            }
+            _ => false,
+        }
+    }
+
+    /// What stands between brackets where a value is expected, up to the bracket that closes it.
+    fn bracketed(&mut self, token: Token) -> Option<Token> {
+        let last = self.last?;
+        let blanks = self.text.as_bytes().get(last.end as usize..token.start as usize)?;
+        let glued = blanks.is_empty();
+        let near = blanks.iter().all(|byte| matches!(byte, b' ' | b'\t'));
+        let square = self.text.as_bytes().get(token.start as usize) == Some(&b'[');
+        let letter = matches!(last.kind, Kind::Letter | Kind::SignedLetter);
+        let sign = matches!(last.kind, Kind::Equals | Kind::Sign | Kind::Operator);
+        let wanted =
+            letter && (glued || square && near) || self.in_value && (sign && near || last.kind == Kind::Text && glued);
+        let end = if wanted {
+            self.closed_at(token.start)?
+        } else {
+            return None;
+        };
+        self.restart(end);
+        Some(Token { kind: Kind::Bracketed, end, ..token })
+    }
+
+    /// Where the text ends that begins with a bracket at `start`, closed on its line.
+    fn closed_at(&self, start: u32) -> Option<u32> {
+        let rest = self.text.as_bytes().get(start as usize..)?;
+        let open = *rest.first()?;
+        let close = match open {
+            b'(' => b')',
+            b'[' => b']',
+            b'{' => b'}',
+            b'<' => b'>',
+            b'\'' | b'`' => open,
+            // `Z;50`
+            b';' => {
+                let number =
+                    rest.iter().skip(1).take_while(|byte| byte.is_ascii_digit() || b"+-.".contains(byte)).count();
+                return (number > 0).then(|| start + offset(number + 1));
+            }
+            _ => return None,
+        };
+        let mut depth = 1_u32;
+        let line = rest.iter().take(BRACKETED).take_while(|byte| !matches!(byte, b'\n' | b'\r' | b'"'));
+        for (at, byte) in line.enumerate().skip(1) {
+            if *byte == close {
+                depth -= 1;
+            } else if *byte == open {
+                depth += 1;
+            }
+            if depth == 0 {
+                return Some(start + offset(at + 1));
+            }
+        }
+        None
+    }
+
+    /// `Z(R11)`, `Z [R11]`: the address, so that the value between the brackets follows.
+    fn garbled_token(&mut self, token: Token) -> Token {
+        let bytes = self.text.as_bytes().get(token.span().range()).unwrap_or_default();
+        let [letter, rest @ ..] = bytes else { return token };
+        let blanks = rest.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+        let bracket = matches!(rest.get(blanks), Some(b'[')) || matches!(rest.first(), Some(b'(' | b'<'));
+        let address = letter.is_ascii_alphabetic() && !matches!(letter, b'R' | b'r');
+        if !bracket || !address || self.closed_at(token.start + 1 + offset(blanks)).is_none() {
+            return token;
+        }
+        let end = token.start + 1;
+        self.restart(end);
+        Token { kind: Kind::Letter, end, ..token }
+    }
+
     /// `//` at the beginning of a line makes a comment of it, as in other languages.
     fn skip_token(&mut self, token: Token) -> Token {
         let bytes = self.text.as_bytes();
@@ -310,7 +465,7 @@ impl Tokens<'_> {
         let value = behind.first().is_some_and(|byte| byte.is_ascii_digit() || b"+-.=".contains(byte));
         let text = matches!(behind, [one, next, ..] if one.is_ascii_alphabetic() && next.is_ascii_alphabetic())
             || behind.first().is_some_and(|byte| !byte.is_ascii());
-        if value || text || self.after_text {
+        if value || text || self.last.is_some_and(|last| last.kind == Kind::Text) {
             return None;
         }
         match second {

@@ -234,7 +234,7 @@ fn a_line_of_ten_megabytes() {
         let mut at = second;
         at.span.start += 1200 * index;
         at.span.end = at.span.start + 2;
-        Diagnostic::new(Finding::DuplicateAddress { address: "X".to_owned() }, at)
+        Diagnostic::new(Finding::DuplicateAddress { address: "X".to_owned(), unnumbered: false }, at)
             .with_label(first, LabelText::First { what: "X0".to_owned() })
     });
     let text = human(&samples::report(&sources, items), Lang::En);

@@ -40,8 +40,8 @@ pub(super) fn find(sources: &Sources, file: u32, what: &str, nth: usize) -> Loca
 /// An axis word twice in a block, the first one as a label, and a decimal comma with its fix.
 pub(super) fn plain() -> Report {
     let sources = sources(&[("part.nc", b"%1 \"FLANGE\"\r\nN10 G0 X0 Y0 X5\r\nN20 G1 X36,12 F100\r\nN30 M30\r\n")]);
-    let twice = Finding::DuplicateAddress { address: "X".to_owned() };
-    let comma = Finding::DecimalComma { fixed: "X36.12".to_owned() };
+    let twice = Finding::DuplicateAddress { address: "X".to_owned(), unnumbered: false };
+    let comma = Finding::DecimalComma { meant: crate::diag::CommaMeant::Point { written: "X36.12".to_owned() } };
     let at = find(&sources, 0, "36,12", 0);
     report(
         &sources,

@@ -165,6 +165,8 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::ForeignComment
         | Kind::Text
         | Kind::Unit
+        | Kind::Operator
+        | Kind::Bracketed
         | Kind::Unknown
             if touching =>
         {
@@ -191,6 +193,8 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::ForeignComment
         | Kind::Text
         | Kind::Unit
+        | Kind::Operator
+        | Kind::Bracketed
         | Kind::Unknown => words,
     }
 }
@@ -232,6 +236,8 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
         | Kind::ForeignComment
         | Kind::Text
         | Kind::Unit
+        | Kind::Operator
+        | Kind::Bracketed
         | Kind::Unknown => None,
     }
 }

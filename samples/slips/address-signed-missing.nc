@@ -1,0 +1,11 @@
+%1 "zapomenute Y pred zapornym cislem"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 Y20
+N60 G1 X10 -10
+"      ^^^^^^^ E0106
+N70 G2 X20 Y-20 I0 J-10
+N80 G0 Z50
+N90 M30

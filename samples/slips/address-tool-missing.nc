@@ -1,0 +1,7 @@
+%1 "zapomenute T pred cislem"
+N10 G54 G90 G0 X0 Y0 Z50
+N60 1 M6
+"@ 3:1-3:6 E0102
+N65 S800 M3
+N80 G0 Z50
+N90 M30

@@ -1,0 +1,14 @@
+%1 "hodnota v zavorkach"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 Y20
+N55 R11=5
+N60 X(R11)
+"   ^^^^^^ E0101
+N65 Y-(5)
+"   ^^^^^ E0101
+N66 X1
+N80 G0 Z50
+N90 M30
