@@ -154,6 +154,6 @@ mod tests {
         let mut library = Library::new(&loader, &[PathBuf::from("m")], Path::new("p.nc"));
         assert!(matches!(library.find(1), Err(MacrocycleFault::Ambiguous { .. })));
         assert_eq!(library.find(2), Ok(PathBuf::from("m/L2")));
-        assert_eq!(library.find(3), Err(MacrocycleFault::Missing { searched: "m".to_owned(), near: Some(1) }));
+        assert_eq!(library.find(3), Err(MacrocycleFault::Missing { searched: "m".to_owned(), near: Some(2) }));
     }
 }

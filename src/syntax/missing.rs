@@ -55,11 +55,11 @@ impl Lowering<'_> {
         }
         for at in 0..self.pending.len() {
             let Some(found) = self.pending.get(at) else { return };
-            let (span, signed) = match &found.finding {
-                Finding::SplitNumber { joined, .. } if !joined.is_empty() => (found.at.span, false),
-                Finding::MalformedNumber { meant: NumberMeant::Form, .. } => (found.at.span, true),
-                _ => continue,
-            };
+            let span = found.at.span;
+            let signed = matches!(&found.finding, Finding::MalformedNumber { meant: NumberMeant::Form, .. });
+            if !signed && !matches!(&found.finding, Finding::SplitNumber { joined, .. } if !joined.is_empty()) {
+                continue;
+            }
             if let Some(split) = self.split_at(first, span) {
                 self.forgotten_address(first, at, &split, signed);
             } else if !signed {
