@@ -7,6 +7,7 @@ bilingual! {
     NumberMeant {
         Form "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own address", "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou adresou";
         NoAddress "write it behind its address, on the same line", "napsat ho za jeho adresu na tentýž řádek";
+        BlockNumber { written: String } "if it is a block number, write `{written}`", "je-li to číslo bloku, napsat „{written}“";
         Ruler "a line between blocks is a comment, between quotes: `\"-----\"`", "čára mezi bloky se píše jako komentář do uvozovek: \"-----\"";
         AddressMissing { loose: String, written: String } "an address is missing before `{loose}`: `{written}`?", "před {loose} chybí adresa: „{written}“?";
         Computed "there are no expressions; G26 to G29 compute with parameters", "výrazy se psát nedají; s parametry počítají G26 až G29";
@@ -32,7 +33,7 @@ impl NumberMeant {
     pub(super) fn message(&self, text: &str, lang: Lang) -> String {
         let of_number =
             matches!(self, Self::Form | Self::Exponent { .. } | Self::ExponentForm | Self::NotANumber | Self::Fastest);
-        match (lang, of_number, *self == Self::NoAddress) {
+        match (lang, of_number, matches!(self, Self::NoAddress | Self::BlockNumber { .. })) {
             (Lang::En, _, true) => format!("the number `{text}` has no address"),
             (Lang::Cs, _, true) => format!("číslo {text} nemá adresu"),
             (Lang::En, true, false) => format!("`{text}` is not a valid number"),

@@ -36,11 +36,21 @@ pub(super) fn check(parsed: &ParsedFile, units: &[Unit]) -> (Findings, bool) {
 /// about such a line.
 pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &mut Findings, findings: &mut Findings) {
     let mut starts: Vec<u32> = warned.items().iter().map(|found| found.at.span.start).collect();
+    let lines = parsed.source.lines();
+    // `110 G02 X70`: the number has a finding of its own.
+    let letterless = |found: &Diagnostic| {
+        let line = parsed.source.line_span(lines.line_at(found.at.span.start));
+        let text = parsed.source.slice(line).trim_start_matches([' ', '\t']);
+        text.starts_with(|first: char| first.is_ascii_digit())
+            && found.labels.iter().any(|label| label.at.span.start < line.start)
+    };
+    if findings.items().iter().any(|found| is_conflict(found) && letterless(found)) {
+        findings.revise(|found| !(is_conflict(found) && letterless(found)));
+    }
     if starts.is_empty() {
         return;
     }
     starts.sort_unstable();
-    let lines = parsed.source.lines();
     let line_of = |found: &Diagnostic| {
         let at = starts.partition_point(|start| *start <= found.at.span.start).checked_sub(1)?;
         starts.get(at).copied()

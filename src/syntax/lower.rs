@@ -99,6 +99,9 @@ impl<'t> Lowering<'t> {
                 let span = first.span().to(last.span());
                 let text = shown(self.slice(span));
                 let meant = match Number::parse(text.as_bytes()) {
+                    Some(_) if self.begins_line(span) && text.bytes().all(|byte| byte.is_ascii_digit()) => {
+                        NumberMeant::BlockNumber { written: format!("N{text}") }
+                    }
                     Some(_) => NumberMeant::NoAddress,
                     None if text.len() > 2 && text.chars().all(|sign| "+-=. \t…".contains(sign)) => {
                         NumberMeant::Ruler
@@ -117,6 +120,12 @@ impl<'t> Lowering<'t> {
 
     pub(super) fn slice(&self, span: Span) -> &'t str {
         self.text.get(span.range()).unwrap_or_default()
+    }
+
+    /// Whether nothing but blanks is before a place on its line.
+    fn begins_line(&self, span: Span) -> bool {
+        let before = self.text.get(..span.start as usize).unwrap_or_default();
+        matches!(before.trim_end_matches([' ', '\t']).chars().next_back(), None | Some('\n' | '\r'))
     }
 
     pub(super) fn byte(&self, at: u32) -> u8 {
