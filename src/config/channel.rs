@@ -252,7 +252,7 @@ mod tests {
     fn a_function_without_number() {
         assert_eq!(found(&one("GroupNo='10'")), [(Code::E0702, "MFunc".to_owned())]);
         let (_, findings, _) = read_text(&one(""));
-        assert_eq!(findings[0].finding.message(Lang::Cs), "MFunc postrádá No");
+        assert_eq!(findings[0].finding.message(Lang::Cs), "MFunc nemá uvedeno No");
     }
 
     /// MFN-3.

@@ -589,7 +589,7 @@ fn messages() {
             "`limits.records` takes a whole number, 1 or more",
             "limits.records musí být celé číslo 1 nebo větší",
         ),
-        ("[[gears]]\nm = 41\nmin = 1", "`gears` lacks `max`", "gears postrádá max"),
+        ("[[gears]]\nm = 41\nmin = 1", "`gears` lacks `max`", "gears nemá uvedeno max"),
         (
             "[power-up]\nG0 = 17",
             "`power-up.G0` takes a lasting function of group G0",
