@@ -109,6 +109,13 @@ function build(app: App): { view: View; player: Player; say: (lang: Lang) => voi
   return { view, player, say };
 }
 
+/** While there is nothing else to do, what the first block in hand would wait for. Not every browser says when that is. */
+function prepare(app: App): void {
+  if ('requestIdleCallback' in window) {
+    window.requestIdleCallback(() => app.program.prepare());
+  }
+}
+
 async function start(): Promise<void> {
   setLanguage(chooseLanguage());
   document.documentElement.lang = language();
@@ -136,6 +143,8 @@ async function start(): Promise<void> {
     if (place !== undefined) {
       app.follow(place);
     }
+    prepare(app);
+    app.on('data', () => prepare(app));
     drawn();
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);

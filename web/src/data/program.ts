@@ -245,6 +245,11 @@ export class Program {
     return low < end && this.line[low] === line ? low : undefined;
   }
 
+  /** Does what the first question about executions would wait for. */
+  prepare(): void {
+    this.#byPlace ??= this.#groupByPlace();
+  }
+
   /** All executions of a block, and of those that begin in its line: the same block is the same file and line. */
   executionsOf(block: number): number[] {
     this.#byPlace ??= this.#groupByPlace();
