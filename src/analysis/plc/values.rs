@@ -184,18 +184,29 @@ pub fn write_real(millionths: i64, out: &mut String) {
         out.push('-');
     }
     push_digits(magnitude / 1_000_000, 1, out);
-    let (mut fraction, mut digits) = (magnitude % 1_000_000, 6);
+    let fraction = magnitude % 1_000_000;
     if fraction > 0 {
-        if fraction % 1000 == 0 {
-            fraction /= 1000;
-            digits -= 3;
-        }
-        while fraction % 10 == 0 {
-            fraction /= 10;
-            digits -= 1;
-        }
         out.push('.');
-        push_digits(fraction, digits, out);
+        // Most are whole thousandths.
+        let (thousandths, rest) = (fraction / 1000, fraction % 1000);
+        if rest == 0 {
+            push_fraction(thousandths, out);
+        } else {
+            push_digits(thousandths, 3, out);
+            push_fraction(rest, out);
+        }
+    }
+}
+
+/// Thousandths as up to three digits, without zeros at the end.
+fn push_fraction(thousandths: u64, out: &mut String) {
+    let (hundredths, last) = (thousandths / 10, thousandths % 10);
+    if last > 0 {
+        push_digits(thousandths, 3, out);
+    } else if hundredths % 10 > 0 {
+        push_digits(hundredths, 2, out);
+    } else {
+        push_digits(hundredths / 10, 1, out);
     }
 }
 
@@ -229,6 +240,17 @@ mod tests {
         assert_eq!(shown("BLK.H", Some(-12_500_000)), "-12.5");
         assert_eq!(shown("BLK.BlockLen", Some(1)), "0.000001");
         assert_eq!(shown("BLK.AxNC[0]", Some(0)), "0");
+        for (millionths, text) in [
+            (1_500_000, "1.5"),
+            (-50_000, "-0.05"),
+            (7_000, "0.007"),
+            (120_300, "0.1203"),
+            (12_000_010, "12.00001"),
+            (-999_999_999, "-999.999999"),
+            (340_000_000, "340"),
+        ] {
+            assert_eq!(shown("BLK.AxNC[0]", Some(millionths)), text);
+        }
         assert_eq!(shown("M03PI", Some(1)), "1");
         assert_eq!(shown("M03PI", None), "");
     }

@@ -16,6 +16,8 @@ use crate::run::End;
 
 /// The scope of the signals whose names have no dot, and of the variables that are no signals.
 const SCOPE: &str = "PLC";
+/// Text goes out when there is so much of it, in bytes.
+const BUFFER: usize = 1 << 16;
 
 /// A value change dump.
 pub struct Wave<W: Write> {
@@ -28,7 +30,7 @@ pub struct Wave<W: Write> {
     before: Option<(u64, Place)>,
     /// When its block ends, µs, where that is known.
     end: Option<u64>,
-    /// Of one step.
+    /// What is not written yet.
     text: String,
 }
 
@@ -125,9 +127,9 @@ impl<W: Write> Wave<W> {
     }
 
     fn write_text(&mut self) -> io::Result<()> {
-        self.out.writer().write_all(self.text.as_bytes())?;
+        let written = self.out.writer().write_all(self.text.as_bytes());
         self.text.clear();
-        Ok(())
+        written
     }
 }
 
@@ -135,6 +137,13 @@ fn push_time(text: &mut String, time: u64) {
     text.push('#');
     push_digits(time, 1, text);
     text.push('\n');
+}
+
+/// A run that breaks off leaves what it came to.
+impl<W: Write> Drop for Wave<W> {
+    fn drop(&mut self) {
+        let _ = self.write_text();
+    }
 }
 
 fn microseconds(seconds: Micro) -> u64 {
@@ -240,8 +249,11 @@ impl<W: Write> Writer for Wave<W> {
         self.write_changes(step);
         self.before = Some((time, step.place));
         self.end = step.end_s.map(microseconds);
-        self.write_text()?;
-        if first { self.out.end() } else { Ok(()) }
+        if first {
+            self.write_text()?;
+            self.out.end()?;
+        }
+        if self.text.len() < BUFFER { Ok(()) } else { self.write_text() }
     }
 
     fn end(&mut self, _: End) -> io::Result<()> {
