@@ -29,6 +29,17 @@ pub(super) fn because_of(state: &State, words: &BlockWords, g: &InForce, diagnos
     diagnostic.with_label(place, LabelText::MakesArc { function })
 }
 
+/// Reports a finding of an arc, with what makes the block one.
+pub(super) fn found(
+    site: &mut Site<'_>,
+    state: &State,
+    (words, g): (&BlockWords, &InForce),
+    finding: Finding,
+    at: Location,
+) {
+    site.report(because_of(state, words, g, Diagnostic::new(finding, at)));
+}
+
 /// W0616: under a radius correction an arc in other axes than those of the plane in force.
 pub(super) fn check_plane(
     site: &mut Site<'_>,
@@ -50,8 +61,7 @@ pub(super) fn check_plane(
         .map(|axis| axis.letter.to_string())
         .collect();
     let fault = PlaneFault::OtherAxes { axes: letters.join(", "), correction: correction.to_string() };
-    let diagnostic = Diagnostic::new(Finding::PlaneMismatch { plane, fault, meant }, at);
-    site.report(because_of(state, words, g, diagnostic));
+    found(site, state, (words, g), Finding::PlaneMismatch { plane, fault, meant }, at);
 }
 
 /// E0602, with what makes the block an arc when it does not say so itself.

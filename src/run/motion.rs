@@ -13,7 +13,7 @@ use super::warnings::check_travel;
 use super::words::{BlockWords, Valued};
 use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
-use crate::diag::{CenterPlace, Diagnostic, Finding};
+use crate::diag::{CenterPlace, Finding};
 use crate::dict::{Decimal, GCode, GGroup, Micro};
 use crate::text::Location;
 
@@ -176,11 +176,15 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
         if kept {
             centers.extend(valued.value.map(|value| (letter, value)));
         } else if !(is_arc && letter != 'K') {
-            let place = if circular && letter == 'K' { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
-            let finding = Finding::CenterWordNotUsable { letter, place, written: String::new() };
-            let diagnostic = Diagnostic::new(finding, site.word_place(valued.word));
             let of_arc = circular && letter == 'K';
-            site.report(if of_arc { arc_findings::because_of(state, words, g, diagnostic) } else { diagnostic });
+            let place = if of_arc { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
+            let finding = Finding::CenterWordNotUsable { letter, place, written: String::new() };
+            let at = site.word_place(valued.word);
+            if of_arc {
+                arc_findings::found(site, state, (words, g), finding, at);
+            } else {
+                site.found(finding, at);
+            }
         }
     }
 }
@@ -262,15 +266,13 @@ fn find_arc(
     let plane = planes::in_force(g);
     let Some((pair, helix)) = planes::of_arc(planes::axes_of(&machine.axes, plane), travels) else {
         let plane = format!("{} ({})", plane.name, plane.function);
-        let diagnostic = Diagnostic::new(Finding::ArcAxes { plane, many: travels.len() > 3 }, at);
-        site.report(arc_findings::because_of(state, words, g, diagnostic));
+        arc_findings::found(site, state, (words, g), Finding::ArcAxes { plane, many: travels.len() > 3 }, at);
         return None;
     };
     let zero = |word: Option<Valued>| word.is_none_or(|valued| valued.value == Some(Decimal::ZERO));
     let centered = !(zero(words.i) && zero(words.j));
     if helix.is_some() && centered && g.of(GGroup::G2) != Some(GCode::G09) {
-        let diagnostic = Diagnostic::new(Finding::HelixWithoutG09 {}, at);
-        site.report(arc_findings::because_of(state, words, g, diagnostic));
+        arc_findings::found(site, state, (words, g), Finding::HelixWithoutG09 {}, at);
     }
     arc_findings::check_plane(site, state, words, g, at, pair);
     stay(machine, state, pair, travels);
@@ -288,8 +290,7 @@ fn find_arc(
         arc_findings::radii(site, state, (words, g), at, named, (&path, &computed));
     }
     if moving.stale {
-        let diagnostic = Diagnostic::new(Finding::ArcAfterOriginChange {}, at);
-        site.report(arc_findings::because_of(state, words, g, diagnostic));
+        arc_findings::found(site, state, (words, g), Finding::ArcAfterOriginChange {}, at);
     }
     arc.computed = Some(computed);
     Some(arc)

@@ -37,6 +37,15 @@ fn on_a_small_disk(place: &Place, arguments: &[&str]) -> Run {
     Run::of(place.command_through(&["sh", "-c", limit], arguments).output().unwrap())
 }
 
+/// A run with these signals ignored, as soon as it writes its file beside the two of the place.
+fn writing_with_ignored(place: &Place, signals: &str, arguments: &[&str]) -> Child {
+    let ignoring = format!("trap '' {signals}; exec \"$0\" \"$@\"");
+    let mut command = place.command_through(&["sh", "-c", &ignoring], arguments);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    wait_until("it writes", || place.list().len() == 3);
+    child
+}
+
 fn signal(child: &Child, name: &str) {
     let kill = Command::new("sh").args(["-c", &format!("kill -{name} {}", child.id())]).status().unwrap();
     assert!(kill.success());
@@ -405,11 +414,8 @@ fn an_interruption_while_many_programs_are_fixed() {
 #[test]
 fn ignored_signals_stay_ignored() {
     let place = Place::with(&[("a.nc", LONG.as_bytes()), ("bad.nc", BAD.as_bytes())]);
-    let ignoring = "trap '' HUP INT TERM; exec \"$0\" \"$@\"";
     let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000"];
-    let mut command = place.command_through(&["sh", "-c", ignoring], &line);
-    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    wait_until("it writes", || place.list().len() == 3);
+    let child = writing_with_ignored(&place, "HUP INT TERM", &line);
     signal(&child, "HUP");
     let run = Run::of(child.wait_with_output().unwrap()).ends(1);
     assert!(run.stderr.contains("E0410"), "{run:?}");
@@ -420,11 +426,8 @@ fn ignored_signals_stay_ignored() {
 #[test]
 fn an_ignored_signal_does_not_hide_the_others() {
     let place = Place::with(&[("a.nc", LONG.as_bytes()), ("out", b"old")]);
-    let ignoring = "trap '' INT; exec \"$0\" \"$@\"";
     let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000000"];
-    let mut command = place.command_through(&["sh", "-c", ignoring], &line);
-    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    wait_until("it writes", || place.list().len() == 3);
+    let child = writing_with_ignored(&place, "INT", &line);
     signal(&child, "INT");
     signal(&child, "TERM");
     let run = Run::of(child.wait_with_output().unwrap()).ends(130);
