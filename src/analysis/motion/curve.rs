@@ -9,7 +9,8 @@
 //!    one that meets the joints: it is tried.
 //! 4. A place that was put in costs time. Without it, up to other velocities, or with a ramp of less acceleration that meets
 //!    the joint, the way may be faster: `better` tries that.
-//! 5. A rise between two lowest places that saves too little time is taken back (VEL-12).
+//! 5. Where limits change, and in small stretches, velocities at joints are tried: `searched`.
+//! 6. A rise between two lowest places that saves too little time is taken back (VEL-12).
 
 #![expect(clippy::indexing_slicing, reason = "ids and places are made here and index the lists they were made for")]
 
@@ -19,6 +20,8 @@ mod again;
 mod better;
 #[path = "curve_joints.rs"]
 mod joints;
+#[path = "curve_searched.rs"]
+mod searched;
 
 use super::ramp::{Hump, Limits};
 
@@ -94,6 +97,8 @@ pub(super) struct Curve {
     blind: bool,
     /// A first plan is there: ways are planned again, where joints may be left out.
     again: bool,
+    /// Rises were taken back.
+    taken_back: bool,
 }
 
 impl Curve {
@@ -114,6 +119,7 @@ impl Curve {
         } else {
             self.again = true;
             self.better();
+            self.search_joints();
         }
         self.again = true;
         if raise_s > 0.0 {
@@ -132,9 +138,10 @@ impl Curve {
         })
     }
 
-    /// Whether the plan was looked for: places were put in, so that the way backwards may give another one.
+    /// Whether the plan was looked for: places were put in, limits change, or rises were taken back, so that the way backwards
+    /// may give another one.
     pub(super) fn is_searched(&self) -> bool {
-        !self.blind && self.places.len() > self.s.len()
+        !self.blind && (self.places.len() > self.s.len() || self.runs.len() > 1 || self.taken_back)
     }
 
     /// The time of the plan.
@@ -197,7 +204,7 @@ impl Curve {
         }
         self.tolerance = 1e-12 + 1e-14 * way;
         self.blind = links.len() > look_ahead;
-        self.again = false;
+        (self.again, self.taken_back) = (false, false);
         self.highest = blocks.iter().copied().fold(0.0, f64::max);
         self.lowest_block = blocks.iter().copied().fold(f64::INFINITY, f64::min);
     }

@@ -17,6 +17,7 @@ impl Curve {
                 let saved = self.room(left, right);
                 let time_held = self.hold(left, right, higher);
                 if time_held.is_finite() && time_held - time < raise_s {
+                    self.taken_back = true;
                     // The higher one is no lowest place any more: looked at again from the one before.
                     if l.v >= r.v {
                         left = self.lowest_before(left);
@@ -131,6 +132,11 @@ impl Curve {
             self.places[at].hump = None;
             at = self.places[at].next;
         }
+        self.settle_between(left, right)
+    }
+
+    /// Finds the humps between two places; gives the time, without end when they do not fit.
+    pub(super) fn settle_between(&mut self, left: usize, right: usize) -> f64 {
         let mut at = left;
         for _ in 0..4096 {
             if at == right {

@@ -44,12 +44,12 @@ impl Curve {
     }
 
     /// Whether the place is none of the joints.
-    fn is_put(&self, id: usize) -> bool {
+    pub(super) fn is_put(&self, id: usize) -> bool {
         id >= self.s.len()
     }
 
     /// The first place from `id` on that was not put in.
-    fn kept_after(&self, id: usize) -> usize {
+    pub(super) fn kept_after(&self, id: usize) -> usize {
         let mut at = id;
         while self.is_put(at) {
             at = self.places[at].next;
@@ -58,7 +58,7 @@ impl Curve {
     }
 
     /// The last place up to `id` that was not put in.
-    fn kept_before(&self, id: usize) -> usize {
+    pub(super) fn kept_before(&self, id: usize) -> usize {
         let mut at = id;
         while self.is_put(at) {
             at = self.places[at].prev;
