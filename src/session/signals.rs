@@ -25,7 +25,8 @@ impl TimedSink for TimedSignals<'_> {
     }
 
     fn block(&mut self, block: &Executed<'_>, times: &BlockTimes, findings: &mut Findings) -> ControlFlow<()> {
-        let stretch = times.motion.as_ref().and_then(|motion| motion.stretch).filter(|stretch| stretch.continued);
+        let stretch = times.motion.as_ref().and_then(|motion| motion.stretch.or(motion.joined_in));
+        let stretch = stretch.filter(|stretch| stretch.continued);
         let times = StepTimes {
             start_s: times.start_s,
             duration_s: times.duration_s,

@@ -216,7 +216,8 @@ impl<'a, S: TimedSink> Timed<'a, S> {
             self.sink.no_jerk(motion_s);
         }
         while let Some(times) = ready.blocks.front_mut() {
-            let stretch = times.motion.as_mut().and_then(|motion| motion.stretch.as_mut());
+            let stretch =
+                times.motion.as_mut().and_then(|motion| motion.stretch.as_mut().or(motion.joined_in.as_mut()));
             if let (Some(stretch), Some(far)) = (stretch, &mut self.far) {
                 match far.planning.given.of(stretch.index) {
                     Some(whole) => stretch.time_dist_s = Some((whole - stretch.before_s).max(0.0)),

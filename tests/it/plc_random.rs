@@ -49,6 +49,7 @@ fn program() -> impl Strategy<Value = Case> {
         "",
         "[motion]\nraise-ms = 20\n",
         "[motion]\nprofile = \"linear\"\n",
+        "[motion]\nmerge-length-mm = 60\n",
         "[motion]\nprofile = \"parabolic\"\ncycle-ms = 2\n[motion.sets.1]\nparabolic = 50000\nlinear-mm-s2 = 600\n",
     ]);
     let blocks = prop::collection::vec(block(), 1..12);

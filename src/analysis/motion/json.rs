@@ -229,6 +229,7 @@ fn put_motion(record: &mut Object<'_>, motion: &MotionTimes) {
         accel: _,
         jerk_free: _,
         stretch,
+        joined_in: _,
         phases,
     } = motion;
     record.present("programmed", programmed.map(|velocity| velocity * PER_MINUTE));

@@ -24,8 +24,8 @@ pub(super) struct Merger {
 pub(super) enum Merged {
     /// A piece.
     Piece(Box<Piece>),
-    /// The block of that slot is part of a piece whose record stands elsewhere.
-    Joined(u64),
+    /// The block of `slot` is part of the piece whose record stands at slot `of`; it comes before that piece.
+    Joined { slot: u64, of: u64 },
 }
 
 impl Merger {
@@ -100,9 +100,10 @@ impl Merger {
             is_piece: true,
             ..last
         };
+        let of = piece.slot;
         let joined: Vec<u64> = self.open.drain(..).map(|block| block.slot).collect();
         self.hold(piece, out);
-        joined.into_iter().for_each(|slot| out(Merged::Joined(slot)));
+        joined.into_iter().for_each(|slot| out(Merged::Joined { slot, of }));
     }
 
     /// Nothing more comes for the piece that grows: it is added to the one before, or stays as it is.
@@ -117,7 +118,8 @@ impl Merger {
                 (held.from, held.to) = (direction(vector, held.from), direction(vector, held.from));
                 held.vector = vector;
                 held.is_piece = true;
-                self.open.drain(..).for_each(|block| out(Merged::Joined(block.slot)));
+                let of = held.slot;
+                self.open.drain(..).for_each(|block| out(Merged::Joined { slot: block.slot, of }));
                 return;
             }
         }

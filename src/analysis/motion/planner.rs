@@ -34,6 +34,8 @@ pub trait Listener {
 struct Waiting {
     times: BlockTimes,
     ready: bool,
+    /// The slot of the piece that it is joined to (CNT-4).
+    joined_to: Option<u64>,
 }
 
 /// A piece in a stretch that is not planned yet.
@@ -141,7 +143,7 @@ impl Planner {
             tool: step.tool,
             motion: None,
         };
-        self.waiting.push_back(Waiting { times, ready: moves.is_none() });
+        self.waiting.push_back(Waiting { times, ready: moves.is_none(), joined_to: None });
         match moves {
             None => {
                 self.idle = true;
@@ -209,7 +211,7 @@ impl Planner {
         for merged in out {
             match merged {
                 Merged::Piece(piece) => self.join(*piece, listener),
-                Merged::Joined(slot) => self.mark_joined(slot),
+                Merged::Joined { slot, of } => self.mark_joined(slot, of),
             }
         }
     }
@@ -219,9 +221,9 @@ impl Planner {
         self.waiting.get_mut(usize::try_from(slot.checked_sub(first)?).ok()?)
     }
 
-    fn mark_joined(&mut self, slot: u64) {
+    fn mark_joined(&mut self, slot: u64, of: u64) {
         if let Some(waiting) = self.waiting_at(slot) {
-            waiting.ready = true;
+            waiting.joined_to = Some(of);
             waiting.times.motion = Some(MotionTimes {
                 kind: MotionType::Linear,
                 unit: super::step::Unit::Mm,
@@ -236,8 +238,35 @@ impl Planner {
                 is_piece: false,
                 joint: None,
                 stretch: None,
+                joined_in: None,
                 phases: Vec::new(),
             });
+        }
+    }
+
+    /// A piece is complete, and with it the blocks that are joined to it, before it or behind: they take no
+    /// time of their own, and lie in its stretch. `time_s` is what the piece takes.
+    fn complete_joined_to(&mut self, piece: &Piece, stretch: Option<InStretch>, time_s: f64) {
+        if !piece.is_piece {
+            return;
+        }
+        let of = piece.slot;
+        let mut complete = |slot: u64, after_s: f64| {
+            let joined = self.waiting_at(slot).filter(|waiting| waiting.joined_to == Some(of));
+            let Some(waiting) = joined else { return false };
+            waiting.ready = true;
+            if let Some(motion) = &mut waiting.times.motion {
+                motion.joined_in = stretch.map(|stretch| InStretch { before_s: stretch.before_s + after_s, ..stretch });
+            }
+            true
+        };
+        let mut slot = of;
+        while slot > 0 && complete(slot - 1, 0.0) {
+            slot -= 1;
+        }
+        slot = of;
+        while complete(slot + 1, time_s) {
+            slot += 1;
         }
     }
 
@@ -335,7 +364,7 @@ impl Planner {
         while let Some(settled) = self.settled.pop_front() {
             let Some(linking) = self.stretch.pop_front() else { break };
             let last = !self.open && self.stretch.is_empty();
-            let alone = last && linking.joint.is_none();
+            let alone = last && linking.joint.is_none() && !linking.piece.is_piece;
             let before = self.stretch_s;
             self.stretch_s += settled.time_s;
             let stretch =
@@ -381,6 +410,7 @@ impl Planner {
     fn complete_unknown(&mut self, piece: Piece) {
         let joint = self.joint(&piece, None, 0.0, f64::INFINITY, false);
         let settle_s = self.settle_time(piece.end_mode);
+        self.complete_joined_to(&piece, None, 0.0);
         if let Some(waiting) = self.waiting_at(piece.slot) {
             waiting.ready = true;
             waiting.times.unknown = true;
@@ -399,6 +429,7 @@ impl Planner {
                 is_piece: piece.is_piece,
                 joint: Some(joint),
                 stretch: None,
+                joined_in: None,
                 phases: Vec::new(),
             });
         }
@@ -428,6 +459,7 @@ impl Planner {
         let jerk_free = piece.dynamics.jerk_free && (stretch.is_some() || self.goes_by_set(piece.kind));
         let joint = self.joint(&piece, joint_caps.as_ref(), velocities.start, seen, ends);
         let settle_s = if ends { self.settle_time(piece.end_mode) } else { 0.0 };
+        self.complete_joined_to(&piece, stretch, time_s);
         if let Some(waiting) = self.waiting_at(piece.slot) {
             waiting.ready = true;
             waiting.times.settle_s = settle_s;
@@ -445,6 +477,7 @@ impl Planner {
                 is_piece: piece.is_piece,
                 joint: Some(joint),
                 stretch,
+                joined_in: None,
                 phases,
             });
         }

@@ -254,8 +254,10 @@ pub struct MotionTimes {
     pub accel: f64,
     /// Nothing limits its jerk, though the profile does (VEL-11): P is not known. It takes at least its time.
     pub jerk_free: bool,
-    /// Where in its stretch it is; none outside of stretches.
+    /// Where in its stretch it is; none outside of stretches, and of a block that is merged.
     pub stretch: Option<InStretch>,
+    /// Of a block that is merged: where it is in the stretch of its piece.
+    pub joined_in: Option<InStretch>,
     /// Its phases, when asked for.
     pub phases: Vec<Phase>,
 }

@@ -1,9 +1,11 @@
 //! CNT-4: short blocks that are joined before anything else.
 
 use cnc872c::analysis::motion::{Break, Model, Planner, Profile, Step};
+use proptest::prelude::*;
 
 use super::build::{Planned, close, dynamics, idle, lines, model, plan};
 use super::verify::verify;
+use crate::properties::cases;
 
 fn merging(length: f64) -> Model {
     Model { merge_mm: length, ..model(Profile::Linear) }
@@ -110,6 +112,37 @@ fn to_and_fro_without_end() {
         assert!(waiting <= 5000, "{waiting}");
         planner.finish(&mut planned);
         assert_eq!(planned.blocks.len(), vectors.len());
+    }
+}
+
+/// PLC-15, CNT-5: blocks that are joined lie in the stretch of their piece. Those before its record are at its start, those
+/// behind it at its end.
+#[test]
+fn what_is_joined_lies_in_the_stretch() {
+    for lengths in [&[5.0, 0.4, 0.4, 0.4, 5.0, 0.3][..], &[0.4, 0.4], &[5.0, 0.4], &[0.4, 5.0, 0.2, 0.2]] {
+        in_one_stretch(&of(lengths, &merging(1.0)));
+    }
+}
+
+/// Every block of a continuous line is in its only stretch, at the time at which it starts.
+fn in_one_stretch(planned: &Planned) {
+    for block in &planned.blocks {
+        let motion = block.motion.as_ref().unwrap();
+        assert_eq!((motion.stretch.is_none(), motion.joined_in.is_some()), (motion.merged, motion.merged));
+        let stretch = motion.stretch.or(motion.joined_in).unwrap();
+        assert_eq!((stretch.index, stretch.continued), (0, planned.blocks.len() > 1));
+        close(stretch.before_s, block.start_s, 1e-9);
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(300))]
+
+    /// The same of any lengths.
+    #[test]
+    fn any_lengths_are_one_stretch(lengths in prop::collection::vec(0.05..2.5_f64, 1..60), parabolic in any::<bool>()) {
+        let profile = if parabolic { Profile::Parabolic } else { Profile::Linear };
+        in_one_stretch(&of(&lengths, &Model { merge_mm: 1.0, ..model(profile) }));
     }
 }
 
