@@ -99,12 +99,20 @@ fn signals(lang: Lang) -> String {
     page.push_str(text(lang, "\n## What gives the value\n\n", "\n## Co určuje hodnotu\n\n"));
     head(&mut page, &[text(lang, "rule", "pravidlo"), text(lang, "value", "hodnota")]);
     for rule in 1..=15 {
-        row(&mut page, &[&format!("PLC-{rule}"), rule_text(rule).get(lang)]);
+        // A rule about cells of many kinds has a text for each of them.
+        let own: Vec<_> = ROWS.iter().filter(|row| row.rule == rule && row.has_own_text()).collect();
+        if own.is_empty() {
+            row(&mut page, &[&format!("PLC-{rule}"), rule_text(rule).get(lang)]);
+        }
+        for signal in own {
+            let names = signal.names.shown().replace(" … ", "` … `");
+            row(&mut page, &[&format!("PLC-{rule}, `{names}`"), signal.value_text().get(lang)]);
+        }
     }
     page.push_str(text(
         lang,
         "\n## Not determined by a part program\n\nThe other names of S0 8.1 to 8.4. Address P has no cell in the manual.\n\n",
-        "\n## Co partprogram neurčuje\n\nOstatní názvy z S0 8.1 až 8.4. Adresa P nemá v příručce žádnou buňku.\n\n",
+        "\n## Co partprogram neurčuje\n\nOstatní buňky z S0 8.1 až 8.4, u každé důvod. Adresa P nemá v příručce žádnou buňku.\n\n",
     ));
     head(&mut page, &["S0", text(lang, "names", "názvy"), text(lang, "why", "proč")]);
     let mut rows: Vec<(&str, String, Vec<String>)> = Vec::new();

@@ -8,7 +8,7 @@ use super::compile::{Stream, cannot_write};
 use super::job::{Ends, Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
-use super::status::{Failure, Status};
+use super::status::{Failure, Status, tell};
 use super::threads;
 use super::walk::Target;
 use super::words::Words;
@@ -59,6 +59,9 @@ pub(super) fn run(args: &PlcArgs, locale: Locale) -> Result<Status, Failure> {
         }
         (None, None) => plc::default(dialect, args.compat, motion),
     };
+    if !motion {
+        tell_of_motion(&signals, condition.is_some(), locale.lang);
+    }
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
     let count = |blocks: u64| {
@@ -142,6 +145,15 @@ fn write(run: Run<'_>, args: &PlcArgs, out: impl Write + Send) -> io::Result<(Ou
         PlcFormat::Json => run.beside(Json::new(out)),
         PlcFormat::Csv => run.beside(Csv::new(out)),
         PlcFormat::Vcd => run.beside(Wave::new(out)),
+    }
+}
+
+/// Says which signals have no value because `[motion]` is not there: those that a condition names, or all that were chosen.
+fn tell_of_motion(signals: &[&'static Signal], condition: bool, lang: Lang) {
+    let names: Vec<&str> =
+        signals.iter().filter(|signal| signal.needs_motion()).map(|signal| signal.name.as_str()).collect();
+    if !names.is_empty() && (condition || names.len() == signals.len()) {
+        tell(&Words::NeedMotion { names: names.join(", ") }, lang);
     }
 }
 

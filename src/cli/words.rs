@@ -49,6 +49,9 @@ bilingual! {
         AssumedMachine
             "the machine of the estimate is assumed: nothing is configured in [motion]",
             "stroj pro odhad je předpokládaný: v [motion] není nastaveno nic";
+        NeedMotion { names: String }
+            "{names}: no value without [motion] in the project file",
+            "{names}: bez [motion] v souboru projektu nemá hodnotu";
         CannotOpen { file: String, reason: String }
             "{file} is written, but cannot be opened: {reason}",
             "{file} je zapsán, ale nelze jej otevřít: {reason}";

@@ -338,12 +338,13 @@ bilingual! {
 bilingual! {
     /// Why a part program does not determine a name of the PLC interface.
     RunTimeReason {
-        Running "only the running control knows it", "ví to jen běžící systém";
+        Running "only the running control knows it", "zná ji jen běžící systém";
         Plc "the PLC program sets it itself", "nastavuje ji sám PLC program";
         Inputs "it comes from the machine: switches, buttons, encoders", "přichází ze stroje: ze spínačů, tlačítek, snímačů";
         Configuration "it comes from the configuration of the machine", "pochází z konfigurace stroje";
+        NoGroup "M groups are numbered from 1, and no function is in group 0", "skupiny M funkcí se číslují od 1 a ve skupině 0 není žádná funkce";
         Unsaid "the sources do not say how a part program gives it", "podklady neříkají, jak ji partprogram udává";
-        Bytes { names: &'static str } "it is the name of a kind of bytes, which have names of their own: {names}", "je to název druhu bajtů, které mají vlastní názvy: {names}";
+        Bytes { names: &'static str } "it is the name of a kind of bytes, which have names of their own: {names}", "je to označení druhu bajtů, které mají vlastní názvy: {names}";
         Bits { names: &'static str } "its bits have names of their own: {names}", "její bity mají vlastní názvy: {names}";
     }
 }
@@ -366,7 +367,7 @@ impl SignalProblem {
     pub fn note(&self, lang: Lang) -> String {
         match (self, lang) {
             (Self::RunTime(reason), Lang::En) => format!("a part program does not determine it: {}", reason.text(lang)),
-            (Self::RunTime(reason), Lang::Cs) => format!("partprogram ji neurčuje: {}", reason.text(lang)),
+            (Self::RunTime(reason), Lang::Cs) => format!("partprogram tuto buňku neurčuje: {}", reason.text(lang)),
             (Self::OtherControl(dialect), Lang::En) => format!("{dialect} has no command block BLK"),
             (Self::OtherControl(dialect), Lang::Cs) => format!("{dialect} nemá povelový blok BLK"),
             (Self::Near(_) | Self::Nothing, _) => String::new(),
@@ -396,10 +397,11 @@ bilingual! {
         NumberTooLong "the number has too many digits", "číslo má příliš mnoho číslic";
         HexadecimalLetter { right: String } "a hexadecimal number begins with a digit: `{right}`", "šestnáctkové číslo začíná číslicí: „{right}“";
         OtherOperator { written: String, right: String } "`{written}` is written `{right}` in a condition", "místo „{written}“ se v podmínce píše „{right}“";
-        NotOfComparison { right: String } "`!` belongs to the name alone; the opposite of a comparison is `{right}`", "„!“ patří jen ke jménu; opak porovnání je „{right}“";
+        NotOfComparison { right: String } "`!` belongs to the name alone; the opposite of a comparison is `{right}`", "„!“ patří jen k názvu signálu; opak porovnání je „{right}“";
         NoBit { name: String, example: String } "`{name}` is no bit and needs a comparison, as in `{name} {example}`", "{name} není bit a musí se porovnat, například „{name} {example}“";
         NumberFirst "a comparison begins with a signal: `PB06 == 19h`", "porovnání začíná signálem: „PB06 == 19h“";
         MissingSignal "a signal is missing here", "zde chybí signál";
+        MissingOperand "a signal or a number is missing here", "zde chybí signál nebo číslo";
         NoOperator "`&` or `|` is missing before this", "před tímto chybí „&“ nebo „|“";
         ComparedTwice "a comparison cannot be compared again; `&` joins two of them", "porovnání nelze dál porovnávat; dvě porovnání spojí „&“";
         Unclosed "a parenthesis is not closed", "závorka není uzavřena";

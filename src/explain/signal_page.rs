@@ -10,7 +10,7 @@ pub(super) fn signal_page(name: &str, lang: Lang) -> String {
     let controls = if row.is_of(Dialect::Cnc8x6) { "CNC8x6, CNC8x9, CNC872" } else { "CNC872" };
     let form = signal.form().name();
     let mut page = format!("# {name}: {}\n\n- {form}, S0 {}; {controls}\n", signal.meaning(lang), row.section);
-    page.push_str(&format!("- {} (PLC-{})\n", dictionary::rule_text(row.rule).get(lang), row.rule));
+    page.push_str(&format!("- {} (PLC-{})\n", row.value_text().get(lang), row.rule));
     if let Some(place) = signal.axis() {
         page.push_str(&match lang {
             Lang::En => {
@@ -42,6 +42,6 @@ pub(super) fn run_time_page(name: &str, lang: Lang) -> String {
     let reason = known.reason.text(lang);
     match lang {
         Lang::En => format!("# {name}\n\nA part program does not determine it: {reason}.\n\nS0 {}\n", known.section),
-        Lang::Cs => format!("# {name}\n\nPartprogram to neurčuje: {reason}.\n\nS0 {}\n", known.section),
+        Lang::Cs => format!("# {name}\n\nPartprogram tuto buňku neurčuje: {reason}.\n\nS0 {}\n", known.section),
     }
 }

@@ -114,7 +114,7 @@ impl Topic {
     /// What a pattern with `*` means: signals of the PLC, and when there are none, names that a part program does not
     /// determine.
     fn signals(name: &str) -> Vec<Self> {
-        let pattern = plain_signal(name.trim());
+        let pattern = plc::run_time::plain(name.trim());
         if !pattern.contains('*') {
             return Vec::new();
         }
@@ -129,7 +129,7 @@ impl Topic {
 
     /// Names of the PLC interface have two characters or more.
     fn signal(name: &str) -> Option<Self> {
-        let plain = plain_signal(name);
+        let plain = plc::run_time::plain(name);
         if plain.len() < 2 {
             return None;
         }
@@ -137,7 +137,10 @@ impl Topic {
             return Some(Self::RunTime(&known.name));
         }
         let signals = plc::dictionary::signals();
-        let found = signals.iter().find(|signal| signal.name.eq_ignore_ascii_case(&plain));
+        let is = |signal: &&plc::Signal| {
+            signal.name.eq_ignore_ascii_case(&plain) || signal.row.names.family().is_some_and(|family| family == plain)
+        };
+        let found = signals.iter().find(is);
         if let Some(signal) = found {
             return Some(Self::Signal(&signal.name));
         }
@@ -235,11 +238,6 @@ impl Topic {
     }
 }
 
-/// `BLK[0].M11`, as PLC programs write it, is `BLK.M11`.
-fn plain_signal(name: &str) -> String {
-    name.strip_prefix("BLK[0].").map_or_else(|| name.to_owned(), |cell| format!("BLK.{cell}"))
-}
-
 /// R0 to R95 are parameters of programs first.
 fn is_parameter(name: &str) -> bool {
     let digits = name.trim().trim_start_matches(['R', 'r']).trim_start();
@@ -298,6 +296,13 @@ mod tests {
         assert_eq!(found("BLK[0].M"), [Topic::Signal("BLK.M[1]")]);
         assert_eq!(found("IPlcParams"), [Topic::RunTime("BLK.IPlcParams[0]")]);
         assert_eq!(found("M2"), [Topic::M(2)]);
+        assert_eq!(found("M0"), [Topic::M(0)]);
+        assert_eq!(found("ZMMxPI"), [Topic::Signal("ZMM1PI")]);
+        assert_eq!(found("PO_OSxPI"), [Topic::Signal("PO_OSXPI")]);
+        assert_eq!(found("BLK[1].TchlOff"), [Topic::RunTime("BLK.TchlOff")]);
+        assert_eq!(found("BLK[1].M11"), [Topic::Signal("BLK.M11")]);
+        assert_eq!(found("AxG"), [Topic::RunTime("BLK.AxG[0]")]);
+        assert_eq!(found("BLK.M0"), [Topic::RunTime("BLK.M0")]);
         assert!(Topic::find("firstblock").is_err(), "words are not names");
         assert!(Topic::find("QQQ*").is_err());
     }

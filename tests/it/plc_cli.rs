@@ -279,6 +279,37 @@ fn dynamic_sets() {
     assert!(columns(&text).iter().all(|step| step["start_s"].is_empty()));
 }
 
+/// PLC-15, CNT-4: blocks that `merge-length-mm` joins lie in the stretch of their piece.
+#[test]
+fn joined_blocks() {
+    let place = Place::with(&[
+        (
+            "a.nc",
+            b"%1\nN10 G90 G00 X0 Y0 Z0 F1000\nN20 G01 G23 X10\nN30 X10.2\nN40 X10.4\nN50 X20\nN60 X20.1\nN70 M30\n",
+        ),
+        ("cnc872c.toml", b"[motion]\nmerge-length-mm=0.5\n"),
+    ]);
+    let text = place.run(&["plc", "a.nc", "--signals", "G23ACT,TIME_DIST", "--format", "csv"]).ends(0).stdout;
+    let cells: Vec<String> =
+        columns(&text).iter().map(|step| format!("{} {}", step["G23ACT"], step["TIME_DIST"])).collect();
+    assert_eq!(cells, ["0 ", "1 1239", "1 623", "1 623", "1 623", "1 0", "0 "]);
+}
+
+/// Without `[motion]` a condition that asks for what only motion gives is told so, and a choice of nothing else.
+#[test]
+fn what_needs_motion_says_so() {
+    let place = place();
+    place.run(&["plc", "a.nc", "--find", "TIME_DIST > 5"]).ends(1).says("TIME_DIST: no value without [motion]");
+    place.run(&["plc", "a.nc", "--find", "M03PI & !G23ACT", "--lang", "cs"]).ends(1).says("G23ACT: bez [motion]");
+    place.run(&["plc", "a.nc", "--signals", "G23ACT,TIME_DIST"]).ends(0).says("G23ACT, TIME_DIST: no value");
+    for arguments in [&["--signals", "*"][..], &["--signals", "M03PI,G23ACT"], &["--find", "M03PI"], &["--compat"]] {
+        let run = place.run(&[&["plc", "a.nc"], arguments].concat()).ends(0);
+        assert!(run.stderr.is_empty(), "{run:?}");
+    }
+    place.put("cnc872c.toml", "[motion]\nprofile = \"linear\"\n");
+    assert!(place.run(&["plc", "a.nc", "--find", "TIME_DIST > 5"]).ends(1).stderr.is_empty());
+}
+
 /// W0901 as an error: every place, and no end of what is written.
 #[test]
 fn denied_bytes() {

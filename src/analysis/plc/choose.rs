@@ -80,7 +80,8 @@ pub fn why_none(name: &str, dialect: Dialect) -> Why {
     let known = |known: &&RunTime| {
         known.is_of(dialect) && (matches(name, &known.name) || known.family.as_deref() == Some(name))
     };
-    if let Some(known) = run_time::names().iter().find(known) {
+    let named = || run_time::find(name).filter(|known| known.is_of(dialect));
+    if let Some(known) = run_time::names().iter().find(known).or_else(named) {
         return Why::RunTime { name: &known.name };
     }
     if signals().iter().any(|signal| matches(name, &signal.name)) {
@@ -91,10 +92,7 @@ pub fn why_none(name: &str, dialect: Dialect) -> Why {
 
 /// The name most like `name`. `BLK[0].M11`, as PLC programs write it, is `BLK.M11`.
 pub fn nearest(name: &str, dialect: Dialect) -> Option<String> {
-    let plain = match name.strip_prefix("BLK[").and_then(|rest| rest.split_once("].")) {
-        Some((_, cell)) => format!("BLK.{}", cell.trim_start_matches("REAL.").trim_start_matches("WORD.")),
-        None => name.to_owned(),
-    };
+    let plain = run_time::plain(name);
     let upper = plain.to_ascii_uppercase();
     let like = |signal: &'static Signal| {
         let likeness = if signal.name == plain {
@@ -188,6 +186,12 @@ mod tests {
         assert_eq!(why("MP*PI", Dialect::Cnc872), Why::RunTime { name: "MPXPI" });
         assert_eq!(why("MPxPI", Dialect::Cnc872), Why::RunTime { name: "MPXPI" });
         assert_eq!(why("BLK.*", Dialect::Cnc8x9), Why::OtherControl);
+        assert_eq!(why("BLK[1].TchlOff", Dialect::Cnc872), Why::RunTime { name: "BLK.TchlOff" });
+        assert_eq!(why("BLK.M[0]", Dialect::Cnc872), Why::RunTime { name: "BLK.M[0]" });
+        assert_eq!(why("AxG", Dialect::Cnc872), Why::RunTime { name: "BLK.AxG[0]" });
+        assert_eq!(why("DISPTOC1.TOC_ROW", Dialect::Cnc8x6), Why::RunTime { name: "TOC_ROW" });
+        assert_eq!(why("ZMMxPI", Dialect::Cnc872), near("ZMM1PI"));
+        assert_eq!(why("PO_OSxPI", Dialect::Cnc872), near("PO_OSXPI"));
         assert_eq!(why("", Dialect::Cnc872), Why::Nothing);
         assert_eq!(why("příruba", Dialect::Cnc872), Why::Nothing);
         assert_eq!(named("PB06,QQQQQ", Dialect::Cnc872).unwrap_err().name, "QQQQQ");

@@ -237,12 +237,15 @@ impl Reader<'_> {
             (Some(Kind::Rising | Kind::Falling), _) => ConditionProblem::EdgeParentheses,
             (_, None) if ends_operand => ConditionProblem::Unclosed,
             (_, Some(Kind::Close)) if ends_operand => ConditionProblem::Superfluous,
-            (_, Some(Kind::Name | Kind::Rising | Kind::Falling | Kind::Not | Kind::Open)) if ends_operand => {
+            (_, Some(Kind::Name | Kind::Rising | Kind::Falling | Kind::Not | Kind::WordNot | Kind::Open))
+                if ends_operand =>
+            {
                 ConditionProblem::NoOperator
             }
             (_, Some(Kind::Hexadecimal | Kind::Decimal)) if ends_operand => ConditionProblem::NoOperator,
             (_, Some(Kind::Hexadecimal | Kind::Decimal)) => ConditionProblem::NumberFirst,
             (_, Some(kind)) if ends_operand && kind != Kind::Close => ConditionProblem::ComparedTwice,
+            (Some(kind), _) if Comparison::of(kind).is_some() => ConditionProblem::MissingOperand,
             _ => ConditionProblem::MissingSignal,
         };
         self.add_problem(problem, span, None);
@@ -294,6 +297,8 @@ impl Reader<'_> {
             let comparison = self.slice(Span::new(name.span.start, with.span.end)).to_owned();
             let right = format!("!({comparison})");
             let span = Span::new(not.start, with.span.end);
+            // `NOT PB06 == 19h`: one change is enough.
+            self.found.retain(|found| found.at != at(not));
             let problem = ConditionProblem::NotOfComparison { right: right.clone() };
             self.add_problem(problem, span, Some(right));
         }
@@ -336,6 +341,11 @@ impl Reader<'_> {
     /// A decimal number above 9 against a cell in BCD.
     fn add_decimal(&mut self, signal: &Signal, text: &str, span: Span) {
         let digits = text.trim_start_matches('+');
+        // 12.0 is 12.
+        let digits = match digits.split_once('.') {
+            Some((whole, rest)) if rest.bytes().all(|digit| digit == b'0') => whole,
+            _ => digits,
+        };
         let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
         let right = if whole { format!("{digits}h") } else { String::new() };
         let tool = matches!(signal.cell, Cell::Tool | Cell::ToolByte(_));
@@ -510,6 +520,12 @@ mod tests {
             ("M03PI || PB06 = 19h", vec!["E0903 `||` at 6: |", "E0903 `=` at 14: =="]),
             ("BLK.M[11] == 95", vec!["E0904 `95` at 13: 95h"]),
             ("BLK.T > 9.5", vec!["E0904 `9.5` at 8: -"]),
+            ("BLK.T == 12.0", vec!["E0904 `12.0` at 9: 12h"]),
+            ("BLK.T == +12.", vec!["E0904 `+12.` at 9: 12h"]),
+            ("NOT M03PI", vec!["E0903 `NOT` at 0: !"]),
+            ("M03PI and M08PI Or M07PI", vec!["E0903 `and` at 6: &", "E0903 `Or` at 16: |"]),
+            ("not PB06 == 19h", vec!["E0903 `not PB06 == 19h` at 0: !(PB06 == 19h)"]),
+            ("M03PI NOT M04PI", vec!["E0903 `NOT` at 6: !"]),
             ("!PB06 == 19h", vec!["E0903 `!PB06 == 19h` at 0: !(PB06 == 19h)"]),
             ("M03PI & m08PI", vec!["E0902 `m08PI` at 8: M08PI"]),
             ("BLK[0].M11", vec!["E0902 `BLK[0].M11` at 0: BLK.M11"]),
@@ -537,10 +553,31 @@ mod tests {
         assert_eq!(Condition::read("BLK.T == 5", Dialect::Cnc8x6).unwrap_err()[0].code().as_str(), "E0902");
     }
 
+    /// After a comparison a number may stand too.
+    #[test]
+    fn what_is_missing() {
+        let said = |text: &str| {
+            let found = Condition::read(text, Dialect::Cnc872).expect_err(text);
+            found.iter().map(|found| found.finding.message(Lang::En)).collect::<Vec<_>>()
+        };
+        for text in ["PB06 ==", "PB06 == !", "PB06 = ", "(PB06 >= )"] {
+            assert!(said(text).contains(&"a signal or a number is missing here".to_owned()), "{text}");
+        }
+        for text in ["PB06 == 19h &", "M03PI & | M04PI", "!"] {
+            assert_eq!(said(text), ["a signal is missing here"], "{text}");
+        }
+    }
+
     /// A condition with its fixes applied can be read.
     #[test]
     fn fixes_help() {
-        for text in ["M03PI && PB06 = 19", "BLK.H => 3,5 || !PB06 == 19h", "blk.m11 & m03pi", "PB11 == FFh"] {
+        for text in [
+            "M03PI && PB06 = 19",
+            "M03PI AND NOT(M08PI)or not PB06 == 19h",
+            "BLK.H => 3,5 || !PB06 == 19h",
+            "blk.m11 & m03pi",
+            "PB11 == FFh",
+        ] {
             let mut fixed = text.to_owned();
             for _ in 0..4 {
                 let Err(found) = Condition::read(&fixed, Dialect::Cnc872) else { break };

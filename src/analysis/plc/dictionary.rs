@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+pub use super::value_texts::rule_text;
+use super::value_texts::value_of;
 use crate::dict::{Bilingual, Dialect, Lang};
 
 /// M groups are numbered from 1.
@@ -550,71 +552,6 @@ pub const ROWS: &[Row] = &[
     ),
 ];
 
-/// What gives the value of the signals of a rule, PLC-1 to PLC-15.
-pub const fn rule_text(rule: u8) -> Bilingual {
-    let (en, cs) = match rule {
-        1 => (
-            "The function in force in BCD: M95 is 95h, M100 is 100h. Groups 1, 7 and 9 have a value only in their block; \
-             without a function there is none",
-            "Platná funkce v BCD: M95 je 95h, M100 je 100h. Skupiny 1, 7 a 9 mají hodnotu jen ve svém bloku; bez funkce \
-             hodnota chybí",
-        ),
-        2 => (
-            "1 for the length of a block that programs the group, even with the same function, and where M02, M30, a stop \
-             or M40 changes it",
-            "1 po dobu bloku, ve kterém je skupina programována, i stejnou funkcí, a tam, kde ji mění M02, M30, stop nebo M40",
-        ),
-        3 => ("1 in blocks of which it is true", "1 v blocích, pro které to platí"),
-        4 => (
-            "1 when the axis is written in a block that moves, or is one of the two of an arc. The axes count in the order \
-             of the machine; beyond its axes it is 0",
-            "1, když je osa zapsána v bloku s pohybem nebo je jednou ze dvou os oblouku. Osy se počítají v pořadí stroje; za \
-             jeho osami je 0",
-        ),
-        5 => (
-            "1 when the programmed coordinate falls, 0 when it rises. No value when the axis does not move, when its \
-             distance is 0 or unknown, when it turns back within the block, or under G31, G35, G36, G38, G39",
-            "1, když programovaná souřadnice klesá, 0, když roste. Bez hodnoty, když se osa nepohybuje, když je její dráha 0 \
-             nebo neznámá, když se v bloku obrací, nebo při G31, G35, G36, G38, G39",
-        ),
-        6 => ("As in the block stream; T in BCD", "Jako v proudu bloků; T v BCD"),
-        7 => (
-            "Two decades in BCD; no value while nothing is programmed. M100, and an H above 99, with a fraction or a sign, \
-             do not fit: 00h and W0901",
-            "Dvě dekády v BCD; bez hodnoty, dokud není nic programováno. M100 a H nad 99, s desetinnou částí nebo se \
-             znaménkem se nevejdou: 00h a W0901",
-        ),
-        8 => (
-            "S / max · 7FFFh, max being that of the gear in force; no value without [[gears]] or without a known gear",
-            "S / max · 7FFFh, kde max má zařazený stupeň; bez hodnoty, když chybí [[gears]] nebo stupeň není znám",
-        ),
-        9 => (
-            "1 for one block, the one in which the function is written; M01 also when optional stop is off",
-            "1 po dobu jednoho bloku, ve kterém je funkce zapsána; M01 i při vypnutém volitelném stopu",
-        ),
-        10 => (
-            "By the function in force, those of power-up included; ranges under M40 by the gear, without a value when that \
-             is not known",
-            "Podle platné funkce, i té po zapnutí; rozsahy při M40 podle zařazeného stupně, bez hodnoty, když není znám",
-        ),
-        11 => ("While the function is in force; AUTPI always", "Dokud funkce platí; AUTPI vždy"),
-        12 => (
-            "1 in a block that writes the word, even with the same value",
-            "1 v bloku, ve kterém je slovo zapsáno, i se stejnou hodnotou",
-        ),
-        13 => (
-            "Under M41–M44, and under M40 with [[gears]]; else no value",
-            "Při M41–M44 a při M40 s [[gears]]; jinak bez hodnoty",
-        ),
-        14 => ("1 in a block with a dwell above 0", "1 v bloku s prodlevou větší než 0"),
-        _ => (
-            "With [motion]: in a stretch of two blocks or more; without it no value",
-            "S [motion]: v úseku dvou nebo více bloků; jinak bez hodnoty",
-        ),
-    };
-    Bilingual { en, cs }
-}
-
 /// The axes as names of signals have them.
 pub const AXIS_NAMES: [&str; AXES as usize] =
     ["X", "Y", "Z", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16"];
@@ -632,6 +569,14 @@ impl Names {
         }
     }
 
+    /// The name of a family with `x` for the member, as S0 writes it.
+    pub fn family(self) -> Option<String> {
+        match self {
+            One(_) => None,
+            Groups(before, after) | Places(before, after) | Axes(before, after) => Some(format!("{before}x{after}")),
+        }
+    }
+
     /// The name of the row: that of its signal, or its first and last.
     pub fn shown(self) -> String {
         let each = self.each();
@@ -644,6 +589,16 @@ impl Names {
 }
 
 impl Row {
+    /// What gives the value of its signals: more than the rule says, where that is about several cells.
+    pub fn value_text(&self) -> Bilingual {
+        value_of((self.cell)(0)).unwrap_or_else(|| rule_text(self.rule))
+    }
+
+    /// Whether that is more than its rule.
+    pub fn has_own_text(&self) -> bool {
+        value_of((self.cell)(0)).is_some()
+    }
+
     /// Which controls have its signals.
     pub const fn is_of(&self, dialect: Dialect) -> bool {
         !self.is_of_command_block() || matches!(dialect, Dialect::Cnc872)
@@ -744,6 +699,20 @@ mod tests {
         assert_eq!(of("PO_OSZPI").0, Cell::Moves(2));
         assert_eq!(of("SM_PO16PI").0, Cell::Backwards(15));
         assert!(find("zmm10pi").is_none() && find("BLK.M15").is_none() && find("BLK.M[0]").is_none());
+    }
+
+    /// A rule about many cells has a text for each of them; BCD is spoken of where the cell is in BCD.
+    #[test]
+    fn every_cell_says_what_gives_its_value() {
+        for row in ROWS.iter().filter(|row| matches!(row.rule, 3 | 6)) {
+            for lang in [Lang::En, Lang::Cs] {
+                let text = row.value_text().get(lang);
+                assert_ne!(text, rule_text(row.rule).get(lang), "{}", row.names.shown());
+                let bcd =
+                    signals().iter().any(|signal| signal.row.names.shown() == row.names.shown() && signal.is_bcd());
+                assert_eq!(text.contains("BCD"), bcd, "{text}");
+            }
+        }
     }
 
     /// BLK signals exist on CNC872, the compatible ones everywhere.

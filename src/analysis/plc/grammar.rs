@@ -24,7 +24,7 @@ pub enum Comparison {
 }
 
 impl Comparison {
-    const fn of(kind: Kind) -> Option<Self> {
+    pub(super) const fn of(kind: Kind) -> Option<Self> {
         Some(match kind {
             Kind::Equal | Kind::SingleEqual | Kind::TripleEqual => Self::Equal,
             Kind::NotEqual | Kind::LessGreater | Kind::NotTripleEqual => Self::NotEqual,
@@ -37,6 +37,9 @@ impl Comparison {
             | Kind::Falling
             | Kind::Hexadecimal
             | Kind::Decimal
+            | Kind::WordNot
+            | Kind::WordAnd
+            | Kind::WordOr
             | Kind::Not
             | Kind::And
             | Kind::Or
@@ -93,11 +96,13 @@ fn condition<'t>() -> impl Parser<'t, &'t [Token], Tree, Extra<'t>> {
             Tree::Edge { at: edge.span, rising: edge.kind == Kind::Rising, of: Box::new(of) }
         });
         let primary = choice((signal, edge, group.map(|of| Tree::Group(Box::new(of)))));
-        let not =
-            one(Kind::Not).repeated().foldr(primary, |not: Token, of| Tree::Not { at: not.span, of: Box::new(of) });
-        let and = one(Kind::And).or(one(Kind::DoubleAnd));
+        let not = one(Kind::Not)
+            .or(one(Kind::WordNot))
+            .repeated()
+            .foldr(primary, |not: Token, of| Tree::Not { at: not.span, of: Box::new(of) });
+        let and = choice((one(Kind::And), one(Kind::DoubleAnd), one(Kind::WordAnd)));
         let all = not.clone().foldl(and.ignore_then(not).repeated(), |a, b| Tree::And(Box::new(a), Box::new(b)));
-        let or = one(Kind::Or).or(one(Kind::DoubleOr));
+        let or = choice((one(Kind::Or), one(Kind::DoubleOr), one(Kind::WordOr)));
         all.clone().foldl(or.ignore_then(all).repeated(), |a, b| Tree::Or(Box::new(a), Box::new(b)))
     })
     .then_ignore(end())

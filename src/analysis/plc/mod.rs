@@ -26,6 +26,7 @@ pub mod run_time;
 mod steps;
 mod table;
 mod tokens;
+mod value_texts;
 mod values;
 mod wave;
 mod words;

@@ -2,8 +2,8 @@
 
 use std::sync::LazyLock;
 
-use super::dictionary::AXIS_NAMES;
-use crate::diag::RunTimeReason::{self as Reason, Bits, Bytes, Configuration, Inputs, Plc, Running, Unsaid};
+use super::dictionary::{AXIS_NAMES, signals};
+use crate::diag::RunTimeReason::{self as Reason, Bits, Bytes, Configuration, Inputs, NoGroup, Plc, Running, Unsaid};
 use crate::dict::Dialect;
 
 /// What the `x` of a name stands for.
@@ -96,8 +96,10 @@ const ROWS: &[Row] = &[
     row("8.1.24", Axes, Inputs, "KH~0 KH~1 ZP~0 ZP~1"),
     row("8.2.2", One, Running, "REFPI CAPI"),
     row("8.3.1", One, Running, "BLK.Backward BLK.SelBlock BLK.Cont BLK.TchlOff BLK.Partial"),
+    row("8.3.1", One, NoGroup, "BLK.M0"),
     row("8.3.1", Parameters, Unsaid, "BLK.IPlc~ BLK.RPlc~"),
     row("8.3.2", One, Running, "CNT_NEXT_BLOCKS"),
+    row("8.3.3", One, NoGroup, "BLK.M[0]"),
     row("8.3.3", Parameters, Unsaid, "BLK.IPlcParams[~]"),
     row("8.3.3", Geometric, Unsaid, "BLK.AxG[~]"),
     row("8.3.4", Parameters, Unsaid, "BLK.RPlcParams[~]"),
@@ -112,8 +114,15 @@ const ROWS: &[Row] = &[
     ),
     row("8.4.1", One, Plc, "LIMIT_FEED_REQ LIMIT_FEED_G00_REQ LIMIT_FEED LIMIT_FEED_G00"),
     row("8.4.2", One, Running, "SYST_TIME_INFO SYST_DATE_INFO UTC_TIME_INFO UTC_DATE_INFO FILETIME_INFO"),
+    row(
+        "8.4.2",
+        One,
+        Running,
+        "TIME_MIN TIME_HOUR TIME_HUND TIME_SEC DATE_YEAR DATE_DAY DATE_MON LOW_FILETIME HIGH_FILETIME",
+    ),
     row("8.4.3", One, Inputs, "PTLTOC_P1 PTLTOC_P1_2 PTLTOC_P2 PTLTOC_P2_2"),
     row("8.4.3", One, Plc, "DISPTOC1 DISPTOC2 BUSY_DISPTOC1 BUSY_DISPTOC2"),
+    row("8.4.3", One, Plc, "TOC_ROW TOC_COLUMN TOC_CHAR1 TOC_CHAR2 TOC_CHAR3 TOC_CHAR4 TOC_SIZE TOC_INV"),
     row("8.4.5", One, Plc, "PLC_MEM_BACKUP REQ_BACKUP_MEM"),
     row(
         "8.4.6",
@@ -184,9 +193,43 @@ pub fn names() -> &'static [RunTime] {
     &NAMES
 }
 
-/// That name, or the family of that name.
+/// That name, or the family or array of that name; also as PLC programs write it: with an index of the command block, a
+/// type, a structure before it, or from the tables of S0 without `BLK.`.
 pub fn find(name: &str) -> Option<&'static RunTime> {
-    names().iter().find(|known| known.name == name || known.family.as_deref() == Some(name))
+    let plain = plain(name);
+    let exact = |name: &str| {
+        let is_array = |known: &RunTime| known.name.split_once('[').is_some_and(|(array, _)| array == name);
+        let named = names().iter().find(|known| known.name == name || known.family.as_deref() == Some(name));
+        // An array some of whose elements are signals is no such name.
+        let signals = || !signals().iter().any(|signal| signal.name.split_once('[').is_some_and(|(of, _)| of == name));
+        named.or_else(|| names().iter().find(|known| is_array(known)).filter(|_| signals()))
+    };
+    let of_structure = || {
+        let (structure, member) = plain.split_once('.')?;
+        let (structure, member) = (exact(structure)?, exact(member)?);
+        (structure.section == member.section).then_some(member)
+    };
+    // Short names and words of programs have meanings of their own.
+    let in_block = || {
+        let word = plain.bytes().skip(1).all(|byte| byte.is_ascii_digit());
+        if word { None } else { exact(&format!("{BLOCK}{plain}")) }
+    };
+    exact(&plain).or_else(of_structure).or_else(in_block)
+}
+
+/// The prefix of the command block.
+const BLOCK: &str = "BLK.";
+/// Types that stand before a cell in PLC programs.
+const TYPES: [&str; 6] = ["BYTE.", "WORD.", "DWRD.", "DWORD.", "QWRD.", "REAL."];
+
+/// `BLK[1].REAL.H`, as PLC programs write it, is `BLK.H`; `BYTE.PB06` is `PB06`.
+pub fn plain(name: &str) -> String {
+    let untyped = |name: &str| TYPES.iter().find_map(|kind| name.strip_prefix(kind)).unwrap_or(name).to_owned();
+    let indexed = name.strip_prefix("BLK[").and_then(|rest| rest.split_once("].")).map(|(_, cell)| cell);
+    match indexed.or_else(|| name.strip_prefix(BLOCK)) {
+        Some(cell) => format!("{BLOCK}{}", untyped(cell)),
+        None => untyped(name),
+    }
 }
 
 #[cfg(test)]
@@ -215,5 +258,27 @@ mod tests {
         assert!(find("MP7").is_none() && find("BLK.IPlc5").is_none() && find("stoppi").is_none());
         assert_eq!(find("BLK.Scale").unwrap().reason, &Unsaid);
         assert_eq!(find("KHx1").unwrap().section, "8.1.24");
+        for name in [
+            "BLK.M0",
+            "BLK.M[0]",
+            "BLK[0].M[0]",
+            "AxG",
+            "BLK.AxG",
+            "BLK[2].AxG[1]",
+            "BLK[1].TchlOff",
+            "BLK[BX].IPlc1",
+            "BLK[0].REAL.RPlcParams[2]",
+            "Scale",
+            "SYST_TIME_INFO.TIME_MIN",
+            "BYTE.UTC_TIME_INFO.TIME_HOUR",
+            "DISPTOC1.TOC_ROW",
+            "TOC_ROW",
+            "DATE_DAY",
+        ] {
+            assert!(find(name).is_some(), "{name}");
+        }
+        for name in ["M0", "M", "T", "BLK.M", "BLK[1].M11", "TOC_ROW.TIME_MIN", "AxG.TOC_ROW", "BLK[1].H", ""] {
+            assert!(find(name).is_none(), "{name}");
+        }
     }
 }

@@ -9,8 +9,8 @@ use super::values::{Value, write_real, write_value};
 use crate::diag::terminal_safe;
 use crate::run::End;
 
-/// One line for each step that changes a signal: seq, N, line, then the signals that changed. The first step shows what is
-/// neither 0 nor absent.
+/// One line for each step that changes a signal: seq, N, line, then the signals that changed. The first step shows bits
+/// that are 1 and cells that have a value.
 #[derive(Debug)]
 pub struct Table<W> {
     out: W,

@@ -23,6 +23,15 @@ pub(super) enum Kind {
     /// `12`, `-0.5`
     #[regex(r"[+\-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)", priority = 20)]
     Decimal,
+    /// `not`, as other languages write `!`
+    #[regex("[nN][oO][tT]", priority = 30)]
+    WordNot,
+    /// `and`, likewise `&`
+    #[regex("[aA][nN][dD]", priority = 30)]
+    WordAnd,
+    /// `or`, likewise `|`
+    #[regex("[oO][rR]", priority = 30)]
+    WordOr,
     /// `!`
     #[token("!")]
     Not,
@@ -111,8 +120,9 @@ impl Kind {
     /// What is written here for an operator of other languages.
     pub(super) const fn meant(self) -> Option<&'static str> {
         match self {
-            Self::DoubleAnd => Some("&"),
-            Self::DoubleOr => Some("|"),
+            Self::DoubleAnd | Self::WordAnd => Some("&"),
+            Self::DoubleOr | Self::WordOr => Some("|"),
+            Self::WordNot => Some("!"),
             Self::SingleEqual | Self::TripleEqual => Some("=="),
             Self::LessGreater | Self::NotTripleEqual => Some("!="),
             Self::EqualLess => Some("<="),
