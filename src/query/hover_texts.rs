@@ -24,6 +24,7 @@ bilingual! {
         InWholes "in whole numbers", "v celých číslech";
         Dwell { s: String } "dwell {s} s", "časová prodleva {s} s";
         Plc "the PLC reads", "PLC čte";
+        PlcAtStop "while the program stands", "když program stojí";
 
         Subprogram { name: String } "calls subprogram {name}", "volá podprogram {name}";
         Macrocycle { name: String } "calls macrocycle {name}", "volá makrocyklus {name}";

@@ -52,7 +52,7 @@ impl Subject<'_> {
                 }
             }
         }
-        self.signals(page, word);
+        self.signals(page, word, observed);
         if matches!(word.address, Address::G | Address::L | Address::Q)
             && let Some(flow) = Flow::of(self.analysis, self.file, block)
             && (word.address != Address::G || word.start() == flow.word.start())
@@ -91,23 +91,18 @@ impl Subject<'_> {
     }
 
     /// What the word sets in the interface to the PLC.
-    fn signals(&self, page: &mut Page, word: Word) {
+    fn signals(&self, page: &mut Page, word: Word, observed: Option<&Observed>) {
         let Some(number) = word.number() else { return };
-        let set = plc::of_word(word.address, number, &self.analysis.settings.machine);
-        if set.is_empty() {
-            return;
-        }
-        // What depends on more than the word, its name alone.
-        let text = |(signal, value): &(&'static plc::Signal, plc::Value)| {
-            let mut text = signal.name.clone();
-            if value.is_some() {
-                text.push('=');
-                plc::write_value(signal, *value, &mut text);
+        let seen = observed.map(|observed| observed.plc.as_slice()).unwrap_or_default();
+        let more = observed.is_some_and(|observed| observed.more_plc);
+        let sets = plc::of_word(word.address, number, &self.analysis.settings.machine, seen);
+        for (said, set) in [(Said::Plc, &sets.step), (Said::PlcAtStop, &sets.stop)] {
+            if !set.is_empty() {
+                let texts: Vec<String> =
+                    set.iter().map(|set| page.code(&set_signal(set, !seen.is_empty(), more))).collect();
+                page.item(&self.say(&said), &texts.join(" "));
             }
-            page.code(&text)
-        };
-        let texts: Vec<String> = set.iter().map(text).collect();
-        page.item(&self.say(&Said::Plc), &texts.join(" "));
+        }
     }
 
     fn say(&self, said: &Said) -> String {
@@ -264,6 +259,25 @@ impl Subject<'_> {
         }
         Some(parts.join(" "))
     }
+}
+
+/// `PB06=03h`; values of different passes behind one another. What is not known without execution, its name alone.
+fn set_signal((signal, values): &plc::SetSignal, executed: bool, more: bool) -> String {
+    let mut text = signal.name.clone();
+    if !executed && values.iter().all(Option::is_none) {
+        return text;
+    }
+    for (index, value) in values.iter().enumerate() {
+        text.push(if index == 0 { '=' } else { '/' });
+        match value {
+            Some(_) => plc::write_value(signal, *value, &mut text),
+            None => text.push('-'),
+        }
+    }
+    if more && values.len() > 1 {
+        text.push_str("/…");
+    }
+    text
 }
 
 /// How long something holds.

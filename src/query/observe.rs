@@ -9,6 +9,7 @@ use super::cancel::Cancel;
 use super::cursor::DOCUMENT;
 use super::moves::{Moves, Seen};
 use super::values::Values;
+use crate::analysis::plc::WordsRead;
 use crate::config::Machine;
 use crate::diag::Findings;
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro, PROGRAM_GROUP};
@@ -22,6 +23,9 @@ use crate::text::FileId;
 pub(crate) const MOST: u64 = 2_000_000;
 /// Executed blocks between two looks at whether the answer is still wanted.
 const PERIOD: u64 = 1 << 12;
+
+/// Different things that the PLC reads in one block, as many as are kept.
+const READS: usize = 4;
 
 /// What was seen of one block.
 #[derive(Clone, Debug, Default)]
@@ -59,6 +63,10 @@ pub(crate) struct Observed {
     pub(crate) writes: BTreeMap<u8, Values<Decimal>>,
     /// What the unit that it calls takes: the values with which that begins.
     pub(crate) inputs: BTreeMap<u8, Values<Decimal>>,
+    /// What the PLC reads of its M, H, T and S words: the first few different ones, where that is asked for.
+    pub(crate) plc: Vec<WordsRead>,
+    /// There are more.
+    pub(crate) more_plc: bool,
 }
 
 /// One execution, with what was seen of some blocks.
@@ -162,6 +170,7 @@ pub(crate) fn observe_motion(
 ) -> Option<Observation> {
     let mut observer = Observer::new(cancel, program, document, blocks);
     observer.watch(inputs);
+    observer.plc = true;
     if program.settings.machine.motion.configured {
         observer.moves = Some(Moves::new(&program.settings, units.len()));
         observer.units = units.to_vec();
@@ -190,6 +199,8 @@ struct Observer<'a> {
     machine: &'a Machine,
     observation: Observation,
     moves: Option<Moves>,
+    /// What the PLC reads is wanted.
+    plc: bool,
     /// From which block up to which units reach whose times are wanted.
     units: Vec<(BlockId, BlockId)>,
     /// The parameters that the blocks read, with their values before the next block.
@@ -236,6 +247,7 @@ impl<'a> Observer<'a> {
             machine,
             observation,
             moves: None,
+            plc: false,
             units: Vec::new(),
             before,
             files: Vec::new(),
@@ -278,6 +290,9 @@ impl<'a> Observer<'a> {
                 values.add(executed.parameter(*index));
             }
             observed.take(executed, self.machine);
+            if self.plc {
+                observed.take_words(executed);
+            }
         }
         for (index, value) in &mut self.before {
             *value = executed.parameter(*index);
@@ -348,6 +363,23 @@ impl Observed {
         self.correction.add(executed.length_correction());
         if executed.dwell().is_some() {
             self.dwell_s.add(executed.dwell());
+        }
+    }
+
+    /// Takes what the PLC reads of the words.
+    fn take_words(&mut self, executed: &Executed<'_>) {
+        let written = |address| executed.written(address);
+        if executed.m_written().is_empty() && ![Address::H, Address::T, Address::S].into_iter().any(written) {
+            return;
+        }
+        let read = WordsRead::of(executed);
+        if self.plc.contains(&read) {
+            return;
+        }
+        if self.plc.len() < READS {
+            self.plc.push(read);
+        } else {
+            self.more_plc = true;
         }
     }
 

@@ -272,7 +272,7 @@ N530 Z5 G70
 {
   "contents": {
     "kind": "markdown",
-    "value": "**`M30`** konec partprogramu\n\nskupina 1 funkcí M; platí jen ve svém bloku\n\n- PLC čte: `ZMM1PI=1` `M30_PID=1`\n\n---\n\n**blok N130 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M30 M05 M40 M36 M09 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
+    "value": "**`M30`** konec partprogramu\n\nskupina 1 funkcí M; platí jen ve svém bloku\n\n- PLC čte: `ZMM1PI=1` `ZMM2PI=1` `ZMM5PI=1` `ZMM6PI=1` `PB06=05h` `M30_PID=1` `M03PI=0` `M04PI=0` `M19PI=0` `M07PI=0` `M08PI=0` `M50PI=0` `M51PI=0`\n\n---\n\n**blok N130 se provede 1×**\n\n- poloha po bloku: X 0 mm; Y 0 mm; Z 5 mm; C -90.5 °\n- platné funkce G: `G01 G17 G98 G40 G54 G94 G80 G90 G75 G34`\n- funkce M po bloku: `M30 M05 M40 M36 M09 M53 M48`\n- technologie: F 150 mm/min; S 2000 ot/min; T7"
   },
   "range": {
     "end": {

@@ -113,6 +113,26 @@ impl Facts {
         self.flags = if holds { self.flags | bit } else { self.flags & !bit };
     }
 
+    /// Whether the group has a change mark.
+    pub fn is_marked(&self, group: u8) -> bool {
+        self.marks.checked_shr(u32::from(group)).unwrap_or(0) & 1 == 1
+    }
+
+    /// What does not depend on where the axes are and how they move.
+    #[must_use]
+    pub fn without_motion(self) -> Self {
+        Self {
+            moves: 0,
+            directed: 0,
+            negative: 0,
+            dwell: None,
+            length: None,
+            positions: [None; PLACES],
+            motion: MotionFacts::default(),
+            ..self
+        }
+    }
+
     /// All flags.
     pub const fn flags(&self) -> u16 {
         self.flags

@@ -44,4 +44,4 @@ pub use steps::{Place, Step, Tracker};
 pub use table::{Csv, Table};
 pub use values::{Value, write_real, write_value};
 pub use wave::Wave;
-pub use words::of_word;
+pub use words::{SetSignal, WordSets, WordsRead, of_word};

@@ -1,65 +1,184 @@
 //! What one word of a block changes in the interface: for whoever reads the text.
 
+use super::blocks::Blocks;
 use super::dictionary::{Cell, Flag, OneBlock, Signal, signals};
-use super::facts::Facts;
+use super::facts::{Facts, STOPPED};
 use super::values::{Value, value};
 use crate::config::Machine;
-use crate::dict::{Address, Decimal};
+use crate::dict::{
+    Address, Decimal, GEAR_BY_SPEED, GEAR_GROUP, OPTIONAL_STOP, PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP,
+};
+use crate::run::Executed;
 
-/// The cells and bits that an M, H, T or S word sets, with what it sets them to; nothing for other words. What depends on
-/// more than the word, the gear under M40 and the spindle output, has no value here, and is there with `[[gears]]` only.
-pub fn of_word(address: Address, number: Decimal, machine: &Machine) -> Vec<(&'static Signal, Value)> {
-    let mut facts = Facts::default();
-    let whole = number.as_whole().and_then(|number| u8::try_from(number).ok());
-    let concerns: Box<dyn Fn(Cell) -> bool> = match (address, whole) {
-        (Address::M, Some(function)) => {
-            let group = machine.m_functions.group(function);
-            if let Some(slot) = facts.m.get_mut(usize::from(group)) {
-                *slot = Some(function);
-            }
-            facts.mark(usize::from(group));
-            facts.gear = function.checked_sub(40).filter(|gear| group == 3 && (1..=4).contains(gear));
-            facts.set(Flag::Stop, function == 0);
-            facts.set(Flag::CondStop, function == 1);
-            if let Some(written) = OneBlock::from_number(function) {
-                facts.write(written);
-            }
-            Box::new(move |cell| of_function(cell, function, group))
-        }
-        (Address::H, _) => {
-            facts.h = Some(number);
-            facts.set(Flag::HProg, true);
-            Box::new(|cell| matches!(cell, Cell::H | Cell::HByte | Cell::Flag(Flag::HProg)))
-        }
-        (Address::T, _) => {
-            facts.tool = Some(number);
-            facts.set(Flag::TProg, true);
-            Box::new(|cell| matches!(cell, Cell::Tool | Cell::ToolByte(_) | Cell::Flag(Flag::TProg)))
-        }
-        (Address::S, _) => {
-            facts.speed = Some(number);
-            Box::new(|cell| matches!(cell, Cell::SpindleSpeed | Cell::SpeedByte { .. }))
-        }
-        _ => return Vec::new(),
-    };
-    let of_control = signals().iter().filter(|signal| signal.row.is_of(machine.dialect) && concerns(signal.cell));
-    let has_gears = !machine.gears.is_empty();
-    let with_value = of_control.map(|signal| (signal, value(signal.cell, &facts, machine)));
-    with_value.filter(|(_, value)| value.is_some() || has_gears).collect()
+/// What the PLC reads of the M, H, T and S words of an executed block.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct WordsRead {
+    step: Facts,
+    /// While the program stands after it (PLC-16).
+    stop: Option<Facts>,
 }
 
-/// Whether a cell follows from an M function of a group.
-fn of_function(cell: Cell, function: u8, group: u8) -> bool {
+impl WordsRead {
+    /// Of a block that was just executed.
+    pub fn of(block: &Executed<'_>) -> Self {
+        let mut step = Facts::default();
+        let stop = Blocks::new(&block.settings().machine, &[]).read(block, None, &mut step);
+        Self { step: step.without_motion(), stop: stop.map(Facts::without_motion) }
+    }
+}
+
+/// A signal with its different values, in the order in which they came.
+pub type SetSignal = (&'static Signal, Vec<Value>);
+
+/// What a word sets.
+#[derive(Debug, Default)]
+pub struct WordSets {
+    /// In its block.
+    pub step: Vec<SetSignal>,
+    /// What changes while the program stands after it.
+    pub stop: Vec<SetSignal>,
+}
+
+/// An M, H, T or S word.
+#[derive(Clone, Copy)]
+struct Word<'m> {
+    address: Address,
+    /// Of M: the function, and its group.
+    function: Option<(u8, u8)>,
+    machine: &'m Machine,
+}
+
+/// The cells and bits that an M, H, T or S word sets, with what it sets them to; nothing for other words. `seen`: what the
+/// PLC read of its block, at different executions. Without any, what depends on more than the word, the gear under M40 and
+/// the spindle output, has no value here, and is there with `[[gears]]` only.
+pub fn of_word(address: Address, number: Decimal, machine: &Machine, seen: &[WordsRead]) -> WordSets {
+    let whole = number.as_whole().and_then(|number| u8::try_from(number).ok());
+    let function = whole.filter(|_| address == Address::M).map(|number| (number, machine.m_functions.group(number)));
+    let word = Word { address, function, machine };
+    if !matches!(address, Address::H | Address::T | Address::S) && function.is_none() {
+        return WordSets::default();
+    }
+    let alone = [WordsRead { step: word.facts(number), stop: None }];
+    let reads = if seen.is_empty() { &alone } else { seen };
+    let of_control = || signals().iter().filter(|signal| signal.row.is_of(machine.dialect));
+    let values = |signal: &'static Signal, of: &dyn Fn(&WordsRead) -> Option<Value>| {
+        let mut values: Vec<Value> = Vec::new();
+        for value in reads.iter().filter_map(of) {
+            if !values.contains(&value) {
+                values.push(value);
+            }
+        }
+        (signal, values)
+    };
+    let has_gears = !machine.gears.is_empty();
+    let step = of_control().map(|signal| {
+        values(signal, &|read| word.sets(signal.cell, &read.step).then(|| value(signal.cell, &read.step, machine)))
+    });
+    let is_shown = |values: &[Value]| values.iter().any(|value| value.is_some() || has_gears);
+    let stop = of_control().map(|signal| {
+        values(signal, &|read| {
+            let stop = read.stop.as_ref().filter(|_| word.sets_at_stop(signal.cell))?;
+            let [before, now] = [&read.step, stop].map(|facts| value(signal.cell, facts, machine));
+            (before != now).then_some(now)
+        })
+    });
+    WordSets {
+        step: step.filter(|(_, values)| is_shown(values)).collect(),
+        stop: stop.filter(|(_, values)| !values.is_empty()).collect(),
+    }
+}
+
+impl Word<'_> {
+    /// What follows from the word alone.
+    fn facts(self, number: Decimal) -> Facts {
+        let mut facts = Facts::default();
+        match (self.address, self.function) {
+            (_, Some((function, group))) => {
+                if let Some(slot) = facts.m.get_mut(usize::from(group)) {
+                    *slot = Some(function);
+                }
+                facts.mark(usize::from(group));
+                let of_gears = usize::from(group) == GEAR_GROUP;
+                facts.gear = function.checked_sub(GEAR_BY_SPEED).filter(|gear| of_gears && (1..=4).contains(gear));
+                facts.set(Flag::Stop, function == PROGRAM_STOP);
+                facts.set(Flag::CondStop, function == OPTIONAL_STOP);
+                facts.set(Flag::Last, PROGRAM_ENDS.contains(&function));
+                if let Some(written) = OneBlock::from_number(function) {
+                    facts.write(written);
+                }
+            }
+            (Address::H, None) => {
+                facts.h = Some(number);
+                facts.set(Flag::HProg, true);
+            }
+            (Address::T, None) => {
+                facts.tool = Some(number);
+                facts.set(Flag::TProg, true);
+            }
+            _ => facts.speed = Some(number),
+        }
+        facts
+    }
+
+    /// Whether a cell follows from the word in a block with these facts.
+    fn sets(self, cell: Cell, facts: &Facts) -> bool {
+        match (self.address, self.function) {
+            (_, Some((function, group))) => {
+                let of_group = group_of(cell);
+                of_group == Some(group)
+                    || self.is_own(cell, function)
+                    || (PROGRAM_ENDS.contains(&function) && of_group.is_some_and(|group| self.is_reset(group, facts)))
+            }
+            (Address::H, None) => matches!(cell, Cell::H | Cell::HByte | Cell::Flag(Flag::HProg)),
+            (Address::T, None) => matches!(cell, Cell::Tool | Cell::ToolByte(_) | Cell::Flag(Flag::TProg)),
+            // Under M40 the gear follows from S (MFN-9).
+            _ => {
+                let of_gear = matches!(cell, Cell::Range(_) | Cell::Gear)
+                    || matches!(cell, Cell::Mark(group) if usize::from(group) == GEAR_GROUP && facts.is_marked(group));
+                matches!(cell, Cell::SpindleSpeed | Cell::SpeedByte { .. }) || (of_gear && goes_by_speed(facts))
+            }
+        }
+    }
+
+    /// Bits of the function itself.
+    fn is_own(self, cell: Cell, function: u8) -> bool {
+        if let Cell::Written(written) = cell {
+            return OneBlock::from_number(function) == Some(written);
+        }
+        cell == Cell::Flag(Flag::Stop) && function == PROGRAM_STOP
+            || cell == Cell::Flag(Flag::CondStop) && function == OPTIONAL_STOP
+            || cell == Cell::Flag(Flag::Last) && PROGRAM_ENDS.contains(&function)
+    }
+
+    /// Whether the end of the program sends a group (MFN-6, MFN-7).
+    fn is_reset(self, group: u8, facts: &Facts) -> bool {
+        let default = self.machine.m_power_up.get(usize::from(group)).copied().flatten();
+        default.is_some() && facts.is_marked(group)
+    }
+
+    /// Whether a cell is another one while the program stands at M00 or M01 because it does.
+    fn sets_at_stop(self, cell: Cell) -> bool {
+        let Some((function @ (PROGRAM_STOP | OPTIONAL_STOP), _)) = self.function else { return false };
+        let of_group = group_of(cell).map(usize::from);
+        self.is_own(cell, function) || of_group.is_some_and(|group| group == PROGRAM_GROUP || STOPPED.contains(&group))
+    }
+}
+
+/// Whether M40 is in force.
+fn goes_by_speed(facts: &Facts) -> bool {
+    facts.m.get(GEAR_GROUP).copied().flatten() == Some(GEAR_BY_SPEED)
+}
+
+/// The M group that a cell follows from.
+const fn group_of(cell: Cell) -> Option<u8> {
     match cell {
-        Cell::Group(of) | Cell::Mark(of) | Cell::GroupByte(of) => of == group,
-        Cell::Written(written) => OneBlock::from_number(function) == Some(written),
-        Cell::Spindle(_) => group == 2,
-        Cell::Range(_) | Cell::Gear | Cell::SpeedByte { .. } => group == 3,
-        Cell::Coolant12(_) => group == 5,
-        Cell::Coolant34(_) => group == 6,
-        Cell::Flag(Flag::Stop) => function == 0,
-        Cell::Flag(Flag::CondStop) => function == 1,
+        Cell::Group(group) | Cell::Mark(group) | Cell::GroupByte(group) => Some(group),
+        Cell::Spindle(_) => Some(2),
+        Cell::Range(_) | Cell::Gear | Cell::SpeedByte { .. } => Some(3),
+        Cell::Coolant12(_) => Some(5),
+        Cell::Coolant34(_) => Some(6),
         Cell::Flag(_)
+        | Cell::Written(_)
         | Cell::Moves(_)
         | Cell::Backwards(_)
         | Cell::Tool
@@ -74,7 +193,7 @@ fn of_function(cell: Cell, function: u8, group: u8) -> bool {
         | Cell::HByte
         | Cell::ToolByte(_)
         | Cell::Stretch
-        | Cell::TimeDist => false,
+        | Cell::TimeDist => None,
     }
 }
 
@@ -90,16 +209,17 @@ mod tests {
     }
 
     fn of_machine(address: Address, number: i64, machine: &Machine) -> String {
-        let set = of_word(address, Decimal::whole(number), machine);
-        let text = |(signal, value): &(&'static Signal, Value)| {
+        let set = of_word(address, Decimal::whole(number), machine, &[]);
+        assert!(set.stop.is_empty());
+        let text = |(signal, values): &SetSignal| {
             let mut text = format!("{}=", signal.name);
-            match value {
-                Some(_) => write_value(signal, *value, &mut text),
-                None => text.push('?'),
+            match values.as_slice() {
+                [value @ Some(_)] => write_value(signal, *value, &mut text),
+                _ => text.push('?'),
             }
             text
         };
-        set.iter().map(text).collect::<Vec<_>>().join(" ")
+        set.step.iter().map(text).collect::<Vec<_>>().join(" ")
     }
 
     /// PLC-1, PLC-2, PLC-7, PLC-9, PLC-10, PLC-12: by the group of the function.
