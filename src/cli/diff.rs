@@ -8,20 +8,28 @@ use crate::text::{Encoding, SourceText};
 /// Lines that a hunk shows around what changes.
 const CONTEXT: usize = 3;
 
-/// The lines of a file, each with its line feed; a diff knows no other line ends.
+/// The lines of a file, each with its line feed; a diff knows no other line ends. A file without any is shown by its
+/// carriage returns, as if they were line feeds.
 pub fn lines(bytes: &[u8]) -> Vec<Vec<u8>> {
-    bytes.split_inclusive(|&byte| byte == b'\n').map(<[u8]>::to_vec).collect()
+    let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
+    let fed = |line: &[u8]| match line.strip_suffix(b"\r") {
+        Some(text) if end == b'\r' => [text, b"\n"].concat(),
+        _ => line.to_vec(),
+    };
+    bytes.split_inclusive(|&byte| byte == end).map(fed).collect()
 }
 
 /// The lines of a file as a terminal may have them: decoded, no control characters, line ends alike.
 pub fn safe_lines(bytes: &[u8], encoding: Encoding) -> Vec<Vec<u8>> {
     let Ok(source) = SourceText::decode("", bytes.to_vec(), encoding) else { return Vec::new() };
+    let text = source.text();
+    let end = if text.contains('\n') { '\n' } else { '\r' };
     let line = |line: &str| {
         let text = line.trim_end_matches(['\r', '\n']);
-        let end = if line.ends_with('\n') { "\n" } else { "" };
+        let end = if line.ends_with(end) { "\n" } else { "" };
         format!("{}{end}", terminal_safe(text)).into_bytes()
     };
-    source.text().split_inclusive('\n').map(line).collect()
+    text.split_inclusive(end).map(line).collect()
 }
 
 /// The unified diff of a file, `---` and `+++` with its name included; nothing when the lines are the same. `colors`
@@ -138,6 +146,15 @@ mod tests {
         assert_eq!(diff("", "a\n"), "--- a.nc\n+++ a.nc\n@@ -0,0 +1 @@\n+a\n");
         assert_eq!(diff("a", "a\n"), "--- a.nc\n+++ a.nc\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+a\n");
         assert_eq!(diff("a\na\n", "a\n"), "--- a.nc\n+++ a.nc\n@@ -1,2 +1 @@\n a\n-a\n");
+    }
+
+    /// LEX-8: line ends of old Macintosh computers.
+    #[test]
+    fn carriage_returns_alone() {
+        let expected = "--- a.nc\n+++ a.nc\n@@ -1,3 +1,3 @@\n %1\n-N1 X0,5\n+N1 X0.5\n N2 M30\n";
+        assert_eq!(diff("%1\rN1 X0,5\rN2 M30\r", "%1\rN1 X0.5\rN2 M30\r"), expected);
+        assert_eq!(lines(b"%1\rN1"), [b"%1\n".to_vec(), b"N1".to_vec()]);
+        assert_eq!(safe_lines(b"%1\rN1", Encoding::Cp852), [b"%1\n".to_vec(), b"N1".to_vec()]);
     }
 
     /// LEX-13: on a terminal the text is decoded, and nothing in it acts on the terminal.
