@@ -78,6 +78,45 @@ impl CommaMeant {
     }
 }
 
+/// Whether the number that stands apart holds the letter that belongs before it: `4Y0`.
+pub(super) fn is_exchanged(loose: &str) -> bool {
+    loose.starts_with(|first: char| first.is_ascii_digit()) && loose.contains(|c: char| c.is_ascii_alphabetic())
+}
+
+/// The end of a program that stands behind `*` (E0205).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct UnreadEnd {
+    /// M02 or M30.
+    pub function: u8,
+    /// Its line.
+    pub line: u32,
+    /// The `*` begins a line.
+    pub separator: bool,
+}
+
+impl UnreadEnd {
+    /// What is wrong.
+    pub(super) fn message(self, lang: Lang) -> String {
+        let Self { function: m, line, .. } = self;
+        match lang {
+            Lang::En => format!("the program has no end: M{m:02} in line {line} is after `*`, which ends the file"),
+            Lang::Cs => {
+                format!("program nemá konec: M{m:02} na řádku {line} je až za hvězdičkou, která ukončuje soubor")
+            }
+        }
+    }
+
+    /// What to write.
+    pub(super) const fn help(self, lang: Lang) -> &'static str {
+        match (lang, self.separator) {
+            (Lang::En, true) => "put the line with `*` between quotes, or delete it",
+            (Lang::Cs, true) => "řádek s hvězdičkou dát do uvozovek, nebo vymazat",
+            (Lang::En, false) => "delete the `*`",
+            (Lang::Cs, false) => "hvězdičku vymazat",
+        }
+    }
+}
+
 bilingual! {
     /// What was probably meant by text behind `*` (W0110).
     AfterEndMeant {
@@ -151,6 +190,14 @@ bilingual! {
         Call "there is no such statement; a subprogram is called by `G71 L100`, a macrocycle by `G72 L9001`", "takový příkaz zde není; podprogram se volá „G71 L100“, makrocyklus „G72 L9001“";
         Jump "there is no such statement; a jump, for example to block N190, is `G73 L190`", "takový příkaz zde není; skok například na blok N190 se píše „G73 L190“";
         Cycle "there is no such statement; fixed cycles are G81 to G89, each written in its block", "takový příkaz zde není; pevné cykly jsou G81 až G89 a píšou se do každého bloku";
+        Frame "there is no such statement; origins are chosen by G54 to G59", "takový příkaz zde není; počátky se volí funkcemi G54 až G59";
+        Tool "there is no such statement; a tool is called by `T1 M06`", "takový příkaz zde není; nástroj se volá „T1 M06“";
+        Transform "there is no such statement; transformations are G31 and G35 to G39", "takový příkaz zde není; transformace jsou G31 a G35 až G39";
+        Center "there is no such statement; the centre of an arc is written in its block by `I` and `J`", "takový příkaz zde není; střed oblouku se píše do jeho bloku adresami I a J";
+        Correction "the radius is corrected by G41 and G42, with a correction `D`", "poloměr korigují funkce G41 a G42 s korekcí D";
+        NoNeed "there is no such statement: delete it", "takový příkaz zde není: vymazat ho";
+        Entry "there is no such statement; a subprogram begins with `G79 L100`", "takový příkaz zde není; podprogram začíná „G79 L100“";
+        Definition "values have no names here; parameters are R0 to R95: `R10=5`", "hodnoty zde nemají jména; parametry jsou R0 až R95: „R10=5“";
         Return "there is no such statement; a subprogram ends with G70", "takový příkaz zde není; podprogram končí funkcí G70";
         End "there is no such statement; a program ends with M30, a subprogram with G70", "takový příkaz zde není; program končí funkcí M30, podprogram G70";
         Condition "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`, twice with `Q2`", "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“, dvojí s „Q2“";
@@ -163,15 +210,25 @@ impl TextMeant {
     pub fn statement(text: &str) -> Option<Self> {
         let name: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
         let cycle = text.get(name.len()..).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+        let numbered = text.get(name.len()..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let loop_end = numbered.starts_with(|first: char| first.is_ascii_digit());
         Some(match name.to_ascii_uppercase().as_str() {
             "CALL" | "EXTCALL" | "PCALL" => Self::Call,
-            "GOTO" | "GOTOB" | "GOTOF" | "GOTOC" => Self::Jump,
-            "MCALL" => Self::Cycle,
+            "GOTO" | "GOTOB" | "GOTOF" | "GOTOC" | "GOTOS" | "LBL" => Self::Jump,
+            "TRANS" | "ATRANS" => Self::Frame,
+            "TOOL" => Self::Tool,
+            "ROT" | "AROT" | "MIRROR" | "AMIRROR" | "SCALE" | "ASCALE" => Self::Transform,
+            "CC" => Self::Center,
+            "RL" | "RR" if numbered.is_empty() => Self::Correction,
+            "STOPRE" => Self::NoNeed,
+            "MCALL" | "CYCL" => Self::Cycle,
             "CYCLE" if cycle => Self::Cycle,
+            "PROC" => Self::Entry,
+            "DEF" | "FN" => Self::Definition,
             "RET" => Self::Return,
-            "END" => Self::End,
-            "IF" | "ELSE" | "ENDIF" | "WHILE" | "ENDWHILE" | "FOR" | "ENDFOR" | "LOOP" | "ENDLOOP" | "REPEAT"
-            | "UNTIL" => Self::Condition,
+            "END" if !loop_end => Self::End,
+            "IF" | "ELSE" | "ELSEIF" | "ENDIF" | "WHILE" | "ENDWHILE" | "FOR" | "ENDFOR" | "LOOP" | "ENDLOOP"
+            | "REPEAT" | "REPEATB" | "UNTIL" | "CASE" | "END" => Self::Condition,
             _ => return None,
         })
     }
@@ -242,6 +299,13 @@ pub enum ValueMeant {
     Beyond,
     /// R in a block with an arc.
     Radius,
+    /// R in a block with a fixed cycle.
+    Height,
+    /// L before the target of a straight line.
+    Line {
+        /// The function that is meant.
+        function: GCode,
+    },
     /// The number of the parameter behind an address: `XR`.
     Parameter,
     /// What to write.
@@ -262,6 +326,16 @@ impl ValueMeant {
             (Self::EarlyStart, Lang::En) => "delete it; in a remark spell the word `percent`".to_owned(),
             (Self::EarlyStart, Lang::Cs) => "vymazat ho; v poznámce vypsat slovo procent".to_owned(),
             (Self::Radius, _) => NumberMeant::Radius.text(lang),
+            (Self::Height, Lang::En) => {
+                "heights and depths of a cycle are given as its macrocycle reads them, in parameters".to_owned()
+            }
+            (Self::Height, Lang::Cs) => {
+                "výšky a hloubky cyklu se zadávají v parametrech, které čte jeho makrocyklus".to_owned()
+            }
+            (Self::Line { function }, Lang::En) => {
+                format!("a straight line is programmed by `{function}`, without `L`")
+            }
+            (Self::Line { function }, Lang::Cs) => format!("úsečku programuje „{function}“, bez L"),
             (Self::Number | Self::Beyond | Self::Parameter, _) => value_wanted(address, lang),
         }
     }
@@ -275,13 +349,16 @@ impl ValueMeant {
             (Self::Beyond, Lang::Cs) => "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty",
             (Self::EarlyStart, Lang::En) => "the program begins with the first `%`, even one between quotes",
             (Self::EarlyStart, Lang::Cs) => "program začíná prvním %, i když je v uvozovkách",
-            (Self::Number | Self::Radius, Lang::En) if address.starts_with('R') => {
+            (Self::Number | Self::Radius | Self::Height, Lang::En) if address.starts_with('R') => {
                 "R is a parameter on this control, never a radius or a height"
             }
-            (Self::Number | Self::Radius, Lang::Cs) if address.starts_with('R') => {
+            (Self::Number | Self::Radius | Self::Height, Lang::Cs) if address.starts_with('R') => {
                 "R je v tomto systému parametr, nikdy poloměr ani výška"
             }
-            (Self::Number | Self::Radius | Self::Parameter | Self::Written { .. }, _) => "",
+            (
+                Self::Number | Self::Radius | Self::Height | Self::Line { .. } | Self::Parameter | Self::Written { .. },
+                _,
+            ) => "",
         }
     }
 }
@@ -345,6 +422,7 @@ bilingual! {
         Target "`L` goes with G71, G72, G73 or G79", "L patří ke G71, G72, G73 nebo G79";
         Call { written: String } "M98 calls nothing here; a subprogram is called by `{written}`", "M98 zde nevolá podprogram; volá ho „{written}“";
         Exchanged { written: String } "if a call is meant, write `{written}`", "mělo-li to být volání, napsat „{written}“";
+        Alone { written: String } "a subprogram is called by `{written}`", "podprogram volá „{written}“";
         Tables "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59", "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59";
     }
 }
@@ -354,6 +432,8 @@ bilingual! {
     OtherMeaning {
         Call { l: i64 } "M98 does not call subprogram L{l} on this control", "M98 v tomto systému podprogram L{l} nevolá";
         SpeedLimit "G92 does not limit the speed on this control", "G92 v tomto systému neomezuje otáčky";
+        Thread "G92 cuts no thread on this control: it writes a table", "G92 v tomto systému neřeže závit, ale zapisuje tabulku";
+        ToolWithOffset { written: String, tool: i64 } "`{written}` is tool {tool} on this control", "{written} je v tomto systému nástroj {tool}";
     }
 }
 
@@ -364,6 +444,19 @@ impl OtherMeaning {
         match (self, lang) {
             (Self::Call { l }, Lang::En) => format!("a subprogram is called by `G71 L{l}{count}`"),
             (Self::Call { l }, Lang::Cs) => format!("podprogram volá „G71 L{l}{count}“"),
+            (Self::Thread, Lang::En) => {
+                "a thread is cut by G33, pass by pass; the values of a table are written without a feed".to_owned()
+            }
+            (Self::Thread, Lang::Cs) => {
+                "závit řeže G33, po jednotlivých třískách; do bloku s hodnotami tabulky F nepatří".to_owned()
+            }
+            (Self::ToolWithOffset { tool, .. }, _) => {
+                let tool = tool % 100;
+                match lang {
+                    Lang::En => format!("tool {tool} with correction {tool} is `T{tool} D{tool}`"),
+                    Lang::Cs => format!("nástroj {tool} s korekcí {tool} se píše „T{tool} D{tool}“"),
+                }
+            }
             (Self::SpeedLimit, Lang::En) => {
                 "the program cannot limit the speed: delete both; `S` would be the speed itself".to_owned()
             }

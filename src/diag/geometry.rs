@@ -7,7 +7,7 @@ bilingual! {
     ArcMeant {
         Nothing "correct `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the centre", "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od začátku oblouku, ne souřadnice středu";
         Coordinates { words: String } "`I` and `J` fit as coordinates of the centre, but they are distances from the start: write `{words}`", "I a J vyhovují jako souřadnice středu, jsou to ale vzdálenosti od začátku oblouku: napsat „{words}“";
-        Exchanged { words: String } "`I` and `J` fit when exchanged: write `{words}`; which axis `I` belongs to is `arc-centers` in the project file", "I a J vyhovují, když se vymění: napsat „{words}“; ke které ose patří I, určuje arc-centers v projektovém souboru";
+        Exchanged { words: String } "`I` and `J` fit when exchanged: write `{words}`", "I a J vyhovují, když se vymění: napsat „{words}“";
     }
 }
 
@@ -63,6 +63,16 @@ pub struct ArcPoints {
 }
 
 impl ArcPoints {
+    /// What to write; whose I and J are is configured where the arc is not in XY.
+    pub(super) fn help(&self, meant: &ArcMeant, lang: Lang) -> String {
+        let configured = match lang {
+            Lang::En => "; which axis `I` belongs to is `arc-centers` in the project file",
+            Lang::Cs => "; ke které ose patří I, určuje arc-centers v projektovém souboru",
+        };
+        let other = matches!(meant, ArcMeant::Exchanged { .. }) && self.axes != ['X', 'Y'];
+        format!("{}{}", meant.text(lang), if other { configured } else { "" })
+    }
+
     /// As a note.
     pub fn text(&self, lang: Lang) -> String {
         let point = |[first, second]: &[String; 2]| format!("{}{first} {}{second}", self.axes[0], self.axes[1]);

@@ -5,11 +5,13 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
-use super::advice::{center_help, control_digits, foreign_g, of_group, other_range, range_cs, unnumbered_line};
+use super::advice::{
+    center_help, control_digits, foreign_g, is_exchanged, of_group, other_range, range_cs, unnumbered_line,
+};
 use super::{
     AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, CommaMeant, ConfigNeed,
     ConfigProblem, ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant,
-    OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant,
+    OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnreadEnd,
     UnusedConstant, UnusedMeant, ValueMeant,
 };
 use crate::dict::{Address, Dialect, GCode, GGroup, Lang, Plane};
@@ -210,12 +212,12 @@ diagnostics! {
         cs (match (super::shown::control_name(text), super::shown::control_inside(text)) { (Some(name), _) => format!("znak {name} řídicí systém nezná"), (None, Some((name, rest))) => format!("znak {name} uvnitř „{rest}“ řídicí systém nezná"), (None, None) => { let what = if text.chars().count() == 1 { "znak" } else { "zápis" }; format!("{what} „{text}“ řídicí systém nezná") } })
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
     [E0102] SplitNumber "split-number" Error { joined: String, loose: String, written: String }
-        en "a blank inside a number"
-        cs "mezera uvnitř čísla"
-        help (match (joined.is_empty(), loose.is_empty(), written.is_empty()) { (true, ..) => "write the parameter or the number, not both".to_owned(), (_, true, _) => format!("write `{joined}`, or give the second number an address of its own"), (_, false, true) => format!("an address is missing before `{loose}`; if it goes on with the number before it, write `{joined}`"), (_, false, false) => format!("an address is missing before `{loose}`: `{written}`? If it goes on with the number before it, write `{joined}`") })
-           | (match (joined.is_empty(), loose.is_empty(), written.is_empty()) { (true, ..) => "napsat buď parametr, nebo číslo".to_owned(), (_, true, _) => format!("napsat „{joined}“, nebo druhému číslu doplnit adresu"), (_, false, true) => format!("před {loose} chybí adresa; patří-li k předchozímu číslu, napsat „{joined}“"), (_, false, false) => format!("před {loose} chybí adresa: „{written}“? Patří-li k předchozímu číslu, napsat „{joined}“") })
-        note "blanks are allowed between the address and its number, never inside the number or after its sign"
-           | "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem"
+        en (if is_exchanged(loose) { format!("the address is inside its number: `{loose}`") } else { "a blank inside a number".to_owned() })
+        cs (if is_exchanged(loose) { format!("adresa je uvnitř čísla: „{loose}“") } else { "mezera uvnitř čísla".to_owned() })
+        help (match (joined.is_empty(), loose.is_empty(), written.is_empty()) { _ if is_exchanged(loose) => format!("the address stands before its number: `{written}` in place of `{loose}`"), (true, ..) => "write the parameter or the number, not both".to_owned(), (_, true, _) => format!("write `{joined}`, or give the second number an address of its own"), (_, false, true) => format!("an address is missing before `{loose}`; if it goes on with the number before it, write `{joined}`"), (_, false, false) => format!("an address is missing before `{loose}`: `{written}`? If it goes on with the number before it, write `{joined}`") })
+           | (match (joined.is_empty(), loose.is_empty(), written.is_empty()) { _ if is_exchanged(loose) => format!("adresa se píše před číslo: „{written}“ místo „{loose}“"), (true, ..) => "napsat buď parametr, nebo číslo".to_owned(), (_, true, _) => format!("napsat „{joined}“, nebo druhému číslu doplnit adresu"), (_, false, true) => format!("před {loose} chybí adresa; patří-li k předchozímu číslu, napsat „{joined}“"), (_, false, false) => format!("před {loose} chybí adresa: „{written}“? Patří-li k předchozímu číslu, napsat „{joined}“") })
+        note (if is_exchanged(loose) { "" } else { "blanks are allowed between the address and its number, never inside the number or after its sign" })
+           | (if is_exchanged(loose) { "" } else { "mezery smějí být mezi adresou a číslem, nikdy uvnitř čísla ani za jeho znaménkem" })
     [E0103] MissingValue "missing-value" Error { address: String, meant: ValueMeant }
         en "`{address}` has no value"
         cs "adresa {address} nemá hodnotu"
@@ -303,11 +305,11 @@ diagnostics! {
            | (if last.is_some() { "jednu kopii vymazat, nebo její bloky přečíslovat" } else { "jednomu z bloků dát jiné číslo" })
         note "subprograms count too: one file, one set of block numbers"
            | "platí i pro podprogramy: v jednom souboru smí být každé číslo bloku jen jednou"
-    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8>, instead: Option<u8>, unread: Option<(u8, u32)> }
-        en (match (late, skipped) { _ if unread.is_some() => { let (m, line) = unread.unwrap_or_default(); format!("the program has no end: M{m:02} in line {line} is after `*`, which ends the file") } (Some(m), _) => format!("the main program has no end: M{m:02} is after the subprograms"), (None, true) => "with block skip on, the end of the program is left out".to_owned(), (None, false) => "the program has no end: no block holds M02 or M30".to_owned() })
-        cs (match (late, skipped) { _ if unread.is_some() => { let (m, line) = unread.unwrap_or_default(); format!("program nemá konec: M{m:02} na řádku {line} je až za hvězdičkou, která ukončuje soubor") } (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
-        help (match (late, instead) { _ if unread.is_some() => "put the line with `*` between quotes, or delete it".to_owned(), (Some(m), _) => format!("move the subprograms behind the block with M{m:02}"), (None, Some(m)) => format!("write M30 in place of M{m:02}, which does not end the program here"), (None, None) => "end the main program with a block of its own: `N… M30`".to_owned() })
-           | (match (late, instead) { _ if unread.is_some() => "řádek s hvězdičkou dát do uvozovek, nebo vymazat".to_owned(), (Some(m), _) => format!("podprogramy přesunout za blok s M{m:02}"), (None, Some(m)) => format!("místo M{m:02}, které zde program neukončí, napsat M30"), (None, None) => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
+    [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8>, instead: Option<u8>, unread: Option<UnreadEnd> }
+        en (match (late, skipped) { _ if unread.is_some() => unread.map(|end| end.message(Lang::En)).unwrap_or_default(), (Some(m), _) => format!("the main program has no end: M{m:02} is after the subprograms"), (None, true) => "with block skip on, the end of the program is left out".to_owned(), (None, false) => "the program has no end: no block holds M02 or M30".to_owned() })
+        cs (match (late, skipped) { _ if unread.is_some() => unread.map(|end| end.message(Lang::Cs)).unwrap_or_default(), (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
+        help (match (late, instead) { _ if unread.is_some() => unread.map(|end| end.help(Lang::En).to_owned()).unwrap_or_default(), (Some(m), _) => format!("move the subprograms behind the block with M{m:02}"), (None, Some(m)) => format!("write M30 in place of M{m:02}, which does not end the program here"), (None, None) => "end the main program with a block of its own: `N… M30`".to_owned() })
+           | (match (late, instead) { _ if unread.is_some() => unread.map(|end| end.help(Lang::Cs).to_owned()).unwrap_or_default(), (Some(m), _) => format!("podprogramy přesunout za blok s M{m:02}"), (None, Some(m)) => format!("místo M{m:02}, které zde program neukončí, napsat M30"), (None, None) => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
     [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32 }
         en "N{block} comes after the end of the program and belongs to no subprogram"
         cs "blok N{block} stojí za koncem programu a nepatří do žádného podprogramu"
@@ -583,7 +585,7 @@ diagnostics! {
     [E0603] ArcRadiusMismatch "arc-radius-mismatch" Error { start: String, end: String, points: Box<ArcPoints>, meant: ArcMeant }
         en "the radius is {start} at the start of the arc and {end} at its end"
         cs "poloměr na začátku oblouku je {start}, na konci {end}"
-        help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
+        help (points.help(meant, Lang::En)) | (points.help(meant, Lang::Cs))
         note (points.text(Lang::En)) | (points.text(Lang::Cs))
     [W0604] MissingSpindleSpeed "missing-spindle-speed" Warning { function: GCode }
         en "working motion under {function} before the program sets a spindle speed"

@@ -5,7 +5,7 @@ use super::letters::{Letters, bit};
 use super::planes::missing_axis;
 use super::roles::{Roles, Taker};
 use super::targets::{conflicting_g, conflicting_m, missing_control_words};
-use super::{Unit, UnitKind};
+use super::{Unit, UnitKind, unused};
 use crate::config::Settings;
 use crate::diag::{
     Diagnostic, Finding, Findings, FixTitle, LabelText, OtherMeaning, ParameterNeed, PointMeant, TargetMeant,
@@ -42,13 +42,13 @@ pub(super) struct BlockChecker<'a> {
 
 /// The G and M functions written in a block, and the words that go with them.
 #[derive(Default)]
-struct Functions {
+pub(super) struct Functions {
     g: [Option<(GCode, Word)>; 12],
     /// Groups of which two functions are written (E0307): which of them was meant is not known.
     clash: [bool; 12],
     m: [Option<(u8, Word)>; M_GROUPS],
     /// What L and Q belong to.
-    roles: Roles,
+    pub(super) roles: Roles,
     g_words: usize,
     m_words: usize,
     r_words: usize,
@@ -58,13 +58,13 @@ struct Functions {
 
 impl Functions {
     /// The one function of that group.
-    fn of(&self, group: GGroup) -> Option<(GCode, Word)> {
+    pub(super) fn of(&self, group: GGroup) -> Option<(GCode, Word)> {
         let clash = self.clash.get(group.index()).copied().unwrap_or(false);
         self.g.get(group.index()).copied().flatten().filter(|_| !clash)
     }
 
     /// M98, which calls a subprogram on other controls.
-    fn calls_elsewhere(&self) -> Option<Word> {
+    pub(super) fn calls_elsewhere(&self) -> Option<Word> {
         self.m.iter().flatten().find(|(number, _)| *number == 98).map(|(_, word)| *word)
     }
 
@@ -424,9 +424,12 @@ impl<'a> BlockChecker<'a> {
                 let known = || self.known_subprograms().unwrap_or_else(|| meant.clone());
                 *meant = if only_g { TargetMeant::Millimetres } else { known() };
             }
-            let exchanged = exchanged_call(words, functions).filter(|(_, l)| self.is_unit(*l));
+            let exchanged =
+                unused::exchanged_call(words, functions).filter(|(code, l)| *code != GCode::G71 || self.is_unit(*l));
             if matches!(finding, Finding::UnusedRepeat {})
-                && (functions.is_call_elsewhere(words) || exchanged.is_some())
+                && (functions.is_call_elsewhere(words)
+                    || exchanged.is_some()
+                    || unused::call_alone(words).is_some_and(|l| self.is_unit(l)))
             {
                 return;
             }
@@ -443,7 +446,11 @@ impl<'a> BlockChecker<'a> {
                         let count = count.map_or_else(String::new, |count| format!(" Q{count}"));
                         UnusedMeant::Exchanged { written: format!("{code} L{l}{count}") }
                     }
-                    None => unused_meant(words, functions, word),
+                    None => {
+                        let called = unused::call_alone(words).filter(|l| self.is_unit(*l));
+                        let alone = called.map(|l| UnusedMeant::Alone { written: unused::alone_written(words, l) });
+                        alone.unwrap_or_else(|| unused::meant(words, functions, word))
+                    }
                 };
             }
             self.report(word, finding);
@@ -486,7 +493,26 @@ impl<'a> BlockChecker<'a> {
             let count = functions.roles.q.and_then(|q| q.whole());
             self.report(m, Finding::OtherMeaning { meant: OtherMeaning::Call { l: number }, count });
         }
+        // `T0101`: the tool and its offset.
+        if let Some(t) = of(Address::T).filter(|t| !t.is_faulty())
+            && let Some(tool) = t.whole().filter(|tool| (101..1000).contains(tool) && tool / 100 == tool % 100)
+        {
+            let written = self.file.source.slice(t.span(self.file.source.text()));
+            if written.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']).starts_with('0') {
+                let written = written.to_ascii_uppercase();
+                self.report(
+                    t,
+                    Finding::OtherMeaning { meant: OtherMeaning::ToolWithOffset { written, tool }, count: None },
+                );
+            }
+        }
         let table = functions.of(GGroup::G10).is_some_and(|(code, _)| code == GCode::G92);
+        let moves = words.iter().any(|word| word.address.axis().is_some());
+        if let (Some(f), Some((_, g))) = (of(Address::F).filter(|_| table && moves), functions.of(GGroup::G10))
+            && !f.is_faulty()
+        {
+            self.report(g, Finding::OtherMeaning { meant: OtherMeaning::Thread, count: None });
+        }
         let only_speed = !words.iter().any(|word| word.address.axis().is_some() || word.address == Address::D);
         if let Some(s) = of(Address::S).filter(|s| table && only_speed && !s.is_faulty()) {
             self.report(s, Finding::OtherMeaning { meant: OtherMeaning::SpeedLimit, count: None });
@@ -601,19 +627,23 @@ impl<'a> BlockChecker<'a> {
             _ if flags.has(BlockFlags::RETURN) && !matches!(unit, Some(UnitKind::Main)) => Some("G70".to_owned()),
             _ => None,
         };
+        // Of a `/` that was meant for the next block one finding is enough.
+        let mut before_next = false;
+        for (place, _) in words.iter().enumerate().filter(|(_, word)| word.address == Address::Skip) {
+            before_next |= self.check_skip_place(block, words, place);
+        }
         if let Some(function) = ends
             && !flags.has(BlockFlags::ENTRY)
+            && !before_next
         {
             self.report(skip, Finding::SkippableStructure { function });
         }
-        for (place, _) in words.iter().enumerate().filter(|(_, word)| word.address == Address::Skip) {
-            self.check_skip_place(block, words, place);
-        }
     }
 
-    /// Warns of a `/` that begins its line or stands directly before an `N` on the same line (BLK-6).
-    fn check_skip_place(&mut self, block: BlockId, words: &[Word], place: usize) {
-        let Some(&skip) = words.get(place) else { return };
+    /// Warns of a `/` that begins its line or stands directly before an `N` on the same line (BLK-6). Gives whether it is
+    /// such an `N`.
+    fn check_skip_place(&mut self, block: BlockId, words: &[Word], place: usize) -> bool {
+        let Some(&skip) = words.get(place) else { return false };
         let source = &self.file.source;
         let line = source.line_span(source.lines().line_at(skip.start()));
         let before = place.checked_sub(1).and_then(|before| words.get(before).copied()).or(self.file.n_word(block));
@@ -622,7 +652,7 @@ impl<'a> BlockChecker<'a> {
         let on_line = |at: u32| line.start <= at && at < line.end;
         let next = self.file.n_word(block.next()).filter(|next| is_last && on_line(next.start()));
         if !begins_line && next.is_none() {
-            return;
+            return false;
         }
         let place = self.file.word_place(skip);
         let entry = next.is_some() && self.file.flags(block.next()).has(BlockFlags::ENTRY);
@@ -646,6 +676,7 @@ impl<'a> BlockChecker<'a> {
             }
         }
         self.findings.add(diagnostic);
+        next.is_some()
     }
 
     /// Whether a `/` can move into the block, which is on that line: the block has none, or one that moves on itself, and
@@ -696,30 +727,6 @@ fn packed_call(address: Address, value: Decimal) -> Option<String> {
     let (count, l) = (digits / 10_000, digits % 10_000);
     (1..=99).contains(&count).then_some(())?;
     (l > 0).then(|| format!("G71 L{l} Q{count}"))
-}
-
-/// The call that a block makes when the digits of its plane are exchanged: `G17 L100` for `G71 L100`.
-fn exchanged_call(words: &[Word], functions: &Functions) -> Option<(GCode, u32)> {
-    let (plane, _) = functions.of(GGroup::G1).filter(|(code, _)| *code == GCode::G17)?;
-    let other = words.iter().any(|word| !matches!(word.address, Address::G | Address::L | Address::Q | Address::Skip));
-    let alone = !other && words.iter().filter(|word| word.address == Address::G).count() == 1;
-    let l = functions.roles.l.and_then(super::l_number)?;
-    (alone && plane == GCode::G17).then_some((GCode::G71, l))
-}
-
-/// What was meant by an L without use: other controls write tables and calls with it.
-fn unused_meant(words: &[Word], functions: &Functions, l: Word) -> UnusedMeant {
-    let spiral = functions.of(GGroup::G2).is_some_and(|(code, _)| code == GCode::G10);
-    let called = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
-    if spiral {
-        UnusedMeant::Tables
-    } else if let (Some(_), Some(number), Some(count)) = (functions.calls_elsewhere(), called, l.whole()) {
-        UnusedMeant::Call { written: format!("G71 L{number} Q{count}") }
-    } else if let (Some(_), None, Some(number)) = (functions.calls_elsewhere(), called, l.whole()) {
-        UnusedMeant::Call { written: format!("G71 L{number}") }
-    } else {
-        UnusedMeant::Target
-    }
 }
 
 /// What was meant by a value with a point.

@@ -189,12 +189,19 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         {
             named.insert(l);
         }
-        // M98 has its finding: it was to call the subprogram.
-        if words.iter().any(|word| word.address == Address::M && word.whole() == Some(98)) {
+        // An L alone has its finding too.
+        named.extend(super::unused::call_alone(words));
+        // M98 and G65 have their findings: they were to call the subprogram.
+        let number = |word: &Word| word.number().or_else(|| word.refused_number()).and_then(Decimal::as_whole);
+        let calls_elsewhere = |word: &Word| {
+            word.address == Address::M && number(word) == Some(98)
+                || word.address == Address::G && matches!(number(word), Some(65 | 66))
+        };
+        if words.iter().any(calls_elsewhere) {
             // The number of a subprogram is seldom one that P takes.
-            let number = |word: &Word| word.number().or_else(|| word.refused_number()).and_then(Decimal::as_whole);
             let called = words.iter().find(|word| word.address == Address::P).and_then(number);
             named.extend(called.and_then(|called| u32::try_from(called).ok()));
+            named.extend(l.and_then(l_number));
         }
     }
     for (&l, &UnitId(id)) in &resolved.subprograms {

@@ -36,5 +36,7 @@ pub(super) fn may_have_block(file: &ParsedFile, unit: &Unit, number: u32) -> boo
 fn may_mean(file: &ParsedFile, word: Word, number: u32) -> bool {
     let text = file.source.slice(word.span(file.source.text()));
     let digits: String = text.chars().filter(char::is_ascii_digit).collect();
-    text.contains(['R', 'r']) || digits.trim_start_matches('0').starts_with(&number.to_string())
+    // `END` is the end of a program on other controls.
+    let end = text.get(..3).is_some_and(|name| name.eq_ignore_ascii_case("END"));
+    end || text.contains(['R', 'r']) || digits.trim_start_matches('0').starts_with(&number.to_string())
 }

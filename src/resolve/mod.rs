@@ -21,6 +21,7 @@ mod roles;
 mod spelling;
 mod structure;
 mod targets;
+mod unused;
 mod window;
 
 pub use blocks::{g_code, m_number};

@@ -91,6 +91,8 @@ pub struct Resolved {
     pub(super) letters: Letters,
     /// Some line continues a block with another word than `N` (BLK-1).
     pub(super) continuing_lines: bool,
+    /// The `*` that cuts off the end of the program, and where that is said.
+    pub(super) cut_off: Option<(Location, Location)>,
     /// How many units have had their calls followed.
     pub(super) followed: usize,
 }

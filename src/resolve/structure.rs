@@ -11,7 +11,7 @@ use super::meant::{may_have_end, may_hold};
 use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
-use crate::diag::{Diagnostic, Finding, Findings, LabelText};
+use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText, UnreadEnd};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
 use crate::syntax::{BlockFlags, BlockId, Form, Kind, ParsedFile, Word, parse, tokens};
 use crate::text::{FileId, Location, SourceText, Sources, Span, path_name};
@@ -50,9 +50,21 @@ pub fn resolve_program(
         flow::follow_calls(&mut context, &mut resolved);
         flow::check_unused(&mut context, &resolved);
         rings::check(&mut context, &resolved);
+        if let Some((star, last)) = resolved.cut_off {
+            findings.revise(|found| !follows_from_star(found, star, last));
+        }
     }
     origin.point_out(settings, findings);
     resolved
+}
+
+/// Whether a finding follows from a `*` that cuts off the rest of the program: what is not read, and what the block before
+/// it lacks.
+fn follows_from_star(found: &Diagnostic, star: Location, last: Location) -> bool {
+    let code = found.code();
+    let unread = matches!(code, Code::W0110 | Code::E0404 | Code::E0406);
+    let cut = code == Code::E0103 && found.at.span.end == star.span.start || code == Code::W0214 && found.at == last;
+    found.at.file == star.file && (unread || cut)
 }
 
 /// Resolves the macrocycle in `source`, whose file is named after number `l`, and those that it calls.
@@ -140,8 +152,9 @@ impl Context<'_, '_> {
             let finding = Finding::MissingProgramEnd { skipped: false, late: function, instead, unread };
             let mut diagnostic = Diagnostic::new(finding, place);
             if unread.is_some() {
-                let star = Span::new(parsed.end.saturating_sub(1), parsed.end);
-                diagnostic = diagnostic.with_label(parsed.at(star), LabelText::FileEnds);
+                let star = parsed.at(Span::new(parsed.end.saturating_sub(1), parsed.end));
+                resolved.cut_off = Some((star, place));
+                diagnostic = diagnostic.with_label(star, LabelText::FileEnds);
             }
             if let Some((function, word)) = late {
                 diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::EndHere { function });
@@ -374,7 +387,7 @@ fn ends_before_entry(parsed: &ParsedFile, block: BlockId) -> bool {
 const UNREAD: u32 = 1 << 20;
 
 /// The M02 or M30 that stands behind `*`, with its line: the first that follows a block number.
-fn unread_end(parsed: &ParsedFile) -> Option<(u8, u32)> {
+fn unread_end(parsed: &ParsedFile) -> Option<UnreadEnd> {
     let text = parsed.source.text();
     if !text.get(..parsed.end as usize)?.ends_with('*') {
         return None;
@@ -396,7 +409,10 @@ fn unread_end(parsed: &ParsedFile) -> Option<(u8, u32)> {
         let number = word.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']).parse().ok();
         if let Some(function) = number.filter(|number| numbered && letter(word, 'M') && PROGRAM_ENDS.contains(number)) {
             let line = parsed.source.lines().line_at(token.start) + 1;
-            return Some((function, u32::try_from(line).unwrap_or(u32::MAX)));
+            let before = text.get(..parsed.end as usize - 1).unwrap_or_default();
+            let begins = before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']);
+            let line = u32::try_from(line).unwrap_or(u32::MAX);
+            return Some(UnreadEnd { function, line, separator: begins });
         }
     }
     None

@@ -1,8 +1,9 @@
 //! Text that is no comment, and comments as other controls write them.
 
 use super::lower::Lowering;
+use super::number::Number;
 use super::token::METRES_PER_MINUTE;
-use super::{BlockFlags, Kind, Token, swallowed};
+use super::{BlockFlags, Kind, Token, Word, swallowed};
 use crate::diag::{Diagnostic, Edit, Finding, FixTitle, Meant, TextMeant, shown};
 use crate::dict::Address;
 use crate::text::{Location, Span};
@@ -32,20 +33,44 @@ impl Lowering<'_> {
         let behind = swallowed::words_behind(self.text, span.end);
         let words = behind.map(|words| shown(self.slice(words).trim_end()));
         let shown_text = shown(text);
-        let finding = if text.is_ascii() {
-            let meant = TextMeant::statement(text).unwrap_or_else(|| match (words, behind) {
+        let statement = TextMeant::statement(text);
+        let finding = if text.is_ascii() || statement.is_some() {
+            let meant = statement.unwrap_or_else(|| match (words, behind) {
                 (Some(words), Some(behind)) => {
                     let all = shown(self.slice(span.to(behind)).trim_end());
                     TextMeant::WithWords { text: shown_text.clone(), words, all }
                 }
                 _ => TextMeant::Comment { text: shown_text.clone() },
             });
+            if meant == TextMeant::Call {
+                self.called_in_text(span);
+            } else if meant == TextMeant::End {
+                self.push_end(Address::M, span);
+            } else if meant == TextMeant::Return {
+                self.push_end(Address::G, span);
+            }
             Finding::StrayText { text: shown_text, meant }
         } else {
             let meant = words.map_or(Meant::Comment, |words| Meant::CommentBefore { words });
             Finding::UnknownCharacter { text: shown_text, meant }
         };
         self.report(span, finding);
+    }
+
+    /// A word that cannot be read, and may have been meant as the end (§13).
+    fn push_end(&mut self, address: Address, span: Span) {
+        self.push_void(address, span);
+    }
+
+    /// `CALL L100`: the subprogram is named, and takes no further part.
+    fn called_in_text(&mut self, span: Span) {
+        let digits =
+            self.slice(span).split_once([' ', '\t']).map_or("", |(_, rest)| rest.trim_start_matches([' ', '\t']));
+        let digits = digits.strip_prefix(['L', 'l']).unwrap_or_default();
+        let count = digits.bytes().take_while(u8::is_ascii_digit).count();
+        if let Some(number) = digits.get(..count).and_then(|digits| Number::parse(digits.as_bytes())) {
+            self.push(Word::with_number(Address::L, span, number).faulty(), span);
+        }
     }
 
     /// A text beside a quote that is one of an odd number: the quote before it is missing, or one within the comment before.
@@ -107,10 +132,18 @@ impl Lowering<'_> {
     pub(super) fn foreign_comment(&mut self, token: Token) {
         let span = token.span();
         let text = self.slice(span);
-        let inner = text.trim_start_matches("//").trim_start_matches(['(', '{', '\'', '`', ';', '#']);
+        let inner = if text.starts_with("//") {
+            text.trim_start_matches('/')
+        } else {
+            text.trim_start_matches(['(', '{', '\'', '`', ';', '#', ','])
+        };
         let opening = span.len() - u32::try_from(inner.len()).unwrap_or(0);
-        let closed = inner.ends_with([')', '}', '\'', '`']) && !text.starts_with([';', '#', '/']);
-        let body = inner.get(..inner.len() - usize::from(closed)).unwrap_or_default();
+        let body = if text.starts_with("''") || text.starts_with(",,") {
+            inner.trim_end_matches(['\'', ',', '"'])
+        } else {
+            let closed = inner.ends_with([')', '}', '\'', '`']) && !text.starts_with([';', '#', '/']);
+            inner.get(..inner.len() - usize::from(closed)).unwrap_or_default()
+        };
         let blanks = body.len() - body.trim_start_matches([' ', '\t']).len();
         let start = span.start + opening + u32::try_from(blanks).unwrap_or(0);
         let kept = body.trim_matches([' ', '\t']);
@@ -121,7 +154,7 @@ impl Lowering<'_> {
             |from: u32, to: u32| Edit { at: Location { span: Span::new(from, to), ..place }, text: "\"".to_owned() };
         let quotes = || vec![quote(span.start, start), quote(end, span.end)];
         let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
-        let words = swallowed::only_words(self.text, Span::new(start, end));
+        let words = swallowed::words_between(self.text, Span::new(start, end));
         let diagnostic = if body.trim().is_empty() {
             let title = FixTitle::Delete { text: shown(text) };
             Diagnostic::new(finding(Meant::Comment), place).with_fix(title, place, "")
@@ -131,9 +164,10 @@ impl Lowering<'_> {
             Diagnostic::new(finding(Meant::Comment), place).with_edits(FixTitle::Comment, quotes())
         } else {
             // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment.
-            let meant = Meant::CommentOrWords { words: shown(kept), comment: shown(&kept.replace('"', "")) };
+            let apart = kept.replace(';', " ").trim_end().to_owned();
+            let meant = Meant::CommentOrWords { words: shown(&apart), comment: shown(&kept.replace('"', "")) };
             let diagnostic = Diagnostic::new(finding(meant), place);
-            let diagnostic = diagnostic.with_offer(FixTitle::Write { text: shown(kept) }, place, kept);
+            let diagnostic = diagnostic.with_offer(FixTitle::Write { text: shown(&apart) }, place, apart);
             if body.contains('"') { diagnostic } else { diagnostic.with_offers(FixTitle::Comment, quotes()) }
         };
         self.pending.push(diagnostic);
@@ -146,11 +180,60 @@ impl Lowering<'_> {
     }
 }
 
-/// Whether a block number stands right behind a jump of other controls: `GOTOB N190`.
-pub(super) fn is_jump_elsewhere(bytes: &[u8], before: &[Token], token: Token) -> bool {
-    let Some(last) = before.last().filter(|last| last.kind == Kind::Text && token.kind == Kind::Word) else {
+/// Statements of other controls: what follows one on its line belongs to it.
+const STATEMENTS: [&str; 41] = [
+    "IF", "ELSE", "ELSEIF", "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP", "REPEAT", "REPEATB",
+    "UNTIL", "CASE", "END", "GOTO", "GOTOB", "GOTOF", "GOTOC", "GOTOS", "CALL", "EXTCALL", "PCALL", "MCALL", "RET",
+    "TRANS", "ATRANS", "TOOL", "CYCL", "PROC", "DEF", "FN", "LBL", "CC", "STOPRE", "ROT", "AROT", "MIRROR", "AMIRROR",
+    "SCALE", "ASCALE",
+];
+/// A remark has a word of so many letters.
+const REMARK: usize = 3;
+
+/// Where the text ends that begins with a token: a statement of other controls, such as `IF[#1 GT 5]GOTO 20`, or a line of
+/// text that begins with signs or a number, such as `--- OBRYS ---`. It ends before a comment, or with its line.
+pub(super) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
+    if matches!(token.kind, Kind::Word | Kind::LineEnd | Kind::Comment | Kind::TypographicComment | Kind::Skip) {
+        return None;
+    }
+    let rest = bytes.get(token.start as usize..)?;
+    let begins = rest.first()?.is_ascii_alphabetic();
+    if !(if begins { is_statement(rest) } else { is_remark(bytes, token) }) {
+        return None;
+    }
+    let line = rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r' | b'"')).count();
+    let text = rest.get(..line)?.trim_ascii_end();
+    u32::try_from(text.len()).ok().map(|length| token.start + length)
+}
+
+/// Whether a statement begins there.
+fn is_statement(rest: &[u8]) -> bool {
+    let letters = rest.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
+    let (name, behind) = rest.split_at(letters);
+    // `IF=5` is a value with a name.
+    let value = behind.trim_ascii_start().first() == Some(&b'=');
+    !value && STATEMENTS.iter().any(|statement| statement.as_bytes().eq_ignore_ascii_case(name))
+}
+
+/// Whether a line that begins with signs or a number is text: its first letters are a word of some length.
+fn is_remark(bytes: &[u8], token: Token) -> bool {
+    let plain = matches!(
+        token.kind,
+        Kind::Sign | Kind::Equals | Kind::Number | Kind::LooseNumber | Kind::Unknown | Kind::Operator
+    );
+    let before = bytes.get(..token.start as usize).unwrap_or_default();
+    let blank = |byte: &u8| matches!(byte, b' ' | b'\t');
+    if !plain || !matches!(before.iter().rev().find(|byte| !blank(byte)), None | Some(b'\n' | b'\r')) {
         return false;
-    };
-    let name = bytes.get(last.span().range()).unwrap_or_default();
-    [&b"GOTO"[..], b"GOTOB", b"GOTOF", b"GOTOC"].iter().any(|jump| jump.eq_ignore_ascii_case(name))
+    }
+    let rest = bytes.get(token.start as usize..).unwrap_or_default();
+    let signs =
+        rest.iter().take_while(|byte| byte.is_ascii_digit() || blank(byte) || b"-+=.)>:!#~_".contains(byte)).count();
+    let head = rest.get(..signs).unwrap_or_default();
+    let words = rest.get(signs..).unwrap_or_default();
+    let letters = words.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
+    let value = words.get(letters).is_some_and(|byte| byte.is_ascii_digit() || b"+-.".contains(byte));
+    // `190 KONEC`: the number may be that of a block.
+    let numbered = head.trim_ascii_end().iter().all(u8::is_ascii_digit);
+    letters >= REMARK && !value && !numbered
 }

@@ -209,6 +209,18 @@ impl Lowering<'_> {
         let (name, value) = text.split_once('=').unwrap_or((text, ""));
         let target = parameter_number(name.trim_matches(['#', ' ', '\t']));
         let value = value.trim_matches([' ', '\t']);
+        if self.byte(span.end) == b'*' {
+            // `#10=#11*2`
+            let rest = self.text.get(span.end as usize..).unwrap_or_default();
+            let length = rest.find([' ', '\t', '\r', '\n', '"']).unwrap_or(rest.len());
+            let whole = Span::new(span.start, span.end + u32::try_from(length).unwrap_or(0));
+            let finding = Finding::UnknownCharacter { text: shown(self.slice(whole)), meant: Meant::Expression };
+            self.debris(whole, finding);
+            if let Some(target) = target {
+                self.push(Word::bare(Address::R, span).assigning(target).faulty(), span);
+            }
+            return;
+        }
         let as_parameter = value.strip_prefix('#').map(|digits| format!("R{digits}"));
         let value = as_parameter.as_deref().unwrap_or(value);
         if let (Some(target), Some(written)) = (target, written(value)) {
@@ -295,12 +307,25 @@ impl Lowering<'_> {
             self.push_void(Address::R, span);
             return;
         }
-        let meant = if beyond { ValueMeant::Beyond } else { ValueMeant::Number };
+        let skipped = self.number_behind_skip(address, end);
+        let meant = match skipped {
+            Some(written) => ValueMeant::Written { written },
+            None if beyond => ValueMeant::Beyond,
+            None => ValueMeant::Number,
+        };
         let finding = Finding::MissingValue { address: name, meant };
         let Some(address) = self.address(address.start, span) else { return };
         self.report(span, finding);
         let word = Word::bare(address, span).faulty();
         self.push(target.map_or(word, |target| word.assigning(target)), span);
+    }
+
+    /// `N/30`: the block number behind the `/` that belongs behind it.
+    fn number_behind_skip(&self, address: Token, end: Token) -> Option<String> {
+        let rest = self.text.get(end.end as usize..)?.strip_prefix('/')?;
+        let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
+        let numbered = matches!(self.byte(address.start), b'N' | b'n') && !digits.is_empty();
+        numbered.then(|| format!("N{digits} /"))
     }
 
     /// `XR`: an address, and R without the number of the parameter.

@@ -218,8 +218,15 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
                 | Kind::Bracketed
         )
     });
-    let text = one(Kind::Text)
-        .map(|token| (token, token))
+    // `!vyjet`: signs right before a text belong to it.
+    let signs = one(Kind::Unknown)
+        .then(one(Kind::Text).rewind())
+        .filter(|(signs, text): &(Token, Token)| signs.end == text.start)
+        .map(|(signs, _)| signs);
+    let text = signs
+        .or_not()
+        .then(one(Kind::Text))
+        .map(|(signs, token)| (signs.unwrap_or(token), token))
         .foldl(text_token.repeated(), |(first, _), last| (first, last))
         .map(|(first, last)| Item::Text { first, last });
 

@@ -4,7 +4,7 @@
 use super::lower::Lowering;
 use super::{BlockFlags, Kind, Word, tokens};
 use crate::diag::{
-    Code, CommaMeant, Diagnostic, DwellMeant, Finding, FixTitle, NumberMeant, TargetMeant, ValueMeant, shown,
+    Code, CommaMeant, Diagnostic, DwellMeant, Edit, Finding, FixTitle, NumberMeant, TargetMeant, ValueMeant, shown,
 };
 use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_Q};
 use crate::syntax::number::Number;
@@ -35,6 +35,8 @@ impl Lowering<'_> {
         self.letters_for_one(first);
         self.letters_in_functions(first);
         self.radius_in_arc(first);
+        self.line_elsewhere(first);
+        self.height_of_cycle(first);
         for diagnostic in self.pending.drain(..) {
             self.findings.add(diagnostic);
         }
@@ -231,6 +233,65 @@ impl Lowering<'_> {
                 if let Some(slot) = self.words.get_mut(at - 1) {
                     *slot = unknown;
                 }
+                // `G7N` with a number would begin a block.
+                let whole = word_span.to(letter_span);
+                let place = self.at(whole);
+                let text = shown(self.slice(whole));
+                let of_number = |found: &&mut Diagnostic| {
+                    letter.address == Address::N && found.code() == Code::E0103 && found.at.span == letter_span
+                };
+                if let Some(found) = self.pending.iter_mut().find(of_number) {
+                    *found = Diagnostic::new(Finding::MalformedNumber { text, meant: NumberMeant::Form }, place);
+                }
+            }
+        }
+    }
+
+    /// `L Z+100 R0 FMAX`: a straight line as another control writes it, one finding with the function that is meant.
+    fn line_elsewhere(&mut self, first: usize) {
+        let lone = |word: &&Word| word.address == Address::L && word.is_void() && word.is_faulty();
+        let Some(letter) = self.block_words(first).iter().find(lone).map(|word| word.span(self.text)) else { return };
+        let moves = self.block_words(first).iter().any(|word| word.address.axis().is_some() && !word.is_void());
+        let has_function = self.block_words(first).iter().any(|word| word.address == Address::G);
+        if !moves || has_function || letter.len() != 1 {
+            return;
+        }
+        let is_fastest =
+            |found: &Diagnostic| matches!(&found.finding, Finding::MalformedNumber { meant: NumberMeant::Fastest, .. });
+        let function = if self.pending.iter().any(is_fastest) { GCode::G00 } else { GCode::G01 };
+        // R0, RL, RR: whether the radius is corrected.
+        let of_radius = |found: &Diagnostic| matches!(&found.finding, Finding::MissingValue { address, .. } if address == "R0" || address == "R");
+        let (dropped, kept) = self.pending.drain(..).partition(|found| is_fastest(found) || of_radius(found));
+        self.pending = kept;
+        let dropped: Vec<Diagnostic> = dropped;
+        let of_letter = |found: &&mut Diagnostic| found.code() == Code::E0103 && found.at.span == letter;
+        let place = self.at(letter);
+        let deleted = dropped.into_iter().map(|found| Edit { at: found.at, text: String::new() });
+        let edits = std::iter::once(Edit { at: place, text: function.to_string() }).chain(deleted).collect();
+        if let Some(found) = self.pending.iter_mut().find(of_letter) {
+            let finding = Finding::MissingValue { address: "L".to_owned(), meant: ValueMeant::Line { function } };
+            *found = Diagnostic::new(finding, place).with_offers(FixTitle::Write { text: function.to_string() }, edits);
+        }
+    }
+
+    /// R without `=` beside a fixed cycle is meant as its height.
+    fn height_of_cycle(&mut self, first: usize) {
+        if !self
+            .block_words(first)
+            .iter()
+            .any(|word| word.address == Address::G && word.whole().is_some_and(|number| (81..=89).contains(&number)))
+        {
+            return;
+        }
+        for found in &mut self.pending {
+            if let Finding::MissingValue { address, meant: meant @ (ValueMeant::Number | ValueMeant::Beyond) } =
+                &mut found.finding
+                && address.starts_with('R')
+            {
+                *meant = ValueMeant::Height;
+            } else if let Finding::MalformedNumber { meant: NumberMeant::Parameter, .. } = &found.finding {
+                let address = shown(self.text.get(found.at.span.range()).unwrap_or_default());
+                found.finding = Finding::MissingValue { address, meant: ValueMeant::Height };
             }
         }
     }

@@ -1,8 +1,9 @@
 //! A number behind a word and a blank: its address was forgotten, or a blank is inside a number (LEX-3).
 
 use super::lower::Lowering;
+use super::number::Number;
 use super::{Kind, Word, tokens};
-use crate::diag::{Diagnostic, Edit, Finding, Fix, FixTitle, NumberMeant, shown};
+use crate::diag::{Code, Diagnostic, Edit, Finding, Fix, FixTitle, NumberMeant, shown};
 use crate::dict::{Address, GCode, GGroup, TOOL_CHANGE};
 use crate::text::Span;
 
@@ -85,6 +86,18 @@ impl Lowering<'_> {
 
     fn forgotten_address(&mut self, first: usize, at: usize, split: &Split, signed: bool) {
         let word = split.word;
+        if !signed && self.exchanged_address(at, split) {
+            return;
+        }
+        // `G7L1 100`: digits and letters are mixed up from the function on.
+        if let Some(before) = split.at.checked_sub(1).filter(|before| *before > first)
+            && let Some(function) = self.words.get(before).copied().filter(|word| word.address == Address::G)
+            && function.span(self.text).end == word.start()
+            && function.span(self.text).len() == 2
+        {
+            let unknown = Word::bare(Address::G, function.span(self.text)).faulty();
+            self.words.splice(before..=before, [unknown]);
+        }
         if !signed && (split.is_continued() || split.is_function()) {
             return;
         }
@@ -115,6 +128,51 @@ impl Lowering<'_> {
             *slot = Word::bare(word.address, word.span(self.text)).faulty();
         }
         self.leave_unknown(first, split, missing);
+    }
+
+    /// `4Y0`: the address stands behind the first digits of its number. The number that the second piece was taken for goes
+    /// on with the word before it.
+    fn exchanged_address(&mut self, at: usize, split: &Split) -> bool {
+        let digits = split.text.bytes().all(|byte| byte.is_ascii_digit());
+        let behind = self.words.get(split.at + 1).copied().filter(|next| next.start() == split.loose.end);
+        let Some(next) =
+            behind.filter(|next| digits && !matches!(next.address, Address::R | Address::N | Address::Skip))
+        else {
+            return false;
+        };
+        let span = next.span(self.text);
+        let whole = split.loose.to(span);
+        let Some(rest) =
+            self.slice(span).get(1..).filter(|rest| rest.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.'))
+        else {
+            return false;
+        };
+        // `N18 0G71`: a function has two digits already.
+        let function = matches!(next.address, Address::G | Address::M);
+        if function && rest.len() + split.text.len() > 2 {
+            return false;
+        }
+        let written = format!("{}{}{rest}", next.address, split.text);
+        let (text, place, of_letter) = (shown(self.slice(whole)), self.at(whole), self.at(span));
+        if let Some(found) = self.pending.get_mut(at)
+            && let Finding::SplitNumber { loose, written: meant, .. } = &mut found.finding
+        {
+            (*loose, *meant) = (text, shown(&written));
+            found.at = place;
+            found.fixes.clear();
+            let title = FixTitle::Write { text: shown(&written) };
+            found.fixes.push(Fix { title, edits: vec![Edit { at: place, text: written }], certain: false });
+        }
+        self.pending.retain(|found| found.code() != Code::E0103 || found.at.span != of_letter.span);
+        let first_piece = Number::parse(split.number.as_bytes());
+        let head = Span::new(split.word.start(), split.loose.start);
+        let kept = first_piece.map_or_else(
+            || Word::bare(split.word.address, head),
+            |number| Word::with_number(split.word.address, head, number),
+        );
+        let unknown = Word::bare(next.address, span).faulty();
+        self.words.splice(split.at..=split.at + 1, [kept.faulty(), unknown]);
+        true
     }
 
     /// The address that was probably forgotten before the second piece.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use chumsky::Parser;
 use chumsky::inspector::SimpleState;
 
-use super::comments::is_jump_elsewhere;
+use super::comments::statement_end;
 use super::file::Block;
 use super::lower::Lowering;
 use super::{BlockFlags, BlockId, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
@@ -128,14 +128,20 @@ fn missing_start(file: FileId, source: &SourceText) -> Diagnostic {
     let at = |from: u32, to: u32| Location { file, span: Span::new(from, to) };
     let text = source.text().get(first as usize..).unwrap_or_default();
     let line = text.split(['\n', '\r']).next().unwrap_or_default();
-    let rest = line.strip_prefix(['O', 'o', ':']).unwrap_or_default();
+    let rest = line.strip_prefix(['O', 'o', ':']);
+    let letter = rest.is_some();
+    let rest = rest.unwrap_or(line);
     let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
-    let number = digits.parse().ok().filter(|number| (1..=HIGHEST_PROGRAM).contains(number));
+    let behind = rest.get(digits.len()..).unwrap_or_default().trim_start_matches([' ', '\t']);
+    // `2107`, `2107 "PRIRUBA"`
+    let alone = behind.is_empty() || behind.starts_with('"');
+    let number = digits.parse().ok().filter(|number| (letter || alone) && (1..=HIGHEST_PROGRAM).contains(number));
     let finding = Finding::MissingProgramStart { number: number.unwrap_or(1) };
     let diagnostic = Diagnostic::new(finding, at(first, first));
     match number {
         Some(number) => {
-            diagnostic.with_offer(FixTitle::Write { text: format!("%{number}") }, at(first, first + 1), "%")
+            let title = FixTitle::Write { text: format!("%{number}") };
+            diagnostic.with_offer(title, at(first, first + u32::from(letter)), "%")
         }
         None => diagnostic,
     }
@@ -396,7 +402,14 @@ impl<'t> Reader<'t> {
         let mut cuts = std::mem::take(&mut self.cuts);
         cuts.clear();
         let mut stopped = end;
+        let mut taken = start;
         for mut token in tokens(text, start, end) {
+            if token.start < taken {
+                continue;
+            }
+            if let Some(whole) = statement_end(bytes, token) {
+                (token.kind, token.end, taken) = (Kind::Text, whole, whole);
+            }
             if token.kind == Kind::End {
                 self.end = Some(token.end);
                 break;
@@ -415,7 +428,10 @@ impl<'t> Reader<'t> {
             );
             match bytes.get(token.start as usize).filter(|_| with_address) {
                 Some(b'N' | b'n') if is_jump_target(bytes, &batch, token) => token.kind = Kind::JumpTarget,
-                Some(b'N' | b'n') if is_jump_elsewhere(bytes, &batch, token) => token.kind = Kind::Text,
+                // `G7N`: a slip in a word, not the beginning of a block.
+                Some(b'N' | b'n')
+                    if token.kind == Kind::Letter
+                        && batch.last().is_some_and(|last| last.kind == Kind::Word && last.end == token.start) => {}
                 Some(b'N' | b'n') => {
                     if batch.len() >= BATCH {
                         self.parse_batch(&batch, &cuts);

@@ -35,6 +35,21 @@ pub(super) fn only_words(text: &str, span: Span) -> Option<Vec<Token>> {
     Some(words)
 }
 
+/// The words that `span` holds, as [`only_words`], also with `;` between them.
+pub(super) fn words_between(text: &str, span: Span) -> Option<Vec<Token>> {
+    let inner = text.get(span.range())?;
+    let mut words = Vec::new();
+    let mut at = span.start;
+    for part in inner.split(';') {
+        let end = at + u32::try_from(part.len()).unwrap_or(0);
+        if !part.trim().is_empty() {
+            words.extend(only_words(text, Span::new(at, end))?);
+        }
+        at = end + 1;
+    }
+    Some(words)
+}
+
 /// Where words stand that follow a text on its line, up to a comment or the next block.
 pub(super) fn words_behind(text: &str, start: u32) -> Option<Span> {
     let rest = text.as_bytes().get(start as usize..)?;

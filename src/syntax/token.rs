@@ -97,7 +97,7 @@ pub enum Kind {
     GarbledWord,
     /// A comment as other controls write it.
     #[regex(
-        r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|`[^`\r\n]*`|(;[ \t]*[A-Za-zÀ-ž0-9=*+\-]|#[ \t]*[A-Za-zÀ-ž]|//[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#,
+        r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|(''|,,)[ \t]*[A-Za-zÀ-ž][^'",\r\n]*(''|"|,,)?|`[^`\r\n]*`|(;[ \t]*[A-Za-zÀ-ž0-9=*+\-]|#[ \t]*[A-Za-zÀ-ž]|//[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#,
         priority = 40,
         allow_greedy = true
     )]
@@ -214,7 +214,7 @@ impl Tokens<'_> {
     #[inline]
     fn note(&mut self, token: Token) {
         self.in_value = match token.kind {
-            Kind::Parameter | Kind::LooseParameter | Kind::AssignedWord => true,
+            Kind::Parameter | Kind::LooseParameter | Kind::AssignedWord | Kind::Variable => true,
             Kind::Equals
             | Kind::Sign
             | Kind::Number
@@ -235,7 +235,6 @@ impl Tokens<'_> {
             | Kind::ManySigns
             | Kind::PrintedWord
             | Kind::NamedValue
-            | Kind::Variable
             | Kind::JumpTarget
             | Kind::ForeignStart
             | Kind::TypographicComment
@@ -256,7 +255,8 @@ impl Tokens<'_> {
                     Kind::Parameter | Kind::LooseParameter | Kind::Number | Kind::LooseNumber | Kind::Bracketed
                 )
         };
-        let product = |last: &Token| last.end == token.start && last.kind == Kind::AssignedWord;
+        let product =
+            |last: &Token| last.end == token.start && matches!(last.kind, Kind::AssignedWord | Kind::Variable);
         let star = token.kind == Kind::End;
         if !self.in_value || !self.last.as_ref().is_some_and(|last| operand(last) || star && product(last)) {
             return false;
@@ -264,7 +264,7 @@ impl Tokens<'_> {
         let rest = self.text.as_bytes().get(token.start as usize + 1..).unwrap_or_default();
         let rest = rest.strip_prefix(b"-").or_else(|| rest.strip_prefix(b"+")).unwrap_or(rest);
         match rest {
-            [b'0'..=b'9' | b'.' | b'(' | b'[', ..] => true,
+            [b'0'..=b'9' | b'.' | b'(' | b'[' | b'#', ..] => true,
             [b'R' | b'r', digits @ ..] => {
                 let count = digits.iter().take_while(|byte| byte.is_ascii_digit()).count();
                 let behind = digits.get(count..).unwrap_or_default().trim_ascii_start();
