@@ -90,8 +90,19 @@ pub struct UnreadEnd {
     pub function: u8,
     /// Its line.
     pub line: u32,
-    /// The `*` begins a line.
-    pub separator: bool,
+    /// What is around the `*`.
+    pub star: Star,
+}
+
+/// What a `*` was probably meant as.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Star {
+    /// It begins a line.
+    Line,
+    /// It is between two factors.
+    Product,
+    /// It is within a block.
+    Slip,
 }
 
 impl UnreadEnd {
@@ -108,11 +119,13 @@ impl UnreadEnd {
 
     /// What to write.
     pub(super) const fn help(self, lang: Lang) -> &'static str {
-        match (lang, self.separator) {
-            (Lang::En, true) => "put the line with `*` between quotes, or delete it",
-            (Lang::Cs, true) => "řádek s hvězdičkou dát do uvozovek, nebo vymazat",
-            (Lang::En, false) => "delete the `*`",
-            (Lang::Cs, false) => "hvězdičku vymazat",
+        match (lang, self.star) {
+            (Lang::En, Star::Line) => "put the line with `*` between quotes, or delete it",
+            (Lang::Cs, Star::Line) => "řádek s hvězdičkou dát do uvozovek, nebo vymazat",
+            (Lang::En, Star::Product) => "if a product is meant, G26 to G29 compute it; if not, delete the `*`",
+            (Lang::Cs, Star::Product) => "je-li míněn součin, počítají ho G26 až G29; není-li, hvězdičku vymazat",
+            (Lang::En, Star::Slip) => "delete the `*`",
+            (Lang::Cs, Star::Slip) => "hvězdičku vymazat",
         }
     }
 }
@@ -200,7 +213,7 @@ bilingual! {
         Definition "values have no names here; parameters are R0 to R95: `R10=5`", "hodnoty zde nemají jména; parametry jsou R0 až R95: „R10=5“";
         Return "there is no such statement; a subprogram ends with G70", "takový příkaz zde není; podprogram končí funkcí G70";
         End "there is no such statement; a program ends with M30, a subprogram with G70", "takový příkaz zde není; program končí funkcí M30, podprogram G70";
-        Condition "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`, twice with `Q2`", "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“, dvojí s „Q2“";
+        Condition "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`, twice `G73 L190 Q2`", "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“, má-li proběhnout dvakrát, „G73 L190 Q2“";
         Message "a message to the operator is a comment here: write the text alone, between quotes", "hlášení pro obsluhu je zde komentář: napsat jen text v uvozovkách";
     }
 }

@@ -17,8 +17,8 @@ mod report;
 mod shown;
 
 pub use advice::{
-    AddressMeant, AfterEndMeant, CommaMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant,
-    UnreadEnd, UnusedMeant, ValueMeant,
+    AddressMeant, AfterEndMeant, CommaMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, Star, TargetMeant,
+    TextMeant, UnreadEnd, UnusedMeant, ValueMeant,
 };
 pub use details::{
     ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, JointBreak, JointLimit, KnownNames,

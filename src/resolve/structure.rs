@@ -11,7 +11,7 @@ use super::meant::{may_have_end, may_hold};
 use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
-use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText, UnreadEnd};
+use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText, Star, UnreadEnd};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
 use crate::syntax::{BlockFlags, BlockId, Form, Kind, ParsedFile, Word, parse, tokens};
 use crate::text::{FileId, Location, SourceText, Sources, Span, path_name};
@@ -409,13 +409,24 @@ fn unread_end(parsed: &ParsedFile) -> Option<UnreadEnd> {
         let number = word.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']).parse().ok();
         if let Some(function) = number.filter(|number| numbered && letter(word, 'M') && PROGRAM_ENDS.contains(number)) {
             let line = parsed.source.lines().line_at(token.start) + 1;
-            let before = text.get(..parsed.end as usize - 1).unwrap_or_default();
-            let begins = before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']);
             let line = u32::try_from(line).unwrap_or(u32::MAX);
-            return Some(UnreadEnd { function, line, separator: begins });
+            return Some(UnreadEnd { function, line, star: star_meant(text, parsed.end as usize) });
         }
     }
     None
+}
+
+/// What the `*` before `end` was probably meant as.
+fn star_meant(text: &str, end: usize) -> Star {
+    let before = text.get(..end.saturating_sub(1)).unwrap_or_default();
+    let factor = |byte: Option<&u8>| byte.is_some_and(|byte| byte.is_ascii_digit() || b"Rr])".contains(byte));
+    if before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']) {
+        Star::Line
+    } else if factor(before.as_bytes().last()) && factor(text.as_bytes().get(end)) {
+        Star::Product
+    } else {
+        Star::Slip
+    }
 }
 
 /// The M02 or M30 of a block.

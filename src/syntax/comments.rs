@@ -1,6 +1,6 @@
 //! Text that is no comment, and comments as other controls write them.
 
-use super::lower::Lowering;
+use super::lower::{Lowering, PARAMETERS};
 use super::number::Number;
 use super::token::METRES_PER_MINUTE;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
@@ -34,6 +34,9 @@ impl Lowering<'_> {
         let words = behind.map(|words| shown(self.slice(words).trim_end()));
         let shown_text = shown(text);
         let statement = TextMeant::statement(text);
+        if statement.is_some() {
+            self.assigned_in_text(span);
+        }
         let finding = if text.is_ascii() || statement.is_some() {
             let meant = statement.unwrap_or_else(|| match (words, behind) {
                 (Some(words), Some(behind)) => {
@@ -55,6 +58,23 @@ impl Lowering<'_> {
             Finding::UnknownCharacter { text: shown_text, meant }
         };
         self.report(span, finding);
+    }
+
+    /// Parameters that a statement sets, `FOR R1=1 TO 5`, are not known afterwards.
+    fn assigned_in_text(&mut self, span: Span) {
+        let text = self.slice(span);
+        for (at, _) in text.match_indices('=') {
+            let (before, behind) = text.split_at_checked(at).unwrap_or_default();
+            let name = before.trim_end_matches([' ', '\t']);
+            let digits = name.len() - name.trim_end_matches(|last: char| last.is_ascii_digit()).len();
+            let (letters, number) = name.split_at(name.len() - digits);
+            let number = number.parse().ok().filter(|number| *number < PARAMETERS);
+            // `==` compares.
+            let assigns = letters.ends_with(['R', 'r', '#']) && !behind.starts_with("==");
+            if let Some(number) = number.filter(|_| assigns) {
+                self.push(Word::bare(Address::R, span).assigning(number).faulty(), span);
+            }
+        }
     }
 
     /// A word that cannot be read, and may have been meant as the end (§13).
