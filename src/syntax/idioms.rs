@@ -2,6 +2,7 @@
 //! what was meant by it.
 
 use super::lower::Lowering;
+use super::missing::SLIPS;
 use super::{BlockFlags, Kind, Word, tokens};
 use crate::diag::{
     Code, CommaMeant, Diagnostic, DwellMeant, Edit, Finding, FixTitle, NumberMeant, TargetMeant, ValueMeant, shown,
@@ -195,7 +196,8 @@ impl Lowering<'_> {
     /// `G0I`, `X6l`: a letter without a value, right behind a number, is a digit 1. Of words without a decimal point too the
     /// other reading is possible, so that it is offered only.
     fn letters_for_one(&mut self, first: usize) {
-        while let Some(at) = (first + 2..self.words.len()).find(|at| self.is_letter_for_one(first, *at)) {
+        for _ in 0..SLIPS {
+            let Some(at) = (first + 2..self.words.len()).find(|at| self.is_letter_for_one(first, *at)) else { return };
             let (Some(word), Some(letter)) = (self.words.get(at - 1).copied(), self.words.get(at).copied()) else {
                 return;
             };
@@ -240,7 +242,7 @@ impl Lowering<'_> {
                 let of_number = |found: &&mut Diagnostic| {
                     letter.address == Address::N && found.code() == Code::E0103 && found.at.span == letter_span
                 };
-                if let Some(found) = self.pending.iter_mut().find(of_number) {
+                if let Some(found) = self.pending.iter_mut().take(SLIPS).find(of_number) {
                     *found = Diagnostic::new(Finding::MalformedNumber { text, meant: NumberMeant::Form }, place);
                 }
             }

@@ -9,6 +9,8 @@ use crate::text::Span;
 
 /// So many bytes before a block, and from it on, show which axes the program uses.
 const NEAR: usize = 1 << 12;
+/// So many findings of a block are looked at for what was meant: nobody makes more slips in one.
+pub(super) const SLIPS: usize = 64;
 /// `&0010`
 const CORRECTION_DIGITS: usize = 4;
 
@@ -54,7 +56,7 @@ impl Lowering<'_> {
         if self.words.get(first).is_none_or(|word| word.address != Address::N) {
             return;
         }
-        for at in 0..self.pending.len() {
+        for at in 0..self.pending.len().min(SLIPS) {
             let Some(found) = self.pending.get(at) else { return };
             let span = found.at.span;
             let signed = matches!(&found.finding, Finding::MalformedNumber { meant: NumberMeant::Form, .. });
