@@ -62,7 +62,7 @@ pub fn resolve_program(
 /// it lacks.
 fn follows_from_star(found: &Diagnostic, star: Location, last: Location) -> bool {
     let code = found.code();
-    let unread = matches!(code, Code::W0110 | Code::E0404 | Code::E0406);
+    let unread = matches!(code, Code::E0404 | Code::E0406);
     let cut = code == Code::E0103 && found.at.span.end == star.span.start || code == Code::W0214 && found.at == last;
     found.at.file == star.file && (unread || cut)
 }
