@@ -5,11 +5,18 @@ import type { Theme } from './colours.ts';
 import type { Underlay } from './renderer.ts';
 
 export interface GridLabel {
+  /** The end of the line that it belongs to, and the other end. */
   at: Vector;
+  far: Vector;
   /** Away from the grid, for placing the text. */
   outward: Vector;
   text: string;
 }
+
+/** Room at the edges of the canvas that texts leave free, in CSS pixels. */
+const EDGE = 3;
+/** Height of a text above its line, and below. */
+const [ABOVE, BELOW] = [11, 4];
 
 /** 1, 2 or 5 times a power of ten, at least so much. */
 export function roundStep(least: number): number {
@@ -31,10 +38,15 @@ export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underl
     const high = Math.ceil(box.max[axis]! / step + 1e-9);
     return low === high ? [low - 1, high + 1] : [low, high];
   };
-  const [lowA, highA] = range(a);
-  const [lowB, highB] = range(b);
-  // Far zoomed in, only what can be seen is drawn.
-  if (highA - lowA > 400 || highB - lowB > 400) {
+  // Only what can be seen is drawn.
+  const [seenA, seenB] = inSight(camera, [a, b, normal], level);
+  const within = ([low, high]: [number, number], [least, most]: [number, number]): [number, number] => [
+    Math.max(low, Math.floor(least / step)),
+    Math.min(high, Math.ceil(most / step)),
+  ];
+  const [lowA, highA] = within(range(a), seenA);
+  const [lowB, highB] = within(range(b), seenB);
+  if (lowA > highA || lowB > highB) {
     return { underlay, labels };
   }
   const point = (u: number, v: number): Vector => {
@@ -60,11 +72,84 @@ export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underl
   const number = (value: number): string => String(Number((value * step).toPrecision(12)));
   for (let u = lowA; u <= highA; u += 1) {
     line(point(u, lowB), point(u, highB), u === 0);
-    labels.push({ at: point(u, edgeB), outward: outwardB, text: number(u) });
+    labels.push({ at: point(u, edgeB), far: point(u, lowB + highB - edgeB), outward: outwardB, text: number(u) });
   }
   for (let v = lowB; v <= highB; v += 1) {
     line(point(lowA, v), point(highA, v), v === 0);
-    labels.push({ at: point(edgeA, v), outward: outwardA, text: number(v) });
+    labels.push({ at: point(edgeA, v), far: point(lowA + highA - edgeA, v), outward: outwardA, text: number(v) });
   }
   return { underlay, labels };
+}
+
+/** Which coordinates of a plane, along its axes `a` and `b`, are on the canvas. */
+function inSight(camera: Camera, [a, b, normal]: Vector, level: number): [[number, number], [number, number]] {
+  const m = camera.matrix();
+  const [xa, xb, ya, yb] = [m[a]!, m[b]!, m[4 + a]!, m[4 + b]!];
+  const determinant = xa * yb - xb * ya;
+  const along: [number[], number[]] = [[], []];
+  for (const [x, y] of [
+    [0, 0],
+    [camera.width, 0],
+    [0, camera.height],
+    [camera.width, camera.height],
+  ] as const) {
+    const [dx, dy] = [x - m[3]! - m[normal]! * level, y - m[7]! - m[4 + normal]! * level];
+    along[0].push((dx * yb - dy * xb) / determinant);
+    along[1].push((dy * xa - dx * ya) / determinant);
+  }
+  return along.map((values) => [Math.min(...values), Math.max(...values)]) as [[number, number], [number, number]];
+}
+
+/** Where texts stand on the canvas: beyond the ends of their lines, else where these leave the canvas. */
+export function placeLabels(
+  labels: GridLabel[],
+  camera: Camera,
+  widthOf: (text: string) => number,
+): { text: string; x: number; y: number }[] {
+  return labels.flatMap(({ at, far, outward, text }) => {
+    const from = camera.project(at);
+    const share = enters(from, camera.project(far), camera);
+    if (share === undefined) {
+      return [];
+    }
+    const width = widthOf(text);
+    let [x, y] = [from.x - width / 2, from.y];
+    if (share === 0) {
+      const to = camera.project(at.map((value, i) => value + outward[i]!) as Vector);
+      const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
+      x += ((to.x - from.x) / length) * (10 + width / 2);
+      y += ((to.y - from.y) / length) * 12;
+    } else {
+      const end = camera.project(far);
+      x += (end.x - from.x) * share;
+      y += (end.y - from.y) * share;
+    }
+    return [
+      {
+        text,
+        x: Math.min(Math.max(x, EDGE), camera.width - EDGE - width),
+        y: Math.min(Math.max(y + BELOW, EDGE + ABOVE), camera.height - EDGE - BELOW),
+      },
+    ];
+  });
+}
+
+/** At which share of its way from one point to another a line comes onto the canvas; nothing when it does not. */
+function enters(from: { x: number; y: number }, to: { x: number; y: number }, camera: Camera): number | undefined {
+  let [begin, end] = [0, 1];
+  for (const [start, way, most] of [
+    [from.x, to.x - from.x, camera.width],
+    [from.y, to.y - from.y, camera.height],
+  ] as const) {
+    if (way === 0) {
+      if (start < 0 || start > most) {
+        return undefined;
+      }
+      continue;
+    }
+    const [one, other] = [-start / way, (most - start) / way];
+    begin = Math.max(begin, Math.min(one, other));
+    end = Math.min(end, Math.max(one, other));
+  }
+  return begin > end ? undefined : begin;
 }
