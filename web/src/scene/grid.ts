@@ -26,8 +26,7 @@ export function roundStep(least: number): number {
 }
 
 export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underlay; labels: GridLabel[] } {
-  const underlay: Underlay = { points: [], colours: [] };
-  const labels: GridLabel[] = [];
+  const all: [number, number] = [-Infinity, Infinity];
   const towards = camera.towards;
   const normal = [0, 1, 2].reduce((best, axis) => (Math.abs(towards[axis]!) > Math.abs(towards[best]!) + 1e-9 ? axis : best), 2);
   const level = towards[normal]! >= 0 ? box.min[normal]! : box.max[normal]!;
@@ -44,11 +43,6 @@ export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underl
     Math.max(low, Math.floor(least / step)),
     Math.min(high, Math.ceil(most / step)),
   ];
-  const [lowA, highA] = within(range(a), seenA);
-  const [lowB, highB] = within(range(b), seenB);
-  if (lowA > highA || lowB > highB) {
-    return { underlay, labels };
-  }
   const point = (u: number, v: number): Vector => {
     const found: Vector = [0, 0, 0];
     found[normal] = level;
@@ -56,29 +50,37 @@ export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underl
     found[b] = v * step;
     return found;
   };
-  const line = (from: Vector, to: Vector, strong: boolean): void => {
-    underlay.points.push(from, to);
-    underlay.colours.push(strong ? theme.gridStrong : theme.gridLine);
-  };
   // Labels stand along the edges that are lowest and leftmost on the canvas.
   const lowest = (axis: number): boolean => camera.up[axis]! + camera.right[axis]! * 1e-3 >= 0;
   const leftmost = (axis: number): boolean => camera.right[axis]! + camera.up[axis]! * 1e-3 >= 0;
-  const edgeB = (Math.abs(camera.up[b]!) >= Math.abs(camera.right[b]!) ? lowest(b) : leftmost(b)) ? lowB : highB;
-  const edgeA = (Math.abs(camera.right[a]!) >= Math.abs(camera.up[a]!) ? leftmost(a) : lowest(a)) ? lowA : highA;
-  const outwardB: Vector = [0, 0, 0];
-  outwardB[b] = edgeB === lowB ? -1 : 1;
-  const outwardA: Vector = [0, 0, 0];
-  outwardA[a] = edgeA === lowA ? -1 : 1;
   const number = (value: number): string => String(Number((value * step).toPrecision(12)));
-  for (let u = lowA; u <= highA; u += 1) {
-    line(point(u, lowB), point(u, highB), u === 0);
-    labels.push({ at: point(u, edgeB), far: point(u, lowB + highB - edgeB), outward: outwardB, text: number(u) });
-  }
-  for (let v = lowB; v <= highB; v += 1) {
-    line(point(lowA, v), point(highA, v), v === 0);
-    labels.push({ at: point(edgeA, v), far: point(lowA + highA - edgeA, v), outward: outwardA, text: number(v) });
-  }
-  return { underlay, labels };
+  const over = ([lowA, highA]: [number, number], [lowB, highB]: [number, number]): { underlay: Underlay; labels: GridLabel[] } => {
+    const underlay: Underlay = { points: [], colours: [] };
+    const labels: GridLabel[] = [];
+    const line = (from: Vector, to: Vector, strong: boolean): void => {
+      underlay.points.push(from, to);
+      underlay.colours.push(strong ? theme.gridStrong : theme.gridLine);
+    };
+    const edgeB = (Math.abs(camera.up[b]!) >= Math.abs(camera.right[b]!) ? lowest(b) : leftmost(b)) ? lowB : highB;
+    const edgeA = (Math.abs(camera.right[a]!) >= Math.abs(camera.up[a]!) ? leftmost(a) : lowest(a)) ? lowA : highA;
+    const outwardB: Vector = [0, 0, 0];
+    outwardB[b] = edgeB === lowB ? -1 : 1;
+    const outwardA: Vector = [0, 0, 0];
+    outwardA[a] = edgeA === lowA ? -1 : 1;
+    for (let u = lowA; u <= highA; u += 1) {
+      line(point(u, lowB), point(u, highB), u === 0);
+      labels.push({ at: point(u, edgeB), far: point(u, lowB + highB - edgeB), outward: outwardB, text: number(u) });
+    }
+    for (let v = lowB; v <= highB; v += 1) {
+      line(point(lowA, v), point(highA, v), v === 0);
+      labels.push({ at: point(edgeA, v), far: point(lowA + highA - edgeA, v), outward: outwardA, text: number(v) });
+    }
+    return { underlay, labels };
+  };
+  const found = over(within(range(a), seenA), within(range(b), seenB));
+  const isSeen = ({ at, far }: GridLabel): boolean => enters(camera.project(at), camera.project(far), camera) !== undefined;
+  // Where the box ends out of sight, as over a part of it, the grid goes on as far as can be seen.
+  return found.labels.filter(isSeen).length >= 2 ? found : over(within(all, seenA), within(all, seenB));
 }
 
 /** Which coordinates of a plane, along its axes `a` and `b`, are on the canvas. */
