@@ -1,7 +1,14 @@
 //! Work on several threads: with the feature `parallel`, and where the system gives threads. Else the same work is done by
 //! the caller, with the same result.
 
-use std::thread::{Scope, ScopedJoinHandle};
+use std::panic::resume_unwind;
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::thread::{Builder, JoinHandle, Scope, ScopedJoinHandle};
+
+/// Items go to the thread of a [`Fold`] in batches of so many. Fuzzing has short programs.
+const ITEMS: usize = if cfg!(fuzzing) { 2 } else { 512 };
+/// Batches under way at most: a slow thread makes its caller wait, not grow.
+const BATCHES: usize = 4;
 
 /// How many threads share the work; 1: there is nothing to be won by parting it.
 #[cfg(feature = "parallel")]
@@ -49,12 +56,113 @@ pub fn beside<'scope, T: Send + 'scope>(
     if !cfg!(feature = "parallel") {
         return None;
     }
-    std::thread::Builder::new().name(name.to_owned()).spawn_scoped(scope, work).ok()
+    Builder::new().name(name.to_owned()).spawn_scoped(scope, work).ok()
+}
+
+/// Adds items to a state, in their order: in a thread of its own once there are more than a few, while the caller finds the
+/// next ones.
+#[derive(Debug)]
+pub struct Fold<T, S> {
+    name: &'static str,
+    add: fn(&mut S, &T),
+    /// Without the items of the thread.
+    state: S,
+    batch: Vec<T>,
+    thread: Thread<T, S>,
+}
+
+#[derive(Debug)]
+enum Thread<T, S> {
+    /// Few items came so far.
+    NotYet,
+    /// There is none to be had.
+    Never,
+    There(SyncSender<Vec<T>>, JoinHandle<S>),
+}
+
+impl<T: Send + 'static, S: Clone + Send + 'static> Fold<T, S> {
+    /// From a state that no item was added to. `name`: of the thread.
+    pub const fn new(name: &'static str, state: S, add: fn(&mut S, &T)) -> Self {
+        Self { name, add, state, batch: Vec::new(), thread: Thread::NotYet }
+    }
+
+    /// The next item.
+    #[inline]
+    pub fn push(&mut self, item: T) {
+        self.batch.push(item);
+        if self.batch.len() == ITEMS {
+            self.hand_on();
+        }
+    }
+
+    /// The state with all items.
+    ///
+    /// # Panics
+    /// When adding an item did.
+    pub fn finish(mut self) -> S {
+        if let Thread::There(full, thread) = self.thread {
+            // A thread that takes no more has panicked.
+            let _ = full.send(self.batch);
+            drop(full);
+            return thread.join().unwrap_or_else(|panic| resume_unwind(panic));
+        }
+        self.batch.iter().for_each(|item| (self.add)(&mut self.state, item));
+        self.state
+    }
+
+    #[cold]
+    fn hand_on(&mut self) {
+        if matches!(self.thread, Thread::NotYet) {
+            self.thread = self.start();
+        }
+        match &self.thread {
+            Thread::There(full, _) => {
+                let batch = std::mem::replace(&mut self.batch, Vec::with_capacity(ITEMS));
+                // A thread that takes no more has panicked, as the end tells.
+                let _ = full.send(batch);
+            }
+            Thread::NotYet | Thread::Never => {
+                let Self { add, state, batch, .. } = self;
+                batch.drain(..).for_each(|item| add(state, &item));
+            }
+        }
+    }
+
+    fn start(&self) -> Thread<T, S> {
+        if !cfg!(feature = "parallel") {
+            return Thread::Never;
+        }
+        let (full, batches) = sync_channel::<Vec<T>>(BATCHES);
+        let (add, mut state) = (self.add, self.state.clone());
+        let work = move || {
+            batches.iter().flatten().for_each(|item| add(&mut state, &item));
+            state
+        };
+        let thread = Builder::new().name(self.name.to_owned()).spawn(work);
+        thread.map_or(Thread::Never, |thread| Thread::There(full, thread))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_fold_adds_all_items_in_their_order() {
+        for count in [0, 1, ITEMS - 1, ITEMS, ITEMS + 1, ITEMS * (BATCHES + 3) + 7] {
+            let mut fold = Fold::new("test", Vec::new(), |all: &mut Vec<usize>, item| all.push(*item));
+            (0..count).for_each(|item| fold.push(item));
+            assert_eq!(fold.finish(), (0..count).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "of item 700")]
+    fn a_panic_in_the_thread_comes_to_the_caller() {
+        let mut fold = Fold::new("test", (), |(), item: &usize| assert!(*item < ITEMS + 188, "of item {item}"));
+        (0..ITEMS * 20).for_each(|item| fold.push(item));
+        fold.finish();
+    }
 
     #[test]
     fn the_order_of_items_stays() {

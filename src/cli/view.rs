@@ -16,7 +16,7 @@ use crate::config::Purpose;
 use crate::disk::is_stdin;
 use crate::session::Session;
 use crate::text::{FileId, path_name};
-use crate::view::{Part, Picture, Plane, Still, View, page};
+use crate::view::{Collector, LeftOut, Part, Picture, Plane, Still, page};
 
 pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
@@ -36,19 +36,19 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
         true
     };
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
-    let mut view = View::new(settings, Part { from: args.from, blocks: args.blocks });
-    let run = session.run(&job.target().path, &job.target().name(), Purpose::Compile, view.collect());
+    let mut collector = Collector::new(settings, Part { from: args.from, blocks: args.blocks });
+    let run = session.run(&job.target().path, &job.target().name(), Purpose::Compile, collector.sink());
     drop(progress);
     let outcome = run.outcome;
     let lacks_file = outcome.lacks_file() && outcome.executed == 0;
-    view.finish(outcome.sources.get(FileId(0)), &job.target().name(), outcome.executed);
+    let view = collector.finish(outcome.sources.get(FileId(0)), &job.target().name(), outcome.executed);
     job.refuse_input()?;
     let unusable = outcome.unusable;
     report.add_program(&outcome.sources, outcome.findings);
     if !unusable {
         let form = Form::of(output);
         let still = still(args);
-        let whole = |bytes: Vec<u8>| Picture { bytes, yellow_left_out: 0 };
+        let whole = |bytes: Vec<u8>| Picture { bytes, left_out: LeftOut::default() };
         let picture = match form {
             Form::Page => whole(page(&view.data(&report), &job.target().name(), locale.chosen).into_bytes()),
             Form::Svg => view.svg(still),
@@ -61,8 +61,12 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
                 tell(words, locale.lang);
             }
         };
-        if picture.yellow_left_out > 0 {
-            say(&Words::YellowLeftOut { count: picture.yellow_left_out });
+        let LeftOut { yellow, motions } = picture.left_out;
+        if yellow > 0 {
+            say(&Words::YellowLeftOut { count: yellow });
+        }
+        if motions > 0 {
+            say(&Words::MotionsLeftOut { count: motions });
         }
         if form != Form::Page && !settings.machine.motion.configured {
             say(&Words::AssumedMachine);

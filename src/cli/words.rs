@@ -37,6 +37,9 @@ bilingual! {
         YellowLeftOut { count: usize }
             "{count} yellow dots are not drawn: they are too many for a picture, the page has them all",
             "nekreslených žlutých teček: {count}; na obrázek je jich příliš mnoho, stránka je má všechny";
+        MotionsLeftOut { count: usize }
+            "motions that are not drawn: {count}; their start or end is not known, or they move none of X, Y, Z",
+            "nekreslených pohybů: {count}; není znám jejich začátek nebo konec, nebo nepohybují žádnou z os X, Y, Z";
         OptionOfPictures { option: String }
             "{option} goes with a still picture: -o part.svg or -o part.png",
             "{option} patří k obrázku: -o dil.svg nebo -o dil.png";

@@ -126,8 +126,17 @@ impl<'r> Executed<'r> {
 
     /// Line and column of its `N`, from 1; the column in characters.
     pub fn line_column(&self) -> LineColumn {
+        self.line_column_after(0)
+    }
+
+    /// The same, quick when the line of the block before was line `before`: execution mostly moves on.
+    pub fn line_column_after(&self, before: u32) -> LineColumn {
         let start = self.place().span.start;
-        self.file().map_or(LineColumn { line: 1, column: 1 }, |file| file.source.line_column(start))
+        let find = |file: &ParsedFile| {
+            let line = file.source.lines().line_near(start, before.saturating_sub(1) as usize);
+            file.source.column_in(line, start)
+        };
+        self.file().map_or(LineColumn { line: 1, column: 1 }, find)
     }
 
     /// The line of its `N`, from 1.

@@ -10,19 +10,31 @@ use super::picture::{Besides, Chain, Picture, Still, as_png, as_svg};
 use super::rows::{Part, Rows};
 use super::times::Times;
 use crate::analysis::equidistant::Equidistant;
-use crate::analysis::motion::{Model, Planner, StepReader};
+use crate::analysis::motion::{Model, Planner, Step, StepReader};
 use crate::config::Settings;
 use crate::diag::{Findings, Report, Severity};
 use crate::dict::Lang;
+use crate::parallel::Fold;
 use crate::run::{End, Executed, Program, Sink};
 use crate::text::{FileId, SourceText};
+
+/// What a program is executed for whose picture is wanted: see [`Self::sink`].
+#[derive(Debug)]
+pub struct Collector {
+    rows: Rows,
+    reader: StepReader,
+    planned: Fold<Step, (Planner, Times)>,
+    equidistant: Equidistant,
+    /// Whether nothing of the machine's motion is configured.
+    assumed: bool,
+    program: Map<String, Value>,
+    whole: bool,
+}
 
 /// The picture of a program, as far as it was executed.
 #[derive(Debug)]
 pub struct View {
     rows: Rows,
-    reader: StepReader,
-    planner: Planner,
     times: Times,
     equidistant: Equidistant,
     /// Whether nothing of the machine's motion is configured.
@@ -32,38 +44,45 @@ pub struct View {
     whole: bool,
 }
 
-impl View {
+impl Collector {
     /// Nothing yet, of a program for that machine.
     pub fn new(settings: &Settings, part: Part) -> Self {
         let model = Model::of(settings);
+        let times = Times::new(part.from, [model.accel, model.accel_rapid]);
+        let planned = Fold::new("planner", (Planner::new(model, false), times), |(planner, times), step: &Step| {
+            times.expect(step.motion.map_or(0.0, |motion| motion.dynamics.accel));
+            planner.push(step, times);
+        });
         Self {
             rows: Rows::new(&settings.machine.axes, part),
             reader: StepReader::new(settings),
-            times: Times::new(part.from, [model.accel, model.accel_rapid]),
-            planner: Planner::new(model, false),
+            planned,
             equidistant: Equidistant::new(settings, true),
             assumed: !settings.machine.motion.configured,
             program: program(settings),
-            blocks: 0,
             whole: false,
         }
     }
 
-    /// Collects executed blocks into it.
-    pub fn collect(&mut self) -> Collect<'_> {
-        Collect { view: self }
+    /// Collects executed blocks.
+    pub fn sink(&mut self) -> Collect<'_> {
+        Collect { collector: self }
     }
 
     /// What the run came to: the text of the program, which may not have been executed, and how many blocks were.
-    pub fn finish(&mut self, program: Option<&Arc<SourceText>>, name: &str, executed: u64) {
-        if let Some(source) = program {
-            self.rows.files.add_text(source);
+    pub fn finish(self, text: Option<&Arc<SourceText>>, name: &str, executed: u64) -> View {
+        let Self { mut rows, planned, equidistant, assumed, mut program, whole, .. } = self;
+        if let Some(source) = text {
+            rows.files.add_text(source);
         }
-        self.planner.finish(&mut self.times);
-        self.program.insert("name".to_owned(), json!(name));
-        self.blocks = executed;
+        let (mut planner, mut times) = planned.finish();
+        planner.finish(&mut times);
+        program.insert("name".to_owned(), json!(name));
+        View { rows, times, equidistant, assumed, program, blocks: executed, whole }
     }
+}
 
+impl View {
     /// The names of its files, by the index that the data give them.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.rows.files.iter().map(|file| file.source.name())
@@ -98,6 +117,7 @@ impl View {
         let of = |name: &str| self.program.get(name).and_then(Value::as_str).unwrap_or_default();
         Besides {
             title: [of("name"), of("title")].join(" ").trim_end().to_owned(),
+            whole: self.whole && self.rows.count() as u64 == self.blocks,
             assumed: self.assumed,
             dots: self.times.dots(&self.rows),
             equidistant: self.chains().collect(),
@@ -173,37 +193,36 @@ fn program(settings: &Settings) -> Map<String, Value> {
     program
 }
 
-/// A reader of executed blocks that fills a [`View`].
+/// A reader of executed blocks that fills a [`Collector`].
 #[derive(Debug)]
-pub struct Collect<'v> {
-    view: &'v mut View,
+pub struct Collect<'c> {
+    collector: &'c mut Collector,
 }
 
 impl Sink for Collect<'_> {
     type Whole = ();
 
     fn begin(&mut self, start: &Program<'_>) {
+        let Collector { rows, program, .. } = &mut *self.collector;
         let Some(file) = start.resolved.file(FileId(0)) else { return };
-        self.view.rows.files.add(0, file);
+        rows.files.add(0, file);
         let number = file.program.and_then(|word| word.whole()).unwrap_or_default();
-        self.view.program.insert("number".to_owned(), json!(number));
+        program.insert("number".to_owned(), json!(number));
         if let Some(title) = file.title {
-            self.view.program.insert("title".to_owned(), json!(file.comment_text(title)));
+            program.insert("title".to_owned(), json!(file.comment_text(title)));
         }
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
-        let View { rows, reader, planner, times, equidistant, .. } = &mut *self.view;
+        let Collector { rows, reader, planned, equidistant, .. } = &mut *self.collector;
+        planned.push(reader.read(block));
         rows.add(block);
-        let step = reader.read(block);
-        times.expect(step.motion.map_or(0.0, |motion| motion.dynamics.accel));
-        planner.push(&step, times);
         equidistant.read(block, findings);
         ControlFlow::Continue(())
     }
 
     fn end(self, _: End, findings: &mut Findings) {
-        self.view.equidistant.finish(findings);
-        self.view.whole = true;
+        self.collector.equidistant.finish(findings);
+        self.collector.whole = true;
     }
 }

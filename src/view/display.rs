@@ -1,5 +1,7 @@
 //! What a still picture consists of, in the order of drawing, whatever it is written as.
 
+use super::picture::LeftOut;
+
 /// What an item is, for its colour and width.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(super) enum Class {
@@ -44,8 +46,7 @@ pub(super) struct Display {
     pub over: Vec<Item>,
     /// Whether yellow dots are small and have no edge, because there are many.
     pub fine: bool,
-    /// Yellow dots that are not drawn, because there are too many.
-    pub yellow_left_out: usize,
+    pub left_out: LeftOut,
 }
 
 impl Class {

@@ -1,5 +1,5 @@
 //! Letters of lines, for pictures without fonts: the same on every computer. Drawn for this project on a grid of 4 by 6:
-//! x to the right, y down from the top of capitals; the base line is at 6.
+//! x to the right, y down from the top of capitals; the base line is at 6, and two more are below it.
 
 /// The strokes of a character, each a chain of points `xy` in digits; nothing for one that is not drawn.
 const fn strokes(character: char) -> &'static [&'static str] {
@@ -42,6 +42,7 @@ const fn strokes(character: char) -> &'static [&'static str] {
         'Z' => &["00400646"],
         'a' => &["123243461605143444"],
         'c' => &["4332120305163645"],
+        'g' => &["4332120305163645", "42473818"],
         'd' => &["4046", "44341405163645"],
         'e' => &["04444332120305163645"],
         'h' => &["0006", "0312324346"],
@@ -50,6 +51,7 @@ const fn strokes(character: char) -> &'static [&'static str] {
         'm' => &["0602", "03122226", "23324246"],
         'n' => &["0602", "0312324346"],
         'o' => &["123243453616050312"],
+        'p' => &["0208", "0312324345361605"],
         'r' => &["0602", "041232"],
         's' => &["423212030414343645361605"],
         't' => &["10152636", "0232"],
@@ -97,9 +99,17 @@ mod tests {
         {
             let digits: Vec<u32> = stroke.chars().map(|digit| digit.to_digit(10).unwrap()).collect();
             assert!(digits.len() >= 4 && digits.len().is_multiple_of(2), "{character}: {stroke}");
-            assert!(digits.chunks(2).all(|at| at[0] <= 4 && at[1] <= 6), "{character}: {stroke}");
+            assert!(digits.chunks(2).all(|at| at[0] <= 4 && at[1] <= 8), "{character}: {stroke}");
         }
-        for text in ["N0123456789…", "X Y Z mm", "-.", "yellow dots not drawn", "assumed machine"] {
+        for text in [
+            "N0123456789…",
+            "X Y Z mm",
+            "-.",
+            "yellow dots not drawn",
+            "motions",
+            "not the whole program",
+            "assumed machine",
+        ] {
             assert!(text.chars().all(|letter| letter == ' ' || !strokes(letter).is_empty()), "{text}");
         }
     }

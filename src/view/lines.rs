@@ -1,6 +1,7 @@
 //! The lines of a program in space, for still pictures: which rows have one, where it runs.
 
 use super::rows::Rows;
+use super::shapes::ArcAxes;
 use crate::dict::{AxisLetter, Micro};
 use crate::run::MotionType;
 
@@ -14,6 +15,16 @@ pub(super) enum Stroke {
     Straight,
     Arc,
     Thread,
+}
+
+/// What is drawn of a row.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Line {
+    /// Nothing moves.
+    Nothing,
+    /// It moves, but its start or end is not known, or it moves none of X, Y, Z.
+    LeftOut,
+    Drawn(Stroke),
 }
 
 impl Stroke {
@@ -59,22 +70,27 @@ impl<'r> Lines<'r> {
         self.point(self.rows.row_before(row))
     }
 
-    /// How the line of a row is drawn; `None` when it has none: nothing moves, or start or end is not known.
-    pub fn stroke(&self, row: usize) -> Option<Stroke> {
-        let shape = self.rows.shape_of(row)?;
-        let kind = shape.kind?;
+    /// What is drawn of a row.
+    pub fn line(&self, row: usize) -> Line {
+        let Some((shape, kind)) = self.rows.shape_of(row).and_then(|shape| Some((shape, shape.kind?))) else {
+            return Line::Nothing;
+        };
         let space = self.axes.into_iter().flatten().fold(0_u16, |bits, axis| bits | 1 << axis);
         let moved = shape.axes & space;
         if moved == 0 || moved & !shape.started != 0 || moved & !shape.known != 0 || kind == MotionType::Reference {
-            return None;
+            return if shape.axes == 0 { Line::Nothing } else { Line::LeftOut };
         }
         if kind.is_arc() {
-            let arc = shape.arc?;
-            let seen = space & (1 << arc.first | 1 << arc.second) != 0;
-            return seen.then_some(Stroke::Arc);
+            let seen = |arc: ArcAxes| space & (1 << arc.first | 1 << arc.second) != 0;
+            return if shape.arc.is_some_and(seen) { Line::Drawn(Stroke::Arc) } else { Line::LeftOut };
         }
-        let moves = self.point(row) != self.point(self.rows.row_before(row));
-        moves.then(|| Stroke::of(kind))
+        if self.point(row) != self.point(self.rows.row_before(row)) {
+            Line::Drawn(Stroke::of(kind))
+        } else if shape.axes == moved {
+            Line::Nothing
+        } else {
+            Line::LeftOut
+        }
     }
 
     /// The points of a line from its start to its end; arcs by chords that are nowhere further from them than `deviation`.

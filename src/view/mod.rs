@@ -36,10 +36,10 @@ mod tangents;
 mod text;
 mod times;
 
-pub use collect::{Collect, View};
+pub use collect::{Collect, Collector, View};
 pub use pack::SCHEMA;
 pub use page::page;
-pub use picture::{Picture, Still};
+pub use picture::{LeftOut, Picture, Still};
 pub use projection::Plane;
 pub use rows::Part;
 pub use svg::base64;

@@ -37,7 +37,7 @@ const DOES: [&str; 20] = [
 ];
 
 /// Different values, each once, in the order in which they came.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Interned<K> {
     known: HashMap<K, u32>,
     last: Option<(K, u32)>,

@@ -1,13 +1,15 @@
 //! Lays out a still picture: path, grid with numbers, axes, scale, dots with block numbers.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use super::display::{Class, Display, Item, LETTER, Place, text_width};
-use super::lines::{Lines, Point, Stroke};
+use super::lines::{Line, Lines, Point, Stroke};
 use super::png::{path_png, png};
 use super::projection::{Bounds, Plane, Projection};
 use super::rows::Rows;
 use super::svg::svg;
+use crate::parallel;
 
 /// With more points than these the path of an SVG is an image.
 const MOST_POINTS: usize = 50_000;
@@ -58,6 +60,8 @@ pub(super) struct Chain {
 #[derive(Debug, Default)]
 pub(super) struct Besides {
     pub title: String,
+    /// The program ended, and all of its blocks are in the picture.
+    pub whole: bool,
     /// The dots are those of an assumed machine.
     pub assumed: bool,
     pub dots: Vec<JointDot>,
@@ -69,8 +73,17 @@ pub(super) struct Besides {
 pub struct Picture {
     /// The file.
     pub bytes: Vec<u8>,
-    /// Yellow dots that are not drawn, because there are too many; the picture says so.
-    pub yellow_left_out: usize,
+    /// What it leaves out.
+    pub left_out: LeftOut,
+}
+
+/// What a still picture leaves out, and says so.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct LeftOut {
+    /// Yellow dots, because there are too many.
+    pub yellow: usize,
+    /// Motions whose start or end is not known, and those that move none of X, Y, Z.
+    pub motions: usize,
 }
 
 /// The picture as SVG.
@@ -80,24 +93,30 @@ pub(super) fn as_svg(rows: &Rows, still: Still, besides: &Besides) -> Picture {
         display.path.iter().map(|item| if let Item::Lines(_, places) = item { places.len() } else { 0 }).sum();
     let image = if points > MOST_POINTS { path_png(&display) } else { None };
     let bytes = svg(&display, image.as_deref()).into_bytes();
-    Picture { bytes, yellow_left_out: display.yellow_left_out }
+    Picture { bytes, left_out: display.left_out }
 }
 
 /// The picture as PNG.
 pub(super) fn as_png(rows: &Rows, still: Still, besides: &Besides) -> Option<Picture> {
     let display = lay_out(rows, still, besides);
-    Some(Picture { bytes: png(&display)?, yellow_left_out: display.yellow_left_out })
+    Some(Picture { bytes: png(&display)?, left_out: display.left_out })
 }
 
 fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
     let lines = Lines::new(rows);
-    let strokes: Vec<(usize, Stroke)> =
-        (1..rows.block.len()).filter_map(|row| Some((row, lines.stroke(row)?))).collect();
-    let plane = still.plane.unwrap_or_else(|| main_plane(&lines, &strokes));
+    let mut strokes: Vec<(usize, Stroke)> = Vec::new();
     let mut bounds = Bounds::EMPTY;
-    for (row, _) in &strokes {
-        lines.points(*row, 0.05, |point| bounds.include(point));
+    let mut seen = Seen::default();
+    let mut left_out = vec![false; rows.block.len()];
+    for part in parallel::map(parts(rows.block.len()), |part| Drawn::of(&lines, part)) {
+        strokes.extend(part.strokes);
+        for row in part.left_out {
+            left_out.get_mut(row).into_iter().for_each(|left_out| *left_out = true);
+        }
+        bounds.join(&part.bounds);
+        seen.add(part.seen);
     }
+    let plane = still.plane.unwrap_or_else(|| seen.main_plane());
     for point in besides.equidistant.iter().flat_map(|chain| &chain.points) {
         bounds.include(*point);
     }
@@ -116,8 +135,12 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
         path: path(&lines, &strokes, &projection),
         over: Vec::new(),
         fine: false,
-        yellow_left_out: 0,
+        left_out: LeftOut::default(),
     };
+    // Passes of a loop may share a row.
+    let is_left_out =
+        |index: &usize| rows.row(*index).and_then(|row| left_out.get(row)).is_some_and(|left_out| *left_out);
+    display.left_out.motions = (0..rows.count()).filter(is_left_out).count();
     let mut labels = Labels::default();
     let grid_labels = grid(&mut display, &bounds, &projection);
     for chain in &besides.equidistant {
@@ -131,6 +154,7 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
     axes(&mut display, &projection, &mut labels);
     scale(&mut display, &projection, &mut labels);
     dots(&mut display, besides, &lines, &projection, &mut labels);
+    left_out_notes(&mut display, besides);
     for (at, text) in grid_labels {
         if labels.take(at, &text, [width, height]) {
             display.under.push(Item::Text { at, class: Class::Faint, text });
@@ -139,23 +163,74 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
     display
 }
 
-/// The plane in which the working motions look longest; of equal ones the first.
-fn main_plane(lines: &Lines<'_>, strokes: &[(usize, Stroke)]) -> Plane {
-    let mut seen = [0.0_f64; 3];
-    let works = strokes.iter().any(|(_, stroke)| *stroke != Stroke::Rapid);
-    for (row, _) in strokes.iter().filter(|(_, stroke)| !works || *stroke != Stroke::Rapid) {
-        for (sum, length) in seen.iter_mut().zip(lines.seen(*row)) {
-            *sum += length;
+/// Rows that are looked at side by side with others: always as many, so that sums do not depend on threads.
+const PART: usize = 1 << 15;
+
+/// All rows but the first, in parts.
+fn parts(count: usize) -> Vec<Range<usize>> {
+    (1..count).step_by(PART).map(|from| from..(from + PART).min(count)).collect()
+}
+
+/// The lines of some rows.
+struct Drawn {
+    strokes: Vec<(usize, Stroke)>,
+    /// Rows that move, and have no line.
+    left_out: Vec<usize>,
+    bounds: Bounds,
+    seen: Seen,
+}
+
+impl Drawn {
+    fn of(lines: &Lines<'_>, rows: Range<usize>) -> Self {
+        let (mut strokes, mut left_out) = (Vec::new(), Vec::new());
+        for row in rows {
+            match lines.line(row) {
+                Line::Nothing => {}
+                Line::LeftOut => left_out.push(row),
+                Line::Drawn(stroke) => strokes.push((row, stroke)),
+            }
+        }
+        let mut bounds = Bounds::EMPTY;
+        let mut seen = Seen::default();
+        for (row, stroke) in &strokes {
+            lines.points(*row, 0.05, |point| bounds.include(point));
+            let sums = if *stroke == Stroke::Rapid { &mut seen.rapid } else { &mut seen.working };
+            for (sum, length) in sums.get_or_insert_default().iter_mut().zip(lines.seen(*row)) {
+                *sum += length;
+            }
+        }
+        Self { strokes, left_out, bounds, seen }
+    }
+}
+
+/// How long motions look in each plane: XY, XZ, YZ. `None` where there are none.
+#[derive(Clone, Copy, Debug, Default)]
+struct Seen {
+    rapid: Option<[f64; 3]>,
+    working: Option<[f64; 3]>,
+}
+
+impl Seen {
+    fn add(&mut self, other: Self) {
+        for (sums, other) in [(&mut self.rapid, other.rapid), (&mut self.working, other.working)] {
+            if let Some(other) = other {
+                sums.get_or_insert_default().iter_mut().zip(other).for_each(|(sum, length)| *sum += length);
+            }
         }
     }
-    let [xy, xz, yz] = seen;
-    // What differs by rounding alone is equal.
-    if xy * (1.0 + 1e-9) >= xz && xy * (1.0 + 1e-9) >= yz {
-        Plane::Xy
-    } else if xz * (1.0 + 1e-9) >= yz {
-        Plane::Xz
-    } else {
-        Plane::Yz
+
+    /// The plane in which the working motions look longest; of nearly equal ones the first: a surface that is milled line by
+    /// line looks a little longer from the side, and shows nothing there.
+    fn main_plane(self) -> Plane {
+        const NEARLY: f64 = 1.1;
+        let [xy, xz, yz] = self.working.or(self.rapid).unwrap_or_default();
+        if xy * NEARLY >= xz && xy * NEARLY >= yz {
+            Plane::Xy
+        } else if xz * NEARLY >= yz {
+            Plane::Xz
+        } else {
+            Plane::Yz
+        }
     }
 }
 
@@ -374,13 +449,14 @@ fn scale(display: &mut Display, projection: &Projection, labels: &mut Labels) {
 #[derive(Clone, Copy, Debug)]
 struct Numbers {
     at: Place,
-    first: u32,
-    last: u32,
+    least: u32,
+    greatest: u32,
 }
 
 impl Numbers {
     fn text(&self) -> String {
-        if self.first == self.last { format!("N{}", self.first) } else { format!("N{}…N{}", self.first, self.last) }
+        let Self { least, greatest, .. } = self;
+        if least == greatest { format!("N{least}") } else { format!("N{least}…N{greatest}") }
     }
 
     fn area(&self) -> [f64; 4] {
@@ -398,17 +474,14 @@ fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection:
             display.over.push(Item::Dot { at: place(dot), red: false, seq: dot.seq });
         }
     } else {
-        display.yellow_left_out = yellow;
-        // The same bytes in every language.
-        let text = format!("{yellow} yellow dots not drawn");
-        display.over.push(Item::Text { at: [20.0, 22.0], class: Class::Faint, text });
+        display.left_out.yellow = yellow;
     }
     let mut numbers: Vec<Numbers> = Vec::new();
     for dot in besides.dots.iter().filter(|dot| dot.red) {
         let at = place(dot);
         display.over.push(Item::Dot { at, red: true, seq: dot.seq });
         let [x, y] = at;
-        numbers.push(Numbers { at: [x + 8.0, y - 5.0], first: dot.n, last: dot.n });
+        numbers.push(Numbers { at: [x + 8.0, y - 5.0], least: dot.n, greatest: dot.n });
     }
     let width = f64::from(display.width);
     for mut number in joined(numbers) {
@@ -416,6 +489,28 @@ fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection:
         number.at[0] -= (right - width).max(0.0);
         labels.block(number.area());
         display.over.push(Item::Text { at: number.at, class: Class::Ink, text: number.text() });
+    }
+}
+
+/// Says in the upper left corner what is not drawn. The same bytes in every language.
+fn left_out_notes(display: &mut Display, besides: &Besides) {
+    let LeftOut { yellow, motions } = display.left_out;
+    let mut notes = Vec::new();
+    if !besides.whole {
+        notes.push("not the whole program".to_owned());
+    }
+    match motions {
+        0 => {}
+        1 => notes.push("1 motion not drawn".to_owned()),
+        count => notes.push(format!("{count} motions not drawn")),
+    }
+    if yellow > 0 {
+        notes.push(format!("{yellow} yellow dots not drawn"));
+    }
+    let mut y = 22.0;
+    for text in notes {
+        display.over.push(Item::Text { at: [20.0, y], class: Class::Faint, text });
+        y += LETTER[0] + 4.0;
     }
 }
 
@@ -433,7 +528,8 @@ fn joined(mut numbers: Vec<Numbers>) -> Vec<Numbers> {
             let place = match other {
                 Some(place) => {
                     if let Some(kept) = kept.get_mut(place) {
-                        kept.last = number.last;
+                        kept.least = kept.least.min(number.least);
+                        kept.greatest = kept.greatest.max(number.greatest);
                     }
                     place
                 }

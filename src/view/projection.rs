@@ -50,6 +50,12 @@ impl Bounds {
         }
     }
 
+    /// Takes in what others hold.
+    pub fn join(&mut self, other: &Self) {
+        self.min.iter_mut().zip(other.min).for_each(|(low, other)| *low = low.min(other));
+        self.max.iter_mut().zip(other.max).for_each(|(high, other)| *high = high.max(other));
+    }
+
     pub fn is_empty(&self) -> bool {
         self.min > self.max
     }

@@ -400,7 +400,8 @@ impl Rows {
                 shape.measured |= 1 << axis;
             }
         }
-        shape.missing = match motion.length() {
+        let length = motion.length();
+        shape.missing = match length {
             Length::Missing(why) => Some(why),
             Length::Mm(_) | Length::Deg(_) => None,
         };
@@ -417,7 +418,7 @@ impl Rows {
                 None => found.special.arc = arc.radius_mm.is_some() || arc.center.is_some(),
             }
         }
-        let (written, unit) = match motion.length() {
+        let (written, unit) = match length {
             Length::Mm(length) => (length, LengthUnit::Mm),
             Length::Deg(length) => (length, LengthUnit::Deg),
             Length::Missing(_) => return found,

@@ -2,6 +2,10 @@
 //! shorter than a pixel: outlines that are filled, as tiny-skia strokes, take a hundred times as long.
 
 use super::display::Place;
+use crate::parallel;
+
+/// Pieces of a line that are drawn side by side with others.
+const PART: usize = 1 << 16;
 
 /// How far pixels are covered by lines of one colour: lines that touch or cross make no darker places.
 #[derive(Debug)]
@@ -33,15 +37,43 @@ impl Coverage {
     /// Draws joined lines. `dash`: the length of dashes and of the gaps between them, 0 for none.
     pub fn lines(&mut self, places: &[Place], width: f64, dash: f64) {
         let half = width / 2.0;
-        let mut done = 0.0;
+        if dash > 0.0 {
+            let mut done = 0.0;
+            for pair in places.windows(2) {
+                let [from, to] = *pair else { continue };
+                done = self.dashes(from, to, half, dash, done);
+            }
+        } else if places.len() <= 2 * PART || parallel::threads() == 1 {
+            self.whole_lines(places, half);
+        } else {
+            // Each part begins where the one before ends. What is covered does not depend on who draws it.
+            let count = places.len().div_ceil(parallel::threads()).max(PART);
+            let parts = (0..places.len()).step_by(count);
+            let parts = parts.filter_map(|from| places.get(from..(from + count + 1).min(places.len()))).collect();
+            let (width, height) = (self.width, self.height);
+            let drawn = parallel::map(parts, |part| {
+                let mut coverage = Self::new(width, height);
+                coverage.whole_lines(part, half);
+                coverage
+            });
+            drawn.iter().for_each(|other| self.add(other));
+        }
+    }
+
+    fn whole_lines(&mut self, places: &[Place], half: f64) {
         for pair in places.windows(2) {
             let [from, to] = *pair else { continue };
-            if dash > 0.0 {
-                done = self.dashes(from, to, half, dash, done);
-            } else {
-                self.piece(Piece { from, to, half, square: false });
-            }
+            self.piece(Piece { from, to, half, square: false });
         }
+    }
+
+    /// Adds what another one of the same size covers.
+    fn add(&mut self, other: &Self) {
+        for (covered, other) in self.covered.iter_mut().zip(&other.covered) {
+            *covered = (*covered).max(*other);
+        }
+        let ([first, end], [other_first, other_end]) = (self.rows, other.rows);
+        self.rows = [first.min(other_first), end.max(other_end)];
     }
 
     /// Draws the dashes of a line that begins `done` behind the start of a dash; gives the same of its end.
@@ -188,6 +220,25 @@ mod tests {
         assert_eq!(level, ["........", ".344443.", ".######.", ".344443.", "........"]);
         let upright = drawn(5, 6, |coverage| coverage.lines(&[[2.5, 0.0], [2.5, 6.0]], 1.0, 0.0));
         assert_eq!(upright, ["..#.."; 6]);
+    }
+
+    /// Drawn in one piece or in several side by side.
+    #[test]
+    fn long_lines_cover_the_same() {
+        let count = u32::try_from(5 * PART / 2).unwrap();
+        let places: Vec<Place> = (0..count)
+            .map(|at| {
+                let angle = f64::from(at) / 1000.0;
+                [30.0 + libm::cos(angle) * f64::from(at % 5000) / 200.0, 25.0 + libm::sin(angle) * 20.0]
+            })
+            .collect();
+        let drawn = |by: fn(&mut Coverage, &[Place])| {
+            let mut coverage = Coverage::new(60, 50);
+            by(&mut coverage, &places);
+            (coverage.covered, coverage.rows)
+        };
+        let side_by_side = drawn(|coverage, places| coverage.lines(places, 1.3, 0.0));
+        assert_eq!(side_by_side, drawn(|coverage, places| coverage.whole_lines(places, 0.65)));
     }
 
     #[test]

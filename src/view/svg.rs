@@ -7,7 +7,7 @@ use super::display::{Class, DASH, DOT_SIZES, DOTS, Display, Item, LETTER, Place}
 /// Writes the picture. `image`: the path as PNG, in place of its lines.
 pub(super) fn svg(display: &Display, image: Option<&[u8]>) -> String {
     let mut out = String::with_capacity(1 << 16);
-    let Display { width, height, title, under, path, over, fine, yellow_left_out: _ } = display;
+    let Display { width, height, title, under, path, over, fine, left_out: _ } = display;
     // Writing to a String cannot fail.
     let _ = writeln!(
         out,

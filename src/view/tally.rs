@@ -26,10 +26,22 @@ impl Tally {
 
     pub fn push(&mut self, value: Micro) {
         let value = value.millionths();
-        while value % self.millionths() != 0 {
+        loop {
+            if let Some(parts) = self.parts(value) {
+                return self.column.push(parts);
+            }
             self.refine();
         }
-        self.column.push(value / self.millionths());
+    }
+
+    /// So many millionths as parts; `None`: finer ones are needed.
+    fn parts(&self, value: i64) -> Option<i64> {
+        // Dividing by what is known while compiling is ten times as fast, and most columns count thousandths.
+        if self.part == 0 {
+            return (value % 1000 == 0).then_some(value / 1000);
+        }
+        let millionths = self.millionths();
+        (value % millionths == 0).then(|| value / millionths)
     }
 
     /// Counts in the next finer parts.

@@ -104,7 +104,7 @@ impl Code {
 }
 
 /// Collects what the planner gives.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Times {
     from: u64,
     planned: Vec<Planned>,

@@ -70,7 +70,7 @@ struct Run {
 }
 
 /// Plans one part at a time; its room is used again.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Curve {
     /// Where the joints are: of link k from `s[k]` to `s[k + 1]`.
     s: Vec<f64>,

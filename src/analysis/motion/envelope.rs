@@ -29,7 +29,7 @@ pub(super) struct Linked {
 }
 
 /// Plans stretches.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Envelope {
     look_ahead: usize,
     links: Vec<Link>,

@@ -8,7 +8,7 @@ use crate::run::MotionType;
 const MOST: usize = 500;
 
 /// Joins blocks; gives pieces in their order.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Merger {
     /// Shorter ones are joined; 0: nothing is.
     length: f64,

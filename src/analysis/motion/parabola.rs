@@ -24,7 +24,7 @@ pub(super) struct Curved {
 }
 
 /// Plans stretches.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Parabola {
     look_ahead: usize,
     raise_s: f64,

@@ -30,14 +30,14 @@ pub trait Listener {
 }
 
 /// A block that waits for its times.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Waiting {
     times: BlockTimes,
     ready: bool,
 }
 
 /// A piece in a stretch that is not planned yet.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Linking {
     piece: Piece,
     caps: BlockCaps,
@@ -46,7 +46,7 @@ struct Linking {
 }
 
 /// Plans a program.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Planner {
     model: Model,
     wants_phases: bool,
@@ -77,7 +77,7 @@ pub struct Planner {
 }
 
 /// What a piece of a stretch becomes.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Settled {
     time_s: f64,
     velocities: Velocities,

@@ -56,6 +56,8 @@ pub struct StepReader {
     correction: Option<u16>,
     /// Whether a motion of known length was executed.
     moved: bool,
+    /// Of the block before.
+    line: u32,
 }
 
 impl StepReader {
@@ -72,6 +74,7 @@ impl StepReader {
             dynamics: [None; 5],
             correction: None,
             moved: false,
+            line: 0,
         }
     }
 
@@ -87,11 +90,12 @@ impl StepReader {
         let approach = missing && !self.moved;
         let motion = motion.map(|motion| self.motion(block, &motion));
         self.moved |= motion.is_some_and(|motion| motion.length.is_some());
+        self.line = block.line_column_after(self.line).line;
         Step {
             seq: block.seq(),
             n: block.n(),
             file: block.file_index(),
-            line: block.line(),
+            line: self.line,
             place: block.place(),
             mode: match block.g(GGroup::G2) {
                 Some(GCode::G23) => Mode::Continuous,

@@ -5,12 +5,13 @@ use std::ops::ControlFlow;
 
 use super::planner::{Listener, Planner};
 use super::read::StepReader;
-use super::step::Unit;
+use super::step::{Step, Unit};
 use super::times::{BlockTimes, Break, Dot, Joint, Limit};
 use super::{Model, Profile};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::Decimal;
+use crate::parallel::Fold;
 use crate::run::{End, Executed, MotionType, Sink};
 use crate::text::Location;
 
@@ -229,8 +230,7 @@ impl Listener for Summary {
 #[derive(Debug)]
 pub struct Estimate {
     reader: StepReader,
-    planner: Planner,
-    summary: Summary,
+    planned: Fold<Step, (Planner, Summary)>,
 }
 
 impl Estimate {
@@ -238,7 +238,10 @@ impl Estimate {
     pub fn new(settings: &Settings, most_red: usize) -> Self {
         let model = Model::of(settings);
         let summary = Summary::new(model.profile, most_red);
-        Self { reader: StepReader::new(settings), planner: Planner::new(model, false), summary }
+        let planned = Fold::new("planner", (Planner::new(model, false), summary), |(planner, summary), step| {
+            planner.push(step, summary);
+        });
+        Self { reader: StepReader::new(settings), planned }
     }
 }
 
@@ -246,12 +249,13 @@ impl Sink for Estimate {
     type Whole = Summary;
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
-        self.planner.push(&self.reader.read(block), &mut self.summary);
+        self.planned.push(self.reader.read(block));
         ControlFlow::Continue(())
     }
 
-    fn end(mut self, _: End, _: &mut Findings) -> Summary {
-        self.planner.finish(&mut self.summary);
-        self.summary
+    fn end(self, _: End, _: &mut Findings) -> Summary {
+        let (mut planner, mut summary) = self.planned.finish();
+        planner.finish(&mut summary);
+        summary
     }
 }

@@ -87,6 +87,8 @@ pub struct Reader<'w> {
     next_file: u32,
     /// The writer wants lines and columns.
     lines: bool,
+    /// Of the block before.
+    line: u32,
     writer: &'w mut dyn Writer,
     /// The first error of the writer.
     failed: &'w mut Option<io::Error>,
@@ -110,6 +112,7 @@ impl<'w> Reader<'w> {
             range,
             next_file: 1,
             lines: writer.wants_lines(),
+            line: 0,
             writer,
             failed,
         }
@@ -152,7 +155,8 @@ impl<'w> Reader<'w> {
         }
         let machine = &block.settings().machine;
         let LineColumn { line, column } =
-            if self.lines { block.line_column() } else { LineColumn { line: 0, column: 0 } };
+            if self.lines { block.line_column_after(self.line) } else { LineColumn { line: 0, column: 0 } };
+        self.line = line;
         let place = Place { seq: block.seq(), n: block.n(), file: index, line, column, stop: false };
         if let Some(onward) = self.blocks.go_on(block, times, self.tracker.current()) {
             self.tracker.go_on(onward, machine);
