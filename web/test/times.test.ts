@@ -98,6 +98,6 @@ test('the cap of a joint is that of accuracy where a ramp leads to it', () =>
       const { feed, angle_deg: angle } = joints[ramp]!;
       const accuracy = (10 / (4 * Math.tan((angle! * Math.PI) / 360))) * 60;
       assert.ok(feed < times.jointCap(ramp)!);
-        assert.ok(Math.abs(times.jointCap(ramp)! - Math.min(accuracy, 3000)) < 0.1);
+      assert.ok(Math.abs(times.jointCap(ramp)! - Math.min(accuracy, 3000)) < 0.1);
     },
   ));
