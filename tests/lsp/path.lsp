@@ -61,3 +61,12 @@ N20 X0 Y
 N30 M30
 === request cnc872c/path part.nc
 === answer
+{
+  "blocks": 0,
+  "data": "…",
+  "files": [
+    "DIR/part.nc"
+  ],
+  "truncated": false,
+  "uri": "DIR/part.nc"
+}
