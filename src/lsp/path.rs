@@ -15,7 +15,8 @@ use crate::view::{Collector, Part, base64};
 
 /// A program, or a macrocycle that an open program calls, gives `{ "uri", "files", "blocks", "truncated", "data" }`: the program
 /// that is shown, the URIs of its files by the index that the data give them, how many blocks were executed, whether there are
-/// more, and the data of its page in base 64. Null for what no program executes.
+/// more, and the data of its page in base 64. `blocks` is 0 when the data hold none of them, as of a program with written
+/// errors. Null for what no program executes.
 #[derive(Debug)]
 pub(super) enum PathRequest {}
 
@@ -56,7 +57,7 @@ pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) 
     Ok(Some(json!({
         "uri": own,
         "files": uris,
-        "blocks": outcome.executed,
+        "blocks": if view.count() == 0 { 0 } else { outcome.executed },
         "truncated": outcome.executed > MOST,
         "data": base64(&view.data(&report)),
     })))

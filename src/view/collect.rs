@@ -10,7 +10,7 @@ use super::picture::{Besides, Chain, Picture, Still, as_png, as_svg};
 use super::rows::{Part, Rows};
 use super::times::Times;
 use crate::analysis::equidistant::Equidistant;
-use crate::analysis::motion::{Model, Planner, Step, StepReader};
+use crate::analysis::motion::{Basis, Model, Planner, Step, StepReader, machine};
 use crate::config::Settings;
 use crate::diag::{Findings, Report, Severity};
 use crate::dict::Lang;
@@ -27,6 +27,7 @@ pub struct Collector {
     equidistant: Equidistant,
     /// Whether nothing of the machine's motion is configured.
     assumed: bool,
+    machine: Value,
     program: Map<String, Value>,
     whole: bool,
 }
@@ -39,6 +40,7 @@ pub struct View {
     equidistant: Equidistant,
     /// Whether nothing of the machine's motion is configured.
     assumed: bool,
+    machine: Value,
     program: Map<String, Value>,
     blocks: u64,
     whole: bool,
@@ -59,6 +61,7 @@ impl Collector {
             planned,
             equidistant: Equidistant::new(settings, true),
             assumed: !settings.machine.motion.configured,
+            machine: machine_of(settings),
             program: program(settings),
             whole: false,
         }
@@ -71,14 +74,14 @@ impl Collector {
 
     /// What the run came to: the text of the program, which may not have been executed, and how many blocks were.
     pub fn finish(self, text: Option<&Arc<SourceText>>, name: &str, executed: u64) -> View {
-        let Self { mut rows, planned, equidistant, assumed, mut program, whole, .. } = self;
+        let Self { mut rows, planned, equidistant, assumed, machine, mut program, whole, .. } = self;
         if let Some(source) = text {
             rows.files.add_text(source);
         }
         let (mut planner, mut times) = planned.finish();
         planner.finish(&mut times);
         program.insert("name".to_owned(), json!(name));
-        View { rows, times, equidistant, assumed, program, blocks: executed, whole }
+        View { rows, times, equidistant, assumed, machine, program, blocks: executed, whole }
     }
 }
 
@@ -88,13 +91,18 @@ impl View {
         self.rows.files.iter().map(|file| file.source.name())
     }
 
+    /// How many executed blocks it holds.
+    pub fn count(&self) -> usize {
+        self.rows.count()
+    }
+
     /// The data of the page: a deflated stream.
     pub fn data(&self, report: &Report) -> Vec<u8> {
         let findings = self.findings(report);
         let (time_s, unknown) = self.times.total();
         let about = About {
             program: self.program.clone(),
-            motion: [json!({ "assumed": self.assumed }), json!({ "time_s": time_s, "lower_bound": unknown })],
+            motion: [self.machine.clone(), json!({ "time_s": time_s, "lower_bound": unknown })],
             blocks: self.blocks,
             whole: self.whole,
             findings,
@@ -191,6 +199,14 @@ fn program(settings: &Settings) -> Map<String, Value> {
     program.insert("optional_stop".to_owned(), json!(settings.optional_stop));
     program.insert("number".to_owned(), json!(0));
     program
+}
+
+/// The record of the machine as the motion stream has it, without what the page does not read.
+fn machine_of(settings: &Settings) -> Value {
+    let record = machine(&Basis::of(settings), "");
+    let mut record: Map<String, Value> = serde_json::from_str(&record).unwrap_or_default();
+    record.retain(|name, _| !matches!(name.as_str(), "kind" | "schema" | "generator" | "name" | "from" | "times"));
+    Value::Object(record)
 }
 
 /// A reader of executed blocks that fills a [`Collector`].

@@ -54,3 +54,19 @@ N40 M30
   "truncated": false,
   "uri": "DIR/part.nc"
 }
+=== text part.nc
+%1 "part"
+N10 G0 G90 X0 Y0 Z5
+N20 X0 Y
+N30 M30
+=== request cnc872c/path part.nc
+=== answer
+{
+  "blocks": 0,
+  "data": "…",
+  "files": [
+    "DIR/part.nc"
+  ],
+  "truncated": false,
+  "uri": "DIR/part.nc"
+}

@@ -358,6 +358,127 @@ test('a program with errors, and a part of one', { timeout: 180_000 }, async () 
   await close();
 });
 
+/** A page of a program that a test writes. */
+function written(name, blocks, project = '', ...options) {
+  const place = path.join(folder, name);
+  mkdirSync(place, { recursive: true });
+  writeFileSync(path.join(place, 'cnc872c.toml'), project);
+  writeFileSync(path.join(place, 'part.nc'), `${blocks.join('\n')}\n`);
+  return page(path.join(place, 'part.nc'), ...options);
+}
+
+const LOOP = [
+  '%5 "LOOP"',
+  'N10 G17 G23 G90 G0 X0 Y0 Z0 S1000 M3',
+  'N20 G71 L1 Q3',
+  'N30 G1 X90 Y50 F500',
+  'N40 M9',
+  'N50 M5',
+  'N60 M0',
+  'N70 M30',
+  'N100 G79 L1',
+  'N110 G91 G1 X20 F1000',
+  'N120 Y10',
+  'N130 G90 G70',
+];
+
+test('a click in the text shows all executions, one in the list goes there', { timeout: 180_000 }, async () => {
+  const { tab, wrong, close } = await open(browser, written('loop', LOOP));
+  await tab.evaluate(() => window.cnc872c.view('XY'));
+  await tab.click('.code [data-line="10"]');
+  await tab.waitForTimeout(200);
+  // Those that are not in hand are seen too: fainter, on the canvas above the path.
+  const marked = await tab.evaluate(() => {
+    const { passes } = window.cnc872c.current();
+    const canvas = document.querySelector('.marks');
+    const context = canvas.getContext('2d');
+    const pixel = (place) => [...context.getImageData(Math.round(place.x), Math.round(place.y), 1, 1).data];
+    const others = passes.map((seq) => pixel(window.cnc872c.project(seq)));
+    return { others, passes };
+  });
+  assert.equal(marked.passes.length, 2);
+  for (const [red, green, blue, alpha] of marked.others) {
+    assert.ok(alpha > 60 && red > green + 60 && red > blue, `${red} ${green} ${blue} ${alpha}`);
+  }
+  // Zoomed in, the place of a red dot is brought into the window.
+  await tab.focus('#path');
+  for (let press = 0; press < 14; press += 1) {
+    await tab.keyboard.press('+');
+  }
+  await tab.click('#tab-joints');
+  const last = tab.locator('.joints [data-seq]').last();
+  const wanted = Number(await last.getAttribute('data-seq'));
+  await last.click();
+  assert.equal(await tab.evaluate(() => window.cnc872c.current().seq), wanted);
+  const held = await tab.evaluate(() => !document.querySelector('.held').hidden);
+  assert.ok(held, 'the block in hand is in the window');
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
+test('the keyboard stays where it was when a panel changes', { timeout: 180_000 }, async () => {
+  const { tab, close } = await open(browser, written('loop', LOOP));
+  await tab.click('.code [data-line="10"]');
+  const at = () => tab.evaluate(() => `${document.activeElement.tagName} ${document.activeElement.textContent}`);
+  const press = async (selector, times = 1) => {
+    await tab.focus(selector);
+    const before = await at();
+    for (let time = 0; time < times; time += 1) {
+      await tab.keyboard.press('Enter');
+      await tab.waitForTimeout(80);
+      assert.equal(await at(), before);
+    }
+  };
+  await press('[data-focus="next"]', 4);
+  assert.equal(await tab.evaluate(() => window.cnc872c.current().calls[0].pass), 3, 'at the last pass it stays');
+  await tab.click('#tab-measure');
+  await press('[data-focus="pick"]');
+  await press('[data-focus="clear"]');
+  await press('[data-focus="from"]');
+  await press('[data-focus="to"]');
+  await tab.click('#tab-filter');
+  await press('[data-focus="reset"]');
+  await close();
+});
+
+test('playing goes on from a block that takes no time', { timeout: 180_000 }, async () => {
+  const { tab, close } = await open(browser, written('loop', LOOP));
+  const seen = await tab.evaluate(async () => {
+    const api = window.cnc872c;
+    const last = api.info().blocks - 1;
+    const heard = [];
+    api.select(last - 2);
+    window.addEventListener('cnc872c:select', (event) => heard.push(event.detail.seq));
+    api.play(1);
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    return { heard, last, at: api.current().seq };
+  });
+  assert.equal(seen.at, seen.last);
+  assert.ok(seen.heard.every((seq) => seq >= seen.last - 2), seen.heard.join(' '));
+  await close();
+});
+
+test('what is not drawn is said', { timeout: 180_000 }, async () => {
+  const said = async (file) => {
+    const { tab, wrong, close } = await open(browser, file);
+    const found = await tab.evaluate(() => ({ title: document.querySelector('h1').textContent, notes: document.querySelector('.notes').textContent }));
+    assert.deepEqual(wrong, []);
+    await close();
+    return found;
+  };
+  const axes = [...'XYZU'].map((letter) => `[[axes]]\nletter="${letter}"\nkind="linear"\n`).join('');
+  const other = await said(written('u', ['%6 "U"', 'N10 G17 G90 G0 X0 Y0 Z0 U0', 'N20 G1 U50 F100', 'N30 X10', 'N40 M30'], axes));
+  assert.match(other.notes, /axes U is not drawn/);
+  const none = await said(written('none', LOOP, '', '--blocks', '0'));
+  assert.match(none.notes, /none of the \d+ executed blocks/);
+  assert.doesNotMatch(none.notes, /blocks 0 to/);
+  const beyond = await said(written('none', LOOP, '', '--from', '9999'));
+  assert.doesNotMatch(beyond.notes, /9999/);
+  const broken = await said(written('broken', LOOP.map((block) => block.replace('Y10', 'Y'))));
+  assert.equal(broken.title, '%5 LOOP');
+  assert.match(broken.notes, /nothing of it is drawn/);
+});
+
 /** A picture as a grid of mean colours: what it looks like from far. */
 async function coarse(tab) {
   return tab.evaluate(() => {

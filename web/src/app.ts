@@ -42,6 +42,7 @@ interface Events {
   theme: undefined;
   measure: undefined;
   stale: undefined;
+  together: undefined;
 }
 
 export class App {
@@ -52,9 +53,13 @@ export class App {
   current: number | null = null;
   /** Whether the picture is that of an earlier text, because the program cannot be executed now. */
   stale = false;
+  /** Rows of all executions of the block in hand, when all of them are shown; else nothing. */
+  together: readonly number[] = [];
   colourBy: ColourBy = 'motion';
   readonly shown: Shown = { red: true, yellow: true, numbers: true, equidistant: true, rapids: true, grid: true };
   filter: Filter = { tools: new Set(), units: new Set(), from: 0, to: 0 };
+  /** Units by what led to a block. */
+  readonly #units = new Map<number, string>();
   readonly #listeners = new Map<keyof Events, ((value: never) => void)[]>();
 
   constructor(data: Container<Header>) {
@@ -63,24 +68,40 @@ export class App {
 
   #read(data: Container<Header>): void {
     this.program = new Program(data);
+    this.#units.clear();
     this.path = new Path(this.program);
     this.text = new Text(data, this.program);
     this.times = data.has('time.code') ? new Times(data, this.program) : undefined;
     this.filter = { tools: new Set(), units: new Set(), from: 0, to: Math.max(this.program.count - 1, 0) };
   }
 
-  /** Shows other data, such as those of the program after a change. What is in hand, or the block at `at`, stays in hand. */
+  /**
+   * Shows other data, such as those of the program after a change. What is in hand, or the block at `at`, stays in hand. Data
+   * without a block take the place of others only when these are of another program: half a word is none to lose a picture for.
+   */
   replace(data: Container<Header>, at?: Place): void {
+    if (data.header.count === 0 && this.program.count > 0 && data.header.program.name === this.header.program.name) {
+      this.age();
+      return;
+    }
     const before = this.current;
-    const place = at ?? (before === null ? undefined : this.place(before));
-    const { tools, units } = this.filter;
+    const place = before === null ? undefined : this.place(before);
+    const { tools, units, from, to } = this.filter;
+    const last = this.program.count - 1;
     this.#read(data);
-    this.filter = { ...this.filter, tools, units };
+    const end = this.filter.to;
+    this.filter = { tools, units, from: Math.min(from, end), to: to >= last ? end : Math.min(to, end) };
     this.current = null;
+    this.together = [];
     this.stale = false;
     this.emit('data', undefined);
-    if (place !== undefined) {
-      this.select(this.#nearest(place, before ?? 0), 'script');
+    const nearest = [at, place].map((wanted) => wanted && this.#nearest(wanted, before ?? 0));
+    const index = nearest.find((found) => typeof found === 'number');
+    if (index !== undefined) {
+      this.select(index, 'script');
+      if (at !== undefined) {
+        this.gather();
+      }
     }
   }
 
@@ -94,12 +115,22 @@ export class App {
   follow(place: Place): void {
     const current = this.current === null ? undefined : this.place(this.current);
     if (current?.file === place.file && current.line === place.line) {
+      this.gather();
       return;
     }
     const nearest = this.#nearest(place, this.current ?? 0);
     if (nearest !== null) {
       this.select(nearest, 'script');
+      this.gather();
     }
+  }
+
+  /** Shows all executions of the block in hand, until another block is taken. */
+  gather(): void {
+    const { current, program } = this;
+    const executions = current === null ? [] : program.executionsOf(this.place(current).block);
+    this.together = [...new Set(executions.map((index) => program.rowOf(index)))];
+    this.emit('together', undefined);
   }
 
   /** Of the executions of the block at a place, the one nearest to another block. */
@@ -132,6 +163,10 @@ export class App {
   /** Takes an executed block in hand. */
   select(index: number | null, by: 'script' | 'user' | 'play' = 'user'): void {
     if (index !== this.current) {
+      if (this.together.length > 0 && (index === null || !this.together.includes(this.program.rowOf(index)))) {
+        this.together = [];
+        this.emit('together', undefined);
+      }
       this.current = index;
       this.emit('select', { index, by });
     }
@@ -185,10 +220,28 @@ export class App {
     return tools.size > 0 || units.size > 0 || from > 0 || to < this.program.count - 1 || !this.shown.rapids;
   }
 
+  /** By row: whether the picture has an execution of it that no filter leaves out. */
+  shownRows(): Uint8Array {
+    const { program } = this;
+    const shown = new Uint8Array(program.rows);
+    for (let index = 0; index < program.count; index += 1) {
+      if (!this.isHidden(index)) {
+        shown[program.rowOf(index)] = 1;
+      }
+    }
+    return shown;
+  }
+
   /** The unit that an executed block belongs to: empty for the main program, else by what the last call called. */
   unitOf(index: number): string {
-    const calls = this.program.calls(index);
-    const last = calls[calls.length - 1];
-    return last === undefined ? '' : `${last['by'] === 'G71' ? 'G71' : 'G72'} L${String(last['l'])}`;
+    const context = this.program.contextOf(index);
+    let unit = this.#units.get(context);
+    if (unit === undefined) {
+      const calls = this.program.calls(index);
+      const last = calls[calls.length - 1];
+      unit = last === undefined ? '' : `${last['by'] === 'G71' ? 'G71' : 'G72'} L${String(last['l'])}`;
+      this.#units.set(context, unit);
+    }
+    return unit;
   }
 }

@@ -108,6 +108,14 @@ const TEXTS = {
     'Velocity chart. Arrows pan, plus and minus zoom, Home shows all.',
     'Graf rychlosti. Šipky posouvají, plus a minus přibližují, Home ukáže vše.',
   ],
+  noMotions: ['none', 'žádné'],
+  keyVelocity: ['velocity', 'rychlost'],
+  keyProgrammed: ['programmed feed', 'programovaný posuv'],
+  keyCap: ['cap of the block', 'mez bloku'],
+  keyJointCap: ['cap of the joint', 'mez napojení'],
+  keyJoints: ['velocity at the joint', 'rychlost v napojení'],
+  keyBlocks: ['lines between blocks', 'čáry mezi bloky'],
+  keyTurning: ['rotary axes alone: deg/min', 'samotné rotační osy: deg/min'],
   overTime: ['over time', 'v čase'],
   overBlocks: ['over blocks', 'po blocích'],
   wholeChart: ['Whole', 'Celý'],
@@ -133,8 +141,10 @@ const TEXTS = {
     'motions not drawn, because their start or end is not known: {n}',
     'nekreslených pohybů: {n}, protože není znám jejich začátek nebo konec',
   ],
+  partNone: ['none of the {n} executed blocks is drawn', 'z provedených bloků ({n}) není nakreslen žádný'],
   part: ['blocks {from} to {to} of {n}', 'bloky {from} až {to} z {n}'],
   notWhole: ['The program has errors: it is drawn as far as it was executed.', 'Program má chyby: je nakreslen, kam až byl proveden.'],
+  notDrawn: ['The program has errors: nothing of it is drawn.', 'Program má chyby: nic z něj není nakresleno.'],
   stale: [
     'The program cannot be executed now: this is the path before the last change.',
     'Program teď nelze provést: toto je dráha před poslední změnou.',
@@ -142,6 +152,10 @@ const TEXTS = {
   rotary: [
     'Rotary axes {axes} are not bent into space: they are in the state and the chart.',
     'Rotační osy {axes} nejsou ohnuty do prostoru: jsou ve stavu a v grafu.',
+  ],
+  otherLinear: [
+    'Motion of the axes {axes} is not drawn: it is in the state and the chart.',
+    'Pohyb os {axes} není nakreslen: je ve stavu a v grafu.',
   ],
   assumed: [
     'Times and velocities rest on an assumed machine: nothing is configured.',
@@ -190,7 +204,7 @@ const TEXTS = {
   broken_dwell: ['dwell', 'časová prodleva'],
   broken_stop: ['stop', 'zastavení'],
   broken_m_function: ['M function', 'M funkce'],
-  broken_unknown: ['not known', 'není znám'],
+  broken_unknown: ['length, direction or velocity not known', 'neznámá délka, směr nebo rychlost'],
   broken_axes: ['axes', 'osy'],
   broken_short_length: ['block too short', 'příliš krátký blok'],
   broken_short_time: ['block too quick', 'příliš rychlý blok'],
@@ -226,8 +240,8 @@ export function t(key: Key, values: { [name: string]: string | number } = {}): s
   return text;
 }
 
-/** The text for a name of the records, such as `broken_angle`; the name itself when there is none. */
-export function named(family: 'broken' | 'limited', name: string): string {
-  const key = `${family}_${name}`;
-  return key in TEXTS ? t(key as Key) : name;
+/** The text for what breaks a joint or limits a velocity; the name itself when there is none. */
+export function named(name: string): string {
+  const key = [`limited_${name}`, `broken_${name}`].find((key) => key in TEXTS);
+  return key === undefined ? name : t(key as Key);
 }

@@ -75,15 +75,15 @@ function build(app: App): { view: View; player: Player; say: (lang: Lang) => voi
   document.body.append(root, help.element);
   const view = new View(app, stage);
   root.querySelector('header')!.append(toolbar(app, view, say, () => help.open()));
-  stage.append(legend(app, view));
+  stage.before(legend(app, view));
   const player = new Player(app, view);
   const side = labelled(h('aside', {}), 'details');
   side.append(
     new Code(app).element,
     tabs('details', [
       ['block', new State(app).element],
-      ['joints', joints(app)],
-      ['findings', findings(app)],
+      ['joints', joints(app, view)],
+      ['findings', findings(app, view)],
       ['measure', measure(app, view)],
       ['filter', filter(app)],
     ]),

@@ -49,6 +49,7 @@ export class Program {
   readonly #left: Numbers;
   readonly #contexts: { parent: Numbers; block: Numbers; call: Numbers; pass: Numbers; of: Numbers };
   readonly #bits: ShapeBits[];
+  #straight: boolean | undefined;
   #lastIndex: Int32Array | undefined;
   #firstIndex: Int32Array | undefined;
   #byPlace: { keyOf: Int32Array; start: Int32Array; members: Int32Array } | undefined;
@@ -177,6 +178,18 @@ export class Program {
     return this.header.shapes[this.shape[row]!]!;
   }
 
+  /** Whether a row moves rotary axes only: its velocities are degrees a minute. */
+  turns(row: number): boolean {
+    return this.turnsBy(this.shape[row]!);
+  }
+
+  /** The same by a shape's index. */
+  turnsBy(shape: number): boolean {
+    const moved = (this.header.shapes[shape]!.m?.['axes'] ?? []) as string[];
+    const { axes } = this.header.program;
+    return moved.length > 0 && moved.every((letter) => axes.some((axis) => axis.letter === letter && axis.kind === 'rotary'));
+  }
+
   isKnown(row: number, axis: number): boolean {
     return (this.#bits[this.shape[row]!]!.known & (1 << axis)) !== 0;
   }
@@ -247,11 +260,45 @@ export class Program {
 
   /** Does what the first question about executions would wait for. */
   prepare(): void {
-    this.#byPlace ??= this.#groupByPlace();
+    if (!this.#isStraight) {
+      this.#byPlace ??= this.#groupByPlace();
+    }
+  }
+
+  /** Whether each block of the text is executed once, in the order of the text: nothing need be looked up. */
+  get #isStraight(): boolean {
+    if (this.#straight === undefined) {
+      this.#straight = this.#rowOf.length === 0 && this.n.length === this.count && this.firstBlock.length === 2;
+      for (let row = 1; row < this.rows && this.#straight; row += 1) {
+        this.#straight = this.block[row] === row - 1;
+      }
+    }
+    return this.#straight;
+  }
+
+  /** The executions of a row, ascending. */
+  executionsOfRow(row: number): number[] {
+    return this.executionsOf(this.block[row]!).filter((index) => this.rowOf(index) === row);
+  }
+
+  /** What led to an executed block, as a number: blocks with the same number have the same calls. */
+  contextOf(index: number): number {
+    return this.#contextOf[index] ?? 0;
   }
 
   /** All executions of a block, and of those that begin in its line: the same block is the same file and line. */
   executionsOf(block: number): number[] {
+    if (this.#isStraight) {
+      const line = this.line[block];
+      let [first, end] = [block, block + 1];
+      while (first > 0 && this.line[first - 1] === line) {
+        first -= 1;
+      }
+      while (end < this.count && this.line[end] === line) {
+        end += 1;
+      }
+      return Array.from({ length: end - first }, (_, place) => first + place);
+    }
     this.#byPlace ??= this.#groupByPlace();
     const { keyOf, start, members } = this.#byPlace;
     const key = keyOf[block]!;

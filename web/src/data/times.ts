@@ -41,6 +41,27 @@ export interface Velocities {
   end: number;
 }
 
+/** Feeds by executed block. They take four bytes each, until one is greater than four bytes hold. */
+class Feeds {
+  #values: Int32Array | Float64Array;
+
+  constructor(count: number) {
+    this.#values = new Int32Array(count);
+  }
+
+  get(index: number): number {
+    return this.#values[index]!;
+  }
+
+  set(index: number, feed: number): void {
+    this.#values[index] = feed;
+    if (this.#values[index] !== feed && this.#values instanceof Int32Array) {
+      this.#values = Float64Array.from(this.#values);
+      this.#values[index] = feed;
+    }
+  }
+}
+
 const gained = (accel: number, length: number): number => 2 * accel * length * 3600 * PER_FEED * PER_FEED;
 
 /** Six decimals are more than a feed has. */
@@ -52,11 +73,11 @@ export class Times {
   /** By executed block: index in the codes. */
   readonly #code: Numbers;
   /** Feeds by executed block, in parts of a mm/min. */
-  readonly #programmed: Int32Array;
-  readonly #cap: Int32Array;
-  readonly #joint: Int32Array;
-  readonly #peak: Int32Array;
-  readonly #end: Int32Array;
+  readonly #programmed: Feeds;
+  readonly #cap: Feeds;
+  readonly #joint: Feeds;
+  readonly #peak: Feeds;
+  readonly #end: Feeds;
   /** When each block starts, in seconds; one more at the end. */
   readonly #start: Float64Array;
   /** What is no motion, in microseconds; nothing when all is motion. */
@@ -74,11 +95,11 @@ export class Times {
     const count = this.#code.length;
     const other = data.take('time.other');
     this.#other = other.some((value) => value !== 0) ? other : undefined;
-    this.#programmed = new Int32Array(count);
-    this.#cap = new Int32Array(count);
-    this.#joint = new Int32Array(count);
-    this.#peak = new Int32Array(count);
-    this.#end = new Int32Array(count);
+    this.#programmed = new Feeds(count);
+    this.#cap = new Feeds(count);
+    this.#joint = new Feeds(count);
+    this.#peak = new Feeds(count);
+    this.#end = new Feeds(count);
     this.#start = new Float64Array(count + 1);
     this.#readRare(data);
     const timed = this.#readCaps(data);
@@ -148,17 +169,17 @@ export class Times {
           foretold = scale === 1 ? feed : scale === 0.01 ? Math.floor(feed / 100 + 0.5) : foretold;
         }
         last[kind] = foretold + feeds[nextFeed]!;
-        this.#programmed[index] = last[kind];
+        this.#programmed.set(index, last[kind]);
         nextFeed += 1;
       }
       if (code.has & CAP && code.cap_by !== undefined) {
         const { cap_by: by } = code;
         const free = by === 'feed' || by === 'rapid';
         const length = by === 'shortest_block' ? this.#length(index) : 0;
-        const foretold = free ? this.#programmed[index]! : by === 'shortest_block' ? Math.round(shortest * length) : limit;
+        const foretold = free ? this.#programmed.get(index) : by === 'shortest_block' ? Math.round(shortest * length) : limit;
         const cap = foretold + caps[nextCap]!;
         nextCap += 1;
-        this.#cap[index] = cap;
+        this.#cap.set(index, cap);
         if (by === 'shortest_block') {
           if (shortest === 0 && length > 0) {
             shortest = cap / length;
@@ -195,29 +216,29 @@ export class Times {
       const index = timed[place]!;
       const code = this.#code[index]!;
       if (passed[code] && modes[code] === 0) {
-        joint[index] = Math.min(place === 0 ? 0 : cap[timed[place - 1]!]!, cap[index]!) + corrections[place]!;
+        joint.set(index, Math.min(place === 0 ? 0 : cap.get(timed[place - 1]!), cap.get(index)) + corrections[place]!);
       }
     }
     for (let place = 1; place < timed.length; place += 1) {
       const index = timed[place]!;
       if (modes[this.#code[index]!] === 1) {
         const before = timed[place - 1]!;
-        const from = joint[before]!;
-        joint[index] = Math.round(Math.sqrt(from * from + gained(this.#accel(this.#codeOf(before)), this.#length(before))));
+        const from = joint.get(before);
+        joint.set(index, Math.round(Math.sqrt(from * from + gained(this.#accel(this.#codeOf(before)), this.#length(before)))));
       }
     }
     for (let place = timed.length - 1; place >= 0; place -= 1) {
       const index = timed[place]!;
       if (modes[this.#code[index]!] === 2) {
         const next = timed[place + 1];
-        const to = next !== undefined && passed[this.#code[next]!] ? joint[next]! : 0;
+        const to = next !== undefined && passed[this.#code[next]!] ? joint.get(next) : 0;
         const fallen = Math.sqrt(to * to + gained(this.#accel(this.#codeOf(index)), this.#length(index)));
-        joint[index] = Math.round(fallen) + corrections[place]!;
+        joint.set(index, Math.round(fallen) + corrections[place]!);
       }
     }
     for (let place = 0; place < timed.length; place += 1) {
       const next = timed[place + 1];
-      this.#end[timed[place]!] = next !== undefined && passed[this.#code[next]!] ? joint[next]! : 0;
+      this.#end.set(timed[place]!, next !== undefined && passed[this.#code[next]!] ? joint.get(next) : 0);
     }
   }
 
@@ -230,17 +251,17 @@ export class Times {
       let motion = 0;
       if (timed[place] === index) {
         const code = this.#codeOf(index);
-        const [start, end] = [this.#joint[index]!, this.#end[index]!];
+        const [start, end] = [this.#joint.get(index), this.#end.get(index)];
         const most = Math.max(start, end);
         const accel = this.#accel(code);
         const length = this.#length(index);
         let peak = most;
         if ((code.k ?? 0) === 0) {
           const reached = Math.sqrt((start * start + end * end) / 2 + gained(accel, length) / 2);
-          peak = Math.max(Math.min(this.#cap[index]!, Math.round(reached)), most);
+          peak = Math.max(Math.min(this.#cap.get(index), Math.round(reached)), most);
         }
         peak += peaks[place]!;
-        this.#peak[index] = peak;
+        this.#peak.set(index, peak);
         motion = duration(start, end, peak, accel, length);
         place += 1;
       }
@@ -283,17 +304,17 @@ export class Times {
       return undefined;
     }
     return {
-      programmed: shown(this.#programmed[index]!),
-      cap: shown(this.#cap[index]!),
-      start: shown(this.#joint[index]!),
-      peak: shown(this.#peak[index]!),
-      end: shown(this.#end[index]!),
+      programmed: shown(this.#programmed.get(index)),
+      cap: shown(this.#cap.get(index)),
+      start: shown(this.#joint.get(index)),
+      peak: shown(this.#peak.get(index)),
+      end: shown(this.#end.get(index)),
     };
   }
 
   /** The greatest feed of a block, 0 when it is not known. */
   peakOf(index: number): number {
-    return shown(this.#peak[index]!);
+    return shown(this.#peak.get(index));
   }
 
   /** How the velocity of a block runs: shares of its time, with feeds. */
@@ -335,6 +356,58 @@ export class Times {
     return way > 0 ? Math.min(done / way, 1) : share;
   }
 
+  /** Shares of a block's way: how much of it the velocity rises, and how much it falls; nothing without velocities. */
+  ramps(index: number): { start: number; peak: number; end: number; rise: number; fall: number } | undefined {
+    const known = this.velocities(index);
+    if (known === undefined) {
+      return undefined;
+    }
+    const { start, peak, end } = known;
+    const gain = 2 * this.#accel(this.#codeOf(index)) * 3600 * this.#length(index);
+    const share = (from: number): number => (peak <= from ? 0 : gain > 0 ? (peak * peak - from * from) / gain : 0.25);
+    const [rise, fall] = [share(start), share(end)];
+    const most = Math.max(rise + fall, 1);
+    return { start, peak, end, rise: rise / most, fall: fall / most };
+  }
+
+  /** The greatest velocity at which the joint before a block may be passed (VEL-7); nothing without a joint. */
+  jointCap(index: number): number | undefined {
+    const joint = this.joint(index);
+    if (joint === undefined || joint.broken_by !== undefined) {
+      return joint?.feed;
+    }
+    if (joint.limited_by !== 'ramp' && joint.limited_by !== 'look_ahead') {
+      return joint.feed;
+    }
+    const before = this.#before(index) ?? -1;
+    const caps = [this.#cap.get(index) / PER_FEED];
+    for (const block of before < 0 ? [index] : [before, index]) {
+      caps.push(this.#cap.get(block) / PER_FEED, this.#cornerCap(block, joint.angle_deg ?? 0));
+    }
+    // A value that a parameter of the machine gives is not known here.
+    return Math.max(Math.min(...caps), joint.feed);
+  }
+
+  /** What accuracy and overload let pass at a corner (VEL-4, VEL-5), by the values that hold in a block. */
+  #cornerCap(index: number, angle: number): number {
+    const machine = this.#program.header.machine;
+    const cycle = machine?.['cycle_ms'];
+    if (machine === undefined || machine['profile'] === 'ramps' || typeof cycle !== 'number' || angle === 0) {
+      return Infinity;
+    }
+    const program = this.#program;
+    const set = program.header.states[program.state[program.rowOf(index)]!]!['dynamic_set'] ?? 1;
+    const own = ((machine['sets'] ?? {}) as Fields)[String(set)] as Fields | undefined;
+    const value = (name: string): number => {
+      const found = own?.[name] ?? machine[name];
+      return typeof found === 'number' && found > 0 ? found : Infinity;
+    };
+    const half = (angle * Math.PI) / 360;
+    const accuracy = value('accuracy_um') / (cycle * Math.tan(half));
+    const overload = (value('overload_mm_s2') * cycle) / 1000 / (2 * Math.sin(half));
+    return Math.min(accuracy, overload) * 60;
+  }
+
   dotOf(index: number): 'red' | 'yellow' | undefined {
     return this.#codeOf(index).dot;
   }
@@ -356,7 +429,7 @@ export class Times {
     if ((code.has & JOINT) === 0) {
       return undefined;
     }
-    const joint: Joint = { feed: shown(this.#joint[index]!) };
+    const joint: Joint = { feed: shown(this.#joint.get(index)) };
     if (code.has & ANGLE) {
       const before = this.#before(index)!;
       const program = this.#program;
@@ -425,16 +498,16 @@ export class Times {
       record['merged'] = true;
     }
     if (has & PROGRAMMED) {
-      record['programmed'] = shown(this.#programmed[index]!);
+      record['programmed'] = shown(this.#programmed.get(index));
     }
     if (has & CAP) {
-      record['cap'] = shown(this.#cap[index]!);
+      record['cap'] = shown(this.#cap.get(index));
       record['cap_by'] = cap_by!;
     }
     if (has & VELOCITIES) {
-      record['start'] = shown(this.#joint[index]!);
-      record['peak'] = shown(this.#peak[index]!);
-      record['end'] = shown(this.#end[index]!);
+      record['start'] = shown(this.#joint.get(index));
+      record['peak'] = shown(this.#peak.get(index));
+      record['end'] = shown(this.#end.get(index));
     }
     if (has & PIECE) {
       record['piece_mm'] = this.#piece.get(index)!;

@@ -2,8 +2,8 @@
 // whose lightness rises for values.
 
 import type { App, ColourBy } from '../app.ts';
+import { type Cuts, Dash, type Lines } from './lines.ts';
 import { mixed } from './raster.ts';
-import type { Lines } from './lines.ts';
 
 /** A colour from its parts, as pixels hold it: 0xAABBGGRR. */
 export function colour(hex: string): number {
@@ -78,28 +78,107 @@ export const DARK: Theme = {
 
 const HUES = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#7a68c9', '#8a8f23'].map(colour);
 
-/** From slow to fast, early to late: darker to lighter on dark ground, the other way on light. */
-const SCALE = {
-  dark: ['#4b2f91', '#3f62b5', '#2f93a8', '#4bbd7c', '#b5d94c', '#fde047'].map(colour),
-  light: ['#d9a400', '#8fae1b', '#2f9d6b', '#1f7f96', '#335fa8', '#46217f'].map(colour),
-};
+/** The look of the next of many names: eight hues, then the same in other dashes and shades. */
+function look(place: number, theme: Theme): { colour: number; dash: Dash } {
+  const round = Math.floor(place / HUES.length) % 6;
+  const hue = HUES[place % HUES.length]!;
+  const shade = round % 2 === 0 ? hue : mixed(hue, colour(theme.dark ? '#ffffff' : '#000000'), 0.5);
+  const dash = ([Dash.Solid, Dash.Long, Dash.Short] as const)[Math.floor((round + 1) / 2) % 3]!;
+  return { colour: shade, dash };
+}
 
-/** A colour of the scale, for a share from 0 to 1. */
-export function scaled(share: number, theme: Theme): number {
-  const scale = theme.dark ? SCALE.dark : SCALE.light;
+/**
+ * From slow to fast, early to late: darker to lighter on dark ground, the other way on light. One for each unit of what is
+ * shown; the sheet of styles has the same.
+ */
+const SCALES = [
+  {
+    dark: ['#4b2f91', '#3f62b5', '#2f93a8', '#4bbd7c', '#b5d94c', '#fde047'].map(colour),
+    light: ['#d9a400', '#8fae1b', '#2f9d6b', '#1f7f96', '#335fa8', '#46217f'].map(colour),
+  },
+  {
+    dark: ['#7a2230', '#a83a3f', '#d2604a', '#ee9064', '#fbc499', '#ffeedd'].map(colour),
+    light: ['#f0906a', '#dd6a4d', '#bd4740', '#962c3c', '#6d1a35', '#450d28'].map(colour),
+  },
+];
+
+/** A colour of a scale, for a share from 0 to 1. */
+export function scaled(share: number, theme: Theme, which = 0): number {
+  const { dark, light } = SCALES[which % SCALES.length]!;
+  const scale = theme.dark ? dark : light;
   const place = Math.min(Math.max(share, 0), 1) * (scale.length - 1);
   const low = Math.min(Math.floor(place), scale.length - 2);
   return mixed(scale[low]!, scale[low + 1]!, place - low);
 }
 
-/** What colours mean: kinds with their colours, or a scale from … to …. */
+/** What colours mean: kinds with their colours, or scales from … to …, one for each unit. */
 export type Legend =
-  | { kind: 'names'; items: { name: string; colour: number; dashed?: boolean }[] }
-  | { kind: 'scale'; from: number; to: number; unit: string };
+  | { kind: 'names'; items: { name: string; colour: number; dash: Dash }[] }
+  | { kind: 'scale'; scales: { from: number; to: number; unit: string }[] };
+
+/** So many pieces are added to the picture by cutting lines, at most. */
+const MOST_CUTS = 200_000;
+/** Shares of a ramp, with those of the change of velocity: it rises as the root of the way. */
+const ON_RAMP = [0.06, 0.3];
+
+/** The greatest velocity of working motion. */
+function fastest(app: App): number {
+  const { path, program, times } = app;
+  let high = 0;
+  for (const row of path.rows) {
+    if (path.kind(row) !== 0) {
+      high = Math.max(high, times!.peakOf(program.firstIndexOf(row)));
+    }
+  }
+  return high;
+}
+
+/**
+ * Where straight lines are cut so that colours by velocity show how it rises and falls; nothing without times. Where too many
+ * would be, only those whose velocity changes much.
+ */
+export function rampCuts(app: App): Cuts | undefined {
+  const { path, program, times } = app;
+  if (times === undefined) {
+    return undefined;
+  }
+  const high = fastest(app);
+  for (let visible = 0.02; ; visible *= 2) {
+    const cuts = new Map<number, number[]>();
+    let count = 0;
+    for (const row of path.rows) {
+      const ramps = path.isArc(row) ? undefined : times.ramps(program.firstIndexOf(row));
+      if (ramps === undefined) {
+        continue;
+      }
+      const { start, peak, end, rise, fall } = ramps;
+      const found: number[] = [];
+      if (peak - start > visible * high) {
+        found.push(...ON_RAMP.map((share) => share * rise), rise);
+      }
+      if (peak - end > visible * high) {
+        found.push(1 - fall, ...ON_RAMP.map((share) => 1 - share * fall).reverse());
+      }
+      const within = found.filter((share, i) => share > 1e-6 && share < 1 - 1e-6 && share > (found[i - 1] ?? 0) + 1e-6);
+      if (within.length > 0) {
+        cuts.set(row, within);
+        count += within.length;
+      }
+      if (count > MOST_CUTS) {
+        break;
+      }
+    }
+    if (count <= MOST_CUTS || visible > 1) {
+      const none: readonly number[] = [];
+      return (row) => cuts.get(row) ?? none;
+    }
+  }
+}
 
 /** Gives every chord its colour, and says what the colours mean. Names are left to the caller as keys. */
 export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legend {
   const { colours, rows, kinds, count } = lines;
+  lines.dashes = undefined;
   const { program, times } = app;
   const each = (of: (row: number) => number): void => {
     let row = -1;
@@ -114,18 +193,34 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
     }
   };
   const byName = (of: (row: number) => number | null, name: (value: number | null) => string): Legend => {
-    const known = new Map<number | null, number>();
+    const values = new Set<number | null>();
     each((row) => {
-      const value = of(row);
-      let hue = known.get(value);
-      if (hue === undefined) {
-        hue = value === null ? theme.kinds[0]! : HUES[known.size % HUES.length]!;
-        known.set(value, hue);
-      }
-      return hue;
+      values.add(of(row));
+      return 0;
     });
-    const items = [...known].sort(([a], [b]) => (a ?? -1) - (b ?? -1));
-    return { kind: 'names', items: items.map(([value, hue]) => ({ name: name(value), colour: hue })) };
+    const sorted = [...values].sort((a, b) => (a ?? -1) - (b ?? -1));
+    const looks = new Map(sorted.filter((value) => value !== null).map((value, place) => [value, look(place, theme)]));
+    const looksOf = (value: number | null): { colour: number; dash: Dash } =>
+      (value === null ? undefined : looks.get(value)) ?? { colour: theme.kinds[0]!, dash: Dash.Solid };
+    each((row) => looksOf(of(row)).colour);
+    if ([...looks.values()].some(({ dash }) => dash !== Dash.Solid)) {
+      lines.dashes = new Uint8Array(count);
+      for (let chord = 0; chord < count; chord += 1) {
+        lines.dashes[chord] = looksOf(of(rows[chord]!)).dash;
+      }
+    }
+    // Beyond 48 names looks repeat: those that look alike stand together.
+    const items: { name: string; colour: number; dash: Dash }[] = [];
+    for (const value of sorted) {
+      const { colour, dash } = looksOf(value);
+      const same = value === null ? undefined : items.find((item) => item.colour === colour && item.dash === dash);
+      if (same === undefined) {
+        items.push({ name: name(value), colour, dash });
+      } else {
+        same.name += `, ${name(value)}`;
+      }
+    }
+    return { kind: 'names', items };
   };
   const state = (row: number, field: string): number | null => {
     const value = program.header.states[program.state[row]!]![field];
@@ -146,7 +241,7 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
       const items = [...seen].sort().map((kind) => ({
         name: names[kind]!,
         colour: theme.kinds[kind]!,
-        dashed: kind === 0,
+        dash: kind === 0 ? Dash.Rapid : Dash.Solid,
       }));
       return { kind: 'names', items };
     }
@@ -155,19 +250,35 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
     case 'set':
       return byName((row) => state(row, 'dynamic_set') ?? 1, (set) => String(set));
     case 'feed': {
-      let [low, high] = [Infinity, -Infinity];
+      // What feeds count is told apart: a millimetre a revolution is not one a minute.
+      const units = new Map<string, { low: number; high: number }>();
       const isRapid = (row: number): boolean => lines.path.kind(row) === 0;
+      const fed = program.header.states.map((state) => ({
+        unit: String(state['feed_unit'] ?? ''),
+        scale: (typeof state['feed_scale'] === 'number' ? state['feed_scale'] : 1) / 1000,
+      }));
       for (let chord = 0; chord < count; chord += 1) {
-        if (kinds[chord] !== 0 && program.feed[rows[chord]!]! > 0) {
-          low = Math.min(low, program.feed[rows[chord]!]!);
-          high = Math.max(high, program.feed[rows[chord]!]!);
+        const row = rows[chord]!;
+        if (kinds[chord] !== 0 && program.feed[row]! > 0) {
+          const { unit, scale } = fed[program.state[row]!]!;
+          const value = program.feed[row]! * scale;
+          const range = units.get(unit) ?? { low: value, high: value };
+          range.low = Math.min(range.low, value);
+          range.high = Math.max(range.high, value);
+          units.set(unit, range);
         }
       }
-      const span = high > low ? high - low : 1;
-      each((row) =>
-        isRapid(row) || program.feed[row]! === 0 ? theme.kinds[0]! : scaled((program.feed[row]! - low) / span, theme),
-      );
-      return { kind: 'scale', from: low / 1000, to: high / 1000, unit: 'F' };
+      const order = [...units.keys()];
+      each((row) => {
+        const { unit, scale } = fed[program.state[row]!]!;
+        const range = units.get(unit);
+        if (isRapid(row) || program.feed[row]! === 0 || range === undefined) {
+          return theme.kinds[0]!;
+        }
+        const { low, high } = range;
+        return scaled((program.feed[row]! * scale - low) / (high > low ? high - low : 1), theme, order.indexOf(unit));
+      });
+      return { kind: 'scale', scales: order.map((unit) => ({ from: units.get(unit)!.low, to: units.get(unit)!.high, unit })) };
     }
     case 'time': {
       const total = times?.total ?? program.count;
@@ -175,53 +286,35 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
         const index = program.firstIndexOf(row);
         return scaled((times?.startOf(index) ?? index) / (total || 1), theme);
       });
-      return { kind: 'scale', from: 0, to: total, unit: times === undefined ? 'N' : 's' };
+      return { kind: 'scale', scales: [{ from: 0, to: total, unit: times === undefined ? 'N' : 's' }] };
     }
     case 'velocity': {
       if (times === undefined) {
         each(() => theme.kinds[0]!);
         return { kind: 'names', items: [] };
       }
-      let high = 0;
+      const most = fastest(app);
+      const high = most || 1;
+      let row = -1;
+      let share = 0;
+      let ramps: ReturnType<typeof times.ramps>;
+      const at = (way: number): number => {
+        const { start, peak, end, rise, fall } = ramps!;
+        const [slow, part] = way < rise ? [start, way / rise] : way > 1 - fall ? [end, (1 - way) / fall] : [peak, 1];
+        return scaled(Math.sqrt(slow * slow + (peak * peak - slow * slow) * part) / high, theme);
+      };
       for (let chord = 0; chord < count; chord += 1) {
-        if (kinds[chord] !== 0) {
-          high = Math.max(high, times.peakOf(program.firstIndexOf(rows[chord]!)));
+        if (rows[chord] !== row) {
+          row = rows[chord]!;
+          share = 0;
+          ramps = times.ramps(program.firstIndexOf(row));
         }
+        const next = lines.ends?.[chord] ?? 1;
+        colours[2 * chord] = ramps === undefined ? theme.kinds[0]! : at(share);
+        colours[2 * chord + 1] = ramps === undefined ? theme.kinds[0]! : at(next);
+        share = next;
       }
-      let last = -1;
-      let part = 0;
-      for (let chord = 0; chord < count; chord += 1) {
-        const row = rows[chord]!;
-        const index = program.firstIndexOf(row);
-        part = row === last ? part + 1 : 0;
-        if (row !== last || part > 0) {
-          last = row;
-        }
-        const known = times.velocities(index);
-        if (known === undefined) {
-          colours[2 * chord] = theme.kinds[0]!;
-          colours[2 * chord + 1] = theme.kinds[0]!;
-          continue;
-        }
-        const alone = rows[chord + 1] !== row && part === 0;
-        if (alone) {
-          colours[2 * chord] = scaled(known.start / (high || 1), theme);
-          colours[2 * chord + 1] = scaled(known.end / (high || 1), theme);
-        } else {
-          // A line of several chords shows how the velocity rises to its peak and falls.
-          let parts = part + 1;
-          while (rows[chord + parts - part] === row) {
-            parts += 1;
-          }
-          const at = (share: number): number =>
-            share < 0.5
-              ? known.start + (known.peak - known.start) * Math.min(share * 4, 1)
-              : known.end + (known.peak - known.end) * Math.min((1 - share) * 4, 1);
-          colours[2 * chord] = scaled(at(part / parts) / (high || 1), theme);
-          colours[2 * chord + 1] = scaled(at((part + 1) / parts) / (high || 1), theme);
-        }
-      }
-      return { kind: 'scale', from: 0, to: high, unit: 'mm/min' };
+      return { kind: 'scale', scales: [{ from: 0, to: most, unit: 'mm/min' }] };
     }
   }
 }

@@ -2,30 +2,36 @@
 
 import * as twgl from 'twgl.js';
 
-import type { Lines } from './lines.ts';
+import { DASHES, type Lines } from './lines.ts';
 import type { Frame, Renderer } from './renderer.ts';
 
 const LINE_VERTEX = `#version 300 es
 in vec3 position;
 in vec4 colour;
 in float travelled;
+in float dashing;
 uniform mat4 matrix;
-uniform float perDash;
+uniform float scale;
+uniform vec2 dashes[4];
 uniform vec4 tint;
 out vec4 ink;
 out float dash;
+out float solid;
 void main() {
   gl_Position = matrix * vec4(position, 1.0);
   ink = vec4(colour.rgb, tint.a);
-  dash = travelled * perDash;
+  vec2 lengths = dashes[int(dashing + 0.5)];
+  dash = travelled * scale / lengths.y;
+  solid = lengths.x / lengths.y;
 }`;
 const LINE_FRAGMENT = `#version 300 es
 precision highp float;
 in vec4 ink;
 in float dash;
+in float solid;
 out vec4 result;
 void main() {
-  if (fract(dash) > 0.5) discard;
+  if (fract(dash) > solid) discard;
   result = ink;
 }`;
 const DOT_VERTEX = `#version 300 es
@@ -109,20 +115,35 @@ export class Gl implements Renderer {
   #upload(lines: Lines): twgl.BufferInfo {
     const gl = this.#gl;
     if (this.#buffers === undefined || this.#of !== lines || this.#stale.points) {
-      const { points, kinds, count } = lines;
+      const { points, count } = lines;
       const travelled = new Float32Array(2 * count);
+      const dashing = new Uint8Array(2 * count);
       for (let chord = 0, at = 0; chord < count; chord += 1, at += 6) {
-        if (kinds[chord] === 0) {
-          travelled[2 * chord + 1] = Math.hypot(
+        const dash = lines.dash(chord);
+        if (dash === 0) {
+          continue;
+        }
+        dashing.fill(dash, 2 * chord, 2 * chord + 2);
+        const goesOn =
+          chord > 0 &&
+          dashing[2 * chord - 1] === dash &&
+          points[at] === points[at - 3] &&
+          points[at + 1] === points[at - 2] &&
+          points[at + 2] === points[at - 1];
+        const from = goesOn ? travelled[2 * chord - 1]! : 0;
+        travelled[2 * chord] = from;
+        travelled[2 * chord + 1] =
+          from +
+          Math.hypot(
             points[at + 3]! - points[at]!,
             points[at + 4]! - points[at + 1]!,
             points[at + 5]! - points[at + 2]!,
           );
-        }
       }
       this.#buffers = twgl.createBufferInfoFromArrays(gl, {
         position: { numComponents: 3, data: points },
         travelled: { numComponents: 1, data: travelled },
+        dashing: { numComponents: 1, data: dashing, normalize: false },
         colour: { numComponents: 4, data: new Uint8Array(lines.colours.buffer), normalize: true },
       });
       this.#of = lines;
@@ -175,7 +196,7 @@ export class Gl implements Renderer {
     gl.useProgram(this.#lineProgram.program);
     twgl.setBuffersAndAttributes(gl, this.#lineProgram, buffers);
     const scale = Math.hypot(frame.matrix[0]!, frame.matrix[4]!) || 1;
-    const uniforms = { matrix: this.#matrix(around, reach), perDash: scale / 12, tint: [1, 1, 1, 1] };
+    const uniforms = { matrix: this.#matrix(around, reach), scale, dashes: DASHES.flat(), tint: [1, 1, 1, 1] };
     const until = 2 * frame.until;
     const all = 2 * lines.count;
     if (frame.step > 1) {
@@ -205,6 +226,7 @@ export class Gl implements Renderer {
     const info = twgl.createBufferInfoFromArrays(gl, {
       position: { numComponents: 3, data: points.flat() },
       travelled: { numComponents: 1, data: new Float32Array(points.length) },
+      dashing: { numComponents: 1, data: new Uint8Array(points.length), normalize: false },
       colour: {
         numComponents: 4,
         data: new Uint8Array(Uint32Array.from(colours.flatMap((c) => [c, c])).buffer),
@@ -215,7 +237,7 @@ export class Gl implements Renderer {
     twgl.setBuffersAndAttributes(gl, this.#lineProgram, info);
     const flat = frame.matrix.slice();
     flat.fill(0, 8);
-    twgl.setUniforms(this.#lineProgram, { matrix: this.#matrix(flat, 1), perDash: 0, tint: [1, 1, 1, 1] });
+    twgl.setUniforms(this.#lineProgram, { matrix: this.#matrix(flat, 1), scale: 0, dashes: DASHES.flat(), tint: [1, 1, 1, 1] });
     gl.drawArrays(gl.LINES, 0, points.length);
     for (const attribute of Object.values(info.attribs ?? {})) {
       gl.deleteBuffer(attribute.buffer ?? null);

@@ -3,6 +3,25 @@
 import type { Path } from './path.ts';
 import type { Vector } from './camera.ts';
 
+/** How a chord is dashed. */
+export const enum Dash {
+  Solid = 0,
+  Rapid = 1,
+  Long = 2,
+  Short = 3,
+}
+
+/** By dash: how long it is, and how long with the gap behind it, in CSS pixels. */
+export const DASHES: readonly [number, number][] = [
+  [1, 1],
+  [6, 12],
+  [15, 21],
+  [3, 7],
+];
+
+/** Shares of the way of straight lines at which they are cut, ascending; none for those that stay whole. */
+export type Cuts = (row: number) => readonly number[];
+
 /** Chords of the path. Points are single precision about `origin`, for drawing only. */
 export class Lines {
   readonly path: Path;
@@ -15,6 +34,10 @@ export class Lines {
   kinds: Uint8Array = new Uint8Array(0);
   /** Two a chord, at its ends: 0xAABBGGRR. */
   colours: Uint32Array = new Uint32Array(0);
+  /** By chord: at which share of its row's way it ends. Only when straight lines are cut. */
+  ends: Float32Array | undefined;
+  /** By chord, when lines that are no rapid motion are dashed too. */
+  dashes: Uint8Array | undefined;
   /** By chord: which unbroken run it belongs to. Made when first asked for. */
   #runs: Int32Array | undefined;
   /** How far chords of arcs may be from them, in mm. */
@@ -26,13 +49,17 @@ export class Lines {
     return this.#isHidden;
   }
 
+  /** Where straight lines are cut. */
+  readonly cuts: Cuts | undefined;
+
   /** How many rows are drawn. */
   drawn = 0;
 
-  constructor(path: Path, deviation: number, isHidden?: (row: number) => boolean) {
+  constructor(path: Path, deviation: number, isHidden?: (row: number) => boolean, cuts?: Cuts) {
     this.path = path;
     this.deviation = deviation;
     this.#isHidden = isHidden;
+    this.cuts = cuts;
     this.origin = path.box.min.map((low, i) => (low + path.box.max[i]!) / 2) as Vector;
     this.#build();
   }
@@ -51,23 +78,26 @@ export class Lines {
     const hidden = this.#isHidden;
     const rows = hidden === undefined ? path.rows : path.rows.filter((row) => !hidden(row));
     this.drawn = rows.length;
+    const { cuts } = this;
     const arcs = path.program.centerAt !== undefined;
+    const chords = (row: number, deviation: number): number =>
+      cuts === undefined || path.isArc(row) ? path.chords(row, deviation) : cuts(row).length + 1;
     let count = rows.length;
     let parts: Uint16Array | undefined;
-    if (arcs) {
+    if (arcs || cuts !== undefined) {
       parts = new Uint16Array(rows.length);
       count = 0;
       // The more arcs there are, the fewer chords each.
       const deviation = Math.max(this.deviation, 0);
       for (let i = 0; i < rows.length; i += 1) {
-        parts[i] = path.chords(rows[i]!, deviation);
+        parts[i] = chords(rows[i]!, deviation);
         count += parts[i]!;
       }
-      while (count > 1.5e6 && count > 3 * rows.length) {
+      while (arcs && count > 1.5e6 && count > 3 * rows.length) {
         this.deviation *= 4;
         count = 0;
         for (let i = 0; i < rows.length; i += 1) {
-          parts[i] = path.chords(rows[i]!, this.deviation);
+          parts[i] = chords(rows[i]!, this.deviation);
           count += parts[i]!;
         }
       }
@@ -76,6 +106,8 @@ export class Lines {
     this.kinds = new Uint8Array(count);
     this.rows = count === rows.length ? rows : new Int32Array(count);
     this.colours = new Uint32Array(2 * count);
+    this.ends = cuts === undefined ? undefined : new Float32Array(count).fill(1);
+    this.dashes = undefined;
     this.#runs = undefined;
     this.#fill(rows, parts);
   }
@@ -110,19 +142,29 @@ export class Lines {
         continue;
       }
       let from = path.start(row);
+      const cuts = this.cuts === undefined || path.isArc(row) ? undefined : this.cuts(row);
       for (let piece = 1; piece <= pieces; piece += 1) {
-        const to = path.at(row, piece / pieces);
+        const share = cuts === undefined ? piece / pieces : (cuts[piece - 1] ?? 1);
+        const to = path.at(row, share);
         for (let j = 0; j < 3; j += 1) {
           points[at + j] = from[j]! - this.origin[j]!;
           points[at + 3 + j] = to[j]! - this.origin[j]!;
         }
         from = to;
+        if (this.ends !== undefined) {
+          this.ends[chord] = share;
+        }
         this.rows[chord] = row;
         this.kinds[chord] = kind;
         chord += 1;
         at += 6;
       }
     }
+  }
+
+  /** How a chord is dashed. */
+  dash(chord: number): Dash {
+    return this.kinds[chord] === 0 ? Dash.Rapid : (this.dashes?.[chord] ?? Dash.Solid);
   }
 
   /** By chord: which unbroken run of one kind it belongs to. */

@@ -4,13 +4,16 @@
 import { t } from '../i18n.ts';
 import type { Vector } from './camera.ts';
 import { css } from './colours.ts';
-import { roundStep, type GridLabel } from './grid.ts';
+import { placeLabels, roundStep, type GridLabel } from './grid.ts';
 import type { View } from './view.ts';
 
 export interface MeasurePoint {
   index: number;
   point: Vector;
 }
+
+/** More numbers and highlighted lines than these wait until the picture rests. */
+const MANY = 3000;
 
 type Box = [number, number, number, number];
 
@@ -20,6 +23,67 @@ export interface Numbered {
   x: number;
   y: number;
   box: Box;
+}
+
+/** The numbers of dots that stand so near that their texts would cover each other. */
+export interface Numbers {
+  x: number;
+  y: number;
+  first: number;
+  last: number;
+  /** Of how many dots. */
+  count: number;
+}
+
+/** The text for numbers of dots. */
+export function said({ first, last, count }: Numbers): string {
+  return first !== last ? `N${first}…N${last}` : count > 1 ? `N${first} ×${count}` : `N${first}`;
+}
+
+/** Joins numbers whose texts cover each other until none does; `box` gives the place of a text. */
+export function joined(numbers: Numbers[], box: (number: Numbers) => Box): Numbers[] {
+  for (;;) {
+    const kept: Numbers[] = [];
+    // By squares of the canvas: which of the kept ones reach into it.
+    const squares = new Map<string, Set<Numbers>>();
+    for (const number of numbers) {
+      const area = box(number);
+      const near = squaresOf(area).flatMap((square) => [...(squares.get(square) ?? [])]);
+      let place = near.find((other) => cover(box(other), area));
+      if (place === undefined) {
+        place = { ...number };
+        kept.push(place);
+      } else {
+        place.last = number.last;
+        place.count += number.count;
+      }
+      for (const square of squaresOf(box(place))) {
+        const reaching = squares.get(square) ?? new Set();
+        squares.set(square, reaching.add(place));
+      }
+    }
+    if (kept.length === numbers.length) {
+      return kept;
+    }
+    numbers = kept;
+  }
+}
+
+/** Side of the squares, in CSS pixels. */
+const SQUARE = 40;
+
+function squaresOf([left, top, right, bottom]: Box): string[] {
+  const squares: string[] = [];
+  for (let column = Math.floor(left / SQUARE); column <= right / SQUARE; column += 1) {
+    for (let row = Math.floor(top / SQUARE); row <= bottom / SQUARE; row += 1) {
+      squares.push(`${column} ${row}`);
+    }
+  }
+  return squares;
+}
+
+function cover(a: Box, b: Box): boolean {
+  return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
 }
 
 /** Texts that do not cover one another. */
@@ -70,6 +134,7 @@ export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: Gri
   context.lineCap = 'round';
   context.font = '11px system-ui, sans-serif';
   const background = css(theme.background);
+  drawTogether(view, context);
   const labels = new Labels(context);
   labels.take([0, camera.height - 70, 76, camera.height]);
   labels.take([camera.width - 150, camera.height - 34, camera.width, camera.height]);
@@ -84,16 +149,9 @@ export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: Gri
     }
   }
   drawEnds(view, context, labels, background);
-  for (const { at, outward, text } of gridLabels) {
-    const from = camera.project(at);
-    const to = camera.project(at.map((value, i) => value + outward[i]!) as Vector);
-    const length = Math.hypot(to.x - from.x, to.y - from.y) || 1;
-    const width = context.measureText(text).width;
-    const x = from.x + ((to.x - from.x) / length) * (10 + width / 2) - width / 2;
-    const y = from.y + ((to.y - from.y) / length) * 12 + 4;
-    if (x > 2 && y > 10 && x + width < camera.width - 2 && y < camera.height - 2 && labels.take(labels.box(text, x, y))) {
-      context.fillStyle = theme.faint;
-      context.fillText(text, x, y);
+  for (const { text, x, y } of placeLabels(gridLabels, camera, (text) => context.measureText(text).width)) {
+    if (labels.take(labels.box(text, x, y))) {
+      labels.draw(text, x, y, theme.faint, background);
     }
   }
   drawMeasured(view, context, labels, background);
@@ -101,31 +159,64 @@ export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: Gri
   drawScale(view, context);
 }
 
-function placeNumbers(view: View, labels: Labels): Numbered[] {
-  const { app, camera } = view;
-  const numbered: Numbered[] = [];
-  for (const { index, point } of view.redDots()) {
-    const { x, y } = camera.project(point);
-    if (x < 0 || y < 0 || x > camera.width || y > camera.height) {
+/** All executions of the block in hand, fainter than the one that is. */
+function drawTogether(view: View, context: CanvasRenderingContext2D): void {
+  const { app, camera, theme } = view;
+  const { path } = app;
+  if (app.together.length < 2 || (view.isMoving && app.together.length > MANY)) {
+    return;
+  }
+  context.beginPath();
+  for (const row of app.together) {
+    if (!path.hasLine(row)) {
+      const { x, y } = camera.project(path.point(row));
+      context.moveTo(x + 4, y);
+      context.arc(x, y, 4, 0, 2 * Math.PI);
       continue;
     }
-    const text = `N${app.program.n[app.place(index).block]!}`;
-    for (const [dx, dy] of [
-      [8, -6],
-      [8, 14],
-      [-8 - 7 * text.length, -6],
-    ] as const) {
-      const box = labels.box(text, x + dx, y + dy);
-      if (labels.take(box)) {
-        numbered.push({ text, x: x + dx, y: y + dy, box });
-        break;
+    const parts = path.isArc(row) ? Math.min(path.chords(row, 0.3 / camera.scale), 360) : 1;
+    for (let part = 0; part <= parts; part += 1) {
+      const { x, y } = camera.project(path.at(row, part / parts));
+      if (part === 0) {
+        context.moveTo(x, y);
+      } else {
+        context.lineTo(x, y);
       }
     }
-    if (numbered.length >= 400) {
-      break;
+  }
+  context.globalAlpha = 0.55;
+  context.lineWidth = 3;
+  context.strokeStyle = theme.selection;
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+/** The numbers at red dots; those that would cover each other stand once, as in still pictures. */
+function placeNumbers(view: View, labels: Labels): Numbered[] {
+  const { app, camera } = view;
+  const numbers: Numbers[] = [];
+  const m = camera.matrix();
+  for (const { index, point } of view.redDots()) {
+    const x = m[0]! * point[0] + m[1]! * point[1] + m[2]! * point[2] + m[3]!;
+    const y = m[4]! * point[0] + m[5]! * point[1] + m[6]! * point[2] + m[7]!;
+    if (x >= 0 && y >= 0 && x <= camera.width && y <= camera.height) {
+      const n = app.program.n[app.place(index).block]!;
+      numbers.push({ x: x + 8, y: y - 6, first: n, last: n, count: 1 });
     }
   }
-  return numbered;
+  if (view.isMoving && numbers.length > MANY) {
+    return [];
+  }
+  const box = (number: Numbers): Box => {
+    const found = labels.box(said(number), number.x, number.y);
+    const over = Math.max(found[2] - camera.width, 0);
+    return [found[0] - over, found[1], found[2] - over, found[3]];
+  };
+  return joined(numbers, box).map((number) => {
+    const found = box(number);
+    labels.block(found);
+    return { text: said(number), x: found[0] + 2, y: number.y, box: found };
+  });
 }
 
 function drawEnds(view: View, context: CanvasRenderingContext2D, labels: Labels, background: string): void {

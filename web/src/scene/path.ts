@@ -44,9 +44,9 @@ export class Path {
   readonly program: Program;
   /** Rows with a line, ascending. */
   readonly rows: Int32Array;
-  /** Around all lines, and around the working ones. */
+  /** Around all lines, and around the working ones, if there are any. */
   readonly box: Box;
-  readonly workingBox: Box;
+  readonly workingBox: Box | undefined;
   /** Executed blocks whose line is not drawn because its start or end is not known. */
   readonly unknown: number;
   /** Executed blocks with a line. */
@@ -215,7 +215,7 @@ export class Path {
     return length;
   }
 
-  #boxes(): [Box, Box] {
+  #boxes(): [Box, Box | undefined] {
     const empty = (): Box => ({ min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] });
     const all = empty();
     const working = empty();
@@ -257,13 +257,12 @@ export class Path {
         }
       }
     }
-    for (const box of [all, working]) {
-      if (box.min[0] > box.max[0]) {
-        const stand = this.program.rows > 0 ? this.point(this.program.rows - 1) : ([0, 0, 0] as Vector);
-        box.min = [...stand];
-        box.max = [...stand];
-      }
+    const isEmpty = (box: Box): boolean => box.min[0] > box.max[0];
+    if (isEmpty(all)) {
+      const stand = this.program.rows > 0 ? this.point(this.program.rows - 1) : ([0, 0, 0] as Vector);
+      all.min = [...stand];
+      all.max = [...stand];
     }
-    return [all, working];
+    return [all, isEmpty(working) ? undefined : working];
   }
 }

@@ -64,7 +64,8 @@ export function pick(view: View, x: number, y: number): { index: number; point: 
   ) as Vector;
   let index = current === undefined ? last : app.current!;
   if (app.isFiltered && app.isHidden(index)) {
-    index = program.firstIndexOf(rows[chord]!);
+    const seen = program.executionsOfRow(rows[chord]!).filter((execution) => !app.isHidden(execution));
+    index = seen[seen.length - 1] ?? index;
   }
   return { index, point };
 }

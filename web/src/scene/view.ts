@@ -4,7 +4,7 @@ import type { App } from '../app.ts';
 import { t } from '../i18n.ts';
 import { isDark } from '../theme.ts';
 import { Camera, type Plane, type Vector } from './camera.ts';
-import { DARK, LIGHT, type Legend, type Theme, paint } from './colours.ts';
+import { DARK, LIGHT, type Legend, type Theme, paint, rampCuts } from './colours.ts';
 import { Gl, hardwareContext } from './gl.ts';
 import { grid, type GridLabel } from './grid.ts';
 import { Held } from './held.ts';
@@ -83,7 +83,8 @@ export class View {
       this.repaint();
     });
     app.on('data', () => this.#load());
-    app.on('colour', () => this.repaint());
+    app.on('colour', () => this.#recolour());
+    app.on('together', () => this.request('marks'));
     app.on('filter', () => this.#rebuild());
     app.on('shown', () => this.#rebuild());
     app.on('select', () => this.request('held'));
@@ -124,21 +125,37 @@ export class View {
   #rebuild(): void {
     const { app } = this;
     const deviation = Math.max(0.4 / this.camera.scale, 1e-5);
-    const hidden = app.isFiltered
-      ? (row: number): boolean =>
-          (!app.shown.rapids && app.path.kind(row) === 0) ||
-          (app.isHidden(app.program.lastIndexOf(row)) && app.isHidden(app.program.firstIndexOf(row)))
-      : undefined;
-    this.lines = new Lines(app.path, deviation, hidden);
+    const seen = app.isFiltered ? app.shownRows() : undefined;
+    const hidden =
+      seen === undefined
+        ? undefined
+        : (row: number): boolean => (!app.shown.rapids && app.path.kind(row) === 0) || seen[row] === 0;
+    this.lines = new Lines(app.path, deviation, hidden, app.colourBy === 'velocity' ? rampCuts(app) : undefined);
     this.#renderer.changed('points');
     this.#dotsFor = '';
     this.repaint();
   }
 
+  /** Colours by velocity need lines that are cut where it changes. */
+  #recolour(): void {
+    const cut = this.app.colourBy === 'velocity' && this.app.times !== undefined;
+    if (cut === (this.lines.cuts !== undefined)) {
+      this.repaint();
+    } else {
+      this.#rebuild();
+    }
+  }
+
+  /** Whether the hand moves the picture. */
+  get isMoving(): boolean {
+    return this.#moving;
+  }
+
   /** Gives the lines their colours again. */
   repaint(): void {
+    const { dashes } = this.lines;
     this.legend = paint(this.app, this.lines, this.theme, this.app.colourBy);
-    this.#renderer.changed('colours');
+    this.#renderer.changed(dashes === this.lines.dashes ? 'colours' : 'points');
     this.onLegend?.();
     this.request();
   }
@@ -173,6 +190,17 @@ export class View {
     this.#fit();
     this.#untouched = false;
     this.request();
+  }
+
+  /** Moves the picture when a place is not in sight, so that it is in the middle. */
+  reveal(point: Vector): void {
+    const { camera } = this;
+    const { x, y } = camera.project(point);
+    if (x < 0 || y < 0 || x > camera.width || y > camera.height) {
+      camera.pan(camera.width / 2 - x, camera.height / 2 - y);
+      this.#untouched = false;
+      this.request();
+    }
   }
 
   get standard(): Standard {
@@ -256,13 +284,14 @@ export class View {
     if (this.#moving && lines.count > FLUENT) {
       this.#slow = Math.min(Math.max(this.#slow * (took > 45 ? 1.5 : took < 20 ? 0.8 : 1), 1), 16);
     }
-    this.onDrawn?.({ thinned: step > 1, yellowHidden: this.#yellowHidden });
+    const waits = this.#moving && app.shown.numbers && app.shown.red && (this.#redDots?.length ?? 0) > 3000;
+    this.onDrawn?.({ thinned: step > 1 || waits, yellowHidden: this.#yellowHidden });
   }
 
   /** Cuts arcs into as many chords as they need at this scale. */
   refine(): void {
     if (this.lines.isCoarse(this.camera.scale)) {
-      this.lines = new Lines(this.app.path, 0.25 / this.camera.scale, this.lines.filter);
+      this.lines = new Lines(this.app.path, 0.25 / this.camera.scale, this.lines.filter, this.lines.cuts);
       this.legend = paint(this.app, this.lines, this.theme, this.app.colourBy);
       this.#renderer.changed('points');
     }

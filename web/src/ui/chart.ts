@@ -4,15 +4,20 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 
 import type { App } from '../app.ts';
-import { t } from '../i18n.ts';
-import { css } from '../scene/colours.ts';
+import { type Key, t } from '../i18n.ts';
+import { css, type Theme } from '../scene/colours.ts';
 import type { View } from '../scene/view.ts';
 import { clock, h, labelled, said, shown } from './dom.ts';
 
 /** Above so many blocks in sight, columns of pixels show the least and the greatest of theirs. */
 const POINTS = 3000;
+/** Caps of joints are drawn while there are no more blocks than so many in sight. */
+const CAPS = 400;
 /** Lines between blocks are drawn while there are no more than so many in sight. */
 const LINES = 160;
+
+/** The programmed feed is told from the grid. */
+const PROGRAMMED = (theme: Theme): number => theme.kinds[0]!;
 
 type Data = [number[], (number | null)[], (number | null)[], (number | null)[]];
 
@@ -22,6 +27,8 @@ export class Chart {
   readonly #view: View;
   readonly #plotPlace = h('div', { class: 'plot' });
   readonly #facts = h('p', { class: 'facts' });
+  /** What the lines are. */
+  readonly #signs = h('ul', { class: 'signs' });
   readonly #by = labelled(h('select'), 'chart');
   #plot: uPlot | undefined;
   /** What is in sight: seconds or indices. */
@@ -44,6 +51,7 @@ export class Chart {
       said('button', 'wholeChart', { type: 'button', onclick: () => this.#whole() }),
       said('button', 'chartCurrent', { type: 'button', onclick: () => this.#near() }),
       this.#facts,
+      this.#signs,
     );
     this.#plotPlace.setAttribute('role', 'application');
     this.#plotPlace.tabIndex = 0;
@@ -52,7 +60,10 @@ export class Chart {
     this.element = h('section', { class: 'chart' }, head, this.#plotPlace);
     app.on('data', () => this.#load());
     app.on('theme', () => this.#load());
-    app.on('language', () => this.#tell());
+    app.on('language', () => {
+      this.#explain();
+      this.#tell();
+    });
     app.on('select', () => this.#tell());
     new ResizeObserver(() => this.#resize()).observe(this.#plotPlace);
     this.#load();
@@ -66,7 +77,29 @@ export class Chart {
       this.#range = [0, this.#end];
       this.#resize();
     }
+    this.#explain();
     this.#tell();
+  }
+
+  /** Says what the lines are. */
+  #explain(): void {
+    const { theme } = this.#view;
+    const { header, program } = this.#app;
+    const sign = (key: Key, kind: string, colour: string): HTMLElement => {
+      const mark = h('span', { class: `sign ${kind}` });
+      mark.style.setProperty('--colour', colour);
+      return h('li', { class: 'item' }, mark, t(key));
+    };
+    const turns = header.shapes.some((_, shape) => program.turnsBy(shape));
+    this.#signs.replaceChildren(
+      sign('keyVelocity', 'solid', css(theme.velocity)),
+      sign('keyProgrammed', 'dashed', css(PROGRAMMED(theme))),
+      sign('keyCap', 'dotted', css(theme.kinds[2]!)),
+      sign('keyJointCap', 'tick', css(theme.kinds[3]!)),
+      sign('keyJoints', 'joint', css(theme.red)),
+      sign('keyBlocks', 'between', css(theme.gridStrong)),
+      ...(turns ? [h('li', { class: 'item' }, t('keyTurning'))] : []),
+    );
   }
 
   get #end(): number {
@@ -120,7 +153,7 @@ export class Chart {
         ],
         series: [
           {},
-          { stroke: css(theme.gridStrong), width: 1.2, dash: [5, 4], spanGaps: false, points: { show: false } },
+          { stroke: css(PROGRAMMED(theme)), width: 1.2, dash: [5, 4], spanGaps: false, points: { show: false } },
           { stroke: css(theme.kinds[2]!), width: 1, dash: [2, 3], spanGaps: false, points: { show: false } },
           { stroke: css(theme.velocity), width: 1.6, spanGaps: false, points: { show: false }, fill: `${css(theme.velocity)}22` },
         ],
@@ -229,7 +262,7 @@ export class Chart {
     ctx.restore();
   }
 
-  /** Joint caps as dots, and the block in hand. */
+  /** Caps of joints, velocities there as dots, and the block in hand. */
   #drawOver(plot: uPlot): void {
     const { times, current } = this.#app;
     if (times === undefined) {
@@ -247,6 +280,16 @@ export class Chart {
     if (last - first <= POINTS) {
       for (let index = first; index <= last; index += 1) {
         const dot = times.dotOf(index);
+        const cap = times.jointCap(index);
+        if (cap !== undefined && last - first <= CAPS) {
+          const [x, y] = [plot.valToPos(this.#x(index), 'x', true), plot.valToPos(cap, 'y', true)];
+          ctx.beginPath();
+          ctx.moveTo(x - 6 * ratio, y);
+          ctx.lineTo(x + 6 * ratio, y);
+          ctx.strokeStyle = css(theme.kinds[3]!);
+          ctx.lineWidth = 2 * ratio;
+          ctx.stroke();
+        }
         if (dot === undefined) {
           continue;
         }
@@ -347,7 +390,7 @@ export class Chart {
   }
 
   #tell(): void {
-    const { current, times } = this.#app;
+    const { current, program, times } = this.#app;
     if (current !== null && times !== undefined) {
       const x = this.#x(current);
       const [low, high] = this.#range;
@@ -357,7 +400,7 @@ export class Chart {
       const known = times.velocities(current);
       const parts = [clock(times.startOf(current))];
       if (known !== undefined) {
-        parts.push(`${t('peak')} ${shown(known.peak, 1)} mm/min`);
+        parts.push(`${t('peak')} ${shown(known.peak, 1)} ${program.turns(program.rowOf(current)) ? 'deg/min' : 'mm/min'}`);
       }
       this.#facts.textContent = parts.join(' · ');
     } else {

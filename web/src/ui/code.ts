@@ -134,6 +134,7 @@ export class Code {
     }
     const at = this.#app.current === null ? -1 : executions.indexOf(this.#app.current);
     this.#app.select(executions[(at + 1) % executions.length]!);
+    this.#app.gather();
   }
 
   #key(event: KeyboardEvent): void {
@@ -149,6 +150,7 @@ export class Code {
       const executions = program.executionsOf(next);
       if (executions.length > 0 && !executions.includes(current ?? -1)) {
         this.#app.select(executions[0]!);
+        this.#app.gather();
         return;
       }
     }

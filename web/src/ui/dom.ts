@@ -51,6 +51,38 @@ export function retell(root: ParentNode): void {
   }
 }
 
+/** What a keyboard reaches in a part of the page. */
+function controls(element: HTMLElement): HTMLElement[] {
+  return [...element.querySelectorAll<HTMLElement>('button, input, select')];
+}
+
+/**
+ * Gives a part of the page other children. The focus stays at the control with the same `data-focus`, else at the one in its
+ * place, else at the panel.
+ */
+export function rebuild(element: HTMLElement, ...children: Node[]): void {
+  const held = document.activeElement;
+  const place = held === null ? -1 : controls(element).indexOf(held as HTMLElement);
+  const name = place < 0 ? undefined : (held as HTMLElement).dataset['focus'];
+  element.replaceChildren(...children);
+  if (place < 0) {
+    return;
+  }
+  const now = controls(element);
+  const same = name === undefined ? now[Math.min(place, now.length - 1)] : now.find((control) => control.dataset['focus'] === name);
+  (same ?? element.closest<HTMLElement>('[tabindex]'))?.focus({ preventScroll: true });
+}
+
+/** An attribute that keeps a control within reach of the keyboard while it does nothing. */
+export function idle(on: boolean): { 'aria-disabled': 'true' | undefined } {
+  return { 'aria-disabled': on ? 'true' : undefined };
+}
+
+/** A number as people read it: the smaller, the more decimals. */
+export function brief(value: number): string {
+  return shown(value, Math.abs(value) < 1 ? 4 : Math.abs(value) < 100 ? 2 : 1);
+}
+
 /** A number with at most so many decimals, without trailing zeros. */
 export function shown(value: number, decimals = 3): string {
   return Number.isFinite(value) ? String(Number(value.toFixed(decimals))) : '–';

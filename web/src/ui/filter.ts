@@ -2,7 +2,7 @@
 
 import type { App } from '../app.ts';
 import { t } from '../i18n.ts';
-import { h } from './dom.ts';
+import { h, rebuild } from './dom.ts';
 
 export function filter(app: App): HTMLElement {
   const element = h('div', { class: 'filter' });
@@ -52,7 +52,8 @@ export function filter(app: App): HTMLElement {
       tell();
       app.emit('filter', undefined);
     };
-    element.replaceChildren(
+    rebuild(
+      element,
       h(
         'fieldset',
         {},
@@ -66,7 +67,7 @@ export function filter(app: App): HTMLElement {
         ...units.map((unit) => box(unit === '' ? t('mainProgram') : unit, !filter.units.has(unit), toggle(filter.units, unit))),
       ),
       h('fieldset', {}, h('legend', {}, t('range')), number('from'), ' – ', number('to')),
-      h('button', { type: 'button', onclick: reset }, t('reset')),
+      h('button', { type: 'button', 'data-focus': 'reset', onclick: reset }, t('reset')),
     );
   };
   tell();

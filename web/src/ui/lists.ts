@@ -2,13 +2,14 @@
 
 import type { App } from '../app.ts';
 import { named, t } from '../i18n.ts';
-import { h, shown } from './dom.ts';
+import type { View } from '../scene/view.ts';
+import { h, rebuild, shown } from './dom.ts';
 
 /** So many red dots are listed at once; a button shows more. */
 const AT_ONCE = 300;
 
 /** The red dots with number, angle, velocity, why, and what limits. */
-export function joints(app: App): HTMLElement {
+export function joints(app: App, view: View): HTMLElement {
   const element = h('div', { class: 'joints' });
   let listed = AT_ONCE;
   const tell = (): void => {
@@ -25,27 +26,30 @@ export function joints(app: App): HTMLElement {
     const items = Array.from(red.subarray(0, listed), (index) => {
       const joint = times.joint(index)!;
       const place = app.place(index);
-      const why = joint.broken_by !== undefined ? named('broken', joint.broken_by) : named('limited', joint.limited_by ?? '');
+      const row = program.rowOf(index);
+      const reason = joint.broken_by ?? joint.limited_by;
+      const why = reason === undefined ? '' : named(reason);
+      const go = (): void => {
+        app.select(index);
+        view.reveal(app.path.start(row));
+      };
       const facts = [
         joint.angle_deg === undefined ? '' : `${shown(joint.angle_deg, 1)}°`,
-        `${shown(joint.feed, 0)} mm/min`,
+        `${shown(joint.feed, 0)} ${program.turns(row) ? 'deg/min' : 'mm/min'}`,
         why,
       ];
       const button = h(
         'button',
-        { type: 'button', 'data-seq': place.seq, onclick: () => app.select(index) },
+        { type: 'button', 'data-seq': place.seq, onclick: go },
         h('span', { class: 'n' }, `N${program.n[place.block]!}`),
         ...facts.map((fact) => h('span', {}, fact)),
       );
       return h('li', {}, button);
     });
     const list = h('ol', { 'aria-label': t('joints') }, ...items);
-    element.replaceChildren(list);
-    if (red.length > listed) {
-      element.append(
-        h('button', { type: 'button', class: 'more', onclick: () => more() }, t('more', { n: red.length - listed })),
-      );
-    }
+    const rest = red.length - listed;
+    const further = h('button', { type: 'button', class: 'more', onclick: () => more() }, t('more', { n: rest }));
+    rebuild(element, list, ...(rest > 0 ? [further] : []));
     mark();
   };
   const more = (): void => {
@@ -66,7 +70,7 @@ export function joints(app: App): HTMLElement {
 }
 
 /** What the compiler found in the program. */
-export function findings(app: App): HTMLElement {
+export function findings(app: App, view: View): HTMLElement {
   const element = h('div', { class: 'findings' });
   const tell = (): void => {
     const { findings, files } = app.header;
@@ -82,6 +86,7 @@ export function findings(app: App): HTMLElement {
         const executions = finding.file === undefined ? [] : app.program.executionsAt(finding.file, finding.line ?? 0);
         if (executions.length > 0) {
           app.select(executions[0]!);
+          view.reveal(app.path.point(app.program.rowOf(executions[0]!)));
         }
       };
       return h(
@@ -96,7 +101,7 @@ export function findings(app: App): HTMLElement {
         ),
       );
     });
-    element.replaceChildren(h('ul', { 'aria-label': t('findings') }, ...items));
+    rebuild(element, h('ul', { 'aria-label': t('findings') }, ...items));
   };
   tell();
   app.on('data', tell);

@@ -4,12 +4,16 @@ import type { App } from '../app.ts';
 import { type Key, t } from '../i18n.ts';
 import type { Box } from '../scene/camera.ts';
 import type { View } from '../scene/view.ts';
-import { clock, h, shown } from './dom.ts';
+import { clock, h, idle, rebuild, shown } from './dom.ts';
 
 export function measure(app: App, view: View): HTMLElement {
   const element = h('div', { class: 'measure' });
   let stretch: { from: number; to: number } | undefined;
-  const box = (key: Key, { min, max }: Box): HTMLElement => {
+  const box = (key: Key, of: Box | undefined): HTMLElement => {
+    if (of === undefined) {
+      return h('section', {}, h('h2', {}, t(key)), h('p', { class: 'empty' }, t('noMotions')));
+    }
+    const { min, max } = of;
     const rows = ['X', 'Y', 'Z'].map((letter, i) =>
       h(
         'tr',
@@ -38,10 +42,14 @@ export function measure(app: App, view: View): HTMLElement {
       distance.append(h('p', {}, t(measured.length === 0 ? 'pickFirst' : 'pickSecond')));
     }
     distance.append(
-      h('button', { type: 'button', 'aria-pressed': String(view.onPoint !== undefined), onclick: pickPoints }, t('pickPoints')),
-      h('button', { type: 'button', onclick: clear, disabled: measured.length === 0 }, t('clear')),
+      h(
+        'button',
+        { type: 'button', 'data-focus': 'pick', 'aria-pressed': String(view.onPoint !== undefined), onclick: pickPoints },
+        t('pickPoints'),
+      ),
+      h('button', { type: 'button', 'data-focus': 'clear', onclick: clear, ...idle(measured.length === 0) }, t('clear')),
     );
-    element.replaceChildren(distance, stretchPart(), box('boxWorking', path.workingBox), box('boxAll', path.box));
+    rebuild(element, distance, stretchPart(), box('boxWorking', path.workingBox), box('boxAll', path.box));
   };
   const pickPoints = (): void => {
     view.measured = [];
@@ -90,8 +98,8 @@ export function measure(app: App, view: View): HTMLElement {
       section.append(h('dl', {}, ...rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])));
     }
     section.append(
-      h('button', { type: 'button', onclick: set('from'), disabled: app.current === null }, t('setFrom')),
-      h('button', { type: 'button', onclick: set('to'), disabled: app.current === null }, t('setTo')),
+      h('button', { type: 'button', 'data-focus': 'from', onclick: set('from'), ...idle(app.current === null) }, t('setFrom')),
+      h('button', { type: 'button', 'data-focus': 'to', onclick: set('to'), ...idle(app.current === null) }, t('setTo')),
     );
     return section;
   };

@@ -142,13 +142,10 @@ export class Player {
     if (SPEEDS.includes(speed)) {
       this.#speeds.value = String(speed);
     }
-    if (current === null || this.#time >= this.#total) {
+    // From the end it begins anew.
+    if (current === null || (current >= program.count - 1 && this.#time >= this.#total)) {
       this.#time = 0;
-      if (current === null) {
-        this.#app.select(0, 'play');
-      } else if (current >= program.count - 1) {
-        this.#app.select(0, 'play');
-      }
+      this.#app.select(0, 'play');
     }
     this.#last = performance.now();
     cancelAnimationFrame(this.#frame);
@@ -169,7 +166,7 @@ export class Player {
     const before = this.#app.current ?? 0;
     let time = this.#time + ((now - this.#last) / 1000) * this.#speed;
     this.#last = now;
-    let index = time >= this.#total ? this.#app.program.count - 1 : this.#at(time);
+    let index = Math.max(time >= this.#total ? this.#app.program.count - 1 : this.#at(time), before);
     const stop = this.#stopBetween(before, index);
     if (stop !== undefined) {
       index = stop.index;

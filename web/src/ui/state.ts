@@ -3,7 +3,7 @@
 import type { App } from '../app.ts';
 import type { Fields } from '../data/header.ts';
 import { type Key, named, t } from '../i18n.ts';
-import { clock, h, shown } from './dom.ts';
+import { clock, h, idle, rebuild, shown } from './dom.ts';
 
 /** The record of an executed block with that of its motion: one flat object. */
 export function currentRecord(app: App): Fields | null {
@@ -49,7 +49,7 @@ export class State {
   #tell(): void {
     const record = currentRecord(this.#app);
     if (record === null) {
-      this.element.replaceChildren(h('p', { class: 'empty' }, t('noBlock')));
+      rebuild(this.element, h('p', { class: 'empty' }, t('noBlock')));
       return;
     }
     const parts = [
@@ -62,7 +62,7 @@ export class State {
       this.#velocity(record),
       this.#parameters(record),
     ];
-    this.element.replaceChildren(...parts.filter((part) => part !== null));
+    rebuild(this.element, ...parts.filter((part) => part !== null));
   }
 
   #section(key: Key, ...children: (Node | string)[]): HTMLElement {
@@ -94,9 +94,9 @@ export class State {
         h(
           'p',
           { class: 'passes' },
-          h('button', { type: 'button', 'aria-label': t('previousPass'), onclick: step(-1), disabled: before === 0 }, '['),
+          h('button', { type: 'button', 'data-focus': 'previous', 'aria-label': t('previousPass'), onclick: step(-1), ...idle(before === 0) }, '['),
           ` ${text} `,
-          h('button', { type: 'button', 'aria-label': t('nextPass'), onclick: step(1), disabled: before === passes.length }, ']'),
+          h('button', { type: 'button', 'data-focus': 'next', 'aria-label': t('nextPass'), onclick: step(1), ...idle(before === passes.length) }, ']'),
         ),
       );
     }
@@ -186,26 +186,35 @@ export class State {
       rows.push([t('start'), clock(record['start_s'])]);
     }
     number('duration', 'duration_s', 's', 3);
-    number('programmed', 'programmed', 'mm/min');
-    number('cap', 'cap', 'mm/min');
-    number('atStart', 'start', 'mm/min');
-    number('peak', 'peak', 'mm/min');
-    number('atEnd', 'end', 'mm/min');
+    const { program, times } = this.#app;
+    const index = this.#app.current!;
+    const unit = program.turns(program.rowOf(index)) ? 'deg/min' : 'mm/min';
+    number('programmed', 'programmed', unit);
+    if (typeof record['cap'] === 'number') {
+      rows.push([t('cap'), `${shown(record['cap'], 1)} ${unit} (${named(String(record['cap_by']))})`]);
+    }
+    number('atStart', 'start', unit);
+    number('peak', 'peak', unit);
+    number('atEnd', 'end', unit);
     const section = this.#section('times', this.#rows(rows));
     const joint = at(record, 'joint');
     if (record['joint'] !== undefined) {
       const parts: [string, string][] = [];
       const broken = joint['broken_by'];
       const limited = joint['limited_by'];
-      parts.push(['', typeof broken === 'string' ? `${t('broken')}: ${named('broken', broken)}` : t('continuous')]);
+      parts.push(['', typeof broken === 'string' ? `${t('broken')}: ${named(broken)}` : t('continuous')]);
       if (typeof joint['angle_deg'] === 'number') {
         parts.push([t('angle'), `${shown(joint['angle_deg'], 2)}°`]);
       }
       if (typeof joint['feed'] === 'number') {
-        parts.push([t('velocities'), `${shown(joint['feed'], 1)} mm/min`]);
+        parts.push([t('velocities'), `${shown(joint['feed'], 1)} ${unit}`]);
+      }
+      const cap = times?.jointCap(index);
+      if (cap !== undefined && joint['broken_by'] === undefined) {
+        parts.push([t('cap'), `${shown(cap, 1)} ${unit}`]);
       }
       if (typeof limited === 'string') {
-        parts.push([t('limit'), named('limited', limited)]);
+        parts.push([t('limit'), named(limited)]);
       }
       if (joint['dot'] === 'red' || joint['dot'] === 'yellow') {
         parts.push([t('dot'), t(joint['dot'])]);

@@ -4,14 +4,15 @@ import { type App, COLOURS, type ColourBy, type Shown } from '../app.ts';
 import { type Key, language, t } from '../i18n.ts';
 import { css } from '../scene/colours.ts';
 import type { Standard, View } from '../scene/view.ts';
-import { clock, h, labelled, said, shown } from './dom.ts';
+import { brief, clock, h, labelled, said } from './dom.ts';
 
 export function title(app: App): HTMLElement {
   const heading = h('h1');
   const facts = h('p', { class: 'facts' });
   const tell = (): void => {
     const { program, total } = app.header;
-    heading.replaceChildren(program.title === undefined ? `%${program.number}` : `%${program.number} ${program.title}`);
+    const { number, title } = app.header.count > 0 ? program : written(app);
+    heading.replaceChildren(title === undefined ? `%${number}` : `%${number} ${title}`);
     document.title = `${heading.textContent} – ${program.name}`;
     const time = total?.['time_s'];
     const bound = total?.['lower_bound'] === true ? `${t('lowerBound')} ` : '';
@@ -26,6 +27,18 @@ export function title(app: App): HTMLElement {
   app.on('data', tell);
   app.on('language', tell);
   return h('div', { class: 'title' }, heading, facts);
+}
+
+/** Number and title as the text has them: a program that was not executed has no others. */
+function written(app: App): { number: string; title: string | undefined } {
+  for (let line = 1; line <= Math.min(app.text.lines[0] ?? 0, 100); line += 1) {
+    const text = app.text.line(0, line).map((piece) => piece.text).join('');
+    const found = /^\s*%\s*(\d+)\s*(?:"([^"]*))?/.exec(text);
+    if (found !== null) {
+      return { number: found[1]!, title: found[2] };
+    }
+  }
+  return { number: '', title: undefined };
 }
 
 export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') => void, help: () => void): HTMLElement {
@@ -95,20 +108,24 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
 export function legend(app: App, view: View): HTMLElement {
   const list = h('div', { class: 'legend' });
   const notes = h('div', { class: 'notes', role: 'status' });
+  const now = h('p', { class: 'now', role: 'status' });
   let facts = { thinned: false, yellowHidden: false };
   const tell = (): void => {
     const { legend } = view;
     list.replaceChildren();
     if (legend.kind === 'names') {
       for (const item of legend.items) {
-        const mark = h('span', { class: item.dashed ? 'swatch dashed' : 'swatch' });
+        const mark = h('span', { class: `swatch dash-${item.dash}` });
         mark.style.setProperty('--colour', css(item.colour));
         const name = item.name === '' ? t('noTool') : item.name in { rapid: 1, linear: 1, arc: 1, thread: 1 } ? t(item.name as Key) : item.name;
         list.append(h('span', { class: 'item' }, mark, name));
       }
-    } else if (Number.isFinite(legend.from)) {
-      const ends = legend.unit === 's' ? [clock(legend.from), clock(legend.to)] : [shown(legend.from, 1), `${shown(legend.to, 1)} ${legend.unit}`];
-      list.append(h('span', { class: 'item' }, ends[0]!, h('span', { class: 'scale' }), ends[1]!));
+    } else {
+      legend.scales.forEach(({ from, to, unit }, which) => {
+        const ends = unit === 's' ? [clock(from), clock(to)] : [brief(from), `${brief(to)} ${unit}`];
+        const scale = h('span', { class: which % 2 === 0 ? 'scale' : 'scale other' });
+        list.append(h('span', { class: 'item' }, ends[0]!, scale, ends[1]!));
+      });
     }
     const { equidistant } = app.header;
     if (equidistant !== undefined && app.shown.equidistant) {
@@ -126,11 +143,13 @@ export function legend(app: App, view: View): HTMLElement {
   const tellNotes = (): void => {
     const { header, path, program } = app;
     const said: string[] = [];
-    if (header.count < header.blocks) {
-      said.push(t('part', { from: program.from, to: program.from + Math.max(header.count - 1, 0), n: header.blocks }));
-    }
     if (!header.whole) {
-      said.push(t('notWhole'));
+      said.push(t(header.count > 0 ? 'notWhole' : 'notDrawn'));
+    } else if (header.count === 0 && header.blocks > 0) {
+      said.push(t('partNone', { n: header.blocks }));
+    }
+    if (header.count > 0 && header.count < header.blocks) {
+      said.push(t('part', { from: program.from, to: program.from + header.count - 1, n: header.blocks }));
     }
     if (app.stale) {
       said.push(t('stale'));
@@ -138,39 +157,45 @@ export function legend(app: App, view: View): HTMLElement {
     if (path.unknown > 0) {
       said.push(t('unknownLines', { n: path.unknown }));
     }
-    const rotary = header.program.axes.filter((axis) => axis.kind === 'rotary').map((axis) => axis.letter);
-    const moved = rotary.filter((letter) => header.shapes.some((shape) => ((shape.m?.['axes'] ?? []) as string[]).includes(letter)));
-    if (moved.length > 0) {
-      said.push(t('rotary', { axes: moved.join(', ') }));
+    const moved = new Set(header.shapes.flatMap((shape) => (shape.m?.['axes'] ?? []) as string[]));
+    const others = (kind: string): string =>
+      header.program.axes
+        .filter((axis) => moved.has(axis.letter) && axis.kind === kind && !'XYZ'.includes(axis.letter))
+        .map((axis) => axis.letter)
+        .join(', ');
+    for (const [kind, key] of [
+      ['linear', 'otherLinear'],
+      ['rotary', 'rotary'],
+    ] as const) {
+      if (others(kind) !== '') {
+        said.push(t(key, { axes: others(kind) }));
+      }
     }
     if (header.machine?.['assumed'] === true) {
       said.push(t('assumed'));
     }
-    if (facts.yellowHidden) {
-      said.push(t('yellowLater'));
-    }
-    if (facts.thinned) {
-      said.push(t('thinned'));
-    }
-    const text = said.join('\n');
-    if (notes.textContent !== text) {
-      notes.replaceChildren(...said.map((line) => h('p', {}, line)));
-    }
+    notes.replaceChildren(...said.map((line) => h('p', {}, line)));
+  };
+  /** What is so only now. The bar has room for it always, so that the picture keeps its size. */
+  const tellNow = (): void => {
+    const said = [facts.yellowHidden ? t('yellowLater') : '', facts.thinned ? t('thinned') : ''].filter((text) => text !== '');
+    now.textContent = said.join(' · ');
   };
   view.onLegend = tell;
-  view.onDrawn = (now) => {
-    if (now.thinned !== facts.thinned || now.yellowHidden !== facts.yellowHidden) {
-      facts = now;
-      tellNotes();
+  view.onDrawn = (drawn) => {
+    if (drawn.thinned !== facts.thinned || drawn.yellowHidden !== facts.yellowHidden) {
+      facts = drawn;
+      tellNow();
     }
   };
   const both = (): void => {
     tell();
     tellNotes();
+    tellNow();
   };
   both();
   app.on('data', both);
   app.on('stale', both);
   app.on('language', both);
-  return h('div', { class: 'overlay' }, notes, list);
+  return h('div', { class: 'about' }, notes, h('div', { class: 'legends' }, list, now));
 }

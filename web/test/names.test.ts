@@ -1,0 +1,38 @@
+// Whatever the records name stands on the page in both languages.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import path from 'node:path';
+import { test } from 'node:test';
+
+import { named, setLanguage } from '../src/i18n.ts';
+import { root } from './pages.ts';
+
+/** The names that a field of the motion stream may have, by its schema. */
+function names(field: string): string[] {
+  const found: string[] = [];
+  const walk = (value: unknown): void => {
+    if (typeof value === 'object' && value !== null) {
+      for (const [name, inner] of Object.entries(value)) {
+        const listed = (inner as { enum?: string[] } | null)?.enum;
+        found.push(...(name === field && listed !== undefined ? listed : []));
+        walk(inner);
+      }
+    }
+  };
+  walk(JSON.parse(readFileSync(path.join(root, 'docs/reference/generated/schemas/motion.json'), 'utf8')));
+  return found;
+}
+
+for (const field of ['broken_by', 'limited_by', 'cap_by']) {
+  test(`every ${field} has a text`, () => {
+    assert.ok(names(field).length > 3);
+    for (const name of names(field)) {
+      setLanguage('en');
+      const english = named(name);
+      setLanguage('cs');
+      const czech = named(name);
+      assert.ok(!english.includes('_') && !czech.includes('_') && english !== czech, `${name}: ${english}, ${czech}`);
+    }
+  });
+}
