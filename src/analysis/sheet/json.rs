@@ -118,7 +118,7 @@ struct ToolRecord {
     /// Path of G00; none where nothing of it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     rapid_mm: Option<Number>,
-    /// The same of G00.
+    /// Some motions by G00 have no known length: the path is at least this.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     rapid_lower_bound: bool,
     /// F of working motion, by what it counts.

@@ -236,8 +236,6 @@ fn approaches() {
         ("N1 G00 X0 Y0\nN2 G01 F100 M06 T3\nN3 G54 X5\nN4 G55 X9\nN5 M30\n", 3),
         // The tool goes down from nobody knows where.
         ("N1 G0 X0 Y0\nN2 G1 Z-5 F100\nN3 G1 X10 F600\nN4 M30\n", 2),
-        // The position after it is not known.
-        ("N1 G0 XR10 Y0\nN2 G0 X5\nN3 G1 X10 F600\nN4 M30\n", 2),
         // X was known.
         ("N1 G0 X0 Y0\nN2 G0 G54 X5\nN3 G1 X10 F600\nN4 M30\n", 2),
     ] {
