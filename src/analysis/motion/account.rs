@@ -88,9 +88,9 @@ pub struct Account<'a> {
 }
 
 /// Columns of names; the longest and a blank.
-const NAME: usize = 45;
+const NAME: usize = 46;
 /// Columns of values.
-const VALUE: usize = 11;
+const VALUE: usize = 10;
 
 /// Lines under way.
 struct Lines {
