@@ -4,8 +4,10 @@ use std::fmt::Write;
 
 use super::constants::group_of;
 use super::key::Key;
+use super::motion::{MotionKey, SetKey};
 use super::motion_constants::{CONSTANTS, Holds, holds};
-use crate::dict::{Bilingual, Lang};
+use crate::diag::UnusedConstant;
+use crate::dict::{Bilingual, Dialect, Lang};
 
 /// A machine constant that gives something, by number.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -62,8 +64,7 @@ impl Constant {
                 },
             );
         }
-        for holds in held {
-            let (decades, value) = decades(*holds, lang);
+        for (decades, value) in held.iter().flat_map(|holds| decades(self.0, *holds, lang)) {
             line(&decades, &value);
         }
         line(
@@ -73,10 +74,76 @@ impl Constant {
                 "dekáda 1 je z osmi číslic ta nejvíc vpravo; systém zobrazuje tři desetinná místa, 00200008 je tedy 200.008",
             ),
         );
-        let _ = write!(page, "\n## {}\n\n```toml\n[machine-constants]\n", pick("Example", "Příklad"));
-        let _ = write!(page, "{} = \"00000000\"\n```\n", self.name());
+        if let Some(example) = self.example() {
+            let _ = write!(page, "\n## {}\n\n```toml\n{example}```\n", pick("Example", "Příklad"));
+        }
         page
     }
+
+    /// A project file with it, which can be taken as it is: default values, else those of the manual; `None` for a constant
+    /// that is never used.
+    pub fn example(self) -> Option<String> {
+        let held = holds(self.0).unwrap_or_default();
+        let own = match held.first() {
+            None => "91929394",
+            Some(holds) => digits(*holds)?,
+        };
+        let mut constants: Vec<(u16, &str)> = Vec::new();
+        let set = held.iter().find_map(|holds| match holds {
+            Holds::Set(set, _) | Holds::Control(set) => Some(*set),
+            Holds::Whole(..) | Holds::Thousandths(_) | Holds::Recognition(_) | Holds::Profile(_) | Holds::Nothing => {
+                None
+            }
+        });
+        if let Some(set) = set {
+            // Sets count with parabolic, and that needs P in set 1.
+            constants.extend([(338, "00000020"), (406, "00000001"), (407, "00050000")]);
+            let control = CONSTANTS.iter().find(|(_, held)| held.contains(&Holds::Control(set)));
+            constants.extend(control.map(|(number, _)| (*number, "00000001")));
+        }
+        constants.retain(|(number, _)| *number != self.0);
+        constants.push((self.0, own));
+        constants.sort_unstable();
+        constants.dedup();
+        let criterion = held.iter().any(|holds| {
+            matches!(
+                holds,
+                Holds::Whole(MotionKey::Accuracy | MotionKey::Overload, ..)
+                    | Holds::Set(_, SetKey::Accuracy | SetKey::Overload)
+            )
+        });
+        let mut file = format!("dialect = \"{}\"\n\n", Dialect::Cnc8x9.name());
+        if criterion {
+            file.push_str("[motion]\ncycle-ms = 2\n\n");
+        }
+        file.push_str("[machine-constants]\n");
+        for (number, digits) in constants {
+            let _ = writeln!(file, "R{number} = \"{digits}\"");
+        }
+        Some(file)
+    }
+}
+
+/// The digits of an example; none for a constant that is never used.
+const fn digits(holds: Holds) -> Option<&'static str> {
+    Some(match holds {
+        Holds::Whole(MotionKey::Accuracy, ..) => "00200008",
+        Holds::Whole(MotionKey::Overload, ..) => "00010000",
+        Holds::Whole(MotionKey::AccelRapid, ..) => "00001000",
+        Holds::Whole(..) => "00000500",
+        Holds::Thousandths(MotionKey::Angle) => "00060000",
+        Holds::Thousandths(_) => "00000000",
+        Holds::Recognition(_) => "00000002",
+        Holds::Profile(_) => "00000010",
+        Holds::Control(_) => "00000001",
+        Holds::Set(_, SetKey::Parabolic) => "00050000",
+        Holds::Set(_, SetKey::Linear) => "00000600",
+        Holds::Set(1, SetKey::Accuracy) => "00200008",
+        Holds::Set(_, SetKey::Accuracy) => "00000008",
+        Holds::Set(_, SetKey::Overload) => "00010000",
+        Holds::Set(_, SetKey::Centripetal) => "10004000",
+        Holds::Nothing => return None,
+    })
 }
 
 /// The key that says the same.
@@ -96,7 +163,7 @@ fn set_path(set: u8) -> String {
 }
 
 /// Which decades, and what they are.
-fn decades(holds: Holds, lang: Lang) -> (String, String) {
+fn decades(number: u16, holds: Holds, lang: Lang) -> Vec<(String, String)> {
     let pick = |en: &'static str, cs: &'static str| Bilingual { en, cs }.get(lang).to_owned();
     let from_to = |first: u32, last: u32| match lang {
         Lang::En => format!("Decades {first} to {last}"),
@@ -111,32 +178,51 @@ fn decades(holds: Holds, lang: Lang) -> (String, String) {
         let key = Key::find(&path).map(|key| key.meaning(lang).to_owned());
         key.map_or_else(|| format!("`{path}`"), |meaning| format!("`{path}`: {meaning}"))
     };
+    let correction = || (one(8), format!("{} (W0707)", UnusedConstant::LengthCorrection.text(lang)));
     match holds {
-        Holds::Whole(_, first, last) => (from_to(first, last), meaning()),
-        Holds::Thousandths(_) => (pick("With three decimals", "Se třemi desetinnými místy"), meaning()),
-        Holds::Recognition(decade) => {
-            (one(decade), format!("{}; {}", pick("1 manual, 2 automatic", "1 ruční, 2 automatické"), meaning()))
+        Holds::Whole(MotionKey::Overload, first, last) => vec![(from_to(first, last), meaning()), correction()],
+        Holds::Whole(_, first, last) => vec![(from_to(first, last), meaning())],
+        Holds::Thousandths(MotionKey::BreakLength | MotionKey::MergeLength) => {
+            let decades = pick("With three decimals, and a sign", "Se třemi desetinnými místy a se znaménkem");
+            vec![(decades, meaning())]
         }
-        Holds::Profile(decade) => (
-            one(decade),
-            format!("{}; {}", pick("0 ramps, 1 linear, 2 parabolic", "0 ramps, 1 linear, 2 parabolic"), meaning()),
-        ),
-        Holds::Control(_) => (
-            one(1),
-            format!(
-                "{}; {}",
-                pick(
-                    "1 enables the set; decades 2 to 6, where 1, say that the next constants hold numbers of parameters",
-                    "1 sadu zapíná; 1 v dekádách 2 až 6 znamená, že další konstanty drží čísla parametrů",
-                ),
-                meaning()
-            ),
-        ),
-        Holds::Set(..) => (pick("Value of the set", "Hodnota sady"), meaning()),
-        Holds::Nothing => (
-            pick("Not used", "Nepoužívá se"),
-            pick("the sources give no formula for it (W0707)", "podklady k ní neudávají vzorec (W0707)"),
-        ),
+        Holds::Thousandths(_) => vec![(pick("With three decimals", "Se třemi desetinnými místy"), meaning())],
+        Holds::Recognition(decade) => {
+            vec![(one(decade), format!("{}; {}", pick("1 manual, 2 automatic", "1 ruční, 2 automatické"), meaning()))]
+        }
+        Holds::Profile(decade) => {
+            vec![(one(decade), format!("0 ramps, 1 linear, 2 parabolic; {}", meaning()))]
+        }
+        Holds::Control(set) => {
+            let last = if set == 0 { 3 } else { 6 };
+            let by_parameter = match lang {
+                Lang::En => "1: the constant next in the row holds the number of a parameter, R0 to R94",
+                Lang::Cs => "1: příslušná další konstanta udává číslo parametru, R0 až R94",
+            };
+            vec![
+                (one(1), format!("{}; {}", pick("1 enables the set", "1 sadu zapíná"), meaning())),
+                (from_to(2, last), by_parameter.to_owned()),
+            ]
+        }
+        Holds::Set(_, SetKey::Parabolic) => {
+            let smaller = pick("2, 3: P is 100, 1000 times smaller", "2, 3: P je 100krát, 1000krát menší");
+            vec![(from_to(1, 7), meaning()), (one(8), smaller)]
+        }
+        Holds::Set(_, SetKey::Linear) => vec![(from_to(1, 8), meaning())],
+        Holds::Set(_, SetKey::Accuracy) => vec![(from_to(1, 4), meaning())],
+        Holds::Set(_, SetKey::Overload) => vec![(from_to(1, 7), meaning()), correction()],
+        Holds::Set(_, SetKey::Centripetal) => {
+            let tenths = pick("in tenths of mm/s²", "v desetinách mm/s²");
+            let eighth = pick(
+                "1: the digits count; 0: they are a percentage, which no source explains (W0707)",
+                "1: číslice platí; 0: jsou procentem, které prameny nevysvětlují (W0707)",
+            );
+            vec![(from_to(1, 7), format!("{tenths}; {}", meaning())), (one(8), eighth)]
+        }
+        Holds::Nothing => {
+            let why = UnusedConstant::of(number).text(lang);
+            vec![(pick("Not used", "Nepoužívá se"), format!("{why} (W0707)"))]
+        }
     }
 }
 
@@ -158,5 +244,27 @@ mod tests {
         let page = Constant(384).page(Lang::En);
         assert!(page.contains("Decades 5 to 6: `motion.red-percent`"), "{page}");
         assert!(Constant(56).page(Lang::Cs).contains("skupiny 10"));
+    }
+
+    #[test]
+    fn decades_are_named() {
+        let says = |number: u16, lang: Lang, text: &str| {
+            let page = Constant(number).page(lang);
+            assert!(page.contains(text), "{text}\n{page}");
+        };
+        says(386, Lang::En, "Not used: R386 is superseded by R395");
+        says(232, Lang::Cs, "Nepoužívá se: jak R232 omezuje rychlost");
+        for number in [407, 413, 431] {
+            says(number, Lang::En, "Decade 8: 2, 3: P is 100, 1000 times smaller");
+            says(number, Lang::Cs, "Dekáda 8: 2, 3: P je 100krát, 1000krát menší");
+        }
+        says(411, Lang::En, "Decades 1 to 7: in tenths of mm/s²;");
+        says(411, Lang::Cs, "Dekáda 8: 1: číslice platí;");
+        says(382, Lang::En, "With three decimals, and a sign: ");
+        says(383, Lang::Cs, "Se třemi desetinnými místy a se znaménkem: ");
+        says(385, Lang::En, "Decade 8: how decade 8 corrects");
+        says(406, Lang::En, "Decades 2 to 6: 1:");
+        says(430, Lang::En, "Decades 2 to 3: 1:");
+        says(430, Lang::Cs, "Dekády 2 až 3: 1:");
     }
 }

@@ -6,7 +6,7 @@ use super::motion_constants::{self as constants, Decades, Holds, Miswritten, Wri
 use super::motion_keys;
 use super::project::Project;
 use super::taken::{Setting, Taken, Values};
-use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, LabelText, UnusedConstant};
+use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, LabelText, UnusedConstant};
 use crate::dict::{Decimal, Dialect};
 use crate::text::{FileId, Location, Span};
 
@@ -390,8 +390,21 @@ impl Assembly<'_> {
         if digits <= BELIEVED {
             return true;
         }
-        let meant = format!("{}", Decimal::from_thousandths(i64::from(digits) / 1000));
-        self.not_used(one.number, UnusedConstant::TooFast { accel: digits, meant }, one.key);
+        let mut meant = digits / 1000;
+        while meant > BELIEVED {
+            meant /= 1000;
+        }
+        let shown = format!("{}.{:03}", meant / 1000, meant % 1000);
+        let problem = UnusedConstant::TooFast { accel: digits, meant, shown };
+        let finding = Finding::ConstantNotUsed { constant: format!("R{}", one.number), problem };
+        let text = format!("\"{meant:08}\"");
+        let diagnostic = Diagnostic::new(finding, one.key);
+        self.findings.add(match one.from {
+            From::Set => diagnostic,
+            From::Default | From::Key | From::Constant(_) => {
+                diagnostic.with_offer(FixTitle::Write { text: text.clone() }, one.place, text)
+            }
+        });
         false
     }
 
@@ -430,6 +443,13 @@ fn decade_of(decade: u32, digits: &str) -> ConfigNeed {
 /// What the values need of one another.
 fn check_whole(motion: &Motion, places: &[(Quantity, Location)], findings: &mut Findings) {
     let place = |quantity: Quantity| places.iter().find(|(other, _)| *other == quantity).map(|(_, place)| *place);
+    // What has a finding of its own is there, though nobody knows what it is.
+    let is_wrong = |keys: &[&str]| {
+        let is_one = |finding: &Finding| matches!(finding, Finding::ConfigurationValue { key, .. } if keys.contains(&key.as_str()));
+        findings.items().iter().any(|found| is_one(&found.finding))
+    };
+    let no_p = is_wrong(&["motion.sets.1.parabolic", "machine-constants.R406", "machine-constants.R407"]);
+    let no_cycle = is_wrong(&["motion.cycle-ms"]);
     let mut need = |key: String, needs: ConfigNeed, at: Location| {
         findings.add(Diagnostic::new(Finding::ConfigurationValue { key, needs }, at));
     };
@@ -440,11 +460,11 @@ fn check_whole(motion: &Motion, places: &[(Quantity, Location)], findings: &mut 
         Some(SetValue::Parameter(_)) => true,
         None => false,
     };
-    if profile == Profile::Parabolic && !on(set(1, SetKey::Parabolic)) {
+    if profile == Profile::Parabolic && !no_p && !on(set(1, SetKey::Parabolic)) {
         let at = place(Quantity::Profile).unwrap_or_default();
         need(motion.profile.from.shown("profile"), ConfigNeed::ParabolicSet, at);
     }
-    if profile == Profile::Ramps || motion.given(MotionKey::Cycle).value.is_some() {
+    if profile == Profile::Ramps || no_cycle || motion.given(MotionKey::Cycle).value.is_some() {
         return;
     }
     // Of several criteria the first in the text says what is missing.

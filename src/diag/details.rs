@@ -303,8 +303,8 @@ bilingual! {
         Circles "how R232 limits the velocity on circles is in no source; `centripetal-mm-s2` or R411 with 1 in decade 8 does it", "jak R232 omezuje rychlost na kruhu, prameny neuvádějí; slouží k tomu centripetal-mm-s2 nebo R411 s 1 v 8. dekádě";
         Superseded "R386 is superseded by R395, the time criterion", "R386 nahradila R395, kritérium času";
         LengthCorrection "how decade 8 corrects the criterion for the length of blocks is in no source; the other digits are used", "jak 8. dekáda koriguje kritérium na délku bloku, prameny neuvádějí; ostatní číslice platí";
-        Percentage "how a percentage limits the velocity on circles is in no source; with 1 in decade 8 the digits are a centripetal acceleration", "jak procento omezuje rychlost na kruhu, prameny neuvádějí; s 1 v 8. dekádě jsou číslice odstředivým zrychlením";
-        TooFast { accel: u32, meant: String } "{accel} mm/s² is no acceleration of a machine; {meant} is probably meant", "{accel} mm/s² není zrychlení stroje; míněno je asi {meant}";
+        Percentage "how a percentage limits the velocity on circles is in no source; with 1 in decade 8 the digits are a centripetal acceleration in tenths of mm/s²", "jak procento omezuje rychlost na kruhu, prameny neuvádějí; s 1 v 8. dekádě jsou číslice odstředivým zrychlením v desetinách mm/s²";
+        TooFast { accel: u32, meant: u32, shown: String } "{accel} mm/s² is no acceleration of a machine; probably {shown} is meant, which is {meant} mm/s²", "{accel} mm/s² není zrychlení stroje; míněno je asi {shown}, tedy {meant} mm/s²";
     }
 }
 

@@ -9,7 +9,6 @@ use serde_json::{Value, json};
 use super::analysis::Analysis;
 use super::places::{Places, location};
 use super::requests::{Answer, Snapshot};
-use crate::analysis::motion::clock;
 use crate::query::cursor::DOCUMENT;
 use crate::query::hover_texts::Said;
 use crate::query::observe::{Observation, observe_motion};
@@ -57,9 +56,9 @@ pub(super) fn code_lens(
         let range = places.range(unit.entry.span);
         let arguments = json_list(&uri, &range.start, &callers);
         let lang = snapshot.client.lang();
-        let seconds = observation.as_ref().and_then(|seen| seen.moves.as_ref()?.units_s.get(at).copied());
-        let title = match seconds.filter(|seconds| *seconds > 0.0) {
-            Some(seconds) => Said::WithTime { text: title.text(lang), time: clock(seconds) }.text(lang),
+        let total = observation.as_ref().and_then(|seen| seen.moves.as_ref()?.units.get(at).copied());
+        let title = match total.filter(|total| !total.is_nothing()) {
+            Some(total) => Said::WithTime { text: title.text(lang), time: total.text(lang) }.text(lang),
             None => title.text(lang),
         };
         lenses.push(lens(range, title, SHOW_REFERENCES, Some(arguments)));
@@ -90,7 +89,7 @@ fn totals(snapshot: &Snapshot, observation: &Observation) -> String {
     let (blocks, path) = (count(observation.executed), rounded(observation.path));
     let text = Said::Totals { blocks, path }.text(lang);
     match &observation.moves {
-        Some(seen) => Said::WithTime { text, time: clock(seen.time_s) }.text(lang),
+        Some(seen) => Said::WithTime { text, time: seen.total.text(lang) }.text(lang),
         None => text,
     }
 }

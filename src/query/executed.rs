@@ -8,7 +8,7 @@ use super::observe::{MOST, Observation, Observed};
 use super::page::Page;
 use super::shown::{count, exact, feed_unit, rounded, speed_unit};
 use super::values::Values;
-use crate::analysis::motion::{break_name, clock, limit_name};
+use crate::analysis::motion::{break_name, limit_name};
 use crate::dict::{Address, AxisLetter, Decimal, Micro};
 use crate::session::Session;
 use crate::syntax::{BlockId, Value, Word};
@@ -74,7 +74,7 @@ impl Subject<'_> {
         page.item(&Said::Executed.text(self.lang), &self.qualified(count(observation.executed), observation));
         page.item(&Said::Path.text(self.lang), &format!("{} mm", rounded(observation.path)));
         if let Some(seen) = &observation.moves {
-            page.item(&Said::BlockTime.text(self.lang), &clock(seen.time_s));
+            page.item(&Said::BlockTime.text(self.lang), &seen.total.text(self.lang));
         }
         if let Some(end) = observation.end {
             page.item(&Said::End.text(self.lang), &page.code(&format!("M{end:02}")));

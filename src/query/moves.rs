@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use super::values::Values;
-use crate::analysis::motion::{BlockTimes, Break, Limit, Listener, Model, Planner, StepReader, Unit};
+use crate::analysis::motion::{BlockTimes, Break, Limit, Listener, Model, Planner, StepReader, Total, Unit};
 use crate::config::Settings;
 use crate::dict::Micro;
 use crate::run::Executed;
@@ -45,10 +45,10 @@ pub(crate) struct Seen {
     waiting: VecDeque<(Option<BlockId>, Option<usize>)>,
     /// Of the blocks asked for.
     pub(crate) blocks: BTreeMap<BlockId, Moved>,
-    /// Seconds in the units asked for, without those that they call.
-    pub(crate) units_s: Vec<f64>,
-    /// Seconds of the program.
-    pub(crate) time_s: f64,
+    /// Times of the units asked for, without those that they call.
+    pub(crate) units: Vec<Total>,
+    /// Time of the program.
+    pub(crate) total: Total,
 }
 
 impl Moves {
@@ -57,7 +57,7 @@ impl Moves {
         Self {
             reader: StepReader::new(settings),
             planner: Planner::new(Model::of(settings), false),
-            seen: Seen { units_s: vec![0.0; units], ..Seen::default() },
+            seen: Seen { units: vec![Total::default(); units], ..Seen::default() },
         }
     }
 
@@ -76,10 +76,10 @@ impl Moves {
 
 impl Listener for Seen {
     fn block(&mut self, times: &BlockTimes) {
-        self.time_s += times.duration_s;
+        self.total.add(times);
         let Some((block, unit)) = self.waiting.pop_front() else { return };
-        if let Some(sum) = unit.and_then(|unit| self.units_s.get_mut(unit)) {
-            *sum += times.duration_s;
+        if let Some(sum) = unit.and_then(|unit| self.units.get_mut(unit)) {
+            sum.add(times);
         }
         let Some(moved) = block.map(|block| self.blocks.entry(block).or_default()) else { return };
         moved.time_s.add((!times.unknown).then(|| Micro::from_f64(times.duration_s)));

@@ -48,6 +48,36 @@ fn json() {
     assert_eq!(first["time_s"], total["time_by_tool"]["1"]);
 }
 
+/// A path that nobody knows is not 0, and one that is known in part is at least that.
+#[test]
+fn unknown_paths() {
+    let place = place();
+    let sheet = |program: &str| -> Value {
+        place.put("path.nc", format!("%1\n{program}"));
+        let run = place.run(&["report", "path.nc", "--format", "json"]).ends(0);
+        let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
+        let validator = jsonschema::validator_for(&cnc872c::analysis::sheet::schema()).unwrap();
+        assert!(validator.is_valid(&sheet), "{:?}", validator.iter_errors(&sheet).next());
+        sheet
+    };
+    let text = || place.run(&["report", "path.nc", "--lang", "en"]).ends(0).stdout;
+    let unknown = sheet("N1 G00 X0 Y0\nN2 G01 F100 M06 T3\nN3 G54 X5\nN4 G55 X9\nN5 M30\n");
+    let tool = &unknown["tools"][1];
+    assert!(tool.get("working_mm").is_none() && tool.get("working_lower_bound").is_none(), "{tool}");
+    assert_eq!(tool["rapid_mm"], 0);
+    assert!(text().contains("at least 0:00:00.0; blocks of unknown time: 3"), "{}", text());
+    assert!(text().contains("0:00:00.0  not known     0 mm"), "{}", text());
+    let part = sheet("N1 T3 M6\nN2 G01 X5 F100\nN3 X9\nN4 A90\nN5 M30\n");
+    assert_eq!((&part["tools"][0]["working_mm"], &part["tools"][0]["working_lower_bound"]), (&json!(4), &json!(true)));
+    assert!(text().contains("at least 4 mm"), "{}", text());
+    // A motion of a rotary axis has no path in mm, and lacks none.
+    let rotary = sheet("N1 G0 A0 T3 M6\nN2 G0 A0\nN3 G01 A90 F100\nN4 M30\n");
+    assert_eq!(rotary["tools"][0]["working_mm"], 0);
+    // Nobody knows what a fixed cycle that is not mapped moves.
+    let cycle = sheet("N1 G0 X0 Y0 T3 M6\nN2 G81\nN3 X5\nN4 M30\n");
+    assert!(cycle["tools"][0].get("working_mm").is_none(), "{cycle}");
+}
+
 #[test]
 fn forms_for_people() {
     let place = place();

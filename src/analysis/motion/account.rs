@@ -2,6 +2,7 @@
 
 use super::basis::{Basis, InForce};
 use super::summary::{RedJoint, Summary};
+use super::times::BlockTimes;
 use super::trimmed;
 use super::words::{Help, LimitName, Reason, Words};
 use crate::diag::terminal_safe;
@@ -18,6 +19,59 @@ pub fn clock(seconds: f64) -> String {
     format!("{}:{:02}:{:02}.{tenth}", whole / 3600, whole / 60 % 60, whole % 60)
 }
 
+/// A time, and what it lacks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Total {
+    /// Seconds that are known.
+    pub time_s: f64,
+    /// Blocks whose time is not known.
+    pub unknown_blocks: u64,
+    /// Those of them that lead to the first known position.
+    pub approach_blocks: u64,
+    /// Blocks whose jerk nothing limits: they take at least their times.
+    pub jerk_free_blocks: u64,
+}
+
+impl Total {
+    /// The time of a program.
+    pub const fn of(summary: &Summary) -> Self {
+        Self {
+            time_s: summary.time_s,
+            unknown_blocks: summary.unknown_blocks,
+            approach_blocks: summary.approach_blocks,
+            jerk_free_blocks: summary.jerk_free_blocks,
+        }
+    }
+
+    /// Adds the time of a block.
+    pub fn add(&mut self, block: &BlockTimes) {
+        self.time_s += block.duration_s;
+        self.unknown_blocks += u64::from(block.unknown);
+        self.approach_blocks += u64::from(block.unknown && block.approach);
+        self.jerk_free_blocks += u64::from(block.motion.as_ref().is_some_and(|motion| motion.jerk_free));
+    }
+
+    /// Whether there is neither a time nor something that lacks one.
+    pub fn is_nothing(&self) -> bool {
+        self.time_s <= 0.0 && self.unknown_blocks == 0
+    }
+
+    /// `0:00:16.7`, with how many blocks it lacks where it is a lower bound.
+    pub fn text(&self, lang: Lang) -> String {
+        let time = clock(self.time_s);
+        let words = match self.unknown_blocks {
+            0 if self.jerk_free_blocks > 0 => Words::AtLeastSo { time },
+            0 => Words::Whole { time },
+            blocks if blocks == self.approach_blocks && self.jerk_free_blocks > 0 => {
+                Words::AtLeastWithoutApproach { time }
+            }
+            blocks if blocks == self.approach_blocks => Words::WithoutApproach { time },
+            blocks => Words::AtLeast { time, blocks },
+        };
+        words.text(lang)
+    }
+}
+
 /// What a program's motion is told from.
 #[derive(Clone, Copy, Debug)]
 pub struct Account<'a> {
@@ -32,6 +86,11 @@ pub struct Account<'a> {
     /// The texts that places are in.
     pub sources: &'a Sources,
 }
+
+/// Columns of names; the longest and a blank.
+const NAME: usize = 46;
+/// Columns of values.
+const VALUE: usize = 10;
 
 /// Lines under way.
 struct Lines {
@@ -53,8 +112,8 @@ impl Lines {
 
     /// A name, and values that stand below one another.
     fn row(&mut self, name: &str, value: &str, rest: &str) {
-        let pad = 42_usize.saturating_sub(name.chars().count());
-        let line = format!("  {name}{:pad$}{value:>14}{rest}", "");
+        let pad = NAME.saturating_sub(name.chars().count());
+        let line = format!("  {name}{:pad$}{value:>VALUE$}{rest}", "");
         self.add(&line);
     }
 }
@@ -64,7 +123,7 @@ impl Account<'_> {
     pub fn text(&self, lang: Lang) -> String {
         let mut lines = Lines { text: String::new(), lang };
         let Self { summary, basis, .. } = self;
-        let total = self.total().text(lang);
+        let total = Total::of(summary).text(lang);
         lines.add(&format!("{}: {total}", terminal_safe(self.name)));
         if summary.jerk_free_blocks > 0 {
             lines.add(&Words::JerkFree { blocks: summary.jerk_free_blocks }.text(lang));
@@ -75,20 +134,6 @@ impl Account<'_> {
         self.add_joints(summary, &mut lines);
         self.add_red(summary, &mut lines);
         lines.text
-    }
-
-    fn total(&self) -> Words {
-        let summary = self.summary;
-        let time = clock(summary.time_s);
-        match summary.unknown_blocks {
-            0 if summary.jerk_free_blocks > 0 => Words::AtLeastSo { time },
-            0 => Words::Whole { time },
-            blocks if blocks == summary.approach_blocks && summary.jerk_free_blocks > 0 => {
-                Words::AtLeastWithoutApproach { time }
-            }
-            blocks if blocks == summary.approach_blocks => Words::WithoutApproach { time },
-            blocks => Words::AtLeast { time, blocks },
-        }
     }
 
     fn add_basis(&self, basis: &Basis, lines: &mut Lines) {
@@ -267,7 +312,34 @@ pub(super) const fn motion_name(kind: MotionType) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::clock;
+    use super::*;
+    use crate::analysis::motion::{Break, Limit};
+
+    /// Counts stand in one column, whatever breaks joints.
+    #[test]
+    fn names_fit() {
+        for lang in [Lang::En, Lang::Cs] {
+            let broken = Break::ALL.map(|reason| Words::BrokenBy { reason: Reason::of(reason).text(lang) });
+            let limits = Limit::ALL.map(|limit| LimitName::of(limit).text(lang));
+            let others = [Words::Ideal, Words::NoJerk, Words::Settle, Words::Gaps, Words::NoTool];
+            let names = broken.iter().chain(&others).map(|words| words.text(lang)).chain(limits);
+            for name in names {
+                assert!(name.chars().count() < NAME, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn totals_say_what_they_lack() {
+        let text = |unknown_blocks: u64, approach_blocks: u64, jerk_free_blocks: u64| {
+            Total { time_s: 0.6, unknown_blocks, approach_blocks, jerk_free_blocks }.text(Lang::En)
+        };
+        assert_eq!(text(0, 0, 0), "0:00:00.6");
+        assert_eq!(text(9, 1, 0), "at least 0:00:00.6; blocks of unknown time: 9");
+        assert_eq!(text(2, 2, 0), "0:00:00.6 without the approach");
+        assert_eq!(text(2, 2, 1), "at least 0:00:00.6, without the approach");
+        assert_eq!(text(0, 0, 1), "at least 0:00:00.6");
+    }
 
     #[test]
     fn clocks() {

@@ -1,6 +1,6 @@
 //! What an estimate rests on: every value in force, with where it comes from.
 
-use crate::config::{GivenBy, Motion, MotionKey, Rapid, SetKey, SetValue, Settings};
+use crate::config::{GivenBy, Motion, MotionKey, Profile, Rapid, SetKey, SetValue, Settings};
 use crate::dict::{AxisLetter, Decimal};
 
 /// A value of the machine.
@@ -101,7 +101,12 @@ impl Basis {
         add(table, key, BasisValue::Name(motion.profile.value.name()), (motion.profile.from, key));
         let (table, key) = own("recognition");
         add(table, key, BasisValue::Name(motion.recognition.value.name()), (motion.recognition.from, key));
+        let rapid_set = motion.profile.value == Profile::Parabolic && motion.sets.first().is_some_and(Option::is_some);
         for key in MotionKey::ALL {
+            // With a set of its own G00 does not go by the key.
+            if rapid_set && key == MotionKey::AccelRapid {
+                continue;
+            }
             if let Some((value, given)) = number(motion, key) {
                 add(Table::Motion, key.name(), BasisValue::Number(value), given);
             }
@@ -112,13 +117,17 @@ impl Basis {
         };
         add(Table::Motion, "rapid-mm-min", rapid, (motion.rapid.from, "rapid-mm-min"));
         for (set, dynamic) in motion.sets.iter().enumerate() {
+            if rapid_set && set == 0 {
+                for key in [SetKey::Parabolic, SetKey::Linear] {
+                    if let Some((value, (from, of))) = of_rapid(motion, key) {
+                        add(Table::Set(set), key.name(), value, (from, &of));
+                    }
+                }
+                continue;
+            }
             for key in SetKey::ALL {
                 let Some(given) = dynamic.as_ref().and_then(|dynamic| dynamic.get(key)) else { continue };
-                let value = match given.value {
-                    SetValue::Number(number) if number == Decimal::ZERO => continue,
-                    SetValue::Number(number) => BasisValue::Number(number),
-                    SetValue::Parameter(number) => BasisValue::Parameter(number),
-                };
+                let Some(value) = of_set(given.value) else { continue };
                 let table = Table::Set(set);
                 add(table, key.name(), value, (given.from, &path(table, key.name())));
             }
@@ -151,6 +160,28 @@ impl Basis {
         }
         changes
     }
+}
+
+/// The value of a set; none where it is off.
+fn of_set(value: SetValue) -> Option<BasisValue> {
+    match value {
+        SetValue::Number(number) if number == Decimal::ZERO => None,
+        SetValue::Number(number) => Some(BasisValue::Number(number)),
+        SetValue::Parameter(number) => Some(BasisValue::Parameter(number)),
+    }
+}
+
+/// What G00 goes by with a set of its own, and the path of the key that gives it: what the set lacks is that of set 1, then
+/// that of the keys.
+fn of_rapid(motion: &Motion, key: SetKey) -> Option<(BasisValue, (GivenBy, String))> {
+    let own = [0, 1].into_iter().find_map(|set| {
+        let given = motion.sets.get(set)?.as_ref()?.get(key)?;
+        Some((of_set(given.value)?, (given.from, path(Table::Set(set), key.name()))))
+    });
+    own.or_else(|| {
+        let (value, (from, of)) = number(motion, MotionKey::AccelContinuous).filter(|_| key == SetKey::Linear)?;
+        Some((BasisValue::Number(value), (from, of.to_owned())))
+    })
 }
 
 /// A number in force with the key that gives it; none where it is off or absent.

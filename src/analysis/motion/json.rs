@@ -11,6 +11,9 @@ use crate::dict::Micro;
 /// From velocities in a second to those in a minute.
 pub(super) const PER_MINUTE: f64 = 60.0;
 
+/// Shorter phases, seconds, are what rounding leaves.
+const DUST_S: f64 = 1e-12;
+
 /// An object under way.
 struct Object<'o> {
     out: &'o mut String,
@@ -249,18 +252,24 @@ fn put_motion(record: &mut Object<'_>, motion: &MotionTimes) {
         put_joint(record.object("joint"), joint);
     }
     if !phases.is_empty() {
-        let out = record.key("phases");
-        for (at, phase) in phases.iter().enumerate() {
-            let Phase { duration_s, velocity, acceleration, jerk } = *phase;
+        push_phases(record.key("phases"), phases);
+    }
+}
+
+fn push_phases(out: &mut String, phases: &[Phase]) {
+    out.push('[');
+    for (at, phase) in phases.iter().filter(|phase| phase.duration_s >= DUST_S).enumerate() {
+        let Phase { duration_s, velocity, acceleration, jerk } = *phase;
+        if at > 0 {
+            out.push(',');
+        }
+        for (at, value) in [duration_s, velocity, acceleration, jerk].into_iter().enumerate() {
             out.push(if at == 0 { '[' } else { ',' });
-            for (at, value) in [duration_s, velocity, acceleration, jerk].into_iter().enumerate() {
-                out.push(if at == 0 { '[' } else { ',' });
-                push_digits(out, value);
-            }
-            out.push(']');
+            push_digits(out, value);
         }
         out.push(']');
     }
+    out.push(']');
 }
 
 fn put_joint(mut record: Object<'_>, joint: &Joint) {
@@ -325,6 +334,14 @@ mod tests {
         let mut out = String::new();
         push(&mut out, value);
         out
+    }
+
+    #[test]
+    fn phases_that_rounding_leaves() {
+        let phase = |duration_s: f64, jerk: f64| Phase { duration_s, velocity: 5.0, acceleration: 0.0, jerk };
+        let mut out = String::new();
+        push_phases(&mut out, &[phase(2.5e-16, 9e9), phase(0.5, 2.0), phase(1e-13, -9e9), phase(1e-9, 0.0)]);
+        assert_eq!(out, "[[0.5,5,0,2],[0.000000001,5,0,0]]");
     }
 
     #[test]

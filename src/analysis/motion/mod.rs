@@ -31,7 +31,7 @@ mod times;
 mod words;
 
 pub use crate::config::{Profile, Recognition};
-pub use account::{Account, clock};
+pub use account::{Account, Total, clock};
 pub use basis::{Basis, BasisValue, InForce, Table};
 pub use csv::{CSV_HEAD, write_csv};
 pub use findings::JointFindings;

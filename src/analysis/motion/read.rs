@@ -56,6 +56,8 @@ pub struct StepReader {
     correction: Option<u16>,
     /// Whether a motion of known length was executed.
     moved: bool,
+    /// The axes that motions led to known positions, by place in [`AxisLetter::ALL`].
+    reached: [bool; AxisLetter::ALL.len()],
     /// Of the block before.
     line: u32,
 }
@@ -74,6 +76,7 @@ impl StepReader {
             dynamics: [None; 5],
             correction: None,
             moved: false,
+            reached: [false; AxisLetter::ALL.len()],
             line: 0,
         }
     }
@@ -85,9 +88,7 @@ impl StepReader {
         let dwells = block.g(GGroup::G10) == Some(GCode::G04);
         let cycle = block.g(GGroup::G8).filter(|code| code.is_cycle());
         let unmapped = cycle.is_some_and(|code| !self.mapped.contains(&code.number()));
-        let missing = motion.map(|motion| motion.length());
-        let missing = matches!(missing, Some(Length::Missing(Missing::Start | Missing::Origin)));
-        let approach = missing && !self.moved;
+        let approach = motion.is_some_and(|motion| self.approaches(&motion));
         let motion = motion.map(|motion| self.motion(block, &motion));
         self.moved |= motion.is_some_and(|motion| motion.length.is_some());
         self.line = block.line_column_after(self.line).line;
@@ -114,6 +115,25 @@ impl StepReader {
             approach,
             tool: block.tool(),
         }
+    }
+
+    /// Whether a motion lacks its length because it leads to the first known position: as the first motion, or as G00
+    /// along axes that were nowhere known before it.
+    fn approaches(&mut self, motion: &Motion<'_>) -> bool {
+        if self.moved {
+            return false;
+        }
+        let missing = matches!(motion.length(), Length::Missing(Missing::Start | Missing::Origin));
+        let first = self.reached.iter().all(|reached| !reached);
+        let mut approaches = missing && (first || motion.kind() == MotionType::Rapid);
+        for letter in motion.axes() {
+            let is_known = motion.end(letter).is_some();
+            let Some(reached) = self.reached.get_mut(letter as usize) else { continue };
+            let lacks = motion.is_stale() || motion.distance(letter).is_none();
+            approaches &= !lacks || (is_known && !*reached);
+            *reached |= is_known;
+        }
+        approaches
     }
 
     /// What is written in the block.
@@ -203,7 +223,7 @@ impl StepReader {
             to,
             vector,
             programmed: match kind {
-                MotionType::Rapid => length.and_then(|length| self.rapid(motion, length)),
+                MotionType::Rapid => self.rapid(motion, length),
                 MotionType::Reference => None,
                 MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw | MotionType::Thread => {
                     self.feed(block, kind)
@@ -231,10 +251,11 @@ impl StepReader {
     }
 
     /// Velocity of G00 along the path (VEL-2), mm/s or deg/s.
-    fn rapid(&self, motion: &Motion<'_>, length: f64) -> Option<f64> {
+    fn rapid(&self, motion: &Motion<'_>, length: Option<f64>) -> Option<f64> {
         match &self.motion.rapid.value {
             Rapid::Path(velocity) => Some(float(*velocity) / 60.0),
             Rapid::Axes(table) => {
+                let length = length?;
                 let velocity = |letter: AxisLetter| {
                     let own = table.iter().find(|(other, _)| *other == letter);
                     float(own.map_or(Rapid::DEFAULT, |(_, velocity)| *velocity)) / 60.0

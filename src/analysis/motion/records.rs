@@ -55,8 +55,8 @@ struct MachineRecord {
     accel_mm_s2: f64,
     /// Acceleration of working motion within continuity.
     accel_continuous_mm_s2: f64,
-    /// Acceleration of G00.
-    accel_rapid_mm_s2: f64,
+    /// Acceleration of G00; none where `sets.rapid` gives it.
+    accel_rapid_mm_s2: Option<f64>,
     /// Velocity of G00 along the path.
     rapid_mm_min: Option<f64>,
     /// Velocity of G00 by axis.
@@ -156,7 +156,8 @@ struct BlockRecord {
     piece_mm: Option<f64>,
     /// The joint with the motion before.
     joint: Option<JointRecord>,
-    /// Duration in s, start velocity in mm/s, acceleration in mm/s², jerk in mm/s³; twelve significant digits.
+    /// Duration in s, start velocity in mm/s, acceleration in mm/s², jerk in mm/s³; twelve significant digits. Phases
+    /// shorter than 1e-12 s are left out.
     phases: Option<Vec<[f64; 4]>>,
 }
 

@@ -132,6 +132,7 @@ bilingual! {
         Mode "write G23 into the block before it already", "zapsat G23 už do předchozího bloku";
         NoMotion "where the order allows it, write what the blocks between them hold in a block that moves", "kde to pořadí dovolí, zapsat obsah bloků mezi nimi do bloku s pohybem";
         Dwell "without G04 the motion goes on", "bez G04 pohyb pokračuje";
+        Stop "write M00 or M01 where the machine stops anyway", "M00 nebo M01 zapsat tam, kde se stroj stejně zastaví";
         MFunction "write the M function where the machine stops anyway", "M funkci zapsat tam, kde se stroj stejně zastaví";
         Unknown "give F and a known position before it", "zadat před ním F a známou polohu";
         ShortLength "longer blocks, or merge-length-mm, which joins short ones", "delší bloky, nebo merge-length-mm, které krátké přidruží";
@@ -154,12 +155,13 @@ impl Help {
             Break::Mode => Some(Self::Mode),
             Break::NoMotion => Some(Self::NoMotion),
             Break::Dwell => Some(Self::Dwell),
+            Break::Stop => Some(Self::Stop),
             Break::MFunction => Some(Self::MFunction),
             Break::Unknown => Some(Self::Unknown),
             Break::ShortLength => Some(Self::ShortLength),
             Break::ShortTime => Some(Self::ShortTime),
             Break::Angle => Some(Self::Angle),
-            Break::Start | Break::Rapid | Break::OtherMotion | Break::Stop | Break::Axes => None,
+            Break::Start | Break::Rapid | Break::OtherMotion | Break::Axes => None,
         }
     }
 

@@ -1,9 +1,9 @@
 //! The set-up sheet as tables of text, before it takes one of its forms for people.
 
 use super::extents::Extents;
-use super::reader::{Sheet, ToolUse};
+use super::reader::{Path, Sheet, ToolUse};
 use super::words::Words;
-use crate::analysis::motion::{Summary, clock};
+use crate::analysis::motion::{Summary, Total, clock};
 use crate::dict::{Decimal, Lang, Micro};
 
 /// A heading with a table below it.
@@ -39,14 +39,7 @@ pub fn document(sheet: &Sheet, summary: &Summary, assumed: bool, lang: Lang) -> 
     let number = head.number.map(|number| format!("%{number}"));
     let title = head.title.as_ref().map(|title| format!("\"{title}\""));
     let program: Vec<String> = [number, title].into_iter().flatten().collect();
-    let time = clock(summary.time_s);
-    let time = match summary.unknown_blocks {
-        0 if !summary.is_lower_bound() => time,
-        blocks if blocks > 0 && blocks == summary.approach_blocks && summary.jerk_free_blocks == 0 => {
-            say(Words::WithoutApproach { time })
-        }
-        _ => say(Words::AtLeast { time }),
-    };
+    let time = Total::of(summary).text(lang);
     let time = if assumed { format!("{time} ({})", say(Words::Assumed)) } else { time };
     Document {
         lang,
@@ -97,8 +90,8 @@ fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
             format!("N{}", tool.n),
             tool.changes.to_string(),
             clock(summary.by_tool.get(&tool.tool).copied().unwrap_or(0.0)),
-            format!("{} mm", tool.working),
-            format!("{} mm", tool.rapid),
+            path(tool.working, lang),
+            path(tool.rapid, lang),
             feeds(tool),
             tool.speeds.map_or_else(String::new, range),
             tool.d.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
@@ -118,6 +111,14 @@ fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
         Words::Reach,
     ];
     section(Words::Tools, &head, rows.collect(), lang)
+}
+
+fn path(path: Path, lang: Lang) -> String {
+    match path.known() {
+        None => Words::Unknown.text(lang),
+        Some(length) if path.is_lower_bound() => Words::AtLeast { length: format!("{length} mm") }.text(lang),
+        Some(length) => format!("{length} mm"),
+    }
 }
 
 fn feeds(tool: &ToolUse) -> String {

@@ -109,10 +109,18 @@ struct ToolRecord {
     changes: u64,
     /// Duration of the blocks with it.
     time_s: Number,
-    /// Path of working motion.
-    working_mm: Number,
-    /// Path of G00.
-    rapid_mm: Number,
+    /// Path of working motion; none where nothing of it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    working_mm: Option<Number>,
+    /// Some working motions have no known length: the path is at least this.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    working_lower_bound: bool,
+    /// Path of G00; none where nothing of it is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rapid_mm: Option<Number>,
+    /// Some motions by G00 have no known length: the path is at least this.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    rapid_lower_bound: bool,
     /// F of working motion, by what it counts.
     feeds: Vec<FeedRecord>,
     /// S of working motion: least and greatest.
@@ -234,8 +242,10 @@ fn tool(used: &ToolUse, summary: &Summary) -> ToolRecord {
         n: used.n,
         changes: used.changes,
         time_s: summary.by_tool.get(&used.tool).copied().unwrap_or(0.0).into(),
-        working_mm: Number(used.working),
-        rapid_mm: Number(used.rapid),
+        working_mm: used.working.known().map(Number),
+        working_lower_bound: used.working.is_lower_bound(),
+        rapid_mm: used.rapid.known().map(Number),
+        rapid_lower_bound: used.rapid.is_lower_bound(),
         feeds: used
             .feeds
             .iter()

@@ -10,5 +10,5 @@ mod words;
 pub use document::{Document, document};
 pub use extents::Extents;
 pub use json::{SCHEMA, json, schema};
-pub use reader::{Head, MUse, ParameterUse, Sheet, SheetReader, ToolUse, UnitUse};
+pub use reader::{Head, MUse, ParameterUse, Path, Sheet, SheetReader, ToolUse, UnitUse};
 pub use render::{html, markdown, text};

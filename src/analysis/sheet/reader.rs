@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 
 use super::extents::Extents;
 use crate::diag::{CallKind, Findings};
-use crate::dict::{Address, Decimal, Micro, TOOL_CHANGE};
-use crate::run::{End, Executed, FeedUnit, Motion, MotionType, Program, Sink};
+use crate::dict::{Address, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
+use crate::run::{End, Executed, FeedUnit, Length, Motion, MotionType, Program, Sink};
 use crate::syntax::Value;
 use crate::text::{FileId, Location};
 
@@ -23,6 +23,32 @@ pub struct Head {
     pub dialect: &'static str,
 }
 
+/// A path, mm.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub struct Path {
+    /// Of the motions whose lengths are known.
+    pub length: Micro,
+    /// Whether there are others.
+    pub lacks: bool,
+}
+
+impl Path {
+    /// What is known of it; `None`: nothing.
+    pub fn known(self) -> Option<Micro> {
+        (!self.lacks || self.length > Micro::ZERO).then_some(self.length)
+    }
+
+    /// Whether it is longer than what is known of it.
+    pub fn is_lower_bound(self) -> bool {
+        self.lacks && self.known().is_some()
+    }
+
+    fn add(&mut self, length: Length) {
+        self.lacks |= length.missing().is_some();
+        self.length = self.length.plus(length.mm().unwrap_or_default());
+    }
+}
+
 /// What a tool does.
 #[derive(Clone, Debug, Default)]
 pub struct ToolUse {
@@ -32,10 +58,10 @@ pub struct ToolUse {
     pub n: u32,
     /// How often M06 is executed with it.
     pub changes: u64,
-    /// Path of working motion, mm.
-    pub working: Micro,
-    /// Path of G00, mm.
-    pub rapid: Micro,
+    /// Path of working motion.
+    pub working: Path,
+    /// Path of G00.
+    pub rapid: Path,
     /// Least and greatest F of working motion, by what it counts.
     pub feeds: BTreeMap<FeedUnit, (Decimal, Decimal)>,
     /// Least and greatest S of working motion.
@@ -186,21 +212,38 @@ impl SheetReader {
         tools.get_mut(at)
     }
 
+    /// Axis words under a fixed cycle that is not mapped: nobody knows what moves (TIM-3).
+    fn unknown_cycle(&mut self, block: &Executed<'_>) {
+        let mapped = &block.settings().machine.cycles;
+        let is_unmapped = |code: GCode| code.is_cycle() && !mapped.contains_key(&code.number());
+        if block.data().is_some() || !block.g(GGroup::G8).is_some_and(is_unmapped) {
+            return;
+        }
+        let (_, id) = block.at();
+        let mut words = block.file().into_iter().flat_map(|file| file.words(id));
+        if words.any(|word| word.address.axis().is_some())
+            && let Some(tool) = self.tool(block)
+        {
+            tool.working.lacks = true;
+            tool.rapid.lacks = true;
+        }
+    }
+
     fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
         self.sheet.all.add_motion(motion);
         let kind = motion.kind();
         if kind.is_working() {
             self.sheet.working.add_motion(motion);
         }
-        let length = motion.length().mm().unwrap_or_default();
+        let length = motion.length();
         let Some(tool) = self.tool(block) else { return };
         if kind == MotionType::Rapid {
-            tool.rapid = tool.rapid.plus(length);
+            tool.rapid.add(length);
         }
         if !kind.is_working() {
             return;
         }
-        tool.working = tool.working.plus(length);
+        tool.working.add(length);
         tool.extents.add_motion(motion);
         if let Some(feed) = block.feed() {
             let (least, greatest) = tool.feeds.entry(feed.unit).or_insert((feed.value, feed.value));
@@ -240,9 +283,13 @@ impl Sink for SheetReader {
         }
         match block.motion() {
             Some(motion) => self.motion(block, &motion),
-            // The place of the tool in the order is that of its change.
-            None if block.tool().is_some() => drop(self.tool(block)),
-            None => {}
+            None => {
+                // The place of the tool in the order is that of its change.
+                if block.tool().is_some() {
+                    self.tool(block);
+                }
+                self.unknown_cycle(block);
+            }
         }
         ControlFlow::Continue(())
     }

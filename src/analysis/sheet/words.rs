@@ -9,8 +9,7 @@ bilingual! {
         Program "Program", "Program";
         Control "Control", "Systém";
         Time "Time", "Čas";
-        AtLeast { time: String } "at least {time}", "nejméně {time}";
-        WithoutApproach { time: String } "{time} without the approach", "{time} bez příjezdu";
+        AtLeast { length: String } "at least {length}", "nejméně {length}";
         Assumed "estimated for an assumed machine: [motion] is not configured", "odhad pro předpokládaný stroj: [motion] není nastaveno";
         Work "Size of the work", "Rozměry";
         Motions "Motions", "Pohyby";

@@ -214,6 +214,82 @@ fn assumed_machines() {
     assert!(!run.stdout.contains("{}"), "{}", run.stdout);
 }
 
+/// Edges: only the way to the first known position is an approach; other blocks without length are counted.
+#[test]
+fn approaches() {
+    let place = Place::with(&[]);
+    let total = |program: &str| {
+        place.put("a.nc", format!("%1\n{program}"));
+        let run = place.run(&["motion", "a.nc", "--lang", "en"]).ends(0);
+        run.stdout.lines().next().unwrap().trim_start_matches("a.nc: ").to_owned()
+    };
+    for program in [
+        "N1 G0 X0 Y0\nN2 G1 X10 F600\nN3 M30\n",
+        "N1 G0 G54 X0 Y0\nN2 G0 Z5\nN3 G1 X10 F600\nN4 M30\n",
+        "N1 G1 X0 Y0 Z5 F100\nN2 X10 F600\nN3 M30\n",
+    ] {
+        let total = total(program);
+        assert!(total.starts_with("0:00:0") && total.ends_with(" without the approach"), "{program}: {total}");
+    }
+    for (program, blocks) in [
+        // Working motions after a change of origin.
+        ("N1 G00 X0 Y0\nN2 G01 F100 M06 T3\nN3 G54 X5\nN4 G55 X9\nN5 M30\n", 3),
+        // The tool goes down from nobody knows where.
+        ("N1 G0 X0 Y0\nN2 G1 Z-5 F100\nN3 G1 X10 F600\nN4 M30\n", 2),
+        // X was known.
+        ("N1 G0 X0 Y0\nN2 G0 G54 X5\nN3 G1 X10 F600\nN4 M30\n", 2),
+    ] {
+        let total = total(program);
+        let lacks = format!("; blocks of unknown time: {blocks}");
+        assert!(total.starts_with("at least ") && total.ends_with(&lacks), "{program}: {total}");
+    }
+}
+
+/// A set of its own for G00 is in force with what it takes from set 1, and the key is not.
+#[test]
+fn rapid_set_in_force() {
+    let place = place();
+    let constants = "R338 = \"20\"\nR406 = \"1\"\nR407 = \"50000\"\nR408 = \"300\"\n";
+    let of = |text: &str| {
+        place.put("s.toml", format!("dialect = \"cnc8x9\"\n[motion]\ncycle-ms = 2\n{text}"));
+        let run = place.run(&["motion", "a.nc", "--format", "json", "--config", "s.toml"]).ends(0);
+        records(&run).remove(0)
+    };
+    let without = of(&format!("[machine-constants]\n{constants}"));
+    assert_eq!((&without["accel_rapid_mm_s2"], &without["sets"]["rapid"]), (&json!(1000), &Value::Null));
+    for text in [
+        format!("[machine-constants]\n{constants}R430 = \"1\"\n"),
+        format!("[motion.sets.rapid]\n[machine-constants]\n{constants}"),
+    ] {
+        let machine = of(&text);
+        assert_eq!(machine["sets"]["rapid"], json!({ "parabolic": 50000, "linear_mm_s2": 300 }), "{text}");
+        assert_eq!(machine["from"]["sets.rapid.parabolic"], "R407");
+        assert!(machine.get("accel_rapid_mm_s2").is_none(), "{machine}");
+        assert!(machine["from"].get("accel_rapid_mm_s2").is_none(), "{machine}");
+    }
+    // What is by parameter stays so; A of the keys.
+    let by_parameter = "R338 = \"20\"\nR406 = \"11\"\nR407 = \"10\"\nR430 = \"1\"\n";
+    let machine = of(&format!("[machine-constants]\nR52 = \"700\"\n{by_parameter}"));
+    assert_eq!(machine["sets"]["rapid"], json!({ "parabolic": "R10", "linear_mm_s2": 700 }));
+    assert_eq!(machine["from"]["sets.rapid.linear_mm_s2"], "R52");
+    // With another profile sets do not count.
+    let linear = of("profile = \"linear\"\n[motion.sets.rapid]\nlinear-mm-s2 = 300\n");
+    assert_eq!(linear["accel_rapid_mm_s2"], 1000);
+}
+
+/// VEL-2: one number for G00 needs no length. A dot at M00 has advice; phases that rounding leaves are not written.
+#[test]
+fn details() {
+    let place = Place::with(&[]);
+    place.put("a.nc", "%1\nN1 G0 G90 X0\nN2 G23 G1 X10 F600\nN3 X20 M0\nN4 X30\nN5 M30\n");
+    let run = place.run(&["motion", "a.nc", "--format", "json", "--phases"]).ends(0);
+    let records = records(&run);
+    assert_eq!((&records[1]["programmed"], records[1].get("cap")), (&json!(10000), None), "{}", records[1]);
+    let run = place.run(&["motion", "a.nc", "--lang", "en"]).ends(0);
+    let advice = "stop: M00 or M01; write M00 or M01 where the machine stops anyway";
+    assert!(run.stdout.contains(advice), "{}", run.stdout);
+}
+
 /// A P that nobody knows: the jerk is not limited, the time is a lower bound, and that is said.
 #[test]
 fn unknown_p() {

@@ -2,19 +2,28 @@
 
 use std::path::Path;
 
-use cnc872c::config::{MotionKey, Overrides, Profile, Recognition, SetKey, SetValue, Settings, configure};
+use cnc872c::config::{Constant, MotionKey, Overrides, Profile, Recognition, SetKey, SetValue, Settings, configure};
 use cnc872c::diag::Findings;
-use cnc872c::dict::Decimal;
+use cnc872c::dict::{Decimal, Lang};
 use cnc872c::text::{MemoryLoader, Sources};
 
 /// The settings of a project file, and the codes of what is wrong with it.
 fn configured(text: &str) -> (Settings, Vec<String>) {
+    let (settings, findings) = read(text);
+    let codes = findings.items().iter().map(|found| found.code().as_str().to_owned()).collect();
+    (settings, codes)
+}
+
+fn findings_of(text: &str) -> Findings {
+    read(text).1
+}
+
+fn read(text: &str) -> (Settings, Findings) {
     let loader = MemoryLoader::new().with("cnc872c.toml", text.as_bytes());
     let (mut sources, mut findings) = (Sources::new(), Findings::new());
     let path = Path::new("cnc872c.toml");
     let settings = configure(Some(path), &Overrides::default(), &loader, &mut sources, &mut findings);
-    let codes = findings.items().iter().map(|found| found.code().as_str().to_owned()).collect();
-    (settings, codes)
+    (settings, findings)
 }
 
 fn with(constants: &str) -> (Settings, Vec<String>) {
@@ -146,8 +155,64 @@ fn smaller_parabolic_accelerations() {
         assert_eq!(codes, Vec::<String>::new());
         assert_eq!(motion.dynamic(1, SetKey::Parabolic, |_| None), Decimal::from_thousandths(thousandths));
     }
-    // Without it set 1 lacks P as well.
-    assert_eq!(with("R338 = \"20\"\nR406 = \"1\"\nR407 = \"40050000\"\n").1, ["E0702", "E0702"]);
+}
+
+/// What is wrong is said once: nothing is missing that is there.
+#[test]
+fn one_finding_for_one_mistake() {
+    let sets = |constants: &str| with(&format!("R338 = \"20\"\n{constants}")).1;
+    assert_eq!(sets("R406 = \"1\"\nR407 = \"40050000\"\n"), ["E0702"]);
+    assert_eq!(sets("R406 = \"1\"\nR407 = \"10050000\"\n"), ["E0702"]);
+    assert_eq!(sets("R406 = \"11\"\nR407 = \"95\"\n"), ["E0702"]);
+    assert_eq!(sets("R406 = \"1\"\nR407 = \"50.000\"\n"), ["E0702"]);
+    assert_eq!(sets("R406 = \"2\"\nR407 = \"50000\"\n"), ["E0702"]);
+    assert_eq!(sets("R406 = \"1\"\nR407 = true\n"), ["E0702"]);
+    assert_eq!(sets("R406 = \"1\"\nR407 = \"0\"\n"), ["E0702"], "P is missing");
+    let own = |text: &str| configured(&format!("[motion]\n{text}")).1;
+    assert_eq!(own("profile = \"parabolic\"\n[motion.sets.1]\nparabolic = \"fast\"\n"), ["E0702"]);
+    assert_eq!(own("cycle-ms = -1\naccuracy-um = 8\n"), ["E0702"]);
+    assert_eq!(own("accuracy-um = 8\n"), ["E0702"], "Ts is missing");
+}
+
+/// Each page of a constant shows it in a project file that can be taken as it is.
+#[test]
+fn examples_of_pages() {
+    for constant in Constant::all() {
+        let Some(example) = constant.example() else {
+            assert!(["R232", "R386"].contains(&constant.name().as_str()), "{}", constant.name());
+            continue;
+        };
+        assert!(example.contains(&format!("\n{} = \"", constant.name())), "{example}");
+        assert!(constant.page(Lang::Cs).contains(&example), "{example}");
+        assert_eq!(configured(&example).1, Vec::<String>::new(), "{example}");
+    }
+    let (settings, _) = configured(&Constant::find("R384").unwrap().example().unwrap());
+    let motion = &settings.machine.motion;
+    let value = |key| motion.number(key).thousandths();
+    assert_eq!((value(MotionKey::Accuracy), value(MotionKey::Red)), (8000, 20_000));
+    let (settings, _) = configured(&Constant::find("R411").unwrap().example().unwrap());
+    assert_eq!(settings.machine.motion.number(MotionKey::Centripetal), Decimal::whole(400));
+}
+
+/// The advice for an acceleration that no machine has is one that a machine has.
+#[test]
+fn the_point_is_moved() {
+    let offered = |digits: &str| {
+        let text = format!("dialect = \"cnc8x9\"\n[machine-constants]\nR52 = {digits}\n");
+        let found = findings_of(&text);
+        let [found] = found.items() else { panic!("{text}") };
+        let fix = &found.fixes[0];
+        assert!(!fix.certain);
+        let now = text.replace(digits, &fix.edits[0].text);
+        let (settings, codes) = configured(&now);
+        assert_eq!(codes, Vec::<String>::new(), "{now}");
+        (settings.machine.motion.number(MotionKey::Accel), found.finding.note(Lang::En).unwrap())
+    };
+    let (accel, note) = offered("\"50001\"");
+    assert_eq!(accel, Decimal::whole(50));
+    assert!(note.ends_with("probably 0.050 is meant, which is 50 mm/s²"), "{note}");
+    assert_eq!(offered("400.0").0, Decimal::whole(400));
+    assert_eq!(offered("\"60000000\"").0, Decimal::whole(60));
 }
 
 /// Control words: decades 2 to 6 make values those of parameters.
