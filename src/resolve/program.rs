@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::letters::Letters;
 use super::spelling;
+use super::structure::CutOff;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{FileId, Location};
 
@@ -92,7 +93,7 @@ pub struct Resolved {
     /// Some line continues a block with another word than `N` (BLK-1).
     pub(super) continuing_lines: bool,
     /// The `*` that cuts off the end of the program, and where that is said.
-    pub(super) cut_off: Option<(Location, Location)>,
+    pub(super) cut_off: Option<CutOff>,
     /// How many units have had their calls followed.
     pub(super) followed: usize,
 }

@@ -50,21 +50,46 @@ pub fn resolve_program(
         flow::follow_calls(&mut context, &mut resolved);
         flow::check_unused(&mut context, &resolved);
         rings::check(&mut context, &resolved);
-        if let Some((star, last)) = resolved.cut_off {
-            findings.revise(|found| !follows_from_star(found, star, last));
+        if let Some(cut_off) = &resolved.cut_off {
+            findings.revise(|found| !cut_off.leads_to(found));
         }
     }
     origin.point_out(settings, findings);
     resolved
 }
 
-/// Whether a finding follows from a `*` that cuts off the rest of the program: what is not read, and what the block before
-/// it lacks.
-fn follows_from_star(found: &Diagnostic, star: Location, last: Location) -> bool {
-    let code = found.code();
-    let unread = matches!(code, Code::E0404 | Code::E0406);
-    let cut = code == Code::E0103 && found.at.span.end == star.span.start || code == Code::W0214 && found.at == last;
-    found.at.file == star.file && (unread || cut)
+/// A `*` that cuts off the rest of the program.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CutOff {
+    star: Location,
+    /// What stands behind a `*` among words, on their line: it is not there to end anything.
+    slip: Span,
+    /// The block before it.
+    last: Location,
+}
+
+impl CutOff {
+    /// Whether a finding follows from it: targets that are not read, what the block before lacks, the rest of its line.
+    fn leads_to(&self, found: &Diagnostic) -> bool {
+        let Self { star, slip, last } = *self;
+        let at = found.at;
+        let code = found.code();
+        let follows = matches!(code, Code::E0404 | Code::E0406)
+            || code == Code::W0110 && (slip.start..slip.end).contains(&at.span.start)
+            || code == Code::E0103 && at.span.end == star.span.start
+            || code == Code::W0214 && at == last;
+        at.file == star.file && follows
+    }
+}
+
+/// What stands on the line of `star` behind it, when there are words before it; else nothing.
+fn slip_of(source: &SourceText, star: Span) -> Span {
+    let is_end = |character: char| matches!(character, '\n' | '\r');
+    let text = source.text();
+    let before = text.get(..star.start as usize).unwrap_or_default().rsplit(is_end).next().unwrap_or_default();
+    let behind = text.get(star.end as usize..).unwrap_or_default().split(is_end).next().unwrap_or_default();
+    let length = if before.trim().is_empty() { 0 } else { behind.len() };
+    Span::new(star.end, star.end + u32::try_from(length).unwrap_or(0))
 }
 
 /// Resolves the macrocycle in `source`, whose file is named after number `l`, and those that it calls.
@@ -153,7 +178,7 @@ impl Context<'_, '_> {
             let mut diagnostic = Diagnostic::new(finding, place);
             if unread.is_some() {
                 let star = parsed.at(Span::new(parsed.end.saturating_sub(1), parsed.end));
-                resolved.cut_off = Some((star, place));
+                resolved.cut_off = Some(CutOff { star, slip: slip_of(&parsed.source, star.span), last: place });
                 diagnostic = diagnostic.with_label(star, LabelText::FileEnds);
             }
             if let Some((function, word)) = late {
