@@ -74,6 +74,12 @@ fn main() {
         write(&format!("folder/part{program:04}.nc"), &|out| generate::cam(out, FOLDER.1));
     }
     let (stream, wave) = (file("cam.jsonl"), file("cam.vcd"));
+    let config = |name: &str, text: &str| {
+        fs::write(file(name), text).unwrap();
+        shown(&file(name))
+    };
+    let linear = config("linear.toml", "[motion]\n");
+    let parabolic = config("parabolic.toml", "[motion]\nprofile = \"parabolic\"\n[motion.sets.1]\nparabolic = 50000\n");
     let row = |name, arguments: &[&str], path: &str, runs| Row {
         name,
         arguments: arguments.iter().map(|&argument| argument.to_owned()).chain([shown(&file(path))]).collect(),
@@ -88,6 +94,11 @@ fn main() {
         row("check cam", &["check"], "cam.nc", 9),
         row("compile cam to a file", &["compile", "-o", &shown(&stream)], "cam.nc", 5),
         row("plc cam as VCD to a file", &["plc", "--format", "vcd", "-o", &shown(&wave)], "cam.nc", 9),
+        row("motion cam", &["motion", "--config", &linear], "cam.nc", 5),
+        row("motion cam, parabolic", &["motion", "--config", &parabolic], "cam.nc", 5),
+        row("view cam, page", &["view", "-o", &shown(&file("cam.html"))], "cam.nc", 5),
+        row("view cam, SVG", &["view", "-o", &shown(&file("cam.svg"))], "cam.nc", 5),
+        row("view cam, PNG", &["view", "-o", &shown(&file("cam.png"))], "cam.nc", 5),
         row("check arcs", &["check"], "arcs.nc", 5),
         row("check rich", &["check"], "rich.nc", 5),
         row("compile loops", &["compile"], "loops.nc", 3),

@@ -120,7 +120,7 @@ fn reversed_paths() {
 #[test]
 fn reversed_paths_with_sets() {
     for raise_s in [1e-6, 0.325] {
-        for (model, mut path, mut random) in paths(Profile::Parabolic).take(60) {
+        for (model, mut path, mut random) in paths(Profile::Parabolic).take(20) {
             let model = Model { raise_s, ..model };
             path.slow.iter_mut().for_each(|slow| *slow = random.unit() < 0.3);
             close(path.turned().time(&model), path.time(&model), 1e-4);
