@@ -7,7 +7,7 @@ use super::super::ramp::Limits;
 use super::{Curve, HARD, NONE};
 
 /// In stretches of so many motions every joint is looked at, where places were put in.
-const SMALL: usize = 12;
+const SMALL: usize = 6;
 /// With more changes of limits in a part they are not looked at.
 const MOST_RUNS: usize = 64;
 /// Velocities that are tried at once, evenly up to the greatest.
