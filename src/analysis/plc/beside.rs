@@ -114,12 +114,7 @@ impl Writer for Beside<'_> {
             *first = Some([values.to_vec(), before.to_vec()]);
         }
         steps.push(Brief { place, start_s, end_s, changes: changed.len() });
-        changes.reserve(changed.len());
-        for &index in changed {
-            if let Some(value) = values.get(index) {
-                changes.push((index, *value));
-            }
-        }
+        changes.extend(changed.iter().filter_map(|&index| Some((index, *values.get(index)?))));
         if steps.len() < STEPS && changes.len() < CHANGES { Ok(()) } else { self.hand_on() }
     }
 

@@ -184,29 +184,29 @@ pub fn write_real(millionths: i64, out: &mut String) {
         out.push('-');
     }
     push_digits(magnitude / 1_000_000, 1, out);
-    push_fraction(magnitude % 1_000_000, out);
+    let fraction = magnitude % 1_000_000;
+    if fraction > 0 {
+        out.push('.');
+        // Most are whole thousandths.
+        let (thousandths, rest) = (fraction / 1000, fraction % 1000);
+        if rest == 0 {
+            push_fraction(thousandths, out);
+        } else {
+            push_digits(thousandths, 3, out);
+            push_fraction(rest, out);
+        }
+    }
 }
 
-/// The digits of each number of three.
-#[expect(clippy::indexing_slicing, reason = "worked out while compiling: an index out of range does not compile")]
-const THREE_DIGITS: [[u8; 3]; 1000] = {
-    let mut all = [[b'0'; 3]; 1000];
-    let mut number = 0;
-    while number < 1000 {
-        let [hundreds, tens, ones] = [number / 100, number / 10 % 10, number % 10];
-        all[number] = [b'0' + hundreds as u8, b'0' + tens as u8, b'0' + ones as u8];
-        number += 1;
-    }
-    all
-};
-
-/// Millionths behind a decimal point, without zeros at the end; nothing for 0.
-fn push_fraction(millionths: u64, out: &mut String) {
-    let three = |number: u64| THREE_DIGITS.get(usize::try_from(number).unwrap_or(0)).copied().unwrap_or_default();
-    let ([a, b, c], [d, e, f]) = (three(millionths / 1000), three(millionths % 1000));
-    let digits = [b'.', a, b, c, d, e, f];
-    if let Some(last) = digits.iter().skip(1).rposition(|digit| *digit != b'0') {
-        out.push_str(digits.get(..last + 2).and_then(|digits| std::str::from_utf8(digits).ok()).unwrap_or_default());
+/// Thousandths as up to three digits, without zeros at the end.
+fn push_fraction(thousandths: u64, out: &mut String) {
+    let (hundredths, last) = (thousandths / 10, thousandths % 10);
+    if last > 0 {
+        push_digits(thousandths, 3, out);
+    } else if hundredths % 10 > 0 {
+        push_digits(hundredths, 2, out);
+    } else {
+        push_digits(hundredths / 10, 1, out);
     }
 }
 

@@ -37,16 +37,8 @@ pub struct Wave<W: Write> {
 /// A declared variable.
 #[derive(Debug, Default)]
 struct Variable {
-    /// What stands behind a value of several characters: a space, the identifier, the end of the line.
-    tail: String,
+    id: String,
     form: Option<Form>,
-}
-
-impl Variable {
-    /// What stands behind a single digit.
-    fn tail_of_bit(&self) -> &str {
-        self.tail.get(1..).unwrap_or_default()
-    }
 }
 
 impl<W: Write> fmt::Debug for Wave<W> {
@@ -71,8 +63,8 @@ impl<W: Write> Wave<W> {
     }
 
     fn declare(&mut self, kind: VarType, width: u32, name: &str, form: Option<Form>) -> io::Result<Variable> {
-        let id = self.out.add_var(kind, width, name, None)?;
-        Ok(Variable { tail: format!(" {id}\n"), form })
+        let id = self.out.add_var(kind, width, name, None)?.to_string();
+        Ok(Variable { id, form })
     }
 
     fn declare_signal(&mut self, signal: &Signal) -> io::Result<Variable> {
@@ -114,17 +106,17 @@ impl<W: Write> Wave<W> {
         let last = before.map(|(_, place)| place);
         let is_other = |other: fn(&Place) -> u64| last.is_none_or(|last| other(&last) != other(&place));
         if is_other(|place| place.seq) {
-            push_vector(text, place.seq, seq);
+            push_vector(text, place.seq, &seq.id);
         }
         if is_other(|place| u64::from(place.n)) {
-            push_vector(text, u64::from(place.n), n);
+            push_vector(text, u64::from(place.n), &n.id);
         }
         if is_other(|place| u64::from(place.stop)) {
-            push(text, Form::Bit, Some(i64::from(place.stop)), stop);
+            push(text, Form::Bit, Some(i64::from(place.stop)), &stop.id);
         }
         let mut value = |index: usize| {
             if let (Some(variable), Some(value)) = (signals.get(index), step.values.get(index)) {
-                push(text, variable.form.unwrap_or(Form::Bit), *value, variable);
+                push(text, variable.form.unwrap_or(Form::Bit), *value, &variable.id);
             }
         };
         if last.is_none() {
@@ -164,63 +156,58 @@ fn name_in_scope(signal: &Signal) -> String {
     name.replace('[', "_").replace(']', "")
 }
 
-fn push(text: &mut String, form: Form, value: Value, variable: &Variable) {
+fn push(text: &mut String, form: Form, value: Value, id: &str) {
     match (form, value) {
-        (Form::Bit, bit) => {
-            text.push(match bit {
-                Some(0) => '0',
-                Some(_) => '1',
-                None => 'x',
-            });
-            text.push_str(variable.tail_of_bit());
+        (Form::Bit, Some(bit)) => {
+            text.push(if bit == 0 { '0' } else { '1' });
+            text.push_str(id);
+            text.push('\n');
+        }
+        (Form::Bit, None) => {
+            text.push('x');
+            text.push_str(id);
+            text.push('\n');
         }
         (Form::Real, Some(number)) => {
             text.push('r');
             write_real(number, text);
-            text.push_str(&variable.tail);
+            push_id(text, id);
         }
         (Form::Real, None) => {
             text.push_str("rNaN");
-            text.push_str(&variable.tail);
+            push_id(text, id);
         }
-        (Form::Byte | Form::Word | Form::DWord, Some(number)) => push_vector(text, number.unsigned_abs(), variable),
+        (Form::Byte | Form::Word | Form::DWord, Some(number)) => push_vector(text, number.unsigned_abs(), id),
         (Form::Byte | Form::Word | Form::DWord, None) => {
             text.push_str("bx");
-            text.push_str(&variable.tail);
+            push_id(text, id);
         }
     }
 }
 
-/// The binary digits of each byte.
-#[expect(clippy::indexing_slicing, reason = "worked out while compiling: an index out of range does not compile")]
-const DIGITS: [[u8; 8]; 256] = {
-    let mut all = [[b'0'; 8]; 256];
-    let mut number = 0;
-    while number < 256 {
-        let mut digit = 0;
-        while digit < 8 {
-            if number >> (7 - digit) & 1 == 1 {
-                all[number][digit] = b'1';
-            }
-            digit += 1;
-        }
-        number += 1;
-    }
-    all
-};
-
 /// In binary; leading zeros may be left out.
-fn push_vector(text: &mut String, number: u64, variable: &Variable) {
-    let mut digits = [b'0'; u64::BITS as usize];
-    for (eight, byte) in digits.chunks_exact_mut(8).zip(number.to_be_bytes()) {
-        if let Some(of_byte) = DIGITS.get(usize::from(byte)) {
-            eight.copy_from_slice(of_byte);
-        }
-    }
-    let leading = (number | 1).leading_zeros() as usize;
+fn push_vector(text: &mut String, number: u64, id: &str) {
+    /// Four digits at once.
+    const DIGITS: [&str; 16] = [
+        "0000", "0001", "0010", "0011", "0100", "0101", "0110", "0111", "1000", "1001", "1010", "1011", "1100", "1101",
+        "1110", "1111",
+    ];
     text.push('b');
-    text.push_str(digits.get(leading..).and_then(|digits| std::str::from_utf8(digits).ok()).unwrap_or_default());
-    text.push_str(&variable.tail);
+    let digits = u64::BITS - (number | 1).leading_zeros();
+    // How many of the first four are leading zeros.
+    let mut skipped = (digits.next_multiple_of(4) - digits) as usize;
+    for four in (0..digits.div_ceil(4)).rev() {
+        let four = DIGITS.get((number >> (4 * four) & 15) as usize).and_then(|four| four.get(skipped..));
+        text.push_str(four.unwrap_or_default());
+        skipped = 0;
+    }
+    push_id(text, id);
+}
+
+fn push_id(text: &mut String, id: &str) {
+    text.push(' ');
+    text.push_str(id);
+    text.push('\n');
 }
 
 impl<W: Write> Writer for Wave<W> {
@@ -283,13 +270,9 @@ mod tests {
     use super::*;
     use crate::analysis::plc::dictionary::find;
 
-    fn variable() -> Variable {
-        Variable { tail: " !\n".to_owned(), form: None }
-    }
-
     fn shown(form: Form, value: Value) -> String {
         let mut text = String::new();
-        push(&mut text, form, value, &variable());
+        push(&mut text, form, value, "!");
         text
     }
 
@@ -303,7 +286,7 @@ mod tests {
         assert_eq!([shown(Form::DWord, Some(0)), shown(Form::Word, None)], ["b0 !\n", "bx !\n"]);
         for number in (0..40).chain([0x1234_5678, u64::from(u32::MAX), 1 << 63, u64::MAX]) {
             let mut text = String::new();
-            push_vector(&mut text, number, &variable());
+            push_vector(&mut text, number, "!");
             assert_eq!(text, format!("b{number:b} !\n"));
         }
         assert_eq!([shown(Form::Real, Some(-12_500_000)), shown(Form::Real, None)], ["r-12.5 !\n", "rNaN !\n"]);
