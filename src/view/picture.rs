@@ -107,12 +107,12 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
     let mut strokes: Vec<(usize, Stroke)> = Vec::new();
     let mut bounds = Bounds::EMPTY;
     let mut seen = Seen::default();
-    let mut left_out = vec![false; rows.block.len()];
-    for part in parallel::map(parts(rows.block.len()), |part| Drawn::of(&lines, part)) {
+    // Ascending.
+    let mut left_out: Vec<usize> = Vec::new();
+    let wants_seen = still.plane.is_none();
+    for part in parallel::map(parts(rows.block.len()), |part| Drawn::of(&lines, part, wants_seen)) {
         strokes.extend(part.strokes);
-        for row in part.left_out {
-            left_out.get_mut(row).into_iter().for_each(|left_out| *left_out = true);
-        }
+        left_out.extend(part.left_out);
         bounds.join(&part.bounds);
         seen.add(part.seen);
     }
@@ -138,8 +138,7 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
         left_out: LeftOut::default(),
     };
     // Passes of a loop may share a row.
-    let is_left_out =
-        |index: &usize| rows.row(*index).and_then(|row| left_out.get(row)).is_some_and(|left_out| *left_out);
+    let is_left_out = |index: &usize| rows.row(*index).is_some_and(|row| left_out.binary_search(&row).is_ok());
     display.left_out.motions = (0..rows.count()).filter(is_left_out).count();
     let mut labels = Labels::default();
     let grid_labels = grid(&mut display, &bounds, &projection);
@@ -181,7 +180,8 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn of(lines: &Lines<'_>, rows: Range<usize>) -> Self {
+    /// How long they look only where `wants_seen`.
+    fn of(lines: &Lines<'_>, rows: Range<usize>, wants_seen: bool) -> Self {
         let (mut strokes, mut left_out) = (Vec::new(), Vec::new());
         for row in rows {
             match lines.line(row) {
@@ -194,6 +194,9 @@ impl Drawn {
         let mut seen = Seen::default();
         for (row, stroke) in &strokes {
             lines.points(*row, 0.05, |point| bounds.include(point));
+            if !wants_seen {
+                continue;
+            }
             let sums = if *stroke == Stroke::Rapid { &mut seen.rapid } else { &mut seen.working };
             for (sum, length) in sums.get_or_insert_default().iter_mut().zip(lines.seen(*row)) {
                 *sum += length;
