@@ -149,6 +149,17 @@ impl<'r> Executed<'r> {
         self.line_column().column
     }
 
+    /// Axis words under a fixed cycle that is not mapped, and that moves nothing here: nobody knows what moves (TIM-3).
+    pub fn is_unmapped_cycle(&self) -> bool {
+        let mapped = &self.settings().machine.cycles;
+        let unmapped = |code: GCode| code.is_cycle() && !mapped.contains_key(&code.number());
+        let has_axes = || {
+            let words = self.file().into_iter().flat_map(|file| file.words(self.interpreter.block.id));
+            words.into_iter().any(|word| word.address.axis().is_some())
+        };
+        self.g(GGroup::G8).is_some_and(unmapped) && self.motion().is_none() && self.data().is_none() && has_axes()
+    }
+
     /// The calls that led to it, outermost first.
     pub fn calls(&self) -> impl Iterator<Item = Call> + use<'r> {
         let calls = self.interpreter.frames.iter().filter_map(|frame| frame.call);

@@ -48,8 +48,6 @@ pub struct StepReader {
     linear: Vec<AxisLetter>,
     g97: G97,
     optional_stop: bool,
-    /// Fixed cycles that are mapped.
-    mapped: Vec<u8>,
     by_parameter: bool,
     /// The dynamics of each set as last read; set 0 is that of G00.
     dynamics: [Option<Dynamics>; 5],
@@ -71,7 +69,6 @@ impl StepReader {
             linear: machine.axes.iter().filter(|axis| !axis.rotary).map(|axis| axis.letter).collect(),
             g97: machine.g97,
             optional_stop: settings.optional_stop,
-            mapped: machine.cycles.keys().copied().collect(),
             by_parameter: machine.motion.depends_on_parameters(),
             dynamics: [None; 5],
             correction: None,
@@ -86,8 +83,6 @@ impl StepReader {
         let words = self.words(block);
         let motion = block.motion();
         let dwells = block.g(GGroup::G10) == Some(GCode::G04);
-        let cycle = block.g(GGroup::G8).filter(|code| code.is_cycle());
-        let unmapped = cycle.is_some_and(|code| !self.mapped.contains(&code.number()));
         let approach = motion.is_some_and(|motion| self.approaches(&motion));
         let motion = motion.map(|motion| self.motion(block, &motion));
         self.moved |= motion.is_some_and(|motion| motion.length.is_some());
@@ -104,7 +99,7 @@ impl StepReader {
                 Some(GCode::G98) | None => Mode::Basic,
                 Some(_) => Mode::Other,
             },
-            unmapped_cycle: unmapped && motion.is_none() && block.data().is_none() && words.axes,
+            unmapped_cycle: block.is_unmapped_cycle(),
             motion,
             dwell_s: dwells.then(|| block.dwell().map_or(0.0, Micro::to_f64)),
             stops: block.stop() || (block.cond_stop() && self.optional_stop),
@@ -138,7 +133,7 @@ impl StepReader {
 
     /// What is written in the block.
     fn words(&mut self, block: &Executed<'_>) -> Words {
-        let mut found = Words { axes: false, plain: true, function_s: 0.0 };
+        let mut found = Words { plain: true, function_s: 0.0 };
         let (file, (_, id)) = (block.file(), block.at());
         let times = &self.motion.times;
         let mut timed = |function: TimedFunction| {
@@ -149,7 +144,6 @@ impl StepReader {
         let mut correction = false;
         for word in file.into_iter().flat_map(|file| file.words(id)) {
             if word.address.axis().is_some() {
-                found.axes = true;
                 continue;
             }
             match word.address {
@@ -364,8 +358,6 @@ fn millionths(value: Micro) -> f64 {
 /// What is written in a block.
 #[derive(Clone, Copy, Debug)]
 struct Words {
-    /// Axis words.
-    axes: bool,
     /// Nothing that keeps the block from being joined to its neighbours.
     plain: bool,
     /// Seconds of the slowest function.

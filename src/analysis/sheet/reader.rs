@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::extents::Extents;
 use crate::diag::{CallKind, Findings};
-use crate::dict::{Address, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
+use crate::dict::{Address, Decimal, Micro, TOOL_CHANGE};
 use crate::run::{End, Executed, FeedUnit, Length, Motion, MotionType, Program, Sink};
 use crate::syntax::Value;
 use crate::text::{FileId, Location};
@@ -212,16 +212,9 @@ impl SheetReader {
         tools.get_mut(at)
     }
 
-    /// Axis words under a fixed cycle that is not mapped: nobody knows what moves (TIM-3).
+    /// Of the paths under a fixed cycle that is not mapped nothing is known.
     fn unknown_cycle(&mut self, block: &Executed<'_>) {
-        let mapped = &block.settings().machine.cycles;
-        let is_unmapped = |code: GCode| code.is_cycle() && !mapped.contains_key(&code.number());
-        if block.data().is_some() || !block.g(GGroup::G8).is_some_and(is_unmapped) {
-            return;
-        }
-        let (_, id) = block.at();
-        let mut words = block.file().into_iter().flat_map(|file| file.words(id));
-        if words.any(|word| word.address.axis().is_some())
+        if block.is_unmapped_cycle()
             && let Some(tool) = self.tool(block)
         {
             tool.working.lacks = true;
