@@ -1,8 +1,7 @@
 //! The account of a program's motion for people.
 
 use super::basis::{Basis, InForce};
-use super::summary::{RedJoint, Summary};
-use super::times::BlockTimes;
+use super::summary::{RedJoint, Summary, Total};
 use super::trimmed;
 use super::words::{Help, LimitName, Reason, Words};
 use crate::diag::terminal_safe;
@@ -19,43 +18,7 @@ pub fn clock(seconds: f64) -> String {
     format!("{}:{:02}:{:02}.{tenth}", whole / 3600, whole / 60 % 60, whole % 60)
 }
 
-/// A time, and what it lacks.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Total {
-    /// Seconds that are known.
-    pub time_s: f64,
-    /// Blocks whose time is not known.
-    pub unknown_blocks: u64,
-    /// Those of them that lead to the first known position.
-    pub approach_blocks: u64,
-    /// Blocks whose jerk nothing limits: they take at least their times.
-    pub jerk_free_blocks: u64,
-}
-
 impl Total {
-    /// The time of a program.
-    pub const fn of(summary: &Summary) -> Self {
-        Self {
-            time_s: summary.time_s,
-            unknown_blocks: summary.unknown_blocks,
-            approach_blocks: summary.approach_blocks,
-            jerk_free_blocks: summary.jerk_free_blocks,
-        }
-    }
-
-    /// Adds the time of a block.
-    pub fn add(&mut self, block: &BlockTimes) {
-        self.time_s += block.duration_s;
-        self.unknown_blocks += u64::from(block.unknown);
-        self.approach_blocks += u64::from(block.unknown && block.approach);
-        self.jerk_free_blocks += u64::from(block.motion.as_ref().is_some_and(|motion| motion.jerk_free));
-    }
-
-    /// Whether there is neither a time nor something that lacks one.
-    pub fn is_nothing(&self) -> bool {
-        self.time_s <= 0.0 && self.unknown_blocks == 0
-    }
-
     /// `0:00:16.7`, with how many blocks it lacks where it is a lower bound.
     pub fn text(&self, lang: Lang) -> String {
         let time = clock(self.time_s);
@@ -123,10 +86,10 @@ impl Account<'_> {
     pub fn text(&self, lang: Lang) -> String {
         let mut lines = Lines { text: String::new(), lang };
         let Self { summary, basis, .. } = self;
-        let total = Total::of(summary).text(lang);
+        let total = summary.total.text(lang);
         lines.add(&format!("{}: {total}", terminal_safe(self.name)));
-        if summary.jerk_free_blocks > 0 {
-            lines.add(&Words::JerkFree { blocks: summary.jerk_free_blocks }.text(lang));
+        if summary.total.jerk_free_blocks > 0 {
+            lines.add(&Words::JerkFree { blocks: summary.total.jerk_free_blocks }.text(lang));
         }
         self.add_basis(basis, &mut lines);
         self.add_changes(&mut lines);
@@ -176,12 +139,12 @@ impl Account<'_> {
         }
         if let Some(before) = before {
             let after = self.summary;
-            let change = after.time_s - before.time_s;
+            let change = after.total.time_s - before.total.time_s;
             let sign = if change > 0.0 { "+" } else { "" };
             let words = [
                 Words::TimeBefore {
-                    before: clock(before.time_s),
-                    after: clock(after.time_s),
+                    before: clock(before.total.time_s),
+                    after: clock(after.total.time_s),
                     change: format!("{sign}{}", trimmed(change, 3)),
                 },
                 Words::JointsBefore { before: before.continuous, after: after.continuous },
@@ -194,7 +157,7 @@ impl Account<'_> {
     fn add_times(&self, summary: &Summary, lines: &mut Lines) {
         let lang = lines.lang;
         let part = |seconds: f64| {
-            let percent = if summary.time_s > 0.0 { seconds / summary.time_s * 100.0 } else { 0.0 };
+            let percent = if summary.total.time_s > 0.0 { seconds / summary.total.time_s * 100.0 } else { 0.0 };
             format!("{percent:7.1} %")
         };
         lines.head(&Words::Time);

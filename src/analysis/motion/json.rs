@@ -11,9 +11,6 @@ use crate::dict::Micro;
 /// From velocities in a second to those in a minute.
 pub(super) const PER_MINUTE: f64 = 60.0;
 
-/// Shorter phases, seconds, are what rounding leaves.
-const DUST_S: f64 = 1e-12;
-
 /// An object under way.
 struct Object<'o> {
     out: &'o mut String,
@@ -258,7 +255,7 @@ fn put_motion(record: &mut Object<'_>, motion: &MotionTimes) {
 
 fn push_phases(out: &mut String, phases: &[Phase]) {
     out.push('[');
-    for (at, phase) in phases.iter().filter(|phase| phase.duration_s >= DUST_S).enumerate() {
+    for (at, phase) in phases.iter().filter(|phase| phase.lasts()).enumerate() {
         let Phase { duration_s, velocity, acceleration, jerk } = *phase;
         if at > 0 {
             out.push(',');
@@ -298,11 +295,11 @@ pub fn total(summary: &Summary) -> String {
     let mut out = String::new();
     let mut record = Object::new(&mut out);
     record.text("kind", "total");
-    record.number("time_s", summary.time_s);
+    record.number("time_s", summary.total.time_s);
     record.number("ideal_s", summary.ideal_s);
     record.present("no_jerk_s", summary.no_jerk_s);
-    record.flag("lower_bound", summary.is_lower_bound());
-    record.whole("unknown_blocks", summary.unknown_blocks);
+    record.flag("lower_bound", summary.total.is_lower_bound());
+    record.whole("unknown_blocks", summary.total.unknown_blocks);
     record.numbers("time_by_type", summary.types().map(|(kind, seconds)| (kind.name(), seconds)));
     record.number("dwell_s", summary.dwell_s);
     record.number("function_s", summary.function_s);

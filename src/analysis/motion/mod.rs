@@ -31,7 +31,7 @@ mod times;
 mod words;
 
 pub use crate::config::{Profile, Recognition};
-pub use account::{Account, Total, clock};
+pub use account::{Account, clock};
 pub use basis::{Basis, BasisValue, InForce, Table};
 pub use csv::{CSV_HEAD, write_csv};
 pub use findings::JointFindings;
@@ -41,7 +41,7 @@ pub use planner::{Listener, Planner};
 pub use read::StepReader;
 pub use records::{SCHEMA, schema};
 pub use step::{Direction, Dynamics, Mode, Move, Step, Unit};
-pub use summary::{Estimate, RedJoint, Summary};
+pub use summary::{Estimate, RedJoint, Summary, Total};
 pub use times::{BlockTimes, Break, CapBy, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Velocities};
 pub use words::{break_name, limit_name};
 

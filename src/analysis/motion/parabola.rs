@@ -10,9 +10,6 @@ const PART: usize = 2048;
 /// Stretches of so many blocks are planned backwards too, where places had to be looked for: the faster plan counts.
 const BOTH_WAYS: usize = 256;
 
-/// Phases that do not last longer, in seconds, are what rounding leaves where a joint lies at the end of one.
-const DUST: f64 = 1e-12;
-
 /// What a motion becomes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Curved {
@@ -202,7 +199,7 @@ impl Parabola {
         velocities.peak = velocities.peak.max(phase.velocity).max(end);
         velocities.end = end;
         *time_s += phase.duration_s;
-        if self.wants_phases && phase.duration_s > DUST {
+        if self.wants_phases && phase.lasts() {
             match phases.last_mut() {
                 // Holding goes on.
                 Some(last)

@@ -389,11 +389,8 @@ impl Planner {
             let limits = Limits { accel, jerk };
             let hump = Hump::new(0.0, 0.0, limits, limits, length, cap);
             listener.no_jerk(trapezoid(length, 0.0, 0.0, cap, accel, true).0);
-            let phases = if self.wants_phases {
-                hump.phases().into_iter().filter(|phase| phase.duration_s > 0.0).collect()
-            } else {
-                Vec::new()
-            };
+            let phases =
+                if self.wants_phases { hump.phases().into_iter().filter(Phase::lasts).collect() } else { Vec::new() };
             let velocities = Velocities { start: 0.0, peak: hump.peak, end: 0.0 };
             Settled { time_s: hump.time(), velocities, seen: f64::INFINITY, phases }
         } else {
@@ -566,6 +563,6 @@ fn trapezoid_phases(link: &envelope::Link, start: f64, end: f64, peak: f64) -> V
         phase((peak - end) / accel, peak, -accel),
     ]
     .into_iter()
-    .filter(|phase| phase.duration_s > 0.0)
+    .filter(Phase::lasts)
     .collect()
 }

@@ -34,21 +34,48 @@ pub struct RedJoint {
     pub times: u64,
 }
 
-/// What a program takes, in seconds.
-#[derive(Clone, Debug)]
-pub struct Summary {
-    /// All of it.
+/// A time, and what it lacks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Total {
+    /// Seconds that are known.
     pub time_s: f64,
-    /// Each block at its programmed velocity, without ramps.
-    pub ideal_s: f64,
-    /// With the same limits and without one of jerk; parabolic only.
-    pub no_jerk_s: Option<f64>,
     /// Blocks whose time is not known.
     pub unknown_blocks: u64,
     /// Those of them that lead to the first known position.
     pub approach_blocks: u64,
     /// Blocks whose jerk nothing limits, since P is not known: they take at least their times.
     pub jerk_free_blocks: u64,
+}
+
+impl Total {
+    /// Adds the time of a block.
+    pub fn add(&mut self, block: &BlockTimes) {
+        self.time_s += block.duration_s;
+        self.unknown_blocks += u64::from(block.unknown);
+        self.approach_blocks += u64::from(block.unknown && block.approach);
+        self.jerk_free_blocks += u64::from(block.motion.as_ref().is_some_and(|motion| motion.jerk_free));
+    }
+
+    /// Whether there is neither a time nor something that lacks one.
+    pub fn is_nothing(&self) -> bool {
+        self.time_s <= 0.0 && self.unknown_blocks == 0
+    }
+
+    /// Whether some blocks take longer than is known.
+    pub const fn is_lower_bound(&self) -> bool {
+        self.unknown_blocks + self.jerk_free_blocks > 0
+    }
+}
+
+/// What a program takes, in seconds.
+#[derive(Clone, Debug)]
+pub struct Summary {
+    /// All of it.
+    pub total: Total,
+    /// Each block at its programmed velocity, without ramps.
+    pub ideal_s: f64,
+    /// With the same limits and without one of jerk; parabolic only.
+    pub no_jerk_s: Option<f64>,
     /// Motion, by place in [`MotionType::ALL`].
     pub by_type: [f64; MotionType::ALL.len()],
     /// Dwell.
@@ -86,12 +113,9 @@ impl Summary {
     /// Of a program whose velocity has this course; keeps so many red joints.
     pub fn new(profile: Profile, most_red: usize) -> Self {
         Self {
-            time_s: 0.0,
+            total: Total::default(),
             ideal_s: 0.0,
             no_jerk_s: (profile == Profile::Parabolic).then_some(0.0),
-            unknown_blocks: 0,
-            approach_blocks: 0,
-            jerk_free_blocks: 0,
             by_type: [0.0; MotionType::ALL.len()],
             dwell_s: 0.0,
             function_s: 0.0,
@@ -109,11 +133,6 @@ impl Summary {
             red_at: BTreeMap::new(),
             most_red,
         }
-    }
-
-    /// Whether the program takes at least its time: some blocks take longer than is known.
-    pub const fn is_lower_bound(&self) -> bool {
-        self.unknown_blocks + self.jerk_free_blocks > 0
     }
 
     /// Motion times by type, without those that did not occur.
@@ -139,7 +158,7 @@ impl Summary {
     /// Adds the times of a block.
     pub fn add(&mut self, block: &BlockTimes) {
         let rest = block.dwell_s + block.function_s + block.settle_s + block.gap_s;
-        self.time_s += block.duration_s;
+        self.total.add(block);
         self.ideal_s += rest;
         if rest > 0.0 {
             self.no_jerk(rest);
@@ -148,11 +167,8 @@ impl Summary {
             self.settle_s += block.settle_s;
             self.gap_s += block.gap_s;
         }
-        self.unknown_blocks += u64::from(block.unknown);
-        self.approach_blocks += u64::from(block.unknown && block.approach);
         *self.by_tool.entry(block.tool).or_insert(0.0) += block.duration_s;
         let Some(motion) = &block.motion else { return };
-        self.jerk_free_blocks += u64::from(motion.jerk_free);
         if let Some(seconds) = motion.motion_s {
             if let Some(sum) = self.by_type.get_mut(motion.kind as usize) {
                 *sum += seconds;

@@ -202,6 +202,13 @@ pub struct Phase {
     pub jerk: f64,
 }
 
+impl Phase {
+    /// Whether it is more than what rounding leaves where a joint lies at the end of a phase.
+    pub fn lasts(&self) -> bool {
+        self.duration_s >= 1e-12
+    }
+}
+
 /// The velocities of a motion, mm/s or deg/s.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocities {

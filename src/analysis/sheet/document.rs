@@ -3,7 +3,7 @@
 use super::extents::Extents;
 use super::reader::{Path, Sheet, ToolUse};
 use super::words::Words;
-use crate::analysis::motion::{Summary, Total, clock};
+use crate::analysis::motion::{Summary, clock};
 use crate::dict::{Decimal, Lang, Micro};
 
 /// A heading with a table below it.
@@ -39,7 +39,7 @@ pub fn document(sheet: &Sheet, summary: &Summary, assumed: bool, lang: Lang) -> 
     let number = head.number.map(|number| format!("%{number}"));
     let title = head.title.as_ref().map(|title| format!("\"{title}\""));
     let program: Vec<String> = [number, title].into_iter().flatten().collect();
-    let time = Total::of(summary).text(lang);
+    let time = summary.total.text(lang);
     let time = if assumed { format!("{time} ({})", say(Words::Assumed)) } else { time };
     Document {
         lang,

@@ -207,9 +207,9 @@ pub fn json(sheet: &Sheet, summary: &Summary, assumed: bool) -> String {
         number: head.number,
         title: head.title.clone(),
         dialect: head.dialect.to_owned(),
-        time_s: summary.time_s.into(),
+        time_s: summary.total.time_s.into(),
         assumed,
-        lower_bound: summary.is_lower_bound(),
+        lower_bound: summary.total.is_lower_bound(),
         extents: ExtentsRecord { working: reach(&sheet.working), all: reach(&sheet.all) },
         tools: sheet.tools.iter().map(|used| tool(used, summary)).collect(),
         m_functions: sheet
