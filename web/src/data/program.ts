@@ -190,6 +190,11 @@ export class Program {
     return moved.length > 0 && moved.every((letter) => axes.some((axis) => axis.letter === letter && axis.kind === 'rotary'));
   }
 
+  /** What the velocities of a row count. */
+  feedUnit(row: number): 'deg/min' | 'mm/min' {
+    return this.turns(row) ? 'deg/min' : 'mm/min';
+  }
+
   isKnown(row: number, axis: number): boolean {
     return (this.#bits[this.shape[row]!]!.known & (1 << axis)) !== 0;
   }

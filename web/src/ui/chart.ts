@@ -400,7 +400,7 @@ export class Chart {
       const known = times.velocities(current);
       const parts = [clock(times.startOf(current))];
       if (known !== undefined) {
-        parts.push(`${t('peak')} ${shown(known.peak, 1)} ${program.turns(program.rowOf(current)) ? 'deg/min' : 'mm/min'}`);
+        parts.push(`${t('peak')} ${shown(known.peak, 1)} ${program.feedUnit(program.rowOf(current))}`);
       }
       this.#facts.textContent = parts.join(' · ');
     } else {

@@ -35,7 +35,7 @@ export function joints(app: App, view: View): HTMLElement {
       };
       const facts = [
         joint.angle_deg === undefined ? '' : `${shown(joint.angle_deg, 1)}°`,
-        `${shown(joint.feed, 0)} ${program.turns(row) ? 'deg/min' : 'mm/min'}`,
+        `${shown(joint.feed, 0)} ${program.feedUnit(row)}`,
         why,
       ];
       const button = h(

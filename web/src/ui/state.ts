@@ -188,7 +188,7 @@ export class State {
     number('duration', 'duration_s', 's', 3);
     const { program, times } = this.#app;
     const index = this.#app.current!;
-    const unit = program.turns(program.rowOf(index)) ? 'deg/min' : 'mm/min';
+    const unit = program.feedUnit(program.rowOf(index));
     number('programmed', 'programmed', unit);
     if (typeof record['cap'] === 'number') {
       rows.push([t('cap'), `${shown(record['cap'], 1)} ${unit} (${named(String(record['cap_by']))})`]);
