@@ -9,7 +9,8 @@
 //!    one that meets the joints: it is tried.
 //! 4. A place that was put in costs time. Without it, up to other velocities, or with a ramp of less acceleration that meets
 //!    the joint, the way may be faster: `better` tries that.
-//! 5. Where limits change, and in small stretches, velocities at joints are tried: `searched`.
+//! 5. Where limits change, beside places that were put in, and in small stretches, velocities at joints are tried:
+//!    `searched`; then ways that rise to the cap of a joint and no higher.
 //! 6. A rise between two lowest places that saves too little time is taken back (VEL-12).
 
 #![expect(clippy::indexing_slicing, reason = "ids and places are made here and index the lists they were made for")]
@@ -120,6 +121,7 @@ impl Curve {
             self.again = true;
             self.better();
             self.search_joints();
+            self.up_to_joints();
         }
         self.again = true;
         if raise_s > 0.0 {
@@ -254,20 +256,29 @@ impl Curve {
 
     /// Whether a ramp between two places fits.
     fn fits(&self, left: usize, right: usize) -> bool {
-        let (left, right) = (self.places[left], self.places[right]);
+        let (left, right) = (&self.places[left], &self.places[right]);
+        left.v == right.v || self.ramp_limits(left, right).is_some()
+    }
+
+    /// The limits of a ramp between two places that begins or ends at the lower one: of all links that it covers. `None`: it
+    /// does not fit.
+    fn ramp_limits(&self, left: &Place, right: &Place) -> Option<Limits> {
         let way = right.s - left.s;
-        if left.v == right.v {
-            return true;
+        let room = way * (1.0 + 1e-12) + self.tolerance;
+        let low = if left.v < right.v { left.s } else { right.s };
+        let mut limits = self.limits(low, low);
+        loop {
+            let ramp = limits.distance(left.v, right.v);
+            if ramp > room {
+                return None;
+            }
+            let ramp = ramp.min(way);
+            let covered = if left.v < right.v { self.limits(low, low + ramp) } else { self.limits(low - ramp, low) };
+            if limits.min(covered) == limits {
+                return Some(limits);
+            }
+            limits = limits.min(covered);
         }
-        let limits = if self.runs.len() == 1 {
-            self.runs[0].limits
-        } else {
-            // The ramp begins at the lower end.
-            let limits = self.limits(left.s, right.s);
-            let part = limits.distance(left.v, right.v).min(way);
-            if left.v < right.v { self.limits(left.s, left.s + part) } else { self.limits(right.s - part, right.s) }
-        };
-        limits.distance(left.v, right.v) <= way * (1.0 + 1e-12) + self.tolerance
     }
 
     /// Makes places of joints, the slowest first.
@@ -412,15 +423,12 @@ impl Curve {
             }
             return Hump::new(l.v, r.v, run.limits, run.limits, way, cap);
         }
-        let mut rise = self.limits(l.s, l.s);
-        let mut fall = self.limits(r.s, r.s);
         // A place at a change of limits belongs to both sides.
-        for _ in 0..=2 * self.runs.len() {
-            let mut hump = Hump::new(l.v, r.v, rise, fall, way, cap);
+        let (mut rise, mut fall) = (self.limits(l.s, l.s), self.limits(r.s, r.s));
+        loop {
+            let hump = Hump::new(l.v, r.v, rise, fall, way, cap);
             if hump.rise_way() + hump.fall_way() > way * (1.0 + 1e-9) {
-                // Not even the slower ramp fits with what holds at both ends: what fits() found.
-                let all = self.limits(l.s, r.s);
-                hump = Hump::new(l.v, r.v, all, all, way, cap);
+                break;
             }
             let rising = rise.min(self.limits(l.s, (l.s + hump.rise_way()).min(r.s)));
             let falling = fall.min(self.limits((r.s - hump.fall_way()).max(l.s), r.s));
@@ -429,8 +437,9 @@ impl Curve {
             }
             (rise, fall) = (rising, falling);
         }
-        let all = self.limits(l.s, r.s);
-        Hump::new(l.v, r.v, all, all, way, cap)
+        // Higher than both, it would cover links that leave no room for it: only the ramp between both is left.
+        let limits = self.ramp_limits(&l, &r).unwrap_or_else(|| self.limits(l.s, r.s));
+        Hump::new(l.v, r.v, limits, limits, way, l.v.max(r.v))
     }
 
     /// What surely holds everything: acceleration 0 at every joint.

@@ -4,6 +4,9 @@
 
 use super::{Curve, HARD, NONE, Place};
 
+/// Beside two for each place, so many steps find the humps of a piece.
+const STEPS: usize = 64;
+
 impl Curve {
     /// Takes back rises between two lowest places that save too little against holding the higher of them (VEL-12).
     pub(super) fn take_back_rises(&mut self, raise_s: f64) {
@@ -138,7 +141,8 @@ impl Curve {
     /// Finds the humps between two places; gives the time, without end when they do not fit.
     pub(super) fn settle_between(&mut self, left: usize, right: usize) -> f64 {
         let mut at = left;
-        for _ in 0..4096 {
+        // What does not come to an end puts in and takes out the same places again and again.
+        for _ in 0..STEPS + 2 * self.between(left, right).count() {
             if at == right {
                 break;
             }

@@ -111,8 +111,40 @@ impl Curve {
         again || softer
     }
 
+    /// Plans the ways between lowest places again, where places were ever put in, up to the caps of the joints there; also
+    /// without the lowest place between them, when it was put in.
+    pub(super) fn up_to_joints(&mut self) {
+        let mut put: Vec<f64> = self.places[self.s.len()..].iter().map(|place| place.s).collect();
+        put.sort_by(f64::total_cmp);
+        let mut left = 0;
+        while let Some((right, _)) = self.next_lowest(left) {
+            self.try_joints(left, right, &put);
+            if self.is_put(right)
+                && let Some((beyond, _)) = self.next_lowest(right)
+            {
+                self.try_joints(left, beyond, &put);
+            }
+            left = match self.is_linked(right) {
+                true => right,
+                false => self.next_lowest(left).map_or(right, |(next, _)| next),
+            };
+        }
+    }
+
+    /// Plans the way between two places again up to the caps of its joints, when it holds one of the places `put` in.
+    fn try_joints(&mut self, left: usize, right: usize, put: &[f64]) {
+        let (l, r) = (self.places[left], self.places[right]);
+        if put.get(put.partition_point(|s| *s < l.s)).is_none_or(|s| *s > r.s) {
+            return;
+        }
+        let joints = self.caps.get(l.after..r.before + 1).unwrap_or_default();
+        let mut levels = self.levels(joints, l.v.max(r.v));
+        in_order(&mut levels);
+        self.try_levels(left, right, &levels);
+    }
+
     /// The places between two others.
-    fn between(&self, left: usize, right: usize) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn between(&self, left: usize, right: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(Some(self.places[left].next), |&id| Some(self.places[id].next))
             .take_while(move |&id| id != right)
     }
@@ -120,9 +152,13 @@ impl Curve {
     /// The caps of the blocks between two places, as far as they are not below both.
     fn block_caps(&self, left: usize, right: usize) -> Vec<f64> {
         let (l, r) = (self.places[left], self.places[right]);
-        let least = l.v.max(r.v);
         let blocks = &self.blocks[l.after.saturating_sub(1)..(r.before + 1).min(self.blocks.len())];
-        blocks.iter().copied().filter(|cap| *cap >= least && *cap < self.highest).collect()
+        self.levels(blocks, l.v.max(r.v))
+    }
+
+    /// The caps that are not below `least` and bind.
+    fn levels(&self, caps: &[f64], least: f64) -> Vec<f64> {
+        caps.iter().copied().filter(|cap| *cap >= least && *cap < self.highest).collect()
     }
 
     /// The greatest velocity between two places.

@@ -28,6 +28,11 @@ impl Curve {
         while k <= r.before && self.s[k] < rise_end {
             let (at, cap) = (self.s[k] - l.s, self.caps[k]);
             if cap < l.v && at > tolerance {
+                if self.fits(left, k) {
+                    self.insert(left, self.s[k], cap);
+                    changed.any = true;
+                    return changed;
+                }
                 if self.drop(left) {
                     changed.back = Some(l.prev);
                     return changed;
@@ -46,6 +51,11 @@ impl Curve {
         while k >= l.after && k > 0 && self.s[k] > fall_start {
             let (at, cap) = (r.s - self.s[k], self.caps[k]);
             if cap < r.v && at > tolerance {
+                if self.fits(k, right) {
+                    self.insert(left, self.s[k], cap);
+                    changed.any = true;
+                    return changed;
+                }
                 if self.drop(right) {
                     changed.any = true;
                     return changed;

@@ -7,11 +7,11 @@ use super::super::ramp::Limits;
 use super::{Curve, HARD, NONE};
 
 /// In stretches of so many motions every joint is looked at, where places were put in.
-const SMALL: usize = 6;
+const SMALL: usize = 16;
 /// With more changes of limits in a part they are not looked at.
-const MOST_RUNS: usize = 64;
+const MOST_RUNS: usize = 256;
 /// Velocities that are tried at once, evenly up to the greatest.
-const GRID: u32 = 4;
+const GRID: u32 = 8;
 /// How often the neighbourhood of the fastest is tried.
 const FINER: usize = 3;
 
@@ -19,20 +19,32 @@ impl Curve {
     /// Looks for the velocities at joints that make the way faster: one after another, and for motions that are passed at one
     /// velocity.
     pub(super) fn search_joints(&mut self) {
-        let small = self.s.len() <= SMALL + 1 && self.places.len() > self.s.len();
-        let at: Vec<f64> = if small {
-            self.s[1..self.s.len() - 1].to_vec()
-        } else if (2..=MOST_RUNS).contains(&self.runs.len()) {
-            self.runs[..self.runs.len() - 1].iter().map(|run| run.end).collect()
-        } else {
-            return;
-        };
+        let at = self.searched();
         for k in 0..at.len() {
             self.search(&at[k..=k]);
             if k > 0 {
                 self.search(&at[k - 1..=k]);
             }
         }
+    }
+
+    /// The joints at which velocities are looked for, as places on the way: those beside places that were put in, where limits
+    /// change, and all of a small stretch.
+    fn searched(&self) -> Vec<f64> {
+        let joints = 1..self.s.len() - 1;
+        if joints.len() < SMALL && self.places.len() > self.s.len() {
+            return self.s[joints].to_vec();
+        }
+        let mut found = vec![false; self.s.len()];
+        for id in self.between(0, self.s.len() - 1).filter(|&id| self.is_put(id)) {
+            found[self.kept_before(id) + 1..self.kept_after(id)].fill(true);
+        }
+        if self.runs.len() <= MOST_RUNS {
+            for run in &self.runs[..self.runs.len() - 1] {
+                found[self.s.partition_point(|s| *s < run.end)] = true;
+            }
+        }
+        joints.filter(|&k| found[k]).map(|k| self.s[k]).collect()
     }
 
     /// Looks for the velocity at which the joints at these one or two places are passed without acceleration.
