@@ -464,3 +464,7 @@ impl Curve {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "curve_tests.rs"]
+mod tests;

@@ -107,7 +107,7 @@ impl Curve {
         levels.push(self.highest);
         in_order(&mut levels);
         let again = self.try_levels(left, right, &levels);
-        let softer = self.soften(left, right);
+        let softer = self.soften(left, right, self.highest);
         again || softer
     }
 
@@ -141,6 +141,9 @@ impl Curve {
         let mut levels = self.levels(joints, l.v.max(r.v));
         in_order(&mut levels);
         self.try_levels(left, right, &levels);
+        for level in levels {
+            self.soften(left, right, level);
+        }
     }
 
     /// The places between two others.
@@ -197,9 +200,9 @@ impl Curve {
         }
     }
 
-    /// Tries one hump between two places whose rise or fall has less acceleration: the most with which no joint is passed
-    /// too fast.
-    fn soften(&mut self, left: usize, right: usize) -> bool {
+    /// Tries one hump between two places, not above `level`, whose rise or fall has less acceleration: the most with which no
+    /// joint is passed too fast.
+    fn soften(&mut self, left: usize, right: usize, level: f64) -> bool {
         if self.between(left, right).any(|id| !self.is_put(id)) {
             return false;
         }
@@ -219,7 +222,7 @@ impl Curve {
                     continue;
                 }
                 self.drop_put(left, right);
-                if self.softened(left, right, side, accel).is_some() {
+                if self.softened(left, right, side, accel, level).is_some() {
                     (low, best) = (accel, Some(accel));
                 } else {
                     high = accel;
@@ -227,7 +230,7 @@ impl Curve {
                 self.restore(&saved, kept);
             }
             self.drop_put(left, right);
-            match best.and_then(|accel| self.softened(left, right, side, accel)) {
+            match best.and_then(|accel| self.softened(left, right, side, accel, level)) {
                 Some(softened) if softened < time * (1.0 - 1e-9) => {
                     time = softened;
                     found = true;
@@ -238,10 +241,10 @@ impl Curve {
         found
     }
 
-    /// The time of one hump between two neighbours whose rise (side 0) or fall has no more than that acceleration, when no
-    /// joint is in its way.
-    fn softened(&mut self, left: usize, right: usize, side: usize, accel: f64) -> Option<f64> {
-        let cap = self.highest.max(self.places[left].v).max(self.places[right].v);
+    /// The time of one hump between two neighbours, not above `level`, whose rise (side 0) or fall has no more than that
+    /// acceleration, when no joint is in its way.
+    fn softened(&mut self, left: usize, right: usize, side: usize, accel: f64, level: f64) -> Option<f64> {
+        let cap = level.max(self.places[left].v).max(self.places[right].v);
         let place = &mut self.places[left];
         (place.soft, place.cap) = (HARD, cap);
         place.soft[side] = accel;
