@@ -141,12 +141,15 @@ pub(super) enum PlaneName {
 
 /// Largest side of a still picture, in pixels.
 const LARGEST: u32 = 20_000;
+/// Most pixels of a still picture: some 8 bytes of memory each.
+const MOST_PIXELS: u32 = 100_000_000;
 
 /// `1600x1000`: width and height of a still picture, in pixels.
 fn picture_size(text: &str) -> Result<(u32, u32), String> {
     let side = |text: &str| text.parse().ok().filter(|side| (64..=LARGEST).contains(side));
     let sides = text.split_once(['x', 'X', '×']).and_then(|(width, height)| Some((side(width)?, side(height)?)));
-    sides.ok_or_else(|| format!("1600x1000, 64–{LARGEST}"))
+    let small = sides.filter(|(width, height)| width * height <= MOST_PIXELS);
+    small.ok_or_else(|| format!("1600x1000, 64–{LARGEST}, ≤ {MOST_PIXELS} px"))
 }
 
 /// `motion`.

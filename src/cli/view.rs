@@ -22,7 +22,8 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
     threads::prepare();
     let output = output(args)?;
-    check_usage(args, Form::of(output.as_deref()), output.is_some())?;
+    let form = Form::of(output.as_deref())?;
+    check_usage(args, form, output.is_some())?;
     let job = Job::new(args.file.clone(), output).refusing(|file| Words::PictureIsProgram { file });
     let output = job.output();
     let mut projects = job.configure(&args.common, &overrides)?;
@@ -46,7 +47,6 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let unusable = outcome.unusable;
     report.add_program(&outcome.sources, outcome.findings);
     if !unusable {
-        let form = Form::of(output);
         let still = still(args);
         let whole = |bytes: Vec<u8>| Picture { bytes, left_out: LeftOut::default() };
         let picture = match form {
@@ -98,13 +98,14 @@ enum Form {
 }
 
 impl Form {
-    /// By the extension of the file; other files, and standard output, are pages.
-    fn of(output: Option<&Path>) -> Self {
-        let extension = output.and_then(Path::extension).and_then(|extension| extension.to_str());
-        match extension.map(str::to_ascii_lowercase).as_deref() {
-            Some("svg") => Self::Svg,
-            Some("png") => Self::Png,
-            Some(_) | None => Self::Page,
+    /// By the extension of the file; files without one, and standard output, are pages.
+    fn of(output: Option<&Path>) -> Result<Self, Words> {
+        let Some(extension) = output.and_then(Path::extension) else { return Ok(Self::Page) };
+        match extension.to_ascii_lowercase().to_str() {
+            Some("svg") => Ok(Self::Svg),
+            Some("png") => Ok(Self::Png),
+            Some("html" | "htm") => Ok(Self::Page),
+            Some(_) | None => Err(Words::NoSuchPicture { extension: path_name(Path::new(extension)) }),
         }
     }
 }
@@ -170,7 +171,7 @@ fn open(file: &Path, locale: Locale) -> Result<(), Failure> {
     };
     let started = std::process::Command::new(program).args(before).arg(file).spawn();
     started.map(drop).map_err(|error| {
-        let file = path_name(file);
-        Words::CannotOpen { file, reason: reason(&error, locale.lang) }.into()
+        let (file, opener) = (path_name(file), program.to_owned());
+        Words::CannotOpen { file, opener, reason: reason(&error, locale.lang) }.into()
     })
 }

@@ -52,9 +52,12 @@ bilingual! {
         NeedMotion { names: String }
             "{names}: no value without [motion] in the project file",
             "{names}: bez [motion] v souboru projektu nemá hodnotu";
-        CannotOpen { file: String, reason: String }
-            "{file} is written, but cannot be opened: {reason}",
-            "{file} je zapsán, ale nelze jej otevřít: {reason}";
+        CannotOpen { file: String, opener: String, reason: String }
+            "{file} is written, but {opener}, which opens files, cannot be started: {reason}",
+            "{file} je zapsán, ale {opener}, který otevírá soubory, nelze spustit: {reason}";
+        NoSuchPicture { extension: String }
+            "view writes no .{extension}: name a page (.html) or a picture (.svg, .png) after -o",
+            "view nezapisuje .{extension}: za -o uvést stránku (.html) nebo obrázek (.svg, .png)";
         Interrupted
             "interrupted; no file is left half written",
             "přerušeno; žádný soubor nezůstal zapsaný napůl";

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value, json};
 
+use super::files::Files;
 use super::pack::{About, pack};
 use super::picture::{Besides, Chain, Picture, Still, as_png, as_svg};
 use super::rows::{Part, Rows};
@@ -16,6 +17,7 @@ use crate::diag::{Findings, Report, Severity};
 use crate::dict::Lang;
 use crate::parallel::Fold;
 use crate::run::{End, Executed, Program, Sink};
+use crate::syntax::{Form, ParsedFile, parse};
 use crate::text::{FileId, SourceText};
 
 /// What a program is executed for whose picture is wanted: see [`Self::sink`].
@@ -75,8 +77,10 @@ impl Collector {
     /// What the run came to: the text of the program, which may not have been executed, and how many blocks were.
     pub fn finish(self, text: Option<&Arc<SourceText>>, name: &str, executed: u64) -> View {
         let Self { mut rows, planned, equidistant, assumed, machine, mut program, whole, .. } = self;
-        if let Some(source) = text {
-            rows.files.add_text(source);
+        // A program that cannot be executed is shown all the same.
+        if let Some(source) = text.filter(|_| rows.files.is_empty()) {
+            let file = parse(FileId(0), source, Form::Program, &mut Findings::new());
+            introduce(&file, &mut rows.files, &mut program);
         }
         let (mut planner, mut times) = planned.finish();
         planner.finish(&mut times);
@@ -187,6 +191,16 @@ impl View {
     }
 }
 
+/// Takes up the file of the program, and what the header says of it.
+fn introduce(file: &ParsedFile, files: &mut Files, program: &mut Map<String, Value>) {
+    files.add(0, file);
+    let number = file.program.and_then(|word| word.whole()).unwrap_or_default();
+    program.insert("number".to_owned(), json!(number));
+    if let Some(title) = file.title {
+        program.insert("title".to_owned(), json!(file.comment_text(title)));
+    }
+}
+
 /// What the header says of the program before it is executed.
 fn program(settings: &Settings) -> Map<String, Value> {
     let axes = settings.machine.axes.iter().map(
@@ -220,12 +234,8 @@ impl Sink for Collect<'_> {
 
     fn begin(&mut self, start: &Program<'_>) {
         let Collector { rows, program, .. } = &mut *self.collector;
-        let Some(file) = start.resolved.file(FileId(0)) else { return };
-        rows.files.add(0, file);
-        let number = file.program.and_then(|word| word.whole()).unwrap_or_default();
-        program.insert("number".to_owned(), json!(number));
-        if let Some(title) = file.title {
-            program.insert("title".to_owned(), json!(file.comment_text(title)));
+        if let Some(file) = start.resolved.file(FileId(0)) {
+            introduce(file, &mut rows.files, program);
         }
     }
 

@@ -49,11 +49,8 @@ impl Files {
         }
     }
 
-    /// Takes up the text of a program whose blocks cannot be told.
-    pub fn add_text(&mut self, source: &Arc<SourceText>) {
-        if self.files.is_empty() {
-            self.files.push(PageFile { id: FileId(0), source: Arc::clone(source), first: 0, starts: Vec::new() });
-        }
+    pub fn is_empty(&self) -> bool {
+        self.files.is_empty()
     }
 
     pub fn iter(&self) -> impl Iterator<Item = &PageFile> {

@@ -4,7 +4,7 @@ use std::io::Read;
 
 use serde_json::Value;
 
-use crate::cli::{BAD, GOOD, Place};
+use crate::cli::{BAD, GOOD, Place, Run};
 
 /// A program of ten executed blocks: a subprogram of four, called twice.
 const CALLS: &str =
@@ -61,7 +61,11 @@ fn it_goes_where_it_is_told() {
     let piped = place.run_with_stdin(&["view", "-", "-o", "-"], GOOD.as_bytes()).ends(0);
     assert_eq!(header(piped.stdout.as_bytes())["program"]["name"], "-");
     place.run_with_stdin(&["view", "-"], GOOD.as_bytes()).ends(2).says("name a file after -o");
-    place.run(&["view", "a.nc", "-o", "a.nc"]).ends(2).says("what the picture is made from");
+    place.run(&["view", "a.nc", "-o", "a.nc"]).ends(2).says("view writes no .nc");
+    place.run(&["view", "a.nc", "-o", "a.PDF"]).ends(2).says("view writes no .PDF");
+    place.run(&["view", "x.html", "-o", "x.html"]).ends(2).says("what the picture is made from");
+    let mut alone = place.command(&["view", "a.nc", "-o", "x.html", "--open"]);
+    Run::of(alone.env("PATH", "").output().unwrap()).ends(2).says("x.html is written, but");
     place.run(&["view", "a.nc", "-o", "missing/x.html"]).ends(2).says("cannot write missing/x.html");
     place.run(&["view", "no.nc"]).ends(2);
     assert_eq!(place.list(), ["a.nc", "x.html"]);
@@ -73,6 +77,7 @@ fn a_program_with_errors_is_drawn_as_far_as_execution_comes() {
     let place = Place::with(&[("bad.nc", BAD.as_bytes()), ("late.nc", late.as_bytes())]);
     place.run(&["view", "bad.nc"]).ends(1).says("E0306");
     let found = header(&place.read("bad.nc.html"));
+    assert_eq!(found["program"]["number"], 1, "also of a program that is not executed");
     assert_eq!((&found["whole"], &found["findings"][0]["code"]), (&false.into(), &"E0306".into()));
     assert!(found["files"][0]["head"].as_str().unwrap().len() + found["skeletons"].as_array().unwrap().len() > 1);
     place.run(&["view", "late.nc"]).ends(1).says("W0503");
@@ -160,7 +165,9 @@ fn a_still_picture_has_the_dots_of_the_motion_stream() {
     place.run(&["view", "joints.nc", "--plane", "XZ"]).ends(2).says("--plane goes with a still picture");
     place.run(&["view", "joints.nc", "--size", "800x600"]).ends(2).says("--size goes with a still picture");
     place.run(&["view", "joints.nc", "--open", "-o", "-"]).ends(2).says("-o - writes none");
-    place.run(&["view", "joints.nc", "-o", "p.svg", "--size", "640"]).ends(2).says("1600x1000");
+    for size in ["640", "63x100", "20001x100", "10001x10000"] {
+        place.run(&["view", "joints.nc", "-o", "p.svg", "--size", size]).ends(2).says("1600x1000");
+    }
     place.run(&["view", "joints.nc", "-o", "p.svg", "--plane", "YX"]).ends(2);
 }
 

@@ -12,9 +12,9 @@ use crate::parallel;
 use crate::run::End;
 
 /// Steps go to the thread in batches of so many. Fuzzing has short programs.
-const STEPS: usize = if cfg!(fuzzing) { 2 } else { 1024 };
+const STEPS: usize = if cfg!(fuzzing) { 2 } else { 4096 };
 /// A batch with so many changes of values is handed on whatever it holds.
-const CHANGES: usize = 1 << 14;
+const CHANGES: usize = 1 << 16;
 /// Batches under way at most: what writes slowly makes execution wait, not grow.
 const QUEUE: usize = 2;
 

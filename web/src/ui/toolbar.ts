@@ -11,7 +11,7 @@ export function title(app: App): HTMLElement {
   const facts = h('p', { class: 'facts' });
   const tell = (): void => {
     const { program, total } = app.header;
-    const { number, title } = app.header.count > 0 ? program : written(app);
+    const { number, title } = program;
     heading.replaceChildren(title === undefined ? `%${number}` : `%${number} ${title}`);
     document.title = `${heading.textContent} – ${program.name}`;
     const time = total?.['time_s'];
@@ -27,18 +27,6 @@ export function title(app: App): HTMLElement {
   app.on('data', tell);
   app.on('language', tell);
   return h('div', { class: 'title' }, heading, facts);
-}
-
-/** Number and title as the text has them: a program that was not executed has no others. */
-function written(app: App): { number: string; title: string | undefined } {
-  for (let line = 1; line <= Math.min(app.text.lines[0] ?? 0, 100); line += 1) {
-    const text = app.text.line(0, line).map((piece) => piece.text).join('');
-    const found = /^\s*%\s*(\d+)\s*(?:"([^"]*))?/.exec(text);
-    if (found !== null) {
-      return { number: found[1]!, title: found[2] };
-    }
-  }
-  return { number: '', title: undefined };
 }
 
 export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') => void, help: () => void): HTMLElement {
