@@ -66,7 +66,10 @@ fn unknown_paths() {
     assert!(tool.get("working_mm").is_none() && tool.get("working_lower_bound").is_none(), "{tool}");
     assert_eq!(tool["rapid_mm"], 0);
     assert!(text().contains("at least 0:00:00.0; blocks of unknown time: 3"), "{}", text());
-    assert!(text().contains("0:00:00.0  not known     0 mm"), "{}", text());
+    assert!(text().contains("at least 0:00:00.0  not known     0 mm"), "{}", text());
+    assert_eq!(tool["time_lower_bound"], true);
+    let motion = place.run(&["motion", "path.nc", "--lang", "en"]).ends(0).stdout;
+    assert!(motion.lines().any(|line| line.starts_with("  T3 ") && line.ends_with("at least")), "{motion}");
     let part = sheet("N1 T3 M6\nN2 G01 X5 F100\nN3 X9\nN4 A90\nN5 M30\n");
     assert_eq!((&part["tools"][0]["working_mm"], &part["tools"][0]["working_lower_bound"]), (&json!(4), &json!(true)));
     assert!(text().contains("at least 4 mm"), "{}", text());

@@ -179,9 +179,11 @@ impl Account<'_> {
         }
         if summary.by_tool.keys().any(Option::is_some) {
             lines.head(&Words::Tools);
-            for (tool, seconds) in &summary.by_tool {
+            for (tool, total) in &summary.by_tool {
                 let name = tool.map_or_else(|| Words::NoTool.text(lang), |tool| format!("T{tool}"));
-                lines.row(&name, &clock(*seconds), &part(*seconds));
+                let least = if total.lacks_more_than_approach() { Words::Least.text(lang) } else { String::new() };
+                let part = part(total.time_s);
+                lines.row(&name, &clock(total.time_s), [part, least].join("  ").trim_end());
             }
         }
     }

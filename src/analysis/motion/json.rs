@@ -305,7 +305,7 @@ pub fn total(summary: &Summary) -> String {
     record.number("function_s", summary.function_s);
     record.number("settle_s", summary.settle_s);
     record.number("gap_s", summary.gap_s);
-    let tools = summary.by_tool.iter().filter_map(|(tool, seconds)| Some((tool.as_ref()?.to_string(), *seconds)));
+    let tools = summary.by_tool.iter().filter_map(|(tool, total)| Some((tool.as_ref()?.to_string(), total.time_s)));
     record.numbers("time_by_tool", tools);
     let mut joints = record.object("joints");
     joints.whole("continuous", summary.continuous);

@@ -61,6 +61,11 @@ impl Total {
         self.time_s <= 0.0 && self.unknown_blocks == 0
     }
 
+    /// Whether more is not known than the way to the first known position.
+    pub const fn lacks_more_than_approach(&self) -> bool {
+        self.unknown_blocks > self.approach_blocks || self.jerk_free_blocks > 0
+    }
+
     /// Whether some blocks take longer than is known.
     pub const fn is_lower_bound(&self) -> bool {
         self.unknown_blocks + self.jerk_free_blocks > 0
@@ -87,7 +92,7 @@ pub struct Summary {
     /// Gaps before blocks.
     pub gap_s: f64,
     /// By the tool in the spindle; none before the first M06.
-    pub by_tool: BTreeMap<Option<Decimal>, f64>,
+    pub by_tool: BTreeMap<Option<Decimal>, Total>,
     /// Joints that are passed continuously.
     pub continuous: u64,
     /// Others, by place in [`Break::ALL`].
@@ -155,6 +160,11 @@ impl Summary {
         (self.working_s > 0.0).then(|| self.working_mm / self.working_s * 60.0)
     }
 
+    /// The time with a tool in the spindle.
+    pub fn of_tool(&self, tool: Option<Decimal>) -> Total {
+        self.by_tool.get(&tool).copied().unwrap_or_default()
+    }
+
     /// Adds the times of a block.
     pub fn add(&mut self, block: &BlockTimes) {
         let rest = block.dwell_s + block.function_s + block.settle_s + block.gap_s;
@@ -167,7 +177,7 @@ impl Summary {
             self.settle_s += block.settle_s;
             self.gap_s += block.gap_s;
         }
-        *self.by_tool.entry(block.tool).or_insert(0.0) += block.duration_s;
+        self.by_tool.entry(block.tool).or_default().add(block);
         let Some(motion) = &block.motion else { return };
         if let Some(seconds) = motion.motion_s {
             if let Some(sum) = self.by_type.get_mut(motion.kind as usize) {

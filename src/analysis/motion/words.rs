@@ -19,6 +19,7 @@ bilingual! {
         Whole { time: String } "{time}", "{time}";
         AtLeast { time: String, blocks: u64 } "at least {time}; blocks of unknown time: {blocks}", "nejméně {time}; bloků s neznámým časem: {blocks}";
         WithoutApproach { time: String } "{time} without the approach", "{time} bez příjezdu";
+        Least "at least", "nejméně";
         AtLeastSo { time: String } "at least {time}", "nejméně {time}";
         AtLeastWithoutApproach { time: String } "at least {time}, without the approach", "nejméně {time}, bez příjezdu";
         JerkFree { blocks: u64 } "P is not known where it counts: the jerk is not limited there; such blocks: {blocks}", "P tam, kde platí, není známo: ryv tam není omezen; takových bloků: {blocks}";

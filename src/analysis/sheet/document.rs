@@ -3,7 +3,7 @@
 use super::extents::Extents;
 use super::reader::{Path, Sheet, ToolUse};
 use super::words::Words;
-use crate::analysis::motion::{Summary, clock};
+use crate::analysis::motion::{Summary, Total, clock};
 use crate::dict::{Decimal, Lang, Micro};
 
 /// A heading with a table below it.
@@ -89,7 +89,7 @@ fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
             tool.tool.map_or_else(|| Words::NoTool.text(lang), |number| format!("T{number}")),
             format!("N{}", tool.n),
             tool.changes.to_string(),
-            clock(summary.by_tool.get(&tool.tool).copied().unwrap_or(0.0)),
+            time(summary.of_tool(tool.tool), lang),
             path(tool.working, lang),
             path(tool.rapid, lang),
             feeds(tool),
@@ -113,10 +113,15 @@ fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
     section(Words::Tools, &head, rows.collect(), lang)
 }
 
+fn time(total: Total, lang: Lang) -> String {
+    let time = clock(total.time_s);
+    if total.lacks_more_than_approach() { Words::AtLeast { what: time }.text(lang) } else { time }
+}
+
 fn path(path: Path, lang: Lang) -> String {
     match path.known() {
         None => Words::Unknown.text(lang),
-        Some(length) if path.is_lower_bound() => Words::AtLeast { length: format!("{length} mm") }.text(lang),
+        Some(length) if path.is_lower_bound() => Words::AtLeast { what: format!("{length} mm") }.text(lang),
         Some(length) => format!("{length} mm"),
     }
 }

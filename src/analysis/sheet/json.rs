@@ -109,6 +109,9 @@ struct ToolRecord {
     changes: u64,
     /// Duration of the blocks with it.
     time_s: Number,
+    /// Some blocks with it have no known time: the time is at least this.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    time_lower_bound: bool,
     /// Path of working motion; none where nothing of it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     working_mm: Option<Number>,
@@ -237,11 +240,13 @@ pub fn json(sheet: &Sheet, summary: &Summary, assumed: bool) -> String {
 }
 
 fn tool(used: &ToolUse, summary: &Summary) -> ToolRecord {
+    let total = summary.of_tool(used.tool);
     ToolRecord {
         t: used.tool.map(Number::from),
         n: used.n,
         changes: used.changes,
-        time_s: summary.by_tool.get(&used.tool).copied().unwrap_or(0.0).into(),
+        time_s: total.time_s.into(),
+        time_lower_bound: total.is_lower_bound(),
         working_mm: used.working.known().map(Number),
         working_lower_bound: used.working.is_lower_bound(),
         rapid_mm: used.rapid.known().map(Number),

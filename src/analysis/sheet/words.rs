@@ -9,7 +9,7 @@ bilingual! {
         Program "Program", "Program";
         Control "Control", "Systém";
         Time "Time", "Čas";
-        AtLeast { length: String } "at least {length}", "nejméně {length}";
+        AtLeast { what: String } "at least {what}", "nejméně {what}";
         Assumed "estimated for an assumed machine: [motion] is not configured", "odhad pro předpokládaný stroj: [motion] není nastaveno";
         Work "Size of the work", "Rozměry";
         Motions "Motions", "Pohyby";
