@@ -27,6 +27,7 @@ axes = ["Y", "Q"]
 === findings cnc872c.toml
 0:8-0:11 E0702 `axes` takes a table
 0:13-0:16 E0702 `axes` takes a table
+=== request textDocument/diagnostic part.nc
 === close cnc872c.toml
 === findings cnc872c.toml
 0:8-0:11 E0702 `axes` takes a table
