@@ -4,21 +4,23 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
-/// The schema of the records `T`, an enum, JSON Schema 2020-12: a named definition for each record. `schema` is name and
-/// version of the form.
-pub fn record_schema<T: JsonSchema>(schema: &str, definitions: &[&str]) -> Value {
+/// The schema of the records `T`, an enum tagged by `kind`, JSON Schema 2020-12: a definition for each record, named after
+/// its kind. `schema` is name and version of the form.
+pub fn record_schema<T: JsonSchema>(schema: &str) -> Value {
     let generator = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true).into_generator();
     let mut root = generator.into_root_schema_for::<T>().to_value();
     let records = root.get_mut("oneOf").map(Value::take).unwrap_or_default();
     let Value::Array(records) = records else { return root };
     let mut named = Map::new();
     let mut choices = Vec::new();
-    for (name, mut record) in definitions.iter().zip(records) {
+    for mut record in records {
         forbid_null(&mut record);
+        let name =
+            record.pointer("/properties/kind/const").and_then(Value::as_str).map(capitalized).unwrap_or_default();
         if let Some(record) = record.as_object_mut() {
-            record.insert("title".to_owned(), (*name).into());
+            record.insert("title".to_owned(), name.clone().into());
         }
-        named.insert((*name).to_owned(), record);
+        named.insert(name.clone(), record);
         choices.push(json!({ "$ref": format!("#/$defs/{name}") }));
     }
     if let Some(root) = root.as_object_mut() {
@@ -27,6 +29,11 @@ pub fn record_schema<T: JsonSchema>(schema: &str, definitions: &[&str]) -> Value
         root.insert("$defs".to_owned(), named.into());
     }
     root
+}
+
+fn capitalized(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().into_iter().flat_map(char::to_uppercase).chain(characters).collect()
 }
 
 /// Fields without a value are left out, never null; only the items of `g` and `m` are.

@@ -80,7 +80,7 @@ fn is_motion(section: &Section) -> bool {
 fn write_keys(text: &mut String, rows: &[Row], dialect: Dialect, lang: Lang) -> fmt::Result {
     for row in rows {
         // Only the newest control has one.
-        if row.name == keys::CHANNEL_CONFIG.name && dialect != Dialect::Cnc872 {
+        if row.name == keys::CHANNEL_CONFIG.name && !dialect.has_channel_config() {
             continue;
         }
         comment(text, &about(row, lang))?;
@@ -179,7 +179,7 @@ mod tests {
         for dialect in Dialect::ALL {
             for lang in [Lang::En, Lang::Cs] {
                 let text = initial(dialect, lang);
-                assert_eq!(text.contains("channel-config"), dialect == Dialect::Cnc872);
+                assert_eq!(text.contains("channel-config"), dialect.has_channel_config());
                 let run = Run::plain(&text);
                 assert!(run.findings.is_empty(), "{text}{:?}", run.findings);
                 let settings = run.settings();

@@ -5,7 +5,9 @@ use std::path::PathBuf;
 
 use super::{ArcCenters, G97, MFunctions, Motion, SpindleAxis};
 use crate::diag::{Code, Levels, Severity};
-use crate::dict::{Address, AxisLetter, Decimal, Dialect, GCode, GGroup, HIGHEST_S, M_GROUPS, Operation};
+use crate::dict::{
+    Address, AxisLetter, Decimal, Dialect, FeedMode, FeedRow, GCode, GGroup, HIGHEST_S, M_GROUPS, Operation,
+};
 use crate::text::Encoding;
 
 /// One axis of the machine.
@@ -239,14 +241,13 @@ impl Machine {
         }
     }
 
-    /// Whether F counts millimetres per revolution under a function of group G6 (TEC-1, TEC-5).
-    pub fn feeds_per_revolution(&self, mode: GCode) -> bool {
-        mode == GCode::G95 || (mode == GCode::G97 && self.g97 == G97::PerRevolution)
-    }
-
-    /// Whether the cutting speed is constant under a function of group G6 (TEC-5).
-    pub fn cuts_at_constant_speed(&self, mode: GCode) -> bool {
-        mode == GCode::G96 || (mode == GCode::G97 && self.g97 == G97::PerRevolution)
+    /// What F counts, and whether the cutting speed is constant, under a function of group G6; `None` under others.
+    pub const fn feed_mode(&self, function: GCode) -> Option<FeedMode> {
+        match FeedRow::of(function) {
+            Some(FeedRow::Mode(mode)) => Some(mode),
+            Some(FeedRow::Key) => Some(self.g97.mode()),
+            None => None,
+        }
     }
 
     /// Whether configuration names the spindle's axis: then its words under M03 and M04 are errors, and M03, M04 and M05
@@ -304,8 +305,7 @@ impl Settings {
             Some(Level::Allow) => None,
             Some(Level::Warn) => Some(Severity::Warning),
             Some(Level::Deny) => Some(Severity::Error),
-            // LEX-7: the newest control reads longer lines.
-            None if code == Code::E0109 && self.machine.dialect == Dialect::Cnc872 => Some(Severity::Warning),
+            None if code == Code::E0109 && self.machine.dialect.reads_long_lines() => Some(Severity::Warning),
             // Not a mistake, but a question that somebody may ask.
             None if code.is_off() => None,
             None => Some(code.severity()),

@@ -1,6 +1,6 @@
 //! What machines differ in, and configuration names by a word.
 
-use crate::dict::{AxisLetter, Dialect};
+use crate::dict::{AxisLetter, Dialect, FeedMode, FeedPer};
 
 /// What G97 means (TEC-5): the sources disagree.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -20,6 +20,14 @@ impl G97 {
         match dialect {
             Dialect::Cnc8x6 | Dialect::Cnc8x9 => Self::PerRevolution,
             Dialect::Cnc872 => Self::PerMinute,
+        }
+    }
+
+    /// What F counts then, and whether the cutting speed is constant.
+    pub const fn mode(self) -> FeedMode {
+        match self {
+            Self::PerMinute => FeedMode { per: FeedPer::Minute, constant_cut: false },
+            Self::PerRevolution => FeedMode { per: FeedPer::Revolution, constant_cut: true },
         }
     }
 

@@ -135,7 +135,7 @@ impl MotionKey {
             Self::Angle => whole(60),
             Self::Accel | Self::Raise | Self::LookAhead => whole(500),
             Self::AccelRapid => whole(1000),
-            Self::ShortestBlock => whole(if dialect == Dialect::Cnc8x6 { 60 } else { 4 }),
+            Self::ShortestBlock => whole(dialect.shortest_block_ms()),
             Self::Red => whole(20),
             Self::AccelContinuous
             | Self::BreakLength

@@ -3,7 +3,7 @@
 use super::Takes;
 use super::motion::{MotionKey, Profile, Recognition};
 use super::row::{Default, Row, row};
-use crate::dict::{Decimal, Dialect};
+use crate::dict::Decimal;
 
 const fn number(min: i64, max: i64) -> Takes {
     Takes::Number { min: Decimal::from_thousandths(min), max: Decimal::from_thousandths(max) }
@@ -128,7 +128,7 @@ pub(super) const NUMBERS: [(MotionKey, Row); MotionKey::ALL.len()] = [
         row(
             "shortest-block-ms",
             number(0, 1_000_000),
-            Default::ByDialect(|dialect| (if dialect == Dialect::Cnc8x6 { "60" } else { "4" }).to_owned()),
+            Default::ByDialect(|dialect| dialect.shortest_block_ms().to_string()),
             ("shortest time of a block in a continuous stretch", "nejkratší trvání bloku při plynulé návaznosti"),
             "CNT-2, VEL-6",
         ),

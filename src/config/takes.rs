@@ -105,7 +105,7 @@ impl Takes {
     }
 
     /// The range of M numbers (§2).
-    const M_NUMBER: Self = Self::Whole { min: 0, max: Some(Dialect::Cnc872.highest_m() as i64) };
+    const M_NUMBER: Self = Self::Whole { min: 0, max: Some(Dialect::HIGHEST_M as i64) };
 
     /// As JSON Schema.
     pub(super) fn schema(self) -> Value {

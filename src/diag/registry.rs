@@ -14,7 +14,7 @@ use super::{
     OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, UnreadEnd,
     UnusedConstant, UnusedMeant, ValueMeant,
 };
-use crate::dict::{Address, Dialect, GCode, GGroup, Lang, Plane};
+use crate::dict::{Address, Dialect, FeedPer, GCode, GGroup, Lang, Plane};
 
 /// How serious a finding is, unless configured.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -419,8 +419,8 @@ diagnostics! {
         cs ({ let of = of_group(*group); format!("M{first:02} a M{second:02} jsou obě {of} skupiny M funkcí") })
         help (if *unnumbered { unnumbered_line(Lang::En) } else { "one function of a group per block: delete one, or give it a block of its own" })
            | (if *unnumbered { unnumbered_line(Lang::Cs) } else { "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok" })
-        note (match (*group >= 10, *dialect == Dialect::Cnc872) { (true, true) => "functions that the machine builder added are in the groups that `channel-config` gives", (true, false) => "functions that the machine builder added are in the groups that R56–R59 of `machine-constants` give", (false, _) => "" })
-           | (match (*group >= 10, *dialect == Dialect::Cnc872) { (true, true) => "funkce výrobce stroje jsou ve skupinách podle channel-config", (true, false) => "funkce výrobce stroje jsou ve skupinách podle R56–R59 v machine-constants", (false, _) => "" })
+        note (match (*group >= 10, dialect.has_channel_config()) { (true, true) => "functions that the machine builder added are in the groups that `channel-config` gives", (true, false) => "functions that the machine builder added are in the groups that R56–R59 of `machine-constants` give", (false, _) => "" })
+           | (match (*group >= 10, dialect.has_channel_config()) { (true, true) => "funkce výrobce stroje jsou ve skupinách podle channel-config", (true, false) => "funkce výrobce stroje jsou ve skupinách podle R56–R59 v machine-constants", (false, _) => "" })
     [E0309] UnknownG "unknown-g-function" Error { number: u32 }
         en "G{number:02} is no function of this control"
         cs "G{number:02} není funkce tohoto systému"
@@ -635,9 +635,9 @@ diagnostics! {
         en ({ let why = fault.text(Lang::En); format!("axis {axis} is the spindle: {why}") })
         cs ({ let why = fault.text(Lang::Cs); format!("osa {axis} je vřeteno: {why}") })
         help (fault.help(Lang::En)) | (fault.help(Lang::Cs))
-    [W0615] FeedUnitChanged "feed-unit-changed" Warning { feed: String, function: GCode, per_revolution: bool }
-        en (if *per_revolution { format!("F{feed} was written as mm/min, and {function} takes it as {feed} mm per revolution") } else { format!("F{feed} was written as mm per revolution, and {function} takes it as {feed} mm/min") })
-        cs (if *per_revolution { format!("F{feed} bylo zadáno v mm/min a při {function} platí jako {feed} mm na otáčku") } else { format!("F{feed} bylo zadáno v mm na otáčku a při {function} platí jako {feed} mm/min") })
+    [W0615] FeedUnitChanged "feed-unit-changed" Warning { feed: String, function: GCode, written: FeedPer, now: FeedPer }
+        en ({ let (written, now) = (written.unit().en, now.unit().en); format!("F{feed} was written as {written}, and {function} takes it as {feed} {now}") })
+        cs ({ let (written, now) = (written.unit().cs, now.unit().cs); format!("F{feed} bylo zadáno v {written} a při {function} platí jako {feed} {now}") })
         help "write `F` anew in the block with {function} or before this motion" | "zadat F znovu v bloku s {function}, nebo před tímto pohybem"
     [W0616] PlaneMismatch "plane-mismatch" Warning { plane: Plane, fault: PlaneFault, meant: Option<Plane> }
         en ({ let why = fault.text(Lang::En); let name = plane.name; format!("{} is the plane {name} here: {why}", plane.function) })

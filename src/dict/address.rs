@@ -152,7 +152,7 @@ impl ValueForm {
     pub const fn takes_point(self, dialect: Dialect) -> bool {
         match self {
             Self::Dimension | Self::Parameter | Self::Feed => true,
-            Self::Auxiliary => matches!(dialect, Dialect::Cnc872),
+            Self::Auxiliary => dialect.has_real_h(),
             Self::None | Self::Whole { .. } | Self::CorrectionDigits | Self::Technological => false,
         }
     }
@@ -257,7 +257,7 @@ impl Address {
 
     /// Whether a sign may stand before the value (ADR-1).
     pub const fn takes_sign(self, dialect: Dialect) -> bool {
-        if matches!(self.row().form, Auxiliary) { matches!(dialect, Dialect::Cnc872) } else { self.row().sign }
+        if matches!(self.row().form, Auxiliary) { dialect.has_real_h() } else { self.row().sign }
     }
 
     /// The axis that the address may be.

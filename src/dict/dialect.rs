@@ -1,31 +1,45 @@
 //! The three controls (§12 of the language).
 
-/// Which control a program is for.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-#[cfg_attr(feature = "cli", value(rename_all = "lower"))]
-pub enum Dialect {
+macro_rules! dialects {
+    ($($(#[$attribute:meta])* $variant:ident $name:literal $title:literal;)*) => {
+        /// Which control a program is for.
+        #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+        #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+        #[cfg_attr(feature = "cli", value(rename_all = "lower"))]
+        pub enum Dialect {
+            $($(#[$attribute])* $variant,)*
+        }
+
+        impl Dialect {
+            /// Every dialect, the newest last.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
+
+            /// As written in options, the project file and the stream.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)* }
+            }
+
+            /// As people write it.
+            pub const fn title(self) -> &'static str {
+                match self { $(Self::$variant => $title,)* }
+            }
+        }
+    };
+}
+
+dialects! {
     /// CNC8x6: six axes, machine constants R56–R59 for M groups 10–13.
-    Cnc8x6,
+    Cnc8x6 "cnc8x6" "CNC8x6";
     /// CNC8x9 (DUAL): as CNC8x6 for the language.
-    Cnc8x9,
+    Cnc8x9 "cnc8x9" "CNC8x9";
     /// CNC872: sixteen axes, M functions by ChannelConfig.
     #[default]
-    Cnc872,
+    Cnc872 "cnc872" "CNC872";
 }
 
 impl Dialect {
-    /// Every dialect.
-    pub const ALL: [Self; 3] = [Self::Cnc8x6, Self::Cnc8x9, Self::Cnc872];
-
-    /// As written in options, the project file and the stream.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Cnc8x6 => "cnc8x6",
-            Self::Cnc8x9 => "cnc8x9",
-            Self::Cnc872 => "cnc872",
-        }
-    }
+    /// Highest M number of any dialect.
+    pub const HIGHEST_M: u8 = Self::Cnc872.highest_m();
 
     /// Most axes that a machine may be configured with (§12, §13 Configuration).
     pub const fn axes(self) -> usize {
@@ -45,7 +59,42 @@ impl Dialect {
 
     /// Whether M groups are configured by a ChannelConfig (else by machine constants R56–R59).
     pub const fn has_channel_config(self) -> bool {
-        matches!(self, Self::Cnc872)
+        match self {
+            Self::Cnc8x6 | Self::Cnc8x9 => false,
+            Self::Cnc872 => true,
+        }
+    }
+
+    /// Whether the PLC reads the command block, whose signals begin with `BLK.`.
+    pub const fn has_command_block(self) -> bool {
+        match self {
+            Self::Cnc8x6 | Self::Cnc8x9 => false,
+            Self::Cnc872 => true,
+        }
+    }
+
+    /// Whether H has a sign and a decimal point (ADR-1).
+    pub const fn has_real_h(self) -> bool {
+        match self {
+            Self::Cnc8x6 | Self::Cnc8x9 => false,
+            Self::Cnc872 => true,
+        }
+    }
+
+    /// Whether the control reads lines longer than 80 characters (LEX-7).
+    pub const fn reads_long_lines(self) -> bool {
+        match self {
+            Self::Cnc8x6 | Self::Cnc8x9 => false,
+            Self::Cnc872 => true,
+        }
+    }
+
+    /// Shortest time of a block in a continuous stretch, in ms, unless configured (CNT-2, VEL-6).
+    pub const fn shortest_block_ms(self) -> i64 {
+        match self {
+            Self::Cnc8x6 => 60,
+            Self::Cnc8x9 | Self::Cnc872 => 4,
+        }
     }
 
     /// Highest M number (§2).
@@ -58,7 +107,10 @@ impl Dialect {
 
     /// Whether the counts of G and M words in a block are limited (BLK-4).
     pub const fn limits_words(self) -> bool {
-        !matches!(self, Self::Cnc872)
+        match self {
+            Self::Cnc8x6 | Self::Cnc8x9 => true,
+            Self::Cnc872 => false,
+        }
     }
 
     /// Highest feed per minute in mm/min, unless configured (TEC-1).

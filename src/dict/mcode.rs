@@ -34,14 +34,32 @@ pub const GEAR_GROUP: usize = 3;
 /// The range follows from S (MFN-9).
 pub const GEAR_BY_SPEED: u8 = 40;
 /// The functions of ranges 1 to 4.
-pub const GEARS: std::ops::RangeInclusive<u8> = 41..=44;
+pub const GEARS: std::ops::RangeInclusive<u8> = gear_function(1)..=gear_function(4);
+
+/// The function of a range, 1–4.
+pub const fn gear_function(range: u8) -> u8 {
+    GEAR_BY_SPEED + range
+}
+
+/// The call of a subprogram on other controls; on this one a function of the machine builder.
+pub const CALL_ELSEWHERE: u8 = 98;
+
+/// The group of coolant 1 and 2.
+pub const COOLANT_12_GROUP: usize = 5;
+/// Coolant 1 and 2 on, and off.
+pub const COOLANT_12: [u8; 2] = [17, 9];
+/// The group of coolant 3 and 4.
+pub const COOLANT_34_GROUP: usize = 6;
+/// Coolant 3 and 4 on, and off.
+pub const COOLANT_34: [u8; 2] = [52, 53];
 
 /// Tool change.
 pub const TOOL_CHANGE: u8 = 6;
 
 /// Groups that are switched off while the program stands and at its end, with the functions that do it when no others are
 /// configured: spindle, coolant 1 and 2, coolant 3 and 4 (MFN-6, MFN-8).
-pub const HELD_AT_STOP: [(usize, u8); 3] = [(SPINDLE_GROUP, SPINDLE_STOP), (5, 9), (6, 53)];
+pub const HELD_AT_STOP: [(usize, u8); 3] =
+    [(SPINDLE_GROUP, SPINDLE_STOP), (COOLANT_12_GROUP, COOLANT_12[1]), (COOLANT_34_GROUP, COOLANT_34[1])];
 
 /// The functions that end a program.
 pub const PROGRAM_ENDS: [u8; 2] = [2, 30];

@@ -7,6 +7,7 @@ mod address;
 mod arithmetic;
 mod decimal;
 mod dialect;
+mod feed_mode;
 mod gcode;
 mod lang;
 mod mcode;
@@ -20,13 +21,15 @@ pub use address::{
 pub use arithmetic::Operation;
 pub use decimal::Decimal;
 pub use dialect::Dialect;
+pub use feed_mode::{FeedMode, FeedPer, FeedRow};
 pub use gcode::{GCode, GGroup, Lasting};
 pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
 pub use mcode::{
-    FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP, GEARS, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, MRow, OPTIONAL_STOP,
-    ORIENTED_STOP, PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, REDUCED_FEED, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS,
-    TOOL_CHANGE, standard_m_functions,
+    CALL_ELSEWHERE, COOLANT_12, COOLANT_12_GROUP, COOLANT_34, COOLANT_34_GROUP, FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP,
+    GEARS, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, MRow, OPTIONAL_STOP, ORIENTED_STOP, PROGRAM_ENDS, PROGRAM_GROUP,
+    PROGRAM_STOP, REDUCED_FEED, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE, gear_function,
+    standard_m_functions,
 };
 pub use micro::Micro;
 pub use plane::{Plane, PlaneAxis};

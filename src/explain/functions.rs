@@ -76,8 +76,8 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
     let mut parts: Vec<(Vec<&str>, Option<&MRow>)> = Vec::new();
     for dialect in Dialect::ALL.into_iter().filter(|dialect| number <= dialect.highest_m()) {
         match parts.iter_mut().find(|(_, other)| alike(*other, row(dialect))) {
-            Some((dialects, _)) => dialects.push(display_name(dialect)),
-            None => parts.push((vec![display_name(dialect)], row(dialect))),
+            Some((dialects, _)) => dialects.push(dialect.title()),
+            None => parts.push((vec![dialect.title()], row(dialect))),
         }
     }
     let free = pick(lang, "by the machine builder", "podle výrobce stroje");
@@ -92,7 +92,7 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
                 if parts.len() > 1 {
                     let _ = writeln!(page, "- {}", capitalized(row.meaning.get(lang)));
                 }
-                let dialect = Dialect::ALL.into_iter().find(|&dialect| dialects.contains(&display_name(dialect)));
+                let dialect = Dialect::ALL.into_iter().find(|&dialect| dialects.contains(&dialect.title()));
                 let mut members: Vec<String> = dialect
                     .into_iter()
                     .flat_map(standard_m_functions)
@@ -108,7 +108,10 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
                 let _ = writeln!(page, "- {}", lasts(row.lasting, lang));
             }
             None => {
-                let (rest, old) = (M_GROUPS - 1, dialects.contains(&display_name(Dialect::Cnc8x6)));
+                let old = Dialect::ALL
+                    .iter()
+                    .any(|dialect| dialects.contains(&dialect.title()) && !dialect.has_channel_config());
+                let rest = M_GROUPS - 1;
                 let text = match (lang, old) {
                     (Lang::En, true) => format!(
                         "No standard function: what it does is up to the machine builder. M group {rest}, or by machine \
@@ -228,20 +231,11 @@ fn value(address: Address, lang: Lang) -> String {
 
 /// On which controls something is allowed.
 fn allowed(on: impl Fn(Dialect) -> bool, lang: Lang) -> String {
-    let dialects: Vec<&str> = Dialect::ALL.into_iter().filter(|&dialect| on(dialect)).map(display_name).collect();
+    let dialects: Vec<&str> = Dialect::ALL.into_iter().filter(|&dialect| on(dialect)).map(Dialect::title).collect();
     match dialects.len() {
         0 => pick(lang, "no", "ne").to_owned(),
         count if count == Dialect::ALL.len() => pick(lang, "yes", "ano").to_owned(),
         _ => format!("{} {}", pick(lang, "on", "na"), dialects.join(", ")),
-    }
-}
-
-/// As people write it.
-const fn display_name(dialect: Dialect) -> &'static str {
-    match dialect {
-        Dialect::Cnc8x6 => "CNC8x6",
-        Dialect::Cnc8x9 => "CNC8x9",
-        Dialect::Cnc872 => "CNC872",
     }
 }
 

@@ -7,7 +7,9 @@ use crate::dict::{Dialect, Lang};
 pub(super) fn signal_page(name: &str, lang: Lang) -> String {
     let Some(signal) = dictionary::find(name) else { return String::new() };
     let row = signal.row;
-    let controls = if row.is_of(Dialect::Cnc8x6) { "CNC8x6, CNC8x9, CNC872" } else { "CNC872" };
+    let controls: Vec<&str> =
+        Dialect::ALL.into_iter().filter(|dialect| row.is_of(*dialect)).map(Dialect::title).collect();
+    let controls = controls.join(", ");
     let form = signal.form().name();
     let mut page = format!("# {name}: {}\n\n- {form}, S0 {}; {controls}\n", signal.meaning(lang), row.section);
     page.push_str(&format!("- {} (PLC-{})\n", row.value_text().get(lang), row.rule));

@@ -91,7 +91,7 @@ impl Topic {
                 .map(Self::G)
                 .ok_or(Unknown::Word(Finding::UnknownG { number })),
             (Some(Address::M), Ok(number)) => match u8::try_from(number) {
-                Ok(number) if number <= Dialect::Cnc872.highest_m() => Ok(Self::M(number)),
+                Ok(number) if number <= Dialect::HIGHEST_M => Ok(Self::M(number)),
                 _ => Err(Unknown::M(number)),
             },
             // A G function with a fraction is none.
@@ -228,7 +228,7 @@ impl Topic {
             Dialect::ALL.into_iter().any(|dialect| standard_m_functions(dialect).any(|row| row.number == *number))
         };
         let functions = GCode::ALL.iter().map(|&code| Self::G(code));
-        let functions = functions.chain((0..=Dialect::Cnc872.highest_m()).filter(standard).map(Self::M));
+        let functions = functions.chain((0..=Dialect::HIGHEST_M).filter(standard).map(Self::M));
         let addresses = Address::ALL.iter().map(|&address| Self::Address(address));
         functions
             .chain(addresses)

@@ -31,7 +31,7 @@ use gen_lsp_types::{
 use super::analysis::Analysis;
 use super::places::{Places, span};
 use super::requests::{Answer, Snapshot};
-use crate::dict::{Address, GCode, GGroup};
+use crate::dict::{Address, GCode, GGroup, OPTIONAL_STOP, PROGRAM_ENDS, PROGRAM_STOP};
 use crate::query::cursor::{DOCUMENT, block_at};
 use crate::resolve::g_code;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
@@ -333,7 +333,9 @@ fn g_type(word: Word) -> Kind {
 }
 
 fn m_type(word: Word) -> Kind {
-    if matches!(word.whole(), Some(0 | 1 | 2 | 30)) { Kind::Keyword } else { Kind::Macro }
+    let stops = |m: &u8| [PROGRAM_STOP, OPTIONAL_STOP].contains(m) || PROGRAM_ENDS.contains(m);
+    let m = word.whole().and_then(|m| u8::try_from(m).ok());
+    if m.is_some_and(|m| stops(&m)) { Kind::Keyword } else { Kind::Macro }
 }
 
 fn l_type(flow: Option<GCode>) -> (Kind, u32) {

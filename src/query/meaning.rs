@@ -182,11 +182,9 @@ impl Subject<'_> {
         }
         if word.address == Address::F {
             let seen = observed.and_then(|observed| observed.feed_unit.only());
-            let written = if writes(&[GCode::G94, GCode::G96]) {
-                Some(FeedUnit::MmPerMinute)
-            } else {
-                writes(&[GCode::G95, GCode::G97]).then_some(FeedUnit::MmPerRevolution)
-            };
+            let machine = &self.analysis.settings.machine;
+            let modes = g_functions(self.file, block).filter_map(|(code, _)| machine.feed_mode(code));
+            let written = modes.map(|mode| FeedUnit::of(mode.per, false)).next();
             return seen.or(written).map_or("", |unit| shown::feed_unit(unit, self.lang));
         }
         // Factors, angles and the like.

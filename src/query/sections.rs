@@ -11,7 +11,7 @@
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
 use super::extents::{adjoin, block_span, comments_above, content_end, stands_alone, unit_span, words_span};
-use crate::dict::Address;
+use crate::dict::{Address, TOOL_CHANGE};
 use crate::resolve::{Unit, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::Span;
@@ -172,7 +172,7 @@ fn without_number<'t>(title: &'t str, number: &str) -> &'t str {
 }
 
 fn has_m06(file: &ParsedFile, block: BlockId) -> bool {
-    let m06 = |word: &Word| word.address == Address::M && word.whole() == Some(6);
+    let m06 = |word: &Word| word.address == Address::M && word.whole() == Some(i64::from(TOOL_CHANGE));
     file.flags(block).has(BlockFlags::RICH) && file.words(block).iter().any(m06)
 }
 

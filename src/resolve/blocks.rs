@@ -12,7 +12,8 @@ use crate::diag::{
     UnusedMeant,
 };
 use crate::dict::{
-    Address, Decimal, FIRST_CONTROL, GCode, GGroup, HIGHEST_L, LAST_CONTROL, M_GROUPS, PROGRAM_ENDS, RESERVED_PARAMETER,
+    Address, CALL_ELSEWHERE, Decimal, FIRST_CONTROL, GCode, GGroup, HIGHEST_L, LAST_CONTROL, M_GROUPS, PROGRAM_ENDS,
+    RESERVED_PARAMETER,
 };
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Value, Word};
 use crate::text::{Location, Span};
@@ -65,7 +66,7 @@ impl Functions {
 
     /// M98, which calls a subprogram on other controls.
     pub(super) fn calls_elsewhere(&self) -> Option<Word> {
-        self.m.iter().flatten().find(|(number, _)| *number == 98).map(|(_, word)| *word)
+        self.m.iter().flatten().find(|(number, _)| *number == CALL_ELSEWHERE).map(|(_, word)| *word)
     }
 
     /// Whether the block calls a subprogram by M98 and P.

@@ -6,7 +6,7 @@ use super::blocks::g_code;
 use super::structure::{Context, l_number};
 use super::{Resolved, Roles, Target, Unit, UnitId, UnitKind, targets};
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Address, Decimal, GCode};
+use crate::dict::{Address, CALL_ELSEWHERE, Decimal, GCode};
 use crate::syntax::{BlockFlags, BlockId, Word};
 use crate::text::FileId;
 
@@ -194,7 +194,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         // M98 and G65 have their findings: they were to call the subprogram.
         let number = |word: &Word| word.number().or_else(|| word.refused_number()).and_then(Decimal::as_whole);
         let calls_elsewhere = |word: &Word| {
-            word.address == Address::M && number(word) == Some(98)
+            word.address == Address::M && number(word) == Some(i64::from(CALL_ELSEWHERE))
                 || word.address == Address::G && matches!(number(word), Some(65 | 66))
         };
         if words.iter().any(calls_elsewhere) {

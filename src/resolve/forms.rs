@@ -2,7 +2,7 @@
 //! parameters give.
 
 use crate::config::Machine;
-use crate::dict::{Address, Decimal, FEED_PER_REVOLUTION, GCode, ValueForm};
+use crate::dict::{Address, Decimal, FEED_PER_REVOLUTION, FeedPer, GCode, ValueForm};
 
 /// How a value does not fit.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -19,9 +19,9 @@ pub enum FormFault {
 pub fn feed_range(machine: &Machine, mode: Option<GCode>) -> (Decimal, Decimal) {
     let per_revolution = FEED_PER_REVOLUTION;
     let per_minute = (Decimal::whole(1), machine.limits.feed);
-    match mode {
-        Some(mode) if machine.feeds_per_revolution(mode) => per_revolution,
-        Some(_) => per_minute,
+    match mode.and_then(|mode| machine.feed_mode(mode)).map(|mode| mode.per) {
+        Some(FeedPer::Revolution) => per_revolution,
+        Some(FeedPer::Minute) => per_minute,
         None => (per_revolution.0, per_revolution.1.max(per_minute.1)),
     }
 }
@@ -73,9 +73,9 @@ pub fn check_form(
         ValueForm::Parameter => Err(FormFault::Range(format!("±{}, ±{}", Decimal::DIMENSION_MAX, Decimal::WHOLE_MAX))),
         ValueForm::Feed => {
             let (min, max) = feed_range(machine, feed);
-            let unit = match feed {
-                Some(mode) if machine.feeds_per_revolution(mode) => " mm/rev",
-                Some(_) => " mm/min",
+            let unit = match feed.and_then(|mode| machine.feed_mode(mode)).map(|mode| mode.per) {
+                Some(FeedPer::Revolution) => " mm/rev",
+                Some(FeedPer::Minute) => " mm/min",
                 None if min <= value && value <= max => "",
                 None => {
                     let range = |mode: GCode, unit: &str| {

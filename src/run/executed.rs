@@ -9,7 +9,9 @@ use super::technology::dwell;
 use super::{Interpreter, Program};
 use crate::config::Settings;
 use crate::diag::{CallKind, CallSite, Diagnostic, Finding};
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro};
+use crate::dict::{
+    Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_STOP,
+};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile};
 use crate::text::{FileId, LineColumn, Location};
 
@@ -64,6 +66,16 @@ pub enum FeedUnit {
 }
 
 impl FeedUnit {
+    /// The unit of F under a feed mode, of a path in degrees or in millimetres.
+    pub const fn of(per: FeedPer, degrees: bool) -> Self {
+        match (per, degrees) {
+            (FeedPer::Minute, false) => Self::MmPerMinute,
+            (FeedPer::Revolution, false) => Self::MmPerRevolution,
+            (FeedPer::Minute, true) => Self::DegPerMinute,
+            (FeedPer::Revolution, true) => Self::DegPerRevolution,
+        }
+    }
+
     /// `mm/min`, `mm/rev`, `deg/min`, `deg/rev`.
     pub const fn name(self) -> &'static str {
         match self {
@@ -281,12 +293,12 @@ impl<'r> Executed<'r> {
     /// What F counts in this block, or would count (TEC-1): degrees when only rotary axes or the spindle move.
     pub fn feed_unit(&self) -> FeedUnit {
         let degrees = self.motion().is_some_and(|motion| motion.is_in_degrees());
-        match (self.rev_feed(), degrees) {
-            (false, false) => FeedUnit::MmPerMinute,
-            (true, false) => FeedUnit::MmPerRevolution,
-            (false, true) => FeedUnit::DegPerMinute,
-            (true, true) => FeedUnit::DegPerRevolution,
-        }
+        FeedUnit::of(self.feed_mode().map_or(FeedPer::Minute, |mode| mode.per), degrees)
+    }
+
+    /// What the function of group G6 in force means; `None` when nobody knows which one is.
+    pub fn feed_mode(&self) -> Option<FeedMode> {
+        self.g(GGroup::G6).and_then(|function| self.settings().machine.feed_mode(function))
     }
 
     /// Whether the machine moves at a hundredth of F (M37, TEC-6).
@@ -301,12 +313,15 @@ impl<'r> Executed<'r> {
 
     /// RevFeed: F counts per revolution of the spindle.
     pub fn rev_feed(&self) -> bool {
-        self.g(GGroup::G6).is_some_and(|mode| self.settings().machine.feeds_per_revolution(mode))
+        self.feed_mode().is_some_and(|mode| match mode.per {
+            FeedPer::Minute => false,
+            FeedPer::Revolution => true,
+        })
     }
 
     /// ConstCutSpeed: the cutting speed is constant.
     pub fn const_cut_speed(&self) -> bool {
-        self.g(GGroup::G6).is_some_and(|mode| self.settings().machine.cuts_at_constant_speed(mode))
+        self.feed_mode().is_some_and(|mode| mode.constant_cut)
     }
 
     /// S in force.
@@ -358,12 +373,12 @@ impl<'r> Executed<'r> {
 
     /// Whether it holds M00.
     pub fn stop(&self) -> bool {
-        self.interpreter.block.m.stop == Some(0)
+        self.interpreter.block.m.stop == Some(PROGRAM_STOP)
     }
 
     /// Whether it holds M01; with optional stop that halts, see [`Self::m_at_stop`].
     pub fn cond_stop(&self) -> bool {
-        self.interpreter.block.m.stop == Some(1)
+        self.interpreter.block.m.stop == Some(OPTIONAL_STOP)
     }
 
     /// ContinuousMode: G23 in force.

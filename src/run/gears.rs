@@ -38,7 +38,7 @@ pub(super) fn check(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &
     let m_word: Option<Word> = m_word.map(|(_, word)| *word);
     let s_word = words.s.map(|valued| valued.word);
     let (Some(word), Some(m), Some(s)) = (s_word.or(m_word), state.m(GEAR_GROUP), speed(state)) else { return };
-    if g.of(GGroup::G6).is_some_and(|mode| machine.cuts_at_constant_speed(mode)) {
+    if g.of(GGroup::G6).and_then(|mode| machine.feed_mode(mode)).is_some_and(|mode| mode.constant_cut) {
         return;
     }
     let finding = if m == GEAR_BY_SPEED {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::unknown::Groups;
 use crate::config::Settings;
 use crate::dict::Micro;
-use crate::dict::{Decimal, GCode, GGroup, M_GROUPS};
+use crate::dict::{Decimal, FeedPer, GCode, GGroup, M_GROUPS};
 use crate::text::Location;
 
 /// What the program knows of an axis.
@@ -181,8 +181,8 @@ pub struct State {
     pub(super) dynamic_set: Option<u8>,
     /// The axes whose programmed position is not where the tool stands (MOT-8).
     pub(super) unsettled: AxisSet,
-    /// Whether the F in force was written as a feed per revolution; `None` when nobody knows (W0615).
-    pub(super) feed_per_revolution: Option<bool>,
+    /// What the F in force was written as; `None` when nobody knows (W0615).
+    pub(super) feed_per: Option<FeedPer>,
     /// F counts a hundredth (M37, TEC-6), in the block in hand before M02 and M30 reset it.
     pub(super) feed_reduced: bool,
     /// The gear of the block before (MFN-6).
@@ -228,7 +228,7 @@ impl State {
             correction: Held::None,
             dynamic_set: None,
             unsettled: AxisSet::default(),
-            feed_per_revolution: None,
+            feed_per: None,
             feed_reduced: false,
             gear: None,
             turns_spindle: None,

@@ -21,8 +21,8 @@ pub(super) fn hold(site: &Site<'_>, state: &mut State, words: &BlockWords) {
     hold(words.p, &mut state.p);
     if let Some(feed) = words.f {
         let mode = words.written(GGroup::G6).map(|(code, _)| code).or_else(|| state.modal(GGroup::G6));
-        state.feed_per_revolution =
-            mode.filter(|_| !words.unknown_g).map(|mode| site.machine().feeds_per_revolution(mode));
+        let mode = mode.filter(|_| !words.unknown_g).and_then(|mode| site.machine().feed_mode(mode));
+        state.feed_per = mode.map(|mode| mode.per);
         state.said.feed_unit = false;
         state.origins.feed = Noted(Some(site.word_place(feed.word)));
     }

@@ -8,7 +8,8 @@ use super::travel::Travel;
 use super::words::BlockWords;
 use crate::diag::{Diagnostic, Finding, LabelText};
 use crate::dict::{
-    Address, AxisLetter, Decimal, GCode, GGroup, Micro, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
+    Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS,
+    TOOL_CHANGE,
 };
 use crate::resolve::value_or_word;
 use crate::syntax::Word;
@@ -47,25 +48,29 @@ pub(super) fn may_lack(site: &Site<'_>, state: &mut State, g: &InForce, thread: 
 /// The G6 function in force, when a motion under it needs S (TEC-3).
 fn speed_reader(site: &Site<'_>, g: &InForce) -> Option<GCode> {
     let machine = site.machine();
-    let needs = |mode: &GCode| machine.feeds_per_revolution(*mode) || machine.cuts_at_constant_speed(*mode);
-    g.of(GGroup::G6).filter(needs)
+    g.of(GGroup::G6).filter(|function| machine.feed_mode(*function).is_some_and(FeedMode::needs_speed))
 }
 
-/// The G6 function in force, when F was written under one of the other unit and that was not said yet (TEC-1).
-fn differing_unit(site: &Site<'_>, state: &State, g: &InForce) -> Option<GCode> {
-    let mode = g.of(GGroup::G6)?;
-    let differs = state.feed_per_revolution? != site.machine().feeds_per_revolution(mode);
-    (differs && !state.said.feed_unit && state.feed.value().is_some()).then_some(mode)
+/// The G6 function in force, with what F was written as and what it counts now, when these differ and that was not said
+/// yet (TEC-1).
+fn differing_unit(site: &Site<'_>, state: &State, g: &InForce) -> Option<(GCode, [FeedPer; 2])> {
+    let function = g.of(GGroup::G6)?;
+    let (written, now) = (state.feed_per?, site.machine().feed_mode(function)?.per);
+    let differs = written != now && !state.said.feed_unit && state.feed.value().is_some();
+    differs.then_some((function, [written, now]))
 }
 
 fn check_feed_unit(site: &mut Site<'_>, state: &mut State, g: &InForce, at: Location) {
-    let (Some(function), Some(feed)) = (differing_unit(site, state, g), state.feed.value()) else { return };
+    let Some((function, [written, now])) = differing_unit(site, state, g) else { return };
+    let Some(feed) = state.feed.value() else { return };
     state.said.feed_unit = true;
-    let per_revolution = site.machine().feeds_per_revolution(function);
     let mut diagnostic =
-        Diagnostic::new(Finding::FeedUnitChanged { feed: feed.to_string(), function, per_revolution }, at);
+        Diagnostic::new(Finding::FeedUnitChanged { feed: feed.to_string(), function, written, now }, at);
     if let Some(place) = state.origins.feed.0 {
-        let written = if per_revolution { LabelText::FeedPerMinute } else { LabelText::FeedPerRevolution };
+        let written = match written {
+            FeedPer::Minute => LabelText::FeedPerMinute,
+            FeedPer::Revolution => LabelText::FeedPerRevolution,
+        };
         diagnostic = diagnostic.with_label(place, written);
     }
     site.report(diagnostic);

@@ -1,11 +1,11 @@
-//! The records of the stream, one type a kind, and the list of the kinds. Fields that are `false`, empty or absent are left out when written, except where a field
-//! says otherwise.
+//! The records of the stream, one type a kind, and the list of the kinds. Fields that are `false`,
+//! empty or absent are left out when written, except where a field says otherwise.
 
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 
-use crate::dict::{AxisLetter, Decimal, Micro};
+use crate::dict::{AxisLetter, Decimal, Dialect, Micro};
 use crate::run::{FeedUnit, Jump, MStop, Missing, MotionType};
 
 /// Name and version of the stream's form.
@@ -33,7 +33,7 @@ pub struct ProgramRecord {
     /// Name and version of the compiler.
     pub generator: String,
     /// The control.
-    #[schemars(extend("enum" = ["cnc8x6", "cnc8x9", "cnc872"]))]
+    #[schemars(extend("enum" = Dialect::ALL.map(Dialect::name)))]
     pub dialect: String,
     /// The number after `%`.
     pub number: u32,

@@ -5,10 +5,7 @@ use serde_json::Value;
 use super::records::{Record, SCHEMA};
 use crate::analysis::record_schema;
 
-/// Names of the records' definitions, in the order of [`Record`].
-const DEFINITIONS: [&str; 4] = ["Program", "File", "Block", "End"];
-
 /// The schema, JSON Schema 2020-12: a named definition for each record.
 pub fn schema() -> Value {
-    record_schema::<Record>(SCHEMA, &DEFINITIONS)
+    record_schema::<Record>(SCHEMA)
 }

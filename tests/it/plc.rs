@@ -494,7 +494,7 @@ fn what_only_motion_gives() {
 /// Thousands of steps, from several files.
 fn long() -> Case {
     let program =
-        "%1\nN10 G0 G90 X0 Y0 S99\nN20 G91 X0.1 M3\nN30 G72 L7\nN40 M7 M77\nN50 M5\nN60 G73 L20 Q1500\nN70 M30";
+        "%1\nN10 G0 G90 X0 Y0 S99\nN20 G91 X0.1 M3\nN30 G72 L7\nN40 M7 M77\nN50 M5\nN60 G73 L20 Q4000\nN70 M30";
     case(program).with("L7", "N1 G79 L7\nN2 M8 H1\nN3 G70\n").with("L8", "N1 G79 L8\nN2 G70\n")
 }
 

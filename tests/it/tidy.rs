@@ -147,9 +147,15 @@ fn number_of_the_language(line: &str) -> Option<&str> {
     let outside = code.split('"').step_by(2);
     let mut words = outside.flat_map(|code| code.split(|c: char| !(c.is_alphanumeric() || "_.".contains(c))));
     let limit = words.find(|word| LIMITS.contains(&word.replace('_', "").as_str()));
-    let m_group = line.split(".m(").nth(1).filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-    let m_function = line.split(".m(").nth(1).and_then(|rest| rest.split(") == Some(").nth(1));
-    limit.or(m_group).or(m_function.filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())))
+    let digits = |rest: &&str| rest.starts_with(|c: char| c.is_ascii_digit());
+    let after = |before: &str| line.split(before).nth(1);
+    let m_group = after(".m(").filter(digits);
+    let m_function = after(".m(").and_then(|rest| rest.split(") == Some(").nth(1)).filter(digits);
+    // The number of an M word, of the stop of a block, and the group that a cell of the PLC follows from.
+    let of_m = line.contains("Address::M").then(|| after("Some(")).flatten().filter(digits);
+    let of_stop = ["stop == Some(", "in_force == ", "group("].into_iter().filter_map(after).find(|rest| digits(rest));
+    let of_cell = line.contains("Cell::").then(|| after("Some(")).flatten().filter(digits);
+    limit.or(m_group).or(m_function).or(of_m).or(of_stop).or(of_cell)
 }
 
 /// Limits and M numbers stand in rows: of `dict`, and of the keys of the project file.
@@ -172,6 +178,10 @@ fn the_language_is_data() {
     assert!(number_of_the_language("if number <= 9_999 {").is_some());
     assert!(number_of_the_language("state.m(SPINDLE_GROUP) == Some(19)").is_some());
     assert!(number_of_the_language("block.m(1)").is_some());
+    assert!(number_of_the_language("word.address == Address::M && word.whole() == Some(6)").is_some());
+    assert!(number_of_the_language("self.interpreter.block.m.stop == Some(0)").is_some());
+    assert!(number_of_the_language("Cell::Coolant12(_) => Some(5),").is_some());
+    assert!(number_of_the_language("Cell::Coolant12(_) => group(5),").is_some());
     assert!(number_of_the_language("let help = \"up to 9999\";").is_none());
 }
 

@@ -2,8 +2,8 @@
 
 use super::model::Model;
 use super::step::{Direction, Dynamics, Mode, Move, Step, Unit};
-use crate::config::{G97, Motion as Configured, MotionKey, Profile, Rapid, SetKey, Settings, TimedFunction};
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::config::{Motion as Configured, MotionKey, Profile, Rapid, SetKey, Settings, TimedFunction};
+use crate::dict::{Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro};
 use crate::run::{ArcPath, Executed, Length, Missing, Motion, MotionType};
 
 /// The part of P that is a jerk of 1 mm/s³ (VEL-11).
@@ -46,7 +46,6 @@ pub struct StepReader {
     motion: Configured,
     /// The linear axes in machine order.
     linear: Vec<AxisLetter>,
-    g97: G97,
     optional_stop: bool,
     by_parameter: bool,
     /// The dynamics of each set as last read; set 0 is that of G00.
@@ -67,7 +66,6 @@ impl StepReader {
         Self {
             motion: machine.motion.clone(),
             linear: machine.axes.iter().filter(|axis| !axis.rotary).map(|axis| axis.letter).collect(),
-            g97: machine.g97,
             optional_stop: settings.optional_stop,
             by_parameter: machine.motion.depends_on_parameters(),
             dynamics: [None; 5],
@@ -232,13 +230,17 @@ impl StepReader {
     fn feed(&self, block: &Executed<'_>, kind: MotionType) -> Option<f64> {
         let feed = block.feed()?;
         let value = float(feed.value) / 60.0;
-        let turns = || block.s().map(float);
-        let velocity = match block.g(GGroup::G6) {
-            Some(GCode::G95) => value * turns()?,
-            Some(GCode::G97) if self.g97 == G97::PerRevolution => {
-                value * self.motion.given(MotionKey::ConstantCutting).value.map(float)?
-            }
-            _ => value,
+        // Revolutions per minute.
+        let turns = |mode: FeedMode| match mode.constant_cut {
+            false => block.s().map(float),
+            true => self.motion.given(MotionKey::ConstantCutting).value.map(float),
+        };
+        let velocity = match block.feed_mode() {
+            Some(mode) => match mode.per {
+                FeedPer::Minute => value,
+                FeedPer::Revolution => value * turns(mode)?,
+            },
+            None => value,
         };
         // M37 reduces the feed; a thread keeps its pitch.
         Some(if feed.hundredth && kind != MotionType::Thread { velocity / 100.0 } else { velocity })

@@ -256,5 +256,5 @@ struct DotsRecord {
 
 /// The schema of a line, JSON Schema 2020-12.
 pub fn schema() -> Value {
-    record_schema::<Record>(SCHEMA, &["Machine", "Block", "Total"])
+    record_schema::<Record>(SCHEMA)
 }

@@ -32,7 +32,7 @@ pub enum Why {
 /// The signals that are shown when none are named: those of the command block on CNC872, else the compatible ones, with
 /// `compatible` both. Those that only `[motion]` gives a value are left out without it.
 pub fn default(dialect: Dialect, compatible: bool, motion: bool) -> Vec<&'static Signal> {
-    let has_block = dialect == Dialect::Cnc872;
+    let has_block = dialect.has_command_block();
     let shown = |signal: &&Signal| {
         signal.row.is_of(dialect)
             && (signal.row.is_of_command_block() || compatible || !has_block)

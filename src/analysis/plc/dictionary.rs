@@ -601,7 +601,7 @@ impl Row {
 
     /// Which controls have its signals.
     pub const fn is_of(&self, dialect: Dialect) -> bool {
-        !self.is_of_command_block() || matches!(dialect, Dialect::Cnc872)
+        !self.is_of_command_block() || dialect.has_command_block()
     }
 
     /// Whether it belongs to the command block of CNC872, whose names begin with `BLK.`.

@@ -1,12 +1,12 @@
 //! What the PLC reads of one step, before it is put into cells: all that follows from the executed block.
 
 use super::dictionary::{AXES, Flag, OneBlock};
-use crate::dict::{Decimal, M_GROUPS, MOMENTARY_GROUPS, Micro};
+use crate::dict::{COOLANT_12_GROUP, COOLANT_34_GROUP, Decimal, M_GROUPS, MOMENTARY_GROUPS, Micro, SPINDLE_GROUP};
 
 /// Places of axes, as indices.
 pub(super) const PLACES: usize = AXES as usize;
 /// M groups that a stop switches off for its length (MFN-8).
-pub const STOPPED: [usize; 3] = [2, 5, 6];
+pub const STOPPED: [usize; 3] = [SPINDLE_GROUP, COOLANT_12_GROUP, COOLANT_34_GROUP];
 
 /// One step as the PLC sees it.
 #[derive(Clone, Debug, Default, Eq, PartialEq)]
@@ -114,8 +114,8 @@ impl Facts {
     }
 
     /// Whether the group has a change mark.
-    pub fn is_marked(&self, group: u8) -> bool {
-        self.marks.checked_shr(u32::from(group)).unwrap_or(0) & 1 == 1
+    pub const fn is_marked(&self, group: usize) -> bool {
+        group < M_GROUPS && self.marks >> group & 1 == 1
     }
 
     /// What does not depend on where the axes are and how they move.

@@ -169,7 +169,7 @@ impl Members {
 impl RunTime {
     /// Which controls have it: as for signals, those of the command block only CNC872.
     pub fn is_of(&self, dialect: Dialect) -> bool {
-        !self.name.starts_with("BLK.") || dialect == Dialect::Cnc872
+        !self.name.starts_with("BLK.") || dialect.has_command_block()
     }
 }
 

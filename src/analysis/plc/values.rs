@@ -3,7 +3,10 @@
 use super::dictionary::{Cell, Form, Signal};
 use super::facts::Facts;
 use crate::config::{Gear, Machine};
-use crate::dict::{Decimal, Micro};
+use crate::dict::{
+    COOLANT_12, COOLANT_12_GROUP, COOLANT_34, COOLANT_34_GROUP, Decimal, GEAR_BY_SPEED, GEAR_GROUP, Micro,
+    SPINDLE_GROUP, gear_function,
+};
 
 /// The value of a signal: bits are 0 and 1, real numbers are millionths, all others the number in the cell. `None`: absent.
 pub type Value = Option<i64>;
@@ -88,11 +91,11 @@ impl Part {
 
 /// The value of a cell in a step.
 pub fn value(cell: Cell, facts: &Facts, machine: &Machine) -> Value {
-    let group = |group: u8| facts.m.get(usize::from(group)).copied().flatten();
+    let group = |group: usize| facts.m.get(group).copied().flatten();
     let bit = |holds: bool| Some(i64::from(holds));
     let at = |mask: u16, place: u8| mask.checked_shr(u32::from(place)).unwrap_or(0) & 1 == 1;
     match cell {
-        Cell::Group(number) => group(number).map(|function| bcd(i64::from(function))),
+        Cell::Group(number) => group(usize::from(number)).map(|function| bcd(i64::from(function))),
         Cell::Mark(number) => bit(at(facts.marks, number)),
         Cell::Flag(flag) => bit(facts.has(flag)),
         Cell::Moves(place) => bit(at(facts.moves, place)),
@@ -106,7 +109,7 @@ pub fn value(cell: Cell, facts: &Facts, machine: &Machine) -> Value {
         Cell::SpindleSpeed => facts.speed.map(decimal),
         Cell::ParabAccel => facts.motion.parabolic.map(Micro::millionths),
         Cell::LinearAccel => facts.motion.linear.map(Micro::millionths),
-        Cell::GroupByte(number) => group(number).map(i64::from).map(byte),
+        Cell::GroupByte(number) => group(usize::from(number)).map(i64::from).map(byte),
         Cell::HByte => facts.h.map(|h| if fits_byte(h) { h.as_whole().map_or(0, byte) } else { 0 }),
         Cell::ToolByte(pair) => {
             let tool = facts.tool.and_then(Decimal::as_whole)?;
@@ -117,14 +120,18 @@ pub fn value(cell: Cell, facts: &Facts, machine: &Machine) -> Value {
             output(facts, &machine.gears).map(|word| if high { word >> 8 } else { word & 0xFF })
         }
         Cell::Written(function) => bit(facts.is_written(function)),
-        Cell::Spindle(function) => group(2).map(|in_force| i64::from(in_force == function)),
+        Cell::Spindle(function) => group(SPINDLE_GROUP).map(|in_force| i64::from(in_force == function)),
         // Under M40 by the gear; other functions of the group are none of these ranges.
-        Cell::Range(range) => match group(3)? {
-            40 => facts.gear.map(|gear| i64::from(gear == range)),
-            function => bit(function == 40 + range),
+        Cell::Range(range) => match group(GEAR_GROUP)? {
+            GEAR_BY_SPEED => facts.gear.map(|gear| i64::from(gear == range)),
+            function => bit(function == gear_function(range)),
         },
-        Cell::Coolant12(function) => group(5).map(|in_force| i64::from(in_force == function || in_force == 17)),
-        Cell::Coolant34(function) => group(6).map(|in_force| i64::from(in_force == function || in_force == 52)),
+        Cell::Coolant12(function) => {
+            group(COOLANT_12_GROUP).map(|in_force| i64::from([function, COOLANT_12[0]].contains(&in_force)))
+        }
+        Cell::Coolant34(function) => {
+            group(COOLANT_34_GROUP).map(|in_force| i64::from([function, COOLANT_34[0]].contains(&in_force)))
+        }
         Cell::Gear => facts.gear.map(i64::from),
         Cell::Stretch => facts.motion.in_stretch.map(i64::from),
         Cell::TimeDist => facts.motion.time_dist_ms.map(i64::from),
@@ -159,7 +166,8 @@ pub fn fits_byte(h: Decimal) -> bool {
 /// S as a part of the greatest speed of the gear in force, 0–7FFFh (PLC-8); a speed beyond it is full output.
 fn output(facts: &Facts, gears: &[Gear]) -> Value {
     let gear = facts.gear?;
-    let max = gears.iter().find(|row| row.m == 40 + gear).map(|row| i64::from(row.max)).filter(|max| *max > 0)?;
+    let max =
+        gears.iter().find(|row| row.m == gear_function(gear)).map(|row| i64::from(row.max)).filter(|max| *max > 0)?;
     let speed = facts.speed?.as_whole()?;
     // Halves away from zero; S has no sign.
     Some(((2 * speed * FULL_OUTPUT + max) / (2 * max)).min(FULL_OUTPUT))

@@ -6,7 +6,8 @@ use super::facts::{Facts, STOPPED};
 use super::values::{Value, value};
 use crate::config::Machine;
 use crate::dict::{
-    Address, Decimal, GEAR_BY_SPEED, GEAR_GROUP, OPTIONAL_STOP, PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP,
+    Address, COOLANT_12_GROUP, COOLANT_34_GROUP, Decimal, GEAR_BY_SPEED, GEAR_GROUP, OPTIONAL_STOP, PROGRAM_ENDS,
+    PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP,
 };
 use crate::run::Executed;
 
@@ -125,7 +126,7 @@ impl Word<'_> {
         match (self.address, self.function) {
             (_, Some((function, group))) => {
                 let of_group = group_of(cell);
-                of_group == Some(group)
+                of_group == Some(usize::from(group))
                     || self.is_own(cell, function)
                     || (PROGRAM_ENDS.contains(&function) && of_group.is_some_and(|group| self.is_reset(group, facts)))
             }
@@ -134,7 +135,7 @@ impl Word<'_> {
             // Under M40 the gear follows from S (MFN-9).
             _ => {
                 let of_gear = matches!(cell, Cell::Range(_) | Cell::Gear)
-                    || matches!(cell, Cell::Mark(group) if usize::from(group) == GEAR_GROUP && facts.is_marked(group));
+                    || matches!(cell, Cell::Mark(group) if usize::from(group) == GEAR_GROUP && facts.is_marked(GEAR_GROUP));
                 matches!(cell, Cell::SpindleSpeed | Cell::SpeedByte { .. }) || (of_gear && goes_by_speed(facts))
             }
         }
@@ -151,15 +152,15 @@ impl Word<'_> {
     }
 
     /// Whether the end of the program sends a group (MFN-6, MFN-7).
-    fn is_reset(self, group: u8, facts: &Facts) -> bool {
-        let default = self.machine.m_power_up.get(usize::from(group)).copied().flatten();
+    fn is_reset(self, group: usize, facts: &Facts) -> bool {
+        let default = self.machine.m_power_up.get(group).copied().flatten();
         default.is_some() && facts.is_marked(group)
     }
 
     /// Whether a cell is another one while the program stands at M00 or M01 because it does.
     fn sets_at_stop(self, cell: Cell) -> bool {
         let Some((function @ (PROGRAM_STOP | OPTIONAL_STOP), _)) = self.function else { return false };
-        let of_group = group_of(cell).map(usize::from);
+        let of_group = group_of(cell);
         self.is_own(cell, function) || of_group.is_some_and(|group| group == PROGRAM_GROUP || STOPPED.contains(&group))
     }
 }
@@ -170,13 +171,13 @@ fn goes_by_speed(facts: &Facts) -> bool {
 }
 
 /// The M group that a cell follows from.
-const fn group_of(cell: Cell) -> Option<u8> {
+fn group_of(cell: Cell) -> Option<usize> {
     match cell {
-        Cell::Group(group) | Cell::Mark(group) | Cell::GroupByte(group) => Some(group),
-        Cell::Spindle(_) => Some(2),
-        Cell::Range(_) | Cell::Gear | Cell::SpeedByte { .. } => Some(3),
-        Cell::Coolant12(_) => Some(5),
-        Cell::Coolant34(_) => Some(6),
+        Cell::Group(group) | Cell::Mark(group) | Cell::GroupByte(group) => Some(usize::from(group)),
+        Cell::Spindle(_) => Some(SPINDLE_GROUP),
+        Cell::Range(_) | Cell::Gear | Cell::SpeedByte { .. } => Some(GEAR_GROUP),
+        Cell::Coolant12(_) => Some(COOLANT_12_GROUP),
+        Cell::Coolant34(_) => Some(COOLANT_34_GROUP),
         Cell::Flag(_)
         | Cell::Written(_)
         | Cell::Moves(_)
