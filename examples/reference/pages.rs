@@ -150,6 +150,7 @@ fn addresses(lang: Lang) -> String {
             text(lang, "decimal point", "desetinná tečka"),
             text(lang, "sign", "znaménko"),
             text(lang, "holds", "platí"),
+            text(lang, "rule", "pravidlo"),
         ],
     );
     for address in Address::ALL.iter().copied() {
@@ -170,7 +171,8 @@ fn addresses(lang: Lang) -> String {
             (point, on(|dialect| address.takes_sign(dialect), lang))
         };
         let letter = format!("`{}`", dictionary.letter);
-        row(&mut page, &[&letter, dictionary.meaning.get(lang), &value(address, lang), &point, &sign, holds]);
+        let value = value(address, lang);
+        row(&mut page, &[&letter, dictionary.meaning.get(lang), &value, &point, &sign, holds, dictionary.rule]);
     }
     page
 }
@@ -234,13 +236,18 @@ fn g_functions(lang: Lang) -> String {
         " Of each group one function stands in a block (GRP-1).\n\n",
         " Z každé skupiny smí být v bloku jedna funkce (GRP-1).\n\n",
     ));
-    let columns =
-        [text(lang, "group", "skupina"), text(lang, "function", "funkce"), "", text(lang, "meaning", "význam")];
+    let columns = [
+        text(lang, "group", "skupina"),
+        text(lang, "function", "funkce"),
+        "",
+        text(lang, "meaning", "význam"),
+        text(lang, "rule", "pravidlo"),
+    ];
     head(&mut page, &columns);
     for group in GGroup::ALL {
         for code in GCode::ALL.iter().filter(|code| code.group() == group) {
             let name = format!("{group} {}", group.meaning().get(lang));
-            row(&mut page, &[&name, &code.to_string(), mark(code.lasting()), code.meaning().get(lang)]);
+            row(&mut page, &[&name, &code.to_string(), mark(code.lasting()), code.meaning().get(lang), code.rule()]);
         }
     }
     page
@@ -254,8 +261,13 @@ fn m_functions(lang: Lang) -> String {
         " Of each group one function stands in a block (MFN-1).\n",
         " Z každé skupiny smí být v bloku jedna funkce (MFN-1).\n",
     ));
-    let columns =
-        [text(lang, "group", "skupina"), text(lang, "function", "funkce"), "", text(lang, "meaning", "význam")];
+    let columns = [
+        text(lang, "group", "skupina"),
+        text(lang, "function", "funkce"),
+        "",
+        text(lang, "meaning", "význam"),
+        text(lang, "rule", "pravidlo"),
+    ];
     for dialect in Dialect::ALL {
         let _ = write!(page, "\n## {}\n\n", dialect_name(dialect));
         head(&mut page, &columns);
@@ -264,17 +276,18 @@ fn m_functions(lang: Lang) -> String {
         for function in rows {
             let number = format!("M{:02}", function.number);
             let group = function.group.to_string();
-            row(&mut page, &[&group, &number, mark(function.lasting), function.meaning.get(lang)]);
+            row(&mut page, &[&group, &number, mark(function.lasting), function.meaning.get(lang), function.rule]);
         }
         let configured = if dialect.has_channel_config() {
             text(lang, "by `MFunctions` of the ChannelConfig", "podle `MFunctions` v ChannelConfig")
         } else {
             text(lang, "by machine constants R56–R59", "podle strojních konstant R56–R59")
         };
-        row(&mut page, &["10–13", "–", "", configured]);
+        let rule = if dialect.has_channel_config() { "MFN-2" } else { "MFN-5" };
+        row(&mut page, &["10–13", "–", "", configured, rule]);
         let highest = format!("M00–M{:02}", dialect.highest_m());
         let others = text(lang, "all others, by the machine builder", "všechny ostatní, podle výrobce stroje");
-        row(&mut page, &[&(M_GROUPS - 1).to_string(), &highest, "", others]);
+        row(&mut page, &[&(M_GROUPS - 1).to_string(), &highest, "", others, rule]);
     }
     page
 }

@@ -93,7 +93,7 @@ impl fmt::Display for GGroup {
 }
 
 macro_rules! g_functions {
-    ($($variant:ident $number:literal $group:ident $lasting:ident $en:literal, $cs:literal;)*) => {
+    ($($variant:ident $number:literal $group:ident $lasting:ident $rule:literal $en:literal, $cs:literal;)*) => {
         /// A preparatory function of the control.
         #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
         #[repr(u8)]
@@ -128,6 +128,11 @@ macro_rules! g_functions {
                 match self { $(Self::$variant => Lasting::$lasting,)* }
             }
 
+            /// The rule of the language that says most of it, such as `MOT-5`.
+            pub const fn rule(self) -> &'static str {
+                match self { $(Self::$variant => $rule,)* }
+            }
+
             /// What it does.
             pub const fn meaning(self) -> Bilingual {
                 match self { $(Self::$variant => Bilingual { en: $en, cs: $cs },)* }
@@ -137,76 +142,76 @@ macro_rules! g_functions {
 }
 
 g_functions! {
-    G00 0 G0 Default "rapid traverse", "rychloposuv";
-    G01 1 G0 Modal "linear interpolation", "lineární interpolace";
-    G02 2 G0 Modal "circular interpolation, clockwise", "kruhová interpolace po směru hodin";
-    G03 3 G0 Modal "circular interpolation, counter-clockwise", "kruhová interpolace proti směru hodin";
-    G30 30 G0 Block "approach of the reference point", "nájezd do reference";
-    G33 33 G0 Modal "thread cutting", "řezání závitu";
-    G17 17 G1 Default "plane XY", "rovina XY";
-    G18 18 G1 Modal "plane YZ (in ISO 6983 G18 is ZX)", "rovina YZ (v ISO 6983 je G18 rovina ZX)";
-    G19 19 G1 Modal "plane ZX (in ISO 6983 G19 is YZ)", "rovina ZX (v ISO 6983 je G19 rovina YZ)";
-    G14 14 G1 Modal "plane of Z and the 4th axis", "rovina Z a 4. osy";
-    G15 15 G1 Modal "plane of Y and the 4th axis", "rovina Y a 4. osy";
-    G16 16 G1 Modal "plane of the 4th axis and X", "rovina 4. osy a X";
-    G05 5 G2 Modal "copying from a template", "kopírování podle předlohy";
-    G06 6 G2 Modal "copying from memory", "kopírování z paměti";
-    G07 7 G2 Modal "copying into memory", "kopírování do paměti";
-    G08 8 G2 Modal "dragged axis", "vlečení osy";
-    G09 9 G2 Modal "helix (spiral)", "šroubovice (spirála)";
-    G10 10 G2 Modal "pitch of the spiral", "zadání stoupání spirály";
-    G23 23 G2 Modal "continuous path: blocks join without a stop", "plynulá návaznost bloků";
-    G24 24 G2 Modal "tight joining of blocks: a ramp in each", "těsné napojování bloků";
-    G98 98 G2 Default "basic state of the group: blocks join with ramps", "základní stav skupiny: bloky se napojují s rampami";
-    G40 40 G3 Default "radius correction off", "zrušení korekce na poloměr";
-    G41 41 G3 Modal "radius correction, tool left of the path", "korekce na poloměr vlevo";
-    G42 42 G3 Modal "radius correction, tool right of the path", "korekce na poloměr vpravo";
-    G26 26 G4 Block "parameter arithmetic, one operation (R5)", "aritmetika parametrů, jedna operace (R5)";
-    G27 27 G4 Block "parameter arithmetic, two operations (R5, R6)", "aritmetika parametrů, dvě operace (R5, R6)";
-    G28 28 G4 Block "parameter arithmetic, three operations (R5–R7)", "aritmetika parametrů, tři operace (R5–R7)";
-    G29 29 G4 Block "parameter arithmetic, four operations (R5–R8)", "aritmetika parametrů, čtyři operace (R5–R8)";
-    G53 53 G5 Default "zero offset 0", "0. posunutí nulového bodu";
-    G54 54 G5 Modal "zero offset 1", "1. posunutí nulového bodu";
-    G55 55 G5 Modal "zero offset 2", "2. posunutí nulového bodu";
-    G56 56 G5 Modal "zero offset 3", "3. posunutí nulového bodu";
-    G57 57 G5 Modal "zero offset 4", "4. posunutí nulového bodu";
-    G58 58 G5 Block "zero offset 5", "5. posunutí nulového bodu";
-    G59 59 G5 Block "zero offset 6", "6. posunutí nulového bodu";
-    G94 94 G6 Default "feed per minute", "posuv za minutu";
-    G95 95 G6 Modal "feed per revolution", "posuv na otáčku";
-    G96 96 G6 Modal "feed per minute, constant cutting speed", "posuv za minutu, konstantní řezná rychlost";
-    G97 97 G6 Modal "feed per minute, or per revolution with constant cutting speed: by the key `g97`",
+    G00 0 G0 Default "MOT-1" "rapid traverse", "rychloposuv";
+    G01 1 G0 Modal "MOT-1" "linear interpolation", "lineární interpolace";
+    G02 2 G0 Modal "MOT-5" "circular interpolation, clockwise", "kruhová interpolace po směru hodin";
+    G03 3 G0 Modal "MOT-5" "circular interpolation, counter-clockwise", "kruhová interpolace proti směru hodin";
+    G30 30 G0 Block "MOT-7" "approach of the reference point", "nájezd do reference";
+    G33 33 G0 Modal "TEC-3" "thread cutting", "řezání závitu";
+    G17 17 G1 Default "GRP-2" "plane XY", "rovina XY";
+    G18 18 G1 Modal "GRP-2" "plane YZ (in ISO 6983 G18 is ZX)", "rovina YZ (v ISO 6983 je G18 rovina ZX)";
+    G19 19 G1 Modal "GRP-2" "plane ZX (in ISO 6983 G19 is YZ)", "rovina ZX (v ISO 6983 je G19 rovina YZ)";
+    G14 14 G1 Modal "GRP-2" "plane of Z and the 4th axis", "rovina Z a 4. osy";
+    G15 15 G1 Modal "GRP-2" "plane of Y and the 4th axis", "rovina Y a 4. osy";
+    G16 16 G1 Modal "GRP-2" "plane of the 4th axis and X", "rovina 4. osy a X";
+    G05 5 G2 Modal "GRP-8" "copying from a template", "kopírování podle předlohy";
+    G06 6 G2 Modal "GRP-8" "copying from memory", "kopírování z paměti";
+    G07 7 G2 Modal "GRP-8" "copying into memory", "kopírování do paměti";
+    G08 8 G2 Modal "GRP-8" "dragged axis", "vlečení osy";
+    G09 9 G2 Modal "GRP-8" "helix (spiral)", "šroubovice (spirála)";
+    G10 10 G2 Modal "GRP-8" "pitch of the spiral", "zadání stoupání spirály";
+    G23 23 G2 Modal "GRP-7" "continuous path: blocks join without a stop", "plynulá návaznost bloků";
+    G24 24 G2 Modal "CNT-1" "tight joining of blocks: a ramp in each", "těsné napojování bloků";
+    G98 98 G2 Default "CNT-1" "basic state of the group: blocks join with ramps", "základní stav skupiny: bloky se napojují s rampami";
+    G40 40 G3 Default "EQU-1" "radius correction off", "zrušení korekce na poloměr";
+    G41 41 G3 Modal "EQU-1" "radius correction, tool left of the path", "korekce na poloměr vlevo";
+    G42 42 G3 Modal "EQU-1" "radius correction, tool right of the path", "korekce na poloměr vpravo";
+    G26 26 G4 Block "PAR-7" "parameter arithmetic, one operation (R5)", "aritmetika parametrů, jedna operace (R5)";
+    G27 27 G4 Block "PAR-7" "parameter arithmetic, two operations (R5, R6)", "aritmetika parametrů, dvě operace (R5, R6)";
+    G28 28 G4 Block "PAR-7" "parameter arithmetic, three operations (R5–R7)", "aritmetika parametrů, tři operace (R5–R7)";
+    G29 29 G4 Block "PAR-7" "parameter arithmetic, four operations (R5–R8)", "aritmetika parametrů, čtyři operace (R5–R8)";
+    G53 53 G5 Default "MOT-8" "zero offset 0", "0. posunutí nulového bodu";
+    G54 54 G5 Modal "MOT-8" "zero offset 1", "1. posunutí nulového bodu";
+    G55 55 G5 Modal "MOT-8" "zero offset 2", "2. posunutí nulového bodu";
+    G56 56 G5 Modal "MOT-8" "zero offset 3", "3. posunutí nulového bodu";
+    G57 57 G5 Modal "MOT-8" "zero offset 4", "4. posunutí nulového bodu";
+    G58 58 G5 Block "MOT-8" "zero offset 5", "5. posunutí nulového bodu";
+    G59 59 G5 Block "MOT-8" "zero offset 6", "6. posunutí nulového bodu";
+    G94 94 G6 Default "TEC-1" "feed per minute", "posuv za minutu";
+    G95 95 G6 Modal "TEC-1" "feed per revolution", "posuv na otáčku";
+    G96 96 G6 Modal "TEC-1" "feed per minute, constant cutting speed", "posuv za minutu, konstantní řezná rychlost";
+    G97 97 G6 Modal "TEC-5" "feed per minute, or per revolution with constant cutting speed: by the key `g97`",
         "posuv za minutu, nebo na otáčku s konstantní řeznou rychlostí: podle klíče `g97`";
-    G70 70 G7 Default "end of a subprogram or macrocycle", "konec podprogramu nebo makrocyklu";
-    G71 71 G7 Block "call of a subprogram", "volání podprogramu";
-    G72 72 G7 Block "call of a macrocycle", "volání makrocyklu";
-    G73 73 G7 Block "jump to a block of the same unit", "skok na blok téhož programového celku";
-    G79 79 G7 Block "entry of a subprogram or macrocycle", "vstup do podprogramu nebo makrocyklu";
-    G80 80 G8 Default "no fixed cycle", "zrušení pevného cyklu";
-    G81 81 G8 Modal "fixed cycle 81 of the ISO standard", "pevný cyklus 81 podle normy ISO";
-    G82 82 G8 Modal "fixed cycle 82 of the ISO standard", "pevný cyklus 82 podle normy ISO";
-    G83 83 G8 Modal "fixed cycle 83 of the ISO standard", "pevný cyklus 83 podle normy ISO";
-    G84 84 G8 Modal "fixed cycle 84 of the ISO standard", "pevný cyklus 84 podle normy ISO";
-    G85 85 G8 Modal "fixed cycle 85 of the ISO standard", "pevný cyklus 85 podle normy ISO";
-    G86 86 G8 Modal "fixed cycle 86 of the ISO standard", "pevný cyklus 86 podle normy ISO";
-    G87 87 G8 Modal "fixed cycle 87 of the ISO standard", "pevný cyklus 87 podle normy ISO";
-    G88 88 G8 Modal "fixed cycle 88 of the ISO standard", "pevný cyklus 88 podle normy ISO";
-    G89 89 G8 Modal "fixed cycle 89 of the ISO standard", "pevný cyklus 89 podle normy ISO";
-    G90 90 G9 Default "absolute coordinates", "absolutní souřadnice";
-    G91 91 G9 Modal "incremental coordinates", "přírůstkové souřadnice";
-    G04 4 G10 Block "dwell, Q in units of 10 ms", "časová prodleva, Q po 10 ms";
-    G92 92 G10 Block "writes the table of origins or of corrections", "zápis do tabulky počátků nebo korekcí";
-    G93 93 G10 Block "writes the origin so that the tool stands at the programmed coordinates",
+    G70 70 G7 Default "PRG-3" "end of a subprogram or macrocycle", "konec podprogramu nebo makrocyklu";
+    G71 71 G7 Block "FLW-1" "call of a subprogram", "volání podprogramu";
+    G72 72 G7 Block "FLW-1" "call of a macrocycle", "volání makrocyklu";
+    G73 73 G7 Block "FLW-3" "jump to a block of the same unit", "skok na blok téhož programového celku";
+    G79 79 G7 Block "PRG-3" "entry of a subprogram or macrocycle", "vstup do podprogramu nebo makrocyklu";
+    G80 80 G8 Default "GRP-6" "no fixed cycle", "zrušení pevného cyklu";
+    G81 81 G8 Modal "GRP-6" "fixed cycle 81 of the ISO standard", "pevný cyklus 81 podle normy ISO";
+    G82 82 G8 Modal "GRP-6" "fixed cycle 82 of the ISO standard", "pevný cyklus 82 podle normy ISO";
+    G83 83 G8 Modal "GRP-6" "fixed cycle 83 of the ISO standard", "pevný cyklus 83 podle normy ISO";
+    G84 84 G8 Modal "GRP-6" "fixed cycle 84 of the ISO standard", "pevný cyklus 84 podle normy ISO";
+    G85 85 G8 Modal "GRP-6" "fixed cycle 85 of the ISO standard", "pevný cyklus 85 podle normy ISO";
+    G86 86 G8 Modal "GRP-6" "fixed cycle 86 of the ISO standard", "pevný cyklus 86 podle normy ISO";
+    G87 87 G8 Modal "GRP-6" "fixed cycle 87 of the ISO standard", "pevný cyklus 87 podle normy ISO";
+    G88 88 G8 Modal "GRP-6" "fixed cycle 88 of the ISO standard", "pevný cyklus 88 podle normy ISO";
+    G89 89 G8 Modal "GRP-6" "fixed cycle 89 of the ISO standard", "pevný cyklus 89 podle normy ISO";
+    G90 90 G9 Default "MOT-1" "absolute coordinates", "absolutní souřadnice";
+    G91 91 G9 Modal "MOT-1" "incremental coordinates", "přírůstkové souřadnice";
+    G04 4 G10 Block "GRP-5" "dwell, Q in units of 10 ms", "časová prodleva, Q po 10 ms";
+    G92 92 G10 Block "GRP-4" "writes the table of origins or of corrections", "zápis do tabulky počátků nebo korekcí";
+    G93 93 G10 Block "GRP-4" "writes the origin so that the tool stands at the programmed coordinates",
         "zápis počátku tak, aby nástroj stál na programovaných souřadnicích";
-    G74 74 G10 Modal "diameter programming: X is a diameter", "průměrové programování: X je průměr";
-    G75 75 G10 Default "radius programming", "poloměrové programování";
-    G34 34 G11 Default "all conversions of coordinates off", "zrušení všech přepočtů souřadnic";
-    G35 35 G11 Modal "mirror image", "zrcadlení";
-    G36 36 G11 Modal "scale", "změna měřítka";
-    G37 37 G11 Modal "independent shift", "nezávislý posun";
-    G38 38 G11 Modal "first plane transformation", "první rovinná transformace";
-    G39 39 G11 Modal "second plane transformation", "druhá rovinná transformace";
-    G31 31 G11 Modal "spatial transformation", "prostorová transformace";
+    G74 74 G10 Modal "MOT-1" "diameter programming: X is a diameter", "průměrové programování: X je průměr";
+    G75 75 G10 Default "MOT-1" "radius programming", "poloměrové programování";
+    G34 34 G11 Default "MOT-8" "all conversions of coordinates off", "zrušení všech přepočtů souřadnic";
+    G35 35 G11 Modal "GRP-4" "mirror image", "zrcadlení";
+    G36 36 G11 Modal "GRP-4" "scale", "změna měřítka";
+    G37 37 G11 Modal "GRP-4" "independent shift", "nezávislý posun";
+    G38 38 G11 Modal "GRP-4" "first plane transformation", "první rovinná transformace";
+    G39 39 G11 Modal "GRP-4" "second plane transformation", "druhá rovinná transformace";
+    G31 31 G11 Modal "GRP-4" "spatial transformation", "prostorová transformace";
 }
 
 impl GCode {

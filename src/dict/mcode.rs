@@ -73,56 +73,60 @@ pub struct MRow {
     pub group: u8,
     /// How long it holds; [`Lasting::Default`] is `+`.
     pub lasting: Lasting,
+    /// The rule of the language that says most of it, such as `MFN-8`.
+    pub rule: &'static str,
     /// What it does.
     pub meaning: Bilingual,
 }
 
-const fn row(number: u8, group: u8, lasting: Lasting, en: &'static str, cs: &'static str) -> MRow {
-    MRow { number, group, lasting, meaning: Bilingual { en, cs } }
+const fn row(number: u8, group: u8, lasting: Lasting, rule: &'static str, en: &'static str, cs: &'static str) -> MRow {
+    MRow { number, group, lasting, rule, meaning: Bilingual { en, cs } }
 }
 
 use Lasting::{Block, Default as Plus, Modal};
 
 const COMMON: [MRow; 23] = [
-    row(0, 1, Block, "program stop", "programový stop"),
-    row(1, 1, Block, "optional stop", "volitelný stop"),
-    row(2, 1, Block, "end of program", "konec partprogramu"),
-    row(30, 1, Block, "end of program", "konec partprogramu"),
-    row(3, 2, Modal, "spindle on, clockwise", "start vřetena po směru hodin"),
-    row(4, 2, Modal, "spindle on, counter-clockwise", "start vřetena proti směru hodin"),
-    row(5, 2, Plus, "spindle stop", "stop vřetena"),
-    row(19, 2, Modal, "oriented spindle stop", "stop vřetena v orientovaném bodě"),
-    row(41, 3, Modal, "spindle range 1", "1. rozsah otáček vřetena"),
-    row(42, 3, Modal, "spindle range 2", "2. rozsah otáček vřetena"),
-    row(43, 3, Modal, "spindle range 3", "3. rozsah otáček vřetena"),
-    row(44, 3, Modal, "spindle range 4", "4. rozsah otáček vřetena"),
-    row(40, 3, Plus, "spindle range follows from S", "rozsah otáček vřetena podle S"),
-    row(9, 5, Plus, "coolant 1 and 2 off", "vypnutí chlazení 1 a 2"),
-    row(17, 5, Modal, "coolant 1 and 2 on", "zapnutí chlazení 1 a 2"),
-    row(50, 6, Modal, "coolant 3 on", "zapnutí chlazení 3"),
-    row(51, 6, Modal, "coolant 4 on", "zapnutí chlazení 4"),
-    row(53, 6, Plus, "coolant 3 and 4 off", "vypnutí chlazení 3 a 4"),
-    row(52, 6, Modal, "coolant 3 and 4 on", "zapnutí chlazení 3 a 4"),
-    row(10, 7, Block, "clamp the workpiece", "upnutí obrobku"),
-    row(11, 7, Block, "release the workpiece", "uvolnění obrobku"),
-    row(6, 9, Block, "tool change", "výměna nástroje"),
-    row(60, 9, Block, "workpiece change", "výměna obrobku"),
+    row(0, 1, Block, "MFN-8", "program stop", "programový stop"),
+    row(1, 1, Block, "MFN-8", "optional stop", "volitelný stop"),
+    row(2, 1, Block, "MFN-7", "end of program", "konec partprogramu"),
+    row(30, 1, Block, "MFN-7", "end of program", "konec partprogramu"),
+    row(3, 2, Modal, "MFN-10", "spindle on, clockwise", "start vřetena po směru hodin"),
+    row(4, 2, Modal, "MFN-10", "spindle on, counter-clockwise", "start vřetena proti směru hodin"),
+    row(5, 2, Plus, "MFN-10", "spindle stop", "stop vřetena"),
+    row(19, 2, Modal, "MFN-10", "oriented spindle stop", "stop vřetena v orientovaném bodě"),
+    row(41, 3, Modal, "MFN-9", "spindle range 1", "1. rozsah otáček vřetena"),
+    row(42, 3, Modal, "MFN-9", "spindle range 2", "2. rozsah otáček vřetena"),
+    row(43, 3, Modal, "MFN-9", "spindle range 3", "3. rozsah otáček vřetena"),
+    row(44, 3, Modal, "MFN-9", "spindle range 4", "4. rozsah otáček vřetena"),
+    row(40, 3, Plus, "MFN-9", "spindle range follows from S", "rozsah otáček vřetena podle S"),
+    row(9, 5, Plus, "MFN-7", "coolant 1 and 2 off", "vypnutí chlazení 1 a 2"),
+    row(17, 5, Modal, "MFN-7", "coolant 1 and 2 on", "zapnutí chlazení 1 a 2"),
+    row(50, 6, Modal, "MFN-7", "coolant 3 on", "zapnutí chlazení 3"),
+    row(51, 6, Modal, "MFN-7", "coolant 4 on", "zapnutí chlazení 4"),
+    row(53, 6, Plus, "MFN-7", "coolant 3 and 4 off", "vypnutí chlazení 3 a 4"),
+    row(52, 6, Modal, "MFN-7", "coolant 3 and 4 on", "zapnutí chlazení 3 a 4"),
+    row(10, 7, Block, "MFN-6", "clamp the workpiece", "upnutí obrobku"),
+    row(11, 7, Block, "MFN-6", "release the workpiece", "uvolnění obrobku"),
+    row(6, 9, Block, "TEC-4", "tool change", "výměna nástroje"),
+    row(60, 9, Block, "MFN-6", "workpiece change", "výměna obrobku"),
 ];
 
 const OVERRIDE: [MRow; 2] = [
-    row(49, 8, Modal, "feed override bypassed", "ruční FEED OVERRIDE přemostěn"),
-    row(48, 8, Plus, "feed override works", "ruční FEED OVERRIDE účinný"),
+    row(49, 8, Modal, "MFN-7", "feed override bypassed", "ruční FEED OVERRIDE přemostěn"),
+    row(48, 8, Plus, "MFN-7", "feed override works", "ruční FEED OVERRIDE účinný"),
 ];
 
 const OLD_ONLY: [MRow; 4] = [
-    row(36, 4, Plus, "feed as programmed", "posuv podle programu"),
-    row(37, 4, Modal, "feed reduced 1:100", "posuv zmenšen 1 : 100"),
-    row(7, 5, Modal, "coolant 2 on", "zapnutí chlazení 2"),
-    row(8, 5, Modal, "coolant 1 on", "zapnutí chlazení 1"),
+    row(36, 4, Plus, "TEC-6", "feed as programmed", "posuv podle programu"),
+    row(37, 4, Modal, "TEC-6", "feed reduced 1:100", "posuv zmenšen 1 : 100"),
+    row(7, 5, Modal, "MFN-7", "coolant 2 on", "zapnutí chlazení 2"),
+    row(8, 5, Modal, "MFN-7", "coolant 1 on", "zapnutí chlazení 1"),
 ];
 
-const NEW_ONLY: [MRow; 2] =
-    [row(7, 5, Modal, "coolant 1 on", "zapnutí chlazení 1"), row(8, 5, Modal, "coolant 2 on", "zapnutí chlazení 2")];
+const NEW_ONLY: [MRow; 2] = [
+    row(7, 5, Modal, "MFN-7", "coolant 1 on", "zapnutí chlazení 1"),
+    row(8, 5, Modal, "MFN-7", "coolant 2 on", "zapnutí chlazení 2"),
+];
 
 /// The standard M functions of a dialect, by S4 (CNC8x6, CNC8x9) and S0 8.2.1 (CNC872).
 pub fn standard_m_functions(dialect: Dialect) -> impl Iterator<Item = &'static MRow> {

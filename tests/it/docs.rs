@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use cnc872c::config::Settings;
 use cnc872c::diag::{Code, Findings};
+use cnc872c::dict::{Address, Dialect, GCode, standard_m_functions};
 use cnc872c::session::Session;
 use cnc872c::syntax::{Form, parse};
 use cnc872c::text::{FileId, MemoryLoader, SourceText};
@@ -140,6 +141,18 @@ fn reference_states_every_rule() {
 
 /// Every code named in the documentation exists, and every code is named in the reference of the language or is about
 /// files and their configuration.
+/// The rules that rows of the language cite.
+#[test]
+fn rows_cite_rules() {
+    let language = read("docs/reference/language.md");
+    let addresses = Address::ALL.iter().map(|address| address.row().rule);
+    let functions = GCode::ALL.iter().map(|code| code.rule());
+    let standard = Dialect::ALL.into_iter().flat_map(standard_m_functions).map(|row| row.rule);
+    for rule in addresses.chain(functions).chain(standard) {
+        assert!(language.contains(&format!("**{rule}.**")), "{rule}");
+    }
+}
+
 #[test]
 fn codes_exist() {
     let mut unknown = Vec::new();
