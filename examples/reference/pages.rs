@@ -6,7 +6,8 @@ use std::fmt::Write;
 
 use cnc872c::diag::{Code, Severity, explain};
 use cnc872c::dict::{
-    Address, Bilingual, Dialect, GCode, GGroup, Lang, Lasting, M_GROUPS, MRow, ValueForm, standard_m_functions,
+    Address, Bilingual, Decimal, Dialect, GCode, GGroup, HIGHEST_PARAMETER, Lang, Lasting, M_GROUPS, MRow, ValueForm,
+    standard_m_functions,
 };
 
 /// Where the pages lie, in the project.
@@ -178,34 +179,21 @@ fn addresses(lang: Lang) -> String {
 }
 
 fn value(address: Address, lang: Lang) -> String {
+    let ranges = address.ranges_text(lang);
     match address.row().form {
         ValueForm::None => "–".to_owned(),
-        ValueForm::Whole { min, max } if address == Address::Q => {
-            format!("{min}–{max}; {} 0–{max}", text(lang, "dwell", "prodleva"))
-        }
-        ValueForm::Whole { min, max } => format!("{min}–{max}"),
-        ValueForm::Dimension => "±69999.999".to_owned(),
-        ValueForm::Parameter => text(
-            lang,
-            "0–95, then ±69999.999 or a whole number up to ±99999999",
-            "0–95, pak ±69999.999 nebo celé číslo do ±99999999",
-        )
-        .to_owned(),
-        ValueForm::Feed => {
-            let [old, new] = [Dialect::Cnc8x6, Dialect::Cnc872].map(Dialect::highest_feed);
-            match lang {
-                Lang::En => format!("1–{old} mm/min (CNC872: {new}); 0.001–99.999 mm/rev"),
-                Lang::Cs => format!("1–{old} mm/min (CNC872: {new}); 0.001–99.999 mm/ot"),
-            }
-        }
-        ValueForm::Auxiliary => "1–99; CNC872 ±69999.999".to_owned(),
+        ValueForm::Parameter => match lang {
+            Lang::En => format!("0–{HIGHEST_PARAMETER}, then {ranges} or a whole number up to ±{}", Decimal::WHOLE_MAX),
+            Lang::Cs => format!("0–{HIGHEST_PARAMETER}, pak {ranges} nebo celé číslo do ±{}", Decimal::WHOLE_MAX),
+        },
         ValueForm::CorrectionDigits => {
             text(lang, "four digits, each 0, 1 or 2", "čtyři číslice, každá 0, 1 nebo 2").to_owned()
         }
-        ValueForm::Technological => {
-            let [old, new] = [Dialect::Cnc8x6, Dialect::Cnc872].map(Dialect::highest_m);
-            format!("0–{old}; CNC872 0–{new}")
-        }
+        ValueForm::Whole { .. }
+        | ValueForm::Dimension
+        | ValueForm::Feed
+        | ValueForm::Auxiliary
+        | ValueForm::Technological => ranges,
     }
 }
 

@@ -21,6 +21,7 @@ mod near;
 mod number;
 mod overrides;
 mod project;
+mod ranges;
 mod reader;
 mod reference;
 mod row;

@@ -13,6 +13,7 @@ mod lang;
 mod mcode;
 mod micro;
 mod plane;
+mod range;
 
 pub use address::{
     Address, AddressRow, AxisLetter, FEED_PER_REVOLUTION, FIRST_CONTROL, HIGHEST_BLOCK, HIGHEST_L, HIGHEST_PARAMETER,
@@ -33,3 +34,4 @@ pub use mcode::{
 };
 pub use micro::Micro;
 pub use plane::{Plane, PlaneAxis};
+pub use range::{DWELL, DYNAMIC_SETS, ValueRange, ValueUnit, When};

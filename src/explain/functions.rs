@@ -5,7 +5,10 @@ use std::fmt::Write as _;
 use super::usage::Usage;
 use super::{m_usage, usage};
 use crate::diag::Code;
-use crate::dict::{Address, Bilingual, Dialect, GCode, Lang, Lasting, M_GROUPS, MRow, ValueForm, standard_m_functions};
+use crate::dict::{
+    Address, Bilingual, Dialect, GCode, HIGHEST_PARAMETER, Lang, Lasting, M_GROUPS, MRow, ValueForm,
+    standard_m_functions,
+};
 
 fn pick(lang: Lang, en: &'static str, cs: &'static str) -> &'static str {
     Bilingual { en, cs }.get(lang)
@@ -180,53 +183,33 @@ pub(super) fn address_page(address: Address, lang: Lang) -> String {
 }
 
 fn value(address: Address, lang: Lang) -> String {
-    let whole = |min: i64, max: i64| match lang {
-        Lang::En => format!("A whole number from {min} to {max}"),
-        Lang::Cs => format!("Celé číslo od {min} do {max}"),
-    };
-    let text = match address.row().form {
-        ValueForm::Whole { max, .. } if address == Address::Q => {
-            let dwell = pick(lang, "as the dwell of G04", "jako prodleva G04");
-            return format!("{}; {dwell} 0–{max}", whole(1, max));
+    let ranges = address.ranges_text(lang);
+    match (address.row().form, lang) {
+        (ValueForm::Whole { .. } | ValueForm::Technological, Lang::En) => format!("A whole number: {ranges}"),
+        (ValueForm::Whole { .. } | ValueForm::Technological, Lang::Cs) => format!("Celé číslo: {ranges}"),
+        (ValueForm::Feed | ValueForm::Auxiliary, Lang::En) => format!("A number: {ranges}"),
+        (ValueForm::Feed | ValueForm::Auxiliary, Lang::Cs) => format!("Číslo: {ranges}"),
+        (ValueForm::Dimension, Lang::En) => {
+            format!("A number: {ranges}; without a point whole units: X3620 is 3620 mm")
         }
-        ValueForm::Whole { min, max } => return whole(min, max),
-        ValueForm::None => pick(
-            lang,
-            "Has no value; digits after it are read and not evaluated",
-            "Nemá hodnotu; číslice za ní se přečtou, ale nevyhodnocují",
+        (ValueForm::Dimension, Lang::Cs) => format!("Číslo: {ranges}; bez tečky celé jednotky: X3620 je 3620 mm"),
+        (ValueForm::Parameter, Lang::En) => format!(
+            "The number of the parameter, 0–{HIGHEST_PARAMETER}, and its value: {ranges}, or a whole number of up to eight \
+             digits. R10=25.5 assigns, XR10 uses"
         ),
-        ValueForm::Dimension => pick(
-            lang,
-            "A number, ±69999.999, in mm or degrees; without a point whole units: X3620 is 3620 mm",
-            "Číslo ±69999.999, v mm nebo ve stupních; bez tečky celé jednotky: X3620 je 3620 mm",
+        (ValueForm::Parameter, Lang::Cs) => format!(
+            "Číslo parametru 0–{HIGHEST_PARAMETER} a hodnota: {ranges}, nebo celé číslo nejvýše o osmi číslicích. R10=25.5 \
+             přiřadí, XR10 použije"
         ),
-        ValueForm::Parameter => pick(
-            lang,
-            "The number of the parameter, 0 to 95, and its value: ±69999.999, or a whole number of up to eight digits. \
-             R10=25.5 assigns, XR10 uses",
-            "Číslo parametru 0 až 95 a hodnota: ±69999.999, nebo celé číslo nejvýše o osmi číslicích. R10=25.5 přiřadí, \
-             XR10 použije",
-        ),
-        ValueForm::Feed => pick(
-            lang,
-            "Under G94 and G96 from 1 to 24000 mm/min, on CNC872 to 99999; under G95 and G97 from 0.001 to 99.999 mm/rev",
-            "Při G94 a G96 od 1 do 24000 mm/min, na CNC872 do 99999; při G95 a G97 od 0.001 do 99.999 mm/ot",
-        ),
-        ValueForm::Auxiliary => pick(
-            lang,
-            "A whole number from 1 to 99; on CNC872 a number, ±69999.999",
-            "Celé číslo od 1 do 99; na CNC872 číslo ±69999.999",
-        ),
-        ValueForm::CorrectionDigits => pick(
-            lang,
-            "Four digits, one for each axis: 0 no correction, 1 or 2 its direction",
-            "Čtyři číslice, každé ose jedna: 0 bez korekce, 1 nebo 2 směr",
-        ),
-        ValueForm::Technological => {
-            pick(lang, "A whole number from 0 to 99, on CNC872 to 100", "Celé číslo od 0 do 99, na CNC872 do 100")
+        (ValueForm::None, Lang::En) => "Has no value; digits after it are read and not evaluated".to_owned(),
+        (ValueForm::None, Lang::Cs) => "Nemá hodnotu; číslice za ní se přečtou, ale nevyhodnocují".to_owned(),
+        (ValueForm::CorrectionDigits, Lang::En) => {
+            "Four digits, one for each axis: 0 no correction, 1 or 2 its direction".to_owned()
         }
-    };
-    text.to_owned()
+        (ValueForm::CorrectionDigits, Lang::Cs) => {
+            "Čtyři číslice, každé ose jedna: 0 bez korekce, 1 nebo 2 směr".to_owned()
+        }
+    }
 }
 
 /// On which controls something is allowed.

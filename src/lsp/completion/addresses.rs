@@ -5,7 +5,7 @@ use gen_lsp_types::CompletionItemKind;
 use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
-use crate::dict::{Address, Decimal, GCode, ValueForm};
+use crate::dict::{Address, GCode, ValueForm};
 use crate::resolve::g_code;
 
 /// In the order of use; G, M and N have items of their own.
@@ -107,17 +107,15 @@ fn documentation(source: &Source<'_>, address: Address) -> String {
     if let Some(axis) = axis {
         lines.push(if axis.rotary { ItemText::Rotary } else { ItemText::Linear }.text(lang));
     }
-    let unit = if axis.is_some_and(|axis| axis.rotary) { "°" } else { " mm" };
     let range = match row.form {
         ValueForm::None => None,
-        ValueForm::Whole { min, max } => Some(format!("{min}–{max}")),
-        ValueForm::Dimension => Some(format!("±{}{unit}", Decimal::DIMENSION_MAX)),
         ValueForm::Parameter => Some(ItemText::ParameterRange.text(lang)),
-        ValueForm::Feed => Some(ItemText::FeedRange { feed: machine.limits.feed.to_string() }.text(lang)),
-        ValueForm::Auxiliary if row.form.takes_point(machine.dialect) => Some(format!("±{}", Decimal::DIMENSION_MAX)),
-        ValueForm::Auxiliary => Some("1–99".to_owned()),
         ValueForm::CorrectionDigits => Some(ItemText::FourDigits.text(lang)),
-        ValueForm::Technological => Some(format!("0–{}", machine.dialect.highest_m())),
+        ValueForm::Whole { .. }
+        | ValueForm::Dimension
+        | ValueForm::Feed
+        | ValueForm::Auxiliary
+        | ValueForm::Technological => Some(machine.ranges_text(address, lang)),
     };
     lines.extend(range.map(|range| ItemText::Range { range }.text(lang)));
     if row.lasts_until_changed {

@@ -30,7 +30,6 @@ bilingual! {
         Linear "linear axis", "lineární osa";
         Rotary "rotary axis", "rotační osa";
         Range { range: String } "Value: {range}.", "Hodnota: {range}.";
-        FeedRange { feed: String } "G94, G96: up to {feed} mm/min; G95, G97: 0.001–99.999 mm/rev", "G94, G96: do {feed} mm/min; G95, G97: 0.001–99.999 mm/ot";
         FourDigits "four digits, each 0, 1 or 2", "čtyři číslice, každá 0, 1 nebo 2";
         ParameterRange "0–95, then `=` and a number or parameter", "0–95, pak `=` a číslo nebo parametr";
         UntilChanged "Holds until changed.", "Platí do změny.";
