@@ -1,8 +1,10 @@
 //! Whether a value fits its address (§2, ADR-1, ADR-2, TEC-1). The same rules for values written out and for those that
 //! parameters give.
 
+use super::blocks::g_code;
 use crate::config::Machine;
-use crate::dict::{Address, Decimal, FEED_PER_REVOLUTION, GCode, ValueForm};
+use crate::dict::{Address, Decimal, FEED_PER_REVOLUTION, GCode, GGroup, ValueForm};
+use crate::syntax::{BlockId, ParsedFile, Word};
 
 /// How a value does not fit.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -13,6 +15,15 @@ pub enum FormFault {
     Digits,
     /// Outside the range, which is given for the message.
     Range(String),
+}
+
+/// The last function that says the unit of F before a block, in the order of the text, and its word.
+pub fn feed_mode_before(file: &ParsedFile, block: BlockId) -> Option<(GCode, Word)> {
+    /// So many blocks are looked at.
+    const BLOCKS: u32 = 1 << 10;
+    let of_group = |word: &Word| g_code(*word).filter(|code| code.group() == GGroup::G6).map(|code| (code, *word));
+    let mut blocks = (block.0.saturating_sub(BLOCKS)..block.0).rev().map(BlockId);
+    blocks.find_map(|block| file.words(block).iter().rev().find_map(of_group))
 }
 
 /// The range of F that counts: by the G6 function in force, or both when that is not known (TEC-1).

@@ -47,7 +47,10 @@ pub(super) fn choose_dynamic_set(site: &mut Site<'_>, state: &mut State, words: 
             report_unusable(site, state, i.word, value, needs);
         }
         _ => {
-            let finding = Finding::ValueOutOfRange { address: Address::I, range: "1–4 (G23)".to_owned(), call: None };
+            let finding =
+                Finding::ValueOutOfRange {
+                    address: Address::I, range: "1–4 (G23)".to_owned(), mode: None, call: None
+                };
             site.found(finding, site.value_place(i.word));
         }
     }
