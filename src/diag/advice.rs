@@ -20,6 +20,7 @@ bilingual! {
         Distance "write the number without a name: under G91 it is a distance, under G90 a coordinate", "napsat jen číslo: při G91 je to přírůstek, při G90 souřadnice";
         FromStart "write the number without a name: the distance from the start of the arc to its centre, under G90 too", "napsat jen číslo: vzdálenost od začátku oblouku ke středu, a to i při G90";
         SignBehind { written: String } "write the sign behind the address: `{written}`", "znaménko psát až za adresu: „{written}“";
+        SignBeforeEquals { written: String } "a sign belongs behind the `=`: `{written}`; to subtract or add, G26 to G29 compute with parameters", "znaménko patří až za rovnítko: „{written}“; odčítat nebo sčítat parametry umí G26 až G29";
         OneSpindle { written: String } "the control has one spindle: `{written}`", "systém má jediné vřeteno: „{written}“";
         ToolName "a tool has a number, not a name: `T1`", "nástroj má číslo, ne jméno: „T1“";
         LetterTwice { written: String } "the address is written twice: `{written}`", "adresa je napsána dvakrát: „{written}“";
@@ -80,7 +81,8 @@ impl CommaMeant {
 
 /// Whether the number that stands apart holds the letter that belongs before it: `4Y0`.
 pub(super) fn is_exchanged(loose: &str) -> bool {
-    loose.starts_with(|first: char| first.is_ascii_digit()) && loose.contains(|c: char| c.is_ascii_alphabetic())
+    let number = loose.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
+    number && loose.contains(|c: char| c.is_ascii_alphabetic()) && !loose.contains('=')
 }
 
 /// The end of a program that stands behind `*` (E0205).
@@ -313,7 +315,10 @@ pub enum ValueMeant {
     /// R in a block with an arc.
     Radius,
     /// R in a block with a fixed cycle.
-    Height,
+    Height {
+        /// The cycle.
+        cycle: GCode,
+    },
     /// L before the target of a straight line.
     Line {
         /// The function that is meant.
@@ -326,6 +331,13 @@ pub enum ValueMeant {
         /// The word.
         written: String,
     },
+    /// A letter behind it may stand for a digit: `LI00`.
+    LetterForDigit {
+        /// The letter.
+        letter: String,
+        /// The word with the digit.
+        written: String,
+    },
     /// A `%` before the line with the number of the program.
     EarlyStart,
 }
@@ -336,15 +348,25 @@ impl ValueMeant {
         match (self, lang) {
             (Self::Written { written }, Lang::En) => format!("write `{written}`"),
             (Self::Written { written }, Lang::Cs) => format!("napsat „{written}“"),
+            (Self::LetterForDigit { letter, written }, Lang::En) => {
+                format!(
+                    "if `{letter}` is there in place of a digit, write `{written}`; if not, write a value for `{address}`"
+                )
+            }
+            (Self::LetterForDigit { letter, written }, Lang::Cs) => {
+                format!(
+                    "je-li {letter} omylem místo číslice, napsat „{written}“; jinak doplnit hodnotu adresy {address}"
+                )
+            }
             (Self::EarlyStart, Lang::En) => "delete it; in a remark spell the word `percent`".to_owned(),
             (Self::EarlyStart, Lang::Cs) => "vymazat ho; v poznámce vypsat slovo procent".to_owned(),
             (Self::Radius, _) => NumberMeant::Radius.text(lang),
-            (Self::Height, Lang::En) => {
-                "heights and depths of a cycle are given as its macrocycle reads them, in parameters".to_owned()
-            }
-            (Self::Height, Lang::Cs) => {
-                "výšky a hloubky cyklu se zadávají v parametrech, které čte jeho makrocyklus".to_owned()
-            }
+            (Self::Height { cycle }, Lang::En) => format!(
+                "{cycle} takes the position of the hole; heights, depths and pecks go into the parameters that its macrocycle reads: `R10=2`. The macrocycle is named in the project file: `[cycles]`, `{cycle} = …`"
+            ),
+            (Self::Height { cycle }, Lang::Cs) => format!(
+                "{cycle} má jen polohu díry; výšky, hloubky a úběry se zadávají do parametrů, které čte jeho makrocyklus: „R10=2“. Makrocyklus se uvede v projektovém souboru: [cycles], {cycle} = …"
+            ),
             (Self::Line { function }, Lang::En) => {
                 format!("a straight line is programmed by `{function}`, without `L`")
             }
@@ -362,14 +384,20 @@ impl ValueMeant {
             (Self::Beyond, Lang::Cs) => "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty",
             (Self::EarlyStart, Lang::En) => "the program begins with the first `%`, even one between quotes",
             (Self::EarlyStart, Lang::Cs) => "program začíná prvním %, i když je v uvozovkách",
-            (Self::Number | Self::Radius | Self::Height, Lang::En) if address.starts_with('R') => {
+            (Self::Number | Self::Radius | Self::Height { .. }, Lang::En) if address.starts_with('R') => {
                 "R is a parameter on this control, never a radius or a height"
             }
-            (Self::Number | Self::Radius | Self::Height, Lang::Cs) if address.starts_with('R') => {
+            (Self::Number | Self::Radius | Self::Height { .. }, Lang::Cs) if address.starts_with('R') => {
                 "R je v tomto systému parametr, nikdy poloměr ani výška"
             }
             (
-                Self::Number | Self::Radius | Self::Height | Self::Line { .. } | Self::Parameter | Self::Written { .. },
+                Self::Number
+                | Self::Radius
+                | Self::Height { .. }
+                | Self::Line { .. }
+                | Self::Parameter
+                | Self::LetterForDigit { .. }
+                | Self::Written { .. },
                 _,
             ) => "",
         }
@@ -432,10 +460,12 @@ impl PointMeant {
 bilingual! {
     /// What was probably meant by an L without use (W0402).
     UnusedMeant {
-        Target "`L` goes with G71, G72, G73 or G79", "L patří ke G71, G72, G73 nebo G79";
+        Target "`L` goes with a function: G71 calls a subprogram, G72 a macrocycle, G73 jumps to a block", "L patří k funkci: G71 volá podprogram, G72 makrocyklus, G73 skáče na blok";
+        Jump { written: String } "if a jump is meant, write `{written}`; a subprogram is called by G71, a macrocycle by G72", "měl-li to být skok, napsat „{written}“; podprogram volá G71, makrocyklus G72";
+        CallOrJump { call: String, jump: String } "if a call is meant, write `{call}`; if a jump, `{jump}`", "mělo-li to být volání, napsat „{call}“, měl-li to být skok, „{jump}“";
         Call { written: String } "M98 calls nothing here; a subprogram is called by `{written}`", "M98 zde nevolá podprogram; volá ho „{written}“";
-        Exchanged { written: String } "if a call is meant, write `{written}`", "mělo-li to být volání, napsat „{written}“";
-        Alone { written: String } "a subprogram is called by `{written}`", "podprogram volá „{written}“";
+        Exchanged { written: String } "if a call or jump is meant, write `{written}`", "mělo-li to být volání nebo skok, napsat „{written}“";
+        Alone { written: String } "a subprogram is called by `{written}`; a jump is written with G73, the call of a macrocycle with G72", "podprogram volá „{written}“; skok se píše s G73, volání makrocyklu s G72";
         Tables "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59", "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59";
     }
 }

@@ -387,9 +387,9 @@ diagnostics! {
         en "`{address}` is no address of this control"
         cs "{address} není adresa tohoto systému"
         help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
-    [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String, call: Option<String> }
-        en "{address} takes {range}"
-        cs ({ let range = range_cs(range); format!("{address} má rozsah {range}") })
+    [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String, mode: Option<GCode>, call: Option<String> }
+        en ({ let under = mode.map_or_else(String::new, |mode| format!(" under {mode}")); format!("{address} takes {range}{under}") })
+        cs ({ let range = range_cs(range); let under = mode.map_or_else(String::new, |mode| format!(" při {mode}")); format!("{address} má{under} rozsah {range}") })
         help (match call { Some(call) => format!("if a call is meant, write `{call}`"), None => other_range(*address, range, Lang::En).to_owned() })
            | (match call { Some(call) => format!("mělo-li to být volání, napsat „{call}“"), None => other_range(*address, range, Lang::Cs).to_owned() })
     [W0303] FinerThanResolution "finer-than-resolution" Warning { rounded: String }
@@ -454,11 +454,11 @@ diagnostics! {
         cs "Q zde nemá význam"
         help "`Q` goes with G71, G72, G73 or, as the dwell time, with G04"
            | "Q patří ke G71, G72, G73 nebo jako délka prodlevy ke G04"
-    [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool, without_entry: Option<u32> }
+    [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool, without_entry: Option<u32>, uncalled: Option<u32> }
         en (if *from_macrocycle { format!("a macrocycle cannot call subprogram L{l}: subprograms belong to the program's file") } else { format!("there is no subprogram L{l} in this file") })
         cs (if *from_macrocycle { format!("makrocyklus nemůže volat podprogram L{l}: podprogramy patří k souboru programu") } else { format!("podprogram L{l} v souboru není") })
-        help (match without_entry { Some(block) => format!("if it begins with N{block}, put a block before it: `N… G79 L{l}`"), None if *macrocycle => format!("L{l} is a macrocycle: call it with `G72 L{l}`"), None if *from_macrocycle => "call a macrocycle with G72".to_owned(), None => nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
-           | (match without_entry { Some(block) => format!("začíná-li blokem N{block}, doplnit před něj blok „N… G79 L{l}“"), None if *macrocycle => format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“"), None if *from_macrocycle => "volat makrocyklus pomocí G72".to_owned(), None => nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
+        help (match without_entry { Some(block) => format!("if it begins with N{block}, put a block before it: `N… G79 L{l}`"), None if let Some(other) = uncalled => format!("nothing calls L{other}: if it is meant, write `G79 L{l}` where it begins, or `G71 L{other}` in the calls"), None if *macrocycle => format!("L{l} is a macrocycle: call it with `G72 L{l}`"), None if *from_macrocycle => "call a macrocycle with G72".to_owned(), None => nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
+           | (match without_entry { Some(block) => format!("začíná-li blokem N{block}, doplnit před něj blok „N… G79 L{l}“"), None if let Some(other) = uncalled => format!("L{other} nic nevolá: je-li míněn, napsat na jeho začátku „G79 L{l}“, nebo ve voláních „G71 L{other}“"), None if *macrocycle => format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“"), None if *from_macrocycle => "volat makrocyklus pomocí G72".to_owned(), None => nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
     [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool, calls: usize, near: Option<u32> }
         en (if *calls > 1 { format!("macrocycle L{l} is not on the search path; {calls} blocks call it") } else { format!("macrocycle L{l} is not on the search path") })
         cs (if *calls > 1 { format!("makrocyklus L{l} na cestě hledání není; program ho volá {calls}×") } else { format!("makrocyklus L{l} na cestě hledání není") })

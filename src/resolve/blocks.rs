@@ -1,6 +1,6 @@
 //! The checks of one block, as far as its written values go.
 
-use super::forms::{FormFault, check_form};
+use super::forms::{FormFault, check_form, feed_mode_before};
 use super::letters::{Letters, bit};
 use super::planes::missing_axis;
 use super::roles::{Roles, Taker};
@@ -337,8 +337,20 @@ impl<'a> BlockChecker<'a> {
                 // What belongs to a function of another control has its finding there.
                 if !functions.takes_elsewhere(address) {
                     let call = functions.calls_elsewhere().and_then(|_| call_elsewhere(address, value, functions));
-                    let range = self.range_here(word, value, feed_mode).unwrap_or(range);
-                    self.report_value(word, Finding::ValueOutOfRange { address, range, call });
+                    let place = self.file.value_place(word);
+                    let (range, mode, there) = match self.range_here(word, value, feed_mode) {
+                        Some((range, mode, there)) => (range, Some(mode), there),
+                        None => (range, feed_mode.filter(|_| address == Address::F), None),
+                    };
+                    let finding = Finding::ValueOutOfRange { address, range, mode, call };
+                    let diagnostic = Diagnostic::new(finding, place);
+                    self.findings.add(match (there, mode) {
+                        (Some(there), Some(mode)) => {
+                            let label = LabelText::InForce { function: mode.to_string() };
+                            diagnostic.with_label(self.file.word_place(there), label)
+                        }
+                        _ => diagnostic,
+                    });
                 }
                 return false;
             }
@@ -363,21 +375,18 @@ impl<'a> BlockChecker<'a> {
     }
 
     /// The one range of F that holds at a word, where the block does not say it: by the last G6 function before it in the
-    /// text, in a program else by that of power-up.
-    fn range_here(&self, word: Word, value: Decimal, mode: Option<GCode>) -> Option<String> {
-        /// So many blocks are looked at.
-        const BLOCKS: u32 = 1 << 10;
+    /// text, in a program else by that of power-up; with that function, and where it is written.
+    fn range_here(&self, word: Word, value: Decimal, mode: Option<GCode>) -> Option<(String, GCode, Option<Word>)> {
         if word.address != Address::F || mode.is_some() {
             return None;
         }
         let block = self.file.block_at(word.start())?;
-        let of_group = |word: &Word| g_code(*word).filter(|code| code.group() == GGroup::G6);
-        let mut blocks = (block.0.saturating_sub(BLOCKS)..block.0).rev().map(BlockId);
-        let written = blocks.find_map(|block| self.file.words(block).iter().rev().find_map(of_group));
+        let written = feed_mode_before(self.file, block).map(|(code, word)| (code, Some(word)));
         let power_up = || self.settings.machine.power_up.get(GGroup::G6.index()).copied().flatten();
-        let mode = written.or_else(|| power_up().filter(|_| self.file.form == Form::Program))?;
+        let (mode, there) =
+            written.or_else(|| Some((power_up().filter(|_| self.file.form == Form::Program)?, None)))?;
         match check_form(&self.settings.machine, Address::F, value, false, Some(mode)) {
-            Err(FormFault::Range(range)) => Some(range),
+            Err(FormFault::Range(range)) => Some((range, mode, there)),
             Ok(()) | Err(FormFault::Fraction | FormFault::Digits) => None,
         }
     }
@@ -425,12 +434,16 @@ impl<'a> BlockChecker<'a> {
                 let known = || self.known_subprograms().unwrap_or_else(|| meant.clone());
                 *meant = if only_g { TargetMeant::Millimetres } else { known() };
             }
-            let exchanged =
-                unused::exchanged_call(words, functions).filter(|(code, l)| *code != GCode::G71 || self.is_unit(*l));
+            let exchanged = unused::exchanged_call(self.units, words, functions)
+                .filter(|(code, l)| *code != GCode::G71 || unused::is_unit(self.units, *l));
+            let unused = matches!(finding, Finding::UnusedRepeat {} | Finding::UnusedTarget { .. });
+            if unused && self.is_refused(word) {
+                return;
+            }
             if matches!(finding, Finding::UnusedRepeat {})
                 && (functions.is_call_elsewhere(words)
                     || exchanged.is_some()
-                    || unused::call_alone(words).is_some_and(|l| self.is_unit(l)))
+                    || unused::is_call_alone(self.file, self.units, words))
             {
                 return;
             }
@@ -448,9 +461,9 @@ impl<'a> BlockChecker<'a> {
                         UnusedMeant::Exchanged { written: format!("{code} L{l}{count}") }
                     }
                     None => {
-                        let called = unused::call_alone(words).filter(|l| self.is_unit(*l));
-                        let alone = called.map(|l| UnusedMeant::Alone { written: unused::alone_written(words, l) });
-                        alone.unwrap_or_else(|| unused::meant(words, functions, word))
+                        let meant = unused::meant(words, functions, word);
+                        let lost = || unused::lost_function(self.file, self.units, words, word);
+                        if meant == UnusedMeant::Target { lost() } else { meant }
                     }
                 };
             }
@@ -468,9 +481,11 @@ impl<'a> BlockChecker<'a> {
         }
     }
 
-    /// Whether the file has a subprogram of that number.
-    fn is_unit(&self, l: u32) -> bool {
-        self.units.iter().any(|unit| unit.kind == UnitKind::Subprogram(Some(l)))
+    /// Whether a word of the block in hand has a finding about its value.
+    fn is_refused(&self, word: Word) -> bool {
+        /// So many words of a block are looked at.
+        const WORDS: usize = 64;
+        self.refused.iter().rev().take(WORDS).any(|start| *start == word.start())
     }
 
     /// The first subprograms of the file, when there are any.

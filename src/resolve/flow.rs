@@ -1,14 +1,15 @@
 //! Where the calls and jumps that are written with digits lead (§6).
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::blocks::g_code;
 use super::structure::{Context, l_number};
-use super::{Resolved, Roles, Target, Unit, UnitId, UnitKind, targets};
-use crate::diag::{Diagnostic, Finding, LabelText};
+use super::{Resolved, Roles, Target, Unit, UnitId, UnitKind, spelling, targets};
+use crate::diag::{Diagnostic, Finding, Findings, Label, LabelText};
 use crate::dict::{Address, CALL_ELSEWHERE, Decimal, GCode};
 use crate::syntax::{BlockFlags, BlockId, Word};
-use crate::text::FileId;
+use crate::text::{FileId, Location};
 
 /// A call or jump as written, the only function of its group in the block.
 #[derive(Clone, Copy, Debug)]
@@ -158,7 +159,7 @@ fn jump(
 /// Warns of subprograms that no G71 names, unless one takes its L from a parameter (PRG-4).
 pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
     let Some(parsed) = resolved.file(FileId(0)) else { return };
-    let mut named = std::collections::BTreeSet::new();
+    let mut named = BTreeSet::new();
     for block in parsed.block_ids() {
         if !parsed.flags(block).has(BlockFlags::RICH) {
             continue;
@@ -189,8 +190,10 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         {
             named.insert(l);
         }
-        // An L alone has its finding too.
-        named.extend(super::unused::call_alone(words));
+        // An L without its function has its finding too.
+        if matches!(Roles::written(words).taker, super::Taker::Nothing) {
+            named.extend(l.and_then(l_number));
+        }
         // M98 and G65 have their findings: they were to call the subprogram.
         let number = |word: &Word| word.number().or_else(|| word.refused_number()).and_then(Decimal::as_whole);
         let calls_elsewhere = |word: &Word| {
@@ -209,6 +212,50 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
             context.findings.add(Diagnostic::new(Finding::UnusedSubprogram { l }, unit.entry));
         }
     }
+}
+
+/// Calls of one subprogram that is missing are one finding, at the first of them, where the file has a subprogram that
+/// nothing calls: the number in its G79 is wrong, or all calls were to be written anew.
+pub(super) fn join_calls(resolved: &Resolved, findings: &mut Findings) {
+    let missing = |found: &Diagnostic| {
+        let Finding::UnknownSubprogram { l, from_macrocycle, macrocycle, without_entry, .. } = found.finding else {
+            return None;
+        };
+        (!from_macrocycle && !macrocycle && without_entry.is_none()).then_some(l)
+    };
+    let mut first: BTreeMap<u32, (usize, Location)> = BTreeMap::new();
+    for (l, found) in findings.items().iter().filter_map(|found| Some((missing(found)?, found))) {
+        let (count, place) = first.entry(l).or_insert((0, found.at));
+        *count += 1;
+        *place = found.at.min(*place);
+    }
+    if first.values().all(|(count, _)| *count < 2) {
+        return;
+    }
+    let called: BTreeSet<UnitId> = resolved
+        .files
+        .iter()
+        .flat_map(|file| &file.targets)
+        .filter_map(|(_, target)| match target {
+            Target::Unit(unit) => Some(*unit),
+            Target::Block(_) => None,
+        })
+        .collect();
+    let uncalled: Vec<(u32, UnitId)> =
+        resolved.subprograms.iter().map(|(l, unit)| (*l, *unit)).filter(|(_, unit)| !called.contains(unit)).collect();
+    findings.revise(|found| {
+        let Some(l) = missing(found) else { return true };
+        let Some(&(_, place)) = first.get(&l).filter(|(count, _)| *count > 1) else { return true };
+        let nearest = uncalled.iter().min_by_key(|(other, _)| spelling::distance(*other, l));
+        let Some((other, unit)) = nearest.and_then(|(l, unit)| Some((*l, resolved.unit(*unit)?))) else { return true };
+        if let Finding::UnknownSubprogram { near, uncalled, .. } = &mut found.finding
+            && found.at == place
+        {
+            (*near, *uncalled) = (None, Some(other));
+            found.labels.push(Label { at: unit.entry, text: LabelText::UnitBegins { l: other } });
+        }
+        found.at == place
+    });
 }
 
 /// Whether the block may call a subprogram whose number is not written.

@@ -1,8 +1,10 @@
 //! Whether a value fits its address (§2, ADR-1, ADR-2, TEC-1). The same rules for values written out and for those that
 //! parameters give.
 
+use super::blocks::g_code;
 use crate::config::Machine;
-use crate::dict::{Address, Decimal, FEED_PER_REVOLUTION, FeedPer, GCode, ValueForm};
+use crate::dict::{Address, Decimal, GCode, GGroup, Lang, ValueForm, ValueRange, When};
+use crate::syntax::{BlockId, ParsedFile, Word};
 
 /// How a value does not fit.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -15,15 +17,13 @@ pub enum FormFault {
     Range(String),
 }
 
-/// The range of F that counts: by the G6 function in force, or both when that is not known (TEC-1).
-pub fn feed_range(machine: &Machine, mode: Option<GCode>) -> (Decimal, Decimal) {
-    let per_revolution = FEED_PER_REVOLUTION;
-    let per_minute = (Decimal::whole(1), machine.limits.feed);
-    match mode.and_then(|mode| machine.feed_mode(mode)).map(|mode| mode.per) {
-        Some(FeedPer::Revolution) => per_revolution,
-        Some(FeedPer::Minute) => per_minute,
-        None => (per_revolution.0, per_revolution.1.max(per_minute.1)),
-    }
+/// The last function that says the unit of F before a block, in the order of the text, and its word.
+pub fn feed_mode_before(file: &ParsedFile, block: BlockId) -> Option<(GCode, Word)> {
+    /// So many blocks are looked at.
+    const BLOCKS: u32 = 1 << 10;
+    let of_group = |word: &Word| g_code(*word).filter(|code| code.group() == GGroup::G6).map(|code| (code, *word));
+    let mut blocks = (block.0.saturating_sub(BLOCKS)..block.0).rev().map(BlockId);
+    blocks.find_map(|block| file.words(block).iter().rev().find_map(of_group))
 }
 
 /// Checks `value` for `address`; `dwell`: Q is a dwell time; `feed`: the range that F must keep, none: not yet known.
@@ -41,52 +41,28 @@ pub fn check_form(
     if !form.takes_point(machine.dialect) && !value.is_whole() {
         return Err(FormFault::Fraction);
     }
-    let within = |min: Decimal, max: Decimal, unit: &str| {
-        if min <= value && value <= max { Ok(()) } else { Err(FormFault::Range(format!("{min}–{max}{unit}"))) }
-    };
-    let dimension = |unit: &str| {
-        if value.abs() <= Decimal::DIMENSION_MAX {
-            Ok(())
-        } else {
-            Err(FormFault::Range(format!("±{}{unit}", Decimal::DIMENSION_MAX)))
-        }
-    };
     match form {
         ValueForm::None => Ok(()),
-        ValueForm::Whole { max, .. } if dwell && address == Address::Q => {
-            within(Decimal::ZERO, Decimal::whole(max), " × 10 ms")
-        }
-        ValueForm::Whole { min, max } => {
-            let speed = (i64::from(machine.limits.speed), " rev/min");
-            let (max, unit) = if address == Address::S { speed } else { (max, "") };
-            within(Decimal::whole(min), Decimal::whole(max), unit)
-        }
-        ValueForm::Dimension => {
-            let axis = address.axis().and_then(|letter| machine.axes.index(letter));
-            let rotary = axis.and_then(|axis| machine.axes.get(axis)).is_some_and(|axis| axis.rotary);
-            dimension(if rotary { "°" } else { " mm" })
-        }
-        ValueForm::Auxiliary if form.takes_point(machine.dialect) => dimension(""),
-        ValueForm::Auxiliary => within(Decimal::whole(1), Decimal::whole(99), ""),
-        ValueForm::Technological => within(Decimal::ZERO, Decimal::whole(i64::from(machine.dialect.highest_m())), ""),
+        ValueForm::Dimension if value.abs() <= Decimal::DIMENSION_MAX => Ok(()),
         ValueForm::Parameter if value.fits_parameter() => Ok(()),
         ValueForm::Parameter => Err(FormFault::Range(format!("±{}, ±{}", Decimal::DIMENSION_MAX, Decimal::WHOLE_MAX))),
-        ValueForm::Feed => {
-            let (min, max) = feed_range(machine, feed);
-            let unit = match feed.and_then(|mode| machine.feed_mode(mode)).map(|mode| mode.per) {
-                Some(FeedPer::Revolution) => " mm/rev",
-                Some(FeedPer::Minute) => " mm/min",
-                None if min <= value && value <= max => "",
-                None => {
-                    let range = |mode: GCode, unit: &str| {
-                        let (min, max) = feed_range(machine, Some(mode));
-                        format!("{min}–{max} {unit}")
-                    };
-                    let (minute, revolution) = (range(GCode::G94, "mm/min"), range(GCode::G95, "mm/rev"));
-                    return Err(FormFault::Range(format!("{minute}, {revolution}")));
-                }
+        ValueForm::Whole { .. }
+        | ValueForm::Dimension
+        | ValueForm::Feed
+        | ValueForm::Auxiliary
+        | ValueForm::Technological => {
+            let per = feed.and_then(|function| machine.feed_mode(function)).map(|mode| mode.per);
+            let holds = |range: &ValueRange| match range.when {
+                When::Always => !(dwell && address == Address::Q),
+                When::With(function) => dwell && function == GCode::G04,
+                When::Feed(counted) => per.is_none_or(|per| per == counted),
             };
-            within(min, max, unit)
+            let ranges = machine.ranges(address).into_iter().flatten().filter(holds);
+            if ranges.clone().any(|range| range.contains(value)) {
+                return Ok(());
+            }
+            let texts: Vec<String> = ranges.map(|range| range.text(Lang::En)).collect();
+            Err(FormFault::Range(texts.join(", ")))
         }
         ValueForm::CorrectionDigits => {
             let digits = value.as_whole().unwrap_or(-1);

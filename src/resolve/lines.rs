@@ -65,6 +65,10 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
     findings.revise(|found| {
         let Some(line) = line_of(found) else { return true };
         let start = found.at.span.start;
+        // An L or Q that begins such a line is part of it.
+        if matches!(found.code(), Code::W0402 | Code::W0403) && start == line {
+            return false;
+        }
         if found.code() == Code::W0214 && lines.line_at(start) == lines.line_at(line) {
             return false;
         }

@@ -49,13 +49,29 @@ pub fn resolve_program(
         context.add_program(&mut resolved, parsed);
         flow::follow_calls(&mut context, &mut resolved);
         flow::check_unused(&mut context, &resolved);
+        flow::join_calls(&resolved, context.findings);
         rings::check(&mut context, &resolved);
         if let Some(cut_off) = &resolved.cut_off {
             findings.revise(|found| !cut_off.leads_to(found));
         }
     }
+    join_case(file, findings);
     origin.point_out(settings, findings);
     resolved
+}
+
+/// A single address in lower case has no warning when its word has another finding: the word is to be looked at anyway.
+fn join_case(file: FileId, findings: &mut Findings) {
+    let single =
+        |found: &Diagnostic| found.at.file == file && matches!(found.finding, Finding::LowercaseAddress { count: 1 });
+    let Some(letter) = findings.items().iter().find(|found| single(found)).map(|found| found.at.span) else { return };
+    let of_word = |found: &Diagnostic| {
+        // Its letter, or its number.
+        found.at.file == file && matches!(found.at.span.start.checked_sub(letter.start), Some(0 | 1))
+    };
+    if findings.items().iter().any(|found| !single(found) && of_word(found)) {
+        findings.revise(|found| !single(found));
+    }
 }
 
 /// A `*` that cuts off the rest of the program.
@@ -80,6 +96,30 @@ impl CutOff {
             || code == Code::W0214 && at == last;
         at.file == star.file && follows
     }
+}
+
+/// The `*` among the words of a subprogram without an end, behind which the end stands. Its W0110 stays.
+fn cut_subprogram(parsed: &ParsedFile, unit: &Unit) -> Option<CutOff> {
+    let text = parsed.source.text();
+    let star = Span::new(parsed.end.checked_sub(1)?, parsed.end);
+    let is_star = text.get(star.range()) == Some("*");
+    if unit.end.0 < parsed.block_count() || !is_star || slip_of(&parsed.source, star).is_empty() {
+        return None;
+    }
+    let mut end = parsed.source.len().min(parsed.end.saturating_add(UNREAD));
+    while !text.is_char_boundary(end as usize) {
+        end -= 1;
+    }
+    let is_return = |word: &str| {
+        let number =
+            word.strip_prefix(['G', 'g']).and_then(|number| number.trim_start_matches([' ', '\t']).parse().ok());
+        number == Some(GCode::G70.number())
+    };
+    let mut words = tokens(text, parsed.end, end).filter(|token| token.kind == Kind::Word);
+    let returns = words.any(|token| text.get(token.span().range()).is_some_and(is_return));
+    let last = unit.end.0.checked_sub(1).map(BlockId)?;
+    let slip = Span::empty(star.end);
+    returns.then(|| CutOff { star: parsed.at(star), slip, last: parsed.n_place(last) })
 }
 
 /// What stands on the line of `star` behind it, when there are words before it; else nothing.
@@ -236,8 +276,11 @@ impl Context<'_, '_> {
             excused.extend(ends_before.then_some(block));
             self.check_entry(parsed, block, ends_before);
             let id = resolved.add_unit(unit);
+            // The number that a fix makes of it is a guess.
+            resolved.nameless_subprogram |= l_word.is_some_and(Word::is_faulty);
             if !ended {
                 excused.extend(self.report_unterminated(parsed, &unit));
+                resolved.cut_off = resolved.cut_off.or_else(|| cut_subprogram(parsed, &unit));
             }
             if let (Some(word), Some(l)) = (l_word, l) {
                 match first_of.get(&l) {
@@ -364,7 +407,7 @@ impl Context<'_, '_> {
         for &word in parsed.words(block) {
             // A function of the same group, or a second L, is a finding of its own already.
             let of_group = g_code(word).is_some_and(|code| code.group() == GCode::G79.group());
-            if !of_group && word.address != Address::L && !word.is_faulty() {
+            if !of_group && word.address != Address::L && !word.is_faulty() && !is_letterless(parsed, word) {
                 let place = parsed.word_place(word);
                 let shown = crate::diag::shown(parsed.source.slice(place.span));
                 self.report(place, Finding::CrowdedSubprogramStart { word: shown, unnumbered });
@@ -372,6 +415,14 @@ impl Context<'_, '_> {
             }
         }
     }
+}
+
+/// Whether the line of a word begins with a number: a block number without its letter, which has its finding.
+fn is_letterless(parsed: &ParsedFile, word: Word) -> bool {
+    let line = parsed.source.line_span(parsed.source.lines().line_at(word.start()));
+    let text = parsed.source.slice(line).trim_start_matches([' ', '\t']);
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    digits > 0 && text.as_bytes().get(digits).is_some_and(|byte| matches!(byte, b' ' | b'\t'))
 }
 
 /// Where the main program ends: behind its first M02 or M30 that is not skippable, or before G79; and whether it has an

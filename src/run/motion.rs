@@ -14,7 +14,7 @@ use super::words::{BlockWords, Valued};
 use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
 use crate::diag::{CenterPlace, Finding};
-use crate::dict::{Decimal, GCode, GGroup, Micro};
+use crate::dict::{Address, Decimal, GCode, GGroup, Micro};
 use crate::text::Location;
 
 /// What a block did, for what follows from it.
@@ -106,7 +106,13 @@ fn apply_unmapped_cycle(site: &mut Site<'_>, state: &mut State, block: &mut Bloc
     let Block { words, g, travels, centers, .. } = block;
     let written = words.has(cycle).or_else(|| words.first_axis_word());
     let at = written.map_or_else(|| site.block_place(), |word| site.word_place(word));
-    report_unmodelled(site, state, cycle, at);
+    // A height without a value has its finding, which says what a cycle takes and that it is not known.
+    let height = site.file.words(site.block).iter().any(|word| word.address == Address::R && word.is_void());
+    if height && words.has(cycle).is_some() {
+        state.said.unmodelled.push(cycle);
+    } else {
+        report_unmodelled(site, state, cycle, at);
+    }
     let reading = Reading::of(site.machine(), state, g);
     travels.clear();
     travels.extend(words.axis_words().filter_map(|(axis, word)| reading.travel(site.machine(), state, axis, word)));

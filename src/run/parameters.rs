@@ -7,7 +7,9 @@ use super::state::{Origin, Parameter, State};
 use super::words::{BlockWords, Valued};
 use crate::diag::{ArithmeticFault, Diagnostic, Finding, LabelText, ParameterNeed};
 use crate::dict::{Address, Decimal, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, PROGRAM_ENDS};
-use crate::resolve::{FormFault, check_form, control_result, control_word, missing_control_words, value_or_word};
+use crate::resolve::{
+    FormFault, check_form, control_result, control_word, feed_mode_before, g_code, missing_control_words, value_or_word,
+};
 use crate::syntax::{Value, Word};
 use crate::text::Location;
 
@@ -42,18 +44,34 @@ pub(super) fn evaluate_form(
     match check_form(site.machine(), word.address, number, dwell, feed) {
         Ok(()) => Valued { word, value },
         Err(fault) => {
-            report_form(site, state, word, number, fault);
+            report_form(site, state, (word, feed), number, fault);
             Valued { word, value: None }
         }
     }
 }
 
-fn report_form(site: &mut Site<'_>, state: &State, word: Word, value: Decimal, fault: FormFault) {
+fn report_form(
+    site: &mut Site<'_>,
+    state: &State,
+    (word, feed): (Word, Option<GCode>),
+    value: Decimal,
+    fault: FormFault,
+) {
     let needs = match fault {
         FormFault::Fraction => ParameterNeed::Whole,
         FormFault::Digits => ParameterNeed::CorrectionDigits,
         FormFault::Range(range) if !word.is_parametric() => {
-            site.found(Finding::ValueOutOfRange { address: word.address, range, call: None }, site.value_place(word));
+            let finding = Finding::ValueOutOfRange { address: word.address, range, mode: feed, call: None };
+            let diagnostic = Diagnostic::new(finding, site.value_place(word));
+            let here =
+                site.file.words(site.block).iter().any(|word| g_code(*word).is_some_and(|code| Some(code) == feed));
+            let there = feed_mode_before(site.file, site.block).filter(|(code, _)| !here && Some(*code) == feed);
+            site.report(match there {
+                Some((code, g)) => {
+                    diagnostic.with_label(site.word_place(g), LabelText::InForce { function: code.to_string() })
+                }
+                None => diagnostic,
+            });
             return;
         }
         FormFault::Range(range) => ParameterNeed::Range(range),

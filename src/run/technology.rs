@@ -5,7 +5,7 @@ use super::site::Site;
 use super::state::{Held, Noted, State};
 use super::words::{BlockWords, Valued};
 use crate::diag::{Finding, ParameterNeed};
-use crate::dict::{Address, GCode, GGroup, Micro};
+use crate::dict::{Address, DYNAMIC_SETS, GCode, GGroup, Lang, Micro};
 
 /// F, S, T, H, P (D and `&` belong to the origin).
 pub(super) fn hold(site: &Site<'_>, state: &mut State, words: &BlockWords) {
@@ -40,14 +40,19 @@ pub(super) fn choose_dynamic_set(site: &mut Site<'_>, state: &mut State, words: 
     let (Some(i), Some(_)) = (words.i, words.has(GCode::G23)) else { return false };
     let Some(value) = i.value else { return true };
     match value.as_whole() {
-        Some(set @ 1..=4) => state.dynamic_set = u8::try_from(set).ok(),
+        Some(set) if DYNAMIC_SETS.contains(value) => state.dynamic_set = u8::try_from(set).ok(),
         _ if i.word.is_parametric() => {
-            let range = || ParameterNeed::Range("1–4".to_owned());
+            let range = || ParameterNeed::Range(DYNAMIC_SETS.text(Lang::En));
             let needs = if value.is_whole() { range() } else { ParameterNeed::Whole };
             report_unusable(site, state, i.word, value, needs);
         }
         _ => {
-            let finding = Finding::ValueOutOfRange { address: Address::I, range: "1–4 (G23)".to_owned(), call: None };
+            let finding = Finding::ValueOutOfRange {
+                address: Address::I,
+                range: DYNAMIC_SETS.text(Lang::En),
+                mode: Some(GCode::G23),
+                call: None,
+            };
             site.found(finding, site.value_place(i.word));
         }
     }

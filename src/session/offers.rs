@@ -58,7 +58,7 @@ impl Offers<'_> {
             (taker == code && g.is_plain()).then_some(g)
         };
         let text = file.source.text();
-        if let Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry } = found.finding {
+        if let Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, .. } = found.finding {
             let g = called(GCode::G71)?;
             if macrocycle {
                 return Some(offer(FixTitle::Write { text: format!("G72 L{l}") }, file, g.span(text), "G72"));

@@ -81,6 +81,7 @@ impl Lowering<'_> {
             (Kind::Variable, Self::variable),
             (Kind::ForeignStart, Self::foreign_start),
             (Kind::JumpTarget, Self::jump_target),
+            (Kind::MixedNumber, Self::mixed_number),
             (Kind::Unit, Self::unit),
         ];
         if let Some((_, handle)) = handle.into_iter().find(|(kind, _)| *kind == token.kind) {
@@ -417,6 +418,32 @@ impl Lowering<'_> {
     /// R and something that is no number of a parameter: `R5.5`, `R-5`.
     pub(super) fn radius(&mut self, address: Token, span: Span) {
         self.void_word(address, span, |text| Finding::MalformedNumber { text, meant: NumberMeant::Parameter });
+    }
+
+    /// `R10-=12`: nothing is computed with `=`, and a sign stands behind it.
+    pub(super) fn sign_before_equals(&mut self, target: Token, sign: Token, value: Token) {
+        let span = target.span().to(value.span());
+        let (number, faulty) = self.parameter(target);
+        let Some(number) = number else {
+            self.push_void(Address::R, span);
+            return;
+        };
+        let value = self.slice(value.span()).to_ascii_uppercase();
+        let text_here = format!("R{number}={}{value}", self.slice(sign.span()));
+        let place = self.at(span);
+        let written = written(&value).filter(|_| !value.starts_with(['+', '-'])).map(|_| text_here);
+        let meant = match &written {
+            Some(written) => NumberMeant::SignBeforeEquals { written: shown(written) },
+            None => NumberMeant::Computed,
+        };
+        if !faulty {
+            let diagnostic = Diagnostic::new(Finding::MalformedNumber { text: shown(self.slice(span)), meant }, place);
+            self.pending.push(match written {
+                Some(written) => diagnostic.with_offer(FixTitle::Write { text: shown(&written) }, place, written),
+                None => diagnostic,
+            });
+        }
+        self.push(Word::bare(Address::R, span).assigning(number).faulty(), span);
     }
 
     /// `-X10`.

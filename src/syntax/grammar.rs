@@ -35,6 +35,8 @@ pub(super) enum Item {
     SplitParameter { target: Token, value: Token },
     /// R and what is no number of a parameter: `R-5`, `R-1=5`, `R=5`.
     Radius { first: Token, last: Token },
+    /// A sign before the `=` of a parameter: `R10-=12`.
+    SignBeforeEquals { target: Token, sign: Token, value: Token },
     /// A sign before a word: `-X10`.
     SignFirst { sign: Token, word: Token },
     /// A parameter with `=` and characters that the control does not know: `R10=−5`.
@@ -163,6 +165,12 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         .then_ignore(parameter.then(one(Kind::Equals)).rewind())
         .map(|(address, end)| Item::Valueless { address, end, comments: None });
     let sign_first = one(Kind::Sign).then(one(Kind::Word)).map(|(sign, word)| Item::SignFirst { sign, word });
+    let sign_before_equals = parameter
+        .then(one(Kind::Sign))
+        .then_ignore(one(Kind::Equals))
+        .then(value)
+        .then_ignore(operands)
+        .map(|((target, sign), value)| Item::SignBeforeEquals { target, sign, value });
     let odd_value = parameter
         .then_ignore(one(Kind::Equals))
         .then(one(Kind::Unknown))
@@ -177,6 +185,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
                     | Kind::Variable
                     | Kind::ForeignStart
                     | Kind::JumpTarget
+                    | Kind::MixedNumber
                     | Kind::Unit
             )
         })
@@ -234,7 +243,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         comment,
         many_signs,
         word,
-        choice((bracketed, unassigned, split_parameter, no_parameter)),
+        choice((bracketed, unassigned, split_parameter, sign_before_equals, no_parameter)),
         copy,
         assignment,
         short_assignment,

@@ -2,6 +2,7 @@
 //! what was meant by it.
 
 use super::lower::Lowering;
+use super::misread::look_alike;
 use super::missing::SLIPS;
 use super::{BlockFlags, Kind, Word, tokens};
 use crate::diag::{
@@ -19,7 +20,7 @@ const MILLISECONDS: i64 = 100;
 impl Lowering<'_> {
     /// Whether a word of the block in hand may be written as other controls do, so that its end has to be looked at.
     pub(super) const fn is_candidate(number: u8) -> bool {
-        matches!(number, 4 | 70..=73)
+        matches!(number, 4 | 70..=73 | 79)
     }
 
     /// Ends a block whose words begin at `first` in the arena, its `N` included.
@@ -29,11 +30,13 @@ impl Lowering<'_> {
             self.dwell(first);
             self.dwell_with_comma(first);
         }
+        self.small_l_in_number(first);
         if self.pending.is_empty() {
             return;
         }
+        self.letters_for_digits(first);
         self.forgotten_addresses(first);
-        self.letters_for_one(first);
+        self.letters_for_last_digits(first);
         self.letters_in_functions(first);
         self.radius_in_arc(first);
         self.line_elsewhere(first);
@@ -81,6 +84,7 @@ impl Lowering<'_> {
             let meant = if drilling { TargetMeant::Drilling } else { TargetMeant::Turning };
             Diagnostic::new(Finding::MissingTarget { function, meant }, place(g))
         } else {
+            self.entry_by_p(first);
             return;
         };
         self.pending.retain(|found| is_about_comments(found.code()));
@@ -89,6 +93,15 @@ impl Lowering<'_> {
         let text = self.text;
         for word in self.words.iter_mut().skip(first).filter(|word| word.address != Address::N) {
             *word = Word::bare(word.address, word.span(text)).faulty().assigning(word.target());
+        }
+    }
+
+    /// `G79 P100`: the number of a subprogram behind another address.
+    fn entry_by_p(&mut self, first: usize) {
+        let Some((_, function, g)) = self.g_word(first, &[GCode::G79]) else { return };
+        if let Some(number) = self.called_by_p(first) {
+            let place = self.at(g.span(self.text));
+            self.called_in_place(first, function, place, number);
         }
     }
 
@@ -193,17 +206,20 @@ impl Lowering<'_> {
         }
     }
 
-    /// `G0I`, `X6l`: a letter without a value, right behind a number, is a digit 1. Of words without a decimal point too the
+    /// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words without a decimal point too the
     /// other reading is possible, so that it is offered only.
-    fn letters_for_one(&mut self, first: usize) {
+    fn letters_for_last_digits(&mut self, first: usize) {
         for _ in 0..SLIPS {
-            let Some(at) = (first + 2..self.words.len()).find(|at| self.is_letter_for_one(first, *at)) else { return };
+            let Some(at) = (first + 2..self.words.len()).find(|at| self.is_letter_for_digit(first, *at)) else {
+                return;
+            };
             let (Some(word), Some(letter)) = (self.words.get(at - 1).copied(), self.words.get(at).copied()) else {
                 return;
             };
             let (word_span, letter_span) = (word.span(self.text), letter.span(self.text));
             let span = word_span.to(letter_span);
-            let text = format!("{}1", self.slice(word_span).to_ascii_uppercase());
+            let Some(digit) = look_alike(self.byte(letter_span.start)) else { return };
+            let text = format!("{}{digit}", self.slice(word_span).to_ascii_uppercase());
             let number = text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
             let Some(number) = Number::parse(number.as_bytes()) else { return };
             self.words.remove(at);
@@ -276,34 +292,42 @@ impl Lowering<'_> {
         }
     }
 
-    /// R without `=` beside a fixed cycle is meant as its height.
+    /// R without `=` beside a fixed cycle is meant as its height; then what else other controls write there is part of it.
     fn height_of_cycle(&mut self, first: usize) {
-        if !self
-            .block_words(first)
-            .iter()
-            .any(|word| word.address == Address::G && word.whole().is_some_and(|number| (81..=89).contains(&number)))
-        {
-            return;
-        }
+        let code = |word: &Word| word.whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number);
+        let of_cycle = |word: &Word| code(word).filter(|code| word.address == Address::G && code.is_cycle());
+        let Some(cycle) = self.block_words(first).iter().find_map(of_cycle) else { return };
+        let mut height = false;
         for found in &mut self.pending {
             if let Finding::MissingValue { address, meant: meant @ (ValueMeant::Number | ValueMeant::Beyond) } =
                 &mut found.finding
                 && address.starts_with('R')
             {
-                *meant = ValueMeant::Height;
+                *meant = ValueMeant::Height { cycle };
+                height = true;
             } else if let Finding::MalformedNumber { meant: NumberMeant::Parameter, .. } = &found.finding {
                 let address = shown(self.text.get(found.at.span.range()).unwrap_or_default());
-                found.finding = Finding::MissingValue { address, meant: ValueMeant::Height };
+                found.finding = Finding::MissingValue { address, meant: ValueMeant::Height { cycle } };
+                height = true;
+            }
+        }
+        let text = self.text;
+        for word in self.words.iter_mut().skip(first).filter(|_| height) {
+            if matches!(word.address, Address::Q | Address::P | Address::K | Address::L) {
+                *word = Word::bare(word.address, word.span(text)).faulty();
             }
         }
     }
 
     /// Whether the word at `at` is a letter for the last digit of the word before it, in a block whose words begin at `first`.
-    fn is_letter_for_one(&mut self, first: usize, at: usize) -> bool {
+    fn is_letter_for_digit(&mut self, first: usize, at: usize) -> bool {
         let (Some(word), Some(letter)) = (self.words.get(at - 1).copied(), self.words.get(at).copied()) else {
             return false;
         };
-        if !letter.is_void() || !letter.is_faulty() || !matches!(letter.address, Address::I | Address::L) {
+        if !letter.is_void()
+            || !letter.is_faulty()
+            || !matches!(letter.address, Address::I | Address::L | Address::S | Address::B)
+        {
             return false;
         }
         let (word_span, letter_span) = (word.span(self.text), letter.span(self.text));
@@ -316,7 +340,7 @@ impl Lowering<'_> {
             && numbered
             && room
             && match self.byte(letter_span.start) {
-                b'l' => true,
+                b'l' | b'S' | b'B' => true,
                 b'I' => !self.block_words(first).iter().any(center) && !self.arc_in_force(),
                 _ => false,
             }

@@ -1,6 +1,7 @@
 //! From the items of the grammar to words, comments and findings.
 
 use super::grammar::Item;
+use super::misread::look_alike;
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
 use crate::diag::{CommaMeant, Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
@@ -86,6 +87,7 @@ impl<'t> Lowering<'t> {
             Item::NoParameter { address, parameter } => self.no_parameter(address, parameter),
             Item::SplitParameter { target, value } => self.split_parameter(target, value),
             Item::Radius { first, last } => self.radius(first, first.span().to(last.span())),
+            Item::SignBeforeEquals { target, sign, value } => self.sign_before_equals(target, sign, value),
             Item::SignFirst { sign, word } => self.sign_first(sign, word),
             Item::OddValue { target, value } => self.odd_value(target, value),
             Item::Foreign(token) => self.foreign(token),
@@ -290,8 +292,9 @@ impl<'t> Lowering<'t> {
             joined.push_str(self.slice(piece.span()));
         }
         let comma = joined.contains(',');
-        let letter = joined.contains(['o', 'O', 'l', 'I']);
-        let fixed = joined.replace(',', ".").replace(['o', 'O'], "0").replace(['l', 'I'], "1");
+        let letter = joined.contains(['o', 'O', 'l', 'I', 'S', 'B']);
+        let digit = |letter: char| u8::try_from(letter).ok().and_then(look_alike).unwrap_or(letter);
+        let fixed: String = joined.replace(',', ".").chars().map(digit).collect();
         // A comma behind a number parts it from the next word.
         let fixed = if joined.ends_with(',') { fixed.trim_end_matches('.') } else { fixed.as_str() };
         let number = Number::parse(fixed.as_bytes());
@@ -316,7 +319,14 @@ impl<'t> Lowering<'t> {
         };
         // Of words without a decimal point two may have been written as one, `M0 3`: joining is offered, and its value
         // taken for what follows, unless an address is missing. `XI` may be two addresses without values.
-        let doubtful = joined == "I" || matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
+        // Letters alone are a guess too.
+        let guess = joined.contains(['S', 'B'])
+            || letter
+                && matches!(address, Address::N | Address::L)
+                && joined.len() > 1
+                && !joined.bytes().any(|byte| byte.is_ascii_digit());
+        let doubtful =
+            joined == "I" || guess || matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
         let corrected = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
         let title = FixTitle::Write { text: shown(&fixed) };

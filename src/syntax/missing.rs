@@ -1,7 +1,6 @@
 //! A number behind a word and a blank: its address was forgotten, or a blank is inside a number (LEX-3).
 
 use super::lower::Lowering;
-use super::number::Number;
 use super::{Kind, Word, tokens};
 use crate::diag::{Code, Diagnostic, Edit, Finding, Fix, FixTitle, NumberMeant, shown};
 use crate::dict::{Address, GCode, GGroup, TOOL_CHANGE};
@@ -15,14 +14,14 @@ pub(super) const SLIPS: usize = 64;
 const CORRECTION_DIGITS: usize = 4;
 
 /// A word in two pieces.
-struct Split {
+pub(super) struct Split {
     /// Where it is among the words.
-    at: usize,
-    word: Word,
+    pub(super) at: usize,
+    pub(super) word: Word,
     /// The digits of the first piece, as they are written.
-    number: String,
+    pub(super) number: String,
     /// The second piece.
-    loose: Span,
+    pub(super) loose: Span,
     text: String,
 }
 
@@ -88,7 +87,7 @@ impl Lowering<'_> {
 
     fn forgotten_address(&mut self, first: usize, at: usize, split: &Split, signed: bool) {
         let word = split.word;
-        if !signed && self.exchanged_address(at, split) {
+        if self.exchanged_words(at, split) || !signed && self.exchanged_address(at, split) {
             return;
         }
         // `G7L1 100`: digits and letters are mixed up from the function on.
@@ -149,6 +148,11 @@ impl Lowering<'_> {
         else {
             return false;
         };
+        // `G0 2X10`, `Y4 0I15`: it goes on with the number before it.
+        if split.is_function() || split.text.starts_with('0') && rest.starts_with(|first: char| first.is_ascii_digit())
+        {
+            return false;
+        }
         // `N18 0G71`: a function has two digits already.
         let function = matches!(next.address, Address::G | Address::M);
         if function && rest.len() + split.text.len() > 2 {
@@ -166,14 +170,10 @@ impl Lowering<'_> {
             found.fixes.push(Fix { title, edits: vec![Edit { at: place, text: written }], certain: false });
         }
         self.pending.retain(|found| found.code() != Code::E0103 || found.at.span != of_letter.span);
-        let first_piece = Number::parse(split.number.as_bytes());
-        let head = Span::new(split.word.start(), split.loose.start);
-        let kept = first_piece.map_or_else(
-            || Word::bare(split.word.address, head),
-            |number| Word::with_number(split.word.address, head, number),
-        );
-        let unknown = Word::bare(next.address, span).faulty();
-        self.words.splice(split.at..=split.at + 1, [kept.faulty(), unknown]);
+        self.keep_first_piece(split);
+        if let Some(slot) = self.words.get_mut(split.at + 1) {
+            *slot = Word::bare(next.address, span).faulty();
+        }
         true
     }
 
@@ -200,7 +200,10 @@ impl Lowering<'_> {
         let tool = |word: &Word| word.address == Address::M && word.whole() == Some(i64::from(TOOL_CHANGE));
         let address = split.word.address;
         let wanted = |wanted: bool, address: Address| wanted.then_some(address);
-        if address == Address::N {
+        let flow = plain && matches!(split.text.as_str(), "71" | "72" | "73") && !of_group(GGroup::G7);
+        if flow && has(Address::L) && address != Address::L {
+            Some(Address::G)
+        } else if address == Address::N {
             if words.iter().any(tool) && !has(Address::T) && plain {
                 Some(Address::T)
             } else if others == 0 {

@@ -11,6 +11,7 @@ mod grammar;
 mod idioms;
 mod layout;
 mod lower;
+mod misread;
 mod missing;
 mod number;
 mod parse;

@@ -8,6 +8,7 @@ use chumsky::inspector::SimpleState;
 use super::comments::statement_end;
 use super::file::Block;
 use super::lower::Lowering;
+use super::misread::is_mixed_number;
 use super::{BlockFlags, BlockId, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle, ValueMeant};
 use crate::dict::Address;
@@ -437,6 +438,11 @@ impl<'t> Reader<'t> {
                         self.parse_batch(&batch, &cuts);
                         batch.clear();
                         cuts.clear();
+                    }
+                    if is_mixed_number(bytes, batch.last(), token)
+                        && let Some(digits) = batch.pop()
+                    {
+                        (token.kind, token.start) = (Kind::MixedNumber, digits.start);
                     }
                     cuts.push(batch.len());
                 }

@@ -2,6 +2,7 @@
 
 use logos::Logos;
 
+use super::misread::look_alike;
 use crate::dict::Address;
 use crate::text::Span;
 
@@ -86,6 +87,8 @@ pub enum Kind {
     Variable,
     /// The block number behind `G73`, where its target belongs: `G73 N20`. The lexer reads it as a word; its place tells.
     JumpTarget,
+    /// A block number with its letter inside: `8N0`. The lexer reads it as a number and a word; its place tells.
+    MixedNumber,
     /// `%` alone, and on the next line a program number as other controls write it: `O2107`.
     #[regex(r"%[ \t]*(\r\n|\n|\r)[ \t]*[Oo][0-9]+", priority = 45)]
     ForeignStart,
@@ -142,6 +145,8 @@ const UNITS: [&str; 11] =
     ["mm", "deg", "ot", "rpm", "mm/min", "mm/ot", "mm/rev", "mm/r", "ot/min", "rev/min", METRES_PER_MINUTE];
 /// Of all units the one that is not the control's.
 pub(super) const METRES_PER_MINUTE: &str = "m/min";
+/// Longer words are no numbers of blocks and subprograms.
+const MOST_LETTERS: usize = 5;
 /// Longer runs of letters before a number are names: `CYCLE81`.
 const MOST: usize = 3;
 
@@ -236,6 +241,7 @@ impl Tokens<'_> {
             | Kind::PrintedWord
             | Kind::NamedValue
             | Kind::JumpTarget
+            | Kind::MixedNumber
             | Kind::ForeignStart
             | Kind::TypographicComment
             | Kind::GarbledWord
@@ -383,6 +389,9 @@ impl Tokens<'_> {
         if let Some(token) = self.whole_text(token).or_else(|| self.two_letters(token)) {
             return token;
         }
+        if self.is_number_in_letters(token) {
+            return Token { kind: Kind::LooseWord, ..token };
+        }
         let bytes = self.text.as_bytes();
         let run = bytes.get(token.span().range()).unwrap_or_default();
         let letters = self.text.get(token.span().range()).unwrap_or_default().chars().take(MOST + 1).count();
@@ -477,6 +486,29 @@ impl Tokens<'_> {
             }
             b'I' if !matches!(first, b'N' | b'n') => Some(Token { kind: Kind::LooseWord, ..token }),
             _ => None,
+        }
+    }
+
+    /// `NSO Y40` at the beginning of a line, `G71 LIOO`: letters that look like digits, all of them.
+    fn is_number_in_letters(&self, token: Token) -> bool {
+        let bytes = self.text.as_bytes();
+        let Some([first, digits @ ..]) = bytes.get(token.span().range()) else { return false };
+        if digits.len() >= MOST_LETTERS || !digits.iter().all(|letter| look_alike(*letter).is_some()) {
+            return false;
+        }
+        let behind = bytes.get(token.end as usize..).unwrap_or_default();
+        let apart = matches!(behind.first(), None | Some(b' ' | b'\t' | b'\r' | b'\n' | b'"'));
+        let behind = behind.trim_ascii_start();
+        let word = matches!(behind, [letter, value, ..]
+            if letter.is_ascii_uppercase() && (value.is_ascii_digit() || b"+-.".contains(value)));
+        let flow = |last: Token| {
+            let word = bytes.get(last.span().range()).unwrap_or_default();
+            last.kind == Kind::Word && matches!(word, [b'G', b'7', b'1'..=b'3' | b'9'])
+        };
+        match first {
+            b'N' => apart && word && self.begins_line(token.start),
+            b'L' => apart && self.last.is_some_and(flow),
+            _ => false,
         }
     }
 

@@ -160,6 +160,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::NamedValue
         | Kind::Variable
         | Kind::JumpTarget
+        | Kind::MixedNumber
         | Kind::ForeignStart
         | Kind::GarbledWord
         | Kind::ForeignComment
@@ -188,6 +189,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::NamedValue
         | Kind::Variable
         | Kind::JumpTarget
+        | Kind::MixedNumber
         | Kind::ForeignStart
         | Kind::GarbledWord
         | Kind::ForeignComment
@@ -230,6 +232,7 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
         | Kind::NamedValue
         | Kind::Variable
         | Kind::JumpTarget
+        | Kind::MixedNumber
         | Kind::ForeignStart
         | Kind::TypographicComment
         | Kind::GarbledWord
