@@ -204,7 +204,8 @@ impl<'t> Lowering<'t> {
     }
 
     /// Adds a word, which stands at `span`, to the block, noting what later stages ask of every block.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a word of four fields, handed over in memory, waits for its stores")]
+    #[inline(always)]
     pub(super) fn push(&mut self, word: Word, span: Span) {
         self.first_word.get_or_insert(span);
         if !word.is_faulty() {
