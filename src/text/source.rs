@@ -31,6 +31,8 @@ pub struct SourceText {
     text: String,
     encoding: Encoding,
     bom: bool,
+    /// How many bytes were decoded.
+    size: u64,
     lines: OnceLock<LineIndex>,
 }
 
@@ -41,6 +43,7 @@ impl SourceText {
     /// # Errors
     /// [`DecodeError::TooLarge`] when the text has 4 GiB or more.
     pub fn decode(name: impl Into<String>, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
+        let size = bytes.len() as u64;
         let (text, encoding) = match Encoding::utf16(&bytes) {
             Some(wide) => (wide.decode(&bytes), wide),
             None => match String::from_utf8(bytes) {
@@ -52,14 +55,14 @@ impl SourceText {
             return Err(DecodeError::TooLarge);
         }
         let bom = !encoding.is_single_byte() && text.starts_with('\u{feff}');
-        Ok(Self { name: name.into(), text, encoding, bom, lines: OnceLock::new() })
+        Ok(Self { name: name.into(), text, encoding, bom, size, lines: OnceLock::new() })
     }
 
     /// A text that is already decoded: an editor's buffer, a test.
     pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Self {
         let text = text.into();
-        let bom = text.starts_with('\u{feff}');
-        Self { name: name.into(), text, encoding: Encoding::Utf8, bom, lines: OnceLock::new() }
+        let (bom, size) = (text.starts_with('\u{feff}'), text.len() as u64);
+        Self { name: name.into(), text, encoding: Encoding::Utf8, bom, size, lines: OnceLock::new() }
     }
 
     /// The file as the user named it.
@@ -122,7 +125,8 @@ impl SourceText {
         if self.encoding == Encoding::Utf8 {
             u64::from(offset)
         } else {
-            self.encoding.length(self.slice(Span::new(0, offset))) as u64
+            // At the end of a file in UTF-16 half a character may stand.
+            (self.encoding.length(self.slice(Span::new(0, offset))) as u64).min(self.size)
         }
     }
 
@@ -244,6 +248,13 @@ mod tests {
     }
 
     /// LEX-8: a byte-order mark takes no column.
+    /// A file in UTF-16 may end within a character.
+    #[test]
+    fn half_a_character() {
+        let source = SourceText::decode("a", b"\xff\xfe%\x001\x00\n".to_vec(), Encoding::Cp852).unwrap();
+        assert_eq!(source.byte_offset(u32::try_from(source.text().len()).unwrap()), 7);
+    }
+
     #[test]
     fn byte_order_mark() {
         let source = SourceText::decode("a", "\u{feff}%1".as_bytes().to_vec(), Encoding::Cp852).unwrap();
