@@ -16,8 +16,8 @@ pub struct Fixed {
 }
 
 /// Applies `fixes` to `bytes`, of which `source` is the text and `file` its number in the places. A fix is applied as a
-/// whole or not at all: not when one of its edits is in another file, overlaps one that was taken before, or is not
-/// ASCII.
+/// whole or not at all: not when one of its edits is in another file, overlaps one that was taken before, or writes letters
+/// that are not ASCII where they do not stand yet.
 pub fn apply_fixes<'a>(
     source: &SourceText,
     file: FileId,
@@ -59,27 +59,24 @@ struct Taken<'a> {
 impl<'a> Taken<'a> {
     /// Takes the edits, when all of them can be taken.
     fn take(&mut self, source: &SourceText, file: FileId, edits: &'a [Edit]) -> bool {
-        let usable = |edit: &Edit| {
+        let usable = |edit: &'a Edit| {
             let Span { start, end } = edit.at.span;
             let boundary = |offset: u32| source.text().is_char_boundary(offset as usize);
-            // A file in UTF-16 is only written anew as a whole, in UTF-8.
-            let whole = start == 0 && end == source.len();
-            let writable = if source.encoding().is_utf16() { whole } else { edit.text.is_ascii() };
-            edit.at.file == file && start <= end && boundary(start) && boundary(end) && writable
+            let inside = edit.at.file == file && start <= end && boundary(start) && boundary(end);
+            inside.then(|| writable(source, edit)).flatten()
         };
-        if edits.is_empty() || !edits.iter().all(usable) {
-            return false;
-        }
-        let mut added = Vec::with_capacity(edits.len());
-        for edit in edits {
-            if !self.is_free(edit.at.span) {
+        let usable: Option<Vec<_>> = edits.iter().map(usable).collect();
+        let Some(usable) = usable.filter(|usable| !usable.is_empty()) else { return false };
+        let mut added = Vec::with_capacity(usable.len());
+        for (span, text) in usable {
+            if !self.is_free(span) {
                 for start in added {
                     self.edits.remove(&start);
                 }
                 return false;
             }
-            added.push(edit.at.span.start);
-            self.edits.insert(edit.at.span.start, (edit.at.span.end, &edit.text));
+            added.push(span.start);
+            self.edits.insert(span.start, (span.end, text));
         }
         true
     }
@@ -91,6 +88,35 @@ impl<'a> Taken<'a> {
         before.is_none_or(|(&start, &(end, _))| start < span.start && end <= span.start)
             && after.is_none_or(|(&start, _)| span.end <= start && start != span.start)
     }
+}
+
+/// What the edit writes, and where; `None` when it writes letters that are not ASCII.
+fn writable<'a>(source: &SourceText, edit: &'a Edit) -> Option<(Span, &'a str)> {
+    if source.encoding().is_utf16() {
+        // A file in UTF-16 is only written anew as a whole, in UTF-8.
+        let whole = edit.at.span == Span::new(0, source.len());
+        return whole.then_some((edit.at.span, &edit.text));
+    }
+    if edit.text.is_ascii() {
+        return Some((edit.at.span, &edit.text));
+    }
+    // A part of a line written again without its bracket: the letters that stand there already keep their bytes.
+    let (span, text) = without_common_ends(source.slice(edit.at.span), edit);
+    text.is_ascii().then_some((span, text))
+}
+
+/// The edit without the characters that stand at both its ends already.
+fn without_common_ends<'a>(before: &str, edit: &'a Edit) -> (Span, &'a str) {
+    let same = |pairs: &mut dyn Iterator<Item = (char, char)>| -> usize {
+        pairs.take_while(|(old, new)| old == new).map(|(same, _)| same.len_utf8()).sum()
+    };
+    let text = edit.text.as_str();
+    let tail = same(&mut before.chars().rev().zip(text.chars().rev()));
+    let (before, text) = (&before[..before.len() - tail], &text[..text.len() - tail]);
+    let head = same(&mut before.chars().zip(text.chars()));
+    let Span { start, end } = edit.at.span;
+    let length = |bytes: usize| u32::try_from(bytes).unwrap_or(u32::MAX);
+    (Span::new(start + length(head), end - length(tail)), &text[head..])
 }
 
 /// Puts the edits into the bytes. Offsets in the bytes are counted along: [`SourceText::byte_offset`] begins at the start
@@ -147,6 +173,15 @@ mod tests {
         let at = utf8.find("n10").unwrap();
         let fixed = applied(utf8.as_bytes(), &[fix([edit(at, at + 1, "N")])]);
         assert_eq!(fixed, ("\u{feff}%1 \"ř\" N10\r".as_bytes().to_vec(), 1));
+    }
+
+    /// LEX-13: letters of a code page that a fix repeats keep their bytes; others are not written.
+    #[test]
+    fn repeated_letters_keep_their_bytes() {
+        let dos = b"N1 (X0 \"\xfd\xfd\"";
+        assert_eq!(applied(dos, &[fix([edit(3, 13, "X0 \"řř\"")])]), (b"N1 X0 \"\xfd\xfd\"".to_vec(), 1));
+        assert_eq!(applied(dos, &[fix([edit(3, 13, "X0 \"řřř\"")])]), (dos.to_vec(), 0));
+        assert_eq!(applied(b"N1 (X0", &[fix([edit(3, 6, "\u{159}")])]), (b"N1 (X0".to_vec(), 0));
     }
 
     /// LEX-13: a file in UTF-16 is written anew in UTF-8.
