@@ -3,6 +3,7 @@
 use super::forms::{FormFault, check_form, feed_mode_before};
 use super::letters::{Letters, bit};
 use super::planes::missing_axis;
+use super::points::Points;
 use super::roles::{Roles, Taker};
 use super::targets::{conflicting_g, conflicting_m, missing_control_words};
 use super::{Unit, UnitKind, unused};
@@ -39,6 +40,27 @@ pub(super) struct BlockChecker<'a> {
     refused: Vec<u32>,
     /// Control words whose operation is not configured, by its code.
     operations: Vec<(i64, Diagnostic)>,
+    points: Points,
+}
+
+/// What the look at blocks gave besides findings.
+#[derive(Default)]
+pub(super) struct Judged {
+    /// Where words begin whose values are not what their addresses take.
+    pub(super) refused: Vec<u32>,
+    /// Control words whose operation is not configured, by its code: each code is reported once for a program (PAR-9).
+    pub(super) operations: Vec<(i64, Diagnostic)>,
+    /// What is known of the points.
+    pub(super) points: Points,
+}
+
+impl Judged {
+    /// Takes what the look at the blocks behind gave.
+    pub(super) fn append(&mut self, other: Self) {
+        self.refused.extend(other.refused);
+        self.operations.extend(other.operations);
+        self.points.join(other.points);
+    }
 }
 
 /// The G and M functions written in a block, and the words that go with them.
@@ -99,13 +121,22 @@ impl<'a> BlockChecker<'a> {
         findings: &'a mut Findings,
     ) -> Self {
         let surplus = letters.surplus(&settings.machine);
-        Self { settings, file, findings, letters, surplus, units: &[], refused: Vec::new(), operations: Vec::new() }
+        Self {
+            settings,
+            file,
+            findings,
+            letters,
+            surplus,
+            units: &[],
+            refused: Vec::new(),
+            operations: Vec::new(),
+            points: Points::default(),
+        }
     }
 
-    /// Where words begin whose values are not what their addresses take, and the control words whose operation is not
-    /// configured, by its code.
-    pub(super) fn finish(self) -> (Vec<u32>, Vec<(i64, Diagnostic)>) {
-        (self.refused, self.operations)
+    /// What the look at the blocks gave besides findings.
+    pub(super) fn finish(self) -> Judged {
+        Judged { refused: self.refused, operations: self.operations, points: self.points }
     }
 
     /// Checks a block of a unit of that kind; `None`: of no unit.
@@ -119,7 +150,10 @@ impl<'a> BlockChecker<'a> {
         }
         let words = self.file.words(block);
         if !flags.has(BlockFlags::RICH) {
-            self.check_plain_words(words);
+            let (addresses, right) = self.check_plain_words(words);
+            if flags.is_point() {
+                self.points.add(addresses, right);
+            }
             if words.is_empty() && numbered && flags == BlockFlags::default() {
                 let finding = Finding::EmptyBlock { block: self.file.shown_number(block) };
                 self.findings.add(Diagnostic::new(finding, self.file.n_place(block)));
@@ -148,11 +182,13 @@ impl<'a> BlockChecker<'a> {
         self.check_word(word, &Functions::default());
     }
 
-    /// A block of axis, feed and the like: its words are plain numbers, and nothing else can be wrong with it.
+    /// A block of axis, feed and the like: its words are plain numbers, and nothing else can be wrong with it. Gives the
+    /// addresses of its words, and whether each is an axis word, or I or J, with which nothing is wrong.
     #[inline]
-    fn check_plain_words(&mut self, words: &[Word]) {
+    fn check_plain_words(&mut self, words: &[Word]) -> (u32, bool) {
         let mut seen = 0_u32;
         let mut repeated = false;
+        let mut all_simple = true;
         for &word in words {
             let bit = bit(word.address);
             repeated |= seen & bit != 0;
@@ -165,12 +201,14 @@ impl<'a> BlockChecker<'a> {
                     || word.address == Address::J
                     || self.settings.machine.axes.index_of(word.address).is_some());
             if !simple {
+                all_simple = false;
                 self.check_word(word, &Functions::default());
             }
         }
         if repeated {
             self.check_repeated(words);
         }
+        (seen, all_simple && !repeated)
     }
 
     fn collect(&mut self, words: &[Word]) -> Functions {

@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use super::Unit;
-use super::blocks::BlockChecker;
+use super::blocks::{BlockChecker, Judged};
 use super::letters::Letters;
 use super::lines;
 use super::numbers::number_blocks;
 use crate::config::Settings;
-use crate::diag::{Diagnostic, Findings};
+use crate::diag::Findings;
 use crate::parallel;
 use crate::syntax::{BlockId, ParsedFile};
 
@@ -19,10 +19,7 @@ const SIDE_BY_SIDE: u32 = 1 << 14;
 #[derive(Default)]
 pub(super) struct Checked {
     pub(super) findings: Findings,
-    /// Where words begin whose values are not what their addresses take.
-    pub(super) refused: Vec<u32>,
-    /// Control words whose operation is not configured, by its code: each code is reported once for a program (PAR-9).
-    pub(super) operations: Vec<(i64, Diagnostic)>,
+    pub(super) judged: Judged,
     /// The first block of each number that jumps can reach, by number.
     pub(super) reachable: Vec<(u32, BlockId)>,
     /// Some line continues a block with another word than `N`.
@@ -32,8 +29,7 @@ pub(super) struct Checked {
 impl Checked {
     fn append(&mut self, other: Self) {
         self.findings.append(other.findings);
-        self.refused.extend(other.refused);
-        self.operations.extend(other.operations);
+        self.judged.append(other.judged);
     }
 }
 
@@ -77,8 +73,8 @@ fn check_blocks(
             let unit = units.peek().filter(|unit| unit.contains(block)).map(|unit| unit.kind);
             checker.check(block, unit.filter(|_| !excused.contains(&block)));
         }
-        let (refused, operations) = checker.finish();
-        Checked { findings, refused, operations, ..Checked::default() }
+        let judged = checker.finish();
+        Checked { findings, judged, ..Checked::default() }
     };
     let count = parsed.block_count();
     if count <= SIDE_BY_SIDE {

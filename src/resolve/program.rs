@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::letters::Letters;
+use super::points::Points;
 use super::spelling;
 use super::structure::CutOff;
 use crate::syntax::{BlockId, ParsedFile};
@@ -72,6 +73,7 @@ pub(super) struct ResolvedFile {
     pub(super) targets: Vec<(BlockId, Target)>,
     /// The first block of each number that a jump can reach (FLW-5: L has four digits), by number.
     pub(super) numbered: Vec<(u32, BlockId)>,
+    pub(super) points: Points,
 }
 
 /// A program or macrocycle with everything that its written calls lead to. Its files have the ids that they have among the
@@ -103,6 +105,11 @@ impl Resolved {
     #[inline]
     pub fn file(&self, index: FileId) -> Option<&ParsedFile> {
         self.files.get(index.0 as usize).map(|file| &file.parsed)
+    }
+
+    /// What is known of the points of a file.
+    pub fn points(&self, index: FileId) -> Option<Points> {
+        self.files.get(index.0 as usize).map(|file| file.points)
     }
 
     /// A unit; `None` for an index of another program.
@@ -197,9 +204,9 @@ impl Resolved {
         id
     }
 
-    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>) -> FileId {
+    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>, points: Points) -> FileId {
         let index = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
-        self.files.push(Arc::new(ResolvedFile { parsed, targets: Vec::new(), numbered }));
+        self.files.push(Arc::new(ResolvedFile { parsed, targets: Vec::new(), numbered, points }));
         index
     }
 }

@@ -381,14 +381,14 @@ impl Context<'_, '_> {
         let units = resolved.units.get(units..).unwrap_or_default();
         let checked = look_at_blocks(self.settings, &parsed, units, &resolved.letters, excused);
         self.findings.append(checked.findings);
-        for (operation, diagnostic) in checked.operations {
+        for (operation, diagnostic) in checked.judged.operations {
             if resolved.unknown_operations.insert(operation) {
                 self.findings.add(diagnostic);
             }
         }
         resolved.continuing_lines |= checked.continuing_lines;
-        parsed.refuse(&checked.refused);
-        resolved.add_file(parsed, checked.reachable);
+        parsed.refuse(&checked.judged.refused);
+        resolved.add_file(parsed, checked.reachable, checked.judged.points);
     }
 
     /// G70 ends subprograms only (PRG-5).

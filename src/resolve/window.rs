@@ -52,13 +52,13 @@ pub fn resolve_window(
     for block in parsed.block_ids() {
         checker.check(block, Some(UnitKind::Main));
     }
-    let (refused, _) = checker.finish();
-    parsed.refuse(&refused);
+    let judged = checker.finish();
+    parsed.refuse(&judged.refused);
     // The whole program may look like one for another control then.
     if !findings.is_empty() && is_suspicious(text) {
         return None;
     }
-    resolved.add_file(parsed, Vec::new());
+    resolved.add_file(parsed, Vec::new(), judged.points);
     Some(resolved)
 }
 

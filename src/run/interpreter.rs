@@ -100,6 +100,15 @@ impl Interpreter {
         None
     }
 
+    /// Executes at once what comes next of a run of blocks that only move axes straight, at most `most` of them and all but the
+    /// last of the run, when nothing is to be found in them. For a program that nobody looks at block by block.
+    #[inline]
+    pub fn pass_over(&mut self, program: &Program<'_>, most: u64) {
+        let (None, None, Some(frame)) = (self.stop, &self.pending, self.frames.last_mut()) else { return };
+        let most = most.min(program.settings.machine.limits.records.saturating_sub(self.executed + 1));
+        self.executed += self.run.pass_over(program, frame, &mut self.state, most);
+    }
+
     /// How the program ended; `None` while it runs.
     pub const fn end(&self) -> Option<Stop> {
         self.stop

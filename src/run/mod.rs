@@ -6,6 +6,7 @@
 mod arc;
 mod arc_findings;
 mod arithmetic;
+mod arrival;
 mod block;
 mod end;
 mod executed;

@@ -1,6 +1,7 @@
 //! What a block moves (§10), and what its words are when they are data.
 
 use super::arc::{self, Arc};
+use super::arrival::{arrive, arrive_from_unknown};
 use super::block::{Block, DataFacts, Effect, InForce};
 use super::functions::report_unmodelled;
 use super::moved::{ArcFacts, MotionType, Moving};
@@ -9,7 +10,6 @@ use super::site::Site;
 use super::state::{AxisSet, Position, State};
 use super::technology::choose_dynamic_set;
 use super::travel::{Reading, Travel};
-use super::warnings::check_travel;
 use super::words::{BlockWords, Valued};
 use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
@@ -84,10 +84,13 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
             return if full_circle { Moved::WithoutCycle } else { Moved::Yes };
         };
         moving.arc = Some(arc);
-        // Axes of an arc that begins nobody knows where have a finding of their own.
-        arrive(site, state, travels, arc.computed.is_some());
+        if arc.computed.is_some() {
+            arrive(site, state, travels);
+        } else {
+            arrive_from_unknown(site, state, travels);
+        }
     } else {
-        arrive(site, state, travels, true);
+        arrive(site, state, travels);
     }
     *effect = Effect::Motion(moving);
     if full_circle || kind == MotionType::Reference { Moved::WithoutCycle } else { Moved::Yes }
@@ -236,26 +239,6 @@ fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, functio
             state.unsettled.remove(axis);
         }
     }
-}
-
-/// Puts the positions after the motion into force, and warns of axes that the program does not know (MOT-2).
-#[inline]
-pub(super) fn arrive(site: &mut Site<'_>, state: &mut State, travels: &[Travel], warn: bool) {
-    for travel in travels {
-        if travel.incremental && travel.before == Position::Unknown && travel.distance.is_some() && warn {
-            warn_incremental(site, state, travel);
-        }
-        check_travel(site, state, travel);
-        state.set_position(travel.axis, travel.after);
-    }
-}
-
-fn warn_incremental(site: &mut Site<'_>, state: &mut State, travel: &Travel) {
-    let Some(said @ false) = state.said.incremental.get_mut(travel.axis) else { return };
-    *said = true;
-    let Some(word) = travel.word else { return };
-    let finding = Finding::IncrementalFromUnknown { axis: travel.definition.letter.letter() };
-    site.found(finding, site.word_place(word));
 }
 
 /// The arc that the block moves along, with its findings. `None`: its axes make no arc.

@@ -1,17 +1,20 @@
 //! Blocks of axis words and nothing else: nearly all blocks of long programs. What they do follows from what is in force,
 //! which is looked up once for a run of them; the rules of motion are those of every block.
 
+use super::arrival::{arrive, is_silent};
 use super::block::{Block, Effect};
-use super::motion::{arrive, kind_in_force, settle_origin};
+use super::frames::Frame;
+use super::motion::{kind_in_force, settle_origin};
 use super::moved::{MotionType, Moving};
+use super::program::Program;
 use super::site::Site;
-use super::state::State;
+use super::state::{AxisSet, State};
 use super::travel::{Reading, Travel};
 use super::warnings::may_lack;
 use super::words::Valued;
 use super::{functions, m_functions, spindle};
-use crate::dict::{GCode, GGroup};
-use crate::syntax::BlockFlags;
+use crate::dict::{Address, GCode, GGroup};
+use crate::syntax::{BlockFlags, BlockId};
 
 /// What blocks of axis words do while no other word comes between them.
 #[derive(Clone, Copy, Debug, Default)]
@@ -44,7 +47,7 @@ impl Run {
         let degrees = moving.is_in_degrees(&block.travels);
         block.moves_on = settled && degrees == block.degrees;
         block.degrees = degrees;
-        arrive(site, state, &block.travels, true);
+        arrive(site, state, &block.travels);
         true
     }
 
@@ -71,6 +74,44 @@ impl Run {
         }
         let moving = Moving { kind, stale: false, spindle: axis, arc: None };
         Self::Straight(moving, Reading::of(site.machine(), state, &block.g))
+    }
+
+    /// Executes the points (see [`BlockFlags::is_point`]) that come next but the last of them, at most `most`, all at once:
+    /// axes are where the last word of each has them, when no rule of motion has anything to say of any. Gives how many
+    /// that are; with 0 nothing is done.
+    pub(super) fn pass_over(self, program: &Program<'_>, frame: &mut Frame, state: &mut State, most: u64) -> u64 {
+        let Self::Straight(_, reading) = self else { return 0 };
+        let machine = &program.settings.machine;
+        let points = program.resolved.points(frame.unit.file).filter(|points| points.are_right());
+        let (Some(points), Some(file)) = (points, program.resolved.file(frame.unit.file)) else { return 0 };
+        // A word of an axis that moves by its value says nothing of where the axis is then.
+        if reading.is_incremental() || !is_silent(machine, reading) {
+            return 0;
+        }
+        let first = frame.next;
+        let most = u32::try_from(most).unwrap_or(u32::MAX).saturating_add(1);
+        let before = BlockId(frame.unit.end.0.min(first.0.saturating_add(most)));
+        let passed = file.points_in_a_row(first, before).saturating_sub(1);
+        if passed == 0 {
+            return 0;
+        }
+        frame.next = BlockId(first.0 + passed);
+        let mut unsaid = Address::ALL.iter().filter(|address| points.may_have(**address)).count();
+        let mut said = [false; 9];
+        let words = (first.0..frame.next.0).rev().flat_map(|block| file.words(BlockId(block)).iter().rev());
+        for word in words {
+            let Some(axis) = machine.axes.index_of(word.address) else { continue };
+            let Some(said @ false) = said.get_mut(axis) else { continue };
+            *said = true;
+            state.set_position(axis, reading.target(axis, word.number()));
+            unsaid -= 1;
+            if unsaid == 0 {
+                break;
+            }
+        }
+        // Any motion ends that state (MOT-8).
+        state.unsettled = AxisSet::default();
+        u64::from(passed)
     }
 
     /// What is known of the blocks of axis words after a block that did more.
@@ -117,36 +158,81 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::config::Settings;
+    use crate::config::{Axes, Axis, Settings};
     use crate::diag::Findings;
+    use crate::dict::Decimal;
     use crate::resolve::{Library, resolve_program};
     use crate::run::{Interpreter, Program};
     use crate::text::{MemoryLoader, SourceText, Sources};
 
     /// What is known after each block of a program, how each moves, and the findings.
     fn run(body: &str, by_all_rules: bool) -> (Vec<String>, Vec<String>) {
-        let (loader, settings) = (MemoryLoader::new(), Settings::default());
+        let settings = Settings::default();
+        with_program(body, &settings, |program, findings| {
+            let mut interpreter = Interpreter::new(program);
+            let mut known = Vec::new();
+            loop {
+                if by_all_rules {
+                    interpreter.run = Run::Involved;
+                }
+                let Some(block) = interpreter.step(program, findings) else { break };
+                let facts = (block.motion(), block.feed(), block.m_written(), block.m_changed(), block.dwell());
+                // When it is looked up whether the program starts the spindle decides nothing.
+                let state = State { turns_spindle: None, ..block.state().clone() };
+                known.push(format!("{:?} {facts:?} {state:?} {:?}", block.at(), block.data()));
+            }
+            known
+        })
+    }
+
+    /// What is known at the end of a program, after how many blocks, and the findings: with points passed over, at most so
+    /// many at a time, or without.
+    fn end(body: &str, settings: &Settings, most: Option<u64>) -> (String, u64, Vec<String>) {
+        let ((state, executed), findings) = with_program(body, settings, |program, findings| {
+            let mut interpreter = Interpreter::new(program);
+            loop {
+                if let Some(most) = most {
+                    interpreter.pass_over(program, most);
+                }
+                if interpreter.step(program, findings).is_none() {
+                    break;
+                }
+            }
+            (format!("{:?} {:?}", interpreter.state(), interpreter.end()), interpreter.executed())
+        });
+        (state, executed, findings)
+    }
+
+    /// What `run` makes of a program, and the findings.
+    fn with_program<T>(
+        body: &str,
+        settings: &Settings,
+        run: impl FnOnce(&mut Program<'_>, &mut Findings) -> T,
+    ) -> (T, Vec<String>) {
+        let loader = MemoryLoader::new();
         let source = Arc::new(SourceText::from_text("t.nc", format!("%1\nN1 G54 G90\n{body}\nN9000 M30")));
         let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
-        let resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
-        let mut program = Program { resolved, settings: &settings, library, sources };
-        let mut interpreter = Interpreter::new(&program);
-        let mut known = Vec::new();
-        loop {
-            if by_all_rules {
-                interpreter.run = Run::Involved;
-            }
-            let Some(block) = interpreter.step(&mut program, &mut findings) else { break };
-            let facts = (block.motion(), block.feed(), block.m_written(), block.m_changed(), block.dwell());
-            // When it is looked up whether the program starts the spindle decides nothing.
-            let state = State { turns_spindle: None, ..block.state().clone() };
-            known.push(format!("{:?} {facts:?} {state:?} {:?}", block.at(), block.data()));
-        }
-        (known, findings.items().iter().map(|finding| format!("{finding:?}")).collect())
+        let resolved = resolve_program(&source, settings, &mut library, &mut sources, &mut findings);
+        let mut program = Program { resolved, settings, library, sources };
+        let made = run(&mut program, &mut findings);
+        (made, findings.items().iter().map(|finding| format!("{finding:?}")).collect())
     }
 
-    const BLOCKS: [&str; 24] = [
+    fn body(blocks: &[&str]) -> String {
+        blocks.iter().zip(2..).map(|(block, n)| format!("N{n} {block}\n")).collect()
+    }
+
+    /// A machine without configured travel, and one with it.
+    fn machines() -> [Settings; 2] {
+        let (plain, mut limited) = (Settings::default(), Settings::default());
+        let limit = Some(Decimal::from_thousandths(4000));
+        let axes = limited.machine.axes.iter().map(|axis| Axis { max: limit, ..axis });
+        limited.machine.axes = Axes::new(axes.collect::<Vec<_>>());
+        [plain, limited]
+    }
+
+    const BLOCKS: [&str; 27] = [
         "",
         "F",
         "X1.5",
@@ -171,17 +257,60 @@ mod tests {
         "G30 Z0",
         "X5 I2",
         "B5 X0",
+        "X1 X2",
+        "X99999999999",
+        "/ X7",
     ];
+
+    /// How many of five points behind one that was executed are passed over.
+    fn passed(points: [&str; 6], settings: &Settings) -> u64 {
+        let blocks = [&["G90 G0"], points.as_slice()].concat();
+        let (passed, _) = with_program(&body(&blocks), settings, |program, findings| {
+            let mut interpreter = Interpreter::new(program);
+            while interpreter.executed() < 3 {
+                interpreter.step(program, findings);
+            }
+            interpreter.pass_over(program, u64::MAX);
+            interpreter.executed() - 3
+        });
+        passed
+    }
+
+    #[test]
+    fn points_are_passed_over_where_no_rule_speaks() {
+        let [plain, limited] = machines();
+        assert_eq!(passed(["X1", "X2", "Y1", "Z1 X5", "X6", "Y7"], &plain), 4);
+        assert_eq!(passed(["X1", "X2", "Y1", "F100", "X6", "Y7"], &plain), 1);
+        assert_eq!(passed(["X1", "X2", "Y1", "Z1 X5", "X6", "Y7"], &limited), 0);
+        assert_eq!(passed(["X1", "X2", "Y1", "X5 X5", "X6", "Y7"], &plain), 0);
+    }
 
     proptest! {
         /// Blocks of axis words do what they do by all the rules.
         #[test]
-        fn points_follow_all_rules(picks in proptest::collection::vec(0..BLOCKS.len(), 0..30)) {
-            let block = |(at, pick): (usize, &usize)| format!("N{} {}\n", at + 2, BLOCKS[*pick]);
-            let body: String = picks.iter().enumerate().map(block).collect();
+        fn points_follow_all_rules(blocks in proptest::collection::vec(proptest::sample::select(&BLOCKS), 0..30)) {
+            let body = body(&blocks);
             let (quick, full) = (run(&body, false), run(&body, true));
             prop_assert!(!quick.0.is_empty());
             prop_assert_eq!(quick, full, "{}", body);
+        }
+
+        /// What is passed over has left behind what it leaves block by block.
+        #[test]
+        fn passing_over_leaves_the_same(
+            mut blocks in proptest::collection::vec(proptest::sample::select(&BLOCKS), 0..12),
+            points in proptest::collection::vec(proptest::sample::select(&BLOCKS[2..7]), 0..12),
+            at in 0..12_usize,
+            most in 0..12_u64,
+            limit in proptest::option::of(0..20_u64),
+        ) {
+            let at = at.min(blocks.len());
+            blocks.splice(at..at, points);
+            let body = body(&blocks);
+            for mut settings in machines() {
+                settings.machine.limits.records = limit.unwrap_or(settings.machine.limits.records);
+                prop_assert_eq!(end(&body, &settings, Some(most)), end(&body, &settings, None), "{}", body);
+            }
         }
     }
 }

@@ -39,6 +39,11 @@ impl Reading {
         Self { incremental, diameter }
     }
 
+    /// Whether values are ways from where an axis stands.
+    pub(super) const fn is_incremental(self) -> bool {
+        self.incremental
+    }
+
     /// Where an axis is after a word with that value, a coordinate. Without a value nobody knows (PAR-5).
     #[inline]
     pub(super) fn target(self, axis: usize, value: Option<Decimal>) -> Position {

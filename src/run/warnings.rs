@@ -3,9 +3,10 @@
 use super::block::InForce;
 use super::parameters::with_origin;
 use super::site::Site;
-use super::state::{Held, State};
+use super::state::{Held, Position, State};
 use super::travel::Travel;
 use super::words::BlockWords;
+use crate::config::Axis;
 use crate::diag::{Diagnostic, Finding, LabelText};
 use crate::dict::{
     Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS,
@@ -114,10 +115,32 @@ pub(super) fn check_tool(site: &mut Site<'_>, state: &mut State, words: &BlockWo
     }
 }
 
+/// An axis that goes some way from where nobody knows (MOT-2): said once for each.
+#[inline]
+pub(super) fn warn_incremental(site: &mut Site<'_>, state: &mut State, travel: &Travel) {
+    if travel.incremental && travel.before == Position::Unknown && travel.distance.is_some() {
+        report_incremental(site, state, travel);
+    }
+}
+
+fn report_incremental(site: &mut Site<'_>, state: &mut State, travel: &Travel) {
+    let Some(said @ false) = state.said.incremental.get_mut(travel.axis) else { return };
+    *said = true;
+    let Some(word) = travel.word else { return };
+    let finding = Finding::IncrementalFromUnknown { axis: travel.definition.letter.letter() };
+    site.found(finding, site.word_place(word));
+}
+
+/// Whether the travel of an axis is configured.
+#[inline]
+pub(super) const fn has_limits(axis: &Axis) -> bool {
+    axis.min.is_some() || axis.max.is_some()
+}
+
 /// A target outside the configured travel (W0621), X under diameter programming as a diameter.
 #[inline]
 pub(super) fn check_travel(site: &mut Site<'_>, state: &State, travel: &Travel) {
-    if travel.definition.min.is_some() || travel.definition.max.is_some() {
+    if has_limits(&travel.definition) {
         check_limits(site, state, travel);
     }
 }

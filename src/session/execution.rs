@@ -148,9 +148,14 @@ impl<'a> Execution<'a> {
     /// Finds what is still to be found, and gives how the program ended; `None` when it has errors, or was not executed to its
     /// end.
     pub(super) fn end(&mut self) -> Option<End> {
-        while !self.is_over(self.interpreter.executed())
-            && self.interpreter.step(&mut self.program, &mut self.outcome.findings).is_some()
-        {}
+        while !self.is_over(self.interpreter.executed()) {
+            let executed = self.interpreter.executed();
+            let most = (self.most - executed).min(PROGRESS - executed % PROGRESS) - 1;
+            self.interpreter.pass_over(&self.program, most);
+            if self.interpreter.step(&mut self.program, &mut self.outcome.findings).is_none() {
+                break;
+            }
+        }
         self.outcome.executed = self.interpreter.executed();
         End::of(&self.interpreter, &self.outcome.findings).filter(|_| self.whole)
     }

@@ -74,7 +74,10 @@ impl<'a> Session<'a> {
         if analyses.0.is_wanted() || analyses.1.is_wanted() {
             return self.run(path, name, Purpose::Check, analyses).outcome;
         }
-        self.run(path, name, Purpose::Check, ()).outcome
+        match self.open(path, name, Purpose::Check) {
+            Ok(execution) => execution.finish().outcome,
+            Err(outcome) => *outcome,
+        }
     }
 
     /// Compiles the program at `path` to `out`. The stream has its `end` record when the run is whole, and only then.

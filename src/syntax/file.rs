@@ -26,7 +26,7 @@ impl BlockId {
 
 /// What is known of a block without looking at its words. Set while parsing.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub struct BlockFlags(pub u8);
+pub struct BlockFlags(pub u16);
 
 impl BlockFlags {
     /// Carries `/`.
@@ -43,10 +43,19 @@ impl BlockFlags {
     pub const RETURN: Self = Self(1 << 5);
     /// Has G79 written out.
     pub const ENTRY: Self = Self(1 << 6);
+    /// Has an axis word.
+    pub const AXES: Self = Self(1 << 7);
+    /// Has a word besides `N` and axis words.
+    pub const OTHERS: Self = Self(1 << 8);
 
     /// Whether all of `flags` are set.
     pub const fn has(self, flags: Self) -> bool {
         self.0 & flags.0 == flags.0
+    }
+
+    /// Whether it is a point: a block of axis words and no others, with nothing that has no word.
+    pub const fn is_point(self) -> bool {
+        self.0 & !Self::COMMENT.0 == Self::AXES.0
     }
 
     /// Takes `flags` away.
@@ -263,6 +272,13 @@ impl ParsedFile {
     /// Every comment of the file, quotes included, in the order of the text.
     pub fn all_comments(&self) -> &[Span] {
         &self.comments
+    }
+
+    /// How many points (see [`BlockFlags::is_point`]) stand in a row from a block on, before another one.
+    pub fn points_in_a_row(&self, from: BlockId, before: BlockId) -> u32 {
+        let blocks = self.blocks.get(from.index()..before.index()).unwrap_or_default();
+        let count = blocks.iter().take_while(|block| block.flags.is_point()).count();
+        u32::try_from(count).unwrap_or(u32::MAX)
     }
 
     /// What is known of a block.

@@ -39,6 +39,39 @@ pub(super) const PARAMETERS: u8 = 96;
 /// The typographic quotes (LEX-12).
 const TYPOGRAPHIC: [char; 3] = ['“', '”', '„'];
 
+/// What a word of that address makes of its block.
+const fn made_of(address: Address) -> BlockFlags {
+    match address {
+        Address::N => BlockFlags(0),
+        Address::X
+        | Address::Y
+        | Address::Z
+        | Address::A
+        | Address::B
+        | Address::C
+        | Address::U
+        | Address::V
+        | Address::W => BlockFlags::AXES,
+        Address::G
+        | Address::M
+        | Address::L
+        | Address::Q
+        | Address::R
+        | Address::Correction
+        | Address::Skip
+        | Address::Program => BlockFlags(BlockFlags::RICH.0 | BlockFlags::OTHERS.0),
+        Address::I
+        | Address::J
+        | Address::K
+        | Address::D
+        | Address::F
+        | Address::S
+        | Address::T
+        | Address::H
+        | Address::P => BlockFlags::OTHERS,
+    }
+}
+
 impl<'t> Lowering<'t> {
     pub(super) fn new(text: &'t str, file: FileId, from: u32) -> Self {
         Self {
@@ -211,18 +244,8 @@ impl<'t> Lowering<'t> {
         if !word.is_faulty() {
             self.note_case(span.start);
         }
-        let speaks_of_flow = matches!(
-            word.address,
-            Address::G
-                | Address::M
-                | Address::L
-                | Address::Q
-                | Address::R
-                | Address::Correction
-                | Address::Skip
-                | Address::Program
-        );
-        if speaks_of_flow || !word.is_plain() {
+        self.flags.set(made_of(word.address));
+        if !word.is_plain() {
             self.flags.set(BlockFlags::RICH);
         }
         if matches!(word.address, Address::G | Address::M)
