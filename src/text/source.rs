@@ -247,7 +247,6 @@ mod tests {
         assert!(!source.replace(Span::new(0, 99), ""), "behind the end");
     }
 
-    /// LEX-8: a byte-order mark takes no column.
     /// A file in UTF-16 may end within a character.
     #[test]
     fn half_a_character() {
@@ -255,6 +254,7 @@ mod tests {
         assert_eq!(source.byte_offset(u32::try_from(source.text().len()).unwrap()), 7);
     }
 
+    /// LEX-8: a byte-order mark takes no column.
     #[test]
     fn byte_order_mark() {
         let source = SourceText::decode("a", "\u{feff}%1".as_bytes().to_vec(), Encoding::Cp852).unwrap();
