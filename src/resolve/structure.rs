@@ -451,10 +451,7 @@ fn ends_before_entry(parsed: &ParsedFile, block: BlockId) -> bool {
         return false;
     }
     let entry = entry_place(parsed, block).span.start;
-    let end = |word: &Word| {
-        let number = word.whole().and_then(|number| u8::try_from(number).ok());
-        word.address == Address::M && number.is_some_and(|number| PROGRAM_ENDS.contains(&number))
-    };
+    let end = |word: &Word| PROGRAM_ENDS.into_iter().any(|function| word.is_m(function));
     let line = |at: u32| parsed.source.lines().line_at(at);
     parsed.words(block).iter().any(|word| end(word) && line(word.start()) < line(entry))
 }

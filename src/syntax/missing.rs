@@ -197,14 +197,13 @@ impl Lowering<'_> {
             .into_iter()
             .find(|axis| !has(*axis))
             .filter(|axis| *axis == Address::X);
-        let tool = |word: &Word| word.address == Address::M && word.whole() == Some(i64::from(TOOL_CHANGE));
         let address = split.word.address;
         let wanted = |wanted: bool, address: Address| wanted.then_some(address);
         let flow = plain && matches!(split.text.as_str(), "71" | "72" | "73") && !of_group(GGroup::G7);
         if flow && has(Address::L) && address != Address::L {
             Some(Address::G)
         } else if address == Address::N {
-            if words.iter().any(tool) && !has(Address::T) && plain {
+            if words.iter().any(|word| word.is_m(TOOL_CHANGE)) && !has(Address::T) && plain {
                 Some(Address::T)
             } else if others == 0 {
                 None

@@ -174,6 +174,11 @@ impl Word {
         self.number().and_then(Decimal::as_whole)
     }
 
+    /// Whether it is this M function, written out.
+    pub fn is_m(self, function: u8) -> bool {
+        self.address == Address::M && self.whole() == Some(i64::from(function))
+    }
+
     /// The parameter that an R word assigns, above 95 when that cannot be read; of other words nothing.
     pub const fn target(self) -> u8 {
         self.index
