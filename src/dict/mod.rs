@@ -24,8 +24,8 @@ pub use decimal::Decimal;
 pub use dialect::Dialect;
 pub use feed_mode::{FeedMode, FeedPer, FeedRow};
 pub use gcode::{GCode, GGroup, Lasting};
-pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
+pub(crate) use lang::{bilingual, capitalized};
 pub use mcode::{
     CALL_ELSEWHERE, COOLANT_12, COOLANT_12_GROUP, COOLANT_34, COOLANT_34_GROUP, FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP,
     GEARS, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, MRow, OPTIONAL_STOP, ORIENTED_STOP, PROGRAM_ENDS, PROGRAM_GROUP,
