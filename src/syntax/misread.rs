@@ -5,7 +5,7 @@ use super::lower::Lowering;
 use super::missing::{SLIPS, Split};
 use super::number::Number;
 use super::{Kind, Token, Word, tokens};
-use crate::diag::{Diagnostic, Edit, Finding, Fix, FixTitle, ValueMeant, shown};
+use crate::diag::{Diagnostic, Finding, Fix, FixTitle, ValueMeant, shown};
 use crate::dict::{Address, HIGHEST_BLOCK};
 use crate::text::Span;
 
@@ -123,7 +123,7 @@ impl Lowering<'_> {
                 *meant = ValueMeant::LetterForDigit { letter, written: shown(&written) };
             }
             let title = FixTitle::Write { text: shown(&written) };
-            found.fixes = vec![Fix { title, edits: vec![Edit { at: place, text: written }], certain: false }];
+            found.fixes = vec![Fix::offer(title, place, written)];
         }
         self.pending.retain(|found| found.at.span.start != token.start);
     }
@@ -175,7 +175,7 @@ impl Lowering<'_> {
             (*loose, *meant) = (text, shown(&written));
             found.at = place;
             let title = FixTitle::Write { text: shown(&written) };
-            found.fixes = vec![Fix { title, edits: vec![Edit { at: place, text: written }], certain: false }];
+            found.fixes = vec![Fix::offer(title, place, written)];
         }
         let source = self.text;
         for word in self.words.iter_mut().skip(split.at + 1) {

@@ -2,7 +2,7 @@
 
 use super::lower::Lowering;
 use super::{Kind, Word, tokens};
-use crate::diag::{Code, Diagnostic, Edit, Finding, Fix, FixTitle, NumberMeant, shown};
+use crate::diag::{Code, Diagnostic, Finding, Fix, FixTitle, NumberMeant, shown};
 use crate::dict::{Address, GCode, GGroup, TOOL_CHANGE};
 use crate::text::Span;
 
@@ -120,8 +120,7 @@ impl Lowering<'_> {
             found.fixes.retain(|fix| fix.certain);
             if !written.is_empty() {
                 let title = FixTitle::Write { text: shown(&written) };
-                let edit = Edit { at: place, text: written };
-                found.fixes.push(Fix { title, edits: vec![edit], certain: false });
+                found.fixes.push(Fix::offer(title, place, written));
             }
         }
         let unknown = missing.is_some() || !word.address.is_dimensional();
@@ -165,9 +164,8 @@ impl Lowering<'_> {
         {
             (*loose, *meant) = (text, shown(&written));
             found.at = place;
-            found.fixes.clear();
             let title = FixTitle::Write { text: shown(&written) };
-            found.fixes.push(Fix { title, edits: vec![Edit { at: place, text: written }], certain: false });
+            found.fixes = vec![Fix::offer(title, place, written)];
         }
         self.pending.retain(|found| found.code() != Code::E0103 || found.at.span != of_letter.span);
         self.keep_first_piece(split);
@@ -315,10 +313,8 @@ impl Lowering<'_> {
             && let Finding::SplitNumber { loose, written: meant, .. } = &mut found.finding
         {
             (*loose, *meant) = (text, shown(&written));
-            found.fixes.clear();
             let title = FixTitle::Write { text: shown(&written) };
-            let edit = Edit { at: place, text: "R".to_owned() };
-            found.fixes.push(Fix { title, edits: vec![edit], certain: false });
+            found.fixes = vec![Fix::offer(title, place, "R")];
         }
         self.pending.remove(behind);
         let start = span.start;
