@@ -221,7 +221,7 @@ impl<'a> BlockChecker<'a> {
             self.too_many(word, MOST_G);
         }
         functions.foreign |= word.whole().is_some_and(|number| matches!(number, 65 | 66 | 74..=77));
-        let Some(code) = g_code(word) else { return };
+        let Some(code) = word.g_code() else { return };
         match functions.g.get_mut(code.group().index()) {
             Some(Some((first, first_word))) => {
                 let diagnostic = conflicting_g(self.file, (*first, *first_word), (code, word));
@@ -361,7 +361,7 @@ impl<'a> BlockChecker<'a> {
                 return false;
             }
         }
-        if address == Address::G && g_code(word).is_none() {
+        if address == Address::G && word.g_code().is_none() {
             let number = value.as_whole().and_then(|number| u32::try_from(number).ok()).unwrap_or(0);
             self.report_value(word, Finding::UnknownG { number });
             return false;
@@ -759,14 +759,6 @@ fn point_meant(address: Address, value: Decimal, dwell: bool) -> PointMeant {
         (Address::G | Address::M, None) => PointMeant::Function,
         (_, None) => PointMeant::Plain,
     }
-}
-
-/// The G function that a word writes out.
-pub fn g_code(word: Word) -> Option<GCode> {
-    if word.address != Address::G {
-        return None;
-    }
-    word.whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number)
 }
 
 /// The number of the M function that a word writes out, when the dialect has it.

@@ -1,7 +1,6 @@
 //! Whether a value fits its address (§2, ADR-1, ADR-2, TEC-1). The same rules for values written out and for those that
 //! parameters give.
 
-use super::blocks::g_code;
 use crate::config::Machine;
 use crate::dict::{Address, Decimal, GCode, GGroup, Lang, ValueForm, ValueRange, When};
 use crate::syntax::{BlockId, ParsedFile, Word};
@@ -21,7 +20,7 @@ pub enum FormFault {
 pub fn feed_mode_before(file: &ParsedFile, block: BlockId) -> Option<(GCode, Word)> {
     /// So many blocks are looked at.
     const BLOCKS: u32 = 1 << 10;
-    let of_group = |word: &Word| g_code(*word).filter(|code| code.group() == GGroup::G6).map(|code| (code, *word));
+    let of_group = |word: &Word| word.g_code().filter(|code| code.group() == GGroup::G6).map(|code| (code, *word));
     let mut blocks = (block.0.saturating_sub(BLOCKS)..block.0).rev().map(BlockId);
     blocks.find_map(|block| file.words(block).iter().rev().find_map(of_group))
 }

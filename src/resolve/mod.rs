@@ -24,7 +24,7 @@ mod targets;
 mod unused;
 mod window;
 
-pub use blocks::{g_code, m_number};
+pub use blocks::m_number;
 pub use forms::{FormFault, check_form, feed_mode_before};
 pub use library::{Library, MacrocycleFault};
 pub use meant::may_have_end;

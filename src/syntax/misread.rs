@@ -6,7 +6,7 @@ use super::missing::{SLIPS, Split};
 use super::number::Number;
 use super::{Kind, Token, Word, tokens};
 use crate::diag::{Diagnostic, Finding, Fix, FixTitle, ValueMeant, shown};
-use crate::dict::{Address, HIGHEST_BLOCK};
+use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::text::Span;
 
 /// Longer words are not looked at for a letter in them.
@@ -138,8 +138,7 @@ impl Lowering<'_> {
         }
         let (head, tail) = (n.span(self.text), l.span(self.text));
         let others = self.words.get(first + 2..).unwrap_or_default();
-        let takes =
-            |word: &Word| word.address == Address::G && word.whole().is_some_and(|code| matches!(code, 71..=73 | 79));
+        let takes = |word: &Word| word.g_code().is_some_and(GCode::takes_l);
         let taken = others.iter().any(takes) && !others.iter().any(|word| word.address == Address::L);
         let number = format!("{}1{}", self.slice(head), self.slice(tail).get(1..).unwrap_or_default());
         let value = number.get(1..).and_then(|number| Number::parse(number.as_bytes()));

@@ -180,10 +180,7 @@ impl Lowering<'_> {
         let words = self.words.get(first..).unwrap_or_default();
         let has = |address: Address| words.iter().any(|word| word.address == address);
         let others = words.iter().filter(|word| !matches!(word.address, Address::N | Address::Skip)).count();
-        let code = |word: &Word| {
-            let number = word.whole().filter(|_| word.address == Address::G)?;
-            u8::try_from(number).ok().and_then(GCode::from_number)
-        };
+        let code = |word: &Word| word.g_code();
         let working = words.iter().filter_map(code).any(|code| matches!(code, GCode::G01 | GCode::G02 | GCode::G03));
         let plain = split.text.bytes().all(|byte| byte.is_ascii_digit());
         let function = split.text.parse().ok().filter(|_| plain && split.text.len() == 2).and_then(GCode::from_number);
@@ -212,7 +209,7 @@ impl Lowering<'_> {
             }
         } else if address == Address::G {
             let code = split.code()?;
-            if matches!(code, GCode::G71 | GCode::G72 | GCode::G73 | GCode::G79) {
+            if code.takes_l() {
                 wanted(!has(Address::L) && plain, Address::L)
             } else if code == GCode::G04 {
                 wanted(!has(Address::Q) && plain, Address::Q)
