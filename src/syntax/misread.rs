@@ -82,12 +82,8 @@ impl Lowering<'_> {
         let Behind { token, letter, signed } = *behind;
         let Some(word) = self.words.get(slot).copied() else { return };
         let second = Address::from_byte(letter);
-        let repeated = |lowering: &Self| {
-            let same =
-                |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
-            lowering.words.get(first..).unwrap_or_default().iter().filter(same).count() > 1
-        };
-        let repeated = repeated(self);
+        let same = |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
+        let repeated = self.words.get(first..).unwrap_or_default().iter().filter(same).count() > 1;
         let digit = look_alike(letter);
         let of_arc = letter == b'I' && !signed && !repeated && self.arc_in_force();
         let assigned = word.address == Address::R;
