@@ -205,8 +205,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words without a decimal point too the
-    /// other reading is possible, so that it is offered only.
+    /// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words
+    /// without a decimal point too the other reading is possible, so that it is offered only.
     fn letters_for_last_digits(&mut self, first: usize) {
         for _ in 0..SLIPS {
             let Some(at) = (first + 2..self.words.len()).find(|at| self.is_letter_for_digit(first, *at)) else {

@@ -37,8 +37,8 @@ pub struct SourceText {
 }
 
 impl SourceText {
-    /// Decodes `bytes`: as UTF-16 when they are that, as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A byte-order mark is kept in the
-    /// text, and skipped by [`Self::first_offset`] (LEX-8).
+    /// Decodes `bytes`: as UTF-16 when they are that, as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A
+    /// byte-order mark is kept in the text, and skipped by [`Self::first_offset`] (LEX-8).
     ///
     /// # Errors
     /// [`DecodeError::TooLarge`] when the text has 4 GiB or more.
