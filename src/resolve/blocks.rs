@@ -1,6 +1,6 @@
 //! The checks of one block, as far as its written values go.
 
-use super::forms::{FormFault, check_form, feed_mode_before};
+use super::forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 use super::letters::{Letters, bit};
 use super::planes::missing_axis;
 use super::roles::{Roles, Taker};
@@ -344,13 +344,7 @@ impl<'a> BlockChecker<'a> {
                     };
                     let finding = Finding::ValueOutOfRange { address, range, mode, call };
                     let diagnostic = Diagnostic::new(finding, place);
-                    self.findings.add(match (there, mode) {
-                        (Some(there), Some(mode)) => {
-                            let label = LabelText::InForce { function: mode.to_string() };
-                            diagnostic.with_label(self.file.word_place(there), label)
-                        }
-                        _ => diagnostic,
-                    });
+                    self.findings.add(with_feed_mode(diagnostic, self.file, mode.zip(there)));
                 }
                 return false;
             }

@@ -2,6 +2,7 @@
 //! parameters give.
 
 use crate::config::Machine;
+use crate::diag::{Diagnostic, LabelText};
 use crate::dict::{Address, Decimal, GCode, GGroup, Lang, ValueForm, ValueRange, When};
 use crate::syntax::{BlockId, ParsedFile, Word};
 
@@ -23,6 +24,16 @@ pub fn feed_mode_before(file: &ParsedFile, block: BlockId) -> Option<(GCode, Wor
     let of_group = |word: &Word| word.g_code().filter(|code| code.group() == GGroup::G6).map(|code| (code, *word));
     let mut blocks = (block.0.saturating_sub(BLOCKS)..block.0).rev().map(BlockId);
     blocks.find_map(|block| file.words(block).iter().rev().find_map(of_group))
+}
+
+/// The diagnostic with a label at the function that says the unit of F, when that stands in a block before.
+pub fn with_feed_mode(diagnostic: Diagnostic, file: &ParsedFile, before: Option<(GCode, Word)>) -> Diagnostic {
+    match before {
+        Some((mode, word)) => {
+            diagnostic.with_label(file.word_place(word), LabelText::InForce { function: mode.to_string() })
+        }
+        None => diagnostic,
+    }
 }
 
 /// Checks `value` for `address`; `dwell`: Q is a dwell time; `feed`: the range that F must keep, none: not yet known.

@@ -25,7 +25,7 @@ mod unused;
 mod window;
 
 pub use blocks::m_number;
-pub use forms::{FormFault, check_form, feed_mode_before};
+pub use forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 pub use library::{Library, MacrocycleFault};
 pub use meant::may_have_end;
 pub use planes::missing_axis;
