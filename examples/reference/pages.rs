@@ -56,17 +56,9 @@ fn head(page: &mut String, cells: &[&str]) {
     let _ = writeln!(page, "|{}", "---|".repeat(cells.len()));
 }
 
-const fn dialect_name(dialect: Dialect) -> &'static str {
-    match dialect {
-        Dialect::Cnc8x6 => "CNC8x6",
-        Dialect::Cnc8x9 => "CNC8x9",
-        Dialect::Cnc872 => "CNC872",
-    }
-}
-
 /// On which controls something holds.
 fn on(holds: impl Fn(Dialect) -> bool, lang: Lang) -> String {
-    let dialects: Vec<&str> = Dialect::ALL.into_iter().filter(|dialect| holds(*dialect)).map(dialect_name).collect();
+    let dialects: Vec<&str> = Dialect::ALL.into_iter().filter(|dialect| holds(*dialect)).map(Dialect::title).collect();
     match dialects.len() {
         0 => text(lang, "no", "ne").to_owned(),
         count if count == Dialect::ALL.len() => text(lang, "yes", "ano").to_owned(),
@@ -216,6 +208,17 @@ const fn legend(lang: Lang) -> &'static str {
     )
 }
 
+fn head_of_functions(page: &mut String, lang: Lang) {
+    let columns = [
+        text(lang, "group", "skupina"),
+        text(lang, "function", "funkce"),
+        "",
+        text(lang, "meaning", "význam"),
+        text(lang, "rule", "pravidlo"),
+    ];
+    head(page, &columns);
+}
+
 fn g_functions(lang: Lang) -> String {
     let mut page = text(lang, "# G functions\n\n", "# G funkce\n\n").to_owned();
     page.push_str(legend(lang));
@@ -224,14 +227,7 @@ fn g_functions(lang: Lang) -> String {
         " Of each group one function stands in a block (GRP-1).\n\n",
         " Z každé skupiny smí být v bloku jedna funkce (GRP-1).\n\n",
     ));
-    let columns = [
-        text(lang, "group", "skupina"),
-        text(lang, "function", "funkce"),
-        "",
-        text(lang, "meaning", "význam"),
-        text(lang, "rule", "pravidlo"),
-    ];
-    head(&mut page, &columns);
+    head_of_functions(&mut page, lang);
     for group in GGroup::ALL {
         for code in GCode::ALL.iter().filter(|code| code.group() == group) {
             let name = format!("{group} {}", group.meaning().get(lang));
@@ -249,16 +245,9 @@ fn m_functions(lang: Lang) -> String {
         " Of each group one function stands in a block (MFN-1).\n",
         " Z každé skupiny smí být v bloku jedna funkce (MFN-1).\n",
     ));
-    let columns = [
-        text(lang, "group", "skupina"),
-        text(lang, "function", "funkce"),
-        "",
-        text(lang, "meaning", "význam"),
-        text(lang, "rule", "pravidlo"),
-    ];
     for dialect in Dialect::ALL {
-        let _ = write!(page, "\n## {}\n\n", dialect_name(dialect));
-        head(&mut page, &columns);
+        let _ = write!(page, "\n## {}\n\n", dialect.title());
+        head_of_functions(&mut page, lang);
         let mut rows: Vec<&MRow> = standard_m_functions(dialect).collect();
         rows.sort_by_key(|row| (row.group, row.number));
         for function in rows {

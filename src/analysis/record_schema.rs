@@ -4,6 +4,8 @@ use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
+use crate::dict::capitalized;
+
 /// The schema of the records `T`, an enum tagged by `kind`, JSON Schema 2020-12: a definition for each record, named after
 /// its kind. `schema` is name and version of the form.
 pub fn record_schema<T: JsonSchema>(schema: &str) -> Value {
@@ -29,11 +31,6 @@ pub fn record_schema<T: JsonSchema>(schema: &str) -> Value {
         root.insert("$defs".to_owned(), named.into());
     }
     root
-}
-
-fn capitalized(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().into_iter().flat_map(char::to_uppercase).chain(characters).collect()
 }
 
 /// Fields without a value are left out, never null; only the items of `g` and `m` are.

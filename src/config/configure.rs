@@ -16,8 +16,8 @@ use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, So
 ///
 /// The files read join `sources` under the names by which they were reached; paths in the project file are relative to
 /// its folder. What is wrong joins `findings` at its place: E0701 for what cannot be read, E0702–E0706 for values, W0705
-/// for unknown names. They get the levels of the run. A wrong value leaves the default in force; when `findings` then has an error, the run must end with
-/// status 2 before any program is read.
+/// for unknown names. They get the levels of the run. A wrong value leaves the default in force; when `findings` then has
+/// an error, the run must end with status 2 before any program is read.
 pub fn configure(
     project: Option<&Path>,
     overrides: &Overrides,

@@ -6,12 +6,10 @@ use super::motion::TimedFunction;
 use super::near::nearest;
 use super::number::HIGHEST_PARAMETER;
 use crate::diag::{Code, KnownNames};
-use crate::dict::{AxisLetter, Decimal, GGroup, HIGHEST_L, Lang, M_GROUPS};
+use crate::dict::{AxisLetter, Decimal, Dialect, GGroup, HIGHEST_L, Lang, M_GROUPS};
 
 /// Highest number of a machine constant.
 const HIGHEST_CONSTANT: u16 = 999;
-/// Highest number of an M function.
-const HIGHEST_M: u16 = 100;
 /// What the number of an address is more than its place, among functions that take time.
 pub(super) const TIMED_ADDRESS: u16 = 1000;
 /// Highest operation code (PAR-8: two digits).
@@ -59,7 +57,7 @@ impl Names {
             Self::Operations => digits(name).filter(|_| name.len() <= 2),
             Self::Cycles => plain(name, "G", 89).filter(|&number| number >= 81),
             Self::Timed => match name.strip_prefix('M') {
-                Some(number) => digits(number).filter(|number| *number <= HIGHEST_M),
+                Some(number) => digits(number).filter(|number| *number <= u16::from(Dialect::HIGHEST_M)),
                 None => {
                     let place = TimedFunction::ADDRESSES.iter().position(|letter| name == *letter)?;
                     u16::try_from(place).ok().map(|place| TIMED_ADDRESS + place)

@@ -7,8 +7,8 @@ use crate::dict::{Bilingual, Decimal, Lang};
 const MOST_DIGITS: usize = 18;
 
 /// The number that `text` writes: optional sign, digits with an optional point among, before or behind them, optional
-/// exponent (`1.5e3`). What is finer than 0.001 is rounded, halves away from zero (ADR-2). What is too large for a [`Decimal`] becomes its largest, so that every range check
-/// refuses it.
+/// exponent (`1.5e3`). What is finer than 0.001 is rounded, halves away from zero (ADR-2). What is too large for a
+/// [`Decimal`] becomes its largest, so that every range check refuses it.
 ///
 /// `None` when the text is no such number.
 pub fn parse_decimal(text: &str) -> Option<Decimal> {

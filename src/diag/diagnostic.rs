@@ -90,6 +90,13 @@ pub struct Edit {
     pub text: String,
 }
 
+impl Fix {
+    /// A change of one place that is offered, but not applied by itself.
+    pub fn offer(title: FixTitle, at: Location, text: impl Into<String>) -> Self {
+        Self { title, edits: vec![Edit { at, text: text.into() }], certain: false }
+    }
+}
+
 impl Diagnostic {
     /// `finding` at `at`, alone.
     pub fn new(finding: Finding, at: Location) -> Self {
@@ -128,8 +135,9 @@ impl Diagnostic {
 
     /// With a change of one place that is offered, but not applied by itself.
     #[must_use]
-    pub fn with_offer(self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
-        self.with_offers(title, vec![Edit { at, text: text.into() }])
+    pub fn with_offer(mut self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
+        self.fixes.push(Fix::offer(title, at, text));
+        self
     }
 
     /// With a change of several edits that is offered, but not applied by itself.

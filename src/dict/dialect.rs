@@ -39,7 +39,17 @@ dialects! {
 
 impl Dialect {
     /// Highest M number of any dialect.
-    pub const HIGHEST_M: u8 = Self::Cnc872.highest_m();
+    pub const HIGHEST_M: u8 = {
+        let mut highest = 0;
+        let mut dialects: &[Self] = &Self::ALL;
+        while let [dialect, rest @ ..] = dialects {
+            if dialect.highest_m() > highest {
+                highest = dialect.highest_m();
+            }
+            dialects = rest;
+        }
+        highest
+    };
 
     /// Most axes that a machine may be configured with (§12, §13 Configuration).
     pub const fn axes(self) -> usize {

@@ -257,6 +257,11 @@ impl GCode {
     pub const fn is_flow(self) -> bool {
         matches!(self, Self::G71 | Self::G72 | Self::G73)
     }
+
+    /// Whether it names a unit or a block by L: G71, G72, G73, G79.
+    pub const fn takes_l(self) -> bool {
+        self.is_flow() || matches!(self, Self::G79)
+    }
 }
 
 impl fmt::Display for GCode {

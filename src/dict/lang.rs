@@ -41,6 +41,12 @@ impl Bilingual {
     }
 }
 
+/// The text with its first letter in upper case.
+pub(crate) fn capitalized(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().into_iter().flat_map(char::to_uppercase).chain(characters).collect()
+}
+
 /// Declares a closed set of texts: an enum whose rows are a name, fields, and the text in English and Czech, both format
 /// strings with the fields by name.
 macro_rules! bilingual {

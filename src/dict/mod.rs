@@ -1,7 +1,7 @@
 //! The language as data: addresses, G functions, M functions, dialects, and the exact numbers of words.
 //!
-//! Every row says what it is in English and Czech, and cites its rule. The parser, the checks, `explain` and the reference pages read these
-//! rows. M functions that rules of execution name are constants beside the rows; so are limits.
+//! Every row says what it is in English and Czech, and cites its rule. The parser, the checks, `explain` and the reference
+//! pages read these rows. M functions that rules of execution name are constants beside the rows; so are limits.
 
 mod address;
 mod arithmetic;
@@ -24,8 +24,8 @@ pub use decimal::Decimal;
 pub use dialect::Dialect;
 pub use feed_mode::{FeedMode, FeedPer, FeedRow};
 pub use gcode::{GCode, GGroup, Lasting};
-pub(crate) use lang::bilingual;
 pub use lang::{Bilingual, Lang};
+pub(crate) use lang::{bilingual, capitalized};
 pub use mcode::{
     CALL_ELSEWHERE, COOLANT_12, COOLANT_12_GROUP, COOLANT_34, COOLANT_34_GROUP, FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP,
     GEARS, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, MRow, OPTIONAL_STOP, ORIENTED_STOP, PROGRAM_ENDS, PROGRAM_GROUP,

@@ -120,7 +120,7 @@ impl ValueRange {
         self.min <= value && value <= self.max
     }
 
-    /// Both ends with their unit: `1–99`, `±69999.999 mm, °`.
+    /// Both ends with their unit: `1–99`, `±69999.999 mm or °`.
     pub fn text(self, lang: Lang) -> String {
         let Self { min, max, unit, .. } = self;
         let ends = if min == max.negated() { format!("±{max}") } else { format!("{min}–{max}") };

@@ -10,7 +10,7 @@ use super::line_length::first_long_line;
 use crate::dict::{Address, GCode, HIGHEST_BLOCK, HIGHEST_L};
 use crate::query::analysis::Analysis;
 use crate::query::cursor::DOCUMENT;
-use crate::resolve::{Roles, Taker, Target, g_code};
+use crate::resolve::{Roles, Taker, Target};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::Span;
 
@@ -68,7 +68,7 @@ fn jumps(analysis: &Analysis, file: &ParsedFile) -> Result<Jumps, EditText> {
         let Roles { taker, l: Some(l), .. } = Roles::written(words) else { continue };
         let functions = || words.iter().filter(|word| word.address == Address::G);
         // A clash of two calls is no jump.
-        if !taker.may_be(GCode::G73) || !functions().any(|word| g_code(*word).is_none_or(|code| code == GCode::G73)) {
+        if !taker.may_be(GCode::G73) || !functions().any(|word| word.g_code().is_none_or(|code| code == GCode::G73)) {
             continue;
         }
         // A G whose number is not written may turn out to be a jump.

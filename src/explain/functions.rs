@@ -6,7 +6,7 @@ use super::usage::Usage;
 use super::{m_usage, usage};
 use crate::diag::Code;
 use crate::dict::{
-    Address, Bilingual, Dialect, GCode, HIGHEST_PARAMETER, Lang, Lasting, M_GROUPS, MRow, ValueForm,
+    Address, Bilingual, Dialect, GCode, HIGHEST_PARAMETER, Lang, Lasting, M_GROUPS, MRow, ValueForm, capitalized,
     standard_m_functions,
 };
 
@@ -276,9 +276,4 @@ fn holds_word(line: &str, word: &str) -> bool {
         let joined = |character: Option<char>| character.is_some_and(|character| character.is_ascii_alphanumeric());
         !joined(before) && !joined(after)
     })
-}
-
-fn capitalized(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }

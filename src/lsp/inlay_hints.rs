@@ -12,7 +12,7 @@ use crate::query::flow::Flow;
 use crate::query::hover_texts::Said;
 use crate::query::observe::{Observation, Observed, control_of, executing, observe};
 use crate::query::shown::{count, exact, formula};
-use crate::resolve::{Roles, g_code};
+use crate::resolve::Roles;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
 /// Different values that a hint shows; its tooltip shows more.
@@ -107,7 +107,7 @@ impl Hinter<'_> {
                 if let Some(control) = control_of(&self.analysis.settings.machine, self.file, block, *word) {
                     let formula = formula(control);
                     (formula.clone(), Said::HintControl { formula })
-                } else if let Some(code @ (GCode::G18 | GCode::G19)) = g_code(*word)
+                } else if let Some(code @ (GCode::G18 | GCode::G19)) = word.g_code()
                     && let Some(plane) = Plane::of(code)
                 {
                     (plane.name.to_owned(), Said::HintPlane { g: code.number(), name: plane.name })

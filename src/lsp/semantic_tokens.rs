@@ -33,7 +33,6 @@ use super::places::{Places, span};
 use super::requests::{Answer, Snapshot};
 use crate::dict::{Address, GCode, GGroup, OPTIONAL_STOP, PROGRAM_ENDS, PROGRAM_STOP};
 use crate::query::cursor::{DOCUMENT, block_at};
-use crate::resolve::g_code;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::Span;
 
@@ -198,7 +197,7 @@ impl<'a> Painter<'a> {
         }
         let words = self.file.words(block);
         let rich = self.file.flags(block).has(BlockFlags::RICH);
-        let mut functions = words.iter().filter(|_| rich).filter_map(|word| g_code(*word));
+        let mut functions = words.iter().filter(|_| rich).filter_map(|word| word.g_code());
         let flow = functions.find(|code| code.group() == GGroup::G7);
         for &word in words {
             self.word(word, flow);
@@ -314,7 +313,7 @@ impl<'a> Painter<'a> {
 }
 
 fn g_type(word: Word) -> Kind {
-    let Some(code) = g_code(word) else { return Kind::Type };
+    let Some(code) = word.g_code() else { return Kind::Type };
     match code.group() {
         GGroup::G7 => Kind::Keyword,
         GGroup::G0 => Kind::Method,

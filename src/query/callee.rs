@@ -56,9 +56,7 @@ pub(crate) fn tool(file: &ParsedFile, number: i64) -> Option<&str> {
         let comments = file.comments_behind(block).iter();
         comments.filter(|comment| !super::extents::stands_alone(text, **comment)).find_map(|c| heading(file, *c))
     };
-    let changes = |block: &BlockId| {
-        file.words(*block).iter().any(|word| word.address == Address::M && word.whole() == Some(i64::from(TOOL_CHANGE)))
-    };
+    let changes = |block: &BlockId| file.words(*block).iter().any(|word| word.is_m(TOOL_CHANGE));
     file.block_ids().filter(chooses).find_map(|block| {
         let behind = || (block.0 + 1..=block.0 + CHANGE).map(BlockId).find(changes).and_then(beside);
         beside(block).or_else(behind)

@@ -2,7 +2,7 @@
 
 use crate::config::Machine;
 use crate::dict::{Address, FIRST_CONTROL, GCode, GGroup};
-use crate::resolve::{Roles, Taker, control_word, g_code, l_number};
+use crate::resolve::{Roles, Taker, control_word, l_number};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::Span;
 
@@ -54,7 +54,7 @@ pub(crate) fn is_unknown(word: Word) -> bool {
 
 /// The function G26–G29 of a block.
 pub(crate) fn arithmetic(words: &[Word]) -> Option<GCode> {
-    words.iter().find_map(|word| g_code(*word).filter(|code| code.group() == GGroup::G4))
+    words.iter().find_map(|word| word.g_code().filter(|code| code.group() == GGroup::G4))
 }
 
 /// The control words of a block with that function: the first R word of each (PAR-7).
@@ -153,7 +153,7 @@ impl Names<'_> {
 
     /// The macrocycle that the cycle map gives for a G word (GRP-6).
     pub(crate) fn mapped(&self, word: Word) -> Option<u32> {
-        let cycle = g_code(word).filter(|code| code.is_cycle())?;
+        let cycle = word.g_code().filter(|code| code.is_cycle())?;
         self.machine.cycles.get(&cycle.number()).copied()
     }
 

@@ -13,7 +13,7 @@ use crate::analysis::plc::WordsRead;
 use crate::config::Machine;
 use crate::diag::Findings;
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro, PROGRAM_GROUP};
-use crate::resolve::{ControlWord, Library, control_word, g_code};
+use crate::resolve::{ControlWord, Library, control_word};
 use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Sink};
 use crate::session::Session;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
@@ -415,7 +415,7 @@ impl Observed {
 
 /// The G functions that a block writes out.
 pub(crate) fn g_functions(file: &ParsedFile, block: BlockId) -> impl Iterator<Item = (GCode, Word)> + '_ {
-    file.words(block).iter().filter_map(|word| Some((g_code(*word)?, *word)))
+    file.words(block).iter().filter_map(|word| Some((word.g_code()?, *word)))
 }
 
 /// The control word that an R word of a block is (PAR-7), when G26–G29 and the word are written out.

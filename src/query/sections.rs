@@ -172,8 +172,7 @@ fn without_number<'t>(title: &'t str, number: &str) -> &'t str {
 }
 
 fn has_m06(file: &ParsedFile, block: BlockId) -> bool {
-    let m06 = |word: &Word| word.address == Address::M && word.whole() == Some(i64::from(TOOL_CHANGE));
-    file.flags(block).has(BlockFlags::RICH) && file.words(block).iter().any(m06)
+    file.flags(block).has(BlockFlags::RICH) && file.words(block).iter().any(|word| word.is_m(TOOL_CHANGE))
 }
 
 fn tool_change(file: &ParsedFile, block: BlockId, tool: Option<Word>) -> Section {

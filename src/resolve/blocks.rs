@@ -1,6 +1,6 @@
 //! The checks of one block, as far as its written values go.
 
-use super::forms::{FormFault, check_form, feed_mode_before};
+use super::forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 use super::letters::{Letters, bit};
 use super::planes::missing_axis;
 use super::points::Points;
@@ -259,7 +259,7 @@ impl<'a> BlockChecker<'a> {
             self.too_many(word, MOST_G);
         }
         functions.foreign |= word.whole().is_some_and(|number| matches!(number, 65 | 66 | 74..=77));
-        let Some(code) = g_code(word) else { return };
+        let Some(code) = word.g_code() else { return };
         match functions.g.get_mut(code.group().index()) {
             Some(Some((first, first_word))) => {
                 let diagnostic = conflicting_g(self.file, (*first, *first_word), (code, word));
@@ -382,13 +382,7 @@ impl<'a> BlockChecker<'a> {
                     };
                     let finding = Finding::ValueOutOfRange { address, range, mode, call };
                     let diagnostic = Diagnostic::new(finding, place);
-                    self.findings.add(match (there, mode) {
-                        (Some(there), Some(mode)) => {
-                            let label = LabelText::InForce { function: mode.to_string() };
-                            diagnostic.with_label(self.file.word_place(there), label)
-                        }
-                        _ => diagnostic,
-                    });
+                    self.findings.add(with_feed_mode(diagnostic, self.file, mode.zip(there)));
                 }
                 return false;
             }
@@ -399,7 +393,7 @@ impl<'a> BlockChecker<'a> {
                 return false;
             }
         }
-        if address == Address::G && g_code(word).is_none() {
+        if address == Address::G && word.g_code().is_none() {
             let number = value.as_whole().and_then(|number| u32::try_from(number).ok()).unwrap_or(0);
             self.report_value(word, Finding::UnknownG { number });
             return false;
@@ -797,14 +791,6 @@ fn point_meant(address: Address, value: Decimal, dwell: bool) -> PointMeant {
         (Address::G | Address::M, None) => PointMeant::Function,
         (_, None) => PointMeant::Plain,
     }
-}
-
-/// The G function that a word writes out.
-pub fn g_code(word: Word) -> Option<GCode> {
-    if word.address != Address::G {
-        return None;
-    }
-    word.whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number)
 }
 
 /// The number of the M function that a word writes out, when the dialect has it.

@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::blocks::g_code;
 use super::structure::{Context, l_number};
 use super::{Resolved, Roles, Target, Unit, UnitId, UnitKind, spelling, targets};
 use crate::diag::{Diagnostic, Finding, Findings, Label, LabelText};
@@ -168,7 +167,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         if has_parametric_call(words) {
             return;
         }
-        let calls = words.iter().any(|word| g_code(*word) == Some(GCode::G71));
+        let calls = words.iter().any(|word| word.g_code() == Some(GCode::G71));
         let l = words.iter().copied().find(|word| word.address == Address::L);
         if calls && l.is_none() {
             // It has its finding: it may be to call any of them.
@@ -183,7 +182,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
             named.extend(l.and_then(known));
         }
         // A G72 that finds no macrocycle, and a G17 with the number of a subprogram, have their findings: they were to call it.
-        let written = |code: GCode| words.iter().any(|word| g_code(*word) == Some(code));
+        let written = |code: GCode| words.iter().any(|word| word.g_code() == Some(code));
         if let Some(l) = l.and_then(l_number)
             && (written(GCode::G17) && Roles::written(words).flow().is_none()
                 || written(GCode::G72) && context.library.find(l).is_err())

@@ -1,8 +1,8 @@
 //! Whether a value fits its address (§2, ADR-1, ADR-2, TEC-1). The same rules for values written out and for those that
 //! parameters give.
 
-use super::blocks::g_code;
 use crate::config::Machine;
+use crate::diag::{Diagnostic, LabelText};
 use crate::dict::{Address, Decimal, GCode, GGroup, Lang, ValueForm, ValueRange, When};
 use crate::syntax::{BlockId, ParsedFile, Word};
 
@@ -21,9 +21,19 @@ pub enum FormFault {
 pub fn feed_mode_before(file: &ParsedFile, block: BlockId) -> Option<(GCode, Word)> {
     /// So many blocks are looked at.
     const BLOCKS: u32 = 1 << 10;
-    let of_group = |word: &Word| g_code(*word).filter(|code| code.group() == GGroup::G6).map(|code| (code, *word));
+    let of_group = |word: &Word| word.g_code().filter(|code| code.group() == GGroup::G6).map(|code| (code, *word));
     let mut blocks = (block.0.saturating_sub(BLOCKS)..block.0).rev().map(BlockId);
     blocks.find_map(|block| file.words(block).iter().rev().find_map(of_group))
+}
+
+/// The diagnostic with a label at the function that says the unit of F, when that stands in a block before.
+pub fn with_feed_mode(diagnostic: Diagnostic, file: &ParsedFile, before: Option<(GCode, Word)>) -> Diagnostic {
+    match before {
+        Some((mode, word)) => {
+            diagnostic.with_label(file.word_place(word), LabelText::InForce { function: mode.to_string() })
+        }
+        None => diagnostic,
+    }
 }
 
 /// Checks `value` for `address`; `dwell`: Q is a dwell time; `feed`: the range that F must keep, none: not yet known.

@@ -25,8 +25,8 @@ mod targets;
 mod unused;
 mod window;
 
-pub use blocks::{g_code, m_number};
-pub use forms::{FormFault, check_form, feed_mode_before};
+pub use blocks::m_number;
+pub use forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 pub use library::{Library, MacrocycleFault};
 pub use meant::may_have_end;
 pub use planes::missing_axis;

@@ -1,7 +1,6 @@
 //! What G04, G71, G72, G73, G79, L and Q of a block mean (FLW-1, FLW-3, FLW-6, FLW-7, GRP-5). The only reading of it: checks,
 //! execution and the editor take it from here, with functions that are written out or that parameters give.
 
-use super::blocks::g_code;
 use crate::diag::{DwellMeant, Finding, TargetMeant, UnusedMeant};
 use crate::dict::{Address, GCode, GGroup};
 use crate::syntax::Word;
@@ -48,7 +47,7 @@ impl Roles {
     /// Of words whose G functions are written out, as far as they are.
     pub fn written(words: &[Word]) -> Self {
         let find = |address| words.iter().copied().find(|word| word.address == address);
-        let functions = words.iter().filter(|word| word.address == Address::G).map(|word| (g_code(*word), *word));
+        let functions = words.iter().filter(|word| word.address == Address::G).map(|word| (word.g_code(), *word));
         Self::of(functions, find(Address::L), find(Address::Q))
     }
 
@@ -65,7 +64,7 @@ impl Roles {
             let group = 1 << code.group().index();
             clash |= seen & group;
             seen |= group;
-            if takes_l(code) {
+            if code.takes_l() {
                 taker = Some((code, word));
             } else if code == GCode::G04 {
                 dwell = Some(word);
@@ -131,11 +130,6 @@ impl Roles {
     fn begins(&self) -> bool {
         matches!(self.taker, Taker::One(GCode::G79, _))
     }
-}
-
-/// Whether a function names a unit or a block by L.
-const fn takes_l(code: GCode) -> bool {
-    matches!(code, GCode::G71 | GCode::G72 | GCode::G73 | GCode::G79)
 }
 
 #[cfg(test)]

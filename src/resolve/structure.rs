@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::blocks::{BlockChecker, g_code, m_number};
+use super::blocks::{BlockChecker, m_number};
 use super::checks::look_at_blocks;
 use super::foreign::Origin;
 use super::letters::Letters;
@@ -395,7 +395,7 @@ impl Context<'_, '_> {
     fn check_ends_in_main(&mut self, parsed: &ParsedFile, first: BlockId, end: BlockId) {
         for block in (first.0..end.0).map(BlockId) {
             if parsed.flags(block).has(BlockFlags::RETURN)
-                && let Some(&word) = parsed.words(block).iter().find(|word| g_code(**word) == Some(GCode::G70))
+                && let Some(&word) = parsed.words(block).iter().find(|word| word.g_code() == Some(GCode::G70))
             {
                 self.report(parsed.word_place(word), Finding::EndOutsideSubprogram { finishing: false });
             }
@@ -406,7 +406,7 @@ impl Context<'_, '_> {
     fn check_entry(&mut self, parsed: &ParsedFile, block: BlockId, unnumbered: bool) {
         for &word in parsed.words(block) {
             // A function of the same group, or a second L, is a finding of its own already.
-            let of_group = g_code(word).is_some_and(|code| code.group() == GCode::G79.group());
+            let of_group = word.g_code().is_some_and(|code| code.group() == GCode::G79.group());
             if !of_group && word.address != Address::L && !word.is_faulty() && !is_letterless(parsed, word) {
                 let place = parsed.word_place(word);
                 let shown = crate::diag::shown(parsed.source.slice(place.span));
@@ -451,10 +451,7 @@ fn ends_before_entry(parsed: &ParsedFile, block: BlockId) -> bool {
         return false;
     }
     let entry = entry_place(parsed, block).span.start;
-    let end = |word: &Word| {
-        let number = word.whole().and_then(|number| u8::try_from(number).ok());
-        word.address == Address::M && number.is_some_and(|number| PROGRAM_ENDS.contains(&number))
-    };
+    let end = |word: &Word| PROGRAM_ENDS.into_iter().any(|function| word.is_m(function));
     let line = |at: u32| parsed.source.lines().line_at(at);
     parsed.words(block).iter().any(|word| end(word) && line(word.start()) < line(entry))
 }
@@ -530,7 +527,7 @@ fn entry_place(parsed: &ParsedFile, block: BlockId) -> Location {
     parsed
         .words(block)
         .iter()
-        .find(|word| g_code(**word) == Some(GCode::G79))
+        .find(|word| word.g_code() == Some(GCode::G79))
         .map_or_else(|| parsed.n_place(block), |word| parsed.word_place(*word))
 }
 

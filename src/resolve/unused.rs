@@ -1,6 +1,6 @@
 //! What was meant by an L without use (W0402): other controls write calls and tables with it, and digits are exchanged.
 
-use super::blocks::{Functions, g_code};
+use super::blocks::Functions;
 use super::{Unit, UnitKind};
 use crate::diag::UnusedMeant;
 use crate::dict::{Address, GCode, GGroup};
@@ -12,7 +12,7 @@ pub(super) fn exchanged_call(units: &[Unit], words: &[Word], functions: &Functio
     let other = words.iter().any(|word| !matches!(word.address, Address::G | Address::L | Address::Q | Address::Skip));
     let mut codes = words.iter().filter(|word| word.address == Address::G);
     let (Some(written), None) = (codes.next(), codes.next()) else { return None };
-    let code = g_code(*written).filter(|_| !other)?;
+    let code = written.g_code().filter(|_| !other)?;
     let l = functions.roles.l.and_then(super::l_number)?;
     let meant = if code == GCode::G17 || code == GCode::G07 && is_unit(units, l) {
         GCode::G71

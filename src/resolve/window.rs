@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::blocks::{BlockChecker, g_code};
+use super::blocks::BlockChecker;
 use super::letters::Letters;
 use super::lines;
 use super::{Resolved, Unit, UnitKind};
@@ -87,7 +87,7 @@ fn concerns_itself_only(parsed: &ParsedFile, (before, after): (u32, u32)) -> boo
         }
         let leads = |address| matches!(address, Address::R | Address::L | Address::Q);
         let alone = parsed.words(block).iter().all(|word| {
-            let function = g_code(*word).is_some_and(|code| !code.is_flow() && !code.is_cycle());
+            let function = word.g_code().is_some_and(|code| !code.is_flow() && !code.is_cycle());
             !leads(word.address) && !word.is_parametric() && (word.address != Address::G || function)
         });
         if !alone {

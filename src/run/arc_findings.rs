@@ -8,7 +8,7 @@ use super::site::Site;
 use super::state::{Position, State};
 use super::words::{BlockWords, Valued};
 use crate::config::{ArcCenters, Machine};
-use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Edit, Finding, Fix, FixTitle, LabelText, PlaneFault};
+use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Edit, Finding, FixTitle, LabelText, PlaneFault};
 use crate::dict::{AxisLetter, GCode, GGroup, Micro};
 use crate::text::Location;
 
@@ -148,7 +148,7 @@ pub(super) fn radii(
 }
 
 /// Offers the words that fit in place of those that are written, when these are numbers.
-fn offer(site: &Site<'_>, words: &BlockWords, mut diagnostic: Diagnostic) -> Diagnostic {
+fn offer(site: &Site<'_>, words: &BlockWords, diagnostic: Diagnostic) -> Diagnostic {
     let Finding::ArcRadiusMismatch { meant, .. } = &diagnostic.finding else { return diagnostic };
     let (ArcMeant::Coordinates { words: text } | ArcMeant::Exchanged { words: text }) = meant else {
         return diagnostic;
@@ -161,10 +161,10 @@ fn offer(site: &Site<'_>, words: &BlockWords, mut diagnostic: Diagnostic) -> Dia
         (Some(one), None) | (None, Some(one)) => vec![edit(one, &text)],
         (None, None) => return diagnostic,
     };
-    if ![words.i, words.j].into_iter().flatten().any(|valued| valued.word.is_parametric()) {
-        diagnostic.fixes.push(Fix { title: FixTitle::Write { text }, edits, certain: false });
+    if [words.i, words.j].into_iter().flatten().any(|valued| valued.word.is_parametric()) {
+        return diagnostic;
     }
-    diagnostic
+    diagnostic.with_offers(FixTitle::Write { text }, edits)
 }
 
 /// Whether I and J fit as coordinates of the centre, or exchanged.

@@ -8,7 +8,8 @@ use super::words::{BlockWords, Valued};
 use crate::diag::{ArithmeticFault, Diagnostic, Finding, LabelText, ParameterNeed};
 use crate::dict::{Address, Decimal, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, PROGRAM_ENDS};
 use crate::resolve::{
-    FormFault, check_form, control_result, control_word, feed_mode_before, g_code, missing_control_words, value_or_word,
+    FormFault, check_form, control_result, control_word, feed_mode_before, missing_control_words, value_or_word,
+    with_feed_mode,
 };
 use crate::syntax::{Value, Word};
 use crate::text::Location;
@@ -64,14 +65,9 @@ fn report_form(
             let finding = Finding::ValueOutOfRange { address: word.address, range, mode: feed, call: None };
             let diagnostic = Diagnostic::new(finding, site.value_place(word));
             let here =
-                site.file.words(site.block).iter().any(|word| g_code(*word).is_some_and(|code| Some(code) == feed));
+                site.file.words(site.block).iter().any(|word| word.g_code().is_some_and(|code| Some(code) == feed));
             let there = feed_mode_before(site.file, site.block).filter(|(code, _)| !here && Some(*code) == feed);
-            site.report(match there {
-                Some((code, g)) => {
-                    diagnostic.with_label(site.word_place(g), LabelText::InForce { function: code.to_string() })
-                }
-                None => diagnostic,
-            });
+            site.report(with_feed_mode(diagnostic, site.file, there));
             return;
         }
         FormFault::Range(range) => ParameterNeed::Range(range),

@@ -3,9 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{
-    Diagnostic, DwellMeant, Edit, Finding, Findings, Fix, FixTitle, PointMeant, TargetMeant, UnusedMeant,
-};
+use crate::diag::{Diagnostic, DwellMeant, Finding, Findings, Fix, FixTitle, PointMeant, TargetMeant, UnusedMeant};
 use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::resolve::{Resolved, Roles, Taker, Target, Unit, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
@@ -34,7 +32,7 @@ struct Offers<'a> {
 
 /// One change that is offered.
 fn offer(title: FixTitle, file: &ParsedFile, span: Span, text: impl Into<String>) -> Vec<Fix> {
-    vec![Fix { title, edits: vec![Edit { at: file.at(span), text: text.into() }], certain: false }]
+    vec![Fix::offer(title, file.at(span), text)]
 }
 
 /// A change of a text into another that is written at its place.

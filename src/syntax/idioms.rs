@@ -53,8 +53,7 @@ impl Lowering<'_> {
     fn g_word(&self, first: usize, codes: &[GCode]) -> Option<(usize, GCode, Word)> {
         let words = (first..).zip(self.block_words(first));
         let mut found = words.filter_map(|(at, word)| {
-            let number = word.whole().filter(|_| word.address == Address::G && !word.is_faulty())?;
-            let code = u8::try_from(number).ok().and_then(GCode::from_number)?;
+            let code = word.g_code().filter(|_| !word.is_faulty())?;
             codes.contains(&code).then_some((at, code, *word))
         });
         found.next()
@@ -206,8 +205,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words without a decimal point too the
-    /// other reading is possible, so that it is offered only.
+    /// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words
+    /// without a decimal point too the other reading is possible, so that it is offered only.
     fn letters_for_last_digits(&mut self, first: usize) {
         for _ in 0..SLIPS {
             let Some(at) = (first + 2..self.words.len()).find(|at| self.is_letter_for_digit(first, *at)) else {
@@ -294,8 +293,7 @@ impl Lowering<'_> {
 
     /// R without `=` beside a fixed cycle is meant as its height; then what else other controls write there is part of it.
     fn height_of_cycle(&mut self, first: usize) {
-        let code = |word: &Word| word.whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number);
-        let of_cycle = |word: &Word| code(word).filter(|code| word.address == Address::G && code.is_cycle());
+        let of_cycle = |word: &Word| word.g_code().filter(|code| code.is_cycle());
         let Some(cycle) = self.block_words(first).iter().find_map(of_cycle) else { return };
         let mut height = false;
         for found in &mut self.pending {

@@ -316,7 +316,7 @@ impl<'t> Lowering<'t> {
             joined.push_str(self.slice(piece.span()));
         }
         let comma = joined.contains(',');
-        let letter = joined.contains(['o', 'O', 'l', 'I', 'S', 'B']);
+        let letter = joined.bytes().any(|letter| look_alike(letter).is_some());
         let digit = |letter: char| u8::try_from(letter).ok().and_then(look_alike).unwrap_or(letter);
         let fixed: String = joined.replace(',', ".").chars().map(digit).collect();
         // A comma behind a number parts it from the next word.

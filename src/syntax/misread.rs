@@ -5,8 +5,8 @@ use super::lower::Lowering;
 use super::missing::{SLIPS, Split};
 use super::number::Number;
 use super::{Kind, Token, Word, tokens};
-use crate::diag::{Diagnostic, Edit, Finding, Fix, FixTitle, ValueMeant, shown};
-use crate::dict::{Address, HIGHEST_BLOCK};
+use crate::diag::{Diagnostic, Finding, Fix, FixTitle, ValueMeant, shown};
+use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::text::Span;
 
 /// Longer words are not looked at for a letter in them.
@@ -82,12 +82,8 @@ impl Lowering<'_> {
         let Behind { token, letter, signed } = *behind;
         let Some(word) = self.words.get(slot).copied() else { return };
         let second = Address::from_byte(letter);
-        let repeated = |lowering: &Self| {
-            let same =
-                |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
-            lowering.words.get(first..).unwrap_or_default().iter().filter(same).count() > 1
-        };
-        let repeated = repeated(self);
+        let same = |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
+        let repeated = self.words.get(first..).unwrap_or_default().iter().filter(same).count() > 1;
         let digit = look_alike(letter);
         let of_arc = letter == b'I' && !signed && !repeated && self.arc_in_force();
         let assigned = word.address == Address::R;
@@ -123,7 +119,7 @@ impl Lowering<'_> {
                 *meant = ValueMeant::LetterForDigit { letter, written: shown(&written) };
             }
             let title = FixTitle::Write { text: shown(&written) };
-            found.fixes = vec![Fix { title, edits: vec![Edit { at: place, text: written }], certain: false }];
+            found.fixes = vec![Fix::offer(title, place, written)];
         }
         self.pending.retain(|found| found.at.span.start != token.start);
     }
@@ -138,8 +134,7 @@ impl Lowering<'_> {
         }
         let (head, tail) = (n.span(self.text), l.span(self.text));
         let others = self.words.get(first + 2..).unwrap_or_default();
-        let takes =
-            |word: &Word| word.address == Address::G && word.whole().is_some_and(|code| matches!(code, 71..=73 | 79));
+        let takes = |word: &Word| word.g_code().is_some_and(GCode::takes_l);
         let taken = others.iter().any(takes) && !others.iter().any(|word| word.address == Address::L);
         let number = format!("{}1{}", self.slice(head), self.slice(tail).get(1..).unwrap_or_default());
         let value = number.get(1..).and_then(|number| Number::parse(number.as_bytes()));
@@ -175,7 +170,7 @@ impl Lowering<'_> {
             (*loose, *meant) = (text, shown(&written));
             found.at = place;
             let title = FixTitle::Write { text: shown(&written) };
-            found.fixes = vec![Fix { title, edits: vec![Edit { at: place, text: written }], certain: false }];
+            found.fixes = vec![Fix::offer(title, place, written)];
         }
         let source = self.text;
         for word in self.words.iter_mut().skip(split.at + 1) {

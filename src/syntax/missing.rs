@@ -2,7 +2,7 @@
 
 use super::lower::Lowering;
 use super::{Kind, Word, tokens};
-use crate::diag::{Code, Diagnostic, Edit, Finding, Fix, FixTitle, NumberMeant, shown};
+use crate::diag::{Code, Diagnostic, Finding, Fix, FixTitle, NumberMeant, shown};
 use crate::dict::{Address, GCode, GGroup, TOOL_CHANGE};
 use crate::text::Span;
 
@@ -120,8 +120,7 @@ impl Lowering<'_> {
             found.fixes.retain(|fix| fix.certain);
             if !written.is_empty() {
                 let title = FixTitle::Write { text: shown(&written) };
-                let edit = Edit { at: place, text: written };
-                found.fixes.push(Fix { title, edits: vec![edit], certain: false });
+                found.fixes.push(Fix::offer(title, place, written));
             }
         }
         let unknown = missing.is_some() || !word.address.is_dimensional();
@@ -165,9 +164,8 @@ impl Lowering<'_> {
         {
             (*loose, *meant) = (text, shown(&written));
             found.at = place;
-            found.fixes.clear();
             let title = FixTitle::Write { text: shown(&written) };
-            found.fixes.push(Fix { title, edits: vec![Edit { at: place, text: written }], certain: false });
+            found.fixes = vec![Fix::offer(title, place, written)];
         }
         self.pending.retain(|found| found.code() != Code::E0103 || found.at.span != of_letter.span);
         self.keep_first_piece(split);
@@ -182,10 +180,7 @@ impl Lowering<'_> {
         let words = self.words.get(first..).unwrap_or_default();
         let has = |address: Address| words.iter().any(|word| word.address == address);
         let others = words.iter().filter(|word| !matches!(word.address, Address::N | Address::Skip)).count();
-        let code = |word: &Word| {
-            let number = word.whole().filter(|_| word.address == Address::G)?;
-            u8::try_from(number).ok().and_then(GCode::from_number)
-        };
+        let code = |word: &Word| word.g_code();
         let working = words.iter().filter_map(code).any(|code| matches!(code, GCode::G01 | GCode::G02 | GCode::G03));
         let plain = split.text.bytes().all(|byte| byte.is_ascii_digit());
         let function = split.text.parse().ok().filter(|_| plain && split.text.len() == 2).and_then(GCode::from_number);
@@ -197,14 +192,13 @@ impl Lowering<'_> {
             .into_iter()
             .find(|axis| !has(*axis))
             .filter(|axis| *axis == Address::X);
-        let tool = |word: &Word| word.address == Address::M && word.whole() == Some(i64::from(TOOL_CHANGE));
         let address = split.word.address;
         let wanted = |wanted: bool, address: Address| wanted.then_some(address);
         let flow = plain && matches!(split.text.as_str(), "71" | "72" | "73") && !of_group(GGroup::G7);
         if flow && has(Address::L) && address != Address::L {
             Some(Address::G)
         } else if address == Address::N {
-            if words.iter().any(tool) && !has(Address::T) && plain {
+            if words.iter().any(|word| word.is_m(TOOL_CHANGE)) && !has(Address::T) && plain {
                 Some(Address::T)
             } else if others == 0 {
                 None
@@ -215,7 +209,7 @@ impl Lowering<'_> {
             }
         } else if address == Address::G {
             let code = split.code()?;
-            if matches!(code, GCode::G71 | GCode::G72 | GCode::G73 | GCode::G79) {
+            if code.takes_l() {
                 wanted(!has(Address::L) && plain, Address::L)
             } else if code == GCode::G04 {
                 wanted(!has(Address::Q) && plain, Address::Q)
@@ -316,10 +310,8 @@ impl Lowering<'_> {
             && let Finding::SplitNumber { loose, written: meant, .. } = &mut found.finding
         {
             (*loose, *meant) = (text, shown(&written));
-            found.fixes.clear();
             let title = FixTitle::Write { text: shown(&written) };
-            let edit = Edit { at: place, text: "R".to_owned() };
-            found.fixes.push(Fix { title, edits: vec![edit], certain: false });
+            found.fixes = vec![Fix::offer(title, place, "R")];
         }
         self.pending.remove(behind);
         let start = span.start;

@@ -1,7 +1,7 @@
 //! One word of a block, in twelve bytes.
 
 use super::number::Number;
-use crate::dict::{Address, Decimal};
+use crate::dict::{Address, Decimal, GCode};
 use crate::text::Span;
 
 /// A word: an address and its value. Where its parts stand is read again from the text when a finding needs it.
@@ -172,6 +172,19 @@ impl Word {
     #[inline]
     pub fn whole(self) -> Option<i64> {
         self.number().and_then(Decimal::as_whole)
+    }
+
+    /// The G function that it writes out.
+    pub fn g_code(self) -> Option<GCode> {
+        if self.address != Address::G {
+            return None;
+        }
+        self.whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number)
+    }
+
+    /// Whether it is this M function, written out.
+    pub fn is_m(self, function: u8) -> bool {
+        self.address == Address::M && self.whole() == Some(i64::from(function))
     }
 
     /// The parameter that an R word assigns, above 95 when that cannot be read; of other words nothing.

@@ -31,19 +31,19 @@ pub struct SourceText {
     text: String,
     encoding: Encoding,
     bom: bool,
-    /// How many bytes were decoded.
-    size: u64,
+    /// Its last character is half a one in the file, which is in UTF-16 and has an odd number of bytes.
+    half: bool,
     lines: OnceLock<LineIndex>,
 }
 
 impl SourceText {
-    /// Decodes `bytes`: as UTF-16 when they are that, as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A byte-order mark is kept in the
-    /// text, and skipped by [`Self::first_offset`] (LEX-8).
+    /// Decodes `bytes`: as UTF-16 when they are that, as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A
+    /// byte-order mark is kept in the text, and skipped by [`Self::first_offset`] (LEX-8).
     ///
     /// # Errors
     /// [`DecodeError::TooLarge`] when the text has 4 GiB or more.
     pub fn decode(name: impl Into<String>, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
-        let size = bytes.len() as u64;
+        let size = bytes.len();
         let (text, encoding) = match Encoding::utf16(&bytes) {
             Some(wide) => (wide.decode(&bytes), wide),
             None => match String::from_utf8(bytes) {
@@ -55,14 +55,15 @@ impl SourceText {
             return Err(DecodeError::TooLarge);
         }
         let bom = !encoding.is_single_byte() && text.starts_with('\u{feff}');
-        Ok(Self { name: name.into(), text, encoding, bom, size, lines: OnceLock::new() })
+        let half = encoding.is_utf16() && encoding.length(&text) > size;
+        Ok(Self { name: name.into(), text, encoding, bom, half, lines: OnceLock::new() })
     }
 
     /// A text that is already decoded: an editor's buffer, a test.
     pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Self {
         let text = text.into();
-        let (bom, size) = (text.starts_with('\u{feff}'), text.len() as u64);
-        Self { name: name.into(), text, encoding: Encoding::Utf8, bom, size, lines: OnceLock::new() }
+        let bom = text.starts_with('\u{feff}');
+        Self { name: name.into(), text, encoding: Encoding::Utf8, bom, half: false, lines: OnceLock::new() }
     }
 
     /// The file as the user named it.
@@ -125,8 +126,8 @@ impl SourceText {
         if self.encoding == Encoding::Utf8 {
             u64::from(offset)
         } else {
-            // At the end of a file in UTF-16 half a character may stand.
-            (self.encoding.length(self.slice(Span::new(0, offset))) as u64).min(self.size)
+            let length = self.encoding.length(self.slice(Span::new(0, offset))) as u64;
+            length - u64::from(self.half && offset == self.len())
         }
     }
 
@@ -137,6 +138,8 @@ impl SourceText {
         if !grown || self.text.get(span.range()).is_none() {
             return false;
         }
+        // At the end the half character goes, or stands there no more.
+        self.half &= span.end < self.len();
         self.text.replace_range(span.range(), with);
         let bom = self.text.starts_with('\u{feff}');
         let first = self.first_offset();
@@ -247,7 +250,6 @@ mod tests {
         assert!(!source.replace(Span::new(0, 99), ""), "behind the end");
     }
 
-    /// LEX-8: a byte-order mark takes no column.
     /// A file in UTF-16 may end within a character.
     #[test]
     fn half_a_character() {
@@ -255,6 +257,21 @@ mod tests {
         assert_eq!(source.byte_offset(u32::try_from(source.text().len()).unwrap()), 7);
     }
 
+    /// Offsets lead to the bytes of a replaced text too, in a code page and in UTF-16.
+    #[test]
+    fn bytes_of_replaced_texts() {
+        let end = |source: &SourceText| source.byte_offset(source.len());
+        let mut dos = SourceText::decode("a", b"%1 \"p\xfd\"".to_vec(), Encoding::Cp852).unwrap();
+        assert!(dos.replace(Span::new(0, 2), "%12345"));
+        assert_eq!((dos.text(), end(&dos)), ("%12345 \"př\"", 11));
+        let mut wide = SourceText::decode("a", b"\xff\xfe%\x001\x00\n".to_vec(), Encoding::Cp852).unwrap();
+        assert!(wide.replace(Span::new(4, 5), "345"));
+        assert_eq!((wide.text(), end(&wide)), ("\u{feff}%345\u{fffd}", 11));
+        assert!(wide.replace(Span::new(wide.len(), wide.len()), "6"));
+        assert_eq!(end(&wide), 14, "the character before the last is a whole one");
+    }
+
+    /// LEX-8: a byte-order mark takes no column.
     #[test]
     fn byte_order_mark() {
         let source = SourceText::decode("a", "\u{feff}%1".as_bytes().to_vec(), Encoding::Cp852).unwrap();

@@ -139,9 +139,7 @@ fn reference_states_every_rule() {
     assert_eq!(stated, Vec::from_iter(RULES.lines()));
 }
 
-/// Every code named in the documentation exists, and every code is named in the reference of the language or is about
-/// files and their configuration.
-/// The rules that rows of the language cite.
+/// The reference states the rules that rows of the language cite.
 #[test]
 fn rows_cite_rules() {
     let language = read("docs/reference/language.md");
@@ -153,6 +151,8 @@ fn rows_cite_rules() {
     }
 }
 
+/// Every code named in the documentation exists, and every code is named in the reference of the language or is about
+/// files and their configuration.
 #[test]
 fn codes_exist() {
     let mut unknown = Vec::new();

@@ -230,17 +230,13 @@ impl StepReader {
     fn feed(&self, block: &Executed<'_>, kind: MotionType) -> Option<f64> {
         let feed = block.feed()?;
         let value = float(feed.value) / 60.0;
-        // Revolutions per minute.
-        let turns = |mode: FeedMode| match mode.constant_cut {
-            false => block.s().map(float),
-            true => self.motion.given(MotionKey::ConstantCutting).value.map(float),
-        };
+        // S and the key are revolutions per minute.
         let velocity = match block.feed_mode() {
-            Some(mode) => match mode.per {
-                FeedPer::Minute => value,
-                FeedPer::Revolution => value * turns(mode)?,
-            },
-            None => value,
+            None | Some(FeedMode { per: FeedPer::Minute, constant_cut: _ }) => value,
+            Some(FeedMode { per: FeedPer::Revolution, constant_cut: false }) => value * float(block.s()?),
+            Some(FeedMode { per: FeedPer::Revolution, constant_cut: true }) => {
+                value * float(self.motion.given(MotionKey::ConstantCutting).value?)
+            }
         };
         // M37 reduces the feed; a thread keeps its pitch.
         Some(if feed.hundredth && kind != MotionType::Thread { velocity / 100.0 } else { velocity })

@@ -1,12 +1,15 @@
 //! What the PLC reads of one step, before it is put into cells: all that follows from the executed block.
 
 use super::dictionary::{AXES, Flag, OneBlock};
-use crate::dict::{COOLANT_12_GROUP, COOLANT_34_GROUP, Decimal, M_GROUPS, MOMENTARY_GROUPS, Micro, SPINDLE_GROUP};
+use crate::dict::{Decimal, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, Micro};
 
 /// Places of axes, as indices.
 pub(super) const PLACES: usize = AXES as usize;
 /// M groups that a stop switches off for its length (MFN-8).
-pub const STOPPED: [usize; 3] = [SPINDLE_GROUP, COOLANT_12_GROUP, COOLANT_34_GROUP];
+pub const STOPPED: [usize; 3] = {
+    let [(spindle, _), (coolant_12, _), (coolant_34, _)] = HELD_AT_STOP;
+    [spindle, coolant_12, coolant_34]
+};
 
 /// One step as the PLC sees it.
 #[derive(Clone, Debug, Default, Eq, PartialEq)]

@@ -6,8 +6,8 @@ use super::facts::{Facts, STOPPED};
 use super::values::{Value, value};
 use crate::config::Machine;
 use crate::dict::{
-    Address, COOLANT_12_GROUP, COOLANT_34_GROUP, Decimal, GEAR_BY_SPEED, GEAR_GROUP, OPTIONAL_STOP, PROGRAM_ENDS,
-    PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP,
+    Address, COOLANT_12_GROUP, COOLANT_34_GROUP, Decimal, GEAR_BY_SPEED, GEAR_GROUP, GEARS, OPTIONAL_STOP,
+    PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP,
 };
 use crate::run::Executed;
 
@@ -100,7 +100,7 @@ impl Word<'_> {
                 }
                 facts.mark(usize::from(group));
                 let of_gears = usize::from(group) == GEAR_GROUP;
-                facts.gear = function.checked_sub(GEAR_BY_SPEED).filter(|gear| of_gears && (1..=4).contains(gear));
+                facts.gear = (of_gears && GEARS.contains(&function)).then(|| function - GEAR_BY_SPEED);
                 facts.set(Flag::Stop, function == PROGRAM_STOP);
                 facts.set(Flag::CondStop, function == OPTIONAL_STOP);
                 facts.set(Flag::Last, PROGRAM_ENDS.contains(&function));

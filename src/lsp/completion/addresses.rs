@@ -6,7 +6,6 @@ use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
 use crate::dict::{Address, GCode, ValueForm};
-use crate::resolve::g_code;
 
 /// In the order of use; G, M and N have items of their own.
 const ORDER: [Address; 24] = [
@@ -38,7 +37,7 @@ const ORDER: [Address; 24] = [
 
 /// The addresses that the block may still have.
 pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
-    let codes: Vec<GCode> = context.words().filter_map(g_code).collect();
+    let codes: Vec<GCode> = context.words().filter_map(|word| word.g_code()).collect();
     let flow = codes.iter().any(|code| code.is_flow());
     for address in ORDER {
         let of_other_block = match address {

@@ -24,7 +24,6 @@ use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::{Address, GCode, Lang};
 use crate::query::cursor::DOCUMENT;
-use crate::resolve::g_code;
 use crate::syntax::{Form, parse};
 use crate::text::FileId;
 
@@ -115,7 +114,7 @@ fn words(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
         targets::targets(source, context, items);
     }
     // Nothing else stands beside G79.
-    if context.words().any(|word| g_code(word) == Some(GCode::G79)) {
+    if context.words().any(|word| word.g_code() == Some(GCode::G79)) {
         return;
     }
     parameters::control_words(source, context, items);

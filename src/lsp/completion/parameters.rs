@@ -10,7 +10,6 @@ use super::texts::ItemText;
 use super::{Context, Source};
 use crate::diag::shown;
 use crate::dict::{Address, FIRST_CONTROL, GCode, Operation};
-use crate::resolve::g_code;
 use crate::syntax::{BlockFlags, BlockId, Value};
 
 /// The parameters in use, each with its first value: `R10=` to be assigned, or `R10` to be read.
@@ -130,7 +129,7 @@ pub(super) fn operations(source: &Source<'_>, context: &Context<'_>, target: u8,
 
 /// The function of the block that performs arithmetic.
 fn arithmetic(context: &Context<'_>) -> Option<GCode> {
-    context.words().filter_map(g_code).find(|code| code.operations() > 0)
+    context.words().filter_map(|word| word.g_code()).find(|code| code.operations() > 0)
 }
 
 fn control_range(code: GCode) -> std::ops::Range<u8> {

@@ -13,7 +13,7 @@ use crate::dict::{Address, GCode, GGroup, HIGHEST_L};
 use crate::query::callee::about;
 use crate::query::cursor::{DOCUMENT, unit_of};
 use crate::query::extents::{comments_above, stands_alone};
-use crate::resolve::{Library, Target, Unit, UnitKind, g_code};
+use crate::resolve::{Library, Target, Unit, UnitKind};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, parse};
 use crate::text::{FileId, Loader, Span};
 
@@ -29,7 +29,7 @@ pub(super) const NEAR: u32 = 10_000;
 /// The numbers that begin with the digits typed after L, as the function of the block takes them. Whether there is one
 /// that does.
 pub(super) fn targets(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) -> bool {
-    let mut codes = context.words().filter_map(g_code).filter(|code| code.group() == GGroup::G7);
+    let mut codes = context.words().filter_map(|word| word.g_code()).filter(|code| code.group() == GGroup::G7);
     let Some(code) = codes.next() else { return false };
     let mut offer = Offer { source, context, items };
     if code == GCode::G71 {
@@ -225,7 +225,7 @@ pub(super) fn missing_subprograms(source: &Source<'_>, file: &ParsedFile) -> BTr
     let looked_at = (0..last.min(NEAR)).chain(last.saturating_sub(NEAR).max(NEAR)..last).map(BlockId);
     for block in looked_at.filter(|block| file.flags(*block).has(BlockFlags::RICH)) {
         let words = file.words(block);
-        if words.iter().any(|word| g_code(*word) == Some(GCode::G71)) {
+        if words.iter().any(|word| word.g_code() == Some(GCode::G71)) {
             let l = words.iter().find(|word| word.address == Address::L).and_then(|word| word.whole());
             let l = l.and_then(|l| u32::try_from(l).ok()).filter(|l| (1..=HIGHEST_L).contains(l));
             missing.extend(l.filter(|l| resolved.subprogram(*l).is_none()));
