@@ -41,14 +41,7 @@ pub(super) fn found(
 }
 
 /// W0616: under a radius correction an arc in other axes than those of the plane in force.
-pub(super) fn check_plane(
-    site: &mut Site<'_>,
-    state: &State,
-    words: &BlockWords,
-    g: &InForce,
-    at: Location,
-    pair: [usize; 2],
-) {
+pub(super) fn check_plane(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &InForce, pair: [usize; 2]) {
     let Some(correction) = g.of(GGroup::G3).filter(|code| *code != GCode::G40) else { return };
     let axes = &site.machine().axes;
     let (plane, meant) = (planes::in_force(g), planes::of_pair(axes, pair));
@@ -61,7 +54,8 @@ pub(super) fn check_plane(
         .map(|axis| axis.letter.to_string())
         .collect();
     let fault = PlaneFault::OtherAxes { axes: letters.join(", "), correction: correction.to_string() };
-    found(site, state, (words, g), Finding::PlaneMismatch { plane, fault, meant }, at);
+    let finding = Finding::PlaneMismatch { plane, fault, meant };
+    found(site, state, (words, g), finding, words.place_of_motion(site));
 }
 
 /// E0602, with what makes the block an arc when it does not say so itself.

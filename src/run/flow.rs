@@ -11,7 +11,8 @@ use super::words::BlockWords;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Decimal, GCode, GGroup};
 use crate::resolve::{
-    MacrocycleFault, Target, UnitId, UnitKind, jump_target, macrocycle_finding, ring_text, subprogram, value_or_word,
+    MacrocycleFault, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, ring_text, subprogram,
+    value_or_word,
 };
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::Location;
@@ -60,7 +61,8 @@ impl Flow<'_, '_> {
         if unknown && !ends {
             return Next::Halt;
         }
-        let flow = words.roles().flow();
+        let roles = if words.g.is_empty() { Roles::default() } else { words.roles() };
+        let flow = roles.flow();
         if let Some(cycle) = self.mapped_cycle(moved) {
             if ends {
                 let place = self.cycle_place(cycle);
@@ -77,8 +79,8 @@ impl Flow<'_, '_> {
         match flow {
             // Reported with the words of the block.
             Some(_) if ends => Next::Continue,
-            Some((GCode::G73, word)) => self.jump(word),
-            Some((function, word)) => self.call(function, word),
+            Some((GCode::G73, word)) => self.jump(word, &roles),
+            Some((function, word)) => self.call(function, word, &roles),
             None => Next::Continue,
         }
     }
@@ -106,9 +108,9 @@ impl Flow<'_, '_> {
     }
 
     /// G71 and G72 (FLW-1).
-    fn call(&mut self, function: GCode, word: Word) -> Next {
+    fn call(&mut self, function: GCode, word: Word, roles: &Roles) -> Next {
         let Some(l) = self.block.words.l else { return Next::Halt };
-        let (Some(number), Some(count)) = (whole(l.value), self.repeats()) else { return Next::Halt };
+        let (Some(number), Some(count)) = (whole(l.value), self.repeats(roles)) else { return Next::Halt };
         let place = self.file().map(|file| value_or_word(file, l.word)).unwrap_or_default();
         let by = if function == GCode::G71 { CallKind::Subprogram } else { CallKind::Macrocycle };
         if function == GCode::G71 && word.is_parametric() {
@@ -145,8 +147,8 @@ impl Flow<'_, '_> {
     }
 
     /// How many times a call is made: Q, once without it or with G04 (FLW-1, FLW-6). `None`: unknown.
-    fn repeats(&self) -> Option<u32> {
-        match self.block.words.roles().repeat() {
+    fn repeats(&self, roles: &Roles) -> Option<u32> {
+        match roles.repeat() {
             Some(_) => whole(self.block.words.q.and_then(|q| q.value)),
             None => Some(1),
         }
@@ -211,7 +213,7 @@ impl Flow<'_, '_> {
     }
 
     /// G73 (FLW-3, FLW-4).
-    fn jump(&mut self, word: Word) -> Next {
+    fn jump(&mut self, word: Word, roles: &Roles) -> Next {
         let block = self.block.id;
         let Some(l) = self.block.words.l else { return Next::Halt };
         let Some(number) = whole(l.value) else { return Next::Halt };
@@ -222,13 +224,13 @@ impl Flow<'_, '_> {
                 None => return Next::Halt,
             },
         };
-        if target > block && self.block.words.roles().is_uncounted() {
+        if target > block && roles.is_uncounted() {
             self.block.jump = Some(Jump { to: number, left: None });
             return Next::Jump(target);
         }
         let armed = self.frames.last().is_some_and(|frame| frame.counters.contains_key(&block));
         // Q is read when the counter is armed (§13 Parameters).
-        let count = match self.repeats() {
+        let count = match self.repeats(roles) {
             Some(count) => count,
             None if armed => 0,
             None => return Next::Halt,

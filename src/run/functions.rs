@@ -11,8 +11,9 @@ use crate::dict::{Decimal, GCode, GGroup, Lasting};
 use crate::resolve::missing_axis;
 use crate::text::Location;
 
-/// Puts the G functions of the block into force, and gives what holds in it: x functions hold in it only.
-pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords) -> InForce {
+/// Puts the G functions of the block into force, in `state` what lasts and in `in_force` what holds in the block: x functions
+/// hold in it only.
+pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, in_force: &mut InForce) {
     for &(code, word) in &words.g {
         match code.lasting() {
             Lasting::Modal | Lasting::Default => {
@@ -38,7 +39,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords) 
     if words.malformed_g {
         state.unknown = state.unknown.and(Groups::lasting());
     }
-    let mut in_force = InForce { functions: state.g, unknown: state.unknown.and(words.clashes) };
+    *in_force = InForce { functions: state.g, unknown: state.unknown.and(words.clashes) };
     for &(code, _) in &words.g {
         if let Some(slot) = in_force.functions.get_mut(code.group().index()) {
             *slot = Some(code);
@@ -49,7 +50,6 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords) 
             *slot = slot.filter(|_| !in_force.unknown.has(group));
         }
     }
-    in_force
 }
 
 /// W0612, once for each function.

@@ -127,7 +127,9 @@ impl Interpreter {
     /// One block: executed (`true`) or skipped.
     #[inline]
     fn advance(&mut self, program: &mut Program<'_>, findings: &mut Findings) -> Result<bool, Stop> {
-        if let Some(pending) = self.pending.take() {
+        if self.pending.is_some()
+            && let Some(pending) = self.pending.take()
+        {
             self.proceed(program, pending)?;
         }
         let Some(frame) = self.frames.last_mut() else { return Err(Stop::Halted) };
@@ -175,7 +177,7 @@ impl Interpreter {
             Site { resolved: &program.resolved, file, block: block.id, settings: program.settings, frames, findings };
         block.clear();
         reading::read(&mut site, state, &mut block.words);
-        block.g = functions::apply(&mut site, state, &block.words);
+        functions::apply(&mut site, state, &block.words, &mut block.g);
         functions::track_origin(state, &block.words, &block.g);
         technology::hold(&site, state, &block.words);
         m_functions::apply(&mut site, state, &block.words, &block.g, &mut block.m);
@@ -191,6 +193,11 @@ impl Interpreter {
             Some(end) => return Err(Stop::End(end)),
             // The block itself was executed; what would follow is not.
             None if matches!(next, Next::Halt) => self.stop = Some(Stop::Halted),
+            None if matches!(next, Next::Continue) && !returns => {
+                if let Some(frame) = self.frames.last_mut() {
+                    frame.next = id.next();
+                }
+            }
             None => self.pending = Some(Pending { block: id, next, returns }),
         }
         Ok(true)

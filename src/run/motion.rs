@@ -15,7 +15,6 @@ use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
 use crate::diag::{CenterPlace, Finding};
 use crate::dict::{Address, Decimal, GCode, GGroup, Micro};
-use crate::text::Location;
 
 /// What a block did, for what follows from it.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -61,9 +60,8 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
     if words.axis_count == 0 && !full_circle {
         return Moved::No;
     }
-    let at = place(site, words);
     if kind.is_working() || kind == MotionType::Thread {
-        warnings::check_motion(site, state, g, kind == MotionType::Thread, at);
+        warnings::check_motion(site, state, words, g, kind == MotionType::Thread);
     }
     let reading = Reading::of(site.machine(), state, g);
     travels.clear();
@@ -77,7 +75,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
             state.set_position(travel.axis, Position::Unknown);
         }
     } else if kind.is_arc() {
-        let Some(arc) = find_arc(site, state, words, g, at, &moving, travels) else {
+        let Some(arc) = find_arc(site, state, words, g, &moving, travels) else {
             for travel in travels.iter() {
                 state.set_position(travel.axis, Position::Undetermined);
             }
@@ -152,16 +150,6 @@ fn is_unknown(words: &BlockWords, g: &InForce) -> bool {
     let arc = kind_in_force(g).is_arc() || centered;
     g.unknown.has_any(&[GGroup::G0, GGroup::G8, GGroup::G9, GGroup::G10])
         || (arc && g.unknown.has_any(&[GGroup::G1, GGroup::G2, GGroup::G3]))
-}
-
-/// Where a finding about an arc or a motion stands: its G word if written, else its first axis word.
-fn place(site: &Site<'_>, words: &BlockWords) -> Location {
-    let written = words.written(GGroup::G0).map(|(_, word)| word);
-    let word = written
-        .or_else(|| words.first_axis_word())
-        .or_else(|| words.i.map(|valued| valued.word))
-        .or_else(|| words.j.map(|valued| valued.word));
-    word.map_or_else(|| site.block_place(), |word| site.word_place(word))
 }
 
 /// What I, J and K are for in this block: words of the record, the dynamic set, or nothing (MOT-3, GRP-7, GRP-8).
@@ -247,7 +235,6 @@ fn find_arc(
     state: &State,
     words: &BlockWords,
     g: &InForce,
-    at: Location,
     moving: &Moving,
     travels: &mut Vec<Travel>,
 ) -> Option<ArcFacts> {
@@ -255,31 +242,32 @@ fn find_arc(
     let plane = planes::in_force(g);
     let Some((pair, helix)) = planes::of_arc(planes::axes_of(&machine.axes, plane), travels) else {
         let plane = format!("{} ({})", plane.name, plane.function);
-        arc_findings::found(site, state, (words, g), Finding::ArcAxes { plane, many: travels.len() > 3 }, at);
+        let finding = Finding::ArcAxes { plane, many: travels.len() > 3 };
+        arc_findings::found(site, state, (words, g), finding, words.place_of_motion(site));
         return None;
     };
     let zero = |word: Option<Valued>| word.is_none_or(|valued| valued.value == Some(Decimal::ZERO));
     let centered = !(zero(words.i) && zero(words.j));
     if helix.is_some() && centered && g.of(GGroup::G2) != Some(GCode::G09) {
-        arc_findings::found(site, state, (words, g), Finding::HelixWithoutG09 {}, at);
+        arc_findings::found(site, state, (words, g), Finding::HelixWithoutG09 {}, words.place_of_motion(site));
     }
-    arc_findings::check_plane(site, state, words, g, at, pair);
+    arc_findings::check_plane(site, state, words, g, pair);
     stay(machine, state, pair, travels);
     let named = planes::named(&machine.axes, pair);
     let [first, second] = named.map(|axis| machine.axes.get(axis).map(|axis| axis.letter));
     let mut arc = ArcFacts { plane: [first?, second?], helix, radius: None, computed: None };
-    let Some(to_center) = center(site, state, words, g, named, at) else { return Some(arc) };
+    let Some(to_center) = center(site, state, words, g, named) else { return Some(arc) };
     arc.radius = Some(arc::radius(to_center));
-    let Some([start, end]) = ends(site, state, (words, g), named, travels, at) else { return Some(arc) };
+    let Some([start, end]) = ends(site, state, (words, g), named, travels) else { return Some(arc) };
     let counter_clockwise = moving.kind == MotionType::ArcCcw;
     let path = Arc { start, end, to_center, counter_clockwise };
     let computed = path.compute();
     let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
     if !arc::radii_agree(&computed, tolerance) {
-        arc_findings::radii(site, state, (words, g), at, named, (&path, &computed));
+        arc_findings::radii(site, state, (words, g), words.place_of_motion(site), named, (&path, &computed));
     }
     if moving.stale {
-        arc_findings::found(site, state, (words, g), Finding::ArcAfterOriginChange {}, at);
+        arc_findings::found(site, state, (words, g), Finding::ArcAfterOriginChange {}, words.place_of_motion(site));
     }
     arc.computed = Some(computed);
     Some(arc)
@@ -306,12 +294,11 @@ fn center(
     words: &BlockWords,
     g: &InForce,
     named: [usize; 2],
-    at: Location,
 ) -> Option<[Micro; 2]> {
     let value = |word: Option<Valued>| word.map_or(Some(Decimal::ZERO), |valued| valued.value);
     let (i, j) = (value(words.i)?, value(words.j)?);
     if i == Decimal::ZERO && j == Decimal::ZERO {
-        arc_findings::missing_center(site, state, words, g, at);
+        arc_findings::missing_center(site, state, words, g, words.place_of_motion(site));
         return None;
     }
     let [i, j] = [Micro::from(i), Micro::from(j)];
@@ -326,7 +313,6 @@ fn ends(
     block: (&BlockWords, &InForce),
     named: [usize; 2],
     travels: &[Travel],
-    at: Location,
 ) -> Option<[[Micro; 2]; 2]> {
     let start = named.map(|axis| state.position(axis));
     let end = named.map(|axis| {
@@ -334,7 +320,7 @@ fn ends(
         travel.map_or_else(|| state.position(axis), |travel| travel.after)
     });
     let (Some(start_u), Some(start_v)) = (start[0].known(), start[1].known()) else {
-        arc_findings::unknown_start(site, state, block, at, named, start);
+        arc_findings::unknown_start(site, state, block, block.0.place_of_motion(site), named, start);
         return None;
     };
     Some([[start_u, start_v], [end[0].known()?, end[1].known()?]])

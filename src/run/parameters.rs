@@ -4,7 +4,7 @@ use super::arithmetic;
 use super::block::Block;
 use super::site::Site;
 use super::state::{Origin, Parameter, State};
-use super::words::{BlockWords, Valued};
+use super::words::BlockWords;
 use crate::diag::{ArithmeticFault, Diagnostic, Finding, LabelText, ParameterNeed};
 use crate::dict::{Address, Decimal, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, PROGRAM_ENDS};
 use crate::resolve::{
@@ -27,26 +27,39 @@ fn evaluate(site: &mut Site<'_>, state: &mut State, word: Word) -> Option<Decima
     }
 }
 
-/// A word whose value must have the form of its address, wherever it comes from (PAR-3). `feed`: the G6 function that F is
-/// read by, when it is known; `dwell`: Q belongs to G04.
+/// The value of a word, which must have the form of its address, wherever it comes from (PAR-3). `feed`: the G6 function that
+/// F is read by, when it is known; `dwell`: Q belongs to G04.
+#[inline]
 pub(super) fn evaluate_form(
     site: &mut Site<'_>,
     state: &mut State,
     word: Word,
     dwell: bool,
     feed: Option<GCode>,
-) -> Valued {
-    let value = evaluate(site, state, word);
-    let Some(number) = value else { return Valued { word, value } };
-    let written = !word.is_parametric();
-    if written && feed.is_none() && !dwell && word.address != Address::Q {
-        return Valued { word, value };
+) -> Option<Decimal> {
+    // What is written was looked at before execution, but for what depends on the functions in force.
+    if feed.is_none()
+        && word.address != Address::Q
+        && let Some(number) = word.number()
+    {
+        return Some(number);
     }
+    evaluate_in_form(site, state, word, dwell, feed)
+}
+
+fn evaluate_in_form(
+    site: &mut Site<'_>,
+    state: &mut State,
+    word: Word,
+    dwell: bool,
+    feed: Option<GCode>,
+) -> Option<Decimal> {
+    let number = evaluate(site, state, word)?;
     match check_form(site.machine(), word.address, number, dwell, feed) {
-        Ok(()) => Valued { word, value },
+        Ok(()) => Some(number),
         Err(fault) => {
             report_form(site, state, (word, feed), number, fault);
-            Valued { word, value: None }
+            None
         }
     }
 }
@@ -303,7 +316,7 @@ pub(super) fn evaluate_g(site: &mut Site<'_>, state: &mut State, words: &mut Blo
 
 /// The M function that a word gives, also from a parameter (PAR-3, BLK-10).
 pub(super) fn evaluate_m(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: Word) -> Option<u8> {
-    let value = evaluate_form(site, state, word, false, None).value;
+    let value = evaluate_form(site, state, word, false, None);
     let whole = |value: Decimal| Some((value, u8::try_from(value.as_whole()?).ok()?));
     let Some((value, number)) = value.and_then(whole) else {
         words.malformed_m = true;

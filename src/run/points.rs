@@ -56,7 +56,7 @@ impl Run {
     fn settle(site: &mut Site<'_>, state: &mut State, block: &mut Block) -> Self {
         block.clear();
         block.words.clear();
-        block.g = functions::apply(site, state, &block.words);
+        functions::apply(site, state, &block.words, &mut block.g);
         functions::track_origin(state, &block.words, &block.g);
         m_functions::apply(site, state, &block.words, &block.g, &mut block.m);
         let kind = kind_in_force(&block.g);

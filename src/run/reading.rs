@@ -14,33 +14,34 @@ pub(super) fn read(site: &mut Site<'_>, state: &mut State, words: &mut BlockWord
     let written = site.file.words(site.block);
     let mut late = false;
     for &word in written {
-        if let Some(axis) = site.machine().axes.index_of(word.address) {
-            let valued = evaluate_form(site, state, word, false, None);
-            if let Some(slot) = words.axes.get_mut(axis) {
-                words.axis_count += usize::from(slot.is_none());
-                put(slot, valued);
+        let slot = match word.address {
+            Address::G => {
+                read_g(site, state, words, word);
+                continue;
             }
-            continue;
-        }
-        let mut plain = |site: &mut Site<'_>, slot: &mut Option<Valued>| {
-            put(slot, evaluate_form(site, state, word, false, None));
-        };
-        match word.address {
-            Address::G => read_g(site, state, words, word),
-            Address::M => read_m(site, state, words, word),
-            Address::R => words.r.push(word),
+            Address::M => {
+                read_m(site, state, words, word);
+                continue;
+            }
+            Address::R => {
+                words.r.push(word);
+                continue;
+            }
             // What F and Q mean follows from G words that may come later.
-            Address::F | Address::Q => late = true,
-            Address::I => plain(site, &mut words.i),
-            Address::J => plain(site, &mut words.j),
-            Address::K => plain(site, &mut words.k),
-            Address::S => plain(site, &mut words.s),
-            Address::T => plain(site, &mut words.t),
-            Address::H => plain(site, &mut words.h),
-            Address::P => plain(site, &mut words.p),
-            Address::D => plain(site, &mut words.d),
-            Address::Correction => plain(site, &mut words.correction),
-            Address::L => plain(site, &mut words.l),
+            Address::F | Address::Q => {
+                late = true;
+                continue;
+            }
+            Address::I => &mut words.i,
+            Address::J => &mut words.j,
+            Address::K => &mut words.k,
+            Address::S => &mut words.s,
+            Address::T => &mut words.t,
+            Address::H => &mut words.h,
+            Address::P => &mut words.p,
+            Address::D => &mut words.d,
+            Address::Correction => &mut words.correction,
+            Address::L => &mut words.l,
             Address::X
             | Address::Y
             | Address::Z
@@ -49,11 +50,15 @@ pub(super) fn read(site: &mut Site<'_>, state: &mut State, words: &mut BlockWord
             | Address::C
             | Address::U
             | Address::V
-            | Address::W
-            | Address::N
-            | Address::Skip
-            | Address::Program => {}
-        }
+            | Address::W => {
+                let axis = site.machine().axes.index_of(word.address);
+                let Some(slot) = axis.and_then(|axis| words.axes.get_mut(axis)) else { continue };
+                words.axis_count += usize::from(slot.is_none());
+                slot
+            }
+            Address::N | Address::Skip | Address::Program => continue,
+        };
+        put(slot, word, evaluate_form(site, state, word, false, None));
     }
     if late {
         for &word in written.iter().filter(|word| matches!(word.address, Address::F | Address::Q)) {
@@ -68,17 +73,18 @@ fn read_late(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, wor
         let written = words.written(GGroup::G6).map(|(code, _)| code);
         let mode =
             written.or_else(|| state.modal(GGroup::G6)).filter(|_| !words.unknown_g && !words.clashes.has(GGroup::G6));
-        put(&mut words.f, evaluate_form(site, state, word, false, mode));
+        put(&mut words.f, word, evaluate_form(site, state, word, false, mode));
         return;
     }
     let dwell = words.has(GCode::G04).is_some() || words.unknown_g;
-    put(&mut words.q, evaluate_form(site, state, word, dwell, None));
+    put(&mut words.q, word, evaluate_form(site, state, word, dwell, None));
 }
 
 /// Takes a word. Of one that is written twice (E0306) nobody knows which was meant.
-fn put(slot: &mut Option<Valued>, valued: Valued) {
-    let value = valued.value.filter(|_| slot.is_none());
-    *slot = Some(Valued { value, ..valued });
+#[inline]
+fn put(slot: &mut Option<Valued>, word: Word, value: Option<Decimal>) {
+    let value = value.filter(|_| slot.is_none());
+    *slot = Some(Valued { word, value });
 }
 
 fn read_g(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: Word) {

@@ -14,28 +14,28 @@ use crate::dict::{
 };
 use crate::resolve::value_or_word;
 use crate::syntax::Word;
-use crate::text::{FileId, Location};
+use crate::text::FileId;
 
 /// What a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a spindle that
 /// turns (W0619).
-pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, g: &InForce, thread: bool, at: Location) {
+pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, thread: bool) {
     if !thread {
         if state.feed == Held::None && !state.said.feed {
             state.said.feed = true;
-            site.found(Finding::MissingFeed {}, at);
+            site.found(Finding::MissingFeed {}, words.place_of_motion(site));
         }
-        check_feed_unit(site, state, g, at);
+        check_feed_unit(site, state, words, g);
     }
     if let Some(function) = speed_reader(site, g)
         && state.speed == Held::None
         && !state.said.speed
     {
         state.said.speed = true;
-        site.found(Finding::MissingSpindleSpeed { function }, at);
+        site.found(Finding::MissingSpindleSpeed { function }, words.place_of_motion(site));
     }
     if lacks_spindle(site, state, thread) {
         state.said.spindle_stopped = true;
-        site.found(Finding::SpindleStopped { thread }, at);
+        site.found(Finding::SpindleStopped { thread }, words.place_of_motion(site));
     }
 }
 
@@ -61,12 +61,12 @@ fn differing_unit(site: &Site<'_>, state: &State, g: &InForce) -> Option<(GCode,
     differs.then_some((function, [written, now]))
 }
 
-fn check_feed_unit(site: &mut Site<'_>, state: &mut State, g: &InForce, at: Location) {
+fn check_feed_unit(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce) {
     let Some((function, [written, now])) = differing_unit(site, state, g) else { return };
     let Some(feed) = state.feed.value() else { return };
     state.said.feed_unit = true;
-    let mut diagnostic =
-        Diagnostic::new(Finding::FeedUnitChanged { feed: feed.to_string(), function, written, now }, at);
+    let finding = Finding::FeedUnitChanged { feed: feed.to_string(), function, written, now };
+    let mut diagnostic = Diagnostic::new(finding, words.place_of_motion(site));
     if let Some(place) = state.origins.feed.0 {
         let written = match written {
             FeedPer::Minute => LabelText::FeedPerMinute,

@@ -1,9 +1,11 @@
 //! One block's words with their values, as execution finds them.
 
+use super::site::Site;
 use super::unknown::Groups;
 use crate::dict::{Decimal, GCode, GGroup, Lasting};
 use crate::resolve::Roles;
 use crate::syntax::Word;
+use crate::text::Location;
 
 /// A word with its value; `None`: it depends on something unknown (PAR-5), or is unusable and reported.
 #[derive(Clone, Copy, Debug)]
@@ -125,6 +127,14 @@ impl BlockWords {
     /// The axis word that comes first in the text.
     pub(super) fn first_axis_word(&self) -> Option<Word> {
         self.axes.iter().flatten().map(|valued| valued.word).min_by_key(|word| word.start())
+    }
+
+    /// Where a finding about an arc or a motion stands: its G word if written, else its first axis word.
+    pub(super) fn place_of_motion(&self, site: &Site<'_>) -> Location {
+        let written = self.written(GGroup::G0).map(|(_, word)| word);
+        let center = || self.i.or(self.j).map(|valued| valued.word);
+        let word = written.or_else(|| self.first_axis_word()).or_else(center);
+        word.map_or_else(|| site.block_place(), |word| site.word_place(word))
     }
 
     /// Axis words with their places in machine order.
