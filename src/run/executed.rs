@@ -413,8 +413,10 @@ impl<'r> Executed<'r> {
     /// The texts of its comments, trimmed; empty ones left out.
     pub fn comments(&self) -> impl Iterator<Item = &'r str> + use<'r> {
         let block = self.interpreter.block.id;
+        // Nearly no block of a long program has one, and whose they are is looked up.
         let comments = self
             .file()
+            .filter(|file| file.flags(block).has(BlockFlags::COMMENT))
             .into_iter()
             .flat_map(move |file| file.comments(block).iter().map(move |comment| file.comment_text(*comment)));
         comments.filter(|text| !text.is_empty())

@@ -6,6 +6,7 @@ use std::sync::mpsc::{Receiver, Sender, SyncSender, TrySendError, channel, sync_
 use std::thread::scope;
 
 use super::records::{BlockRecord, Record};
+use super::row::Before;
 use super::writer::Writer;
 use crate::dict::AxisLetter;
 use crate::parallel;
@@ -14,7 +15,7 @@ use crate::parallel;
 const BATCH: usize = if cfg!(fuzzing) { 2 } else { 512 };
 /// A batch whose text has so many bytes is handed on whatever it holds.
 const PIECE: usize = 1 << 18;
-/// Records with more bytes of comments and calls are made text at once, so that no batch holds many of them.
+/// Behind a record with more bytes of comments and calls a batch ends, so that none holds many of them.
 const LONG: usize = 1 << 12;
 /// Batches under way at most: what writes slowly makes execution wait, not grow.
 const QUEUE: usize = 2;
@@ -62,6 +63,8 @@ pub(super) struct Records<'o> {
     count: usize,
     /// The thread is behind: the text of this batch is made here.
     here: bool,
+    /// Where its records are made, one after the other.
+    row: BlockRecord,
     writer: Writer,
     way: Way<'o>,
     closed: bool,
@@ -77,7 +80,15 @@ enum Way<'o> {
 
 impl<'o> Records<'o> {
     fn new(way: Way<'o>, axes: &[AxisLetter]) -> Self {
-        Self { batch: Batch::default(), count: 0, here: false, writer: Writer::new(axes), way, closed: false }
+        Self {
+            batch: Batch::default(),
+            count: 0,
+            here: false,
+            row: BlockRecord::default(),
+            writer: Writer::new(axes),
+            way,
+            closed: false,
+        }
     }
 
     /// Whether the writer had an error.
@@ -85,25 +96,26 @@ impl<'o> Records<'o> {
         self.closed
     }
 
-    /// The next block record.
+    /// The next block record, as `fill` makes it. It is given a record to write over.
     #[inline]
-    pub(super) fn block(&mut self, record: &BlockRecord) -> Result<(), Closed> {
-        if !self.here && is_long(record) {
-            self.hand_on()?;
-            self.here = true;
-        }
+    pub(super) fn block(&mut self, fill: impl FnOnce(&mut BlockRecord, Before<'_>)) -> Result<(), Closed> {
         let Batch { text, blocks, used, .. } = &mut self.batch;
-        if self.here {
-            self.writer.write(text, record);
+        let long = if self.here {
+            fill(&mut self.row, if self.count > 0 { Before::InPlace } else { Before::Nowhere });
+            self.writer.write(text, &self.row);
+            text.len() >= PIECE
         } else {
-            match blocks.get_mut(*used) {
-                Some(slot) => slot.clone_from(record),
-                None => blocks.push(record.clone()),
+            if blocks.len() == *used {
+                blocks.push(BlockRecord::default());
             }
+            let (before, slots) = blocks.split_at_mut(*used);
+            let Some(slot) = slots.first_mut() else { return Err(Closed) };
+            fill(slot, before.last().map_or(Before::Nowhere, Before::Beside));
             *used += 1;
-        }
+            is_long(slot)
+        };
         self.count += 1;
-        if self.count < BATCH && self.batch.text.len() < PIECE { Ok(()) } else { self.hand_on() }
+        if self.count < BATCH && !long { Ok(()) } else { self.hand_on() }
     }
 
     /// The next record of another kind.
@@ -216,10 +228,12 @@ mod tests {
                 let index = u32::try_from(seq).unwrap_or(0);
                 records.rare(Record::File(FileRecord { index, name: "a".to_owned() }));
             }
-            records.block(&BlockRecord {
-                seq,
-                comments: vec![if seq % 1900 == 5 { "long".repeat(LONG) } else { "c".repeat(seq as usize % 3) }],
-                ..BlockRecord::default()
+            records.block(|record, _| {
+                *record = BlockRecord {
+                    seq,
+                    comments: vec![if seq % 1900 == 5 { "long".repeat(LONG) } else { "c".repeat(seq as usize % 3) }],
+                    ..BlockRecord::default()
+                };
             })?;
         }
         Ok(())

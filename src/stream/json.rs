@@ -87,9 +87,16 @@ impl Sink for JsonStream<'_, '_> {
             self.next_file += 1;
             self.records.rare(Record::File(FileRecord { index, name: block.file_name().to_owned() }));
         }
-        let row = self.rows.of(block);
-        self.totals.add_motion(row.motion.as_ref().and_then(|motion| Some((motion.kind, motion.length_mm?))));
-        if self.part.contains(row.seq) && self.records.block(row).is_err() {
+        let Self { records, part, totals, rows, .. } = self;
+        if !part.contains(block.seq()) {
+            totals.add_motion(block.motion().and_then(|motion| Some((motion.kind(), motion.length().mm()?))));
+            return ControlFlow::Continue(());
+        }
+        let written = records.block(|row, before| {
+            rows.fill(block, row, before);
+            totals.add_motion(row.motion.as_ref().and_then(|motion| Some((motion.kind, motion.length_mm?))));
+        });
+        if written.is_err() {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())

@@ -1,6 +1,7 @@
 //! The record of one block alone, for those who keep what records say in another form.
 
-use super::row::Rows;
+use super::records::BlockRecord;
+use super::row::{Before, Rows};
 use super::writer::Writer;
 use crate::dict::AxisLetter;
 use crate::run::Executed;
@@ -9,6 +10,7 @@ use crate::run::Executed;
 #[derive(Debug)]
 pub(crate) struct SingleRecord {
     rows: Rows,
+    row: BlockRecord,
     writer: Writer,
     text: Vec<u8>,
 }
@@ -16,13 +18,14 @@ pub(crate) struct SingleRecord {
 impl SingleRecord {
     /// For a machine with these axes.
     pub(crate) fn new(axes: &[AxisLetter]) -> Self {
-        Self { rows: Rows::default(), writer: Writer::new(axes), text: Vec::new() }
+        Self { rows: Rows::default(), row: BlockRecord::default(), writer: Writer::new(axes), text: Vec::new() }
     }
 
     /// The record as the stream writes it.
     pub(crate) fn of(&mut self, block: &Executed<'_>) -> &[u8] {
         self.text.clear();
-        self.writer.write(&mut self.text, self.rows.of(block));
+        self.rows.fill(block, &mut self.row, Before::InPlace);
+        self.writer.write(&mut self.text, &self.row);
         &self.text
     }
 }
