@@ -1,6 +1,7 @@
 //! The checks of one block, as far as its written values go.
 
 use super::forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
+use super::judged::Judged;
 use super::letters::{Letters, bit};
 use super::planes::missing_axis;
 use super::points::Points;
@@ -41,26 +42,6 @@ pub(super) struct BlockChecker<'a> {
     /// Control words whose operation is not configured, by its code.
     operations: Vec<(i64, Diagnostic)>,
     points: Points,
-}
-
-/// What the look at blocks gave besides findings.
-#[derive(Default)]
-pub(super) struct Judged {
-    /// Where words begin whose values are not what their addresses take.
-    pub(super) refused: Vec<u32>,
-    /// Control words whose operation is not configured, by its code: each code is reported once for a program (PAR-9).
-    pub(super) operations: Vec<(i64, Diagnostic)>,
-    /// What is known of the points.
-    pub(super) points: Points,
-}
-
-impl Judged {
-    /// Takes what the look at the blocks behind gave.
-    pub(super) fn append(&mut self, other: Self) {
-        self.refused.extend(other.refused);
-        self.operations.extend(other.operations);
-        self.points.join(other.points);
-    }
 }
 
 /// The G and M functions written in a block, and the words that go with them.

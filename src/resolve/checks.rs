@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::Unit;
-use super::blocks::{BlockChecker, Judged};
+use super::blocks::BlockChecker;
+use super::judged::Judged;
 use super::letters::Letters;
 use super::lines;
 use super::numbers::number_blocks;

@@ -8,6 +8,7 @@ mod checks;
 mod flow;
 mod foreign;
 mod forms;
+mod judged;
 mod letters;
 mod library;
 mod lines;
