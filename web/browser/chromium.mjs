@@ -79,3 +79,12 @@ export async function open(browser, file, { width = 1280, height = 800, scheme =
   await tab.evaluate(() => window.cnc872c.ready);
   return { tab, wrong, close: () => context.close() };
 }
+
+/** Once all that was asked for is drawn: a change asks for a frame, whose callback may ask for the next. */
+export function drawn(tab) {
+  return tab.evaluate(async () => {
+    for (let frame = 0; frame < 3; frame += 1) {
+      await new Promise(requestAnimationFrame);
+    }
+  });
+}

@@ -6,7 +6,7 @@ import { createRequire } from 'node:module';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { folder, launch, open, page, records, root, run } from './chromium.mjs';
+import { drawn, folder, launch, open, page, records, root, run } from './chromium.mjs';
 
 const sample = (name) => path.join(root, 'samples', name);
 const PROGRAMS = [
@@ -386,7 +386,7 @@ test('a click in the text shows all executions, one in the list goes there', { t
   const { tab, wrong, close } = await open(browser, written('loop', LOOP));
   await tab.evaluate(() => window.cnc872c.view('XY'));
   await tab.click('.code [data-line="10"]');
-  await tab.waitForTimeout(200);
+  await drawn(tab);
   // Those that are not in hand are seen too: fainter, on the canvas above the path.
   const marked = await tab.evaluate(() => {
     const { passes } = window.cnc872c.current();
@@ -410,6 +410,7 @@ test('a click in the text shows all executions, one in the list goes there', { t
   const wanted = Number(await last.getAttribute('data-seq'));
   await last.click();
   assert.equal(await tab.evaluate(() => window.cnc872c.current().seq), wanted);
+  await drawn(tab);
   const held = await tab.evaluate(() => !document.querySelector('.held').hidden);
   assert.ok(held, 'the block in hand is in the window');
   assert.deepEqual(wrong, []);
@@ -425,7 +426,7 @@ test('the keyboard stays where it was when a panel changes', { timeout: 180_000 
     const before = await at();
     for (let time = 0; time < times; time += 1) {
       await tab.keyboard.press('Enter');
-      await tab.waitForTimeout(80);
+      await drawn(tab);
       assert.equal(await at(), before);
     }
   };
@@ -507,7 +508,7 @@ test('pictures look as before', { timeout: 180_000 }, async () => {
         window.cnc872c.view(plane);
         window.cnc872c.colour(by);
       }, [plane, by]);
-      await tab.waitForTimeout(150);
+      await drawn(tab);
       const key = `${name} ${scheme} ${plane} ${by}`;
       made[key] = await coarse(tab);
       if (known[key] !== undefined) {
@@ -530,7 +531,7 @@ test('both ways of drawing look alike', { timeout: 180_000 }, async () => {
     const { tab, close } = await open(browser, file, { hash });
     assert.equal(await tab.evaluate(() => document.querySelector('.stage').dataset.renderer), hash.slice(6));
     await tab.evaluate(() => window.cnc872c.view('XY'));
-    await tab.waitForTimeout(300);
+    await drawn(tab);
     pictures.push(await coarse(tab));
     await close();
   }
