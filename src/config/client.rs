@@ -58,6 +58,19 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
     (overrides, wrong)
 }
 
+/// The keys of an editor's settings that say something over the project files, in the order of its reference, as
+/// `limits.records`.
+pub fn client_keys() -> Vec<String> {
+    let mut keys = Vec::new();
+    for section in SECTIONS {
+        let prefix = if section.name.is_empty() { String::new() } else { format!("{}.", section.name) };
+        let rows = section.form.rows().iter().filter(|row| row.option.is_some());
+        keys.extend(rows.map(|row| format!("{prefix}{}", row.name)));
+        keys.extend(section.option.map(|_| section.name.to_owned()));
+    }
+    keys
+}
+
 /// Names that nearly are those of settings: `dialec`. Others are somebody else's.
 fn misspelt(settings: &Map<String, Value>) -> Vec<String> {
     let rows = ROOT.form.rows().iter().filter(|row| row.option.is_some()).map(|row| row.name);

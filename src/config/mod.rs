@@ -33,7 +33,7 @@ mod toml_problem;
 mod tried;
 mod xml;
 
-pub use client::client_overrides;
+pub use client::{client_keys, client_overrides};
 pub use configure::configure;
 pub use constant::Constant;
 pub use find::{PROJECT_FILE, find_project};

@@ -1,12 +1,12 @@
 //! What is shipped for editors keeps to the program: the grammar that colours programs, the settings, the snippets.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use cnc872c::config::Settings;
-use cnc872c::dict::Dialect;
+use cnc872c::config::{Settings, client_keys, schema};
 use cnc872c::session::Session;
-use cnc872c::text::{Encoding, MemoryLoader};
+use cnc872c::text::MemoryLoader;
 use serde_json::Value;
 
 use crate::samples::root;
@@ -32,16 +32,34 @@ fn textmate_grammar() {
     assert!(same, "{} is out of date; write it anew with `cargo run --example reference`", textmate::FILE);
 }
 
-/// The settings offer what the project file takes.
+/// Settings of the extension itself, which no project file has.
+const OWN: [&str; 6] = ["language", "inlayHints", "motion.dots", "server.path", "server.arguments", "trace.server"];
+
+/// The settings are those that the server reads, each of the type and with the values that the project file takes.
 #[test]
 fn settings_of_vscode() {
     let manifest = json("package.json");
-    let offered = |name: &str| -> Vec<String> {
-        let values = &manifest["contributes"]["configuration"]["properties"][name]["enum"];
-        values.as_array().expect("a list").iter().filter_map(Value::as_str).map(str::to_owned).collect()
-    };
-    assert_eq!(offered("cnc872c.dialect"), Dialect::ALL.map(Dialect::name));
-    assert_eq!(offered("cnc872c.encoding"), Encoding::NAMED.map(|(name, _)| name));
+    let offered = manifest["contributes"]["configuration"]["properties"].as_object().expect("settings");
+    let known: BTreeSet<String> = client_keys().into_iter().chain(OWN.map(str::to_owned)).collect();
+    let names: BTreeSet<String> =
+        offered.keys().map(|name| name.strip_prefix("cnc872c.").expect("of the extension").to_owned()).collect();
+    assert_eq!(names, known);
+    let schema = schema();
+    for key in client_keys() {
+        let pointer = key.split('.').map(|name| format!("/properties/{name}")).collect::<String>();
+        let taken = schema.pointer(&pointer).unwrap_or_else(|| panic!("{key}"));
+        let setting = &offered[&format!("cnc872c.{key}")];
+        let form = if taken["enum"].is_array() { "string" } else { taken["type"].as_str().expect("a type") };
+        assert_eq!(setting["type"], serde_json::json!([form, "null"]), "{key}");
+        assert!(setting["default"].is_null(), "{key}: what is not set wins over no project file");
+        assert_eq!(setting["items"]["type"], taken["items"]["type"], "{key}");
+        assert_eq!(setting["minimum"], taken["minimum"], "{key}");
+        if let Some(values) = taken["enum"].as_array() {
+            let offered: Vec<&Value> =
+                setting["enum"].as_array().expect("values").iter().filter(|value| !value.is_null()).collect();
+            assert_eq!(offered, values.iter().collect::<Vec<_>>(), "{key}");
+        }
+    }
 }
 
 /// The extension has the version of the program.

@@ -2,7 +2,7 @@
 === client
 {
   "locale": "en",
-  "capabilities": { "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["create", "rename", "delete"] } } }
+  "capabilities": { "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["create", "rename", "delete"] } }, "textDocument": { "rename": { "prepareSupport": true } } }
 }
 === file cnc872c.toml
 macrocycles = ["macros"]

@@ -1,6 +1,6 @@
 # Where another number could change what the program means, there is none, and a reason.
 === client
-{ "locale": "cs", "capabilities": {} }
+{ "locale": "cs", "capabilities": { "textDocument": { "rename": { "prepareSupport": true } } } }
 === file L9001
 N1 G79 L9001
 N2 G00 XR2

@@ -20,6 +20,8 @@ pub struct Client {
     /// Messages that were passed over while another was waited for.
     kept: VecDeque<Value>,
     requests: i64,
+    /// What it said that it answers.
+    capabilities: Option<Value>,
 }
 
 impl Client {
@@ -41,7 +43,7 @@ impl Client {
                 }
             }
         });
-        Self { input: process.stdin.take(), process, messages, kept: VecDeque::new(), requests: 0 }
+        Self { input: process.stdin.take(), process, messages, kept: VecDeque::new(), requests: 0, capabilities: None }
     }
 
     /// Starts a server and initializes it; its capabilities.
@@ -49,7 +51,9 @@ impl Client {
         let mut client = Self::start();
         let result = client.request("initialize", params);
         client.notify("initialized", json!({}));
-        (client, result["result"]["capabilities"].clone())
+        let capabilities = result["result"]["capabilities"].clone();
+        client.capabilities = Some(capabilities.clone());
+        (client, capabilities)
     }
 
     /// Writes bytes as they are.
@@ -71,7 +75,14 @@ impl Client {
     }
 
     /// Sends a request; its id.
+    ///
+    /// # Panics
+    /// When it is one that the server does not say it answers: no editor would send it.
     pub fn ask(&mut self, method: &str, params: Value) -> i64 {
+        if let (Some(capabilities), Some(wanted)) = (&self.capabilities, capability(method)) {
+            let said = capabilities.pointer(wanted).unwrap_or(&Value::Null);
+            assert!(!matches!(said, Value::Null | Value::Bool(false)), "{method} without {wanted}");
+        }
         self.requests += 1;
         self.send(&json!({ "jsonrpc": "2.0", "id": self.requests, "method": method, "params": params }));
         self.requests
@@ -144,6 +155,47 @@ impl Drop for Client {
         let _ = self.process.kill();
         let _ = self.process.wait();
     }
+}
+
+/// What a server says that it answers requests of that method; `None` for those that need nothing said.
+///
+/// # Panics
+/// Of a method that is not in the list.
+fn capability(method: &str) -> Option<&'static str> {
+    Some(match method {
+        "textDocument/hover" => "/hoverProvider",
+        "textDocument/signatureHelp" => "/signatureHelpProvider",
+        "textDocument/codeLens" => "/codeLensProvider",
+        "textDocument/inlayHint" => "/inlayHintProvider",
+        "textDocument/completion" => "/completionProvider",
+        "textDocument/onTypeFormatting" => "/documentOnTypeFormattingProvider",
+        "textDocument/documentSymbol" => "/documentSymbolProvider",
+        "textDocument/foldingRange" => "/foldingRangeProvider",
+        "textDocument/selectionRange" => "/selectionRangeProvider",
+        "textDocument/codeAction" => "/codeActionProvider",
+        "codeAction/resolve" => "/codeActionProvider/resolveProvider",
+        "textDocument/semanticTokens/full" => "/semanticTokensProvider/full",
+        "textDocument/semanticTokens/range" => "/semanticTokensProvider/range",
+        "textDocument/definition" => "/definitionProvider",
+        "textDocument/declaration" => "/declarationProvider",
+        "textDocument/references" => "/referencesProvider",
+        "textDocument/documentHighlight" => "/documentHighlightProvider",
+        "textDocument/prepareRename" => "/renameProvider/prepareProvider",
+        "textDocument/rename" => "/renameProvider",
+        "textDocument/documentLink" => "/documentLinkProvider",
+        "textDocument/diagnostic" => "/diagnosticProvider",
+        "workspace/diagnostic" => "/diagnosticProvider/workspaceDiagnostics",
+        "textDocument/prepareCallHierarchy" | "callHierarchy/incomingCalls" | "callHierarchy/outgoingCalls" => {
+            "/callHierarchyProvider"
+        }
+        "workspace/symbol" => "/workspaceSymbolProvider",
+        "workspace/willRenameFiles" => "/workspace/fileOperations/willRename",
+        "workspace/executeCommand" => "/executeCommandProvider",
+        "workspace/textDocumentContent" => "/workspace/textDocumentContent",
+        "initialize" | "shutdown" | "textDocument/nonsense" => return None,
+        own if own.starts_with("cnc872c/") => return None,
+        other => panic!("{other}: what does a server say that answers it?"),
+    })
 }
 
 fn read(output: &mut impl BufRead) -> Option<Value> {

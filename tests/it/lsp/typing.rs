@@ -33,7 +33,10 @@ fn every_sample() {
     thread::scope(|scope| {
         for _ in 0..thread::available_parallelism().map_or(2, usize::from) {
             scope.spawn(|| {
-                let capabilities = json!({ "general": { "positionEncodings": ["utf-32"] } });
+                let capabilities = json!({
+                    "general": { "positionEncodings": ["utf-32"] },
+                    "textDocument": { "rename": { "prepareSupport": true } },
+                });
                 let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
                 while let Some((at, path)) = { queue.lock().unwrap().pop() } {
                     type_in(&mut client, &path, at % 4 == 0);
