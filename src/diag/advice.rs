@@ -90,6 +90,13 @@ pub(super) fn is_exchanged(loose: &str) -> bool {
 pub struct UnreadEnd {
     /// M02 or M30.
     pub function: u8,
+    /// Where it is.
+    pub unread: Unread,
+}
+
+/// Something that stands behind `*`, where the control reads nothing.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Unread {
     /// Its line.
     pub line: u32,
     /// What is around the `*`.
@@ -101,6 +108,10 @@ pub struct UnreadEnd {
 pub enum Star {
     /// It begins a line.
     Line,
+    /// It begins a line, before a block number without its N: `*120 X5`.
+    Number,
+    /// It begins a line, before a block: `*N120 X5`.
+    Block,
     /// It is between two factors.
     Product,
     /// It is within a block.
@@ -110,7 +121,7 @@ pub enum Star {
 impl UnreadEnd {
     /// What is wrong.
     pub(super) fn message(self, lang: Lang) -> String {
-        let Self { function: m, line, .. } = self;
+        let Self { function: m, unread: Unread { line, .. } } = self;
         match lang {
             Lang::En => format!("the program has no end: M{m:02} in line {line} is after `*`, which ends the file"),
             Lang::Cs => {
@@ -118,12 +129,18 @@ impl UnreadEnd {
             }
         }
     }
+}
 
+impl Unread {
     /// What to write.
     pub(super) const fn help(self, lang: Lang) -> &'static str {
         match (lang, self.star) {
             (Lang::En, Star::Line) => "put the line with `*` between quotes, or delete it",
             (Lang::Cs, Star::Line) => "řádek s hvězdičkou dát do uvozovek, nebo vymazat",
+            (Lang::En, Star::Number) => "write `N` in place of the `*`, or put the line between quotes",
+            (Lang::Cs, Star::Number) => "místo hvězdičky napsat N, nebo řádek dát do uvozovek",
+            (Lang::En, Star::Block) => "delete the `*`, or put the line between quotes",
+            (Lang::Cs, Star::Block) => "hvězdičku vymazat, nebo řádek dát do uvozovek",
             (Lang::En, Star::Product) => "if a product is meant, G26 to G29 compute it; if not, delete the `*`",
             (Lang::Cs, Star::Product) => "je-li míněn součin, počítají ho G26 až G29; není-li, hvězdičku vymazat",
             (Lang::En, Star::Slip) => "delete the `*`",

@@ -18,7 +18,7 @@ mod shown;
 
 pub use advice::{
     AddressMeant, AfterEndMeant, CommaMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, Star, TargetMeant,
-    TextMeant, UnreadEnd, UnusedMeant, ValueMeant,
+    TextMeant, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
 pub use details::{
     ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, JointBreak, JointLimit, KnownNames,

@@ -5,6 +5,7 @@
 
 mod blocks;
 mod checks;
+mod cut;
 mod flow;
 mod foreign;
 mod forms;

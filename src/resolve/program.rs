@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use super::cut::CutOff;
 use super::letters::Letters;
 use super::points::Points;
 use super::spelling;
-use super::structure::CutOff;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{FileId, Location};
 

@@ -5,15 +5,16 @@ use std::sync::Arc;
 
 use super::blocks::{BlockChecker, m_number};
 use super::checks::look_at_blocks;
+use super::cut::{self, CutOff};
 use super::foreign::Origin;
 use super::letters::Letters;
 use super::meant::{may_have_end, may_hold};
 use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
 use crate::config::{Machine, Settings};
-use crate::diag::{Code, Diagnostic, Finding, Findings, LabelText, Star, UnreadEnd};
+use crate::diag::{Diagnostic, Finding, Findings, LabelText, Unread};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
-use crate::syntax::{BlockFlags, BlockId, Form, Kind, ParsedFile, Word, parse, tokens};
+use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
 use crate::text::{FileId, Location, SourceText, Sources, Span, path_name};
 
 /// Most subprograms of a file (PRG-4).
@@ -49,11 +50,9 @@ pub fn resolve_program(
         context.add_program(&mut resolved, parsed);
         flow::follow_calls(&mut context, &mut resolved);
         flow::check_unused(&mut context, &resolved);
+        cut::join(&resolved, context.findings);
         flow::join_calls(&resolved, context.findings);
         rings::check(&mut context, &resolved);
-        if let Some(cut_off) = &resolved.cut_off {
-            findings.revise(|found| !cut_off.leads_to(found));
-        }
     }
     join_case(file, findings);
     origin.point_out(settings, findings);
@@ -72,64 +71,6 @@ fn join_case(file: FileId, findings: &mut Findings) {
     if findings.items().iter().any(|found| !single(found) && of_word(found)) {
         findings.revise(|found| !single(found));
     }
-}
-
-/// A `*` that cuts off the rest of the program.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CutOff {
-    star: Location,
-    /// What stands behind a `*` among words, on their line: it is not there to end anything.
-    slip: Span,
-    /// The block before it.
-    last: Location,
-}
-
-impl CutOff {
-    /// Whether a finding follows from it: targets that are not read, what the block before lacks, the rest of its line.
-    fn leads_to(&self, found: &Diagnostic) -> bool {
-        let Self { star, slip, last } = *self;
-        let at = found.at;
-        let code = found.code();
-        let follows = matches!(code, Code::E0404 | Code::E0406)
-            || code == Code::W0110 && (slip.start..slip.end).contains(&at.span.start)
-            || code == Code::E0103 && at.span.end == star.span.start
-            || code == Code::W0214 && at == last;
-        at.file == star.file && follows
-    }
-}
-
-/// The `*` among the words of a subprogram without an end, behind which the end stands. Its W0110 stays.
-fn cut_subprogram(parsed: &ParsedFile, unit: &Unit) -> Option<CutOff> {
-    let text = parsed.source.text();
-    let star = Span::new(parsed.end.checked_sub(1)?, parsed.end);
-    let is_star = text.get(star.range()) == Some("*");
-    if unit.end.0 < parsed.block_count() || !is_star || slip_of(&parsed.source, star).is_empty() {
-        return None;
-    }
-    let mut end = parsed.source.len().min(parsed.end.saturating_add(UNREAD));
-    while !text.is_char_boundary(end as usize) {
-        end -= 1;
-    }
-    let is_return = |word: &str| {
-        let number =
-            word.strip_prefix(['G', 'g']).and_then(|number| number.trim_start_matches([' ', '\t']).parse().ok());
-        number == Some(GCode::G70.number())
-    };
-    let mut words = tokens(text, parsed.end, end).filter(|token| token.kind == Kind::Word);
-    let returns = words.any(|token| text.get(token.span().range()).is_some_and(is_return));
-    let last = unit.end.0.checked_sub(1).map(BlockId)?;
-    let slip = Span::empty(star.end);
-    returns.then(|| CutOff { star: parsed.at(star), slip, last: parsed.n_place(last) })
-}
-
-/// What stands on the line of `star` behind it, when there are words before it; else nothing.
-fn slip_of(source: &SourceText, star: Span) -> Span {
-    let is_end = |character: char| matches!(character, '\n' | '\r');
-    let text = source.text();
-    let before = text.get(..star.start as usize).unwrap_or_default().rsplit(is_end).next().unwrap_or_default();
-    let behind = text.get(star.end as usize..).unwrap_or_default().split(is_end).next().unwrap_or_default();
-    let length = if before.trim().is_empty() { 0 } else { behind.len() };
-    Span::new(star.end, star.end + u32::try_from(length).unwrap_or(0))
 }
 
 /// Resolves the macrocycle in `source`, whose file is named after number `l`, and those that it calls.
@@ -213,13 +154,12 @@ impl Context<'_, '_> {
             let function = late.map(|(function, _)| function);
             let last = end.0.checked_sub(1).map(BlockId);
             let instead = last.and_then(|last| self.return_elsewhere(&parsed, last)).map(|(function, _)| function);
-            let unread = function.is_none().then(|| unread_end(&parsed)).flatten();
+            let (cut_off, unread) = function.is_none().then(|| cut::program_end(&parsed, place)).flatten().unzip();
             let finding = Finding::MissingProgramEnd { skipped: false, late: function, instead, unread };
             let mut diagnostic = Diagnostic::new(finding, place);
-            if unread.is_some() {
-                let star = parsed.at(Span::new(parsed.end.saturating_sub(1), parsed.end));
-                resolved.cut_off = Some(CutOff { star, slip: slip_of(&parsed.source, star.span), last: place });
-                diagnostic = diagnostic.with_label(star, LabelText::FileEnds);
+            if let Some(cut_off) = cut_off {
+                resolved.cut_off = Some(cut_off);
+                diagnostic = diagnostic.with_label(cut_off.star, LabelText::FileEnds);
             }
             if let Some((function, word)) = late {
                 diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::EndHere { function });
@@ -279,8 +219,9 @@ impl Context<'_, '_> {
             // The number that a fix makes of it is a guess.
             resolved.nameless_subprogram |= l_word.is_some_and(Word::is_faulty);
             if !ended {
-                excused.extend(self.report_unterminated(parsed, &unit));
-                resolved.cut_off = resolved.cut_off.or_else(|| cut_subprogram(parsed, &unit));
+                let cut_off = cut::subprogram(parsed, &unit);
+                excused.extend(self.report_unterminated(parsed, &unit, cut_off));
+                resolved.cut_off = resolved.cut_off.or(cut_off.map(|(cut_off, _)| cut_off));
             }
             if let (Some(word), Some(l)) = (l_word, l) {
                 match first_of.get(&l) {
@@ -299,8 +240,14 @@ impl Context<'_, '_> {
         }
     }
 
-    /// A unit without G70 (PRG-3). Gives the block at its end that holds M02 or M30 instead: it has no finding of its own.
-    fn report_unterminated(&mut self, parsed: &ParsedFile, unit: &Unit) -> Option<BlockId> {
+    /// A unit without G70 (PRG-3); `cut_off`: where it is behind `*`. Gives the block at its end that holds M02 or M30
+    /// instead: it has no finding of its own.
+    fn report_unterminated(
+        &mut self,
+        parsed: &ParsedFile,
+        unit: &Unit,
+        cut_off: Option<(CutOff, Unread)>,
+    ) -> Option<BlockId> {
         let Unit { kind, first, end, entry, .. } = *unit;
         let macrocycle = matches!(kind, UnitKind::Macrocycle(_));
         if may_have_end(parsed, unit) {
@@ -314,8 +261,13 @@ impl Context<'_, '_> {
             skipped: false,
             last: end.0 >= parsed.block_count(),
             instead: instead.map(|(function, _)| function),
+            unread: cut_off.map(|(_, unread)| unread),
         };
         let mut diagnostic = Diagnostic::new(finding, entry);
+        if let Some((cut_off, _)) = cut_off {
+            self.findings.add(diagnostic.with_label(cut_off.star, LabelText::FileEnds));
+            return None;
+        }
         if let Some((function, word)) = instead {
             diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::InPlaceOfG70 { function });
         }
@@ -362,7 +314,7 @@ impl Context<'_, '_> {
         let unit = Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry };
         let mut excused = None;
         if !ended && (begins || empty) {
-            excused = self.report_unterminated(&parsed, &unit);
+            excused = self.report_unterminated(&parsed, &unit, cut::subprogram(&parsed, &unit));
         }
         if end.0 < parsed.block_count() {
             let finding = Finding::BlockAfterMacrocycleEnd { block: parsed.shown_number(end) };
@@ -454,52 +406,6 @@ fn ends_before_entry(parsed: &ParsedFile, block: BlockId) -> bool {
     let end = |word: &Word| PROGRAM_ENDS.into_iter().any(|function| word.is_m(function));
     let line = |at: u32| parsed.source.lines().line_at(at);
     parsed.words(block).iter().any(|word| end(word) && line(word.start()) < line(entry))
-}
-
-/// So many bytes behind `*` are looked at for the end of the program.
-const UNREAD: u32 = 1 << 20;
-
-/// The M02 or M30 that stands behind `*`, with its line: the first that follows a block number.
-fn unread_end(parsed: &ParsedFile) -> Option<UnreadEnd> {
-    let text = parsed.source.text();
-    if !text.get(..parsed.end as usize)?.ends_with('*') {
-        return None;
-    }
-    let mut end = parsed.source.len().min(parsed.end.saturating_add(UNREAD));
-    while !text.is_char_boundary(end as usize) {
-        end -= 1;
-    }
-    let letter = |word: &str, letter: char| word.starts_with([letter, letter.to_ascii_lowercase()]);
-    let words = tokens(text, parsed.end, end).filter(|token| token.kind == Kind::Word);
-    let mut numbered = false;
-    for token in words {
-        let word = text.get(token.span().range()).unwrap_or_default();
-        // A second program has an end of its own.
-        if letter(word, '%') {
-            return None;
-        }
-        numbered |= letter(word, 'N');
-        let number = word.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']).parse().ok();
-        if let Some(function) = number.filter(|number| numbered && letter(word, 'M') && PROGRAM_ENDS.contains(number)) {
-            let line = parsed.source.lines().line_at(token.start) + 1;
-            let line = u32::try_from(line).unwrap_or(u32::MAX);
-            return Some(UnreadEnd { function, line, star: star_meant(text, parsed.end as usize) });
-        }
-    }
-    None
-}
-
-/// What the `*` before `end` was probably meant as.
-fn star_meant(text: &str, end: usize) -> Star {
-    let before = text.get(..end.saturating_sub(1)).unwrap_or_default();
-    let factor = |byte: Option<&u8>| byte.is_some_and(|byte| byte.is_ascii_digit() || b"Rr])".contains(byte));
-    if before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']) {
-        Star::Line
-    } else if factor(before.as_bytes().last()) && factor(text.as_bytes().get(end)) {
-        Star::Product
-    } else {
-        Star::Slip
-    }
 }
 
 /// The M02 or M30 of a block.

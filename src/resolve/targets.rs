@@ -88,8 +88,8 @@ pub fn subprogram(
     }
     let near = resolved.nearest_subprogram(l);
     let macrocycle = library.find(l).is_ok();
-    let finding =
-        Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry: None, uncalled: None };
+    let (without_entry, uncalled, unread) = (None, None, None);
+    let finding = Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, uncalled, unread };
     Err(Box::new(Diagnostic::new(finding, at)))
 }
 

@@ -294,7 +294,8 @@ impl Interpreter {
             }
             UnitKind::Subprogram(_) | UnitKind::Macrocycle(_) => {
                 let macrocycle = matches!(unit.kind, UnitKind::Macrocycle(_));
-                let finding = Finding::UnterminatedSubprogram { macrocycle, skipped: true, last: false, instead: None };
+                let (skipped, last, instead, unread) = (true, false, None, None);
+                let finding = Finding::UnterminatedSubprogram { macrocycle, skipped, last, instead, unread };
                 (finding, unit.entry)
             }
         };

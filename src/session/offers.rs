@@ -112,7 +112,7 @@ impl Offers<'_> {
             let main = self.main(file)?;
             return if instead.is_some() { instead_of_return(file, main) } else { self.end_of(file, main, "M30") };
         }
-        if let Finding::UnterminatedSubprogram { skipped: false, instead, .. } = found.finding {
+        if let Finding::UnterminatedSubprogram { skipped: false, instead, unread: None, .. } = found.finding {
             return match (instead, place) {
                 (Some(_), Some(place)) => Some(write(file, place, "G70".to_owned())),
                 (_, _) => self.end_of(file, self.unit_at(file, at)?, "G70"),

@@ -207,16 +207,22 @@ const STATEMENTS: [&str; 41] = [
     "TRANS", "ATRANS", "TOOL", "CYCL", "PROC", "DEF", "FN", "LBL", "CC", "STOPRE", "ROT", "AROT", "MIRROR", "AMIRROR",
     "SCALE", "ASCALE",
 ];
+/// A comment has so many bytes at most: a line has 80 characters.
+const COMMENT: usize = 240;
 /// A remark has a word of so many letters.
 const REMARK: usize = 3;
 
-/// Where the text ends that begins with a token: a statement of other controls, such as `IF[#1 GT 5]GOTO 20`, or a line of
-/// text that begins with signs or a number, such as `--- OBRYS ---`. It ends before a comment, or with its line.
+/// Where the text ends that begins with a token: a statement of other controls, such as `IF[#1 GT 5]GOTO 20`, a line of
+/// text that begins with signs or a number, such as `--- OBRYS ---`, or a comment without its first quote. It ends before
+/// a comment, or with its line.
 pub(super) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
     if matches!(token.kind, Kind::Word | Kind::LineEnd | Kind::Comment | Kind::TypographicComment | Kind::Skip) {
         return None;
     }
     let rest = bytes.get(token.start as usize..)?;
+    if let Some(length) = before_lone_quote(rest, token.kind) {
+        return u32::try_from(length).ok().map(|length| token.start + length);
+    }
     let begins = rest.first()?.is_ascii_alphabetic();
     if !(if begins { is_statement(rest) } else { is_remark(bytes, token) }) {
         return None;
@@ -224,6 +230,23 @@ pub(super) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
     let line = rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r' | b'"')).count();
     let text = rest.get(..line)?.trim_ascii_end();
     u32::try_from(text.len()).ok().map(|length| token.start + length)
+}
+
+/// How long the text is that begins there and ends with a quote at the end of its line, which nothing opens.
+fn before_lone_quote(rest: &[u8], kind: Kind) -> Option<usize> {
+    let begins = matches!(
+        kind,
+        Kind::Text | Kind::Letter | Kind::BareR | Kind::Sign | Kind::Number | Kind::LooseNumber | Kind::Unknown
+    );
+    if !begins {
+        return None;
+    }
+    let length = rest.iter().take(COMMENT).position(|byte| matches!(byte, b'"' | b'\n' | b'\r'))?;
+    let (text, quote) = rest.split_at(length);
+    let behind = quote.strip_prefix(b"\"")?;
+    let ends = matches!(behind.iter().find(|byte| !matches!(byte, b' ' | b'\t')), None | Some(b'\n' | b'\r'));
+    let is_letter = |byte: &u8| byte.is_ascii_alphabetic() || !byte.is_ascii();
+    (ends && text.split(|byte| !is_letter(byte)).any(|word| word.len() >= REMARK)).then_some(length)
 }
 
 /// Whether a statement begins there.

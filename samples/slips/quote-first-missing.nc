@@ -1,0 +1,13 @@
+%1 "uvozovky pred komentarem chybi"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 X5                              najezd po oblouku"
+"                                   ^^^^^^^^^^^^^^^^^ E0111
+N60 Y5                              Freza D20, 3 brity: A i B"
+"                                   ^^^^^^^^^^^^^^^^^^^^^^^^^ E0111
+--- kontura 2: drazka hloubky 3 od mista Z0 ---"
+"^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ E0111
+N80 G0 Z50
+N90 M30

@@ -1,0 +1,12 @@
+%1 "hvezdicka misto N v bloku s koncem"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G71 L100
+N50 G0 Z50
+"^^^ E0205
+*60 M30
+"^^^^^^^ W0110
+N100 G79 L100
+N110 G91 X5
+N120 G90 G70
