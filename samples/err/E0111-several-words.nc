@@ -3,7 +3,7 @@
 N10 G90 G0 X0 Y0 Z50 VYCHOZI POLOHA
 "                    ^^^^^^^^^^^^^^ E0111
 N20 T1 M06 Freza valcova D16"
-"          ^^^^^^^^^^^^^ E0111
+"          ^^^^^^^^^^^^^^^^^ E0111
 N30 CYCLE 81 X5
 "   ^^^^^^^^ E0111
 N40 GOTO 140

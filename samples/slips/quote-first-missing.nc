@@ -7,7 +7,5 @@ N50 X5                              najezd po oblouku"
 "                                   ^^^^^^^^^^^^^^^^^ E0111
 N60 Y5                              Freza D20, 3 brity: A i B"
 "                                   ^^^^^^^^^^^^^^^^^^^^^^^^^ E0111
---- kontura 2: drazka hloubky 3 od mista Z0 ---"
-"^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ E0111
 N80 G0 Z50
 N90 M30

@@ -90,9 +90,11 @@ pub(super) fn join(resolved: &Resolved, findings: &mut Findings) {
         findings.revise(|found| !cut.leads_to(found));
         return;
     }
-    let called = |found: &Diagnostic| match found.finding {
-        Finding::UnknownSubprogram { l, from_macrocycle: false, macrocycle: false, .. } => Some(l),
-        _ => None,
+    let called = |found: &Diagnostic| {
+        let Finding::UnknownSubprogram { l, from_macrocycle: false, macrocycle: false, .. } = found.finding else {
+            return None;
+        };
+        Some(l)
     };
     if findings.items().iter().all(|found| called(found).is_none()) {
         return;

@@ -1,15 +1,17 @@
 //! Lines that a block number was forgotten on (BLK-1).
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Unit;
-use crate::diag::{Code, Diagnostic, Finding, Findings};
+use crate::diag::{Code, Diagnostic, Finding, Findings, Severity};
 use crate::dict::Address;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{LineIndex, Location, Span};
 
 /// So many lines of a unit begin with `N`, at least.
 const LEAST: usize = 5;
+/// In so many lines of a file the block number was forgotten, at most, where lines often begin with other words.
+const FEW: usize = 20;
 
 /// Warns of lines that begin with another word than `N` and continue a block, in units where eight of ten lines with words
 /// begin with `N`. Gives whether there is any such line, warned of or not.
@@ -47,10 +49,30 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
     if findings.items().iter().any(|found| is_conflict(found) && letterless(found)) {
         findings.revise(|found| !(is_conflict(found) && letterless(found)));
     }
+    // Two conflicts with the lines above are no accident in a few lines, wherever else lines begin with other words.
+    let mut above: BTreeMap<usize, usize> = BTreeMap::new();
+    for found in findings.items().iter().filter(|found| is_conflict(found)) {
+        let line = lines.line_at(found.at.span.start);
+        let start = lines.start(line).unwrap_or(0);
+        if found.labels.iter().any(|label| label.at.span.start < start) {
+            *above.entry(line).or_default() += 1;
+        }
+    }
+    let begins = |line: usize| {
+        let span = parsed.source.line_span(line);
+        let text = parsed.source.slice(span).trim_start_matches([' ', '\t']);
+        let start = span.end.saturating_sub(u32::try_from(text.len()).unwrap_or(0));
+        text.starts_with(|first: char| first.is_ascii_alphabetic() && !matches!(first, 'N' | 'n')).then_some(start)
+    };
+    above.retain(|_, count| *count > 1);
+    if above.len() <= FEW {
+        starts.extend(above.into_keys().filter_map(begins));
+    }
     if starts.is_empty() {
         return;
     }
     starts.sort_unstable();
+    starts.dedup();
     let line_of = |found: &Diagnostic| {
         let at = starts.partition_point(|start| *start <= found.at.span.start).checked_sub(1)?;
         starts.get(at).copied()
@@ -88,6 +110,57 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
         let entry = parsed.block_at(found.at.span.start).is_some_and(|block| entries.contains(&block));
         !entry && !first.contains_key(&found.at.span.start)
     });
+}
+
+/// Leaves out what follows from a line without its `N`. A word that does not belong into the block that begins a subprogram is
+/// an error already. Jumps to a block whose line begins with its number (`50 X5`, `Z50 X5`) follow from an error in that
+/// line; without one the first of them stays. Gives the numbers of such lines.
+pub(super) fn join(parsed: &ParsedFile, findings: &mut Findings) -> BTreeSet<u32> {
+    let of_code = |code: Code| findings.items().iter().filter(move |found| found.code() == code).map(|found| found.at);
+    let crowded: BTreeSet<Location> = of_code(Code::E0208).collect();
+    if of_code(Code::W0221).any(|at| crowded.contains(&at)) {
+        findings.revise(|found| found.code() != Code::W0221 || !crowded.contains(&found.at));
+    }
+    join_jumps(parsed, findings)
+}
+
+fn join_jumps(parsed: &ParsedFile, findings: &mut Findings) -> BTreeSet<u32> {
+    let missing = |found: &Diagnostic| {
+        let Finding::UnknownJumpTarget { l, .. } = found.finding else { return None };
+        (found.at.file == parsed.file).then_some(l)
+    };
+    let mut first: BTreeMap<u32, Location> = BTreeMap::new();
+    for (l, at) in findings.items().iter().filter_map(|found| Some((missing(found)?, found.at))) {
+        let place = first.entry(l).or_insert(at);
+        *place = at.min(*place);
+    }
+    if first.is_empty() {
+        return BTreeSet::new();
+    }
+    let lines = parsed.source.lines();
+    let faulty: BTreeSet<usize> = findings
+        .items()
+        .iter()
+        .filter(|found| found.at.file == parsed.file && found.code().severity() == Severity::Error)
+        .map(|found| lines.line_at(found.at.span.start))
+        .collect();
+    let numbered = (0..lines.count()).filter_map(|line| {
+        let text = parsed.source.slice(parsed.source.line_span(line)).trim_start_matches([' ', '\t']);
+        let number = text.strip_prefix(|first: char| first.is_ascii_alphabetic() && !matches!(first, 'N' | 'n'));
+        let number = number.unwrap_or(text);
+        let digits = number.bytes().take_while(u8::is_ascii_digit).count();
+        Some((number.get(..digits)?.parse::<u32>().ok()?, line))
+    });
+    // Whether there is an error in such a line.
+    let mut unnumbered: BTreeMap<u32, bool> = BTreeMap::new();
+    for (number, line) in numbered.filter(|(number, _)| first.contains_key(number)) {
+        *unnumbered.entry(number).or_default() |= faulty.contains(&line);
+    }
+    findings.revise(|found| {
+        let Some((l, is_faulty)) = missing(found).and_then(|l| Some((l, *unnumbered.get(&l)?))) else { return true };
+        !is_faulty && first.get(&l) == Some(&found.at)
+    });
+    unnumbered.into_iter().filter(|(_, is_faulty)| *is_faulty).map(|(number, _)| number).collect()
 }
 
 fn is_conflict(found: &Diagnostic) -> bool {

@@ -10,7 +10,7 @@ use super::foreign::Origin;
 use super::letters::Letters;
 use super::meant::{may_have_end, may_hold};
 use super::pending::{Pending, Stray};
-use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, rings};
+use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, lines, rings};
 use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText, Unread};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
@@ -52,6 +52,9 @@ pub fn resolve_program(
         flow::check_unused(&mut context, &resolved);
         cut::join(&resolved, context.findings);
         flow::join_calls(&resolved, context.findings);
+        if let Some(parsed) = resolved.file(file) {
+            resolved.unnumbered = lines::join(parsed, context.findings);
+        }
         rings::check(&mut context, &resolved);
     }
     join_case(file, findings);
@@ -212,7 +215,7 @@ impl Context<'_, '_> {
             let l = l_word.and_then(l_number);
             let kind = UnitKind::Subprogram(l);
             let unit = Unit { kind, file: FileId(0), first: block, end, entry };
-            let ends_before = ends_before_entry(parsed, block);
+            let ends_before = ends_before_entry(parsed, block) || returns_before_entry(parsed, block);
             excused.extend(ends_before.then_some(block));
             self.check_entry(parsed, block, ends_before);
             let id = resolved.add_unit(unit);
@@ -399,13 +402,22 @@ fn main_end(parsed: &ParsedFile) -> (BlockId, bool) {
 /// Whether the block that begins a subprogram holds the end of the main program on a line above G79: the number of its own
 /// was forgotten on that line.
 fn ends_before_entry(parsed: &ParsedFile, block: BlockId) -> bool {
-    if !parsed.flags(block).has(BlockFlags::END) {
-        return false;
-    }
-    let entry = entry_place(parsed, block).span.start;
     let end = |word: &Word| PROGRAM_ENDS.into_iter().any(|function| word.is_m(function));
+    parsed.flags(block).has(BlockFlags::END) && is_above_entry(parsed, block, end)
+}
+
+/// Whether the block that begins a subprogram holds the G70 of the one before on a line above G79.
+fn returns_before_entry(parsed: &ParsedFile, block: BlockId) -> bool {
+    let flags = parsed.flags(block);
+    let returns = |word: &Word| word.g_code() == Some(GCode::G70);
+    flags.has(BlockFlags::ENTRY) && flags.has(BlockFlags::RETURN) && is_above_entry(parsed, block, returns)
+}
+
+/// Whether such a word of a block stands on a line above its G79.
+fn is_above_entry(parsed: &ParsedFile, block: BlockId, wanted: impl Fn(&Word) -> bool) -> bool {
+    let entry = entry_place(parsed, block).span.start;
     let line = |at: u32| parsed.source.lines().line_at(at);
-    parsed.words(block).iter().any(|word| end(word) && line(word.start()) < line(entry))
+    parsed.words(block).iter().any(|word| wanted(word) && line(word.start()) < line(entry))
 }
 
 /// The M02 or M30 of a block.
@@ -419,10 +431,11 @@ fn end_word(settings: &Settings, parsed: &ParsedFile, block: BlockId) -> Option<
 fn unit_end(parsed: &ParsedFile, first: BlockId) -> (BlockId, bool) {
     for block in (first.0..parsed.block_count()).map(BlockId) {
         let flags = parsed.flags(block);
+        let before_entry = returns_before_entry(parsed, block);
         if block != first && flags.has(BlockFlags::ENTRY) {
-            return (block, false);
+            return (block, before_entry);
         }
-        if flags.has(BlockFlags::RETURN) {
+        if flags.has(BlockFlags::RETURN) && !before_entry {
             return (block.next(), true);
         }
     }

@@ -6,10 +6,12 @@ use super::parameters::with_origin;
 use super::planes;
 use super::site::Site;
 use super::state::{Position, State};
+use super::travel::Reading;
 use super::words::{BlockWords, Valued};
 use crate::config::{ArcCenters, Machine};
 use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Edit, Finding, FixTitle, LabelText, PlaneFault};
-use crate::dict::{AxisLetter, GCode, GGroup, Micro};
+use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::syntax::{BlockId, Word};
 use crate::text::Location;
 
 /// The axes that I and J belong to (MOT-3): in the order of the machine, also for G19, or as configured in that of the plane's
@@ -58,9 +60,12 @@ pub(super) fn check_plane(site: &mut Site<'_>, state: &State, words: &BlockWords
     found(site, state, (words, g), finding, words.place_of_motion(site));
 }
 
-/// E0602, with what makes the block an arc when it does not say so itself.
-pub(super) fn missing_center(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &InForce, at: Location) {
+/// E0602, with what makes the block an arc when it does not say so itself; then the first of such blocks in a row has it.
+pub(super) fn missing_center(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, at: Location) {
     let modal = words.written(GGroup::G0).is_none();
+    if state.said.no_center.goes_on(site.file.file, site.block) && modal {
+        return;
+    }
     let function = g.of(GGroup::G0).map_or_else(String::new, |code| code.to_string());
     let origin = state.origins.motion.0.filter(|_| modal);
     let by = origin.map(|(n, _)| format!("{function} (N{n})"));
@@ -98,10 +103,11 @@ pub(super) fn unknown_start(
     site.report(because_of(state, words, g, diagnostic));
 }
 
-/// E0603 at I, else at J, with start, centre and end, and what I and J probably are.
+/// E0603 at I, else at J, with start, centre and end, and what I and J probably are. Arcs that fit under the other of G90 and
+/// G91 have it once.
 pub(super) fn radii(
     site: &mut Site<'_>,
-    state: &State,
+    state: &mut State,
     (words, g): (&BlockWords, &InForce),
     at: Location,
     named: [usize; 2],
@@ -120,6 +126,13 @@ pub(super) fn radii(
     let text = |pair: [Micro; 2]| in_order(pair).map(|value| value.to_string());
     let diameters = state.modal(GGroup::G10) == Some(GCode::G74)
         && machine.axes.index(AxisLetter::X).is_some_and(|x| named.contains(&x));
+    let mut meant = meant_center(machine, arc, in_order);
+    if meant == ArcMeant::Nothing {
+        meant = meant_mode(site, state, (words, g), named, arc);
+    }
+    if matches!(meant, ArcMeant::Distances | ArcMeant::Positions) && std::mem::replace(&mut state.said.arc_mode, true) {
+        return;
+    }
     let points = ArcPoints {
         axes: [letter(for_i), letter(for_j)],
         start: text(arc.start),
@@ -131,7 +144,7 @@ pub(super) fn radii(
         start: radius(computed.radius),
         end: radius(computed.end_radius),
         points: Box::new(points),
-        meant: meant_center(machine, arc, in_order),
+        meant,
     };
     let diagnostic = offer(site, words, Diagnostic::new(finding, place));
     let diagnostic = because_of(state, words, g, diagnostic);
@@ -180,4 +193,45 @@ fn meant_center(machine: &Machine, arc: &Arc, in_order: impl Fn([Micro; 2]) -> [
     } else {
         ArcMeant::Nothing
     }
+}
+
+/// Whether the arc fits under the other of G90 and G91.
+fn meant_mode(
+    site: &Site<'_>,
+    state: &State,
+    (words, g): (&BlockWords, &InForce),
+    named: [usize; 2],
+    arc: &Arc,
+) -> ArcMeant {
+    let tolerance = Micro::from(site.machine().limits.arc_tolerance).to_f64();
+    let fits = |start: [Micro; 2], end: [Micro; 2]| arc::radii_agree(&Arc { start, end, ..*arc }.compute(), tolerance);
+    let [u, v] = named.map(|axis| words.axis_words().any(|(other, _)| other == axis));
+    let either = |written: bool, end: Micro, stays: Micro| if written { end } else { stays };
+    let [[from_u, from_v], [to_u, to_v]] = [arc.start, arc.end];
+    match g.of(GGroup::G9) {
+        Some(GCode::G90) => {
+            let end = [either(u, from_u.plus(to_u), from_u), either(v, from_v.plus(to_v), from_v)];
+            if fits(arc.start, end) { ArcMeant::Distances } else { ArcMeant::Nothing }
+        }
+        Some(GCode::G91) => {
+            let reading = Reading::of(site.machine(), state, g);
+            let before = |axis| written_before(site, axis).map(|value| reading.coordinate(axis, value));
+            let [Some(start_u), Some(start_v)] = named.map(before) else { return ArcMeant::Nothing };
+            let end = [either(u, to_u.minus(from_u), start_u), either(v, to_v.minus(from_v), start_v)];
+            if fits([start_u, start_v], end) { ArcMeant::Positions } else { ArcMeant::Nothing }
+        }
+        _ => ArcMeant::Nothing,
+    }
+}
+
+/// So many blocks before an arc are looked at for the words of its start.
+const BEFORE: u32 = 64;
+
+/// The number that was written last for an axis in the blocks of the file before this one.
+fn written_before(site: &Site<'_>, axis: usize) -> Option<Decimal> {
+    let letter = site.machine().axes.get(axis)?.letter;
+    let blocks = site.block.0.saturating_sub(BEFORE)..site.block.0;
+    let of_axis = |word: &&Word| word.address.axis() == Some(letter);
+    let words = blocks.rev().filter_map(|block| site.file.words(BlockId(block)).iter().find(of_axis));
+    words.map(|word| word.number()).next()?
 }

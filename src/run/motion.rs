@@ -163,6 +163,14 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
     let cycle = g.of(GGroup::G8).is_some_and(GCode::is_cycle);
     let thread = g.of(GGroup::G0) == Some(GCode::G33);
     let other_letters = is_arc && !spiral && other_centers::report_k(site, state, words, g);
+    // G02 or G03 that is missing in one arc is missing in the next.
+    let arc_words = words.axis_count > 0 && words.i.is_some() && words.j.is_some();
+    let without_use = arc_words && !(is_arc || circular || spiral || cycle || thread);
+    let goes_on = without_use
+        && state.said.stray_centers.goes_on(site.file.file, site.block)
+        && words.written(GGroup::G0).is_none();
+    // Nobody knows whether it is an arc.
+    let silent = goes_on || !is_arc && g.unknown.has(GGroup::G0);
     for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
         // A malformed word has its finding.
         let Some(valued) = valued.filter(|valued| !valued.word.is_void()) else { continue };
@@ -172,7 +180,7 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
         let kept = if is_arc && letter == 'K' { spiral } else { spiral || cycle || thread };
         if kept {
             centers.extend(valued.value.map(|value| (letter, value)));
-        } else if !(is_arc && letter != 'K') {
+        } else if !(silent || is_arc && letter != 'K') {
             let of_arc = circular && letter == 'K';
             let place = if of_arc { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
             let finding = Finding::CenterWordNotUsable { letter, place, written: String::new() };
@@ -232,7 +240,7 @@ fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, functio
 /// The arc that the block moves along, with its findings. `None`: its axes make no arc.
 fn find_arc(
     site: &mut Site<'_>,
-    state: &State,
+    state: &mut State,
     words: &BlockWords,
     g: &InForce,
     moving: &Moving,
@@ -241,6 +249,11 @@ fn find_arc(
     let machine = site.machine();
     let plane = planes::in_force(g);
     let Some((pair, helix)) = planes::of_arc(planes::axes_of(&machine.axes, plane), travels) else {
+        let centered = words.i.is_some() || words.j.is_some();
+        let goes_on = !centered && state.said.no_center.goes_on(site.file.file, site.block);
+        if goes_on && words.written(GGroup::G0).is_none() {
+            return None;
+        }
         let plane = format!("{} ({})", plane.name, plane.function);
         let finding = Finding::ArcAxes { plane, many: travels.len() > 3 };
         arc_findings::found(site, state, (words, g), finding, words.place_of_motion(site));
@@ -290,7 +303,7 @@ fn stay(machine: &Machine, state: &State, pair: [usize; 2], travels: &mut Vec<Tr
 /// and reported.
 fn center(
     site: &mut Site<'_>,
-    state: &State,
+    state: &mut State,
     words: &BlockWords,
     g: &InForce,
     named: [usize; 2],

@@ -6,7 +6,8 @@ use super::unknown::Groups;
 use crate::config::Settings;
 use crate::dict::Micro;
 use crate::dict::{Decimal, FeedPer, GCode, GGroup, M_GROUPS};
-use crate::text::Location;
+use crate::syntax::BlockId;
+use crate::text::{FileId, Location};
 
 /// What the program knows of an axis.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -112,6 +113,18 @@ impl AxisSet {
     }
 }
 
+/// The block that something was said of last. Where the next one has it for the same reason, it is not said again.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct LastBlock(Option<(FileId, BlockId)>);
+
+impl LastBlock {
+    /// Whether this was said of the block before `block`; notes it of this one.
+    pub(super) fn goes_on(&mut self, file: FileId, block: BlockId) -> bool {
+        let before = self.0.replace((file, block));
+        before.is_some_and(|(last_file, last)| last_file == file && last.next() == block)
+    }
+}
+
 /// What was said already, of what is said once.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Said {
@@ -127,6 +140,12 @@ pub(super) struct Said {
     pub(super) spindle_stopped: bool,
     /// W0620.
     pub(super) no_tool: bool,
+    /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written.
+    pub(super) arc_mode: bool,
+    /// E0602, or E0611 of an arc without I and J.
+    pub(super) no_center: LastBlock,
+    /// E0609 of I, J and K that no function takes.
+    pub(super) stray_centers: LastBlock,
     /// An axis moved from an unknown position (MOT-2), by place in machine order.
     pub(super) incremental: [bool; 9],
     /// Functions that are not modelled (GRP-8).
@@ -146,6 +165,9 @@ impl Default for Said {
             no_entry: false,
             spindle_stopped: false,
             no_tool: false,
+            arc_mode: false,
+            no_center: LastBlock::default(),
+            stray_centers: LastBlock::default(),
             incremental: [false; 9],
             unmodelled: Vec::new(),
             unassigned: [false; 96],

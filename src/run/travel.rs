@@ -52,7 +52,7 @@ impl Reading {
 
     /// A programmed value as a coordinate.
     #[inline]
-    fn coordinate(self, axis: usize, value: Decimal) -> Micro {
+    pub(super) fn coordinate(self, axis: usize, value: Decimal) -> Micro {
         let value = Micro::from(value);
         if self.diameter == Some(axis) { value.half() } else { value }
     }

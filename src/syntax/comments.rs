@@ -112,8 +112,7 @@ impl Lowering<'_> {
             (TextMeant::SwallowedBefore { words: words_text }, words.start)
         } else if let Some(inner) = inner
             && (behind.is_some_and(|rest| rest.trim().is_empty())
-                || behind != Some(inner)
-                    && swallowed::words(self.text, Span::new(inner_start, inner_start + length(inner))).is_some())
+                || swallowed::words(self.text, Span::new(inner_start, inner_start + length(inner))).is_some())
         {
             // Quotes further on in the line are off by one too.
             self.quotes_off = Some(span.end + length(line));
@@ -246,7 +245,7 @@ fn before_lone_quote(rest: &[u8], kind: Kind) -> Option<usize> {
     let behind = quote.strip_prefix(b"\"")?;
     let ends = matches!(behind.iter().find(|byte| !matches!(byte, b' ' | b'\t')), None | Some(b'\n' | b'\r'));
     let is_letter = |byte: &u8| byte.is_ascii_alphabetic() || !byte.is_ascii();
-    (ends && text.split(|byte| !is_letter(byte)).any(|word| word.len() >= REMARK)).then_some(length)
+    (ends && text.split(|byte| !is_letter(byte)).any(|word| word.len() > 1)).then_some(length)
 }
 
 /// Whether a statement begins there.

@@ -187,7 +187,9 @@ impl<'t> Lowering<'t> {
             self.typographic_comment(token, text);
         } else if text.len() < 2 || !text.ends_with('"') {
             let inner = Span::new(token.start + 1, token.end);
-            if let Some(words) = swallowed::words(self.text, inner) {
+            // A quote that closes a comment which nothing opens has a finding.
+            let closes = self.quotes_off.is_some_and(|end| token.start < end);
+            if !closes && let Some(words) = swallowed::words(self.text, inner) {
                 let finding = Finding::CommentSwallowsWords { words: shown(self.slice(words).trim_end()) };
                 self.report(words, finding);
             }

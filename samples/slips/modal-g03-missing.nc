@@ -1,0 +1,11 @@
+%1 "zapomenute G03"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 X20 Y20 I20 J0
+"           ^^^ E0609
+"               ^^ E0609
+N60 X40 Y0 I0 J-20
+N90 G0 Z50
+N100 M30

@@ -1,0 +1,12 @@
+%1 "zapomenute G90: oblouky vyhovuji absolutne"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G91 G1 Z-48 F300
+N50 X20 Y10
+N60 G3 X40 Y30 I0 J20
+"              ^^ E0603
+N70 G1 Y60
+N80 G3 X20 Y80 I-20 J0
+N90 G90 G0 Z50
+N100 M30

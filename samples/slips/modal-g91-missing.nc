@@ -1,0 +1,10 @@
+%1 "zapomenute G91: oblouky vyhovuji prirustkove"
+N10 G54 G90 G0 X100 Y100 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N50 G3 X20 Y20 I0 J20
+"              ^^ E0603
+N60 G3 X-20 Y20 I-20 J0
+N90 G90 G0 Z50
+N100 M30

@@ -1,0 +1,12 @@
+%1 "M misto N v bloku, na ktery se skace"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+M150 X5
+"@ 6:1-6:5 W0221
+"^^^ E0302
+N60 X10
+N70 G73 L150 Q3
+N80 G0 Z50
+N90 M30
