@@ -63,7 +63,8 @@ pub(super) fn check_plane(site: &mut Site<'_>, state: &State, words: &BlockWords
 /// E0602, with what makes the block an arc when it does not say so itself; then the first of such blocks in a row has it.
 pub(super) fn missing_center(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, at: Location) {
     let modal = words.written(GGroup::G0).is_none();
-    if state.said.no_center.goes_on(site.file.file, site.block) && modal {
+    let centered = words.i.is_some() || words.j.is_some();
+    if state.said.no_center.goes_on(site.file.file, site.block) && modal && !centered {
         return;
     }
     let function = g.of(GGroup::G0).map_or_else(String::new, |code| code.to_string());

@@ -237,7 +237,8 @@ fn before_lone_quote(rest: &[u8], kind: Kind) -> Option<usize> {
         kind,
         Kind::Text | Kind::Letter | Kind::BareR | Kind::Sign | Kind::Number | Kind::LooseNumber | Kind::Unknown
     );
-    if !begins {
+    // The first `%` begins the program, wherever it stands: a quote before it is not read.
+    if !begins || rest.starts_with(b"%") {
         return None;
     }
     let length = rest.iter().take(COMMENT).position(|byte| matches!(byte, b'"' | b'\n' | b'\r'))?;
@@ -278,4 +279,22 @@ fn is_remark(bytes: &[u8], token: Token) -> bool {
     // `190 KONEC`: the number may be that of a block.
     let numbered = head.trim_ascii_end().iter().all(u8::is_ascii_digit);
     letters >= REMARK && !value && !numbered
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Text that a quote at the end of its line closes. The first `%` begins the program: a quote before it is not read.
+    #[test]
+    fn comments_without_their_first_quote() {
+        let length = |text: &str, kind: Kind| before_lone_quote(text.as_bytes(), kind);
+        assert_eq!(length("vyjezd po oblouku\"\nN20", Kind::Text), Some(17));
+        assert_eq!(length("3 x 2 mm\" \t\r\n", Kind::Number), Some(8));
+        assert_eq!(length("Freza D20, 3 brity\"", Kind::Text), Some(18));
+        for text in ["% v komentari\"", "vyjezd\" N20 X5", "vyjezd \"po\" oblouku", "vyjezd\npo\"", "5\"", "A B C\""] {
+            assert_eq!(length(text, Kind::Letter), None, "{text}");
+        }
+        assert_eq!(length("X5 vyjezd\"", Kind::Word), None);
+    }
 }

@@ -126,9 +126,13 @@ impl SourceText {
         if self.encoding == Encoding::Utf8 {
             u64::from(offset)
         } else {
-            let length = self.encoding.length(self.slice(Span::new(0, offset))) as u64;
-            length - u64::from(self.half && offset == self.len())
+            self.encoding.length(self.slice(Span::new(0, offset))) as u64 - self.missing_before(offset)
         }
+    }
+
+    /// How many bytes the file lacks of the characters before `offset`: one at the end of UTF-16 with an odd number of bytes.
+    pub fn missing_before(&self, offset: u32) -> u64 {
+        u64::from(self.half && offset == self.len())
     }
 
     /// Replaces the text of `span`, as an editor does; a span that is none of this text, or a text that would reach 4 GiB,

@@ -73,7 +73,7 @@ impl<'a> Places<'a> {
         let encoding = file.source.encoding();
         let byte = |offset: u32| match (encoding.is_single_byte(), encoding.is_utf16()) {
             (true, _) => u64::from(file.characters_before(offset)),
-            (_, true) => 2 * u64::from(file.units_before(offset)),
+            (_, true) => 2 * u64::from(file.units_before(offset)) - file.source.missing_before(offset),
             (false, false) => u64::from(offset),
         };
         (byte(start), byte(end.max(start)))
@@ -135,7 +135,10 @@ mod tests {
         ) {
             let wide = SourceText::decode("wide", words.repeat(repeats).into_bytes(), Encoding::Cp852).unwrap();
             let narrow = SourceText::decode("narrow", bytes.repeat(repeats), Encoding::Cp852).unwrap();
-            for source in [wide, narrow] {
+            let utf16: Vec<u8> = bytes.iter().flat_map(|byte| [*byte, 0]).collect();
+            let cut = [b"\xff\xfe".as_slice(), &utf16, &b"X"[..repeats % 2]].concat();
+            let cut = SourceText::decode("cut", cut, Encoding::Cp852).unwrap();
+            for source in [wide, narrow, cut] {
                 let mut offset = at.min(source.len()).max(source.first_offset());
                 while !source.text().is_char_boundary(offset as usize) {
                     offset -= 1;
