@@ -6,6 +6,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use crate::sure::Sure;
 use crate::text::{BrokenLink, Loader, Numbered};
 
 /// The name of standard input among programs.
@@ -179,7 +180,7 @@ pub fn begins_program(path: &Path) -> io::Result<bool> {
             Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
             read => read?,
         };
-        let read = piece.get(..length).unwrap_or_default();
+        let read = piece.get(..length).sure();
         if read.is_empty() {
             return Ok(false);
         }

@@ -61,6 +61,7 @@ pub mod resolve;
 pub mod run;
 pub mod session;
 pub mod stream;
+mod sure;
 pub mod syntax;
 pub mod text;
 #[cfg(feature = "view")]

@@ -6,6 +6,7 @@ use clap::ValueEnum;
 
 use super::args::ColorWhen;
 use crate::dict::Lang;
+use crate::sure::Sure;
 
 /// Language and colours, found out before the command line is parsed: the messages of the parser need them.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +58,7 @@ impl Locale {
 fn from_environment(variable: impl Fn(&str) -> Option<OsString>) -> Lang {
     let set = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().find_map(variable).unwrap_or_default();
     let bytes = set.as_encoded_bytes();
-    let language = bytes.split(|byte| matches!(byte, b'_' | b'.' | b'@' | b'-')).next().unwrap_or_default();
+    let language = bytes.split(|byte| matches!(byte, b'_' | b'.' | b'@' | b'-')).next().sure();
     if language.eq_ignore_ascii_case(b"cs") { Lang::Cs } else { Lang::En }
 }
 

@@ -6,6 +6,7 @@ use super::near::nearest;
 use super::reader::to_span;
 use super::{MFunction, MFunctions, xml};
 use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, LabelText, NameKind, shown};
+use crate::sure::Sure;
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// The element that holds the M functions.
@@ -157,7 +158,7 @@ impl Reader<'_> {
     /// The name in the start tag of an element.
     fn tag_name(&self, element: Node<'_, '_>) -> Span {
         let start = element.range().start + 1;
-        let rest = self.source.text().get(start..).unwrap_or_default();
+        let rest = self.source.text().get(start..).sure();
         let length = rest.find(|c: char| c.is_whitespace() || c == '/' || c == '>').unwrap_or(rest.len());
         to_span(start..start + length)
     }

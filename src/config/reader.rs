@@ -10,6 +10,7 @@ use super::row::{Default, Row};
 use super::taken::{Setting, Taken, Values};
 use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, KnownNames, LabelText, NameKind, shown};
 use crate::dict::{AxisLetter, Decimal};
+use crate::sure::small;
 use crate::text::{FileId, Location, Span};
 
 /// A key of a table and what it holds.
@@ -257,8 +258,7 @@ fn written(text: &str, value: &Value) -> Option<String> {
 
 /// A range of the parser as a span.
 pub(super) fn to_span(range: std::ops::Range<usize>) -> Span {
-    let offset = |at| u32::try_from(at).unwrap_or(u32::MAX);
-    Span::new(offset(range.start), offset(range.end))
+    Span::new(small(range.start), small(range.end))
 }
 
 /// The entry of that name.

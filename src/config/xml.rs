@@ -7,6 +7,7 @@ use roxmltree::{Document, Error, ParsingOptions, TextPos};
 
 use super::reader::to_span;
 use crate::diag::{ConfigProblem, shown};
+use crate::sure::Sure;
 use crate::text::{SourceText, Span};
 
 /// Most attributes of one element: the parser compares each with each.
@@ -56,7 +57,7 @@ fn overloaded(text: &str) -> Option<Span> {
     let mut at = 0;
     while let Some(found) = bytes.get(at..).and_then(|rest| memchr::memchr(b'<', rest)) {
         let start = at + found;
-        let rest = text.get(start..).unwrap_or_default();
+        let rest = text.get(start..).sure();
         let skipped = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
         if let Some((_, close)) = skipped.into_iter().find(|(open, _)| rest.starts_with(open)) {
             // Without its end the text is malformed, and nothing after it counts.

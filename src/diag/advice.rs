@@ -1,6 +1,7 @@
 //! What the texts of some diagnostics advise, in both languages: closed sets of what was probably meant.
 
 use crate::dict::{Address, GCode, Lang, bilingual};
+use crate::sure::Sure;
 
 bilingual! {
     /// What was probably meant by something that is no number (E0106).
@@ -242,7 +243,7 @@ impl TextMeant {
     pub fn statement(text: &str) -> Option<Self> {
         let name: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
         let cycle = text.get(name.len()..).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-        let numbered = text.get(name.len()..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let numbered = text.get(name.len()..).sure().trim_start_matches([' ', '\t']);
         let loop_end = numbered.starts_with(|first: char| first.is_ascii_digit());
         Some(match name.to_ascii_uppercase().as_str() {
             "CALL" | "EXTCALL" | "PCALL" => Self::Call,

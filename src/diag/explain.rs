@@ -5,6 +5,7 @@
 use super::render::style::{Style, paint};
 use super::{Code, Severity};
 use crate::dict::Lang;
+use crate::sure::Sure;
 
 /// A fenced piece of code of a page.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -96,7 +97,7 @@ pub fn first_sentence(code: Code, lang: Lang) -> String {
     });
     let text = text.unwrap_or_default();
     match text.find(". ") {
-        Some(end) => text.get(..=end).unwrap_or_default().to_owned(),
+        Some(end) => text.get(..=end).sure().to_owned(),
         None => text,
     }
 }

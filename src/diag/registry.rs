@@ -15,6 +15,7 @@ use super::{
     UnreadEnd, UnusedConstant, UnusedMeant, ValueMeant,
 };
 use crate::dict::{Address, Dialect, FeedPer, GCode, GGroup, Lang, Plane};
+use crate::sure::Sure;
 
 /// How serious a finding is, unless configured.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -532,8 +533,8 @@ diagnostics! {
     [E0505] MissingControlWord "missing-control-word" Error { function: GCode, missing: String, reference: bool }
         en "{function} needs {missing} in its block"
         cs "{function} potřebuje v bloku {missing}"
-        help ({ let first = missing.split(',').next().unwrap_or_default(); if *reference { "the reference point is approached by G30".to_owned() } else { format!("write each control word in the same block, its eight digits oo aa bb rr together: `{first}=…`") } })
-           | ({ let first = missing.split(',').next().unwrap_or_default(); if *reference { "do reference se najíždí funkcí G30".to_owned() } else { format!("každé řídicí slovo napsat do téhož bloku, osm číslic oo aa bb rr bez mezer: „{first}=…“") } })
+        help ({ let first = missing.split(',').next().sure(); if *reference { "the reference point is approached by G30".to_owned() } else { format!("write each control word in the same block, its eight digits oo aa bb rr together: `{first}=…`") } })
+           | ({ let first = missing.split(',').next().sure(); if *reference { "do reference se najíždí funkcí G30".to_owned() } else { format!("každé řídicí slovo napsat do téhož bloku, osm číslic oo aa bb rr bez mezer: „{first}=…“") } })
         note (if *function == GCode::G28 { "G26 to G29 compute with parameters" } else { "" })
            | (if *function == GCode::G28 { "G26 až G29 počítají s parametry" } else { "" })
     [W0506] SuperfluousControlWord "superfluous-control-word" Warning { function: GCode, parameter: u8 }

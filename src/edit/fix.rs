@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use crate::diag::{Edit, Fix};
+use crate::sure::{Sure, small};
 use crate::text::{Encoding, FileId, SourceText, Span};
 
 /// A file after some of its fixes.
@@ -115,8 +116,7 @@ fn without_common_ends<'a>(before: &str, edit: &'a Edit) -> (Span, &'a str) {
     let (before, text) = (&before[..before.len() - tail], &text[..text.len() - tail]);
     let head = same(&mut before.chars().zip(text.chars()));
     let Span { start, end } = edit.at.span;
-    let length = |bytes: usize| u32::try_from(bytes).unwrap_or(u32::MAX);
-    (Span::new(start + length(head), end - length(tail)), &text[head..])
+    (Span::new(start + small(head), end - small(tail)), &text[head..])
 }
 
 /// Puts the edits into the bytes. Offsets in the bytes are counted along: [`SourceText::byte_offset`] begins at the start
@@ -130,12 +130,12 @@ fn splice(source: &SourceText, bytes: &[u8], edits: &BTreeMap<u32, (u32, &str)>)
     let (mut text_at, mut byte_at) = (0, 0);
     for (&start, &(end, text)) in edits {
         let edit_at = byte_at + length(Span::new(text_at, start));
-        result.extend_from_slice(bytes.get(byte_at..edit_at).unwrap_or_default());
+        result.extend_from_slice(bytes.get(byte_at..edit_at).sure());
         result.extend_from_slice(text.as_bytes());
         byte_at = edit_at + length(Span::new(start, end));
         text_at = end;
     }
-    result.extend_from_slice(bytes.get(byte_at..).unwrap_or_default());
+    result.extend_from_slice(bytes.get(byte_at..).sure());
     result
 }
 

@@ -1,5 +1,6 @@
 //! Whether an edit makes a line longer than the control reads (LEX-7).
 
+use crate::sure::small;
 use crate::syntax::ParsedFile;
 use crate::text::Span;
 
@@ -26,9 +27,9 @@ pub(crate) fn first_long_line(file: &ParsedFile, edits: impl Iterator<Item = (Sp
         if span.len() + grown <= LINE {
             continue;
         }
-        let length = u32::try_from(file.source.slice(span).chars().count()).unwrap_or(u32::MAX);
+        let length = small(file.source.slice(span).chars().count());
         if length <= LINE && length + grown > LINE {
-            return Some(u32::try_from(line + 1).unwrap_or(u32::MAX));
+            return Some(small(line + 1));
         }
     }
     None

@@ -10,6 +10,7 @@ use super::files::EditorFiles;
 use super::settings::{self, ClientSettings, folder_path, workspace_folders};
 use crate::config::{Overrides, Settings};
 use crate::dict::Lang;
+use crate::sure::Sure;
 use crate::text::{ColumnUnit, Loader};
 
 /// What is known of the client since `initialize`, and its settings now.
@@ -37,7 +38,7 @@ impl Client {
     pub(super) fn new(initialize: &Value, lang: Lang) -> Self {
         let capabilities = initialize.get("capabilities").cloned().unwrap_or_default();
         let locale = initialize.get("locale").and_then(Value::as_str).map_or(lang, |locale| {
-            let language = locale.split(['-', '_', '.']).next().unwrap_or_default();
+            let language = locale.split(['-', '_', '.']).next().sure();
             if language.eq_ignore_ascii_case("cs") { Lang::Cs } else { Lang::En }
         });
         Self {

@@ -21,6 +21,7 @@ use crate::edit::edit_texts::EditText;
 use crate::edit::renumber::renumber;
 use crate::query;
 use crate::session::Session;
+use crate::sure::{Sure, small};
 use crate::text::{FileId, SourceText, Span};
 
 /// Most rounds of fixes: each applies what the one before uncovered.
@@ -102,11 +103,11 @@ fn edited(text: &str, edits: &[(Span, &str)]) -> String {
     let mut result = String::with_capacity(text.len());
     let mut done = 0;
     for (span, with) in edits {
-        result.push_str(text.get(done..span.start as usize).unwrap_or_default());
+        result.push_str(text.get(done..span.start as usize).sure());
         result.push_str(with);
         done = span.end as usize;
     }
-    result.push_str(text.get(done..).unwrap_or_default());
+    result.push_str(text.get(done..).sure());
     result
 }
 
@@ -118,9 +119,8 @@ fn difference<'t>(before: &'t str, now: &'t str) -> (Span, &'t str) {
     let backward = lines(before).rev().zip(lines(now).rev());
     let behind: usize = backward.take_while(same).map(|(line, _)| line.len()).sum();
     let behind = behind.min(before.len().min(now.len()) - start);
-    let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
-    let span = Span::new(place(start), place(before.len() - behind));
-    (span, now.get(start..now.len() - behind).unwrap_or_default())
+    let span = Span::new(small(start), small(before.len() - behind));
+    (span, now.get(start..now.len() - behind).sure())
 }
 
 /// The fixable findings of the document.

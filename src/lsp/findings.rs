@@ -15,6 +15,7 @@ use super::texts::Text;
 use crate::diag::{Code, Diagnostic, Report, Reported, Severity};
 use crate::dict::Lang;
 use crate::session::Outcome;
+use crate::sure::small;
 use crate::text::{ColumnUnit, FileId};
 
 /// The scheme of the server's own documents: `cnc872c:/explain/cs/E0307.md`.
@@ -68,7 +69,7 @@ pub(super) fn in_piece(
     let Outcome { sources, findings, .. } = &seen.outcome;
     report.add_program(sources, findings.clone());
     let mut found = by_file(&report, files, unit, lang);
-    let lines = u32::try_from(seen.line).unwrap_or(u32::MAX);
+    let lines = small(seen.line);
     let down = |range: &mut Range| {
         range.start.line = range.start.line.saturating_add(lines);
         range.end.line = range.end.line.saturating_add(lines);

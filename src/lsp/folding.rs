@@ -8,6 +8,7 @@ use crate::query::cursor::DOCUMENT;
 use crate::query::extents::{adjoin, content_end, loops, stands_alone, words_span};
 use crate::query::sections::{Section, SectionKind, sections};
 use crate::resolve::{Unit, UnitKind};
+use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::Span;
 
@@ -23,7 +24,7 @@ pub(super) fn folding_range(
 ) -> Answer<Option<Vec<FoldingRange>>> {
     let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
     let lines = file.source.lines();
-    let line = |offset: u32| u32::try_from(lines.line_at(offset)).unwrap_or(u32::MAX);
+    let line = |offset: u32| small(lines.line_at(offset));
     let units = analysis.resolved.units().filter(|(_, unit)| unit.file == DOCUMENT);
     let units = units.map(|(_, unit)| (unit_words(file, unit), FoldingRangeKind::Region));
     let of_loop = |(first, jump)| Span::new(words_span(file, first).start, words_span(file, jump).end);

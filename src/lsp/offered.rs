@@ -13,6 +13,7 @@ use super::requests::Snapshot;
 use crate::config::{PROJECT_FILE, find_project};
 use crate::diag::{Code, Finding, Reported};
 use crate::edit::edit_texts::EditText;
+use crate::sure::Sure;
 use crate::text::{Encoding, FileId, Loader, SourceText, Span};
 
 /// What is offered for the findings of the document that touch a range.
@@ -103,7 +104,7 @@ fn lint_edit(source: &SourceText, code: Code) -> (Span, String) {
         let span = source.line_span(line);
         let text = source.slice(span).trim();
         if let Some(name) = text.strip_prefix('[') {
-            table = name.split(']').next().unwrap_or_default().trim();
+            table = name.split(']').next().sure().trim();
             if table == "lints" {
                 header = Some(span);
             }

@@ -3,6 +3,7 @@
 use gen_lsp_types::{Location as LspLocation, Position, Range};
 
 use super::files::EditorFiles;
+use crate::sure::small;
 use crate::text::{ColumnUnit, Location, SourceText, Sources, Span};
 
 /// Offsets of one text as positions. Places asked for in the order of the text are quick, also within a very long line.
@@ -29,7 +30,7 @@ impl<'a> Places<'a> {
             _ => self.source.position_of(offset, self.unit).1,
         };
         self.last = Some((line, offset, column));
-        Position { line: u32::try_from(line).unwrap_or(u32::MAX), character: column }
+        Position { line: small(line), character: column }
     }
 
     /// The range of `span`.

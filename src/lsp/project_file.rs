@@ -11,6 +11,7 @@ use super::requests::{Answer, Snapshot};
 use crate::config::{Key, PROJECT_FILE};
 use crate::diag::Code;
 use crate::dict::Lang;
+use crate::sure::small;
 use crate::text::{SourceText, Span};
 
 /// Kinds of items, as the protocol numbers them.
@@ -90,7 +91,7 @@ pub(super) fn completion(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
         return Ok(Value::Null);
     }
     if let Some((_, typed)) = before.split_once('=') {
-        let from = at.saturating_sub(u32::try_from(typed.trim_start().len()).unwrap_or(0));
+        let from = at.saturating_sub(small(typed.trim_start().len()));
         let range = places.range(Span::new(from, line.span.end));
         if let Some(key) = line.key().and_then(|name| Key::of(line.table, name)) {
             for choice in key.choices() {

@@ -7,6 +7,7 @@ use super::places::{Places, offset};
 use super::requests::{Answer, Snapshot};
 use crate::query::cursor::{DOCUMENT, block_at, unit_of, word_at};
 use crate::query::extents::{block_span, loops, unit_span, words_span};
+use crate::sure::small;
 use crate::text::{FileId, SourceText, Span};
 
 /// `textDocument/selectionRange`: one for each position.
@@ -67,7 +68,7 @@ fn covers(span: Span, place: u32) -> bool {
 fn within_quotes(source: &SourceText, comment: Span) -> Span {
     let text = source.slice(comment);
     let quote = |c: char| matches!(c, '"' | '“' | '”' | '„');
-    let length = |text: &str| u32::try_from(text.len()).unwrap_or(0);
+    let length = |text: &str| small(text.len());
     let from = text.strip_prefix(quote).unwrap_or(text);
     let inner = from.strip_suffix(quote).unwrap_or(from);
     let start = comment.start + length(text) - length(from);

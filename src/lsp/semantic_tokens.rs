@@ -33,6 +33,7 @@ use super::places::{Places, span};
 use super::requests::{Answer, Snapshot};
 use crate::dict::{Address, GCode, GGroup, OPTIONAL_STOP, PROGRAM_ENDS, PROGRAM_STOP};
 use crate::query::cursor::{DOCUMENT, block_at};
+use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::Span;
 
@@ -284,7 +285,9 @@ impl<'a> Painter<'a> {
         let star = Span::new(self.file.end.saturating_sub(1), self.file.end);
         let last = self.file.block_count().checked_sub(1).map(BlockId);
         let comments = last.map_or(self.file.comments_before_blocks(), |last| self.file.comments_behind(last));
-        if self.file.source.slice(star) == "*" && comments.last().is_none_or(|comment| comment.end <= star.start) {
+        if self.file.source.text().get(star.range()) == Some("*")
+            && comments.last().is_none_or(|comment| comment.end <= star.start)
+        {
             self.add(star, Kind::Keyword, 0);
             self.unread(Span::new(star.end, self.file.source.len()));
         }
@@ -305,7 +308,7 @@ impl<'a> Painter<'a> {
             let line = source.line_span(line);
             let within = Span::new(line.start.max(span.start), line.end.min(span.end));
             let text = source.slice(within);
-            let count = |text: &str| u32::try_from(text.len()).unwrap_or(0);
+            let count = |text: &str| small(text.len());
             let start = within.start + count(text) - count(text.trim_start());
             self.add(Span::new(start, (start + count(text.trim())).min(within.end)), Kind::Comment, 0);
         }

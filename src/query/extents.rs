@@ -3,6 +3,7 @@
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;
 use crate::resolve::{Target, Unit, UnitKind};
+use crate::sure::{Sure, small};
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::Span;
 
@@ -24,15 +25,16 @@ pub(crate) fn block_span(file: &ParsedFile, block: BlockId) -> Span {
 /// Whether nothing else stands in the lines of a comment.
 pub(crate) fn stands_alone(text: &str, comment: Span) -> bool {
     let blank = [' ', '\t', '\u{feff}'];
-    let before = text.get(..comment.start as usize).unwrap_or_default().trim_end_matches(blank);
-    let after = text.get(comment.end as usize..).unwrap_or_default().trim_start_matches(blank);
+    let before = text.get(..comment.start as usize).sure().trim_end_matches(blank);
+    let after = text.get(comment.end as usize..).sure().trim_start_matches(blank);
     (before.is_empty() || before.ends_with(['\n', '\r'])) && (after.is_empty() || after.starts_with(['\n', '\r']))
 }
 
 /// Whether `next` begins in the line after that in which `before` ends, with nothing in between.
 pub(crate) fn adjoin(text: &str, before: u32, next: u32) -> bool {
-    let between = text.get(before as usize..next as usize).unwrap_or_default().trim_matches([' ', '\t']);
-    matches!(between, "\r\n" | "\n" | "\r")
+    // Not when it stands before: a comment within an `N` word.
+    let between = text.get(before as usize..next as usize);
+    between.is_some_and(|between| matches!(between.trim_matches([' ', '\t']), "\r\n" | "\n" | "\r"))
 }
 
 /// The comments in the lines directly above a block.
@@ -49,7 +51,7 @@ pub(crate) fn comments_above(file: &ParsedFile, block: BlockId) -> &[Span] {
         above
     });
     let first = before.len() - above.count();
-    before.get(first..).unwrap_or_default()
+    before.get(first..).sure()
 }
 
 /// Where a unit of the document begins: a program at `%`, a subprogram with the comments above it.
@@ -80,8 +82,8 @@ pub(crate) fn unit_span(file: &ParsedFile, unit: &Unit) -> Span {
 
 /// Where the last thing before `offset` ends.
 pub(crate) fn content_end(file: &ParsedFile, offset: u32) -> u32 {
-    let before = file.source.text().get(..offset as usize).unwrap_or_default().trim_end();
-    u32::try_from(before.len()).unwrap_or(offset)
+    let before = file.source.text().get(..offset as usize).sure().trim_end();
+    small(before.len())
 }
 
 /// The loops of the document, as the block that a jump goes back to and the block of the jump, in the order of the jumps.

@@ -3,6 +3,7 @@
 use crate::config::Machine;
 use crate::dict::{Address, FIRST_CONTROL, GCode, GGroup};
 use crate::resolve::{Roles, Taker, control_word, l_number};
+use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::Span;
 
@@ -196,7 +197,7 @@ impl Names<'_> {
         let around = word.parts(self.file.source.text()).value;
         let text = self.file.source.slice(around);
         let from = text.rfind(['R', 'r']).map_or(0, |at| at + 1);
-        let behind = text.get(from..).unwrap_or_default();
+        let behind = text.get(from..).sure();
         let number = behind.trim_start_matches([' ', '\t']);
         let length = number.find(|character: char| !character.is_ascii_alphanumeric()).unwrap_or(number.len());
         let start = from + behind.len() - number.len();
@@ -230,6 +231,6 @@ impl Names<'_> {
 
 /// A part of a span, by bytes from its start.
 fn part(span: Span, from: usize, to: usize) -> Span {
-    let place = |at: usize| span.start.saturating_add(u32::try_from(at).unwrap_or(0)).min(span.end);
+    let place = |at: usize| span.start.saturating_add(small(at)).min(span.end);
     Span::new(place(from), place(to))
 }

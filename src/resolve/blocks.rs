@@ -17,6 +17,7 @@ use crate::dict::{
     Address, CALL_ELSEWHERE, Decimal, FIRST_CONTROL, GCode, GGroup, HIGHEST_L, LAST_CONTROL, M_GROUPS, PROGRAM_ENDS,
     RESERVED_PARAMETER,
 };
+use crate::sure::Sure;
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Value, Word};
 use crate::text::{Location, Span};
 
@@ -527,7 +528,7 @@ impl<'a> BlockChecker<'a> {
             && let Some(tool) = t.whole().filter(|tool| (101..1000).contains(tool) && tool / 100 == tool % 100)
         {
             let written = self.file.source.slice(t.span(self.file.source.text()));
-            if written.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']).starts_with('0') {
+            if written.get(1..).sure().trim_start_matches([' ', '\t']).starts_with('0') {
                 let written = written.to_ascii_uppercase();
                 self.report(
                     t,

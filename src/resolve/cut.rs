@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::{Resolved, Unit};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Label, LabelText, Star, Unread, UnreadEnd};
 use crate::dict::{GCode, PROGRAM_ENDS};
+use crate::sure::{Sure, small};
 use crate::syntax::{BlockId, Kind, ParsedFile, Token, tokens};
 use crate::text::{FileId, Location, SourceText, Span};
 
@@ -49,11 +50,11 @@ impl CutOff {
 fn slip_of(source: &SourceText, star: Span) -> Span {
     let is_end = |character: char| matches!(character, '\n' | '\r');
     let text = source.text();
-    let before = text.get(..star.start as usize).unwrap_or_default().rsplit(is_end).next().unwrap_or_default();
-    let behind = text.get(star.end as usize..).unwrap_or_default().split(is_end).next().unwrap_or_default();
+    let before = text.get(..star.start as usize).sure().rsplit(is_end).next().sure();
+    let behind = text.get(star.end as usize..).sure().split(is_end).next().sure();
     let block = matches!(behind.as_bytes(), [b'0'..=b'9', ..] | [b'N' | b'n', b'0'..=b'9', ..]);
     let length = if before.trim().is_empty() && !block { 0 } else { behind.len() };
-    Span::new(star.end, star.end + u32::try_from(length).unwrap_or(0))
+    Span::new(star.end, star.end + small(length))
 }
 
 /// The `*` within a subprogram or macrocycle without an end, behind which the end stands, and that end.
@@ -167,14 +168,14 @@ fn unread_words(parsed: &ParsedFile) -> impl Iterator<Item = UnreadWord> {
 }
 
 fn line_of(parsed: &ParsedFile, at: u32) -> u32 {
-    u32::try_from(parsed.source.lines().line_at(at) + 1).unwrap_or(u32::MAX)
+    small(parsed.source.lines().line_at(at) + 1)
 }
 
 /// What the `*` at the end of what is read was probably meant as.
 fn star_meant(parsed: &ParsedFile) -> Star {
     let text = parsed.source.text();
-    let before = text.get(..(parsed.end as usize).saturating_sub(1)).unwrap_or_default();
-    let behind = text.get(parsed.end as usize..).unwrap_or_default();
+    let before = text.get(..(parsed.end as usize).saturating_sub(1)).sure();
+    let behind = text.get(parsed.end as usize..).sure();
     let factor = |byte: Option<&u8>| byte.is_some_and(|byte| byte.is_ascii_digit() || b"Rr])".contains(byte));
     if before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']) {
         let number = behind.bytes().take_while(u8::is_ascii_digit).count();

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Unit;
 use crate::diag::{Code, Diagnostic, Finding, Findings, Severity};
 use crate::dict::Address;
+use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{LineIndex, Location, Span};
 
@@ -61,7 +62,7 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
     let begins = |line: usize| {
         let span = parsed.source.line_span(line);
         let text = parsed.source.slice(span).trim_start_matches([' ', '\t']);
-        let start = span.end.saturating_sub(u32::try_from(text.len()).unwrap_or(0));
+        let start = span.end.saturating_sub(small(text.len()));
         text.starts_with(|first: char| first.is_ascii_alphabetic() && !matches!(first, 'N' | 'n')).then_some(start)
     };
     above.retain(|_, count| *count > 1);

@@ -2,6 +2,7 @@
 
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
 use crate::dict::HIGHEST_L;
+use crate::sure::Sure;
 use crate::syntax::{BlockId, ParsedFile};
 
 /// What the numbers of a file's blocks lead to.
@@ -60,6 +61,6 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], findings: &mut F
         let number = parsed.shown_number(block);
         let diagnostic = Diagnostic::new(Finding::DuplicateBlockNumber { block: number, last }, parsed.n_place(block));
         findings.add(diagnostic.with_label(parsed.n_place(first), LabelText::FirstBlock { block: number }));
-        rest = rest.get(count.max(1)..).unwrap_or_default();
+        rest = rest.get(count.max(1)..).sure();
     }
 }

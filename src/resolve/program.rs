@@ -7,6 +7,7 @@ use super::cut::CutOff;
 use super::letters::Letters;
 use super::points::Points;
 use super::spelling;
+use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{FileId, Location};
 
@@ -200,14 +201,14 @@ impl Resolved {
     }
 
     pub(super) fn add_unit(&mut self, unit: Unit) -> UnitId {
-        let id = UnitId(u32::try_from(self.units.len()).unwrap_or(u32::MAX));
+        let id = UnitId(small(self.units.len()));
         self.nameless_subprogram |= unit.kind == UnitKind::Subprogram(None);
         self.units.push(unit);
         id
     }
 
     pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>, points: Points) -> FileId {
-        let index = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
+        let index = FileId(small(self.files.len()));
         self.files.push(Arc::new(ResolvedFile { parsed, targets: Vec::new(), numbered, points }));
         index
     }

@@ -14,6 +14,7 @@ use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, li
 use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, Findings, LabelText, Unread};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
+use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
 use crate::text::{FileId, Location, SourceText, Sources, Span, path_name};
 
@@ -313,7 +314,7 @@ impl Context<'_, '_> {
             let finding = Finding::MacrocycleNumberMismatch { file: name, expected: l, found: None };
             self.report(entry, finding);
         }
-        let file = FileId(u32::try_from(resolved.files.len()).unwrap_or(u32::MAX));
+        let file = FileId(small(resolved.files.len()));
         let unit = Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry };
         let mut excused = None;
         if !ended && (begins || empty) {
@@ -333,7 +334,7 @@ impl Context<'_, '_> {
     /// Checks every block of a file, whose units are those from `units` on, and adds it.
     fn add_checked(&mut self, resolved: &mut Resolved, mut parsed: ParsedFile, units: usize, excused: &[BlockId]) {
         resolved.letters.read(&self.settings.machine, &parsed);
-        let units = resolved.units.get(units..).unwrap_or_default();
+        let units = resolved.units.get(units..).sure();
         let checked = look_at_blocks(self.settings, &parsed, units, &resolved.letters, excused);
         self.findings.append(checked.findings);
         for (operation, diagnostic) in checked.judged.operations {

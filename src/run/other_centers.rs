@@ -8,6 +8,7 @@ use super::state::State;
 use super::words::{BlockWords, Valued};
 use crate::diag::{CenterPlace, Diagnostic, Edit, Finding, FixTitle};
 use crate::dict::{AxisLetter, Decimal};
+use crate::sure::Sure;
 use crate::syntax::Word;
 
 /// A K in an arc of X and Z or of Y and Z is the distance along Z: says so, with the words that are written here, and
@@ -36,7 +37,7 @@ pub(super) fn report_k(site: &mut Site<'_>, state: &State, words: &mut BlockWord
     let (for_z, for_other) = if for_i == z { ('I', 'J') } else { ('J', 'I') };
     let text = |word: Word, letter: char| {
         let text = site.file.source.slice(site.word_place(word).span);
-        format!("{letter}{}", text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']))
+        format!("{letter}{}", text.get(1..).sure().trim_start_matches([' ', '\t']))
     };
     let for_k = text(k.word, for_z);
     let mut edits = vec![Edit { at: site.word_place(k.word), text: for_k.clone() }];

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use crate::diag::{Diagnostic, DwellMeant, Finding, Findings, Fix, FixTitle, PointMeant, TargetMeant, UnusedMeant};
 use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::resolve::{Resolved, Roles, Taker, Target, Unit, UnitKind};
+use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, Span};
 
@@ -343,7 +344,7 @@ fn line_of(text: &str, offset: u32) -> Span {
     let (before, behind) = text.split_at_checked(offset as usize).unwrap_or((text, ""));
     let start = before.rfind(['\r', '\n']).map_or(0, |at| at + 1);
     let end = before.len() + behind.find(['\r', '\n', '\u{1a}', '\0']).unwrap_or(behind.len());
-    Span::new(u32::try_from(start).unwrap_or(offset), u32::try_from(end).unwrap_or(offset))
+    Span::new(small(start), small(end))
 }
 
 /// How lines end at that place, or in the line before it.
@@ -366,7 +367,7 @@ fn whole_lines(text: &str, span: Span) -> Option<Span> {
     let behind = text.get(last.end as usize..)?;
     let rest = if behind.starts_with("\r\n") { 2 } else { u32::from(behind.starts_with(['\r', '\n'])) };
     blank(first.start, span.start).then(|| Span::new(first.start, last.end + rest)).filter(|_| {
-        let behind = text.get(span.end as usize..last.end as usize).unwrap_or_default().trim();
+        let behind = text.get(span.end as usize..last.end as usize).sure().trim();
         // A comment behind the words goes with them.
         behind.is_empty() || (behind.starts_with('"') && behind.len() > 1 && behind.ends_with('"'))
     })

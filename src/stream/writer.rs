@@ -7,6 +7,7 @@ use super::records::{
 };
 use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{Jump, MStop};
+use crate::sure::Sure;
 use crate::text::is_unsafe;
 
 /// A field's key with its comma and colon, as bytes of known length.
@@ -452,7 +453,7 @@ impl<'r> Line<'r> {
 
     /// What is written so far.
     fn text(&self) -> &[u8] {
-        self.room.get(..self.at).unwrap_or_default()
+        self.room.get(..self.at).sure()
     }
 
     /// Writes text of a length known beforehand.

@@ -6,6 +6,7 @@ use super::token::METRES_PER_MINUTE;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
 use crate::diag::{Diagnostic, Edit, Finding, FixTitle, Meant, TextMeant, shown};
 use crate::dict::Address;
+use crate::sure::{Sure, small};
 use crate::text::{Location, Span};
 
 impl Lowering<'_> {
@@ -17,7 +18,7 @@ impl Lowering<'_> {
             text.strip_prefix("MSG").and_then(|rest| rest.trim_start_matches([' ', '\t']).strip_prefix("(\""));
         if let Some(inner) = message.and_then(|rest| rest.strip_suffix("\")")).filter(|inner| !inner.contains('"')) {
             let end = span.end - 2;
-            let start = end - u32::try_from(inner.len()).unwrap_or(0);
+            let start = end - small(inner.len());
             let edits = vec![
                 Edit { at: self.at(Span::new(span.start, start)), text: "\"".to_owned() },
                 Edit { at: self.at(Span::new(end, span.end)), text: "\"".to_owned() },
@@ -96,12 +97,12 @@ impl Lowering<'_> {
     /// A text beside a quote that is one of an odd number: the quote before it is missing, or one within the comment before.
     fn beside_quote(&mut self, span: Span) -> bool {
         let text = self.slice(span);
-        let line = self.text.get(span.end as usize..).unwrap_or_default();
-        let line = line.split(['\r', '\n']).next().unwrap_or_default();
+        let line = self.text.get(span.end as usize..).sure();
+        let line = line.split(['\r', '\n']).next().sure();
         let behind = line.strip_prefix('"');
-        let inner = behind.map(|rest| rest.split('"').next().unwrap_or_default());
+        let inner = behind.map(|rest| rest.split('"').next().sure());
         let inner_start = span.end + 1;
-        let length = |text: &str| u32::try_from(text.len()).unwrap_or(0);
+        let length = |text: &str| small(text.len());
         let before = self.comments.last().copied().filter(|comment| comment.end == span.start && comment.len() > 2);
         let swallowed = before
             .filter(|comment| self.slice(*comment).ends_with('"'))
@@ -156,17 +157,17 @@ impl Lowering<'_> {
         } else {
             text.trim_start_matches(['(', '{', '\'', '`', ';', '#', ','])
         };
-        let opening = span.len() - u32::try_from(inner.len()).unwrap_or(0);
+        let opening = span.len() - small(inner.len());
         let body = if text.starts_with("''") || text.starts_with(",,") {
             inner.trim_end_matches(['\'', ',', '"'])
         } else {
             let closed = inner.ends_with([')', '}', '\'', '`']) && !text.starts_with([';', '#', '/']);
-            inner.get(..inner.len() - usize::from(closed)).unwrap_or_default()
+            inner.get(..inner.len() - usize::from(closed)).sure()
         };
         let blanks = body.len() - body.trim_start_matches([' ', '\t']).len();
-        let start = span.start + opening + u32::try_from(blanks).unwrap_or(0);
+        let start = span.start + opening + small(blanks);
         let kept = body.trim_matches([' ', '\t']);
-        let end = start + u32::try_from(kept.len()).unwrap_or(0);
+        let end = start + small(kept.len());
         self.flags.set(BlockFlags::DEBRIS);
         let place = self.at(span);
         let quote =
@@ -264,16 +265,16 @@ fn is_remark(bytes: &[u8], token: Token) -> bool {
         token.kind,
         Kind::Sign | Kind::Equals | Kind::Number | Kind::LooseNumber | Kind::Unknown | Kind::Operator
     );
-    let before = bytes.get(..token.start as usize).unwrap_or_default();
+    let before = bytes.get(..token.start as usize).sure();
     let blank = |byte: &u8| matches!(byte, b' ' | b'\t');
     if !plain || !matches!(before.iter().rev().find(|byte| !blank(byte)), None | Some(b'\n' | b'\r')) {
         return false;
     }
-    let rest = bytes.get(token.start as usize..).unwrap_or_default();
+    let rest = bytes.get(token.start as usize..).sure();
     let signs =
         rest.iter().take_while(|byte| byte.is_ascii_digit() || blank(byte) || b"-+=.)>:!#~_".contains(byte)).count();
-    let head = rest.get(..signs).unwrap_or_default();
-    let words = rest.get(signs..).unwrap_or_default();
+    let head = rest.get(..signs).sure();
+    let words = rest.get(signs..).sure();
     let letters = words.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();
     let value = words.get(letters).is_some_and(|byte| byte.is_ascii_digit() || b"+-.".contains(byte));
     // `190 KONEC`: the number may be that of a block.

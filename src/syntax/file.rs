@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::{Form, Word};
 use crate::dict::HIGHEST_BLOCK;
+use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// Index of a block in its file.
@@ -79,7 +80,7 @@ pub struct Block {
 impl Block {
     /// The same block when its file's arena begins with `words` words more.
     pub(super) fn shifted(self, words: usize) -> Self {
-        let words = u32::try_from(words).unwrap_or(u32::MAX);
+        let words = small(words);
         Self { first_word: self.first_word.saturating_add(words), flags: self.flags }
     }
 }
@@ -113,7 +114,7 @@ pub struct ParsedFile {
 impl ParsedFile {
     /// Number of blocks.
     pub fn block_count(&self) -> u32 {
-        u32::try_from(self.blocks.len()).unwrap_or(u32::MAX)
+        small(self.blocks.len())
     }
 
     /// All blocks, in the order of the text.
@@ -127,7 +128,7 @@ impl ParsedFile {
             self.blocks
                 .partition_point(|block| self.words.get(block.first_word as usize).is_some_and(|n| n.start() < second))
         });
-        BlockId(u32::try_from(end).unwrap_or(u32::MAX))
+        BlockId(small(end))
     }
 
     /// The `N` word of a block.
@@ -159,15 +160,12 @@ impl ParsedFile {
     #[inline]
     pub fn words(&self, block: BlockId) -> &[Word] {
         let range = self.word_range(block);
-        self.words.get(range.start as usize + 1..range.end as usize).unwrap_or_default()
+        self.words.get(range.start as usize + 1..range.end as usize).sure()
     }
 
     fn word_range(&self, block: BlockId) -> Range<u32> {
         let start = self.blocks.get(block.index()).map_or(0, |block| block.first_word);
-        let end = self
-            .blocks
-            .get(block.index() + 1)
-            .map_or_else(|| u32::try_from(self.words.len()).unwrap_or(u32::MAX), |next| next.first_word);
+        let end = self.blocks.get(block.index() + 1).map_or_else(|| small(self.words.len()), |next| next.first_word);
         start..end
     }
 
@@ -176,7 +174,7 @@ impl ParsedFile {
     pub fn comments(&self, block: BlockId) -> &[Span] {
         let start = self.comments_owned_before(block);
         let end = self.comments_owned_before(block.next());
-        self.comments.get(start..end).unwrap_or_default()
+        self.comments.get(start..end).sure()
     }
 
     /// How many comments belong to the program or to blocks before this one; all of them when there is no such block.
@@ -244,7 +242,7 @@ impl ParsedFile {
     pub fn comments_behind(&self, block: BlockId) -> &[Span] {
         let start = self.comments_before(block);
         let end = self.comments_before(block.next());
-        self.comments.get(start..end).unwrap_or_default()
+        self.comments.get(start..end).sure()
     }
 
     /// How many comments stand before the `N` of a block; all of them when there is no such block.
@@ -255,7 +253,7 @@ impl ParsedFile {
 
     /// The comments before the first block, quotes included.
     pub fn comments_before_blocks(&self) -> &[Span] {
-        self.comments.get(..self.comments_before(BlockId(0))).unwrap_or_default()
+        self.comments.get(..self.comments_before(BlockId(0))).sure()
     }
 
     /// The texts of the program's comments: those between its number and the first `N`, the title included, trimmed, empty
@@ -276,9 +274,9 @@ impl ParsedFile {
 
     /// How many points (see [`BlockFlags::is_point`]) stand in a row from a block on, before another one.
     pub fn points_in_a_row(&self, from: BlockId, before: BlockId) -> u32 {
-        let blocks = self.blocks.get(from.index()..before.index()).unwrap_or_default();
+        let blocks = self.blocks.get(from.index()..before.index()).sure();
         let count = blocks.iter().take_while(|block| block.flags.is_point()).count();
-        u32::try_from(count).unwrap_or(u32::MAX)
+        small(count)
     }
 
     /// What is known of a block.

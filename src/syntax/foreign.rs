@@ -6,6 +6,7 @@
 use std::sync::LazyLock;
 
 use crate::diag::OtherControl;
+use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// So many bytes are looked at.
@@ -211,7 +212,7 @@ fn weigh(text: &str, start: u32) -> ([Option<Span>; ROWS.len()], Lines) {
     let mut line = Line::default();
     let mut at = start as usize;
     let end = text.len().min(at.saturating_add(HEAD));
-    let head = text.as_bytes().get(at..end).unwrap_or_default();
+    let head = text.as_bytes().get(at..end).sure();
     for bytes in head.split_inclusive(|byte| matches!(byte, b'\n' | b'\r')) {
         let trimmed = bytes.trim_ascii();
         let indent = bytes.len() - bytes.trim_ascii_start().len();
@@ -220,12 +221,12 @@ fn weigh(text: &str, start: u32) -> ([Option<Span>; ROWS.len()], Lines) {
         if trimmed.is_empty() {
             continue;
         }
-        let span = Span::new(offset(begin), offset(begin + trimmed.len()));
+        let span = Span::new(small(begin), small(begin + trimmed.len()));
         line.read(trimmed);
         let words = line.words();
         if matches!(line.code.first(), Some(b'N')) && matches!(line.code.get(1), Some(b'0'..=b'9')) {
             lines.numbered += 1;
-        } else if fits(b"v", words.get(1..).unwrap_or_default()) && words.first().is_some_and(u8::is_ascii_uppercase) {
+        } else if words.split_first().is_some_and(|(first, rest)| first.is_ascii_uppercase() && fits(b"v", rest)) {
             lines.with_words += 1;
             lines.first = lines.first.or(Some(span));
         }
@@ -238,10 +239,6 @@ fn weigh(text: &str, start: u32) -> ([Option<Span>; ROWS.len()], Lines) {
         }
     }
     (found, lines)
-}
-
-fn offset(at: usize) -> u32 {
-    u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 /// A line in upper case, without blanks.
@@ -282,13 +279,13 @@ impl Line {
         let mut at = self.code.iter().take_while(|byte| **byte == b'/').count();
         let numbered = self.code.get(at) == Some(&b'N') && self.code.get(at + 1).is_some_and(u8::is_ascii_digit);
         at += usize::from(numbered);
-        let rest = self.code.get(at..).unwrap_or_default();
+        let rest = self.code.get(at..).sure();
         at += rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
         self.words = at;
     }
 
     fn words(&self) -> &[u8] {
-        self.code.get(self.words..).unwrap_or_default()
+        self.code.get(self.words..).sure()
     }
 
     fn has(&self, shape: &[u8]) -> bool {

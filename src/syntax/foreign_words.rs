@@ -8,6 +8,7 @@ use crate::diag::{
     AddressMeant, Diagnostic, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, ValueMeant, is_blank, shown,
 };
 use crate::dict::{Address, GCode, HIGHEST_L};
+use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// What stands where a number should.
@@ -113,13 +114,13 @@ impl Lowering<'_> {
         let span = token.span();
         let Some(address) = self.address(token.start, span) else { return };
         let text = self.slice(span);
-        let number = text.get(1..).unwrap_or_default();
+        let number = text.get(1..).sure();
         let prefix = address.to_string();
         let fastest = ["max", "auto"].iter().any(|name| number.eq_ignore_ascii_case(name));
         let meant = if fastest { NumberMeant::Fastest } else { printed_number(number, &prefix) };
         let exponent = matches!(meant, NumberMeant::Exponent { .. } | NumberMeant::ExponentForm);
         let meant = if exponent && address == Address::R { NumberMeant::Parameter } else { meant };
-        let value_of = |written: &str| Number::parse(written.get(1..).unwrap_or_default().as_bytes());
+        let value_of = |written: &str| Number::parse(written.get(1..).sure().as_bytes());
         // Other words hold whole numbers without a sign, `&` four digits.
         let fits = |value: Number| {
             address.is_dimensional()
@@ -163,7 +164,7 @@ impl Lowering<'_> {
             self.push_written(address, span, &written);
             return;
         }
-        let digits = name.get(1..).unwrap_or_default().trim_matches([' ', '\t']);
+        let digits = name.get(1..).sure().trim_matches([' ', '\t']);
         // `S1=1200`, `M1=3`: of one spindle among several.
         let of_spindle = matches!(address, Address::S | Address::M) && !digits.is_empty() && !product;
         if let Some(Written::Number(number)) = written(value).filter(|_| of_spindle) {
@@ -193,7 +194,7 @@ impl Lowering<'_> {
     /// `CR=5`, `LIMS=2000`.
     fn named_value(&mut self, token: Token) {
         let span = token.span();
-        let name = self.slice(span).split(['=', ' ', '\t']).next().unwrap_or_default();
+        let name = self.slice(span).split(['=', ' ', '\t']).next().sure();
         let meant = AddressMeant::by_name(name);
         let radius = meant == AddressMeant::Radius;
         self.debris(span, Finding::UnknownAddress { address: shown(name), meant });
@@ -212,9 +213,9 @@ impl Lowering<'_> {
         let value = value.trim_matches([' ', '\t']);
         if self.byte(span.end) == b'*' {
             // `#10=#11*2`
-            let rest = self.text.get(span.end as usize..).unwrap_or_default();
+            let rest = self.text.get(span.end as usize..).sure();
             let length = rest.find([' ', '\t', '\r', '\n', '"']).unwrap_or(rest.len());
-            let whole = Span::new(span.start, span.end + u32::try_from(length).unwrap_or(0));
+            let whole = Span::new(span.start, span.end + small(length));
             let finding = Finding::UnknownCharacter { text: shown(self.slice(whole)), meant: Meant::Expression };
             self.debris(whole, finding);
             if let Some(target) = target {
@@ -262,7 +263,7 @@ impl Lowering<'_> {
     /// The block number that stands behind G71, G72 or G73, where the `L` of its target belongs.
     fn jump_target(&mut self, token: Token) {
         let span = token.span();
-        let number = self.slice(span).get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let number = self.slice(span).get(1..).sure().trim_start_matches([' ', '\t']);
         let last = self.words.last().copied().filter(|word| word.address == Address::G);
         let code = last.and_then(|word| word.whole()).and_then(|number| u8::try_from(number).ok());
         let function = code.and_then(GCode::from_number).unwrap_or(GCode::G73);
@@ -372,7 +373,7 @@ impl Lowering<'_> {
             (Some(target), format!("R{target}="), value)
         } else {
             let Some(address) = self.address(first.start, span) else { return };
-            (None, address.to_string(), text.get(1..).unwrap_or_default())
+            (None, address.to_string(), text.get(1..).sure())
         };
         let address = if is_parameter { Some(Address::R) } else { Address::from_byte(self.byte(first.start)) };
         let Some(address) = address else { return };
@@ -400,7 +401,7 @@ impl Lowering<'_> {
     /// `TT1`: an address written twice.
     pub(super) fn doubled_letter(&mut self, address: Address, word: &str, span: Span) {
         let written_here = word.to_ascii_uppercase();
-        let number = written_here.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let number = written_here.get(1..).sure().trim_start_matches([' ', '\t']);
         let text = shown(self.slice(span));
         match Number::parse(number.as_bytes()) {
             Some(number) => {
@@ -452,7 +453,7 @@ impl Lowering<'_> {
         let Some(address) = self.address(word.start, span) else { return };
         let minus = self.byte(sign.start) == b'-';
         let text = self.slice(word.span());
-        let number = text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let number = text.get(1..).sure().trim_start_matches([' ', '\t']);
         let signed = if minus { format!("-{number}") } else { number.to_owned() };
         let value = Number::parse(signed.as_bytes()).filter(|_| address.is_dimensional());
         match value {
@@ -516,7 +517,7 @@ impl Lowering<'_> {
     pub(super) fn garbled(&mut self, token: Token) {
         let span = token.span();
         let text = self.slice(span);
-        let rest = text.get(1..).unwrap_or_default();
+        let rest = text.get(1..).sure();
         if text.starts_with('%') && rest.starts_with(|first: char| first == '_' || first.is_ascii_alphabetic()) {
             self.program_name(token);
             return;
@@ -551,7 +552,7 @@ impl Lowering<'_> {
         let span = token.span();
         let text = self.slice(span);
         self.flags.set(BlockFlags::DEBRIS);
-        let rest = self.text.get(span.end as usize..).unwrap_or_default();
+        let rest = self.text.get(span.end as usize..).sure();
         let line_ends = rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']) || rest.trim().is_empty();
         let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
         let place = self.at(span);

@@ -9,6 +9,7 @@ use crate::diag::{
     Code, CommaMeant, Diagnostic, DwellMeant, Edit, Finding, FixTitle, NumberMeant, TargetMeant, ValueMeant, shown,
 };
 use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_Q};
+use crate::sure::{Sure, small};
 use crate::syntax::number::Number;
 use crate::text::{Location, Span};
 
@@ -47,7 +48,7 @@ impl Lowering<'_> {
     }
 
     fn block_words(&self, first: usize) -> &[Word] {
-        self.words.get(first..).unwrap_or_default()
+        self.words.get(first..).sure()
     }
 
     fn g_word(&self, first: usize, codes: &[GCode]) -> Option<(usize, GCode, Word)> {
@@ -121,7 +122,7 @@ impl Lowering<'_> {
         let span = p.span(self.text);
         let letter = self.at(Span::new(span.start, span.start + 1));
         let text = self.slice(span).to_ascii_uppercase();
-        let written = format!("L{}", text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']));
+        let written = format!("L{}", text.get(1..).sure().trim_start_matches([' ', '\t']));
         let meant = TargetMeant::Written { written: shown(&written) };
         let diagnostic = Diagnostic::new(Finding::MissingTarget { function, meant }, place);
         self.pending.push(diagnostic.with_offer(FixTitle::Write { text: shown(&written) }, letter, "L"));
@@ -219,7 +220,7 @@ impl Lowering<'_> {
             let span = word_span.to(letter_span);
             let Some(digit) = look_alike(self.byte(letter_span.start)) else { return };
             let text = format!("{}{digit}", self.slice(word_span).to_ascii_uppercase());
-            let number = text.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+            let number = text.get(1..).sure().trim_start_matches([' ', '\t']);
             let Some(number) = Number::parse(number.as_bytes()) else { return };
             self.words.remove(at);
             if let Some(slot) = self.words.get_mut(at - 1) {
@@ -304,7 +305,7 @@ impl Lowering<'_> {
                 *meant = ValueMeant::Height { cycle };
                 height = true;
             } else if let Finding::MalformedNumber { meant: NumberMeant::Parameter, .. } = &found.finding {
-                let address = shown(self.text.get(found.at.span.range()).unwrap_or_default());
+                let address = shown(self.text.get(found.at.span.range()).sure());
                 found.finding = Finding::MissingValue { address, meant: ValueMeant::Height { cycle } };
                 height = true;
             }
@@ -385,7 +386,7 @@ fn arc_before(text: &str, end: u32) -> bool {
     let least = end.saturating_sub(FAR) as usize;
     let mut to = end as usize;
     while to > least {
-        let head = bytes.get(least..to.saturating_sub(1)).unwrap_or_default();
+        let head = bytes.get(least..to.saturating_sub(1)).sure();
         let from = memchr::memrchr2(b'\n', b'\r', head).map_or(least, |at| least + at + 1);
         if let Some(code) = last_motion(text, from, to) {
             return matches!(code, GCode::G02 | GCode::G03);
@@ -397,9 +398,8 @@ fn arc_before(text: &str, end: u32) -> bool {
 
 /// The last function of group G0 in a line.
 fn last_motion(text: &str, from: usize, to: usize) -> Option<GCode> {
-    let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
     let from = (from..to).find(|at| text.is_char_boundary(*at))?;
-    let codes = tokens(text, place(from), place(to)).filter_map(|token| {
+    let codes = tokens(text, small(from), small(to)).filter_map(|token| {
         let word = text.get(token.span().range()).filter(|_| token.kind == Kind::Word)?;
         let number = word.strip_prefix(['G', 'g'])?.trim_matches([' ', '\t']);
         let code = number.parse().ok().and_then(GCode::from_number)?;

@@ -2,6 +2,7 @@
 
 use super::{Kind, tokens};
 use crate::diag::{AfterEndMeant, Diagnostic, Edit, Finding, Findings, FixTitle, shown};
+use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// Most characters of a line (LEX-7).
@@ -21,7 +22,7 @@ pub(super) fn check_lines(file: FileId, source: &SourceText, start: u32, end: u3
         let span = Span::new(from, source.line_span(line).end.min(end));
         let text = source.slice(span);
         let Some((at, character)) = text.char_indices().nth(LINE) else { continue };
-        let start = from + u32::try_from(at).unwrap_or(0);
+        let start = from + small(at);
         let span = Span::new(start, start + u32::try_from(character.len_utf8()).unwrap_or(1));
         let length = text.chars().count();
         findings.add(Diagnostic::new(Finding::LineTooLong { length }, Location { file, span }));
@@ -31,7 +32,7 @@ pub(super) fn check_lines(file: FileId, source: &SourceText, start: u32, end: u3
 /// Reports a file in UTF-16, with a fix that writes all of it in UTF-8 (LEX-13).
 pub(super) fn report_utf16(file: FileId, source: &SourceText, findings: &mut Findings) {
     let at = |span: Span| Location { file, span };
-    let text = source.text().get(source.first_offset() as usize..).unwrap_or_default();
+    let text = source.text().get(source.first_offset() as usize..).sure();
     let diagnostic = Diagnostic::new(Finding::Utf16 {}, at(Span::empty(source.first_offset())));
     findings.add(diagnostic.with_fix(FixTitle::Utf8, at(Span::new(0, source.len())), text));
 }
@@ -39,9 +40,9 @@ pub(super) fn report_utf16(file: FileId, source: &SourceText, findings: &mut Fin
 /// Where the text ends that is read: before a trailing run of blanks and line ends that holds a Ctrl-Z or NUL (LEX-8).
 pub(super) fn end_of_text(text: &str) -> u32 {
     let kept = text.trim_end_matches(['\u{1a}', '\0', ' ', '\t', '\r', '\n']);
-    let run = text.get(kept.len()..).unwrap_or_default();
+    let run = text.get(kept.len()..).sure();
     let end = if run.contains(['\u{1a}', '\0']) { kept.len() } else { text.len() };
-    u32::try_from(end).unwrap_or(u32::MAX)
+    small(end)
 }
 
 /// Reports the first line of what stands after `*` and is no comment (LEX-9). A `%` there begins a second program.
@@ -59,8 +60,8 @@ pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, fi
         let before = text.as_bytes().get((after as usize).saturating_sub(2));
         let product = first.start == after && factor(before) && factor(text.as_bytes().get(first.start as usize));
         // `*** KONTURA ***`
-        let line = text.get(first.start as usize..end as usize).unwrap_or_default();
-        let line = line.split(['\n', '\r']).next().unwrap_or_default().trim_end_matches([' ', '\t']);
+        let line = text.get(first.start as usize..end as usize).sure();
+        let line = line.split(['\n', '\r']).next().sure().trim_end_matches([' ', '\t']);
         let separator = first.start == after && line.starts_with('*');
         let meant = match (program, product) {
             (true, _) => AfterEndMeant::Program,

@@ -6,6 +6,7 @@ use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
 use crate::diag::{CommaMeant, Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
+use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
 
 /// Where the words, comments and findings of a run of blocks are collected.
@@ -154,12 +155,12 @@ impl<'t> Lowering<'t> {
     }
 
     pub(super) fn slice(&self, span: Span) -> &'t str {
-        self.text.get(span.range()).unwrap_or_default()
+        self.text.get(span.range()).sure()
     }
 
     /// Whether nothing but blanks is before a place on its line.
     fn begins_line(&self, span: Span) -> bool {
-        let before = self.text.get(..span.start as usize).unwrap_or_default();
+        let before = self.text.get(..span.start as usize).sure();
         matches!(before.trim_end_matches([' ', '\t']).chars().next_back(), None | Some('\n' | '\r'))
     }
 
@@ -200,8 +201,8 @@ impl<'t> Lowering<'t> {
     fn typographic_comment(&mut self, token: Token, text: &str) {
         let mut edits = Vec::new();
         for (at, quote) in text.char_indices().filter(|(_, character)| TYPOGRAPHIC.contains(character)) {
-            let start = token.start + u32::try_from(at).unwrap_or(0);
-            let place = self.at(Span::new(start, start + u32::try_from(quote.len_utf8()).unwrap_or(0)));
+            let start = token.start + small(at);
+            let place = self.at(Span::new(start, start + small(quote.len_utf8())));
             edits.push(Edit { at: place, text: "\"".to_owned() });
         }
         if let (Some(quote), Some(place)) = (text.chars().next(), edits.first().map(|edit| edit.at)) {
@@ -233,9 +234,9 @@ impl<'t> Lowering<'t> {
     /// The bytes of a word's number: all after its address and blanks.
     #[inline]
     fn number_text(&self, token: Token) -> &'t [u8] {
-        let bytes = self.text.as_bytes().get(token.start as usize + 1..token.end as usize).unwrap_or_default();
+        let bytes = self.text.as_bytes().get(token.start as usize + 1..token.end as usize).sure();
         let blanks = bytes.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-        bytes.get(blanks..).unwrap_or_default()
+        bytes.get(blanks..).sure()
     }
 
     /// Adds a word, which stands at `span`, to the block, noting what later stages ask of every block.
@@ -398,7 +399,7 @@ impl<'t> Lowering<'t> {
     /// The number of a parameter, 0–95, and whether it has a finding already.
     pub(super) fn parameter(&mut self, token: Token) -> (Option<u8>, bool) {
         let digits = self.number_text(token);
-        let number_start = token.end - u32::try_from(digits.len()).unwrap_or(0);
+        let number_start = token.end - small(digits.len());
         let number_span = Span::new(number_start, token.end);
         let fixed: Vec<u8> = digits
             .iter()

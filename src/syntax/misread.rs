@@ -7,6 +7,7 @@ use super::number::Number;
 use super::{Kind, Token, Word, tokens};
 use crate::diag::{Diagnostic, Finding, Fix, FixTitle, ValueMeant, shown};
 use crate::dict::{Address, GCode, HIGHEST_BLOCK};
+use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// Longer words are not looked at for a letter in them.
@@ -70,7 +71,7 @@ impl Lowering<'_> {
             return None;
         }
         let start = from + u32::try_from(blanks).ok()?;
-        let limit = u32::try_from(bytes.len()).unwrap_or(u32::MAX).min(start + WORD);
+        let limit = small(bytes.len()).min(start + WORD);
         let limit = (start..=limit).rev().find(|limit| self.text.is_char_boundary(*limit as usize))?;
         let token = tokens(self.text, start, limit).next()?;
         let whole = token.kind == Kind::Word && token.start == start && token.end < start + WORD;
@@ -83,7 +84,7 @@ impl Lowering<'_> {
         let Some(word) = self.words.get(slot).copied() else { return };
         let second = Address::from_byte(letter);
         let same = |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
-        let repeated = self.words.get(first..).unwrap_or_default().iter().filter(same).count() > 1;
+        let repeated = self.words.get(first..).sure().iter().filter(same).count() > 1;
         let digit = look_alike(letter);
         let of_arc = letter == b'I' && !signed && !repeated && self.arc_in_force();
         let assigned = word.address == Address::R;
@@ -91,10 +92,10 @@ impl Lowering<'_> {
             return;
         }
         let whole = span.to(token.span());
-        let head = self.text.get(span.start as usize..token.start as usize).unwrap_or_default();
+        let head = self.text.get(span.start as usize..token.start as usize).sure();
         let head: String = head.chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
         let head = head.to_ascii_uppercase();
-        let rest = self.slice(token.span()).get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
+        let rest = self.slice(token.span()).get(1..).sure().trim_start_matches([' ', '\t']);
         let number = digit.map(|digit| format!("{digit}{rest}"));
         let sign = head.chars().next_back().filter(|sign| matches!(sign, '+' | '-')).map(String::from);
         let number = number.map(|number| sign.unwrap_or_default() + &number);
@@ -133,10 +134,10 @@ impl Lowering<'_> {
             return;
         }
         let (head, tail) = (n.span(self.text), l.span(self.text));
-        let others = self.words.get(first + 2..).unwrap_or_default();
+        let others = self.words.get(first + 2..).sure();
         let takes = |word: &Word| word.g_code().is_some_and(GCode::takes_l);
         let taken = others.iter().any(takes) && !others.iter().any(|word| word.address == Address::L);
-        let number = format!("{}1{}", self.slice(head), self.slice(tail).get(1..).unwrap_or_default());
+        let number = format!("{}1{}", self.slice(head), self.slice(tail).get(1..).sure());
         let value = number.get(1..).and_then(|number| Number::parse(number.as_bytes()));
         let Some(value) = value.filter(|_| !taken && head.end == tail.start) else { return };
         self.words.remove(first + 1);
@@ -151,8 +152,7 @@ impl Lowering<'_> {
 
     /// `80X 20Y`: several numbers before their addresses. The first was taken for a piece of the word before.
     pub(super) fn exchanged_words(&mut self, at: usize, split: &Split) -> bool {
-        let Some((length, written)) = exchanged_run(self.text.get(split.loose.start as usize..).unwrap_or_default())
-        else {
+        let Some((length, written)) = exchanged_run(self.text.get(split.loose.start as usize..).sure()) else {
             return false;
         };
         let whole = Span::new(split.loose.start, split.loose.start + length);
@@ -241,7 +241,7 @@ fn exchanged_run(text: &str) -> Option<(u32, String)> {
     let mut written: Vec<String> = Vec::new();
     let (mut at, mut end) = (0, 0);
     while written.len() < SLIPS {
-        let rest = bytes.get(at..).unwrap_or_default();
+        let rest = bytes.get(at..).sure();
         let length = rest.iter().take_while(|byte| byte.is_ascii_digit() || b"+-.".contains(byte)).count();
         if length == 0 {
             break;
@@ -253,12 +253,12 @@ fn exchanged_run(text: &str) -> Option<(u32, String)> {
         }
         written.push(format!("{address}{number}"));
         end = at + length + 1;
-        let behind = bytes.get(end..).unwrap_or_default();
+        let behind = bytes.get(end..).sure();
         let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
         if blanks == 0 && !matches!(behind.first(), None | Some(b'\r' | b'\n' | b'"' | b'*')) {
             return None;
         }
         at = end + blanks;
     }
-    (written.len() > 1).then(|| (u32::try_from(end).unwrap_or(0), written.join(" ")))
+    (written.len() > 1).then(|| (small(end), written.join(" ")))
 }

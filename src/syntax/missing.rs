@@ -4,6 +4,7 @@ use super::lower::Lowering;
 use super::{Kind, Word, tokens};
 use crate::diag::{Code, Diagnostic, Finding, Fix, FixTitle, NumberMeant, shown};
 use crate::dict::{Address, GCode, GGroup, TOOL_CHANGE};
+use crate::sure::Sure;
 use crate::text::Span;
 
 /// So many bytes before a block, and from it on, show which axes the program uses.
@@ -177,7 +178,7 @@ impl Lowering<'_> {
 
     /// The address that was probably forgotten before the second piece.
     fn missing_address(&mut self, first: usize, split: &Split) -> Option<Address> {
-        let words = self.words.get(first..).unwrap_or_default();
+        let words = self.words.get(first..).sure();
         let has = |address: Address| words.iter().any(|word| word.address == address);
         let others = words.iter().filter(|word| !matches!(word.address, Address::N | Address::Skip)).count();
         let code = |word: &Word| word.g_code();
@@ -249,7 +250,7 @@ impl Lowering<'_> {
     fn uses(&self, split: &Split, axis: u8) -> bool {
         let at = split.word.start() as usize;
         let bytes = self.text.as_bytes();
-        let near = bytes.get(at.saturating_sub(NEAR)..bytes.len().min(at + NEAR)).unwrap_or_default();
+        let near = bytes.get(at.saturating_sub(NEAR)..bytes.len().min(at + NEAR)).sure();
         near.windows(2).any(|pair| {
             matches!(pair, [letter, value] if *letter == axis && (value.is_ascii_digit() || b"+-.".contains(value)))
         })
@@ -275,7 +276,7 @@ impl Lowering<'_> {
             (None, Address::G) => &AXES,
             (None, _) => &[],
         };
-        let words = self.words.get(first..).unwrap_or_default();
+        let words = self.words.get(first..).sure();
         let moves = words.iter().any(|word| word.address.axis().is_some());
         let lacks = |address: &Address| {
             let function = matches!(address, Address::G | Address::M);

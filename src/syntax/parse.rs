@@ -13,6 +13,7 @@ use super::{BlockFlags, BlockId, Kind, ParsedFile, Token, Word, file, grammar, l
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle, ValueMeant};
 use crate::dict::Address;
 use crate::parallel;
+use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// What a file is.
@@ -61,7 +62,7 @@ fn parse_in(
         Form::Macrocycle => source.first_offset(),
         Form::Program => match memchr::memchr(b'%', text.as_bytes()) {
             Some(start) => {
-                let start = u32::try_from(start).unwrap_or(u32::MAX);
+                let start = small(start);
                 match start_behind(text, start) {
                     Some(behind) => {
                         let finding = Finding::MissingValue { address: "%".to_owned(), meant: ValueMeant::EarlyStart };
@@ -127,13 +128,13 @@ fn parse_in(
 fn missing_start(file: FileId, source: &SourceText) -> Diagnostic {
     let first = source.first_offset();
     let at = |from: u32, to: u32| Location { file, span: Span::new(from, to) };
-    let text = source.text().get(first as usize..).unwrap_or_default();
-    let line = text.split(['\n', '\r']).next().unwrap_or_default();
+    let text = source.text().get(first as usize..).sure();
+    let line = text.split(['\n', '\r']).next().sure();
     let rest = line.strip_prefix(['O', 'o', ':']);
     let letter = rest.is_some();
     let rest = rest.unwrap_or(line);
     let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
-    let behind = rest.get(digits.len()..).unwrap_or_default().trim_start_matches([' ', '\t']);
+    let behind = rest.get(digits.len()..).sure().trim_start_matches([' ', '\t']);
     // `2107`, `2107 "PRIRUBA"`
     let alone = behind.is_empty() || behind.starts_with('"');
     let number = digits.parse().ok().filter(|number| (letter || alone) && (1..=HIGHEST_PROGRAM).contains(number));
@@ -244,7 +245,7 @@ impl Whole<'_> {
 
 /// The span of the word that begins at `start`, read again: for words that are longer than a [`Word`] can tell.
 pub(super) fn long_word(text: &str, start: u32) -> Span {
-    let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
+    let end = small(text.len());
     let mut parameters = 0;
     let mut item: Vec<Token> = Vec::new();
     for token in tokens(text, start, end) {
@@ -288,7 +289,7 @@ fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)>
     let mut from = start;
     for piece in 1..count {
         let about = (start + length * piece).max(from) as usize;
-        let next = memchr::memchr2_iter(b'\n', b'\r', bytes.get(about..end as usize).unwrap_or_default())
+        let next = memchr::memchr2_iter(b'\n', b'\r', bytes.get(about..end as usize).sure())
             .map(|at| about + at + 1)
             .find(|at| plain::block_begins(bytes, *at));
         let Some(next) = next.and_then(|next| u32::try_from(next).ok()).filter(|next| *next < end) else { break };
@@ -308,10 +309,10 @@ fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
     let Some(last) = before.last().filter(|last| last.kind == Kind::Word && token.kind == Kind::Word) else {
         return false;
     };
-    let word = bytes.get(last.span().range()).unwrap_or_default();
+    let word = bytes.get(last.span().range()).sure();
     let flow = matches!(word, [b'G' | b'g', b'7', b'1'..=b'3']);
-    let rest = bytes.get(token.end as usize..).unwrap_or_default();
-    let rest = rest.split(|byte| matches!(byte, b'\r' | b'\n' | b'"')).next().unwrap_or_default().trim_ascii();
+    let rest = bytes.get(token.end as usize..).sure();
+    let rest = rest.split(|byte| matches!(byte, b'\r' | b'\n' | b'"')).next().sure().trim_ascii();
     let count = match rest {
         [] => true,
         [b'Q' | b'q', count @ ..] => count.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b' ' | b'\t')),
@@ -397,7 +398,7 @@ impl<'t> Reader<'t> {
     /// where it stopped.
     fn read_tokens(&mut self, start: u32, end: u32, short_way: bool) -> u32 {
         let text = self.lowering.text;
-        let bytes = text.as_bytes().get(..end as usize).unwrap_or_default();
+        let bytes = text.as_bytes().get(..end as usize).sure();
         let mut batch = std::mem::take(&mut self.batch);
         batch.clear();
         let mut cuts = std::mem::take(&mut self.cuts);
@@ -469,14 +470,14 @@ impl<'t> Reader<'t> {
     }
 
     fn second_program_start(&mut self, token: Token) {
-        let before = self.lowering.text.get(..token.start as usize).unwrap_or_default().trim_end_matches([' ', '\t']);
+        let before = self.lowering.text.get(..token.start as usize).sure().trim_end_matches([' ', '\t']);
         if token.kind == Kind::Word && before.ends_with(['\n', '\r']) && self.second_program.is_none() {
             self.second_program = Some(token.start);
         }
         let place = Location { file: self.lowering.file, span: token.span() };
         let bare = token.kind == Kind::Letter;
         let mut diagnostic = Diagnostic::new(Finding::SecondProgramStart { bare }, place);
-        let rest = self.lowering.text.get(token.end as usize..).unwrap_or_default();
+        let rest = self.lowering.text.get(token.end as usize..).sure();
         // Other controls end a file with it.
         if bare && rest.bytes().take(FEW).all(|byte| byte.is_ascii_whitespace()) && rest.len() < FEW {
             diagnostic = diagnostic.with_fix(FixTitle::Delete { text: "%".to_owned() }, place, "");
@@ -488,7 +489,7 @@ impl<'t> Reader<'t> {
     fn parse_batch(&mut self, batch: &[Token], cuts: &[usize]) {
         let first = cuts.first().copied().unwrap_or(batch.len());
         if self.first && self.header.is_none() {
-            self.parse_header(batch.get(..first).unwrap_or_default());
+            self.parse_header(batch.get(..first).sure());
         }
         let parser = grammar::block();
         let Self { lowering, blocks, .. } = self;
@@ -496,10 +497,10 @@ impl<'t> Reader<'t> {
         let ends = cuts.iter().skip(1).copied().chain(std::iter::once(batch.len()));
         let mut state = SimpleState(lowering);
         for (&from, to) in cuts.iter().zip(ends) {
-            let first_word = u32::try_from(state.words.len()).unwrap_or(u32::MAX);
+            let first_word = small(state.words.len());
             state.flags = BlockFlags::default();
             // Accepts every sequence of tokens, so there is no error to look at.
-            let _ = parser.parse_with_state(batch.get(from..to).unwrap_or_default(), &mut state);
+            let _ = parser.parse_with_state(batch.get(from..to).sure(), &mut state);
             state.finish_block(first_word as usize);
             blocks.push(Block { first_word, flags: state.flags });
         }
@@ -537,8 +538,7 @@ impl<'t> Reader<'t> {
             }
         }
         let first = self.lowering.comments.iter().copied().find(|comment| comment.start >= program_end);
-        header.title =
-            first.filter(|comment| !file::comment_text(text.get(comment.range()).unwrap_or_default()).is_empty());
+        header.title = first.filter(|comment| !file::comment_text(text.get(comment.range()).sure()).is_empty());
         self.header = Some(header);
     }
 

@@ -8,6 +8,7 @@ use super::lower::Lowering;
 use super::number::Number;
 use super::{BlockFlags, Word};
 use crate::dict::Address;
+use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// Whether a block begins at `at`, whatever stands before it on other lines: `N` and a digit are a block number or
@@ -20,7 +21,7 @@ pub(super) fn block_begins(bytes: &[u8], at: usize) -> bool {
 /// Reads plain blocks from `start` on, up to a block that is not plain or to `end`. Gives where it stopped: at the
 /// beginning of a block, or at `end`.
 pub(super) fn plain_blocks(lowering: &mut Lowering<'_>, blocks: &mut Vec<Block>, start: u32, end: u32) -> u32 {
-    let bytes = lowering.text.as_bytes().get(..end as usize).unwrap_or_default();
+    let bytes = lowering.text.as_bytes().get(..end as usize).sure();
     let mut at = start;
     while block_begins(bytes, at as usize) {
         let first_word = lowering.words.len();
@@ -34,7 +35,7 @@ pub(super) fn plain_blocks(lowering: &mut Lowering<'_>, blocks: &mut Vec<Block>,
             lowering.arc = arc;
             break;
         };
-        blocks.push(Block { first_word: u32::try_from(first_word).unwrap_or(u32::MAX), flags: lowering.flags });
+        blocks.push(Block { first_word: small(first_word), flags: lowering.flags });
         at = after;
     }
     at
@@ -43,7 +44,7 @@ pub(super) fn plain_blocks(lowering: &mut Lowering<'_>, blocks: &mut Vec<Block>,
 /// Reads one plain block, and the blanks and line ends behind it; gives where the next one begins. `None` when there is
 /// anything else in it than words of a letter and, without a blank, its number.
 fn plain_block(lowering: &mut Lowering<'_>, bytes: &[u8], start: u32) -> Option<u32> {
-    let offset = |rest: &[u8]| u32::try_from(bytes.len() - rest.len()).unwrap_or(u32::MAX);
+    let offset = |rest: &[u8]| small(bytes.len() - rest.len());
     let mut rest = bytes.get(start as usize..)?;
     loop {
         let [letter @ b'A'..=b'Z', number @ ..] = rest else { return None };

@@ -2,6 +2,7 @@
 
 use super::{Kind, Token, tokens};
 use crate::dict::Address;
+use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// So many bytes at the end of a comment are looked at: a line has 80 characters.
@@ -17,8 +18,7 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
         start += 1;
     }
     let tokens: Vec<Token> = tokens(text, start, comment.end).collect();
-    let ends =
-        |from: usize| Run { text, tokens: tokens.get(from..).unwrap_or_default() }.whole(LEAST, None) == Some(true);
+    let ends = |from: usize| Run { text, tokens: tokens.get(from..).sure() }.whole(LEAST, None) == Some(true);
     let from = (0..tokens.len()).find(|from| ends(*from))?;
     Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
 }
@@ -41,7 +41,7 @@ pub(super) fn words_between(text: &str, span: Span) -> Option<Vec<Token>> {
     let mut words = Vec::new();
     let mut at = span.start;
     for part in inner.split(';') {
-        let end = at + u32::try_from(part.len()).unwrap_or(0);
+        let end = at + small(part.len());
         if !part.trim().is_empty() {
             words.extend(only_words(text, Span::new(at, end))?);
         }
@@ -54,7 +54,7 @@ pub(super) fn words_between(text: &str, span: Span) -> Option<Vec<Token>> {
 pub(super) fn words_behind(text: &str, start: u32) -> Option<Span> {
     let rest = text.as_bytes().get(start as usize..)?;
     let line = rest.iter().take(TAIL as usize).take_while(|byte| !matches!(byte, b'\n' | b'\r')).count();
-    let mut end = start + u32::try_from(line).unwrap_or(0);
+    let mut end = start + small(line);
     while !text.is_char_boundary(end as usize) {
         end -= 1;
     }

@@ -4,6 +4,7 @@ use logos::Logos;
 
 use super::misread::look_alike;
 use crate::dict::Address;
+use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// What a token is.
@@ -188,7 +189,7 @@ impl Iterator for Tokens<'_> {
         }
         let kind = self.lexer.next()?.unwrap_or(Kind::Unknown);
         let span = self.lexer.span();
-        let token = Token { kind, start: offset(span.start), end: offset(span.end) };
+        let token = Token { kind, start: small(span.start), end: small(span.end) };
         let token = if kind == Kind::Text {
             self.text_token(token)
         } else if matches!(kind, Kind::Skip | Kind::End) && self.is_operator(token) {
@@ -267,13 +268,13 @@ impl Tokens<'_> {
         if !self.in_value || !self.last.as_ref().is_some_and(|last| operand(last) || star && product(last)) {
             return false;
         }
-        let rest = self.text.as_bytes().get(token.start as usize + 1..).unwrap_or_default();
+        let rest = self.text.as_bytes().get(token.start as usize + 1..).sure();
         let rest = rest.strip_prefix(b"-").or_else(|| rest.strip_prefix(b"+")).unwrap_or(rest);
         match rest {
             [b'0'..=b'9' | b'.' | b'(' | b'[' | b'#', ..] => true,
             [b'R' | b'r', digits @ ..] => {
                 let count = digits.iter().take_while(|byte| byte.is_ascii_digit()).count();
-                let behind = digits.get(count..).unwrap_or_default().trim_ascii_start();
+                let behind = digits.get(count..).sure().trim_ascii_start();
                 // `/R10=5` assigns (PAR-2).
                 count > 0 && behind.first() != Some(&b'=')
             }
@@ -315,7 +316,7 @@ impl Tokens<'_> {
             b';' => {
                 let number =
                     rest.iter().skip(1).take_while(|byte| byte.is_ascii_digit() || b"+-.".contains(byte)).count();
-                return (number > 0).then(|| start + offset(number + 1));
+                return (number > 0).then(|| start + small(number + 1));
             }
             _ => return None,
         };
@@ -328,7 +329,7 @@ impl Tokens<'_> {
                 depth += 1;
             }
             if depth == 0 {
-                return Some(start + offset(at + 1));
+                return Some(start + small(at + 1));
             }
         }
         None
@@ -336,12 +337,12 @@ impl Tokens<'_> {
 
     /// `Z(R11)`, `Z [R11]`: the address, so that the value between the brackets follows.
     fn garbled_token(&mut self, token: Token) -> Token {
-        let bytes = self.text.as_bytes().get(token.span().range()).unwrap_or_default();
+        let bytes = self.text.as_bytes().get(token.span().range()).sure();
         let [letter, rest @ ..] = bytes else { return token };
         let blanks = rest.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
         let bracket = matches!(rest.get(blanks), Some(b'[')) || matches!(rest.first(), Some(b'(' | b'<'));
         let address = letter.is_ascii_alphabetic() && !matches!(letter, b'R' | b'r');
-        if !bracket || !address || self.closed_at(token.start + 1 + offset(blanks)).is_none() {
+        if !bracket || !address || self.closed_at(token.start + 1 + small(blanks)).is_none() {
             return token;
         }
         let end = token.start + 1;
@@ -358,15 +359,15 @@ impl Tokens<'_> {
         if !self.begins_line(token.start) {
             return token;
         }
-        let rest = bytes.get(token.end as usize..).unwrap_or_default();
-        let end = token.end + offset(rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count());
+        let rest = bytes.get(token.end as usize..).sure();
+        let end = token.end + small(rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count());
         self.restart(end);
         Token { kind: Kind::ForeignComment, end, ..token }
     }
 
     /// `;` between words and a block number may be the border of two blocks: what follows it stays in the program.
     fn comment_token(&mut self, token: Token) -> Token {
-        let text = self.text.get(token.span().range()).unwrap_or_default();
+        let text = self.text.get(token.span().range()).sure();
         let inner = text.strip_prefix(';').map(|inner| inner.trim_start_matches([' ', '\t']).as_bytes());
         if !matches!(inner, Some([b'N' | b'n', b'0'..=b'9', ..])) || self.begins_line(token.start) {
             return token;
@@ -378,7 +379,7 @@ impl Tokens<'_> {
 
     /// Whether nothing but blanks is before `at` in its line.
     fn begins_line(&self, at: u32) -> bool {
-        let before = self.text.as_bytes().get(..at as usize).unwrap_or_default();
+        let before = self.text.as_bytes().get(..at as usize).sure();
         let before = before.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
         matches!(before, None | Some(b'\n' | b'\r'))
     }
@@ -393,9 +394,9 @@ impl Tokens<'_> {
             return Token { kind: Kind::LooseWord, ..token };
         }
         let bytes = self.text.as_bytes();
-        let run = bytes.get(token.span().range()).unwrap_or_default();
-        let letters = self.text.get(token.span().range()).unwrap_or_default().chars().take(MOST + 1).count();
-        let rest = bytes.get(token.end as usize..).unwrap_or_default();
+        let run = bytes.get(token.span().range()).sure();
+        let letters = self.text.get(token.span().range()).sure().chars().take(MOST + 1).count();
+        let rest = bytes.get(token.end as usize..).sure();
         let follows = rest.iter().find(|byte| !matches!(byte, b' ' | b'\t'));
         let is_address = run.last().is_some_and(u8::is_ascii_alphabetic)
             && follows.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.'))
@@ -442,9 +443,9 @@ impl Tokens<'_> {
             if !name || letters == 0 || value {
                 break;
             }
-            end += 1 + offset(letters);
+            end += 1 + small(letters);
         }
-        let name = self.text.get(token.start as usize..end as usize).unwrap_or_default();
+        let name = self.text.get(token.start as usize..end as usize).sure();
         let value = bytes.get(end as usize).is_some_and(|byte| byte.is_ascii_digit() || b"+-.=".contains(byte));
         let unit = !value && UNITS.iter().any(|unit| unit.eq_ignore_ascii_case(name));
         if end != token.end {
@@ -459,13 +460,13 @@ impl Tokens<'_> {
         let bytes = self.text.as_bytes();
         let Some(&[first, second]) = bytes.get(token.span().range()) else { return None };
         Address::from_byte(first).filter(|address| *address != Address::R)?;
-        let rest = bytes.get(token.end as usize..).unwrap_or_default();
+        let rest = bytes.get(token.end as usize..).sure();
         let blanks = rest.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-        let behind = rest.get(blanks..).unwrap_or_default();
+        let behind = rest.get(blanks..).sure();
         if first.eq_ignore_ascii_case(&second) {
             let number = behind.iter().take_while(|byte| byte.is_ascii_digit() || b"+-.".contains(byte)).count();
             let digits = behind.get(..number)?.iter().any(u8::is_ascii_digit);
-            let end = token.end + offset(blanks + number);
+            let end = token.end + small(blanks + number);
             return digits.then(|| {
                 self.restart(end);
                 Token { kind: Kind::LooseWord, end, ..token }
@@ -496,13 +497,13 @@ impl Tokens<'_> {
         if digits.len() >= MOST_LETTERS || !digits.iter().all(|letter| look_alike(*letter).is_some()) {
             return false;
         }
-        let behind = bytes.get(token.end as usize..).unwrap_or_default();
+        let behind = bytes.get(token.end as usize..).sure();
         let apart = matches!(behind.first(), None | Some(b' ' | b'\t' | b'\r' | b'\n' | b'"'));
         let behind = behind.trim_ascii_start();
         let word = matches!(behind, [letter, value, ..]
             if letter.is_ascii_uppercase() && (value.is_ascii_digit() || b"+-.".contains(value)));
         let flow = |last: Token| {
-            let word = bytes.get(last.span().range()).unwrap_or_default();
+            let word = bytes.get(last.span().range()).sure();
             last.kind == Kind::Word && matches!(word, [b'G', b'7', b'1'..=b'3' | b'9'])
         };
         match first {
@@ -513,7 +514,7 @@ impl Tokens<'_> {
     }
 
     fn restart(&mut self, at: u32) {
-        self.lexer = lexer_at(self.text, at, offset(self.text.len()));
+        self.lexer = lexer_at(self.text, at, small(self.text.len()));
     }
 }
 
@@ -523,11 +524,6 @@ fn letter_kind(bytes: &[u8], at: u32) -> Kind {
         Some(byte) if byte.is_ascii() => Kind::Letter,
         _ => Kind::Unknown,
     }
-}
-
-/// Offsets fit because texts are below 4 GiB.
-fn offset(at: usize) -> u32 {
-    u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::number::Number;
 use crate::dict::{Address, Decimal, GCode};
+use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// A word: an address and its value. Where its parts stand is read again from the text when a finding needs it.
@@ -251,7 +252,7 @@ impl Word {
     /// Where its parts stand in `text`.
     pub fn parts(self, text: &str) -> WordParts {
         let span = self.span(text);
-        let bytes = text.as_bytes().get(span.range()).unwrap_or_default();
+        let bytes = text.as_bytes().get(span.range()).sure();
         let mut at = 1;
         let skip = |at: &mut usize, wanted: fn(&u8) -> bool| {
             while bytes.get(*at).is_some_and(wanted) {
@@ -277,7 +278,7 @@ impl Word {
 }
 
 fn sub(span: Span, from: usize, to: usize) -> Span {
-    let place = |at: usize| span.start + u32::try_from(at).unwrap_or(0);
+    let place = |at: usize| span.start + small(at);
     Span::new(place(from), place(to))
 }
 

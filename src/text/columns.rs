@@ -1,5 +1,7 @@
 //! What editors count columns in.
 
+use crate::sure::small;
+
 /// What the columns of an editor count.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub enum ColumnUnit {
@@ -31,6 +33,6 @@ impl ColumnUnit {
             Self::Utf16 => text.encode_utf16().count(),
             Self::Characters => text.chars().count(),
         };
-        u32::try_from(count).unwrap_or(u32::MAX)
+        small(count)
     }
 }

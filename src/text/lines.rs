@@ -1,5 +1,7 @@
 //! Where the lines of a text begin. Lines end with CR LF, LF or CR, and with nothing else (LEX-8).
 
+use crate::sure::{Sure, small};
+
 /// A place as users count it: both from 1, the column in characters.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub struct LineColumn {
@@ -23,7 +25,7 @@ impl LineIndex {
         for at in memchr::memchr2_iter(b'\n', b'\r', bytes) {
             let crlf_middle = bytes.get(at) == Some(&b'\r') && bytes.get(at + 1) == Some(&b'\n');
             if !crlf_middle {
-                starts.push(u32::try_from(at + 1).unwrap_or(u32::MAX));
+                starts.push(small(at + 1));
             }
         }
         Self { starts }
@@ -40,10 +42,10 @@ impl LineIndex {
         let begin = self.starts.last().copied().unwrap_or(0);
         let end = (inserted_end as usize + 1).min(text.len());
         let bytes = text.as_bytes();
-        for at in memchr::memchr2_iter(b'\n', b'\r', bytes.get(begin as usize..end).unwrap_or_default()) {
+        for at in memchr::memchr2_iter(b'\n', b'\r', bytes.get(begin as usize..end).sure()) {
             let at = begin as usize + at;
             if !(bytes.get(at) == Some(&b'\r') && bytes.get(at + 1) == Some(&b'\n')) {
-                self.starts.push(u32::try_from(at + 1).unwrap_or(u32::MAX));
+                self.starts.push(small(at + 1));
             }
         }
         let last = self.starts.last().copied().unwrap_or(0);

@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 
 use super::{ColumnUnit, Encoding, LineColumn, LineIndex, Span};
+use crate::sure::{Sure, small};
 
 /// Index of a file among the sources of one run; the program is 0.
 #[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -88,7 +89,7 @@ impl SourceText {
 
     /// Length of the text in bytes; below 4 GiB by construction.
     pub fn len(&self) -> u32 {
-        u32::try_from(self.text.len()).unwrap_or(u32::MAX)
+        small(self.text.len())
     }
 
     /// Whether the file is empty.
@@ -96,9 +97,9 @@ impl SourceText {
         self.text.is_empty()
     }
 
-    /// The text of `span`; empty when the span is not one of this text.
+    /// The text of `span`, which is one of this text; of another it is empty, and with debug assertions a panic.
     pub fn slice(&self, span: Span) -> &str {
-        self.text.get(span.range()).unwrap_or_default()
+        self.text.get(span.range()).sure()
     }
 
     /// The lines, indexed at the first use.
@@ -118,7 +119,7 @@ impl SourceText {
         let start = self.lines().start(line).unwrap_or(0);
         let before = self.slice(Span::new(start, offset));
         let column = if before.is_ascii() { before.len() } else { before.chars().count() };
-        LineColumn { line: saturate(line + 1), column: saturate(column + 1) }
+        LineColumn { line: small(line + 1), column: small(column + 1) }
     }
 
     /// Offset in the bytes of the file of `offset` in the text.
@@ -150,7 +151,7 @@ impl SourceText {
         match self.lines.get_mut() {
             // Behind a byte-order mark the first line begins elsewhere.
             Some(lines) if bom == self.bom && span.start >= first => {
-                lines.replaced(&self.text, span.start, span.end, span.start + saturate(with.len()));
+                lines.replaced(&self.text, span.start, span.end, span.start + small(with.len()));
             }
             _ => self.lines = OnceLock::new(),
         }
@@ -175,7 +176,7 @@ impl SourceText {
         for (at, character) in text.char_indices() {
             passed += unit.width(character);
             if passed > column {
-                return span.start + saturate(at);
+                return span.start + small(at);
             }
         }
         span.end
@@ -200,13 +201,8 @@ impl SourceText {
         let start = lines.start(line).unwrap_or(self.len());
         let end = lines.start(line + 1).unwrap_or(self.len());
         let text = self.slice(Span::new(start, end));
-        Span::new(start, start + saturate(text.trim_end_matches(['\r', '\n']).len()))
+        Span::new(start, start + small(text.trim_end_matches(['\r', '\n']).len()))
     }
-}
-
-/// Counts that fit 32 bits because the text does.
-fn saturate(count: usize) -> u32 {
-    u32::try_from(count).unwrap_or(u32::MAX)
 }
 
 #[cfg(test)]

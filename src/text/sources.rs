@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{FileId, Location, SourceText};
+use crate::sure::small;
 
 /// The texts of a run, by [`FileId`]; the program is file 0.
 #[derive(Clone, Debug, Default)]
@@ -18,7 +19,7 @@ impl Sources {
 
     /// Adds a text.
     pub fn add(&mut self, source: impl Into<Arc<SourceText>>) -> FileId {
-        let id = FileId(u32::try_from(self.files.len()).unwrap_or(u32::MAX));
+        let id = FileId(small(self.files.len()));
         self.files.push(source.into());
         id
     }

@@ -4,6 +4,7 @@ use flate2::{Compress, Compression, FlushCompress};
 
 use super::column::{Column, Form};
 use crate::parallel;
+use crate::sure::{Sure, small};
 
 /// Bytes that are deflated together; pieces are independent of one another, so that all processors work.
 const PIECE: usize = 1 << 19;
@@ -42,7 +43,7 @@ impl Container {
         });
         fields.insert("columns".into(), forms.collect());
         let header = serde_json::Value::Object(fields).to_string().into_bytes();
-        let mut head = u32::try_from(header.len()).unwrap_or(u32::MAX).to_le_bytes().to_vec();
+        let mut head = small(header.len()).to_le_bytes().to_vec();
         head.extend_from_slice(&header);
         let pieces: Vec<&[u8]> = head.chunks(PIECE).chain(self.bytes.chunks(PIECE)).collect();
         let deflated: Vec<Vec<u8>> = parallel::map(pieces, deflate);
@@ -60,7 +61,7 @@ fn deflate(piece: &[u8]) -> Vec<u8> {
     loop {
         let done = usize::try_from(state.total_in()).unwrap_or(usize::MAX);
         let written = out.len();
-        let rest = piece.get(done..).unwrap_or_default();
+        let rest = piece.get(done..).sure();
         // Memory is always there: the vector grows. An error cannot come from a valid state.
         let ended = state.compress_vec(rest, &mut out, FlushCompress::Sync).is_err();
         if ended || (out.len() < out.capacity() && state.total_in() >= piece.len() as u64) {

@@ -1,6 +1,7 @@
 //! What a still picture consists of, in the order of drawing, whatever it is written as.
 
 use super::picture::LeftOut;
+use crate::sure::small;
 
 /// What an item is, for its colour and width.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -111,6 +112,6 @@ pub(super) const LETTER: [f64; 2] = [12.0, 7.2];
 
 /// How wide a text is taken to be, in pixels.
 pub(super) fn text_width(text: &str) -> f64 {
-    let letters = u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
+    let letters = small(text.chars().count());
     f64::from(letters) * LETTER[1]
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::column::Column;
+use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{FileId, SourceText};
 
@@ -32,7 +33,7 @@ impl Files {
     /// Takes up a file, unless it is known; files come in the order of their indices.
     pub fn add(&mut self, index: u32, parsed: &ParsedFile) {
         if index as usize >= self.files.len() {
-            let first = u32::try_from(self.n.len()).unwrap_or(u32::MAX);
+            let first = small(self.n.len());
             let source = Arc::clone(&parsed.source);
             let mut starts = Vec::with_capacity(parsed.block_count() as usize);
             let mut line = 0;
@@ -67,7 +68,7 @@ impl Files {
         let file = self.files.iter().find(|known| known.id == file);
         file.map_or(0, |file| {
             let before = file.starts.partition_point(|start| *start < offset);
-            file.first.saturating_add(u32::try_from(before).unwrap_or(u32::MAX))
+            file.first.saturating_add(small(before))
         })
     }
 

@@ -7,6 +7,7 @@ use serde_json::{Map, Value};
 
 use crate::dict::{Decimal, GCode, GGroup};
 use crate::run::{Executed, FeedUnit};
+use crate::sure::small;
 
 /// Fields that the page keeps elsewhere, or works out.
 const ELSEWHERE: [&str; 11] =
@@ -56,7 +57,7 @@ impl<K: Clone + Eq + Hash> Interned<K> {
         if let Some((_, index)) = self.last.as_ref().filter(|(last, _)| *last == key) {
             return *index;
         }
-        let next = u32::try_from(self.values.len()).unwrap_or(u32::MAX);
+        let next = small(self.values.len());
         let index = *self.known.entry(key.clone()).or_insert_with(|| {
             self.values.push(make());
             next

@@ -6,6 +6,7 @@ use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pi
 use super::display::{Class, DASH, DOT_SIZES, DOTS, Display, Item, LETTER, Place};
 use super::glyphs;
 use super::scan::Coverage;
+use crate::sure::Sure;
 
 /// Draws the picture. `None` when it has no size, or more pixels than there is memory for.
 pub(super) fn png(display: &Display) -> Option<Vec<u8>> {
@@ -45,7 +46,7 @@ fn encoded(pixmap: &Pixmap, transparent: bool) -> Vec<u8> {
     loop {
         let done = usize::try_from(state.total_in()).unwrap_or(usize::MAX);
         deflated.reserve(1 << 16);
-        let rest = rows.get(done..).unwrap_or_default();
+        let rest = rows.get(done..).sure();
         match state.compress_vec(rest, &mut deflated, FlushCompress::Finish) {
             Ok(flate2::Status::Ok | flate2::Status::BufError) => {}
             // An error cannot come from a valid state.

@@ -17,6 +17,7 @@ use crate::config::Axes;
 use crate::dict::{Address, AxisLetter, Micro};
 use crate::run::{Executed, Length, Motion};
 use crate::stream::SingleRecord;
+use crate::sure::small;
 
 /// Rows that are remembered, so that equal ones are found, at most.
 const REMEMBERED: usize = 1 << 21;
@@ -294,7 +295,7 @@ impl Rows {
         for value in to_center.into_iter().flatten() {
             hash.add(value.millionths().cast_unsigned());
         }
-        let next = u32::try_from(self.block.len()).unwrap_or(u32::MAX);
+        let next = small(self.block.len());
         let full = self.equal.len() >= REMEMBERED;
         match self.equal.get(&hash.value()) {
             Some(row) => Some(*row),
@@ -317,7 +318,7 @@ impl Rows {
         feed: i64,
         stand: &Known,
     ) -> u32 {
-        let row = u32::try_from(self.block.len()).unwrap_or(u32::MAX);
+        let row = small(self.block.len());
         self.block.push(i64::from(block));
         self.before.push(if row == 0 { 0 } else { i64::from(row) - 1 - i64::from(before) });
         self.state.push(i64::from(state));

@@ -6,6 +6,7 @@ use std::collections::HashMap;
 use super::column::Column;
 use super::rows::Rows;
 use crate::dict::{AxisLetter, Micro};
+use crate::sure::{Sure, small};
 
 /// The first of the characters that stand for a number in a skeleton; they differ by [`STYLES`].
 const FIRST_MARK: u32 = 0xE000;
@@ -129,12 +130,12 @@ impl Text {
         let mut skeleton = String::new();
         for file in rows.files.iter() {
             let text = file.source.text();
-            let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
-            let head = text.get(..file.starts.first().copied().unwrap_or(end) as usize).unwrap_or_default();
+            let end = small(text.len());
+            let head = text.get(..file.starts.first().copied().unwrap_or(end) as usize).sure();
             found.heads.push(with_plain_line_ends(head));
             let ends = file.starts.iter().skip(1).copied().chain([end]);
             for ((start, end), block) in file.starts.iter().zip(ends).zip(file.first as usize..) {
-                let text = text.get(*start as usize..end as usize).unwrap_or_default();
+                let text = text.get(*start as usize..end as usize).sure();
                 let row = first_rows.get(block).copied().unwrap_or_default() as usize;
                 skeleton.clear();
                 let number = rows.files.n.get(block).unwrap_or_default();
@@ -147,7 +148,7 @@ impl Text {
                 }
                 let index = *known.entry(skeleton.clone()).or_insert_with(|| {
                     found.skeletons.push(skeleton.clone());
-                    u32::try_from(found.skeletons.len() - 1).unwrap_or(u32::MAX)
+                    small(found.skeletons.len() - 1)
                 });
                 found.skeleton.push(i64::from(index) + 1);
                 if let Some(last) = last.get_mut(shape) {
@@ -170,7 +171,7 @@ fn first_rows(rows: &Rows) -> Vec<u32> {
     for row in (1..rows.block.len()).rev() {
         let block = rows.block.get(row).and_then(|block| usize::try_from(block).ok());
         if let Some(slot) = block.and_then(|block| first.get_mut(block)) {
-            *slot = u32::try_from(row).unwrap_or_default();
+            *slot = small(row);
         }
     }
     first
@@ -207,7 +208,7 @@ fn take_apart(
     let mut in_comment = false;
     while let Some(first) = rest.chars().next() {
         let length = first.len_utf8();
-        let after = rest.get(length..).unwrap_or_default();
+        let after = rest.get(length..).sure();
         if first == '"' {
             in_comment = !in_comment;
         }
@@ -229,7 +230,7 @@ fn take_apart(
             && let Some(mark) = mark(first, written, number, numbers, &foretold)
         {
             skeleton.push(mark);
-            rest = rest.get(written.bytes..).unwrap_or_default();
+            rest = rest.get(written.bytes..).sure();
         }
     }
 }

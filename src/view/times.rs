@@ -12,6 +12,7 @@ use super::rows::Rows;
 use super::tangents::angle_deg;
 use crate::analysis::motion::{BlockTimes, Break, Dot, Limit, Listener, MotionTimes};
 use crate::run::MotionType;
+use crate::sure::Sure;
 
 /// Feeds are whole parts of a mm/min.
 const PER_FEED: f64 = 10_000.0;
@@ -261,7 +262,7 @@ struct Packer<'t> {
 impl<'t> Packer<'t> {
     fn new(times: &'t Times, rows: &'t Rows) -> Self {
         let count = rows.count().min(times.planned.len());
-        let planned = times.planned.get(..count).unwrap_or_default();
+        let planned = times.planned.get(..count).sure();
         let mut packer = Self { times, rows, planned, timed: Vec::new(), joints: Vec::new(), modes: Vec::new() };
         packer.timed = (0..count).filter(|index| packer.code(*index).has(has::VELOCITIES)).collect();
         packer.joints = vec![None; packer.timed.len()];

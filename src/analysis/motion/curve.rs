@@ -25,6 +25,7 @@ mod joints;
 mod searched;
 
 use super::ramp::{Hump, Limits};
+use crate::sure::small;
 
 /// Nobody: end of a list.
 const NONE: usize = usize::MAX;
@@ -285,7 +286,7 @@ impl Curve {
     fn take_joints(&mut self) {
         let count = self.s.len() - 1;
         self.order.clear();
-        self.order.extend((1..count).zip(&self.caps[1..count]).map(|(k, &cap)| (cap, u32::try_from(k).unwrap_or(0))));
+        self.order.extend((1..count).zip(&self.caps[1..count]).map(|(k, &cap)| (cap, small(k))));
         self.order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         self.taken.clear();
         self.taken.resize(count / 64 + 1, 0);

@@ -5,6 +5,7 @@
 
 use super::super::ramp::Limits;
 use super::{Curve, HARD, NONE};
+use crate::sure::Sure;
 
 /// Levels that are tried between two lowest places.
 const LEVELS: usize = 4;
@@ -137,7 +138,7 @@ impl Curve {
         if put.get(put.partition_point(|s| *s < l.s)).is_none_or(|s| *s > r.s) {
             return;
         }
-        let joints = self.caps.get(l.after..r.before + 1).unwrap_or_default();
+        let joints = self.caps.get(l.after..r.before + 1).sure();
         let mut levels = self.levels(joints, l.v.max(r.v));
         in_order(&mut levels);
         self.try_levels(left, right, &levels);

@@ -3,6 +3,7 @@
 use super::dictionary::{Signal, signals};
 use super::run_time::{self, RunTime};
 use crate::dict::Dialect;
+use crate::sure::Sure;
 
 /// A name or pattern that matches no signal of the control.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -121,7 +122,7 @@ pub fn matches(pattern: &str, name: &str) -> bool {
     let Some((last, middle)) = parts.split_last() else { return rest.is_empty() };
     for part in middle {
         match rest.find(part) {
-            Some(at) => rest = rest.get(at + part.len()..).unwrap_or_default(),
+            Some(at) => rest = rest.get(at + part.len()..).sure(),
             None => return false,
         }
     }

@@ -11,6 +11,7 @@ use super::tokens::{Kind, Token, tokens};
 use super::values::Value;
 use crate::diag::{ConditionProblem, Diagnostic, Finding, FixTitle, SignalProblem};
 use crate::dict::Dialect;
+use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
 
 /// A condition, and the signals that it names.
@@ -187,7 +188,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn slice(&self, span: Span) -> &str {
-        self.text.get(span.start as usize..span.end as usize).unwrap_or_default()
+        self.text.get(span.start as usize..span.end as usize).sure()
     }
 
     /// Reports a finding, with what to write instead where that is certain.
@@ -221,7 +222,7 @@ impl Reader<'_> {
 
     /// The token at `index` has no place there.
     fn misplaced(&mut self, tokens: &[Token], index: usize) {
-        let end = u32::try_from(self.text.len()).unwrap_or(u32::MAX);
+        let end = small(self.text.len());
         let before = index.checked_sub(1).and_then(|index| tokens.get(index)).copied();
         let here = tokens.get(index).copied();
         let span = here.map_or_else(|| Span::empty(before.map_or(end, |token| token.span.end)), |token| token.span);

@@ -2,6 +2,7 @@
 
 use logos::Logos;
 
+use crate::sure::small;
 use crate::text::Span;
 
 /// What a token is.
@@ -106,12 +107,11 @@ pub(super) struct Token {
 
 /// The tokens of a condition.
 pub(super) fn tokens(text: &str) -> Vec<Token> {
-    let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
     Kind::lexer(text)
         .spanned()
         .map(|(kind, range)| Token {
             kind: kind.unwrap_or(Kind::Unknown),
-            span: Span::new(place(range.start), place(range.end)),
+            span: Span::new(small(range.start), small(range.end)),
         })
         .collect()
 }

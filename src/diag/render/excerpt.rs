@@ -7,6 +7,7 @@
 use std::ops::Range;
 
 use super::places::Places;
+use crate::sure::small;
 use crate::text::{FileId, LineColumn, Location, SourceText, Span, is_unsafe};
 
 /// The longest line shown whole, in bytes.
@@ -103,7 +104,7 @@ impl Excerpt {
         shown.push(' ');
         shown.push('\n');
         let added = shown.written - written;
-        self.numbers.push(Some(u32::try_from(line).unwrap_or(u32::MAX).saturating_add(1)));
+        self.numbers.push(Some(small(line).saturating_add(1)));
         added
     }
 }

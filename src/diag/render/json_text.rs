@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::ser::{CompactFormatter, Formatter, Serializer};
 
+use crate::sure::Sure;
 use crate::text::is_unsafe;
 
 /// Writes `value` in one line.
@@ -24,7 +25,7 @@ impl Formatter for Safe {
             for unit in character.encode_utf16(&mut [0; 2]) {
                 write!(writer, "\\u{unit:04x}")?;
             }
-            rest = from.get(character.len_utf8()..).unwrap_or_default();
+            rest = from.get(character.len_utf8()..).sure();
         }
         self.0.write_string_fragment(writer, rest)
     }

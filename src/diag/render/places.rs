@@ -3,6 +3,7 @@
 use std::cell::OnceCell;
 use std::sync::Arc;
 
+use crate::sure::{Sure, small};
 use crate::text::{FileId, LineColumn, Location, SourceText, Sources, Span};
 
 /// Bytes of text between two counts of characters.
@@ -61,7 +62,7 @@ impl<'a> Places<'a> {
         let line = lines.line_at(offset);
         let start = lines.start(line).unwrap_or(0);
         let column = file.characters_before(offset).saturating_sub(file.characters_before(start));
-        LineColumn { line: u32::try_from(line).unwrap_or(u32::MAX).saturating_add(1), column: column.saturating_add(1) }
+        LineColumn { line: small(line).saturating_add(1), column: column.saturating_add(1) }
     }
 
     /// Offsets of a place in the bytes of its file.
@@ -101,20 +102,20 @@ impl File<'_> {
         });
         let step = offset / STEP;
         let before = counts.get(step).copied().unwrap_or(0);
-        before + count(text.get(step * STEP..offset).unwrap_or_default())
+        before + count(text.get(step * STEP..offset).sure())
     }
 }
 
 /// How many units of UTF-16 the characters have that begin in these bytes of UTF-8.
 fn count_units(bytes: &[u8]) -> u32 {
     let wide = bytes.iter().filter(|&&byte| byte >= 0xF0).count();
-    count_characters(bytes) + u32::try_from(wide).unwrap_or(0)
+    count_characters(bytes) + small(wide)
 }
 
 /// How many characters begin in these bytes of UTF-8; fits 32 bits, because texts do.
 fn count_characters(bytes: &[u8]) -> u32 {
     let count = bytes.iter().filter(|&&byte| byte & 0xC0 != 0x80).count();
-    u32::try_from(count).unwrap_or(u32::MAX)
+    small(count)
 }
 
 #[cfg(test)]

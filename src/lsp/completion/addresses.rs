@@ -6,6 +6,7 @@ use super::items::{Entry, Items, Section};
 use super::texts::ItemText;
 use super::{Context, Source};
 use crate::dict::{Address, GCode, ValueForm};
+use crate::sure::small;
 
 /// In the order of use; G, M and N have items of their own.
 const ORDER: [Address; 24] = [
@@ -90,7 +91,7 @@ pub(super) fn address_item(source: &Source<'_>, address: Address, filter: &str, 
         detail: meaning.to_owned(),
         documentation: Some(documentation(source, address)),
         section: Section::Addresses,
-        order: u32::try_from(order).unwrap_or(u32::MAX),
+        order: small(order),
         filter: filter.to_owned(),
         text: address.letter().to_owned(),
         snippet: None,

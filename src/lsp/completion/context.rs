@@ -2,6 +2,7 @@
 
 use crate::dict::Address;
 use crate::query::cursor::block_at;
+use crate::sure::{Sure, small};
 use crate::syntax::{BlockId, Kind, ParsedFile, Token, Word, tokens};
 use crate::text::Span;
 
@@ -56,7 +57,7 @@ impl<'a> Context<'a> {
         }
         let line = text.get(start as usize..at as usize)?;
         let lead = line.trim_start_matches([' ', '\t']);
-        let lead_start = at - offset(lead.len());
+        let lead_start = at - small(lead.len());
         let before: Vec<Token> = tokens(text, start, at).collect();
         let named = lead.chars().count() > 1 && lead.chars().all(char::is_alphabetic);
         let (wanted, from) = match wanted(text, &before, at) {
@@ -68,7 +69,7 @@ impl<'a> Context<'a> {
         let block = block_at(file, from);
         let rest = text.get(at as usize..)?;
         let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-        let to = if typed_digits(wanted) { at + offset(digits) } else { at };
+        let to = if typed_digits(wanted) { at + small(digits) } else { at };
         let behind = rest.get((to - at) as usize..)?.trim_start_matches([' ', '\t']);
         let alone = from == lead_start && (behind.is_empty() || behind.starts_with(['\r', '\n']));
         let torn = from
@@ -95,7 +96,7 @@ impl<'a> Context<'a> {
     pub(super) fn digits(&self) -> Option<&'a str> {
         let head = self.head();
         let plain = head.trim_end_matches([' ', '\t']).chars().count() <= 1;
-        plain.then(|| self.typed.get(head.len()..).unwrap_or_default())
+        plain.then(|| self.typed.get(head.len()..).sure())
     }
 
     /// The words of the block, without the one that is typed.
@@ -145,7 +146,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         Kind::Equals | Kind::Sign => value(text, before)?.map(|wanted| (wanted, at)),
         Kind::Number if touching => {
             let after_equals = rest.last().is_some_and(|token| token.kind == Kind::Equals);
-            let digits = offset(written.trim_start_matches(['+', '-']).len());
+            let digits = small(written.trim_start_matches(['+', '-']).len());
             value(text, rest).flatten().filter(|_| after_equals).map(|wanted| (wanted, at - digits))
         }
         Kind::End
@@ -253,10 +254,6 @@ fn takes_parameter(written: &str) -> bool {
 
 fn address(text: &str, token: Token) -> Option<Address> {
     text.as_bytes().get(token.start as usize).copied().and_then(Address::from_byte)
-}
-
-fn offset(at: usize) -> u32 {
-    u32::try_from(at).unwrap_or(u32::MAX)
 }
 
 #[cfg(test)]

@@ -24,6 +24,7 @@ use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::{Address, GCode, Lang};
 use crate::query::cursor::DOCUMENT;
+use crate::sure::Sure;
 use crate::syntax::{Form, parse};
 use crate::text::FileId;
 
@@ -139,7 +140,7 @@ fn next_block(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>)
         if !figures.starts_with(digits) {
             continue;
         }
-        let rest = file.source.text().get(context.replaced.end as usize..).unwrap_or_default();
+        let rest = file.source.text().get(context.replaced.end as usize..).sure();
         let blank = if rest.starts_with([' ', '\t']) { "" } else { " " };
         items.add(Entry {
             kind: CompletionItemKind::Value,
