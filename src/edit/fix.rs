@@ -132,7 +132,8 @@ fn splice(source: &SourceText, bytes: &[u8], edits: &BTreeMap<u32, (u32, &str)>)
         let edit_at = byte_at + length(Span::new(text_at, start));
         result.extend_from_slice(bytes.get(byte_at..edit_at).sure());
         result.extend_from_slice(text.as_bytes());
-        byte_at = edit_at + length(Span::new(start, end));
+        // Of a character at the end of a file in UTF-16 a byte can be missing.
+        byte_at = (edit_at + length(Span::new(start, end))).min(bytes.len());
         text_at = end;
     }
     result.extend_from_slice(bytes.get(byte_at..).sure());
@@ -190,6 +191,10 @@ mod tests {
         let text = "\u{feff}%1 \"ř\" n10";
         let bytes: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
         assert_eq!(applied(&bytes, &[fix([edit(0, text.len(), &text[3..])])]), (text.as_bytes()[3..].to_vec(), 1));
+        // A byte too much at the end is half a character.
+        let odd = [bytes.as_slice(), b"X"].concat();
+        let whole = fix([edit(0, text.len() + 3, &text[3..])]);
+        assert_eq!(applied(&odd, &[whole]), (text.as_bytes()[3..].to_vec(), 1));
     }
 
     #[test]
