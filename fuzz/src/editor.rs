@@ -16,7 +16,7 @@ use crate::answers::{assert_ranges, assert_shown, edits};
 use crate::client::Kind;
 use crate::connection::{Input, Output, take_frame};
 use crate::script::{Place, Script, Step};
-use crate::world::{Disk, FILES, expected, is_exact, offset, path, settings};
+use crate::world::{Disk, FILES, expected, is_configuration_faulty, is_exact, offset, path, settings};
 
 /// Longer than any answer takes.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -494,6 +494,9 @@ impl Editor {
         let (kind, rooted) = (self.kind, self.kind.rooted());
         let open = self.open.iter().map(|(file, document)| (path(*file, rooted), document.text.clone())).collect();
         let (_, overrides, lang): (_, Overrides, _) = settings(self.taken);
+        if is_configuration_faulty(&self.disk, &open, &overrides) {
+            return;
+        }
         let found = expected(&self.disk, &open, &overrides, kind.unit(), lang.unwrap_or(kind.locale()));
         for (file, (_, uri)) in FILES.iter().enumerate() {
             let expected = found.get(&path(file, rooted)).map(Vec::as_slice).unwrap_or_default();

@@ -151,6 +151,16 @@ impl Loader for Overlay<'_> {
 /// A finding as an editor has it: range, code, severity, and how the message begins.
 pub type Shown = ([u64; 4], String, u64, String);
 
+/// Whether an open project file has errors: the server goes on with the last configuration that had none.
+pub fn is_configuration_faulty(disk: &Disk, open: &BTreeMap<PathBuf, String>, overrides: &Overrides) -> bool {
+    let loader = Overlay { disk: disk.now(), open };
+    open.keys().filter(|path| path.file_name().is_some_and(|name| name == PROJECT_FILE)).any(|path| {
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        configure(Some(path), overrides, &loader, &mut sources, &mut findings);
+        findings.has_errors()
+    })
+}
+
 /// What is found in every file from the open documents on, each checked anew. More than one document may lead to the
 /// same file.
 pub fn expected(
