@@ -110,7 +110,10 @@ pub enum Star {
     /// It begins a line.
     Line,
     /// It begins a line, before a block number without its N: `*120 X5`.
-    Number,
+    Number {
+        /// What is not read stands in that line.
+        own: bool,
+    },
     /// It begins a line, before a block: `*N120 X5`.
     Block,
     /// It is between two factors.
@@ -136,10 +139,12 @@ impl Unread {
     /// What to write.
     pub(super) const fn help(self, lang: Lang) -> &'static str {
         match (lang, self.star) {
-            (Lang::En, Star::Line) => "put the line with `*` between quotes, or delete it",
-            (Lang::Cs, Star::Line) => "řádek s hvězdičkou dát do uvozovek, nebo vymazat",
-            (Lang::En, Star::Number) => "write `N` in place of the `*`, or put the line between quotes",
-            (Lang::Cs, Star::Number) => "místo hvězdičky napsat N, nebo řádek dát do uvozovek",
+            (Lang::En, Star::Line) => "put the line with `*` between quotes, or delete the `*`",
+            (Lang::Cs, Star::Line) => "řádek s hvězdičkou dát do uvozovek, nebo hvězdičku vymazat",
+            (Lang::En, Star::Number { own: true }) => "write `N` in place of the `*`",
+            (Lang::Cs, Star::Number { own: true }) => "místo hvězdičky napsat N",
+            (Lang::En, Star::Number { own: false }) => "write `N` in place of the `*`, or put the line between quotes",
+            (Lang::Cs, Star::Number { own: false }) => "místo hvězdičky napsat N, nebo řádek dát do uvozovek",
             (Lang::En, Star::Block) => "delete the `*`, or put the line between quotes",
             (Lang::Cs, Star::Block) => "hvězdičku vymazat, nebo řádek dát do uvozovek",
             (Lang::En, Star::Product) => "if a product is meant, G26 to G29 compute it; if not, delete the `*`",

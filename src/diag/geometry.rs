@@ -8,8 +8,8 @@ bilingual! {
         Nothing "correct `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the centre", "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od začátku oblouku, ne souřadnice středu";
         Coordinates { words: String } "`I` and `J` fit as coordinates of the centre, but they are distances from the start: write `{words}`", "I a J vyhovují jako souřadnice středu, jsou to ale vzdálenosti od začátku oblouku: napsat „{words}“";
         Exchanged { words: String } "`I` and `J` fit when exchanged: write `{words}`", "I a J vyhovují, když se vymění: napsat „{words}“";
-        Distances "the arc fits when its end is a distance: if that is meant, write G91; G90 is in force", "oblouk vyhovuje, je-li jeho konec zadán přírůstkem: je-li to tak míněno, napsat G91; platí G90";
-        Positions "the arc fits when its end is a position: if that is meant, write G90; G91 is in force", "oblouk vyhovuje, je-li jeho konec zadán absolutně: je-li to tak míněno, napsat G90; platí G91";
+        Distances "the arc fits if its end is a distance: if that is meant, write G91 (G90 is in force)", "oblouk by vyhověl s koncem zadaným přírůstkově; je-li to záměr, napsat G91 (platí G90)";
+        Positions "the arc fits if its end is a position: if that is meant, write G90 (G91 is in force)", "oblouk by vyhověl s koncem zadaným absolutně; je-li to záměr, napsat G90 (platí G91)";
     }
 }
 

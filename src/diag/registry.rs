@@ -466,10 +466,11 @@ diagnostics! {
         help (match (subprogram, near) { (true, _) => format!("L{l} is a subprogram of this file: call it with `G71 L{l}`"), (false, Some(near)) => format!("the nearest one is `G72 L{near}`; if L{l} is meant, name its folder with `-L` or under `macrocycles` in cnc872c.toml"), (false, None) => "name its folder with `-L` or under `macrocycles` in cnc872c.toml".to_owned() })
            | (match (subprogram, near) { (true, _) => format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“"), (false, Some(near)) => format!("nejbližší je „G72 L{near}“; je-li míněno L{l}, uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml"), (false, None) => "uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml".to_owned() })
         note ({ let searched = crate::diag::terminal_safe(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::terminal_safe(searched); format!("hledalo se v: {searched}") })
-    [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32> }
+    [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32>, line: Option<u32> }
         en "there is no block N{l} to jump to"
         cs "blok N{l}, na který se má skočit, neexistuje"
-        help (near.map_or_else(String::new, |n| format!("the nearest block of this unit is N{n}: `G73 L{n}`"))) | (near.map_or_else(String::new, |n| format!("nejbližší blok tohoto celku je N{n}: „G73 L{n}“")))
+        help (match (line, near) { (Some(line), _) => format!("line {line} begins with {l}, but not with `N`: write `N{l}` there"), (None, Some(n)) => format!("the nearest block of this unit is N{n}: `G73 L{n}`"), (None, None) => String::new() })
+           | (match (line, near) { (Some(line), _) => format!("řádek {line} začíná číslem {l} bez N: napsat tam „N{l}“"), (None, Some(n)) => format!("nejbližší blok tohoto celku je N{n}: „G73 L{n}“"), (None, None) => String::new() })
     [E0407] JumpOutOfUnit "jump-out-of-unit" Error { l: u32 }
         en "block N{l} is in another unit of the program"
         cs "blok N{l} je v jiném programovém celku"

@@ -1,6 +1,6 @@
 //! A `*` that cuts off the rest of the program (LEX-9): what follows from it is one finding.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Resolved, Unit};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Label, LabelText, Star, Unread, UnreadEnd};
@@ -20,8 +20,8 @@ pub(super) struct CutOff {
     pub(super) star: Location,
     /// What stands behind a `*` among words, on their line: it is not there to end anything.
     slip: Span,
-    /// The block before it.
-    last: Location,
+    /// The block on its line, when there is one.
+    block: Option<Location>,
 }
 
 impl CutOff {
@@ -29,19 +29,57 @@ impl CutOff {
     fn before(parsed: &ParsedFile, last: Location) -> Option<Self> {
         let star = Span::new(parsed.end.checked_sub(1)?, parsed.end);
         let is_star = parsed.source.text().get(star.range()) == Some("*");
-        is_star.then(|| Self { star: parsed.at(star), slip: slip_of(&parsed.source, star), last })
+        let in_line = line_of(parsed, last.span.start) == line_of(parsed, star.start);
+        let block = Some(last).filter(|_| in_line);
+        is_star.then(|| Self { star: parsed.at(star), slip: slip_of(&parsed.source, star), block })
     }
 
-    /// Whether a finding follows from it: targets that are not read, what the block before lacks, the rest of its line.
-    fn leads_to(&self, found: &Diagnostic) -> bool {
-        let Self { star, slip, last } = *self;
+    /// Whether a finding follows from it: targets that are not read, what its block lacks, the rest of its line.
+    fn leads_to(&self, found: &Diagnostic, unread: &Targets) -> bool {
         let at = found.at;
         let code = found.code();
-        let follows = matches!(code, Code::E0404 | Code::E0406)
-            || code == Code::W0110 && (slip.start..slip.end).contains(&at.span.start)
-            || code == Code::E0103 && at.span.end == star.span.start
-            || matches!(code, Code::E0206 | Code::W0214) && at == last;
-        at.file == star.file && follows
+        let follows = unread.has(&found.finding)
+            || code == Code::W0110 && (self.slip.start..self.slip.end).contains(&at.span.start)
+            || code == Code::E0103 && at.span.end == self.star.span.start
+            || matches!(code, Code::E0206 | Code::W0214) && Some(at) == self.block;
+        at.file == self.star.file && follows
+    }
+}
+
+/// What calls and jumps would lead to behind `*`.
+#[derive(Debug, Default)]
+struct Targets {
+    /// The subprograms: the number of each, and the line of its G79.
+    entries: BTreeMap<u32, u32>,
+    blocks: BTreeSet<u32>,
+}
+
+impl Targets {
+    fn unread(parsed: &ParsedFile) -> Self {
+        let mut targets = Self::default();
+        let mut entry = None;
+        for word in unread_words(parsed) {
+            let number = word.number.and_then(|number| u32::try_from(number).ok());
+            if word.is('G', GCode::G79.number()) {
+                entry = Some(line_of(parsed, word.start));
+            } else if let Some((line, l)) = entry.take().zip(number)
+                && word.letter == 'L'
+            {
+                targets.entries.entry(l).or_insert(line);
+            }
+            targets.blocks.extend(number.filter(|_| word.letter == 'N'));
+        }
+        targets
+    }
+
+    fn has(&self, finding: &Finding) -> bool {
+        if let Finding::UnknownSubprogram { l, from_macrocycle: false, macrocycle: false, .. } = finding {
+            self.entries.contains_key(l)
+        } else if let Finding::UnknownJumpTarget { l, .. } = finding {
+            self.blocks.contains(l)
+        } else {
+            false
+        }
     }
 }
 
@@ -61,8 +99,10 @@ fn slip_of(source: &SourceText, star: Span) -> Span {
 pub(super) fn subprogram(parsed: &ParsedFile, unit: &Unit) -> Option<(CutOff, Unread)> {
     let last = unit.end.0.checked_sub(1).map(BlockId)?;
     let cut = CutOff::before(parsed, parsed.n_place(last)).filter(|_| unit.end.0 == parsed.block_count())?;
-    let end = unread_words(parsed).find(|word| word.is('G', GCode::G70.number()))?;
-    Some((cut, Unread { line: line_of(parsed, end.start), star: star_meant(parsed) }))
+    // Behind the next G79 it is the end of another one.
+    let mut words = unread_words(parsed).take_while(|word| !word.is('G', GCode::G79.number()));
+    let end = words.find(|word| word.is('G', GCode::G70.number()))?;
+    Some((cut, unread(parsed, line_of(parsed, end.start))))
 }
 
 /// The `*` that cuts off the end of a program whose last block is at `last`, and that end: the first M02 or M30 that
@@ -72,14 +112,12 @@ pub(super) fn program_end(parsed: &ParsedFile, last: Location) -> Option<(CutOff
     // `N20* M30`, and `*20 M30` with the star in place of N.
     let line = if cut.slip.is_empty() { 0 } else { line_of(parsed, parsed.end) };
     let mut numbered = false;
-    // A second program has an end of its own.
-    for word in unread_words(parsed).take_while(|word| word.letter != '%') {
+    for word in unread_words(parsed) {
         numbered |= word.letter == 'N';
         let end = PROGRAM_ENDS.into_iter().find(|&function| word.is('M', function));
         let own_line = line_of(parsed, word.start);
         if let Some(function) = end.filter(|_| numbered || own_line == line) {
-            let unread = Unread { line: own_line, star: star_meant(parsed) };
-            return Some((cut, UnreadEnd { function, unread }));
+            return Some((cut, UnreadEnd { function, unread: unread(parsed, own_line) }));
         }
     }
     None
@@ -87,54 +125,32 @@ pub(super) fn program_end(parsed: &ParsedFile, last: Location) -> Option<(CutOff
 
 /// Leaves out what follows from a `*`. Calls of subprograms that stand behind one become one finding, at the first of them.
 pub(super) fn join(resolved: &Resolved, findings: &mut Findings) {
-    if let Some(cut) = &resolved.cut_off {
-        findings.revise(|found| !cut.leads_to(found));
-        return;
-    }
-    let called = |found: &Diagnostic| {
-        let Finding::UnknownSubprogram { l, from_macrocycle: false, macrocycle: false, .. } = found.finding else {
-            return None;
-        };
-        Some(l)
-    };
-    if findings.items().iter().all(|found| called(found).is_none()) {
-        return;
-    }
     let Some(parsed) = resolved.file(FileId(0)) else { return };
+    if let Some(cut) = &resolved.cut_off {
+        let targets = Targets::unread(parsed);
+        findings.revise(|found| !cut.leads_to(found, &targets));
+        return;
+    }
+    if findings.items().iter().all(|found| found.code() != Code::E0404) {
+        return;
+    }
     let last = parsed.block_count().checked_sub(1).map(|last| parsed.n_place(BlockId(last)));
     let Some(cut) = CutOff::before(parsed, last.unwrap_or_default()) else { return };
-    let entries = unread_entries(parsed);
-    let unread = |found: &Diagnostic| called(found).and_then(|l| entries.get(&l).copied());
-    let first = findings.items().iter().filter(|found| unread(found).is_some()).map(|found| found.at).min();
+    let targets = Targets::unread(parsed);
+    let line = |found: &Diagnostic| {
+        let Finding::UnknownSubprogram { l, .. } = found.finding else { return None };
+        targets.entries.get(&l).copied().filter(|_| targets.has(&found.finding))
+    };
+    let first = findings.items().iter().filter(|found| line(found).is_some()).map(|found| found.at).min();
     let Some(first) = first else { return };
-    let star = star_meant(parsed);
     findings.revise(|found| {
-        let line = unread(found);
-        if line.is_some() && found.at == first {
-            if let Finding::UnknownSubprogram { near, without_entry, unread, .. } = &mut found.finding {
-                (*near, *without_entry, *unread) = (None, None, line.map(|line| Unread { line, star }));
-            }
-            found.labels = vec![Label { at: cut.star, text: LabelText::FileEnds }];
-            return true;
+        let Some(line) = line(found) else { return !cut.leads_to(found, &targets) };
+        if let Finding::UnknownSubprogram { near, without_entry, unread: behind, .. } = &mut found.finding {
+            (*near, *without_entry, *behind) = (None, None, Some(unread(parsed, line)));
         }
-        line.is_none() && (found.code() == Code::E0404 || !cut.leads_to(found))
+        found.labels = vec![Label { at: cut.star, text: LabelText::FileEnds }];
+        found.at == first
     });
-}
-
-/// The subprograms that begin behind `*`: the number of each, and the line of its G79.
-fn unread_entries(parsed: &ParsedFile) -> BTreeMap<u32, u32> {
-    let mut entries = BTreeMap::new();
-    let mut entry = None;
-    for word in unread_words(parsed).take_while(|word| word.letter != '%') {
-        if word.is('G', GCode::G79.number()) {
-            entry = Some(line_of(parsed, word.start));
-        } else if let Some((line, l)) = entry.take().zip(word.number.and_then(|number| u32::try_from(number).ok()))
-            && word.letter == 'L'
-        {
-            entries.entry(l).or_insert(line);
-        }
-    }
-    entries
 }
 
 /// A word that is not read.
@@ -151,7 +167,7 @@ impl UnreadWord {
     }
 }
 
-/// The words behind `*`.
+/// The words behind `*`, not those of a second program.
 fn unread_words(parsed: &ParsedFile) -> impl Iterator<Item = UnreadWord> {
     let text = parsed.source.text();
     let mut end = parsed.source.len().min(parsed.end.saturating_add(UNREAD));
@@ -164,11 +180,23 @@ fn unread_words(parsed: &ParsedFile) -> impl Iterator<Item = UnreadWord> {
         let number = word.get(1..)?.trim_start_matches([' ', '\t']).parse().ok();
         Some(UnreadWord { start: token.start, letter, number })
     };
-    tokens(text, parsed.end, end).filter(|token| token.kind == Kind::Word).filter_map(read)
+    let words = tokens(text, parsed.end, end).filter(|token| token.kind == Kind::Word).filter_map(read);
+    words.take_while(|word| word.letter != '%')
 }
 
 fn line_of(parsed: &ParsedFile, at: u32) -> u32 {
     small(parsed.source.lines().line_at(at) + 1)
+}
+
+/// What stands in that line behind the `*` at the end of what is read.
+fn unread(parsed: &ParsedFile, line: u32) -> Unread {
+    let own = line == line_of(parsed, parsed.end);
+    let star = match star_meant(parsed) {
+        Star::Number { .. } => Star::Number { own },
+        Star::Block if own => Star::Slip,
+        star @ (Star::Block | Star::Line | Star::Product | Star::Slip) => star,
+    };
+    Unread { line, star }
 }
 
 /// What the `*` at the end of what is read was probably meant as.
@@ -180,7 +208,7 @@ fn star_meant(parsed: &ParsedFile) -> Star {
     if before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']) {
         let number = behind.bytes().take_while(u8::is_ascii_digit).count();
         match behind.as_bytes() {
-            _ if (1..=BLOCK_DIGITS).contains(&number) => Star::Number,
+            _ if (1..=BLOCK_DIGITS).contains(&number) => Star::Number { own: false },
             [b'N' | b'n', b'0'..=b'9', ..] => Star::Block,
             _ => Star::Line,
         }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Unit;
-use crate::diag::{Code, Diagnostic, Finding, Findings, Severity};
+use crate::diag::{Code, Diagnostic, Finding, Findings};
 use crate::dict::Address;
 use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile, Word};
@@ -114,18 +114,14 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
 }
 
 /// Leaves out what follows from a line without its `N`. A word that does not belong into the block that begins a subprogram is
-/// an error already. Jumps to a block whose line begins with its number (`50 X5`, `Z50 X5`) follow from an error in that
-/// line; without one the first of them stays. Gives the numbers of such lines.
-pub(super) fn join(parsed: &ParsedFile, findings: &mut Findings) -> BTreeSet<u32> {
+/// an error already. Of jumps to a block whose line begins with its number (`50 X5`, `Z50 X5`) the first stays, and says
+/// all that a warning of that line would say.
+pub(super) fn join(parsed: &ParsedFile, findings: &mut Findings) {
     let of_code = |code: Code| findings.items().iter().filter(move |found| found.code() == code).map(|found| found.at);
     let crowded: BTreeSet<Location> = of_code(Code::E0208).collect();
     if of_code(Code::W0221).any(|at| crowded.contains(&at)) {
         findings.revise(|found| found.code() != Code::W0221 || !crowded.contains(&found.at));
     }
-    join_jumps(parsed, findings)
-}
-
-fn join_jumps(parsed: &ParsedFile, findings: &mut Findings) -> BTreeSet<u32> {
     let missing = |found: &Diagnostic| {
         let Finding::UnknownJumpTarget { l, .. } = found.finding else { return None };
         (found.at.file == parsed.file).then_some(l)
@@ -136,32 +132,33 @@ fn join_jumps(parsed: &ParsedFile, findings: &mut Findings) -> BTreeSet<u32> {
         *place = at.min(*place);
     }
     if first.is_empty() {
-        return BTreeSet::new();
+        return;
     }
-    let lines = parsed.source.lines();
-    let faulty: BTreeSet<usize> = findings
-        .items()
-        .iter()
-        .filter(|found| found.at.file == parsed.file && found.code().severity() == Severity::Error)
-        .map(|found| lines.line_at(found.at.span.start))
-        .collect();
-    let numbered = (0..lines.count()).filter_map(|line| {
-        let text = parsed.source.slice(parsed.source.line_span(line)).trim_start_matches([' ', '\t']);
-        let number = text.strip_prefix(|first: char| first.is_ascii_alphabetic() && !matches!(first, 'N' | 'n'));
-        let number = number.unwrap_or(text);
-        let digits = number.bytes().take_while(u8::is_ascii_digit).count();
-        Some((number.get(..digits)?.parse::<u32>().ok()?, line))
-    });
-    // Whether there is an error in such a line.
-    let mut unnumbered: BTreeMap<u32, bool> = BTreeMap::new();
-    for (number, line) in numbered.filter(|(number, _)| first.contains_key(number)) {
-        *unnumbered.entry(number).or_default() |= faulty.contains(&line);
-    }
+    let index = parsed.source.lines();
+    let lines = index.line_at(parsed.start)..=index.line_at(parsed.end);
+    let numbered =
+        lines.filter_map(|line| Some((line_number(parsed.source.slice(parsed.source.line_span(line)))?, line)));
+    let unnumbered: BTreeMap<u32, usize> = numbered.filter(|(number, _)| first.contains_key(number)).collect();
+    let warned: BTreeSet<usize> = unnumbered.values().copied().collect();
     findings.revise(|found| {
-        let Some((l, is_faulty)) = missing(found).and_then(|l| Some((l, *unnumbered.get(&l)?))) else { return true };
-        !is_faulty && first.get(&l) == Some(&found.at)
+        let Some((l, at)) = missing(found).and_then(|l| Some((l, *unnumbered.get(&l)?))) else {
+            return found.code() != Code::W0221 || !warned.contains(&index.line_at(found.at.span.start));
+        };
+        if let Finding::UnknownJumpTarget { near, line, .. } = &mut found.finding {
+            (*near, *line) = (None, Some(small(at + 1)));
+        }
+        first.get(&l) == Some(&found.at)
     });
-    unnumbered.into_iter().filter(|(_, is_faulty)| *is_faulty).map(|(number, _)| number).collect()
+}
+
+/// The whole number that a line begins with, also behind another letter than `N`.
+fn line_number(line: &str) -> Option<u32> {
+    let line = line.trim_start_matches([' ', '\t']);
+    let other = |first: char| first.is_ascii_alphabetic() && !matches!(first, 'N' | 'n');
+    let number = line.strip_prefix(other).unwrap_or(line);
+    let digits = number.bytes().take_while(u8::is_ascii_digit).count();
+    let (digits, behind) = number.split_at(digits);
+    behind.starts_with([' ', '\t']).then(|| digits.parse().ok()).flatten()
 }
 
 fn is_conflict(found: &Diagnostic) -> bool {

@@ -97,8 +97,6 @@ pub struct Resolved {
     pub(super) continuing_lines: bool,
     /// The `*` that cuts off the end of the program, and where that is said.
     pub(super) cut_off: Option<CutOff>,
-    /// Numbers that lines of the program begin with, without `N`: the lines have a finding.
-    pub(super) unnumbered: BTreeSet<u32>,
     /// How many units have had their calls followed.
     pub(super) followed: usize,
 }

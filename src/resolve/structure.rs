@@ -54,7 +54,7 @@ pub fn resolve_program(
         cut::join(&resolved, context.findings);
         flow::join_calls(&resolved, context.findings);
         if let Some(parsed) = resolved.file(file) {
-            resolved.unnumbered = lines::join(parsed, context.findings);
+            lines::join(parsed, context.findings);
         }
         rings::check(&mut context, &resolved);
     }
@@ -223,7 +223,7 @@ impl Context<'_, '_> {
             // The number that a fix makes of it is a guess.
             resolved.nameless_subprogram |= l_word.is_some_and(Word::is_faulty);
             if !ended {
-                let cut_off = cut::subprogram(parsed, &unit);
+                let cut_off = cut::subprogram(parsed, &unit).filter(|_| !may_have_end(parsed, &unit));
                 excused.extend(self.report_unterminated(parsed, &unit, cut_off));
                 resolved.cut_off = resolved.cut_off.or(cut_off.map(|(cut_off, _)| cut_off));
             }

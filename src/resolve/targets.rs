@@ -7,7 +7,7 @@ use crate::config::Machine;
 use crate::diag::{Diagnostic, Finding, LabelText, shown};
 use crate::dict::GCode;
 use crate::syntax::{BlockId, ParsedFile, Word};
-use crate::text::{FileId, Location};
+use crate::text::Location;
 
 /// The number of a word; the whole word when a parameter stands for it.
 pub fn value_or_word(file: &ParsedFile, word: Word) -> Location {
@@ -63,11 +63,10 @@ pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Re
             let label = LabelText::BlockHere { block: l };
             Err(Some(Box::new(Diagnostic::new(Finding::JumpOutOfUnit { l }, at).with_label(there, label))))
         }
-        None if unit.file == FileId(0) && resolved.unnumbered.contains(&l) => Err(None),
         None if resolved.file(unit.file).is_some_and(|file| may_have_block(file, unit, l)) => Err(None),
         None => {
             let near = resolved.nearest_block(unit, l);
-            Err(Some(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near }, at))))
+            Err(Some(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near, line: None }, at))))
         }
     }
 }

@@ -11,7 +11,7 @@ use super::words::{BlockWords, Valued};
 use crate::config::{ArcCenters, Machine};
 use crate::diag::{ArcMeant, ArcPoints, Diagnostic, Edit, Finding, FixTitle, LabelText, PlaneFault};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
-use crate::syntax::{BlockId, Word};
+use crate::syntax::{BlockFlags, BlockId, Word};
 use crate::text::Location;
 
 /// The axes that I and J belong to (MOT-3): in the order of the machine, also for G19, or as configured in that of the plane's
@@ -205,7 +205,10 @@ fn meant_mode(
     arc: &Arc,
 ) -> ArcMeant {
     let tolerance = Micro::from(site.machine().limits.arc_tolerance).to_f64();
-    let fits = |start: [Micro; 2], end: [Micro; 2]| arc::radii_agree(&Arc { start, end, ..*arc }.compute(), tolerance);
+    // Any arc fits that ends where it starts.
+    let fits = |start: [Micro; 2], end: [Micro; 2]| {
+        start != end && arc::radii_agree(&Arc { start, end, ..*arc }.compute(), tolerance)
+    };
     let [u, v] = named.map(|axis| words.axis_words().any(|(other, _)| other == axis));
     let either = |written: bool, end: Micro, stays: Micro| if written { end } else { stays };
     let [[from_u, from_v], [to_u, to_v]] = [arc.start, arc.end];
@@ -228,11 +231,13 @@ fn meant_mode(
 /// So many blocks before an arc are looked at for the words of its start.
 const BEFORE: u32 = 64;
 
-/// The number that was written last for an axis in the blocks of the file before this one.
+/// The number that was written last for an axis in the blocks of the unit before this one.
 fn written_before(site: &Site<'_>, axis: usize) -> Option<Decimal> {
     let letter = site.machine().axes.get(axis)?.letter;
-    let blocks = site.block.0.saturating_sub(BEFORE)..site.block.0;
+    let blocks = (site.block.0.saturating_sub(BEFORE)..site.block.0).rev();
+    let begins = |block: &u32| site.file.flags(BlockId(*block)).has(BlockFlags::ENTRY);
+    let blocks = blocks.take_while(|block| !begins(block));
     let of_axis = |word: &&Word| word.address.axis() == Some(letter);
-    let words = blocks.rev().filter_map(|block| site.file.words(BlockId(block)).iter().find(of_axis));
+    let words = blocks.filter_map(|block| site.file.words(BlockId(block)).iter().find(of_axis));
     words.map(|word| word.number()).next()?
 }

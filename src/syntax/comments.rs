@@ -97,10 +97,10 @@ impl Lowering<'_> {
     /// A text beside a quote that is one of an odd number: the quote before it is missing, or one within the comment before.
     fn beside_quote(&mut self, span: Span) -> bool {
         let text = self.slice(span);
-        let line = self.text.get(span.end as usize..).sure();
-        let line = line.split(['\r', '\n']).next().sure();
-        let behind = line.strip_prefix('"');
-        let inner = behind.map(|rest| rest.split('"').next().sure());
+        let rest = self.text.get(span.end as usize..).sure();
+        let ends = |text: &str| text.is_empty() || text.starts_with(['\r', '\n']);
+        let behind = rest.strip_prefix('"');
+        let inner = behind.map(|rest| rest.split(['"', '\r', '\n']).next().sure());
         let inner_start = span.end + 1;
         let length = |text: &str| small(text.len());
         let before = self.comments.last().copied().filter(|comment| comment.end == span.start && comment.len() > 2);
@@ -112,11 +112,11 @@ impl Lowering<'_> {
             let words_text = shown(self.slice(words).trim_end());
             (TextMeant::SwallowedBefore { words: words_text }, words.start)
         } else if let Some(inner) = inner
-            && (behind.is_some_and(|rest| rest.trim().is_empty())
+            && (behind.is_some_and(|rest| ends(rest.trim_start_matches([' ', '\t'])))
                 || swallowed::words(self.text, Span::new(inner_start, inner_start + length(inner))).is_some())
         {
             // Quotes further on in the line are off by one too.
-            self.quotes_off = Some(span.end + length(line));
+            self.quotes_off = Some(span.end + length(rest.split(['\r', '\n']).next().sure()));
             (TextMeant::OpenQuote { text: shown(text) }, span.start)
         } else {
             return false;
@@ -246,8 +246,26 @@ fn before_lone_quote(rest: &[u8], kind: Kind) -> Option<usize> {
     let (text, quote) = rest.split_at(length);
     let behind = quote.strip_prefix(b"\"")?;
     let ends = matches!(behind.iter().find(|byte| !matches!(byte, b' ' | b'\t')), None | Some(b'\n' | b'\r'));
+    (ends && has_words(text)).then_some(length)
+}
+
+/// Whether a text has words of a language, of two letters or more, and no block number.
+fn has_words(text: &[u8]) -> bool {
     let is_letter = |byte: &u8| byte.is_ascii_alphabetic() || !byte.is_ascii();
-    (ends && text.split(|byte| !is_letter(byte)).any(|word| word.len() > 1)).then_some(length)
+    let (mut rest, mut words) = (text, false);
+    while let Some(start) = rest.iter().position(is_letter) {
+        rest = rest.get(start..).sure();
+        let letters = rest.iter().take_while(|byte| is_letter(byte)).count();
+        let (word, behind) = rest.split_at(letters);
+        // `N30`; `XR1` is an address with a parameter.
+        let value = behind.first().is_some_and(u8::is_ascii_digit);
+        if value && matches!(word, [b'N' | b'n']) {
+            return false;
+        }
+        words |= letters > 1 && !(value && matches!(word, [_, b'R' | b'r']));
+        rest = behind;
+    }
+    words
 }
 
 /// Whether a statement begins there.
@@ -293,7 +311,16 @@ mod tests {
         assert_eq!(length("vyjezd po oblouku\"\nN20", Kind::Text), Some(17));
         assert_eq!(length("3 x 2 mm\" \t\r\n", Kind::Number), Some(8));
         assert_eq!(length("Freza D20, 3 brity\"", Kind::Text), Some(18));
-        for text in ["% v komentari\"", "vyjezd\" N20 X5", "vyjezd \"po\" oblouku", "vyjezd\npo\"", "5\"", "A B C\""] {
+        for text in [
+            "% v komentari\"",
+            "vyjezd\" N20 X5",
+            "vyjezd \"po\" oblouku",
+            "vyjezd\npo\"",
+            "5\"",
+            "A B C\"",
+            "XR1 F100 \"",
+            "TAB X100 N30 G0\"",
+        ] {
             assert_eq!(length(text, Kind::Letter), None, "{text}");
         }
         assert_eq!(length("X5 vyjezd\"", Kind::Word), None);
