@@ -1,10 +1,11 @@
 //! A resolved program: its files, its units, and where its calls and jumps lead.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::cut::CutOff;
 use super::letters::Letters;
+use super::meant::may_have_block;
 use super::points::Points;
 use super::spelling;
 use crate::sure::small;
@@ -75,6 +76,16 @@ pub(super) struct ResolvedFile {
     /// The first block of each number that a jump can reach (FLW-5: L has four digits), by number.
     pub(super) numbered: Vec<(u32, BlockId)>,
     pub(super) points: Points,
+    /// The blocks whose numbers cannot be read; looked up when a target is missing.
+    unread: OnceLock<Vec<BlockId>>,
+}
+
+impl ResolvedFile {
+    /// The blocks whose numbers cannot be read.
+    pub(super) fn unread(&self) -> &[BlockId] {
+        let is_unread = |block: &BlockId| self.parsed.number(*block).is_none();
+        self.unread.get_or_init(|| self.parsed.block_ids().filter(is_unread).collect())
+    }
 }
 
 /// A program or macrocycle with everything that its written calls lead to. Its files have the ids that they have among the
@@ -182,6 +193,11 @@ impl Resolved {
         numbered.get(at).map(|(_, block)| *block)
     }
 
+    /// Whether a block of the unit has a number that cannot be read, and that may be `number`.
+    pub(super) fn may_have_block(&self, unit: &Unit, number: u32) -> bool {
+        self.files.get(unit.file.0 as usize).is_some_and(|file| may_have_block(file, unit, number))
+    }
+
     /// The number of a block of the unit that is nearest to `number` by spelling; when all differ in more than one digit,
     /// the one that is nearest in value.
     pub fn nearest_block(&self, unit: &Unit, number: u32) -> Option<u32> {
@@ -207,7 +223,13 @@ impl Resolved {
 
     pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>, points: Points) -> FileId {
         let index = FileId(small(self.files.len()));
-        self.files.push(Arc::new(ResolvedFile { parsed, targets: Vec::new(), numbered, points }));
+        self.files.push(Arc::new(ResolvedFile {
+            parsed,
+            targets: Vec::new(),
+            numbered,
+            points,
+            unread: OnceLock::new(),
+        }));
         index
     }
 }

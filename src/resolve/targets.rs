@@ -1,7 +1,6 @@
 //! Where calls and jumps lead, and what is said when they lead nowhere: the same for numbers that are written and for those
 //! that parameters give.
 
-use super::meant::may_have_block;
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind};
 use crate::config::Machine;
 use crate::diag::{Diagnostic, Finding, LabelText, shown};
@@ -63,7 +62,7 @@ pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Re
             let label = LabelText::BlockHere { block: l };
             Err(Some(Box::new(Diagnostic::new(Finding::JumpOutOfUnit { l }, at).with_label(there, label))))
         }
-        None if resolved.file(unit.file).is_some_and(|file| may_have_block(file, unit, l)) => Err(None),
+        None if resolved.may_have_block(unit, l) => Err(None),
         None => {
             let near = resolved.nearest_block(unit, l);
             Err(Some(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near, line: None }, at))))
