@@ -11,7 +11,7 @@ pub fn small(count: usize) -> u32 {
 
 /// Something that is always there.
 pub trait Sure<T> {
-    /// It.
+    /// Gives it; with debug assertions it panics when it is missing.
     fn sure(self) -> T;
 }
 

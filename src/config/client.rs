@@ -25,8 +25,7 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
         let Some(values) = object_of(section, settings) else { continue };
         for row in section.form.rows().iter().filter(|row| row.option.is_some()) {
             let Some(value) = values.get(row.name) else { continue };
-            let key =
-                if section.name.is_empty() { row.name.to_owned() } else { format!("{}.{}", section.name, row.name) };
+            let key = key_of(section, row.name);
             texts.push((format!("{key} = {}\n", toml(value)), key, value));
         }
     }
@@ -63,12 +62,16 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
 pub fn client_keys() -> Vec<String> {
     let mut keys = Vec::new();
     for section in SECTIONS {
-        let prefix = if section.name.is_empty() { String::new() } else { format!("{}.", section.name) };
         let rows = section.form.rows().iter().filter(|row| row.option.is_some());
-        keys.extend(rows.map(|row| format!("{prefix}{}", row.name)));
+        keys.extend(rows.map(|row| key_of(section, row.name)));
         keys.extend(section.option.map(|_| section.name.to_owned()));
     }
     keys
+}
+
+/// A key as it is written in full: `limits.records`.
+fn key_of(section: &Section, name: &str) -> String {
+    if section.name.is_empty() { name.to_owned() } else { format!("{}.{name}", section.name) }
 }
 
 /// Names that nearly are those of settings: `dialec`. Others are somebody else's.

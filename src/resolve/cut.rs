@@ -4,15 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Resolved, Unit};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Label, LabelText, Star, Unread, UnreadEnd};
-use crate::dict::{GCode, PROGRAM_ENDS};
+use crate::dict::{GCode, HIGHEST_BLOCK, PROGRAM_ENDS};
 use crate::sure::{Sure, small};
 use crate::syntax::{BlockId, Kind, ParsedFile, Token, tokens};
 use crate::text::{FileId, Location, SourceText, Span};
 
 /// So many bytes behind `*` are looked at.
 const UNREAD: u32 = 1 << 20;
-/// A block number has so many digits at most.
-const BLOCK_DIGITS: usize = 8;
 
 /// A `*` that cuts off the rest of the program.
 #[derive(Clone, Copy, Debug)]
@@ -73,13 +71,19 @@ impl Targets {
     }
 
     fn has(&self, finding: &Finding) -> bool {
-        if let Finding::UnknownSubprogram { l, from_macrocycle: false, macrocycle: false, .. } = finding {
-            self.entries.contains_key(l)
-        } else if let Finding::UnknownJumpTarget { l, .. } = finding {
+        if let Finding::UnknownJumpTarget { l, .. } = finding {
             self.blocks.contains(l)
         } else {
-            false
+            self.entry_of(finding).is_some()
         }
+    }
+
+    /// The line of the G79 that a call would lead to.
+    fn entry_of(&self, finding: &Finding) -> Option<u32> {
+        let Finding::UnknownSubprogram { l, from_macrocycle: false, macrocycle: false, .. } = finding else {
+            return None;
+        };
+        self.entries.get(l).copied()
     }
 }
 
@@ -90,7 +94,7 @@ fn slip_of(source: &SourceText, star: Span) -> Span {
     let text = source.text();
     let before = text.get(..star.start as usize).sure().rsplit(is_end).next().sure();
     let behind = text.get(star.end as usize..).sure().split(is_end).next().sure();
-    let block = matches!(behind.as_bytes(), [b'0'..=b'9', ..] | [b'N' | b'n', b'0'..=b'9', ..]);
+    let block = begins_block_number(behind.strip_prefix(['N', 'n']).unwrap_or(behind));
     let length = if before.trim().is_empty() && !block { 0 } else { behind.len() };
     Span::new(star.end, star.end + small(length))
 }
@@ -137,14 +141,10 @@ pub(super) fn join(resolved: &Resolved, findings: &mut Findings) {
     let last = parsed.block_count().checked_sub(1).map(|last| parsed.n_place(BlockId(last)));
     let Some(cut) = CutOff::before(parsed, last.unwrap_or_default()) else { return };
     let targets = Targets::unread(parsed);
-    let line = |found: &Diagnostic| {
-        let Finding::UnknownSubprogram { l, .. } = found.finding else { return None };
-        targets.entries.get(&l).copied().filter(|_| targets.has(&found.finding))
-    };
-    let first = findings.items().iter().filter(|found| line(found).is_some()).map(|found| found.at).min();
-    let Some(first) = first else { return };
+    let led = findings.items().iter().filter(|found| targets.entry_of(&found.finding).is_some());
+    let Some(first) = led.map(|found| found.at).min() else { return };
     findings.revise(|found| {
-        let Some(line) = line(found) else { return !cut.leads_to(found, &targets) };
+        let Some(line) = targets.entry_of(&found.finding) else { return !cut.leads_to(found, &targets) };
         if let Finding::UnknownSubprogram { near, without_entry, unread: behind, .. } = &mut found.finding {
             (*near, *without_entry, *behind) = (None, None, Some(unread(parsed, line)));
         }
@@ -206,15 +206,21 @@ fn star_meant(parsed: &ParsedFile) -> Star {
     let behind = text.get(parsed.end as usize..).sure();
     let factor = |byte: Option<&u8>| byte.is_some_and(|byte| byte.is_ascii_digit() || b"Rr])".contains(byte));
     if before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']) {
-        let number = behind.bytes().take_while(u8::is_ascii_digit).count();
-        match behind.as_bytes() {
-            _ if (1..=BLOCK_DIGITS).contains(&number) => Star::Number { own: false },
-            [b'N' | b'n', b'0'..=b'9', ..] => Star::Block,
-            _ => Star::Line,
+        match behind.strip_prefix(['N', 'n']) {
+            Some(number) if begins_block_number(number) => Star::Block,
+            None if begins_block_number(behind) => Star::Number { own: false },
+            Some(_) | None => Star::Line,
         }
     } else if factor(before.as_bytes().last()) && factor(behind.as_bytes().first()) {
         Star::Product
     } else {
         Star::Slip
     }
+}
+
+/// Whether a text begins with digits that a block number may have.
+fn begins_block_number(text: &str) -> bool {
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    let number = text.get(..digits).and_then(|digits| digits.parse::<u32>().ok());
+    number.is_some_and(|number| number <= HIGHEST_BLOCK)
 }

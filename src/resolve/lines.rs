@@ -44,18 +44,16 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
     let letterless = |found: &Diagnostic| {
         let line = parsed.source.line_span(lines.line_at(found.at.span.start));
         let text = parsed.source.slice(line).trim_start_matches([' ', '\t']);
-        text.starts_with(|first: char| first.is_ascii_digit())
-            && found.labels.iter().any(|label| label.at.span.start < line.start)
+        text.starts_with(|first: char| first.is_ascii_digit()) && conflicts_above(found, line.start)
     };
-    if findings.items().iter().any(|found| is_conflict(found) && letterless(found)) {
-        findings.revise(|found| !(is_conflict(found) && letterless(found)));
+    if findings.items().iter().any(letterless) {
+        findings.revise(|found| !letterless(found));
     }
     // Two conflicts with the lines above are no accident in a few lines, wherever else lines begin with other words.
     let mut above: BTreeMap<usize, usize> = BTreeMap::new();
-    for found in findings.items().iter().filter(|found| is_conflict(found)) {
+    for found in findings.items() {
         let line = lines.line_at(found.at.span.start);
-        let start = lines.start(line).unwrap_or(0);
-        if found.labels.iter().any(|label| label.at.span.start < start) {
+        if lines.start(line).is_some_and(|start| conflicts_above(found, start)) {
             *above.entry(line).or_default() += 1;
         }
     }
@@ -63,7 +61,7 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
         let span = parsed.source.line_span(line);
         let text = parsed.source.slice(span).trim_start_matches([' ', '\t']);
         let start = span.end.saturating_sub(small(text.len()));
-        text.starts_with(|first: char| first.is_ascii_alphabetic() && !matches!(first, 'N' | 'n')).then_some(start)
+        text.starts_with(is_other_letter).then_some(start)
     };
     above.retain(|_, count| *count > 1);
     if above.len() <= FEW {
@@ -79,8 +77,8 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
         starts.get(at).copied()
     };
     let mut first: BTreeMap<u32, Location> = BTreeMap::new();
-    for found in findings.items().iter().filter(|found| is_conflict(found)) {
-        if let Some(line) = line_of(found).filter(|line| found.labels.iter().any(|label| label.at.span.start < *line)) {
+    for found in findings.items() {
+        if let Some(line) = line_of(found).filter(|line| conflicts_above(found, *line)) {
             let place = first.entry(line).or_insert(found.at);
             *place = found.at.min(*place);
         }
@@ -95,8 +93,7 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
         if found.code() == Code::W0214 && lines.line_at(start) == lines.line_at(line) {
             return false;
         }
-        let above = is_conflict(found) && found.labels.iter().any(|label| label.at.span.start < line);
-        if !above {
+        if !conflicts_above(found, line) {
             return true;
         }
         if let Finding::DuplicateAddress { unnumbered, .. }
@@ -154,15 +151,21 @@ pub(super) fn join(parsed: &ParsedFile, findings: &mut Findings) {
 /// The whole number that a line begins with, also behind another letter than `N`.
 fn line_number(line: &str) -> Option<u32> {
     let line = line.trim_start_matches([' ', '\t']);
-    let other = |first: char| first.is_ascii_alphabetic() && !matches!(first, 'N' | 'n');
-    let number = line.strip_prefix(other).unwrap_or(line);
+    let number = line.strip_prefix(is_other_letter).unwrap_or(line);
     let digits = number.bytes().take_while(u8::is_ascii_digit).count();
     let (digits, behind) = number.split_at(digits);
     behind.starts_with([' ', '\t']).then(|| digits.parse().ok()).flatten()
 }
 
-fn is_conflict(found: &Diagnostic) -> bool {
-    matches!(found.code(), Code::E0306 | Code::E0307 | Code::E0308)
+/// Whether a letter is another address than `N`.
+const fn is_other_letter(letter: char) -> bool {
+    letter.is_ascii_alphabetic() && !matches!(letter, 'N' | 'n')
+}
+
+/// Whether a finding says that words conflict, of which one stands before the line that begins at `line`.
+fn conflicts_above(found: &Diagnostic, line: u32) -> bool {
+    let conflict = matches!(found.code(), Code::E0306 | Code::E0307 | Code::E0308);
+    conflict && found.labels.iter().any(|label| label.at.span.start < line)
 }
 
 /// The lines of a unit.

@@ -1,6 +1,5 @@
 //! What a malformed word may have been meant as. It has its finding; what follows from not knowing it has none (§13).
 
-use super::program::ResolvedFile;
 use super::{Unit, UnitKind};
 use crate::dict::{Address, GCode, PROGRAM_ENDS};
 use crate::syntax::{BlockId, ParsedFile, Word};
@@ -29,9 +28,9 @@ pub fn may_have_end(file: &ParsedFile, unit: &Unit) -> bool {
 /// Of so many blocks whose numbers cannot be read, one may have any number.
 const MANY: usize = 1000;
 
-/// Whether a block of the unit has a number that cannot be read, and that may be `number`.
-pub(super) fn may_have_block(file: &ResolvedFile, unit: &Unit, number: u32) -> bool {
-    let (unread, parsed) = (file.unread(), &file.parsed);
+/// Whether a block of the unit has a number that cannot be read, and that may be `number`; `unread`: all such blocks of
+/// the file.
+pub(super) fn may_have_block(parsed: &ParsedFile, unread: &[BlockId], unit: &Unit, number: u32) -> bool {
     let may_be = |block: BlockId| parsed.n_word(block).is_some_and(|word| may_mean(parsed, word, number));
     let from = unread.partition_point(|block| *block < unit.first);
     let mut inside = unread.iter().copied().skip(from).take_while(|block| unit.contains(*block));

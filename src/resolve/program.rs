@@ -82,7 +82,7 @@ pub(super) struct ResolvedFile {
 
 impl ResolvedFile {
     /// The blocks whose numbers cannot be read.
-    pub(super) fn unread(&self) -> &[BlockId] {
+    fn unread(&self) -> &[BlockId] {
         let is_unread = |block: &BlockId| self.parsed.number(*block).is_none();
         self.unread.get_or_init(|| self.parsed.block_ids().filter(is_unread).collect())
     }
@@ -195,7 +195,9 @@ impl Resolved {
 
     /// Whether a block of the unit has a number that cannot be read, and that may be `number`.
     pub(super) fn may_have_block(&self, unit: &Unit, number: u32) -> bool {
-        self.files.get(unit.file.0 as usize).is_some_and(|file| may_have_block(file, unit, number))
+        self.files
+            .get(unit.file.0 as usize)
+            .is_some_and(|file| may_have_block(&file.parsed, file.unread(), unit, number))
     }
 
     /// The number of a block of the unit that is nearest to `number` by spelling; when all differ in more than one digit,

@@ -12,7 +12,7 @@ use super::meant::{may_have_end, may_hold};
 use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, lines, rings};
 use crate::config::{Machine, Settings};
-use crate::diag::{Diagnostic, Finding, Findings, LabelText, Unread};
+use crate::diag::{Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
 use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
@@ -223,9 +223,9 @@ impl Context<'_, '_> {
             // The number that a fix makes of it is a guess.
             resolved.nameless_subprogram |= l_word.is_some_and(Word::is_faulty);
             if !ended {
-                let cut_off = cut::subprogram(parsed, &unit).filter(|_| !may_have_end(parsed, &unit));
-                excused.extend(self.report_unterminated(parsed, &unit, cut_off));
-                resolved.cut_off = resolved.cut_off.or(cut_off.map(|(cut_off, _)| cut_off));
+                let (ends, cut_off) = self.report_unterminated(parsed, &unit);
+                excused.extend(ends);
+                resolved.cut_off = resolved.cut_off.or(cut_off);
             }
             if let (Some(word), Some(l)) = (l_word, l) {
                 match first_of.get(&l) {
@@ -244,19 +244,15 @@ impl Context<'_, '_> {
         }
     }
 
-    /// A unit without G70 (PRG-3); `cut_off`: where it is behind `*`. Gives the block at its end that holds M02 or M30
-    /// instead: it has no finding of its own.
-    fn report_unterminated(
-        &mut self,
-        parsed: &ParsedFile,
-        unit: &Unit,
-        cut_off: Option<(CutOff, Unread)>,
-    ) -> Option<BlockId> {
+    /// A unit without G70 (PRG-3). Gives the block at its end that holds M02 or M30 instead, which has no finding of its
+    /// own, or the `*` that G70 stands behind.
+    fn report_unterminated(&mut self, parsed: &ParsedFile, unit: &Unit) -> (Option<BlockId>, Option<CutOff>) {
         let Unit { kind, first, end, entry, .. } = *unit;
         let macrocycle = matches!(kind, UnitKind::Macrocycle(_));
         if may_have_end(parsed, unit) {
-            return None;
+            return (None, None);
         }
+        let (cut_off, unread) = cut::subprogram(parsed, unit).unzip();
         let last = end.0.checked_sub(1).map(BlockId).filter(|last| *last >= first);
         let ends = last.and_then(|last| end_word(self.settings, parsed, last));
         let instead = ends.or_else(|| self.return_elsewhere(parsed, last?));
@@ -265,18 +261,18 @@ impl Context<'_, '_> {
             skipped: false,
             last: end.0 >= parsed.block_count(),
             instead: instead.map(|(function, _)| function),
-            unread: cut_off.map(|(_, unread)| unread),
+            unread,
         };
         let mut diagnostic = Diagnostic::new(finding, entry);
-        if let Some((cut_off, _)) = cut_off {
+        if let Some(cut_off) = cut_off {
             self.findings.add(diagnostic.with_label(cut_off.star, LabelText::FileEnds));
-            return None;
+            return (None, Some(cut_off));
         }
         if let Some((function, word)) = instead {
             diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::InPlaceOfG70 { function });
         }
         self.findings.add(diagnostic);
-        last.filter(|_| ends.is_some())
+        (last.filter(|_| ends.is_some()), None)
     }
 
     /// The M function of a block that returns from a subprogram on other controls.
@@ -318,7 +314,7 @@ impl Context<'_, '_> {
         let unit = Unit { kind: UnitKind::Macrocycle(l), file, first, end, entry };
         let mut excused = None;
         if !ended && (begins || empty) {
-            excused = self.report_unterminated(&parsed, &unit, cut::subprogram(&parsed, &unit));
+            (excused, _) = self.report_unterminated(&parsed, &unit);
         }
         if end.0 < parsed.block_count() {
             let finding = Finding::BlockAfterMacrocycleEnd { block: parsed.shown_number(end) };

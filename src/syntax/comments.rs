@@ -221,7 +221,7 @@ pub(super) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
     }
     let rest = bytes.get(token.start as usize..)?;
     if let Some(length) = before_lone_quote(rest, token.kind) {
-        return u32::try_from(length).ok().map(|length| token.start + length);
+        return Some(token.start + small(length));
     }
     let begins = rest.first()?.is_ascii_alphabetic();
     if !(if begins { is_statement(rest) } else { is_remark(bytes, token) }) {
@@ -229,7 +229,7 @@ pub(super) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
     }
     let line = rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r' | b'"')).count();
     let text = rest.get(..line)?.trim_ascii_end();
-    u32::try_from(text.len()).ok().map(|length| token.start + length)
+    Some(token.start + small(text.len()))
 }
 
 /// How long the text is that begins there and ends with a quote at the end of its line, which nothing opens.

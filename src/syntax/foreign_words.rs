@@ -568,7 +568,7 @@ impl Lowering<'_> {
             // The address that it was meant as is not known.
             self.push_void(Address::X, span);
             self.push_void(Address::Y, span);
-            if !self.arc_in_force() {
+            if !self.arc_in_force(span.start) {
                 self.push_void(Address::Z, span);
             }
         }

@@ -13,8 +13,8 @@ use crate::sure::{Sure, small};
 use crate::syntax::number::Number;
 use crate::text::{Location, Span};
 
-/// So far back a G02 or G03 is looked for that is in force where a part of a long text begins.
-const FAR: u32 = 1 << 20;
+/// So far back a G02 or G03 is looked for: what is farther is not what a machinist looks at.
+const FAR: u32 = 1 << 12;
 /// A dwell without a point is taken for milliseconds from here on: nobody writes so many seconds.
 const MILLISECONDS: i64 = 100;
 
@@ -340,7 +340,7 @@ impl Lowering<'_> {
             && room
             && match self.byte(letter_span.start) {
                 b'l' | b'S' | b'B' => true,
-                b'I' => !self.block_words(first).iter().any(center) && !self.arc_in_force(),
+                b'I' => !self.block_words(first).iter().any(center) && !self.arc_in_force(letter_span.start),
                 _ => false,
             }
     }
@@ -352,7 +352,8 @@ impl Lowering<'_> {
                 || matches!(&diagnostic.finding, Finding::MalformedNumber { meant: NumberMeant::Parameter, .. })
         };
         let Some(span) = self.pending.iter().find(|found| is_radius(found)).map(|found| found.at.span) else { return };
-        if !self.arc_in_force() {
+        let end = self.words.last().map_or(span, |last| last.span(self.text)).end;
+        if !self.arc_in_force(end) {
             return;
         }
         for diagnostic in &mut self.pending {
@@ -372,28 +373,22 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether G02 or G03 is in force after the last word, in the order of the text.
-    pub(super) fn arc_in_force(&mut self) -> bool {
-        let arc = self.arc.unwrap_or_else(|| arc_before(self.text, self.from));
-        self.arc = Some(arc);
-        arc
-    }
-}
-
-/// Whether the last function of group G0 before `end` is an arc.
-fn arc_before(text: &str, end: u32) -> bool {
-    let bytes = text.as_bytes();
-    let least = end.saturating_sub(FAR) as usize;
-    let mut to = end as usize;
-    while to > least {
-        let head = bytes.get(least..to.saturating_sub(1)).sure();
-        let from = memchr::memrchr2(b'\n', b'\r', head).map_or(least, |at| least + at + 1);
-        if let Some(code) = last_motion(text, from, to) {
-            return matches!(code, GCode::G02 | GCode::G03);
+    /// Whether the last function of group G0 before `end`, in the order of the text, is G02 or G03. It is asked of the
+    /// text, not of the words that were read: another part of a long text is read beside this one.
+    pub(super) fn arc_in_force(&self, end: u32) -> bool {
+        let bytes = self.text.as_bytes();
+        let least = end.saturating_sub(FAR) as usize;
+        let mut to = end as usize;
+        while to > least {
+            let head = bytes.get(least..to.saturating_sub(1)).sure();
+            let from = memchr::memrchr2(b'\n', b'\r', head).map_or(least, |at| least + at + 1);
+            if let Some(code) = last_motion(self.text, from, to) {
+                return matches!(code, GCode::G02 | GCode::G03);
+            }
+            to = from;
         }
-        to = from;
+        false
     }
-    false
 }
 
 /// The last function of group G0 in a line.

@@ -5,7 +5,7 @@ use super::misread::look_alike;
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
 use crate::diag::{CommaMeant, Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
-use crate::dict::{Address, Decimal, GCode, GGroup, PROGRAM_ENDS};
+use crate::dict::{Address, Decimal, GCode, PROGRAM_ENDS};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
 
@@ -25,10 +25,6 @@ pub(super) struct Lowering<'t> {
     pub(super) lowercase: Vec<u32>,
     /// Where the first word stands.
     pub(super) first_word: Option<Span>,
-    /// Whether an arc is in force after the last word, in the order of the text; `None`: no function of its group yet.
-    pub(super) arc: Option<bool>,
-    /// Where the text that is read begins.
-    pub(super) from: u32,
     /// The block in hand has a function that other controls write with other words: its end is looked at.
     pub(super) candidate: bool,
     /// Where the line ends in which a quote is missing: texts further on in it are none.
@@ -74,11 +70,10 @@ const fn made_of(address: Address) -> BlockFlags {
 }
 
 impl<'t> Lowering<'t> {
-    pub(super) fn new(text: &'t str, file: FileId, from: u32) -> Self {
+    pub(super) fn new(text: &'t str, file: FileId) -> Self {
         Self {
             text,
             file,
-            from,
             words: Vec::new(),
             comments: Vec::new(),
             flags: BlockFlags::default(),
@@ -86,7 +81,6 @@ impl<'t> Lowering<'t> {
             pending: Vec::new(),
             lowercase: Vec::new(),
             first_word: None,
-            arc: None,
             candidate: false,
             quotes_off: None,
         }
@@ -266,8 +260,6 @@ impl<'t> Lowering<'t> {
                 self.flags.set(BlockFlags::RETURN);
             } else if number == GCode::G79.number() {
                 self.flags.set(BlockFlags::ENTRY);
-            } else if let Some(code) = GCode::from_number(number).filter(|code| code.group() == GGroup::G0) {
-                self.arc = Some(matches!(code, GCode::G02 | GCode::G03));
             }
         }
         self.words.push(word);

@@ -86,7 +86,7 @@ impl Lowering<'_> {
         let same = |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
         let repeated = self.words.get(first..).sure().iter().filter(same).count() > 1;
         let digit = look_alike(letter);
-        let of_arc = letter == b'I' && !signed && !repeated && self.arc_in_force();
+        let of_arc = letter == b'I' && !signed && !repeated && self.arc_in_force(token.start);
         let assigned = word.address == Address::R;
         if of_arc || !(digit.is_some() || is_unlikely(letter) || signed || repeated || assigned) {
             return;

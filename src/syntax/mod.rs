@@ -3,6 +3,8 @@
 //! Nothing here knows a machine. Parsing never fails: every fault becomes a finding, and its block's other words and the
 //! other blocks stay unharmed. Comments and layout survive: each word and comment knows its span.
 
+#[cfg(any(test, fuzzing))]
+mod agreement;
 mod comments;
 mod file;
 mod foreign;
@@ -20,10 +22,10 @@ mod swallowed;
 mod token;
 mod word;
 
+#[cfg(fuzzing)]
+pub use agreement::short_way_agrees;
 pub use file::{Block, BlockFlags, BlockId, ParsedFile};
 pub use foreign::{Foreign, foreign, is_suspicious};
-#[cfg(fuzzing)]
-pub use parse::short_way_agrees;
 pub use parse::{Form, parse};
 pub use token::{Kind, Token, tokens};
 pub use word::{Value, Word, WordParts};

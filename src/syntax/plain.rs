@@ -26,13 +26,11 @@ pub(super) fn plain_blocks(lowering: &mut Lowering<'_>, blocks: &mut Vec<Block>,
     while block_begins(bytes, at as usize) {
         let first_word = lowering.words.len();
         lowering.flags = BlockFlags::default();
-        let arc = lowering.arc;
         let plain = plain_block(lowering, bytes, at);
         // Words that other controls write with such functions are told from ours at the end of a block.
         let candidate = std::mem::take(&mut lowering.candidate);
         let Some(after) = plain.filter(|_| !candidate) else {
             lowering.words.truncate(first_word);
-            lowering.arc = arc;
             break;
         };
         blocks.push(Block { first_word: small(first_word), flags: lowering.flags });

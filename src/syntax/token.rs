@@ -499,8 +499,8 @@ impl Tokens<'_> {
         }
         let behind = bytes.get(token.end as usize..).sure();
         let apart = matches!(behind.first(), None | Some(b' ' | b'\t' | b'\r' | b'\n' | b'"'));
-        let behind = behind.trim_ascii_start();
-        let word = matches!(behind, [letter, value, ..]
+        let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+        let word = matches!(behind.get(blanks..), Some([letter, value, ..])
             if letter.is_ascii_uppercase() && (value.is_ascii_digit() || b"+-.".contains(value)));
         let flow = |last: Token| {
             let word = bytes.get(last.span().range()).sure();
