@@ -23,6 +23,8 @@ pub(super) struct Checked {
     pub(super) judged: Judged,
     /// The first block of each number that jumps can reach, by number.
     pub(super) reachable: Vec<(u32, BlockId)>,
+    /// The blocks that are two: a line of each lacks its block number.
+    pub(super) merged: Vec<BlockId>,
     /// Some line continues a block with another word than `N`.
     pub(super) continuing_lines: bool,
 }
@@ -49,7 +51,7 @@ pub(super) fn look_at_blocks(
     let long = parsed.block_count() > SIDE_BY_SIDE;
     let (mut checked, (numbered, (mut findings, continuing_lines))) =
         if long { parallel::join(check, layout) } else { (check(), layout()) };
-    lines::join_conflicts(parsed, excused, &mut findings, &mut checked.findings);
+    checked.merged = lines::join_conflicts(parsed, excused, &mut findings, &mut checked.findings);
     checked.findings.append(numbered.findings);
     checked.findings.append(findings);
     checked.reachable = numbered.reachable;

@@ -36,9 +36,13 @@ pub(super) fn check(parsed: &ParsedFile, units: &[Unit]) -> (Findings, bool) {
 /// Makes one finding of a line that was warned of and the conflicts of its words with those above it, which follow from the
 /// block number that was forgotten there: the first conflict, an error, takes the place of the warning and says so. Blocks
 /// without words that are numbered further on in the line are part of it. `entries`: begin subprograms, and have a finding
-/// about such a line.
-pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &mut Findings, findings: &mut Findings) {
-    let mut starts: Vec<u32> = warned.items().iter().map(|found| found.at.span.start).collect();
+/// about such a line. Gives the blocks that such lines continue.
+pub(super) fn join_conflicts(
+    parsed: &ParsedFile,
+    entries: &[BlockId],
+    warned: &mut Findings,
+    findings: &mut Findings,
+) -> Vec<BlockId> {
     let lines = parsed.source.lines();
     // `110 G02 X70`: the number has a finding of its own.
     let letterless = |found: &Diagnostic| {
@@ -49,29 +53,10 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
     if findings.items().iter().any(letterless) {
         findings.revise(|found| !letterless(found));
     }
-    // Two conflicts with the lines above are no accident in a few lines, wherever else lines begin with other words.
-    let mut above: BTreeMap<usize, usize> = BTreeMap::new();
-    for found in findings.items() {
-        let line = lines.line_at(found.at.span.start);
-        if lines.start(line).is_some_and(|start| conflicts_above(found, start)) {
-            *above.entry(line).or_default() += 1;
-        }
-    }
-    let begins = |line: usize| {
-        let span = parsed.source.line_span(line);
-        let text = parsed.source.slice(span).trim_start_matches([' ', '\t']);
-        let start = span.end.saturating_sub(small(text.len()));
-        text.starts_with(is_other_letter).then_some(start)
-    };
-    above.retain(|_, count| *count > 1);
-    if above.len() <= FEW {
-        starts.extend(above.into_keys().filter_map(begins));
-    }
+    let starts = unnumbered(parsed, warned, findings);
     if starts.is_empty() {
-        return;
+        return Vec::new();
     }
-    starts.sort_unstable();
-    starts.dedup();
     let line_of = |found: &Diagnostic| {
         let at = starts.partition_point(|start| *start <= found.at.span.start).checked_sub(1)?;
         starts.get(at).copied()
@@ -88,6 +73,9 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
         let start = found.at.span.start;
         // An L or Q that begins such a line is part of it.
         if matches!(found.code(), Code::W0402 | Code::W0403) && start == line {
+            return false;
+        }
+        if is_number_at_line(parsed, found) && first.contains_key(&line) {
             return false;
         }
         if found.code() == Code::W0214 && lines.line_at(start) == lines.line_at(line) {
@@ -108,6 +96,50 @@ pub(super) fn join_conflicts(parsed: &ParsedFile, entries: &[BlockId], warned: &
         let entry = parsed.block_at(found.at.span.start).is_some_and(|block| entries.contains(&block));
         !entry && !first.contains_key(&found.at.span.start)
     });
+    first.values().filter_map(|at| parsed.block_at(at.span.start)).collect()
+}
+
+/// Where the words begin of the lines whose block number was forgotten, in their order: those that are warned of, and a few
+/// with two conflicts or more with the lines above, which are no accident wherever else lines begin with other words.
+fn unnumbered(parsed: &ParsedFile, warned: &Findings, findings: &Findings) -> Vec<u32> {
+    let lines = parsed.source.lines();
+    let line_of = |found: &Diagnostic| lines.line_at(found.at.span.start);
+    let mut signs: BTreeMap<usize, usize> = BTreeMap::new();
+    for found in findings.items() {
+        let line = line_of(found);
+        if lines.start(line).is_some_and(|start| conflicts_above(found, start)) {
+            *signs.entry(line).or_default() += 1;
+        }
+    }
+    // `M1400 G79 L200` below a line with G70: the number is that of a block.
+    for found in findings.items().iter().filter(|found| is_number_at_line(parsed, found)) {
+        if let Some(count) = signs.get_mut(&line_of(found)) {
+            *count += 1;
+        }
+    }
+    signs.retain(|_, count| *count > 1);
+    let begins = |line: usize| {
+        let span = parsed.source.line_span(line);
+        let text = parsed.source.slice(span).trim_start_matches([' ', '\t']);
+        let start = span.end.saturating_sub(small(text.len()));
+        text.starts_with(is_other_letter).then_some(start)
+    };
+    let few = Some(signs).filter(|signs| signs.len() <= FEW).unwrap_or_default();
+    let mut starts: Vec<u32> = few.into_keys().filter_map(begins).collect();
+    starts.extend(warned.items().iter().map(|found| found.at.span.start));
+    starts.sort_unstable();
+    starts.dedup();
+    starts
+}
+
+/// Whether a finding says that the number of the first word of a line is out of range.
+fn is_number_at_line(parsed: &ParsedFile, found: &Diagnostic) -> bool {
+    let before = || {
+        let at = found.at.span.start;
+        let start = parsed.source.line_span(parsed.source.lines().line_at(at)).start;
+        parsed.source.slice(Span::new(start, at)).trim_start_matches([' ', '\t'])
+    };
+    found.code() == Code::E0302 && before().len() == 1
 }
 
 /// Leaves out what follows from a line without its `N`. A word that does not belong into the block that begins a subprogram is

@@ -340,6 +340,7 @@ impl Context<'_, '_> {
         }
         resolved.continuing_lines |= checked.continuing_lines;
         parsed.refuse(&checked.judged.refused);
+        parsed.mark_merged(&checked.merged);
         resolved.add_file(parsed, checked.reachable, checked.judged.points);
     }
 

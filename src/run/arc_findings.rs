@@ -42,12 +42,13 @@ pub(super) fn found(
     site.report(because_of(state, words, g, Diagnostic::new(finding, at)));
 }
 
-/// W0616: under a radius correction an arc in other axes than those of the plane in force.
-pub(super) fn check_plane(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &InForce, pair: [usize; 2]) {
+/// W0616: under a radius correction an arc in other axes than those of the plane in force. The first of such arcs has it,
+/// until a plane is written.
+pub(super) fn check_plane(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, pair: [usize; 2]) {
     let Some(correction) = g.of(GGroup::G3).filter(|code| *code != GCode::G40) else { return };
     let axes = &site.machine().axes;
     let (plane, meant) = (planes::in_force(g), planes::of_pair(axes, pair));
-    if meant == Some(plane) {
+    if meant == Some(plane) || meant.is_some() && std::mem::replace(&mut state.said.other_plane, meant) == meant {
         return;
     }
     let letters: Vec<String> = planes::named(axes, pair)
@@ -78,26 +79,26 @@ pub(super) fn missing_center(site: &mut Site<'_>, state: &mut State, words: &Blo
     site.report(diagnostic);
 }
 
-/// W0606, with the M function that moved the machine.
+/// W0606, with the M function that moved the machine; once for an axis, until its position is known.
 pub(super) fn unknown_start(
     site: &mut Site<'_>,
-    state: &State,
+    state: &mut State,
     (words, g): (&BlockWords, &InForce),
     at: Location,
     axes: [usize; 2],
     start: [Position; 2],
 ) {
-    let unknown: Vec<String> = axes
-        .into_iter()
-        .zip(start)
-        .filter(|(_, position)| *position == Position::Unknown)
-        .filter_map(|(axis, _)| site.machine().axes.get(axis))
-        .map(|axis| axis.letter.to_string())
-        .collect();
-    if unknown.is_empty() {
+    let unknown = axes.into_iter().zip(start).filter(|(_, position)| *position == Position::Unknown);
+    let mut letters = Vec::new();
+    let mut news = false;
+    for (axis, _) in unknown {
+        letters.extend(site.machine().axes.get(axis).map(|axis| axis.letter.to_string()));
+        news |= state.said.arc_starts.insert(axis);
+    }
+    if !news {
         return;
     }
-    let mut diagnostic = Diagnostic::new(Finding::ArcFromUnknown { axes: unknown.join(", ") }, at);
+    let mut diagnostic = Diagnostic::new(Finding::ArcFromUnknown { axes: letters.join(", ") }, at);
     if let Some((m, place)) = state.origins.moved.0 {
         diagnostic = diagnostic.with_label(place, LabelText::PositionLost { m });
     }

@@ -19,6 +19,9 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
             Lasting::Modal | Lasting::Default => {
                 state.set_modal(code);
                 state.said.arc_mode &= code.group() != GGroup::G9;
+                if code.group() == GGroup::G1 {
+                    state.said.other_plane = None;
+                }
                 if code.group() == GGroup::G0 {
                     state.origins.motion = Noted(Some((site.file.shown_number(site.block), site.word_place(word))));
                 }

@@ -2,7 +2,7 @@
 
 use super::block::InForce;
 use super::site::Site;
-use super::state::{Noted, Position, State};
+use super::state::{Noted, State};
 use super::words::BlockWords;
 use super::{gears, spindle};
 use crate::config::{Machine, Settings};
@@ -111,7 +111,7 @@ pub(super) fn apply(
         }
     }
     if m.moves_before {
-        state.positions = [Position::Unknown; 9];
+        state.lose_positions();
     }
     spindle::apply(site.machine(), state, words, spindle_before);
 }
@@ -152,7 +152,7 @@ pub(super) fn at_stop(machine: &Machine) -> MStop {
 /// orients the spindle again (MFN-10).
 pub(super) fn finish(site: &Site<'_>, state: &mut State, m: &MFunctionsOfBlock) {
     if m.moves_after {
-        state.positions = [Position::Unknown; 9];
+        state.lose_positions();
     }
     if halts(site.settings, m) && spindle::axis(site.machine(), state).is_some() {
         spindle::orient(site.machine(), state);

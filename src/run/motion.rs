@@ -15,6 +15,7 @@ use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
 use crate::diag::{CenterPlace, Finding};
 use crate::dict::{Address, Decimal, GCode, GGroup, Micro};
+use crate::syntax::BlockFlags;
 
 /// What a block did, for what follows from it.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -36,7 +37,8 @@ pub(super) fn kind_in_force(g: &InForce) -> MotionType {
 /// Executes the motion or the data words of the block.
 pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -> Moved {
     let words = &block.words;
-    if words.unknown_g || is_unknown(words, &block.g) {
+    let merged = site.file.flags(site.block).has(BlockFlags::MERGED);
+    if words.unknown_g || merged || is_unknown(words, &block.g) {
         // §13: nothing moves, and the axes are unknown after it.
         for (axis, _) in words.axis_words() {
             state.set_position(axis, Position::Undetermined);
@@ -322,7 +324,7 @@ fn center(
 /// Start and end of an arc along its axes. `None`: one is unknown.
 fn ends(
     site: &mut Site<'_>,
-    state: &State,
+    state: &mut State,
     block: (&BlockWords, &InForce),
     named: [usize; 2],
     travels: &[Travel],

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::unknown::Groups;
 use crate::config::Settings;
-use crate::dict::Micro;
-use crate::dict::{Decimal, FeedPer, GCode, GGroup, M_GROUPS};
+
+use crate::dict::{Decimal, FeedPer, GCode, GGroup, M_GROUPS, Micro, Plane};
 use crate::syntax::BlockId;
 use crate::text::{FileId, Location};
 
@@ -103,6 +103,14 @@ pub(super) struct AxisSet(u16);
 impl AxisSet {
     /// Every axis.
     pub(super) const ALL: Self = Self(u16::MAX);
+    pub(super) const NONE: Self = Self(0);
+
+    /// Gives whether it was not in the set.
+    pub(super) const fn insert(&mut self, axis: usize) -> bool {
+        let new = !self.contains(axis);
+        self.0 |= 1 << axis;
+        new
+    }
 
     pub(super) const fn remove(&mut self, axis: usize) {
         self.0 &= !(1 << axis);
@@ -142,6 +150,10 @@ pub(super) struct Said {
     pub(super) no_tool: bool,
     /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written.
     pub(super) arc_mode: bool,
+    /// Axes that an arc started from, nobody knew where (W0606), and that stand there still.
+    pub(super) arc_starts: AxisSet,
+    /// The plane that arcs need instead of the one in force (W0616), until a plane is written.
+    pub(super) other_plane: Option<Plane>,
     /// E0602, or E0611 of an arc without I and J.
     pub(super) no_center: LastBlock,
     /// E0609 of I, J and K that no function takes.
@@ -166,6 +178,8 @@ impl Default for Said {
             spindle_stopped: false,
             no_tool: false,
             arc_mode: false,
+            arc_starts: AxisSet::NONE,
+            other_plane: None,
             no_center: LastBlock::default(),
             stray_centers: LastBlock::default(),
             incremental: [false; 9],
@@ -282,6 +296,15 @@ impl State {
         if let Some(slot) = self.positions.get_mut(axis) {
             *slot = position;
         }
+        if position != Position::Unknown {
+            self.said.arc_starts.remove(axis);
+        }
+    }
+
+    /// The machine moved, nobody knows where.
+    pub(super) fn lose_positions(&mut self) {
+        self.positions = [Position::Unknown; 9];
+        self.said.arc_starts = AxisSet::NONE;
     }
 
     /// The function of an M group.

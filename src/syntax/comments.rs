@@ -249,7 +249,7 @@ fn before_lone_quote(rest: &[u8], kind: Kind) -> Option<usize> {
     (ends && has_words(text)).then_some(length)
 }
 
-/// Whether a text has words of a language, of two letters or more, and no block number.
+/// Whether a text has words of a language, of two letters or more, and no block number but at its end.
 fn has_words(text: &[u8]) -> bool {
     let is_letter = |byte: &u8| byte.is_ascii_alphabetic() || !byte.is_ascii();
     let (mut rest, mut words) = (text, false);
@@ -257,10 +257,11 @@ fn has_words(text: &[u8]) -> bool {
         rest = rest.get(start..).sure();
         let letters = rest.iter().take_while(|byte| is_letter(byte)).count();
         let (word, behind) = rest.split_at(letters);
-        // `N30`; `XR1` is an address with a parameter.
+        // `N30`; `XR1` is an address with a parameter. `skok na N30` speaks of a block.
         let value = behind.first().is_some_and(u8::is_ascii_digit);
+        let ends = behind.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b' ' | b'\t'));
         if value && matches!(word, [b'N' | b'n']) {
-            return false;
+            return words && ends;
         }
         words |= letters > 1 && !(value && matches!(word, [_, b'R' | b'r']));
         rest = behind;
@@ -310,6 +311,7 @@ mod tests {
         let length = |text: &str, kind: Kind| before_lone_quote(text.as_bytes(), kind);
         assert_eq!(length("vyjezd po oblouku\"\nN20", Kind::Text), Some(17));
         assert_eq!(length("3 x 2 mm\" \t\r\n", Kind::Number), Some(8));
+        assert_eq!(length("skok vpred na N150\"\n", Kind::Text), Some(18));
         assert_eq!(length("Freza D20, 3 brity\"", Kind::Text), Some(18));
         for text in [
             "% v komentari\"",

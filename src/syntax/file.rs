@@ -25,7 +25,7 @@ impl BlockId {
     }
 }
 
-/// What is known of a block without looking at its words. Set while parsing.
+/// What is known of a block without looking at its words.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub struct BlockFlags(pub u16);
 
@@ -48,6 +48,8 @@ impl BlockFlags {
     pub const AXES: Self = Self(1 << 7);
     /// Has a word besides `N` and axis words.
     pub const OTHERS: Self = Self(1 << 8);
+    /// Is two blocks: a line of it lacks its block number. Set after parsing.
+    pub const MERGED: Self = Self(1 << 9);
 
     /// Whether all of `flags` are set.
     pub const fn has(self, flags: Self) -> bool {
@@ -296,6 +298,15 @@ impl ParsedFile {
             let at = self.words.partition_point(|word| word.start() < *start);
             if let Some(word) = self.words.get_mut(at).filter(|word| word.start() == *start) {
                 *word = word.refused();
+            }
+        }
+    }
+
+    /// Notes that these blocks are two each.
+    pub fn mark_merged(&mut self, blocks: &[BlockId]) {
+        for block in blocks {
+            if let Some(block) = self.blocks.get_mut(block.index()) {
+                block.flags.set(BlockFlags::MERGED);
             }
         }
     }

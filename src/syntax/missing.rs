@@ -117,11 +117,12 @@ impl Lowering<'_> {
             } else if let Finding::MalformedNumber { meant, .. } = &mut found.finding {
                 *meant = NumberMeant::AddressMissing { loose: shown(&split.text), written: shown(&written) };
             }
-            // Joining is less likely than what is missing.
-            found.fixes.retain(|fix| fix.certain);
-            if !written.is_empty() {
+            // Joining is less likely than what is missing: `X7040` for `X70 40` would be a wrong move.
+            if written.is_empty() {
+                found.fixes.retain(|fix| fix.certain);
+            } else {
                 let title = FixTitle::Write { text: shown(&written) };
-                found.fixes.push(Fix::offer(title, place, written));
+                found.fixes = vec![Fix::offer(title, place, written)];
             }
         }
         let unknown = missing.is_some() || !word.address.is_dimensional();

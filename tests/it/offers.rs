@@ -117,10 +117,15 @@ fn other_functions_and_line_ends() {
 }
 
 /// What a change brings to light in samples of more than one slip.
-const BROUGHT_TO_LIGHT: [(&str, &[Code]); 2] =
-    [("E0101-semicolons.nc", &[Code::E0306]), ("W0113-other-control.nc", &[Code::E0101, Code::E0203])];
+const BROUGHT_TO_LIGHT: [(&str, &[Code]); 3] = [
+    ("E0101-semicolons.nc", &[Code::E0306]),
+    ("W0113-other-control.nc", &[Code::E0101, Code::E0203]),
+    // The comma stands in a number that other blocks write without it.
+    ("entry-number-malformed.nc", &[Code::E0404]),
+];
 
-/// In all samples: what is offered removes its finding, and gives no other.
+/// In all samples: what is offered removes its finding, and gives no other. So does what `--fix` writes where one thing is
+/// wrong.
 #[test]
 fn offers_in_samples() {
     let mut tried = 0;
@@ -146,7 +151,7 @@ fn offers_in_samples() {
             let Some(found) = check(&loader.clone().with(&file, text.as_str()), &file, &request) else { continue };
             let before = counts(&found);
             for (item, fix) in found.iter().flat_map(|item| item.fixes.iter().map(move |fix| (item, fix))) {
-                if fix.certain || item.at.file != FileId(0) {
+                if fix.certain && folder != "slips" || item.at.file != FileId(0) {
                     continue;
                 }
                 tried += 1;
