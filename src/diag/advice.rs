@@ -61,6 +61,7 @@ bilingual! {
     /// What was meant by a comma in a number (E0104).
     CommaMeant {
         Point { written: String } "the control knows the decimal point only: write `{written}`", "systém zná jen desetinnou tečku: napsat „{written}“";
+        Apart { written: String } "write `{written}`, or give the second number an address of its own", "napsat „{written}“, nebo druhému číslu doplnit adresu";
         Border { written: String } "words are parted by nothing or by blanks: write `{written}`", "slova se oddělují jen mezerami: napsat „{written}“";
         Whole { address: Address } "{address} takes whole numbers only", "{address} má jen celá čísla";
         WholeWritten { written: String } "the number is whole: write `{written}`", "je to celé číslo: napsat „{written}“";
@@ -280,7 +281,7 @@ bilingual! {
         Millimetres "delete it if millimetres are meant: lengths are always in millimetres; if a call is meant, write the number of the subprogram: `L100`", "měla-li být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, doplnit číslo podprogramu: „L100“";
         InPlace { block: String } "write the number of the subprogram with `L` in place of `{block}`: `L100`", "místo {block} napsat číslo podprogramu s L: „L100“";
         Macrocycle "write the number of the macrocycle: `L9001`", "doplnit číslo makrocyklu: „L9001“";
-        Block "write the number of the block to jump to: `L10`", "doplnit číslo bloku, na který se skáče: „L10“";
+        Block "write the number of the block to jump to: `L…`", "doplnit číslo bloku, na který se skáče: „L…“";
         Written { written: String } "the number is written with `L`: `{written}`", "cíl se píše s L: „{written}“";
         Turning "turning cycles do not exist here: write the passes as blocks, or call a macrocycle by `G72 L…`", "soustružnické cykly zde nejsou: vypsat třísky po blocích, nebo volat makrocyklus „G72 L…“";
         Drilling "the drilling cycles are G81 to G89 here", "vrtací cykly jsou zde G81 až G89";

@@ -129,10 +129,12 @@ pub(super) fn radii(
     let diameters = state.modal(GGroup::G10) == Some(GCode::G74)
         && machine.axes.index(AxisLetter::X).is_some_and(|x| named.contains(&x));
     let mut meant = meant_center(machine, arc, in_order);
-    if meant == ArcMeant::Nothing {
+    if meant == ArcMeant::Nothing && !fits_mirrored(machine, arc) {
         meant = meant_mode(site, state, (words, g), named, arc);
     }
-    if matches!(meant, ArcMeant::Distances | ArcMeant::Positions) && std::mem::replace(&mut state.said.arc_mode, true) {
+    let other_mode = matches!(meant, ArcMeant::Distances | ArcMeant::Positions);
+    let said = std::mem::replace(&mut state.said.arc_mode, other_mode);
+    if other_mode && said {
         return;
     }
     let points = ArcPoints {
@@ -195,6 +197,17 @@ fn meant_center(machine: &Machine, arc: &Arc, in_order: impl Fn([Micro; 2]) -> [
     } else {
         ArcMeant::Nothing
     }
+}
+
+/// Whether the arc fits with another sign of I or J.
+fn fits_mirrored(machine: &Machine, arc: &Arc) -> bool {
+    let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
+    let [u, v] = arc.to_center;
+    let minus = |value: Micro| Micro::ZERO.minus(value);
+    let mirrored = [[minus(u), v], [u, minus(v)], [minus(u), minus(v)]];
+    mirrored.into_iter().any(|to_center| {
+        to_center != arc.to_center && arc::radii_agree(&Arc { to_center, ..*arc }.compute(), tolerance)
+    })
 }
 
 /// Whether the arc fits under the other of G90 and G91.

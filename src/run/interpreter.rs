@@ -236,6 +236,7 @@ impl Interpreter {
                     self.state.set_modal(GCode::G80);
                 }
                 self.frames.push(frame);
+                self.state.said.arc_mode = false;
             }
         }
         Ok(())

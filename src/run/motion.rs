@@ -280,6 +280,9 @@ fn find_arc(
     let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
     if !arc::radii_agree(&computed, tolerance) {
         arc_findings::radii(site, state, (words, g), words.place_of_motion(site), named, (&path, &computed));
+    } else if start != end {
+        // The mode in force was meant.
+        state.said.arc_mode = false;
     }
     if moving.stale {
         arc_findings::found(site, state, (words, g), Finding::ArcAfterOriginChange {}, words.place_of_motion(site));

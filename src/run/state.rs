@@ -148,7 +148,8 @@ pub(super) struct Said {
     pub(super) spindle_stopped: bool,
     /// W0620.
     pub(super) no_tool: bool,
-    /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written.
+    /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written, an arc fits under the one in
+    /// force or under neither, or a unit is called.
     pub(super) arc_mode: bool,
     /// Axes that an arc started from, nobody knew where (W0606), and that stand there still.
     pub(super) arc_starts: AxisSet,

@@ -3,7 +3,7 @@
 use super::lower::{Lowering, PARAMETERS};
 use super::number::Number;
 use super::token::METRES_PER_MINUTE;
-use super::{BlockFlags, Kind, Token, Word, swallowed};
+use super::{BlockFlags, Kind, Token, Word, swallowed, tokens};
 use crate::diag::{Diagnostic, Edit, Finding, FixTitle, Meant, TextMeant, shown};
 use crate::dict::Address;
 use crate::sure::{Sure, small};
@@ -148,6 +148,22 @@ impl Lowering<'_> {
         self.pending.push(if own { diagnostic.with_offer(FixTitle::Delete { text }, place, "") } else { diagnostic });
     }
 
+    /// `Y10;5 F300`, `S12(00`: another sign than a point within a number. Neither the number is known nor what follows.
+    fn sign_in_number(&mut self, span: Span, behind: Span) {
+        let finding = Finding::UnknownCharacter { text: shown(self.slice(span)), meant: Meant::Number };
+        self.report(span, finding);
+        if let Some(word) = self.words.last_mut().filter(|word| !word.is_faulty()) {
+            *word = Word::bare(word.address, word.span(self.text)).faulty();
+        }
+        let words: Vec<Token> =
+            tokens(self.text, behind.start, behind.end).filter(|token| token.kind == Kind::Word).collect();
+        for word in words {
+            if let Some(address) = Address::from_byte(self.byte(word.start)).filter(|address| *address != Address::N) {
+                self.push_void(address, word.span());
+            }
+        }
+    }
+
     /// A comment as other controls write it: `(text)`, `; text`, `{text}`, `// text`, `# text`.
     pub(super) fn foreign_comment(&mut self, token: Token) {
         let span = token.span();
@@ -175,7 +191,18 @@ impl Lowering<'_> {
         let quotes = || vec![quote(span.start, start), quote(end, span.end)];
         let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
         let words = swallowed::words_between(self.text, Span::new(start, end));
-        let diagnostic = if body.trim().is_empty() {
+        let is_digit = |at: Option<u32>| at.is_some_and(|at| self.byte(at).is_ascii_digit());
+        let numbered = self.words.last().is_some_and(|word| word.address != Address::N);
+        if numbered && is_digit(span.start.checked_sub(1)) && is_digit(Some(span.start + opening)) {
+            self.sign_in_number(span, Span::new(start, end));
+            return;
+        }
+        let closed = text.ends_with([')', '}', '\'', '`', '"']);
+        let swallowed = swallowed::words(self.text, Span::new(start, end)).filter(|_| !closed && words.is_none());
+        let diagnostic = if let Some(swallowed) = swallowed {
+            let meant = Meant::CommentBefore { words: shown(self.slice(swallowed).trim_end()) };
+            Diagnostic::new(finding(meant), place)
+        } else if body.trim().is_empty() {
             let title = FixTitle::Delete { text: shown(text) };
             Diagnostic::new(finding(Meant::Comment), place).with_fix(title, place, "")
         } else if words.is_none() && body.contains('"') {

@@ -399,9 +399,9 @@ impl Lowering<'_> {
     }
 
     /// `TT1`: an address written twice.
-    pub(super) fn doubled_letter(&mut self, address: Address, word: &str, span: Span) {
-        let written_here = word.to_ascii_uppercase();
-        let number = written_here.get(1..).sure().trim_start_matches([' ', '\t']);
+    pub(super) fn doubled_letter(&mut self, address: Address, word: Option<&str>, span: Span) {
+        let written_here = word.map(str::to_ascii_uppercase).unwrap_or_default();
+        let number = written_here.get(1..).unwrap_or_default().trim_start_matches([' ', '\t']);
         let text = shown(self.slice(span));
         match Number::parse(number.as_bytes()) {
             Some(number) => {
@@ -532,7 +532,9 @@ impl Lowering<'_> {
         let address = Address::from_byte(letter).filter(|address| {
             *address != Address::R && !(number.starts_with('R') && matches!(address, Address::N | Address::Program))
         });
-        if let (Some(address), Some(written)) = (address, written(&number)) {
+        // `X#1*2`: it goes on.
+        let goes_on = number.starts_with('R') && matches!(self.byte(span.end), b'*' | b'#' | b'/' | b'+' | b'-' | b'[');
+        if let (Some(address), Some(written), false) = (address, written(&number), goes_on) {
             let text_here = format!("{address}{number}");
             let meant = if number.starts_with('R') {
                 Meant::Variable { written: shown(&text_here) }
@@ -579,7 +581,9 @@ impl Lowering<'_> {
             Diagnostic::new(finding(Meant::of(text)), place).with_fix(FixTitle::PlainBlank, place, " ")
         } else if text.chars().all(|character| MINUS.contains(&character)) && text.chars().count() == 1 {
             let title = FixTitle::Write { text: "-".to_owned() };
-            Diagnostic::new(finding(Meant::Minus), place).with_fix(title, place, "-")
+            let diagnostic = Diagnostic::new(finding(Meant::Minus), place);
+            let signs = rest.starts_with(|first: char| first.is_ascii_alphanumeric() || first == '.');
+            if signs { diagnostic.with_fix(title, place, "-") } else { diagnostic }
         } else {
             Diagnostic::new(finding(Meant::of(text)), place)
         });

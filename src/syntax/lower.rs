@@ -287,8 +287,10 @@ impl<'t> Lowering<'t> {
         let Some(address) = self.address(token.start, span) else { return };
         let run = String::from_utf8_lossy(self.number_text(token)).into_owned();
         let prefix = char::from(self.byte(token.start).to_ascii_uppercase()).to_string();
-        if run.get(..1).is_some_and(|letter| letter.eq_ignore_ascii_case(&prefix)) {
-            self.doubled_letter(address, &run, span);
+        // `Ll30` is `L130` (LEX-12).
+        if run.get(..1).is_some_and(|letter| letter.eq_ignore_ascii_case(&prefix) && letter != "l") {
+            let written = Some(run.as_str()).filter(|_| pieces.is_empty());
+            self.doubled_letter(address, written, span);
             return;
         }
         match self.corrected(run, pieces, address, &prefix, span) {
@@ -369,8 +371,12 @@ impl<'t> Lowering<'t> {
     ) -> Option<Number> {
         let place = self.at(span);
         let pointed = address.is_dimensional() || address == Address::H;
+        let apart = self.slice(span).split(',').skip(1).any(|behind| behind.starts_with([' ', '\t']))
+            || self.slice(span).contains([' ', '\t']) && self.slice(span).contains(" ,");
         let (meant, fixed, value) = if joined.ends_with(',') && joined.matches(',').count() == 1 {
             (CommaMeant::Border { written: shown(&fixed) }, Some(fixed), Some(number))
+        } else if apart {
+            (CommaMeant::Apart { written: shown(&fixed) }, None, None)
         } else if pointed {
             (CommaMeant::Point { written: shown(&fixed) }, Some(fixed), Some(number))
         } else if let Some(whole) = number.value.as_whole().filter(|_| !number.rounded) {
@@ -380,9 +386,13 @@ impl<'t> Lowering<'t> {
         } else {
             (CommaMeant::Whole { address }, None, None)
         };
+        let guess = matches!(meant, CommaMeant::WholeWritten { .. });
         let diagnostic = Diagnostic::new(Finding::DecimalComma { meant }, place);
+        let title = |fixed: &str| FixTitle::Write { text: shown(fixed) };
         self.pending.push(match fixed {
-            Some(fixed) => diagnostic.with_fix(FixTitle::Write { text: shown(&fixed) }, place, fixed),
+            // `L1,00` may be L100.
+            Some(fixed) if guess => diagnostic.with_offer(title(&fixed), place, fixed),
+            Some(fixed) => diagnostic.with_fix(title(&fixed), place, fixed),
             None => diagnostic,
         });
         value

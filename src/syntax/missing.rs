@@ -29,7 +29,7 @@ pub(super) struct Split {
 impl Split {
     /// Whether the second piece goes on where the first one stopped: `36.  12`, `1 000`, `10 .5`.
     fn is_continued(&self) -> bool {
-        let zeros = self.text.len() > 1 && self.text.starts_with('0');
+        let zeros = self.text.len() > 1 && self.text.starts_with('0') && !self.text.starts_with("0.");
         let speed = self.word.address == Address::S && self.text == "00";
         let function = matches!(self.word.address, Address::G | Address::M | Address::N | Address::T | Address::S);
         let digits = self.word.address == Address::D && self.text.len() == CORRECTION_DIGITS;
@@ -37,6 +37,11 @@ impl Split {
             || self.text.starts_with('.')
             || speed
             || (zeros && !digits && !(function && self.text.len() == 2))
+    }
+
+    /// Whether the second piece is a number with a point of its own: `45 10.5`, but not `1 000.5`.
+    fn has_own_point(&self) -> bool {
+        self.text.find('.').is_some_and(|digits| !matches!(digits, 0 | 3))
     }
 
     /// Two digits that are those of one function: `M0 3`.
@@ -119,13 +124,13 @@ impl Lowering<'_> {
             }
             // Joining is less likely than what is missing: `X7040` for `X70 40` would be a wrong move.
             if written.is_empty() {
-                found.fixes.retain(|fix| fix.certain);
+                found.fixes.retain(|fix| fix.certain && !split.has_own_point());
             } else {
                 let title = FixTitle::Write { text: shown(&written) };
                 found.fixes = vec![Fix::offer(title, place, written)];
             }
         }
-        let unknown = missing.is_some() || !word.address.is_dimensional();
+        let unknown = missing.is_some() || !word.address.is_dimensional() || split.has_own_point();
         if let Some(slot) = self.words.get_mut(split.at).filter(|_| unknown) {
             *slot = Word::bare(word.address, word.span(self.text)).faulty();
         }

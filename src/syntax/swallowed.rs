@@ -17,7 +17,10 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
     while !text.is_char_boundary(start as usize) {
         start += 1;
     }
-    let tokens: Vec<Token> = tokens(text, start, comment.end).collect();
+    // A sign that was meant to close the comment ends its text.
+    let tail = text.get(start as usize..comment.end as usize)?;
+    let closed = tail.rmatch_indices(['“', '”', '\'', ';']).next().map_or(0, |(at, sign)| at + sign.len());
+    let tokens: Vec<Token> = tokens(text, start + small(closed), comment.end).collect();
     let ends = |from: usize| Run { text, tokens: tokens.get(from..).sure() }.whole(LEAST, None) == Some(true);
     let from = (0..tokens.len()).find(|from| ends(*from))?;
     Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))

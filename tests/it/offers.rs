@@ -116,11 +116,80 @@ fn other_functions_and_line_ends() {
     assert!(check(&loader(&now), "p.nc", &Request::default()).unwrap().is_empty());
 }
 
+/// A program in which nothing is wrong, for slips.
+const MODEL: &str = "%1200 \"PRIRUBA\"\n\
+    N10 G54 G17 G90 G94 G40\n\
+    N20 T1 M06 \"FREZA D16\"\n\
+    N30 S1200 M03\n\
+    N40 G00 X-15 Y-75\n\
+    N50 Z50 M08\n\
+    N60 Z2\n\
+    N70 G01 Z0 F600 D1\n\
+    N80 G71 L100 Q3\n\
+    N90 G00 Z2\n\
+    N100 G01 X45 Y10.5 F300\n\
+    N130 G91 G01 X-5 Y0.5\n\
+    N140 G73 L130 Q4\n\
+    N150 G90 G00 Z100 M09\n\
+    N160 M30\n\
+    N1000 G79 L100\n\
+    N1010 G91 G01 Z-4.2 F400\n\
+    N1020 G90 X100 Y20 F260\n\
+    N1030 G70\n";
+
+/// Where it is not certain what was meant, `--fix` changes nothing: it would be another move, jump or call without a word.
+#[test]
+fn what_a_fix_would_guess() {
+    let check = |text: &str| check(&MemoryLoader::new().with("p.nc", text), "p.nc", &Request::default()).unwrap();
+    assert!(check(MODEL).is_empty());
+    for (right, slip) in [
+        ("X45 Y10.5", "X45 10.5"),
+        ("X-5 Y0.5", "X-5 0.5"),
+        ("X100 Y20", "X100 20"),
+        ("X45 Y10.5", "Y45 10.5"),
+        ("X45 Y10.5", "XX45 10.5"),
+        ("N60 Z2", "NN60 2"),
+        ("X100 Y20", "X100, 20"),
+        ("Z50 M08", "Z50 ,8"),
+        ("T1 M06", "T1,0 M06"),
+        ("G79 L100", "G79 L1,00"),
+        ("T1 M06 \"FREZA D16\"", "T1 (FREZA D16 M06"),
+        ("G00 Z100 M09", "(ZPET G00 Z100 M09"),
+        ("G00 Z100 M09", "{ZPET G00 Z100 M09"),
+        ("N60 Z2", "N60 Z2 ; DOLU N65 G01 Z0"),
+        ("Y10.5 F300", "Y10;5 F300"),
+        ("Z50 M08", "Z5(0 M08"),
+        ("S1200 M03", "S12;00 M03"),
+        ("L100 Q3", "L100;3"),
+        ("X-15 Y-75", "X15− Y-75"),
+        ("X45", "X#1*2"),
+    ] {
+        assert!(MODEL.contains(right), "{right}");
+        let found = check(&MODEL.replacen(right, slip, 1));
+        assert!(!found.is_empty(), "{slip}: nothing is said");
+        for item in &found {
+            assert!(item.certain_fix().is_none(), "{slip}: {} {:?}", item.code(), item.certain_fix());
+        }
+    }
+    for (right, slip, fixed) in [
+        ("X45 Y10.5", "X36.  12 Y10.5", "X36.12 Y10.5"),
+        ("X45 Y10.5", "X45 Y-  10.5", "X45 Y-10.5"),
+        ("X45 Y10.5", "X45,5 Y10.5", "X45.5 Y10.5"),
+        ("G73 L130", "G73 Ll30", "G73 L130"),
+        ("N60 Z2", "N60 Z2 (dolu)", "N60 Z2 \"dolu\""),
+    ] {
+        let program = MODEL.replacen(right, slip, 1);
+        let found = check(&program);
+        let fix = found.iter().find_map(Diagnostic::certain_fix).unwrap_or_else(|| panic!("{slip}: {found:?}"));
+        assert_eq!(changed(&program, fix), MODEL.replacen(right, fixed, 1), "{slip}");
+    }
+}
+
 /// What a change brings to light in samples of more than one slip.
 const BROUGHT_TO_LIGHT: [(&str, &[Code]); 3] = [
     ("E0101-semicolons.nc", &[Code::E0306]),
     ("W0113-other-control.nc", &[Code::E0101, Code::E0203]),
-    // The comma stands in a number that other blocks write without it.
+    // The comma may stand in a number that other blocks write without it.
     ("entry-number-malformed.nc", &[Code::E0404]),
 ];
 
