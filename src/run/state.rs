@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use super::unknown::Groups;
 use crate::config::Settings;
-
 use crate::dict::{Decimal, FeedPer, GCode, GGroup, M_GROUPS, Micro, Plane};
 use crate::syntax::BlockId;
 use crate::text::{FileId, Location};

@@ -214,7 +214,15 @@ impl Lowering<'_> {
             let apart = kept.replace(';', " ").trim_end().to_owned();
             let meant = Meant::CommentOrWords { words: shown(&apart), comment: shown(&kept.replace('"', "")) };
             let diagnostic = Diagnostic::new(finding(meant), place);
-            let diagnostic = diagnostic.with_offer(FixTitle::Write { text: shown(&apart) }, place, apart);
+            // Only signs are written: letters of a comment among the words keep their bytes.
+            let edit = |from: u32, to: u32, text: &str| Edit {
+                at: Location { span: Span::new(from, to), ..place },
+                text: text.to_owned(),
+            };
+            let signs = kept.match_indices(';').map(|(at, _)| start + small(at)).map(|at| edit(at, at + 1, " "));
+            let edits = [edit(span.start, start, ""), edit(end, span.end, "")];
+            let edits = edits.into_iter().filter(|edit| !edit.at.span.is_empty()).chain(signs).collect();
+            let diagnostic = diagnostic.with_offers(FixTitle::Write { text: shown(&apart) }, edits);
             if body.contains('"') { diagnostic } else { diagnostic.with_offers(FixTitle::Comment, quotes()) }
         };
         self.pending.push(diagnostic);

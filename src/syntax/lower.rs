@@ -371,8 +371,8 @@ impl<'t> Lowering<'t> {
     ) -> Option<Number> {
         let place = self.at(span);
         let pointed = address.is_dimensional() || address == Address::H;
-        let apart = self.slice(span).split(',').skip(1).any(|behind| behind.starts_with([' ', '\t']))
-            || self.slice(span).contains([' ', '\t']) && self.slice(span).contains(" ,");
+        let text = self.slice(span);
+        let apart = [", ", ",\t", " ,", "\t,"].into_iter().any(|pair| text.contains(pair));
         let (meant, fixed, value) = if joined.ends_with(',') && joined.matches(',').count() == 1 {
             (CommaMeant::Border { written: shown(&fixed) }, Some(fixed), Some(number))
         } else if apart {

@@ -185,6 +185,15 @@ fn what_a_fix_would_guess() {
     }
 }
 
+/// What is offered is written, also with letters of a code page in it: only what is not ASCII already stays.
+#[test]
+fn words_with_a_comment_between_brackets() {
+    let program = "%1\n(N10 G0 X5 \"díra\" Y0)\nN20 M30\n";
+    let (title, now) = offered(program, Code::E0101);
+    assert_eq!(title, "write `N10 G0 X5 \"díra\" Y0`");
+    assert_eq!(now, "%1\nN10 G0 X5 \"díra\" Y0\nN20 M30\n");
+}
+
 /// What a change brings to light in samples of more than one slip.
 const BROUGHT_TO_LIGHT: [(&str, &[Code]); 3] = [
     ("E0101-semicolons.nc", &[Code::E0306]),
