@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::lines::leading_number;
 use super::{Resolved, Unit};
 use crate::diag::{Code, Diagnostic, Finding, Findings, Label, LabelText, Star, Unread, UnreadEnd};
 use crate::dict::{GCode, HIGHEST_BLOCK, PROGRAM_ENDS};
@@ -220,7 +221,5 @@ fn star_meant(parsed: &ParsedFile) -> Star {
 
 /// Whether a text begins with digits that a block number may have.
 fn begins_block_number(text: &str) -> bool {
-    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-    let number = text.get(..digits).and_then(|digits| digits.parse::<u32>().ok());
-    number.is_some_and(|number| number <= HIGHEST_BLOCK)
+    leading_number(text).is_some_and(|(number, _)| number <= HIGHEST_BLOCK)
 }

@@ -183,10 +183,15 @@ pub(super) fn join(parsed: &ParsedFile, findings: &mut Findings) {
 /// The whole number that a line begins with, also behind another letter than `N`.
 fn line_number(line: &str) -> Option<u32> {
     let line = line.trim_start_matches([' ', '\t']);
-    let number = line.strip_prefix(is_other_letter).unwrap_or(line);
-    let digits = number.bytes().take_while(u8::is_ascii_digit).count();
-    let (digits, behind) = number.split_at(digits);
-    behind.starts_with([' ', '\t']).then(|| digits.parse().ok()).flatten()
+    let (number, behind) = leading_number(line.strip_prefix(is_other_letter).unwrap_or(line))?;
+    behind.starts_with([' ', '\t']).then_some(number)
+}
+
+/// The whole number that a text begins with, and what stands behind it.
+pub(super) fn leading_number(text: &str) -> Option<(u32, &str)> {
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    let (digits, behind) = text.split_at(digits);
+    Some((digits.parse().ok()?, behind))
 }
 
 /// Whether a letter is another address than `N`.

@@ -178,12 +178,14 @@ fn offer(site: &Site<'_>, words: &BlockWords, diagnostic: Diagnostic) -> Diagnos
     diagnostic.with_offers(FixTitle::Write { text }, edits)
 }
 
+/// Whether the radii of an arc agree (MOT-4).
+fn fits(machine: &Machine, arc: &Arc) -> bool {
+    arc::radii_agree(&arc.compute(), Micro::from(machine.limits.arc_tolerance).to_f64())
+}
+
 /// Whether I and J fit as coordinates of the centre, or exchanged.
 fn meant_center(machine: &Machine, arc: &Arc, in_order: impl Fn([Micro; 2]) -> [Micro; 2]) -> ArcMeant {
-    let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
-    let fits = |to_center: [Micro; 2]| {
-        to_center != [Micro::ZERO; 2] && arc::radii_agree(&Arc { to_center, ..*arc }.compute(), tolerance)
-    };
+    let fits = |to_center: [Micro; 2]| to_center != [Micro::ZERO; 2] && fits(machine, &Arc { to_center, ..*arc });
     let words = |to_center: [Micro; 2]| {
         let [i, j] = in_order(to_center);
         format!("I{i} J{j}")
@@ -201,13 +203,10 @@ fn meant_center(machine: &Machine, arc: &Arc, in_order: impl Fn([Micro; 2]) -> [
 
 /// Whether the arc fits with another sign of I or J.
 fn fits_mirrored(machine: &Machine, arc: &Arc) -> bool {
-    let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
     let [u, v] = arc.to_center;
     let minus = |value: Micro| Micro::ZERO.minus(value);
     let mirrored = [[minus(u), v], [u, minus(v)], [minus(u), minus(v)]];
-    mirrored.into_iter().any(|to_center| {
-        to_center != arc.to_center && arc::radii_agree(&Arc { to_center, ..*arc }.compute(), tolerance)
-    })
+    mirrored.into_iter().any(|to_center| to_center != arc.to_center && fits(machine, &Arc { to_center, ..*arc }))
 }
 
 /// Whether the arc fits under the other of G90 and G91.
@@ -218,11 +217,8 @@ fn meant_mode(
     named: [usize; 2],
     arc: &Arc,
 ) -> ArcMeant {
-    let tolerance = Micro::from(site.machine().limits.arc_tolerance).to_f64();
     // Any arc fits that ends where it starts.
-    let fits = |start: [Micro; 2], end: [Micro; 2]| {
-        start != end && arc::radii_agree(&Arc { start, end, ..*arc }.compute(), tolerance)
-    };
+    let fits = |start: [Micro; 2], end: [Micro; 2]| start != end && fits(site.machine(), &Arc { start, end, ..*arc });
     let [u, v] = named.map(|axis| words.axis_words().any(|(other, _)| other == axis));
     let either = |written: bool, end: Micro, stays: Micro| if written { end } else { stays };
     let [[from_u, from_v], [to_u, to_v]] = [arc.start, arc.end];

@@ -102,7 +102,6 @@ pub(super) struct AxisSet(u16);
 impl AxisSet {
     /// Every axis.
     pub(super) const ALL: Self = Self(u16::MAX);
-    pub(super) const NONE: Self = Self(0);
 
     /// Gives whether it was not in the set.
     pub(super) const fn insert(&mut self, axis: usize) -> bool {
@@ -178,7 +177,7 @@ impl Default for Said {
             spindle_stopped: false,
             no_tool: false,
             arc_mode: false,
-            arc_starts: AxisSet::NONE,
+            arc_starts: AxisSet::default(),
             other_plane: None,
             no_center: LastBlock::default(),
             stray_centers: LastBlock::default(),
@@ -304,7 +303,7 @@ impl State {
     /// The machine moved, nobody knows where.
     pub(super) fn lose_positions(&mut self) {
         self.positions = [Position::Unknown; 9];
-        self.said.arc_starts = AxisSet::NONE;
+        self.said.arc_starts = AxisSet::default();
     }
 
     /// The function of an M group.

@@ -155,8 +155,11 @@ impl Lowering<'_> {
         if let Some(word) = self.words.last_mut().filter(|word| !word.is_faulty()) {
             *word = Word::bare(word.address, word.span(self.text)).faulty();
         }
-        let words: Vec<Token> =
-            tokens(self.text, behind.start, behind.end).filter(|token| token.kind == Kind::Word).collect();
+        self.void_words(tokens(self.text, behind.start, behind.end).filter(|token| token.kind == Kind::Word));
+    }
+
+    /// What the words would set is not known.
+    fn void_words(&mut self, words: impl IntoIterator<Item = Token>) {
         for word in words {
             if let Some(address) = Address::from_byte(self.byte(word.start)).filter(|address| *address != Address::N) {
                 self.push_void(address, word.span());
@@ -186,9 +189,11 @@ impl Lowering<'_> {
         let end = start + small(kept.len());
         self.flags.set(BlockFlags::DEBRIS);
         let place = self.at(span);
-        let quote =
-            |from: u32, to: u32| Edit { at: Location { span: Span::new(from, to), ..place }, text: "\"".to_owned() };
-        let quotes = || vec![quote(span.start, start), quote(end, span.end)];
+        let edit = |from: u32, to: u32, text: &str| Edit {
+            at: Location { span: Span::new(from, to), ..place },
+            text: text.to_owned(),
+        };
+        let quotes = || vec![edit(span.start, start, "\""), edit(end, span.end, "\"")];
         let finding = |meant: Meant| Finding::UnknownCharacter { text: shown(text), meant };
         let words = swallowed::words_between(self.text, Span::new(start, end));
         let is_digit = |at: Option<u32>| at.is_some_and(|at| self.byte(at).is_ascii_digit());
@@ -215,10 +220,6 @@ impl Lowering<'_> {
             let meant = Meant::CommentOrWords { words: shown(&apart), comment: shown(&kept.replace('"', "")) };
             let diagnostic = Diagnostic::new(finding(meant), place);
             // Only signs are written: letters of a comment among the words keep their bytes.
-            let edit = |from: u32, to: u32, text: &str| Edit {
-                at: Location { span: Span::new(from, to), ..place },
-                text: text.to_owned(),
-            };
             let signs = kept.match_indices(';').map(|(at, _)| start + small(at)).map(|at| edit(at, at + 1, " "));
             let edits = [edit(span.start, start, ""), edit(end, span.end, "")];
             let edits = edits.into_iter().filter(|edit| !edit.at.span.is_empty()).chain(signs).collect();
@@ -226,12 +227,7 @@ impl Lowering<'_> {
             if body.contains('"') { diagnostic } else { diagnostic.with_offers(FixTitle::Comment, quotes()) }
         };
         self.pending.push(diagnostic);
-        // What the words would set is not known.
-        for word in words.unwrap_or_default() {
-            if let Some(address) = Address::from_byte(self.byte(word.start)).filter(|address| *address != Address::N) {
-                self.push_void(address, word.span());
-            }
-        }
+        self.void_words(words.unwrap_or_default());
     }
 }
 

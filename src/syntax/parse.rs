@@ -303,16 +303,12 @@ fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)>
 /// So few bytes behind a `%` may be blank for it to be the end of a file.
 const FEW: usize = 256;
 
-/// Whether a block number stands right behind G71, G72 or G73 on a line with no other word than Q behind it, in a block
-/// without L: it is the target. `before`: the tokens of that block.
+/// Whether a block number stands right behind G71, G72 or G73 on a line with no other word than Q behind it: in a block
+/// without L it is the target.
 fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
     let Some(last) = before.last().filter(|last| last.kind == Kind::Word && token.kind == Kind::Word) else {
         return false;
     };
-    let is_l = |token: &Token| matches!(bytes.get(token.start as usize), Some(b'L' | b'l'));
-    if before.iter().any(is_l) {
-        return false;
-    }
     let word = bytes.get(last.span().range()).sure();
     let flow = matches!(word, [b'G' | b'g', b'7', b'1'..=b'3']);
     let rest = bytes.get(token.end as usize..).sure();
@@ -409,6 +405,8 @@ impl<'t> Reader<'t> {
         cuts.clear();
         let mut stopped = end;
         let mut taken = start;
+        // Of the block in hand.
+        let mut has_l = false;
         for mut token in tokens(text, start, end) {
             if token.start < taken {
                 continue;
@@ -433,11 +431,7 @@ impl<'t> Reader<'t> {
                     | Kind::ForeignStart
             );
             match bytes.get(token.start as usize).filter(|_| with_address) {
-                Some(b'N' | b'n')
-                    if is_jump_target(bytes, batch.get(cuts.last().copied().unwrap_or(0)..).sure(), token) =>
-                {
-                    token.kind = Kind::JumpTarget;
-                }
+                Some(b'N' | b'n') if !has_l && is_jump_target(bytes, &batch, token) => token.kind = Kind::JumpTarget,
                 // `G7N`: a slip in a word, not the beginning of a block.
                 Some(b'N' | b'n')
                     if token.kind == Kind::Letter
@@ -454,6 +448,7 @@ impl<'t> Reader<'t> {
                         (token.kind, token.start) = (Kind::MixedNumber, digits.start);
                     }
                     cuts.push(batch.len());
+                    has_l = false;
                 }
                 Some(b'%') if self.program_seen || (self.form == Form::Macrocycle && !self.before_blocks(&cuts)) => {
                     self.second_program_start(token);
@@ -462,6 +457,7 @@ impl<'t> Reader<'t> {
                 Some(b'%') => self.program_seen = true,
                 _ => {}
             }
+            has_l |= matches!(bytes.get(token.start as usize), Some(b'L' | b'l'));
             batch.push(token);
             if short_way && token.kind == Kind::LineEnd && plain::block_begins(bytes, token.end as usize) {
                 stopped = token.end;

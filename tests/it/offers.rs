@@ -27,6 +27,11 @@ fn check(loader: &MemoryLoader, file: &str, request: &Request) -> Option<Vec<Dia
     Some(outcome.findings.items().iter().filter(|item| settings.severity(item.code()).is_some()).cloned().collect())
 }
 
+/// The findings of a program alone.
+fn check_text(program: &str) -> Vec<Diagnostic> {
+    check(&MemoryLoader::new().with("p.nc", program), "p.nc", &Request::default()).unwrap()
+}
+
 fn counts(found: &[Diagnostic]) -> BTreeMap<Code, usize> {
     let mut counts = BTreeMap::new();
     for item in found {
@@ -45,14 +50,13 @@ fn changed(text: &str, fix: &Fix) -> String {
 
 /// What is offered for the only finding of that code, and the program after it.
 fn offered(program: &str, code: Code) -> (String, String) {
-    let check = |text: &str| check(&MemoryLoader::new().with("p.nc", text), "p.nc", &Request::default()).unwrap();
-    let found = check(program);
+    let found = check_text(program);
     let item = found.iter().find(|item| item.code() == code);
     let item = item.unwrap_or_else(|| panic!("no {code} in {program:?}: {:?}", counts(&found)));
     let fix = item.fixes.first().unwrap_or_else(|| panic!("{code} offers nothing in {program:?}"));
     assert!(!fix.certain, "{code}: nothing applies this by itself");
     let now = changed(program, fix);
-    let (before, after) = (counts(&found), counts(&check(&now)));
+    let (before, after) = (counts(&found), counts(&check_text(&now)));
     assert_eq!(after.get(&code).copied().unwrap_or(0) + 1, before[&code], "{code} stays in {now:?}");
     for (code, count) in &after {
         assert!(before.get(code).is_some_and(|before| count <= before), "{code} comes by the offer: {now:?}");
@@ -140,8 +144,7 @@ const MODEL: &str = "%1200 \"PRIRUBA\"\n\
 /// Where it is not certain what was meant, `--fix` changes nothing: it would be another move, jump or call without a word.
 #[test]
 fn what_a_fix_would_guess() {
-    let check = |text: &str| check(&MemoryLoader::new().with("p.nc", text), "p.nc", &Request::default()).unwrap();
-    assert!(check(MODEL).is_empty());
+    assert!(check_text(MODEL).is_empty());
     for (right, slip) in [
         ("X45 Y10.5", "X45 10.5"),
         ("X-5 Y0.5", "X-5 0.5"),
@@ -165,7 +168,7 @@ fn what_a_fix_would_guess() {
         ("X45", "X#1*2"),
     ] {
         assert!(MODEL.contains(right), "{right}");
-        let found = check(&MODEL.replacen(right, slip, 1));
+        let found = check_text(&MODEL.replacen(right, slip, 1));
         assert!(!found.is_empty(), "{slip}: nothing is said");
         for item in &found {
             assert!(item.certain_fix().is_none(), "{slip}: {} {:?}", item.code(), item.certain_fix());
@@ -179,7 +182,7 @@ fn what_a_fix_would_guess() {
         ("N60 Z2", "N60 Z2 (dolu)", "N60 Z2 \"dolu\""),
     ] {
         let program = MODEL.replacen(right, slip, 1);
-        let found = check(&program);
+        let found = check_text(&program);
         let fix = found.iter().find_map(Diagnostic::certain_fix).unwrap_or_else(|| panic!("{slip}: {found:?}"));
         assert_eq!(changed(&program, fix), MODEL.replacen(right, fixed, 1), "{slip}");
     }
