@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 
 use super::choose::{Why, why_none};
 use super::dictionary::{Cell, Form, Signal, signals};
-use super::grammar::{Comparison, Tree, parse};
+use super::grammar::{Comparison, DEEPEST, Tree, parse, too_deep};
 use super::run_time;
 use super::tokens::{Kind, Token, tokens};
 use super::values::Value;
@@ -27,8 +27,8 @@ enum Node {
     Bit(usize),
     Compare { left: usize, by: Comparison, right: Operand },
     Not(Box<Node>),
-    And(Box<Node>, Box<Node>),
-    Or(Box<Node>, Box<Node>),
+    And(Vec<Node>),
+    Or(Vec<Node>),
     Edge { rising: bool, of: Box<Node> },
 }
 
@@ -61,12 +61,18 @@ impl Condition {
         for token in &tokens {
             reader.look_at(*token);
         }
-        let node = match parse(&tokens) {
-            Ok(tree) => reader.node(&tree, false),
-            Err(at) => {
-                reader.misplaced(&tokens, at);
+        let node = match too_deep(&tokens) {
+            Some(token) => {
+                reader.add_problem(ConditionProblem::TooDeep { limit: DEEPEST }, token.span, None);
                 None
             }
+            None => match parse(&tokens) {
+                Ok(tree) => reader.node(&tree, false),
+                Err(at) => {
+                    reader.misplaced(&tokens, at);
+                    None
+                }
+            },
         };
         let Reader { mut found, signals, .. } = reader;
         match node {
@@ -101,21 +107,12 @@ impl Condition {
                 Some(by.is(order))
             }
             Node::Not(of) => self.eval(of, before, now).map(|holds| !holds),
-            Node::And(a, b) => match (self.eval(a, before, now), self.eval(b, before, now)) {
-                (Some(false), _) | (_, Some(false)) => Some(false),
-                (a, b) => a.and(b),
-            },
-            Node::Or(a, b) => match (self.eval(a, before, now), self.eval(b, before, now)) {
-                (Some(true), _) | (_, Some(true)) => Some(true),
-                (a, b) => a.and(b),
-            },
+            Node::And(all) => settle(all.iter().map(|node| self.eval(node, before, now)), false),
+            Node::Or(any) => settle(any.iter().map(|node| self.eval(node, before, now)), true),
             Node::Edge { rising, of } => {
                 let was = self.eval(of, before, before).map(|holds| holds != *rising);
                 let is = self.eval(of, before, now).map(|holds| holds == *rising);
-                match (was, is) {
-                    (Some(false), _) | (_, Some(false)) => Some(false),
-                    (was, is) => was.and(is),
-                }
+                settle([was, is].into_iter(), false)
             }
         }
     }
@@ -125,6 +122,15 @@ impl Condition {
         let real = self.signals.get(index)?.form() == Form::Real;
         Some(if real { value } else { value * MILLION })
     }
+}
+
+/// `decisive` when one is; else absent when one is; else its opposite.
+fn settle(mut values: impl Iterator<Item = Option<bool>>, decisive: bool) -> Option<bool> {
+    let whole = values.try_fold(Some(!decisive), |whole, value| match value {
+        Some(value) if value == decisive => Err(()),
+        value => Ok(whole.and(value)),
+    });
+    whole.unwrap_or(Some(decisive))
 }
 
 impl Comparison {
@@ -273,14 +279,8 @@ impl Reader<'_> {
                 self.check_not(*at, of);
                 Some(Node::Not(Box::new(self.node(of, within_edge)?)))
             }
-            Tree::And(a, b) => {
-                let (a, b) = (self.node(a, within_edge), self.node(b, within_edge));
-                Some(Node::And(Box::new(a?), Box::new(b?)))
-            }
-            Tree::Or(a, b) => {
-                let (a, b) = (self.node(a, within_edge), self.node(b, within_edge));
-                Some(Node::Or(Box::new(a?), Box::new(b?)))
-            }
+            Tree::And(all) => self.nodes(all, within_edge).map(Node::And),
+            Tree::Or(any) => self.nodes(any, within_edge).map(Node::Or),
             Tree::Group(of) => self.node(of, within_edge),
             Tree::Edge { at, rising, of } => {
                 if within_edge {
@@ -290,6 +290,12 @@ impl Reader<'_> {
                 Some(Node::Edge { rising: *rising, of: Box::new(self.node(of, true)?) })
             }
         }
+    }
+
+    /// All of them, with all that is wrong in any.
+    fn nodes(&mut self, trees: &[Tree], within_edge: bool) -> Option<Vec<Node>> {
+        let nodes: Vec<_> = trees.iter().map(|tree| self.node(tree, within_edge)).collect();
+        nodes.into_iter().collect()
     }
 
     /// `!PB06 == 19h`: the `!` belongs to the name alone.
@@ -552,6 +558,21 @@ mod tests {
             assert_eq!(wrong(text), expected, "{text}");
         }
         assert_eq!(Condition::read("BLK.T == 5", Dialect::Cnc8x6).unwrap_err()[0].code().as_str(), "E0902");
+    }
+
+    /// Depth is bounded, length is not; `!` of neighbours do not add up.
+    #[test]
+    fn deep_and_long() {
+        for deep in ["(".repeat(101) + "M03PI", "!".repeat(100_000) + "M03PI", "!(".repeat(51) + "M03PI"] {
+            let found = Condition::read(&deep, Dialect::Cnc872).unwrap_err();
+            assert_eq!(found.len(), 1);
+            let message = found[0].finding.message(Lang::En);
+            assert_eq!(message, "more than 100 parentheses and `!` are within one another");
+        }
+        let group = format!("{}M03PI{}", "(".repeat(100), ")".repeat(100));
+        for fine in [group, vec!["!M03PI"; 20_000].join(" & "), vec!["(M03PI)"; 20_000].join("|")] {
+            assert!(!holds(&fine, &[], &[("M03PI", None)]));
+        }
     }
 
     /// After a comparison a number may stand too.

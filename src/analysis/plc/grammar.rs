@@ -60,14 +60,37 @@ pub(super) enum Tree {
     Signal { name: Token, compared: Option<(Comparison, Token)> },
     /// `!`
     Not { at: Span, of: Box<Tree> },
-    /// `&`
-    And(Box<Tree>, Box<Tree>),
-    /// `|`
-    Or(Box<Tree>, Box<Tree>),
+    /// `&` between two or more.
+    And(Vec<Tree>),
+    /// `|` between two or more.
+    Or(Vec<Tree>),
     /// In parentheses.
     Group(Box<Tree>),
     /// `rising(…)`, `falling(…)`
     Edge { at: Span, rising: bool, of: Box<Tree> },
+}
+
+/// Parentheses and `!` that may stand within one another: trees are read and evaluated by recursion.
+pub(super) const DEEPEST: usize = 100;
+
+/// The first token that stands within more than [`DEEPEST`] parentheses and `!`.
+pub(super) fn too_deep(tokens: &[Token]) -> Option<Token> {
+    // For each parenthesis that is open, how deep it stands.
+    let mut outside = Vec::new();
+    let mut depth = 0;
+    tokens.iter().copied().find(|token| {
+        match token.kind {
+            Kind::Not | Kind::WordNot => depth += 1,
+            Kind::Open => {
+                outside.push(depth);
+                depth += 1;
+            }
+            Kind::Close => depth = outside.pop().unwrap_or(0),
+            // The next operand stands beside, not within.
+            _ => depth = outside.last().map_or(0, |depth| depth + 1),
+        }
+        depth > DEEPEST
+    })
 }
 
 /// The condition that the tokens are, or the index of the first token that has no place; their number when the end comes
@@ -101,9 +124,20 @@ fn condition<'t>() -> impl Parser<'t, &'t [Token], Tree, Extra<'t>> {
             .repeated()
             .foldr(primary, |not: Token, of| Tree::Not { at: not.span, of: Box::new(of) });
         let and = choice((one(Kind::And), one(Kind::DoubleAnd), one(Kind::WordAnd)));
-        let all = not.clone().foldl(and.ignore_then(not).repeated(), |a, b| Tree::And(Box::new(a), Box::new(b)));
+        let all = not.separated_by(and).at_least(1).collect().map(|trees| one_of(trees, Tree::And));
         let or = choice((one(Kind::Or), one(Kind::DoubleOr), one(Kind::WordOr)));
-        all.clone().foldl(or.ignore_then(all).repeated(), |a, b| Tree::Or(Box::new(a), Box::new(b)))
+        all.separated_by(or).at_least(1).collect().map(|trees| one_of(trees, Tree::Or))
     })
     .then_ignore(end())
+}
+
+/// The only tree, or what joins several.
+fn one_of(mut trees: Vec<Tree>, join: fn(Vec<Tree>) -> Tree) -> Tree {
+    match trees.pop() {
+        Some(only) if trees.is_empty() => only,
+        last => {
+            trees.extend(last);
+            join(trees)
+        }
+    }
 }
