@@ -35,6 +35,7 @@ pub fn pages() -> BTreeMap<String, String> {
         ("motion", cnc872c::analysis::motion::schema()),
         ("plc", cnc872c::analysis::plc::schema()),
         ("report", cnc872c::analysis::sheet::schema()),
+        ("state", cnc872c::analysis::state::schema()),
     ];
     for (name, schema) in schemas {
         pages.insert(format!("schemas/{name}.json"), format!("{schema:#}\n"));

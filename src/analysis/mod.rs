@@ -2,10 +2,13 @@
 
 pub mod equidistant;
 pub mod motion;
+mod number;
 pub mod plc;
 mod record_schema;
 pub mod sheet;
+pub mod state;
 mod totals;
 
+pub use number::Number;
 pub use record_schema::{forbid_null, record_schema};
 pub use totals::Totals;

@@ -58,6 +58,7 @@ pub(super) enum Command {
     Motion(MotionArgs),
     Plc(PlcArgs),
     Report(ReportArgs),
+    State(StateArgs),
     Explain(ExplainArgs),
     Init(InitArgs),
     Lsp(LspArgs),
@@ -242,6 +243,51 @@ pub(super) enum ReportFormat {
     Html,
 }
 
+/// A place of a program: one of the first five.
+#[derive(Debug, Args)]
+#[group(skip)]
+pub(super) struct PlaceArgs {
+    #[arg(long, group = "place", required_unless_present_any = ["line", "seq", "time", "at_tool"], value_name = "N")]
+    pub n: Option<String>,
+    #[arg(long, group = "place", value_name = "LINE", value_parser = clap::value_parser!(u32).range(1..))]
+    pub line: Option<u32>,
+    #[arg(long, group = "place", value_name = "SEQ")]
+    pub seq: Option<u64>,
+    #[arg(long, group = "place", value_name = "TIME")]
+    pub time: Option<String>,
+    #[arg(long, group = "place", value_name = "T")]
+    pub at_tool: Option<String>,
+    #[arg(long = "file", value_name = "L", conflicts_with_all = ["seq", "time", "at_tool"])]
+    pub file_of: Option<String>,
+    #[arg(long, value_name = "PASS", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["seq", "time"])]
+    pub pass: Option<u64>,
+}
+
+/// `state`.
+#[derive(Debug, Args)]
+pub(super) struct StateArgs {
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub place: PlaceArgs,
+    #[arg(long)]
+    pub after: bool,
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: StateFormat,
+    #[arg(long)]
+    pub all: bool,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// In which form `state` answers.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+pub(super) enum StateFormat {
+    #[default]
+    Human,
+    Json,
+}
+
 /// How findings are shown.
 #[derive(Debug, Args)]
 pub(super) struct FindingsArgs {
@@ -362,6 +408,7 @@ pub(super) enum SchemaName {
     Motion,
     Plc,
     Report,
+    State,
 }
 
 /// `completions`.

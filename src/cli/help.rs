@@ -4,7 +4,8 @@ use clap::builder::Styles;
 use clap::{Arg, Command, CommandFactory};
 
 use super::args::CommandLine;
-use super::help_texts::{ARGUMENTS, ArgumentText, COMMANDS, VALUES};
+use super::help_texts::{ArgumentText, CommandText};
+use super::{help_places, help_texts};
 use crate::dict::Lang;
 
 /// The command line with its help in `lang`.
@@ -16,9 +17,17 @@ pub(super) fn command(lang: Lang) -> Command {
     }
 }
 
+fn commands() -> impl Iterator<Item = &'static CommandText> {
+    help_texts::COMMANDS.iter().chain(help_places::COMMANDS)
+}
+
+fn arguments() -> impl Iterator<Item = &'static ArgumentText> {
+    help_texts::ARGUMENTS.iter().chain(help_places::ARGUMENTS)
+}
+
 fn localized(command: Command, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
-    let command = match COMMANDS.iter().find(|text| text.name == name) {
+    let command = match commands().find(|text| text.name == name) {
         Some(text) if text.examples.en.is_empty() => command.about(text.about.get(lang)),
         Some(text) => command.about(text.about.get(lang)).after_help(text.examples.get(lang)),
         None => command,
@@ -58,7 +67,8 @@ fn localized_argument(argument: Arg, command: &str, lang: Lang) -> Arg {
         }
     }
     let value = argument.get_value_names().and_then(|names| names.first()).and_then(|name| {
-        let known = VALUES.iter().find(|value| value.en == name.as_str())?;
+        let mut values = help_texts::VALUES.iter().chain(help_places::VALUES);
+        let known = values.find(|value| value.en == name.as_str())?;
         Some(known.get(lang))
     });
     let argument = argument
@@ -73,7 +83,9 @@ fn localized_argument(argument: Arg, command: &str, lang: Lang) -> Arg {
 }
 
 fn row(command: &str, id: &str) -> Option<&'static ArgumentText> {
-    ARGUMENTS.iter().find(|text| text.id == id && (text.command.is_empty() || text.command == command))
+    let is_it = |text: &&ArgumentText| text.id == id && (text.command.is_empty() || text.command == command);
+    // What a command says of its own comes before what all say.
+    arguments().filter(is_it).max_by_key(|text| !text.command.is_empty())
 }
 
 /// clap's own words in the line that shows the usage.
@@ -110,28 +122,28 @@ mod tests {
     #[test]
     fn every_command_and_argument_has_its_row_and_every_row_its_use() {
         let built = built();
-        let commands: Vec<&Command> = std::iter::once(&built).chain(built.get_subcommands()).collect();
+        let all: Vec<&Command> = std::iter::once(&built).chain(built.get_subcommands()).collect();
         let mut used: Vec<(&str, &str)> = Vec::new();
-        for command in &commands {
-            assert!(COMMANDS.iter().any(|text| text.name == command.get_name()), "{}", command.get_name());
+        for command in &all {
+            assert!(commands().any(|text| text.name == command.get_name()), "{}", command.get_name());
             for argument in command.get_arguments() {
                 let found = row(command.get_name(), argument.get_id().as_str());
                 let found = found.unwrap_or_else(|| panic!("{} {}", command.get_name(), argument.get_id()));
                 used.push((found.command, found.id));
             }
         }
-        assert_eq!(COMMANDS.len(), commands.len());
-        for text in ARGUMENTS {
+        assert_eq!(commands().count(), all.len());
+        for text in arguments() {
             assert!(used.contains(&(text.command, text.id)), "{} {}", text.command, text.id);
         }
     }
 
     #[test]
     fn both_languages_say_something_of_their_own() {
-        for text in ARGUMENTS {
+        for text in arguments() {
             assert_ne!(text.help.en, text.help.cs, "{}", text.id);
         }
-        for text in COMMANDS {
+        for text in commands() {
             assert_ne!(text.about.en, text.about.cs, "{}", text.name);
         }
         let mut czech = command(Lang::Cs);

@@ -33,7 +33,7 @@ pub(super) struct CommandText {
     pub examples: Bilingual,
 }
 
-const fn about(name: &'static str, en: &'static str, cs: &'static str, examples: Bilingual) -> CommandText {
+pub(super) const fn about(name: &'static str, en: &'static str, cs: &'static str, examples: Bilingual) -> CommandText {
     CommandText { name, about: Bilingual { en, cs }, examples }
 }
 
@@ -317,7 +317,8 @@ Examples:
   cnc872c schema config       of cnc872c.toml, for editors that complete it
   cnc872c schema motion       of a line of motion --format json
   cnc872c schema plc          of a line of plc --format json
-  cnc872c schema report       of report --format json",
+  cnc872c schema report       of report --format json
+  cnc872c schema state        of state --format json",
             cs: "\
 Příklady:
   cnc872c schema              řádku proudu bloků (compile)
@@ -325,7 +326,8 @@ Příklady:
   cnc872c schema config       souboru cnc872c.toml, pro napovídání v editoru
   cnc872c schema motion       řádku motion --format json
   cnc872c schema plc          řádku plc --format json
-  cnc872c schema report       listu report --format json",
+  cnc872c schema report       listu report --format json
+  cnc872c schema state        odpovědi state --format json",
         },
     ),
     about(
@@ -375,7 +377,7 @@ pub(super) struct ArgumentText {
     pub help: Bilingual,
 }
 
-const fn arg(
+pub(super) const fn arg(
     command: &'static str,
     id: &'static str,
     heading: Heading,

@@ -8,18 +8,21 @@ mod diff;
 mod explain;
 mod fix;
 mod help;
+mod help_places;
 mod help_texts;
 mod init;
 mod job;
 mod locale;
 mod lsp;
 mod motion;
+mod place;
 mod plc;
 mod progress;
 mod replace;
 mod report;
 mod schema;
 mod shell;
+mod state;
 mod status;
 mod threads;
 mod usage;
@@ -57,6 +60,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
         Command::Compile(args) => compile::run(args, locale),
         Command::View(args) => view::run(args, locale),
         Command::Report(args) => report::run(args, locale),
+        Command::State(args) => state::run(args, locale),
         Command::Explain(args) => explain::run(args, locale),
         Command::Init(args) => init::run(args, locale),
         Command::Lsp(_) => lsp::run(locale),

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::args::{SchemaArgs, SchemaName};
 use super::status::{Failure, Status};
-use crate::analysis::{motion, plc, sheet};
+use crate::analysis::{motion, plc, sheet, state};
 use crate::{config, diag, stream};
 
 pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
@@ -15,6 +15,7 @@ pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
         SchemaName::Motion => motion::schema(),
         SchemaName::Plc => plc::schema(),
         SchemaName::Report => sheet::schema(),
+        SchemaName::State => state::schema(),
     };
     let mut out = io::stdout().lock();
     out.write_all(format!("{schema:#}\n").as_bytes())?;

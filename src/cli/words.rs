@@ -167,6 +167,18 @@ bilingual! {
         NoWholeSheet { file: String }
             "there is no set-up sheet of {file}: execution stopped before M02 or M30",
             "seřizovací list programu {file} nelze sestavit: provádění skončilo před M02 nebo M30";
+        Place { text: String }
+            "{text}",
+            "{text}";
+        NForm { text: String }
+            "--n {text}: a block number belongs here, as in --n 120",
+            "--n {text}: patří sem číslo bloku, například --n 120";
+        ToolForm { text: String }
+            "--at-tool {text}: a tool number belongs here, as in --at-tool T5",
+            "--at-tool {text}: patří sem číslo nástroje, například --at-tool T5";
+        TimeForm { text: String }
+            "--time {text}: write hours, minutes and seconds, as in 0:12:30",
+            "--time {text}: patří sem hodiny, minuty a sekundy, například 0:12:30";
         Signals { text: String }
             "--signals: {text}",
             "--signals: {text}";

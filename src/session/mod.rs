@@ -97,6 +97,19 @@ impl<'a> Session<'a> {
         }
     }
 
+    /// Executes the program at `path`, which the user calls `name`, as far as it can be, and shows every executed block to
+    /// `sink`, also those after an error.
+    pub fn watch(&self, path: &Path, name: &str, purpose: Purpose, sink: &mut impl Sink) -> Run<End> {
+        match self.open(path, name, purpose) {
+            Ok(execution) => {
+                let mut execution = execution.despite_errors();
+                execution.show(sink);
+                execution.finish()
+            }
+            Err(outcome) => Run { outcome: *outcome, whole: None },
+        }
+    }
+
     /// Resolves the program at `path`, which the user calls `name`, for an execution whose blocks the caller asks for.
     ///
     /// # Errors

@@ -32,6 +32,7 @@ mod properties;
 mod rules;
 mod run;
 mod samples;
+mod state;
 mod stream;
 mod terminal;
 mod terms;

@@ -4,44 +4,16 @@ use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use serde_json::Value;
 
 use super::extents::Extents;
 use super::reader::{Sheet, ToolUse};
-use crate::analysis::forbid_null;
 use crate::analysis::motion::Summary;
-use crate::dict::{Decimal, Micro};
+use crate::analysis::{Number, forbid_null};
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.report/1";
-
-/// A number with at most six decimals; whole ones without a point.
-#[derive(Clone, Copy, Debug, JsonSchema)]
-#[schemars(inline)]
-struct Number(#[schemars(with = "f64")] Micro);
-
-impl Serialize for Number {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if self.0.millionths() % 1_000_000 == 0 {
-            serializer.serialize_i64(self.0.millionths() / 1_000_000)
-        } else {
-            serializer.serialize_f64(self.0.to_f64())
-        }
-    }
-}
-
-impl From<Decimal> for Number {
-    fn from(value: Decimal) -> Self {
-        Self(value.into())
-    }
-}
-
-impl From<f64> for Number {
-    fn from(value: f64) -> Self {
-        Self(Micro::from_f64(value))
-    }
-}
 
 /// Least and greatest position by axis.
 type Reach = BTreeMap<String, [Number; 2]>;

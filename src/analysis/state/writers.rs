@@ -1,0 +1,189 @@
+//! Which block wrote what is in force last.
+
+use crate::diag::CallKind;
+use crate::dict::{Address, AxisLetter, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
+use crate::run::{Executed, State};
+use crate::syntax::BlockId;
+use crate::text::FileId;
+
+/// The values beside G, M, parameters and axes that blocks write, in the order of records.
+pub(super) const VALUES: [&str; 9] = ["feed", "tool", "s", "t", "h", "p", "d", "length_correction", "dynamic_set"];
+
+/// Those that a word of an address writes.
+const BY_WORD: [(Address, &str); 7] = [
+    (Address::F, "feed"),
+    (Address::S, "s"),
+    (Address::T, "t"),
+    (Address::H, "h"),
+    (Address::P, "p"),
+    (Address::D, "d"),
+    (Address::Correction, "length_correction"),
+];
+
+/// Something that a block writes.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Slot {
+    /// A G group.
+    G(usize),
+    /// An M group.
+    M(usize),
+    /// A value, by its place in the list of them.
+    Value(usize),
+    /// A parameter.
+    R(u8),
+    /// The position of an axis.
+    Axis(AxisLetter),
+}
+
+const VALUES_AT: usize = 12 + M_GROUPS;
+const PARAMETERS_AT: usize = VALUES_AT + VALUES.len();
+const PARAMETERS: usize = 96;
+const AXES_AT: usize = PARAMETERS_AT + PARAMETERS;
+const SLOTS: usize = AXES_AT + AxisLetter::ALL.len();
+
+impl Slot {
+    /// As in JSON: `g3`, `m2`, `feed`, `R10`, `X`.
+    pub fn name(self) -> String {
+        match self {
+            Self::G(group) => format!("g{group}"),
+            Self::M(group) => format!("m{group}"),
+            Self::Value(at) => VALUES.get(at).copied().unwrap_or_default().to_owned(),
+            Self::R(index) => format!("R{index}"),
+            Self::Axis(letter) => letter.to_string(),
+        }
+    }
+
+    /// The value of that name.
+    pub fn value(name: &str) -> Self {
+        Self::Value(VALUES.iter().position(|value| *value == name).unwrap_or(0))
+    }
+
+    fn index(self) -> usize {
+        match self {
+            Self::G(group) => group,
+            Self::M(group) => 12 + group,
+            Self::Value(at) => VALUES_AT + at,
+            Self::R(index) => PARAMETERS_AT + usize::from(index),
+            Self::Axis(letter) => AXES_AT + letter as usize,
+        }
+    }
+
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let groups = (0..12).map(Self::G).chain((1..M_GROUPS).map(Self::M));
+        let values = (0..VALUES.len()).map(Self::Value);
+        let parameters = (0..96).map(Self::R);
+        groups.chain(values).chain(parameters).chain(AxisLetter::ALL.map(Self::Axis))
+    }
+}
+
+/// The block that wrote something.
+#[derive(Clone, Copy, Debug)]
+struct Writer {
+    seq: u64,
+    file: FileId,
+    block: BlockId,
+    call: Option<(CallKind, u32)>,
+}
+
+/// The same, for people and for JSON.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct Written {
+    /// Which executed block.
+    pub seq: u64,
+    /// Its number.
+    pub n: u32,
+    /// The index of its file.
+    pub file: u32,
+    /// The line of its `N`.
+    pub line: u32,
+    /// The innermost call that it was executed in.
+    pub call: Option<(&'static str, u32)>,
+}
+
+/// Who wrote what last.
+#[derive(Debug)]
+pub(super) struct Writers {
+    last: Box<[Option<Writer>; SLOTS]>,
+}
+
+impl Default for Writers {
+    fn default() -> Self {
+        Self { last: Box::new([None; SLOTS]) }
+    }
+}
+
+impl Writers {
+    /// Notes what a block wrote; `before`: what was in force before it.
+    #[inline]
+    pub fn note(&mut self, block: &Executed<'_>, before: &State) {
+        let (file, id) = block.at();
+        let call = block.calls().last().map(|call| (call.by, call.l));
+        let writer = Writer { seq: block.seq(), file, block: id, call };
+        for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
+            self.set(Slot::Axis(axis), writer);
+        }
+        if !block.moves_on() {
+            self.note_words(block, before, writer);
+        }
+    }
+
+    fn set(&mut self, slot: Slot, writer: Writer) {
+        if let Some(last) = self.last.get_mut(slot.index()) {
+            *last = Some(writer);
+        }
+    }
+
+    fn note_words(&mut self, block: &Executed<'_>, before: &State, writer: Writer) {
+        block.g_written().for_each(|code| self.set(Slot::G(code.group().index()), writer));
+        let functions = &block.settings().machine.m_functions;
+        for &number in block.m_written() {
+            self.set(Slot::M(usize::from(functions.group(number))), writer);
+            if number == TOOL_CHANGE {
+                self.set(Slot::value("tool"), writer);
+            }
+        }
+        if block.last() {
+            (0..12).for_each(|group| self.set(Slot::G(group), writer));
+            block.m_changed().iter().for_each(|group| self.set(Slot::M(usize::from(*group)), writer));
+        }
+        let block_id = block.at().1;
+        for word in block.file().into_iter().flat_map(|file| file.words(block_id)) {
+            if let Some((_, value)) = BY_WORD.iter().find(|(address, _)| *address == word.address) {
+                self.set(Slot::value(value), writer);
+            }
+        }
+        let after = block.state();
+        if before.dynamic_set() != after.dynamic_set() {
+            self.set(Slot::value("dynamic_set"), writer);
+        }
+        block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
+        for (place, axis) in block.settings().machine.axes.iter().enumerate() {
+            if before.axis_position(place) != after.axis_position(place) {
+                self.set(Slot::Axis(axis.letter), writer);
+            }
+        }
+    }
+
+    /// Who wrote each of `slots`, as far as somebody did. `block`: one of the same execution.
+    pub fn of(&self, slots: impl Iterator<Item = Slot>, block: &Executed<'_>) -> Vec<(Slot, Written)> {
+        let written = |slot: Slot| {
+            let writer = self.last.get(slot.index()).copied().flatten()?;
+            let file = block.file_of(writer.file)?;
+            let written = Written {
+                seq: writer.seq,
+                n: file.shown_number(writer.block),
+                file: block.index_of(writer.file),
+                line: block.line_of(file.n_place(writer.block)),
+                call: writer.call.map(|(by, l)| (by.name(), l)),
+            };
+            Some((slot, written))
+        };
+        slots.filter_map(written).collect()
+    }
+}
+
+/// Whether an M group holds for one block only.
+pub(super) fn is_momentary(group: usize) -> bool {
+    MOMENTARY_GROUPS.iter().any(|momentary| usize::from(*momentary) == group)
+}

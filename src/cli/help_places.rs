@@ -1,0 +1,84 @@
+//! The words of `--help` of the commands that ask about a place of a program.
+
+use super::help_texts::{ArgumentText, CommandText, Heading, about, arg};
+use crate::dict::Bilingual;
+use Heading::{Arguments, Options};
+
+/// The commands.
+pub(super) const COMMANDS: &[CommandText] = &[about(
+    "state",
+    "Tells what holds at a place of a program: position, functions, values, parameters, calls, time left",
+    "Řekne, co v daném místě programu platí: poloha, funkce, hodnoty, parametry, volání, zbývající čas",
+    Bilingual {
+        en: "\
+Examples:
+  cnc872c state flange.nc --n 120                before N120; executed several times, its passes are listed
+  cnc872c state flange.nc --n 120 --pass 3       before its third execution
+  cnc872c state flange.nc --n 30 --file L9001    before N30 of macrocycle L9001
+  cnc872c state flange.nc --line 45 --after      behind the block on line 45
+  cnc872c state flange.nc --time 0:12:30         before the block that is under way then
+  cnc872c state flange.nc --at-tool T5           before the M06 of T5
+  cnc872c state flange.nc --n 120 --format json | jq .position
+
+Times are those of `motion`. Findings go to standard error. Exit status: 0 found, 1 the program has errors
+before the place, 2 there is no such place or several, or it could not run.",
+        cs: "\
+Příklady:
+  cnc872c state priruba.nc --n 120               před N120; provádí-li se vícekrát, vypíše průchody
+  cnc872c state priruba.nc --n 120 --pass 3      před jeho třetím provedením
+  cnc872c state priruba.nc --n 30 --file L9001   před N30 makrocyklu L9001
+  cnc872c state priruba.nc --line 45 --after     za blokem na řádku 45
+  cnc872c state priruba.nc --time 0:12:30        před blokem, který se v tu dobu provádí
+  cnc872c state priruba.nc --at-tool T5          před M06 nástroje T5
+  cnc872c state priruba.nc --n 120 --format json | jq .position
+
+Časy jsou z „motion“. Hlášení jdou na standardní chybový výstup. Návratový kód: 0 nalezeno, 1 program má
+před místem chyby, 2 takové místo není nebo jich je více, nebo příkaz nešlo provést.",
+    },
+)];
+
+/// The arguments.
+pub(super) const ARGUMENTS: &[ArgumentText] = &[
+    arg(
+        "state",
+        "file",
+        Arguments,
+        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
+        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
+    ),
+    arg("", "n", Options, "The block with this number", "Blok s tímto číslem"),
+    arg("", "line", Options, "The block on this line; of several the first", "Blok na tomto řádku; z několika první"),
+    arg("", "seq", Options, "The executed block with this seq, from 0", "Provedený blok s tímto seq, od 0"),
+    arg(
+        "",
+        "time",
+        Options,
+        "The block that is under way so long after program start",
+        "Blok, který se provádí po této době od startu programu",
+    ),
+    arg("", "at_tool", Options, "The M06 of this tool", "M06 tohoto nástroje"),
+    arg(
+        "",
+        "file_of",
+        Options,
+        "The macrocycle that N or the line is of; else the program",
+        "Makrocyklus, ke kterému N nebo řádek patří; jinak program",
+    ),
+    arg(
+        "",
+        "pass",
+        Options,
+        "Which execution of the block in the whole run, from 1",
+        "Kolikáté provedení bloku v celém běhu, od 1",
+    ),
+    arg("state", "after", Options, "The state behind the block, not before it", "Stav za blokem, ne před ním"),
+    arg("state", "format", Options, "The form of the answer", "Tvar odpovědi"),
+    arg("state", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
+];
+
+/// What stands for a value, in both languages.
+pub(super) const VALUES: &[Bilingual] = &[
+    Bilingual { en: "LINE", cs: "ŘÁDEK" },
+    Bilingual { en: "TIME", cs: "ČAS" },
+    Bilingual { en: "PASS", cs: "PRŮCHOD" },
+];

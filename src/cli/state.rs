@@ -1,0 +1,93 @@
+//! `state`: what holds at a place of a program.
+
+use std::io::{self, Write};
+
+use super::args::{FindingsArgs, StateArgs, StateFormat};
+use super::common::{overrides, print_beside};
+use super::job::{Job, unusable};
+use super::locale::Locale;
+use super::place::Named;
+use super::progress::{Counted, Progress};
+use super::status::{Failure, Status, complain, tell};
+use super::threads;
+use super::words::Words;
+use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, fault_text, json, text};
+use crate::config::Purpose;
+use crate::diag::Format;
+use crate::session::{Outcome, Session};
+
+pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
+    let named = Named::of(&args.place, args.after)?;
+    let overrides = overrides(&args.common, locale.lang)?;
+    threads::prepare();
+    let shown = FindingsArgs { format: Format::Human, all: args.all };
+    let job = Job::new(args.file.clone(), None);
+    let mut projects = job.configure(&args.common, &overrides)?;
+    let mut report = projects.report();
+    let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
+        return Ok(unusable(report, &shown, locale));
+    };
+    let progress = Progress::start(Counted::Blocks, true, locale.lang);
+    let count = |blocks: u64| {
+        progress.set(blocks);
+        true
+    };
+    let session = Session { loader: &job.loader, settings, progress: Some(&count) };
+    let (path, name) = (&job.target().path, job.target().name());
+    let asked = match named {
+        Named::At(asked) => Ok(asked),
+        Named::Time(seconds, asked) => {
+            let mut at_time = AtTime::new(settings, seconds);
+            let run = session.watch(path, &name, Purpose::Report, &mut at_time);
+            match at_time.found() {
+                Ok(seq) => Ok(Asked { place: Place::Seq(seq), ..asked }),
+                Err(seconds) => Err((run.outcome, asked, seconds)),
+            }
+        }
+    };
+    let (outcome, asked, found) = match asked {
+        Ok(asked) => {
+            let mut reader = StateReader::new(settings, asked.clone());
+            let run = session.watch(path, &name, Purpose::Report, &mut &mut reader);
+            let error = reader.has_error_before();
+            let found = reader.finish(run.whole.is_some());
+            (run.outcome, asked, if error { None } else { Some(found) })
+        }
+        Err((outcome, asked, seconds)) => {
+            let found = (!outcome.findings.has_errors()).then_some(Err(PlaceFault::TooLate { seconds }));
+            (outcome, asked, found)
+        }
+    };
+    drop(progress);
+    let status = match &found {
+        _ if outcome.unusable => Status::Unusable,
+        _ if outcome.not_executed.is_some() => Status::Faulty,
+        Some(Err(_)) if outcome.findings.has_errors() => Status::Faulty,
+        None => Status::Faulty,
+        Some(Err(fault)) => {
+            let text = fault_text(fault, &asked, locale.lang);
+            let mut lines = text.lines().map(|line| Words::Place { text: line.to_owned() });
+            lines.next().into_iter().for_each(|line| complain(&line, locale.lang));
+            lines.for_each(|line| tell(&line, locale.lang));
+            return Ok(Status::Unusable);
+        }
+        Some(Ok(found)) => {
+            let text = match args.format {
+                StateFormat::Human => text(found, &name, settings, locale.lang),
+                StateFormat::Json => json(found, &name, settings),
+            };
+            let mut out = io::stdout().lock();
+            out.write_all(text.as_bytes())?;
+            out.flush()?;
+            Status::Fine
+        }
+    };
+    let Outcome { sources, findings, not_executed, .. } = outcome;
+    report.add_program(&sources, findings);
+    not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+    if status == Status::Unusable {
+        report.set_unusable();
+    }
+    print_beside(&shown, &report, locale);
+    Ok(status)
+}

@@ -1,0 +1,154 @@
+//! What is in force between two blocks, for readers that ask about a place in a program.
+
+use super::gears;
+use super::state::State;
+use super::{Executed, Feed, FeedUnit};
+use crate::config::{Machine, Settings};
+use crate::dict::{Decimal, FEED_GROUP, FeedPer, GCode, GGroup, Micro, REDUCED_FEED};
+use crate::syntax::BlockId;
+use crate::text::FileId;
+
+/// A counter of a jump that is armed (FLW-4).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct ArmedCounter {
+    /// How many calls are open where it counts.
+    pub depth: usize,
+    /// The file of the jump.
+    pub file: FileId,
+    /// The block of the jump.
+    pub block: BlockId,
+    /// Jumps that are left; 0 until the next arrival.
+    pub left: u32,
+    /// Of how many.
+    pub of: u32,
+}
+
+impl State {
+    /// The lasting function of a G group; `None` when nobody knows which one is.
+    pub fn g_in_force(&self, group: GGroup) -> Option<GCode> {
+        self.modal(group)
+    }
+
+    /// The lasting function of an M group; none of groups 1, 7 and 9.
+    pub fn m_in_force(&self, group: usize) -> Option<u8> {
+        self.m(group)
+    }
+
+    /// Where an axis is, by place in machine order; `None` when that is not known.
+    pub fn axis_position(&self, axis: usize) -> Option<Micro> {
+        self.position(axis).known()
+    }
+
+    /// What a parameter holds; `None` when that is not known (PAR-5).
+    pub fn parameter(&self, index: u8) -> Option<Decimal> {
+        self.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
+    }
+
+    /// Whether a parameter was read whose value only the machine's table has (PAR-5).
+    pub fn is_read_from_machine(&self, index: u8) -> bool {
+        self.said.unassigned.get(usize::from(index)).copied().unwrap_or(false)
+    }
+
+    /// F, with what it counts in a motion measured in millimetres.
+    pub fn feed(&self, machine: &Machine) -> Option<Feed> {
+        let value = self.feed.value()?;
+        let mode = self.modal(GGroup::G6).and_then(|function| machine.feed_mode(function));
+        let unit = FeedUnit::of(mode.map_or(FeedPer::Minute, |mode| mode.per), false);
+        let function = self.m(FEED_GROUP);
+        let hundredth = function == Some(REDUCED_FEED) && machine.m_functions.reduces_feed(function);
+        Some(Feed { value, unit, hundredth })
+    }
+
+    /// S.
+    pub const fn s(&self) -> Option<Decimal> {
+        self.speed.value()
+    }
+
+    /// T.
+    pub const fn t(&self) -> Option<Decimal> {
+        self.tool.value()
+    }
+
+    /// The tool in the spindle (TEC-4).
+    pub const fn tool_in_spindle(&self) -> Option<Decimal> {
+        self.in_spindle.value()
+    }
+
+    /// H.
+    pub const fn h(&self) -> Option<Decimal> {
+        self.h.value()
+    }
+
+    /// P.
+    pub const fn p(&self) -> Option<Decimal> {
+        self.p.value()
+    }
+
+    /// D.
+    pub const fn d(&self) -> Option<Decimal> {
+        self.d.value()
+    }
+
+    /// The four digits of `&`, as a number.
+    pub fn length_correction(&self) -> Option<u16> {
+        self.correction.value().and_then(Decimal::as_whole).and_then(|digits| u16::try_from(digits).ok())
+    }
+
+    /// The gear, 1–4 (MFN-9).
+    pub fn gear_in_force(&self, settings: &Settings) -> Option<u8> {
+        gears::gear(&settings.machine, self)
+    }
+
+    /// The dynamic set as records show it (GRP-7).
+    pub const fn dynamic_set(&self) -> Option<u8> {
+        self.dynamic_set
+    }
+
+    /// What M02 and M30 leave of the G functions: those of power-up (MFN-7).
+    pub fn reset_functions(&mut self, machine: &Machine) {
+        self.g = machine.power_up;
+    }
+
+    /// A fixed cycle holds from now on: calls of the cycle map suspend it and bring it back between two blocks (GRP-6).
+    pub fn set_cycle(&mut self, cycle: GCode) {
+        self.set_modal(cycle);
+    }
+
+    /// Becomes what is in force after `block`, from what was before it.
+    #[inline]
+    pub fn follow(&mut self, block: &Executed<'_>) {
+        if block.moves_on() {
+            let after = block.state();
+            (self.positions, self.unsettled) = (after.positions, after.unsettled);
+        } else {
+            self.clone_from(block.state());
+        }
+    }
+}
+
+impl Executed<'_> {
+    /// The counters that are armed after it, outermost call first.
+    pub fn counters(&self) -> impl Iterator<Item = ArmedCounter> + '_ {
+        self.interpreter.frames.iter().enumerate().flat_map(|(depth, frame)| {
+            let file = frame.unit.file;
+            let armed = move |(block, counter): (&BlockId, &super::frames::Counter)| ArmedCounter {
+                depth,
+                file,
+                block: *block,
+                left: counter.left,
+                of: counter.of,
+            };
+            frame.counters.iter().map(armed)
+        })
+    }
+
+    /// How many calls are open at it.
+    pub const fn depth(&self) -> usize {
+        self.interpreter.frames.len().saturating_sub(1)
+    }
+
+    /// A file that it was executed with.
+    pub fn file_of(&self, file: FileId) -> Option<&crate::syntax::ParsedFile> {
+        self.program.resolved.file(file)
+    }
+}

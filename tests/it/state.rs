@@ -1,0 +1,194 @@
+//! `state`: what holds at a place of a program.
+
+use std::path::{Path, PathBuf};
+
+use cnc872c::analysis::state::{Asked, Place as At, StateReader, json, schema};
+use cnc872c::config::{Purpose, Settings, configure, find_project};
+use cnc872c::diag::Findings;
+use cnc872c::dict::{GCode, Lasting};
+use cnc872c::session::{Part, Session};
+use cnc872c::text::Sources;
+use serde_json::Value;
+
+use crate::cli::{BAD, Place};
+use crate::disk::TestDisk;
+use crate::markers::{files, request};
+use crate::samples::root;
+
+/// A program of the samples, with how it is executed.
+pub struct Sample {
+    pub name: String,
+    pub disk: TestDisk,
+    pub file: String,
+    pub settings: Settings,
+}
+
+impl Sample {
+    pub fn session(&self) -> Session<'_> {
+        Session { loader: &self.disk, settings: &self.settings, progress: None }
+    }
+
+    /// The block records; none of a program with errors.
+    pub fn blocks(&self) -> Vec<Value> {
+        let mut out = Vec::new();
+        let run = self.session().compile(Path::new(&self.file), &self.file, Part::default(), &mut out).unwrap();
+        if run.whole.is_none() {
+            return Vec::new();
+        }
+        let records = std::str::from_utf8(&out).unwrap().lines().map(|line| serde_json::from_str(line).unwrap());
+        records.filter(|record: &Value| record["kind"] == "block").collect()
+    }
+}
+
+/// All programs among the samples.
+pub fn samples() -> Vec<Sample> {
+    let mut found = Vec::new();
+    for path in files(&root().join("samples")) {
+        if path.extension().is_none_or(|extension| extension != "nc") {
+            continue;
+        }
+        let folder: PathBuf = path.parent().unwrap().to_path_buf();
+        let disk = TestDisk { root: folder };
+        let file = path.file_name().unwrap().to_str().unwrap().to_owned();
+        let overrides = request(&std::fs::read(&path).unwrap()).overrides;
+        let project = find_project(Path::new(""), &disk);
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        let settings = configure(project.as_deref(), &overrides, &disk, &mut sources, &mut findings);
+        if !findings.has_errors() {
+            found.push(Sample { name: path.display().to_string(), disk, file, settings });
+        }
+    }
+    assert!(found.len() > 200);
+    found
+}
+
+/// Fields of block records that say what is in force.
+const SAME: [&str; 12] =
+    ["gear", "position", "feed", "s", "t", "tool", "h", "p", "d", "length_correction", "dynamic_set", "feed_scale"];
+
+/// What holds before or behind each executed block is what the records say.
+#[test]
+fn state_is_what_the_records_say() {
+    let validator = jsonschema::validator_for(&schema()).unwrap();
+    let mut looked_at = 0;
+    for sample in samples() {
+        let blocks = sample.blocks();
+        let step = blocks.len() / 9 + 1;
+        for (seq, after) in (0..blocks.len()).step_by(step).flat_map(|seq| [(seq, false), (seq, true)]) {
+            let asked = Asked { place: At::Seq(seq as u64), file: None, pass: None, after };
+            let mut reader = StateReader::new(&sample.settings, asked);
+            let run = sample.session().watch(Path::new(&sample.file), &sample.file, Purpose::Report, &mut &mut reader);
+            let found = reader.finish(run.whole.is_some()).unwrap();
+            let state: Value = serde_json::from_str(&json(&found, &sample.file, &sample.settings)).unwrap();
+            let context = format!("{} seq {seq} after {after}\n{state:#}", sample.name);
+            assert!(validator.is_valid(&state), "{:?}\n{context}", validator.iter_errors(&state).next());
+            assert_eq!(state["progress"]["blocks"], seq + usize::from(after), "{context}");
+            assert_eq!(state["progress"]["blocks_left"], blocks.len() - seq - usize::from(after), "{context}");
+            let at = &blocks[seq];
+            for key in ["seq", "n", "file", "line", "column"] {
+                assert_eq!(state["place"][key], at[key], "{key} {context}");
+            }
+            let record = if after { at } else { &blocks[seq.max(1) - 1] };
+            if seq == 0 && !after {
+                continue;
+            }
+            looked_at += 1;
+            compare(&state, record, after && seq + 1 == blocks.len(), at, &context);
+        }
+    }
+    assert!(looked_at > 1000);
+}
+
+/// Compares a state with the record of the block before it; `end`: it is behind the program, `at`: the block at the place.
+fn compare(state: &Value, record: &Value, end: bool, at: &Value, context: &str) {
+    for key in SAME {
+        if key == "feed_scale" && end {
+            continue;
+        }
+        assert_eq!(state.get(key), record.get(key), "{key} {context}");
+    }
+    for group in 0..12 {
+        let function = record["g"][group].as_u64().and_then(|number| GCode::from_number(number as u8));
+        let hidden = function.is_some_and(|function| function.lasting() == Lasting::Block);
+        // A call of the cycle map suspends the cycle, and its return brings it back.
+        let cycles = group == 8 && record["calls"] != at["calls"];
+        if !hidden && !cycles && !end {
+            assert_eq!(state["g"][group], record["g"][group], "g{group} {context}");
+        }
+    }
+    for group in 1..15 {
+        let expected = if [1, 7, 9].contains(&group) { &Value::Null } else { &record["m"][group] };
+        assert_eq!(&state["m"][group], expected, "m{group} {context}");
+    }
+}
+
+const LOOP: &str = "%1\nN10 G90 G0 X0 Y0 Z50 T5 M06\nN20 S1000 M3 F200\nN30 G1 X10 R10=4\nN40 G91 X1 G73 L30 Q2\nN50 G90 G71 L9 Q2\n\
+                    N60 G1 A5\nN70 M30\nN100 G79 L9\nN110 G1 Z-1\nN120 G0 Z5 G70\n";
+
+fn answer(place: &Place, arguments: &[&str]) -> Value {
+    let run = place.run(&[&["state", "a.nc", "--format", "json"], arguments].concat()).ends(0);
+    serde_json::from_str(&run.stdout).unwrap()
+}
+
+/// Who wrote what, counters, calls, what is left.
+#[test]
+fn places_and_their_parts() {
+    let place = Place::with(&[("a.nc", LOOP.as_bytes())]);
+    let state = answer(&place, &["--n", "110", "--pass", "2"]);
+    assert_eq!(state["place"]["calls"][0]["pass"], 2);
+    assert_eq!(state["place"]["calls"][0]["n"], 50);
+    assert_eq!(state["written"]["feed"]["n"], 20);
+    assert_eq!(state["written"]["R10"]["n"], 30);
+    assert_eq!(state["written"]["m2"]["n"], 20);
+    assert_eq!(state["written"].get("g1"), None);
+    assert_eq!(state["parameters"], serde_json::json!({ "R10": 4 }));
+    assert_eq!(state["unknown"], serde_json::json!({ "A": "not_programmed" }));
+    let state = answer(&place, &["--n", "30", "--pass", "2"]);
+    assert_eq!(state["counters"], serde_json::json!([{ "n": 40, "file": 0, "line": 5, "left": 1, "of": 2 }]));
+    // Before its own jump, which lowers it, and behind it.
+    let left = |state: &Value| state["counters"][0]["left"].clone();
+    assert_eq!(left(&answer(&place, &["--n", "40", "--pass", "1"])), Value::Null);
+    assert_eq!(left(&answer(&place, &["--n", "40", "--pass", "2"])), 1);
+    assert_eq!(left(&answer(&place, &["--n", "40", "--pass", "3"])), 0);
+    assert_eq!(left(&answer(&place, &["--n", "40", "--pass", "2", "--after"])), 0);
+    assert_eq!(answer(&place, &["--n", "40", "--pass", "3", "--after"])["counters"], serde_json::json!([]));
+    let state = answer(&place, &["--at-tool", "T5"]);
+    assert_eq!((&state["place"]["n"], &state["progress"]["next_tool_change"]), (&10.into(), &0.into()));
+    assert_eq!(answer(&place, &["--line", "3"])["place"]["n"], 20);
+    let whole = answer(&place, &["--seq", "0"])["progress"]["time_left_s"].as_f64().unwrap();
+    let late = answer(&place, &["--time", &format!("{}", whole - 0.01)]);
+    assert_eq!(late["place"]["n"], 120);
+    for (arguments, says) in [
+        (&["--n", "110"][..], "--pass 2  N110, line 10, seq 13, L9 from N50 (2/2)"),
+        (&["--n", "111"], "the nearest number is N110"),
+        (&["--n", "110", "--pass", "3"], "counts to 2"),
+        (&["--seq", "99"], "blocks that the program executes"),
+        (&["--time", "9:00:00"], "the program takes 0:0"),
+        (&["--time", "soon"], "0:12:30"),
+        (&["--n", "1", "--file", "L77"], "no macrocycle"),
+        (&["--at-tool", "T9"], "never executed"),
+        (&[], "is missing"),
+    ] {
+        let run = place.run(&[&["state", "a.nc"], arguments].concat()).ends(2);
+        assert!(run.stderr.contains(says) && run.stdout.is_empty(), "{arguments:?}: {}", run.stderr);
+    }
+    let czech = place.run(&["--lang", "cs", "state", "a.nc", "--n", "60"]).ends(0);
+    assert!(
+        czech.stdout.contains("Před N60 (řádek 7") && czech.stdout.contains("není známa: dosud"),
+        "{}",
+        czech.stdout
+    );
+}
+
+/// An error before the place is status 1; one behind it is not.
+#[test]
+fn errors_before_and_behind() {
+    let place =
+        Place::with(&[("bad.nc", BAD.as_bytes()), ("late.nc", b"%1\nN10 G0 X1\nN20 G1 X5 F99999999\nN30 M30\n")]);
+    place.run(&["state", "bad.nc", "--n", "20"]).ends(1);
+    place.run(&["state", "bad.nc", "--n", "10"]).ends(0);
+    place.run(&["state", "late.nc", "--n", "20"]).ends(0);
+    place.run(&["state", "late.nc", "--n", "20", "--after"]).ends(1);
+    place.run(&["state", "late.nc", "--n", "30"]).ends(1);
+    place.run(&["state", "none.nc", "--n", "30"]).ends(2);
+}
