@@ -31,6 +31,7 @@ pub(super) fn overrides(args: &CommonArgs, lang: Lang) -> Result<Overrides, Fail
         encoding: args.encoding,
         max_blocks: args.max_blocks,
         motion: Vec::new(),
+        computes_motion: false,
         lints: args
             .levels
             .0

@@ -33,7 +33,7 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     if args.phases && args.format != MotionFormat::Json {
         return Err(Words::PhasesFormat.into());
     }
-    let configured = overrides(&args.common, locale.lang)?;
+    let configured = Overrides { computes_motion: true, ..overrides(&args.common, locale.lang)? };
     let tried = args.set.iter().map(|text| set(text)).collect::<Result<Vec<_>, _>>()?;
     let overrides = Overrides { motion: tried, ..configured.clone() };
     threads::prepare();

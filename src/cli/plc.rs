@@ -15,7 +15,7 @@ use super::words::Words;
 use crate::analysis::plc::{
     self, Cell, Condition, Csv, Finder, Json, NoSignal, Range, Reader, Signal, Table, Wave, Writer, signal_problem,
 };
-use crate::config::{Machine, Purpose};
+use crate::config::{Machine, Overrides, Purpose};
 use crate::diag::{Diagnostic, Finding, Findings, Format, Report};
 use crate::dict::{Dialect, Lang};
 use crate::run::End;
@@ -28,7 +28,7 @@ const CONDITION: &str = "--find";
 const BUFFER: usize = 1 << 16;
 
 pub(super) fn run(args: &PlcArgs, locale: Locale) -> Result<Status, Failure> {
-    let overrides = overrides(&args.common, locale.lang)?;
+    let overrides = Overrides { computes_motion: true, ..overrides(&args.common, locale.lang)? };
     threads::prepare();
     let shown = FindingsArgs { format: Format::Human, all: args.all };
     let job = Job::new(args.file.clone().unwrap_or_default(), args.output.clone());

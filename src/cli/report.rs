@@ -13,12 +13,12 @@ use super::threads;
 use super::words::Words;
 use crate::analysis::motion::Estimate;
 use crate::analysis::sheet::{SheetReader, document, html, json, markdown, text};
-use crate::config::Purpose;
+use crate::config::{Overrides, Purpose};
 use crate::diag::Format;
 use crate::session::{Run, Session};
 
 pub(super) fn run(args: &ReportArgs, locale: Locale) -> Result<Status, Failure> {
-    let overrides = overrides(&args.common, locale.lang)?;
+    let overrides = Overrides { computes_motion: true, ..overrides(&args.common, locale.lang)? };
     threads::prepare();
     let shown = FindingsArgs { format: Format::Human, all: args.all };
     let job = Job::new(args.file.clone(), args.output.clone());

@@ -12,14 +12,14 @@ use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{Failure, Status, tell};
 use super::threads;
 use super::words::{Words, reason};
-use crate::config::Purpose;
+use crate::config::{Overrides, Purpose};
 use crate::disk::is_stdin;
 use crate::session::Session;
 use crate::text::{FileId, path_name};
 use crate::view::{Collector, LeftOut, Part, Picture, Plane, Still, page};
 
 pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
-    let overrides = overrides(&args.common, locale.lang)?;
+    let overrides = Overrides { computes_motion: true, ..overrides(&args.common, locale.lang)? };
     threads::prepare();
     let output = output(args)?;
     let form = Form::of(output.as_deref())?;

@@ -3,6 +3,7 @@
 use std::io::{self, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
+use super::motion_constants::is_digits;
 use super::motion_values::{Layer, assemble};
 use super::project::Project;
 use super::taken::Setting;
@@ -226,16 +227,19 @@ impl Files<'_> {
             |files: &Self, file: FileId| files.sources.get(file).map_or(String::new(), |file| file.text().to_owned());
         let own = text(self, file);
         let base = Layer { values, file, text: &own };
+        let computes = overrides.computes_motion;
         if overrides.motion.is_empty() {
-            return assemble(&[base], dialect, self.findings);
+            return assemble(&[base], dialect, computes, self.findings);
         }
         let set_text = set_text(&overrides.motion);
         let source = SourceText::from_text("--set", &set_text);
         let set_file = self.sources.add(source);
-        let Some(source) = self.sources.get(set_file) else { return assemble(&[base], dialect, self.findings) };
+        let Some(source) = self.sources.get(set_file) else {
+            return assemble(&[base], dialect, computes, self.findings);
+        };
         let set_values = Project::read(source, set_file, self.findings);
         let set = Layer { values: &set_values, file: set_file, text: &set_text };
-        assemble(&[base, set], dialect, self.findings)
+        assemble(&[base, set], dialect, computes, self.findings)
     }
 
     /// Sets the M functions of the ChannelConfig that the command line names, or else the project file `file`.
@@ -305,10 +309,11 @@ impl Files<'_> {
 fn set_text(values: &[(String, String)]) -> String {
     let mut text = String::new();
     for (key, value) in values {
-        let is_value = value.parse::<toml_edit::Value>().is_ok();
+        let constant: Option<u16> = key.strip_prefix('R').and_then(|number| number.parse().ok());
+        let is_text = constant.is_some_and(|number| is_digits(number, value));
+        let is_value = !is_text && value.parse::<toml_edit::Value>().is_ok();
         let value = if is_value { value.clone() } else { toml_edit::Value::from(value.as_str()).to_string() };
-        let constant = key.strip_prefix('R').is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-        let table = if constant { "machine-constants" } else { "motion" };
+        let table = if constant.is_some() { "machine-constants" } else { "motion" };
         text.push_str(&format!("{table}.{key} = {value}\n"));
     }
     text

@@ -64,7 +64,7 @@ impl Constant {
                 },
             );
         }
-        for (decades, value) in held.iter().flat_map(|holds| decades(self.0, *holds, lang)) {
+        for (decades, value) in held.iter().flat_map(|holds| decades(*holds, lang)) {
             line(&decades, &value);
         }
         line(
@@ -163,7 +163,7 @@ fn set_path(set: u8) -> String {
 }
 
 /// Which decades, and what they are.
-fn decades(number: u16, holds: Holds, lang: Lang) -> Vec<(String, String)> {
+fn decades(holds: Holds, lang: Lang) -> Vec<(String, String)> {
     let pick = |en: &'static str, cs: &'static str| Bilingual { en, cs }.get(lang).to_owned();
     let from_to = |first: u32, last: u32| match lang {
         Lang::En => format!("Decades {first} to {last}"),
@@ -182,7 +182,7 @@ fn decades(number: u16, holds: Holds, lang: Lang) -> Vec<(String, String)> {
     match holds {
         Holds::Whole(MotionKey::Overload, first, last) => vec![(from_to(first, last), meaning()), correction()],
         Holds::Whole(_, first, last) => vec![(from_to(first, last), meaning())],
-        Holds::Thousandths(MotionKey::BreakLength | MotionKey::MergeLength) => {
+        Holds::Thousandths(MotionKey::BreakLength | MotionKey::MergeLength | MotionKey::RaiseLength) => {
             let decades = pick("With three decimals, and a sign", "Se třemi desetinnými místy a se znaménkem");
             vec![(decades, meaning())]
         }
@@ -220,7 +220,7 @@ fn decades(number: u16, holds: Holds, lang: Lang) -> Vec<(String, String)> {
             vec![(from_to(1, 7), format!("{tenths}; {}", meaning())), (one(8), eighth)]
         }
         Holds::Nothing => {
-            let why = UnusedConstant::of(number).text(lang);
+            let why = UnusedConstant::Circles.text(lang);
             vec![(pick("Not used", "Nepoužívá se"), format!("{why} (W0707)"))]
         }
     }
@@ -252,7 +252,7 @@ mod tests {
             let page = Constant(number).page(lang);
             assert!(page.contains(text), "{text}\n{page}");
         };
-        says(386, Lang::En, "Not used: R386 is superseded by R395");
+        says(386, Lang::En, "With three decimals, and a sign: `motion.raise-length-mm`");
         says(232, Lang::Cs, "Nepoužívá se: jak R232 omezuje rychlost");
         for number in [407, 413, 431] {
             says(number, Lang::En, "Decade 8: 2, 3: P is 100, 1000 times smaller");

@@ -87,6 +87,12 @@ impl MFunctions {
         &self.defaults
     }
 
+    /// The functions that act at the end of their block alone (`BreakContEnd` without `BreakCont`), by number.
+    pub fn at_end(&self) -> impl Iterator<Item = u8> + '_ {
+        let at_end = |function: &&MFunction| function.break_cont_end && !function.break_cont;
+        self.functions.iter().filter(at_end).map(|function| function.number)
+    }
+
     /// The functions that configuration names, by number.
     pub fn configured(&self) -> impl Iterator<Item = MFunction> + '_ {
         self.functions.iter().copied().filter(|function| function.configured)

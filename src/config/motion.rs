@@ -86,6 +86,8 @@ pub enum MotionKey {
     Red,
     /// `overload-mm-s2`.
     Overload,
+    /// `raise-length-mm`.
+    RaiseLength,
     /// `raise-ms`.
     Raise,
     /// `look-ahead`.
@@ -102,7 +104,7 @@ pub enum MotionKey {
 
 impl MotionKey {
     /// Every one, in the order of the reference page.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Cycle,
         Self::Angle,
         Self::Accel,
@@ -114,6 +116,7 @@ impl MotionKey {
         Self::Accuracy,
         Self::Red,
         Self::Overload,
+        Self::RaiseLength,
         Self::Raise,
         Self::LookAhead,
         Self::Centripetal,
@@ -142,6 +145,7 @@ impl MotionKey {
             | Self::MergeLength
             | Self::Accuracy
             | Self::Overload
+            | Self::RaiseLength
             | Self::Centripetal
             | Self::Settle
             | Self::BlockGap => Some(Decimal::ZERO),
@@ -295,6 +299,8 @@ pub struct Motion {
     pub rapid: Given<Rapid>,
     /// Set 0 is that of G00, 1 to 4 those of G23; none where a set is not there.
     pub sets: [Option<DynamicSet>; 5],
+    /// A criterion is on that needs `cycle-ms`, which nobody gave: it does not limit anything.
+    pub lacks_cycle: bool,
     /// Seconds that functions take (TIM-1).
     pub times: BTreeMap<TimedFunction, Given<Decimal>>,
 }
@@ -309,6 +315,7 @@ impl Motion {
             profile: Given { value: Profile::of(dialect), from: From::Default },
             rapid: Given { value: Rapid::Path(Rapid::DEFAULT), from: From::Default },
             sets: Default::default(),
+            lacks_cycle: false,
             times: BTreeMap::new(),
         }
     }
@@ -335,6 +342,7 @@ impl Motion {
             | MotionKey::Accuracy
             | MotionKey::Red
             | MotionKey::Overload
+            | MotionKey::RaiseLength
             | MotionKey::LookAhead
             | MotionKey::Centripetal
             | MotionKey::ConstantCutting

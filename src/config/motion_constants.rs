@@ -84,6 +84,25 @@ pub(super) enum Holds {
     Nothing,
 }
 
+impl Holds {
+    /// Whether it is a key's number.
+    pub(super) const fn is_number(self) -> bool {
+        matches!(self, Self::Whole(..) | Self::Thousandths(_))
+    }
+
+    /// Whether the digits are a choice each, and no quantity.
+    const fn is_choice(self) -> bool {
+        matches!(self, Self::Recognition(_) | Self::Profile(_) | Self::Control(_))
+    }
+}
+
+/// Whether a whole number of `--set`, where quotes are lost, is the digits of that constant and no quantity: digits that
+/// are choices, or all eight.
+pub(super) fn is_digits(number: u16, written: &str) -> bool {
+    let choices = holds(number).is_some_and(|holds| holds.iter().any(|holds| holds.is_choice()));
+    (choices || written.len() == 8) && written.bytes().all(|byte| byte.is_ascii_digit())
+}
+
 /// Every constant that motion depends on.
 pub(super) const CONSTANTS: &[(u16, &[Holds])] = &[
     (39, &[Holds::Thousandths(MotionKey::Angle)]),
@@ -97,7 +116,7 @@ pub(super) const CONSTANTS: &[(u16, &[Holds])] = &[
     (383, &[Holds::Thousandths(MotionKey::MergeLength)]),
     (384, &[Holds::Whole(MotionKey::Accuracy, 1, 4), Holds::Whole(MotionKey::Red, 5, 6)]),
     (385, &[Holds::Whole(MotionKey::Overload, 1, 7)]),
-    (386, &[Holds::Nothing]),
+    (386, &[Holds::Thousandths(MotionKey::RaiseLength)]),
     (395, &[Holds::Whole(MotionKey::Raise, 1, 8)]),
     (406, &[Holds::Control(1)]),
     (407, &[Holds::Set(1, SetKey::Parabolic)]),
@@ -133,12 +152,12 @@ pub(super) fn holds(number: u16) -> Option<&'static [Holds]> {
     CONSTANTS.iter().find(|(constant, _)| *constant == number).map(|(_, holds)| *holds)
 }
 
-/// What a single decade means, or which digits it takes.
-pub(super) fn recognition(digit: u32) -> Result<Recognition, &'static str> {
+/// What a single decade means.
+pub(super) const fn recognition(digit: u32) -> Option<Recognition> {
     match digit {
-        1 => Ok(Recognition::Manual),
-        2 => Ok(Recognition::Automatic),
-        _ => Err("1, 2"),
+        1 => Some(Recognition::Manual),
+        2 => Some(Recognition::Automatic),
+        _ => None,
     }
 }
 

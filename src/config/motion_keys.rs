@@ -68,8 +68,8 @@ pub(super) const NUMBERS: [(MotionKey, Row); MotionKey::ALL.len()] = [
             number(ABOVE_ZERO, 1_000_000),
             Default::Nothing,
             (
-                "interpolation cycle Ts in ms, which no source gives: needed where a criterion of accuracy or overload is on",
-                "takt interpolace Ts v ms, který prameny neuvádějí: nutný tam, kde platí kritérium přesnosti nebo přetížení",
+                "interpolation cycle Ts in ms, which no source gives: without it the criteria of accuracy and overload limit nothing",
+                "takt interpolace Ts v ms, který prameny neuvádějí: bez něj kritéria přesnosti a přetížení nic neomezují",
             ),
             "VEL-4, VEL-5",
         ).with_example("2"),
@@ -140,8 +140,8 @@ pub(super) const NUMBERS: [(MotionKey, Row); MotionKey::ALL.len()] = [
             number(-DIMENSION, DIMENSION),
             default(0),
             (
-                "a shorter linear block breaks continuity; 0 or negative: off (R382)",
-                "kratší lineární blok poruší plynulost; 0 nebo záporné: vypnuto (R382)",
+                "a shorter block breaks continuity, arcs too; 0 or negative: off (R382)",
+                "kratší blok poruší plynulost, i kruhový; 0 nebo záporné: vypnuto (R382)",
             ),
             "CNT-2",
         ),
@@ -196,6 +196,19 @@ pub(super) const NUMBERS: [(MotionKey, Row); MotionKey::ALL.len()] = [
                 "dynamické kritérium; 0: vypnuto (R385, dekády 1 až 7)",
             ),
             "VEL-5",
+        ),
+    ),
+    (
+        MotionKey::RaiseLength,
+        row(
+            "raise-length-mm",
+            number(-DIMENSION, DIMENSION),
+            default(0),
+            (
+                "linear: in a shorter block the velocity does not rise above those of its joints; 0 or negative: off (R386)",
+                "linear: v kratším bloku rychlost nestoupne nad rychlosti v jeho krajích; 0 nebo záporné: vypnuto (R386)",
+            ),
+            "VEL-9",
         ),
     ),
     (

@@ -1,12 +1,12 @@
-//! From the tables of `[motion]` and the machine constants to [`Motion`]: what is given twice, what is needed, what is not
-//! used.
+//! From the tables of `[motion]` and the machine constants to [`Motion`], with the findings about values that are given
+//! twice, that cannot be, or that no computation uses.
 
 use super::motion::{From, Given, Motion, MotionKey, Profile, Rapid, Recognition, SetKey, SetValue, TimedFunction};
 use super::motion_constants::{self as constants, Decades, Holds, Miswritten, Written};
 use super::motion_keys;
 use super::project::Project;
 use super::taken::{Setting, Taken, Values};
-use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, LabelText, UnusedConstant};
+use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, LabelText, NotUsed, UnusedConstant};
 use crate::dict::{Decimal, Dialect};
 use crate::text::{FileId, Location, Span};
 
@@ -109,24 +109,27 @@ impl Quantity {
     }
 }
 
-/// Puts together what the layers say, each over the one before; `layers` has the project file first.
-pub(super) fn assemble(layers: &[Layer<'_>], dialect: Dialect, findings: &mut Findings) -> Motion {
-    let mut assembly = Assembly { motion: Motion::new(dialect), keys: Vec::new(), places: Vec::new(), findings };
+/// Puts together what the layers say, each over the one before; `layers` has the project file first. A constant that
+/// cannot be is an error where motion is computed, elsewhere a warning.
+pub(super) fn assemble(layers: &[Layer<'_>], dialect: Dialect, computes: bool, findings: &mut Findings) -> Motion {
+    let mut assembly =
+        Assembly { motion: Motion::new(dialect), keys: Vec::new(), places: Vec::new(), dialect, computes, findings };
     for (at, layer) in layers.iter().enumerate() {
         assembly.keys(layer, if at == 0 { From::Key } else { From::Set });
     }
     if dialect.has_channel_config() {
         assembly.not_used_here(layers, dialect);
+        assembly.settle_profile();
     } else {
         assembly.constants(layers);
     }
-    let Assembly { mut motion, places, findings, .. } = assembly;
+    assembly.check_cycle();
+    let Assembly { mut motion, .. } = assembly;
     let said = |layer: &Layer<'_>| {
         let known = |number: u16| constants::holds(number).is_some() && !dialect.has_channel_config();
         layer.values.motion.present || layer.values.constants.iter().any(|constant| known(constant.value.0))
     };
     motion.configured = layers.first().is_some_and(said);
-    check_whole(&motion, &places, findings);
     motion
 }
 
@@ -141,12 +144,22 @@ struct Read {
     from: From,
 }
 
+impl Read {
+    /// Its key and its value.
+    const fn places(&self) -> [Location; 2] {
+        [self.key, self.place]
+    }
+}
+
 struct Assembly<'a> {
     motion: Motion,
     /// What keys give, with the layer's source and the place.
     keys: Vec<(Quantity, From, Location)>,
-    /// Where each quantity was given at last.
+    /// Where each quantity was given at last: its key.
     places: Vec<(Quantity, Location)>,
+    dialect: Dialect,
+    /// The command computes motion.
+    computes: bool,
     findings: &'a mut Findings,
 }
 
@@ -157,18 +170,26 @@ impl Assembly<'_> {
         for setting in &values.numbers {
             let (key, value) = setting.value;
             self.motion.set_number(key, value, from);
-            self.note(Quantity::Number(key), from, place(setting.at));
+            self.note(Quantity::Number(key), from, place(setting.key), place(setting.at));
         }
         if let Some(setting) = values.recognition {
             self.motion.recognition = Given { value: setting.value, from };
-            self.note(Quantity::Recognition, from, place(setting.at));
+            self.note(Quantity::Recognition, from, place(setting.key), place(setting.at));
         }
         if let Some(setting) = values.profile {
             self.motion.profile = Given { value: setting.value, from };
-            self.note(Quantity::Profile, from, place(setting.at));
+            self.note(Quantity::Profile, from, place(setting.key), place(setting.at));
         }
         if let Some(setting) = &values.rapid {
-            self.motion.rapid = Given { value: setting.value.clone(), from };
+            let mut value = setting.value.clone();
+            // Axes that are tried stand over those of the table.
+            if let (From::Set, Rapid::Axes(tried), Rapid::Axes(before)) = (from, &mut value, &self.motion.rapid.value) {
+                let kept = before.iter().filter(|(letter, _)| tried.iter().all(|(other, _)| other != letter));
+                let kept: Vec<_> = kept.copied().collect();
+                tried.extend(kept);
+                tried.sort_unstable_by_key(|(letter, _)| *letter as usize);
+            }
+            self.motion.rapid = Given { value, from };
         }
         for set in &values.tables {
             if let Some(slot) = self.motion.sets.get_mut(usize::from(*set)) {
@@ -178,7 +199,7 @@ impl Assembly<'_> {
         for setting in &values.sets {
             let (set, key, value) = setting.value;
             self.set(set, key, Given { value: SetValue::Number(value), from });
-            self.note(Quantity::Set(set, key), from, place(setting.at));
+            self.note(Quantity::Set(set, key), from, place(setting.key), place(setting.at));
         }
         for setting in &values.times {
             let (function, value) = setting.value;
@@ -186,10 +207,14 @@ impl Assembly<'_> {
         }
     }
 
-    fn note(&mut self, quantity: Quantity, from: From, place: Location) {
-        self.keys.push((quantity, from, place));
+    fn note(&mut self, quantity: Quantity, from: From, key: Location, value: Location) {
+        self.keys.push((quantity, from, value));
         self.places.retain(|(other, _)| *other != quantity);
-        self.places.push((quantity, place));
+        self.places.push((quantity, key));
+    }
+
+    fn place(&self, quantity: Quantity) -> Location {
+        self.places.iter().find(|(other, _)| *other == quantity).map(|(_, place)| *place).unwrap_or_default()
     }
 
     fn set(&mut self, set: u8, key: SetKey, value: Given<SetValue>) {
@@ -210,14 +235,28 @@ impl Assembly<'_> {
         }
     }
 
-    fn not_used(&mut self, number: u16, problem: UnusedConstant, at: Location) {
-        let finding = Finding::ConstantNotUsed { constant: format!("R{number}"), problem };
-        self.findings.add(Diagnostic::new(finding, at));
+    fn not_used(&mut self, number: u16, why: UnusedConstant, at: Location) {
+        self.warn(format!("R{number}"), why, at);
     }
 
-    fn need(&mut self, number: u16, needs: ConfigNeed, at: Location) {
-        let finding = Finding::ConfigurationValue { key: format!("machine-constants.R{number}"), needs };
-        self.findings.add(Diagnostic::new(finding, at));
+    fn warn(&mut self, name: String, why: UnusedConstant, at: Location) {
+        self.findings.add(Diagnostic::new(Finding::ConstantNotUsed { name, why: NotUsed::Why(why) }, at));
+    }
+
+    /// A constant that cannot be: its default counts, or what else gives the quantity.
+    fn need(&mut self, number: u16, needs: ConfigNeed, [key, value]: [Location; 2]) {
+        let diagnostic = self.needing(number, needs, [key, value]);
+        self.findings.add(diagnostic);
+    }
+
+    fn needing(&self, number: u16, needs: ConfigNeed, [key, value]: [Location; 2]) -> Diagnostic {
+        if self.computes {
+            let finding = Finding::ConfigurationValue { key: format!("machine-constants.R{number}"), needs };
+            Diagnostic::new(finding, value)
+        } else {
+            let finding = Finding::ConstantNotUsed { name: format!("R{number}"), why: NotUsed::Needs(needs) };
+            Diagnostic::new(finding, key)
+        }
     }
 
     /// The constants of all layers; one of the command line replaces that of the file.
@@ -231,9 +270,8 @@ impl Assembly<'_> {
                 let key = Location { file: layer.file, span: constant.key };
                 let quoted =
                     layer.text.get(constant.at.start as usize..).is_some_and(|text| text.starts_with(['"', '\'']));
-                let signed = holds
-                    .iter()
-                    .any(|holds| matches!(holds, Holds::Thousandths(MotionKey::BreakLength | MotionKey::MergeLength)));
+                let signed =
+                    holds.iter().any(|holds| matches!(holds, Holds::Thousandths(key) if *key != MotionKey::Angle));
                 let written = Written { digits: digits.clone(), quoted };
                 match Decades::read(&written, signed) {
                     Ok(decades) => {
@@ -241,8 +279,8 @@ impl Assembly<'_> {
                         let from = if at == 0 { From::Constant(*number) } else { From::Set };
                         read.push(Read { number: *number, decades, key, place, from });
                     }
-                    Err(Miswritten::Digits) => self.need(*number, ConfigNeed::EightDigits, place),
-                    Err(Miswritten::Sign) => self.need(*number, ConfigNeed::NoSign, place),
+                    Err(Miswritten::Digits) => self.need(*number, ConfigNeed::EightDigits, [key, place]),
+                    Err(Miswritten::Sign) => self.need(*number, ConfigNeed::NoSign, [key, place]),
                 }
             }
         }
@@ -252,39 +290,65 @@ impl Assembly<'_> {
         };
         let controls: Vec<Option<Decades>> = (0..5).map(control).collect();
         let control = |set: u8| controls.get(usize::from(set)).copied().flatten();
-        let sets_on = control(1).is_some_and(|word| word.part(1, 1) == 1);
-        for one in &read {
-            for holds in constants::holds(one.number).unwrap_or_default() {
-                self.constant(*one, *holds, &control, sets_on);
-            }
+        // What the sets replace depends on the profile, and that on P in set 1.
+        let all = || {
+            read.iter().flat_map(|one| {
+                constants::holds(one.number).unwrap_or_default().iter().map(move |holds| (*one, *holds))
+            })
+        };
+        for (one, holds) in all().filter(|(_, holds)| !holds.is_number()) {
+            self.constant(one, holds, &control);
+        }
+        let kept = self.settle_profile();
+        let sets_on = kept && control(1).is_some_and(|word| word.part(1, 1) == 1);
+        for (one, holds) in all().filter(|(_, holds)| holds.is_number()) {
+            self.number_constant(one, holds, sets_on);
+        }
+        self.check_close(&read);
+    }
+
+    /// S3 A6.2 asks for a continuous acceleration at least 100 mm/s² below that of other working motion.
+    fn check_close(&mut self, read: &[Read]) {
+        let constant = |number: u16| read.iter().find(|one| one.number == number);
+        let (Some(working), Some(continuous)) = (constant(52), constant(236)) else { return };
+        let digits = |one: &Read| one.decades.part(1, 8);
+        let given = |key| self.motion.given(key).from != From::Default;
+        if digits(continuous) > 0
+            && digits(continuous) + 100 > digits(working)
+            && given(MotionKey::Accel)
+            && given(MotionKey::AccelContinuous)
+        {
+            self.not_used(236, UnusedConstant::CloseToWorking, continuous.key);
         }
     }
 
     /// What one constant gives.
-    fn constant(&mut self, one: Read, holds: Holds, control: &dyn Fn(u8) -> Option<Decades>, sets_on: bool) {
-        let Read { number, decades, key: at, place, from } = one;
+    fn constant(&mut self, one: Read, holds: Holds, control: &dyn Fn(u8) -> Option<Decades>) {
+        let Read { number, decades, key: at, from, .. } = one;
         match holds {
-            Holds::Nothing => self.not_used(number, UnusedConstant::of(number), at),
-            Holds::Recognition(decade) => match constants::recognition(decades.part(decade, decade)) {
-                Ok(value) => {
-                    if self.give(one, Quantity::Recognition) {
-                        self.motion.recognition = Given { value, from };
+            Holds::Nothing => self.not_used(number, UnusedConstant::Circles, at),
+            Holds::Recognition(decade) => {
+                let digit = decades.part(decade, decade);
+                match constants::recognition(digit) {
+                    Some(value) => {
+                        if self.give(one, Quantity::Recognition) {
+                            self.motion.recognition = Given { value, from };
+                        }
                     }
+                    None if digit == 0 => self.not_used(number, UnusedConstant::Recognition, at),
+                    None => self.need(number, ConfigNeed::Recognition, one.places()),
                 }
-                Err(digits) => self.need(number, decade_of(decade, digits), place),
-            },
+            }
             Holds::Profile(decade) => match constants::profile(decades.part(decade, decade)) {
                 Ok(value) => {
                     if self.give(one, Quantity::Profile) {
                         self.motion.profile = Given { value, from };
                     }
                 }
-                Err(digits) => self.need(number, decade_of(decade, digits), place),
+                Err(digits) => self.need(number, decade_of(decade, digits), one.places()),
             },
-            Holds::Control(set) => self.control(number, set, decades, place),
-            Holds::Whole(..) | Holds::Thousandths(_) => {
-                self.number_constant(one, holds, sets_on);
-            }
+            Holds::Control(set) => self.control(one, set),
+            Holds::Whole(..) | Holds::Thousandths(_) => {}
             Holds::Set(set, key) => {
                 let word = control(set);
                 self.set_constant(one, (set, key), word);
@@ -293,7 +357,7 @@ impl Assembly<'_> {
     }
 
     fn number_constant(&mut self, one: Read, holds: Holds, sets_on: bool) {
-        let Read { number, decades, key: at, place, from } = one;
+        let Read { number, decades, key: at, from, .. } = one;
         let Some((key, value)) = constants::number(holds, decades) else { return };
         let percent = key == MotionKey::Red;
         // The sets replace these three, and their percentage that of R384.
@@ -313,11 +377,11 @@ impl Assembly<'_> {
             return;
         }
         if matches!(key, MotionKey::Accel | MotionKey::AccelRapid) && value == Decimal::ZERO {
-            self.need(number, ConfigNeed::AboveZero, place);
+            self.need(number, ConfigNeed::AboveZero, one.places());
             return;
         }
         if key == MotionKey::Angle && value > Decimal::whole(180) {
-            self.need(number, ConfigNeed::Number { min: "0".to_owned(), max: "180".to_owned() }, place);
+            self.need(number, ConfigNeed::Number { min: "0".to_owned(), max: "180".to_owned() }, one.places());
             return;
         }
         // Without digits for it a percentage beside the key is not given twice.
@@ -329,7 +393,7 @@ impl Assembly<'_> {
     }
 
     fn set_constant(&mut self, one: Read, (set, key): (u8, SetKey), control: Option<Decades>) {
-        let Read { number, decades, key: at, place, from } = one;
+        let Read { number, decades, key: at, from, .. } = one;
         let on = control.is_some_and(|word| word.part(1, 1) == 1);
         let decade = 2 + key as u32;
         let by_parameter = control.is_some_and(|word| word.part(decade, decade) == 1);
@@ -341,13 +405,13 @@ impl Assembly<'_> {
                         self.set(set, key, Given { value: SetValue::Parameter(parameter), from });
                     }
                 }
-                _ => self.need(number, ConfigNeed::ParameterNumber, place),
+                _ => self.need(number, ConfigNeed::ParameterNumber, one.places()),
             }
             return;
         }
         let digits = match constants::set_value(key, decades) {
             Ok(digits) => digits,
-            Err(choices) => return self.need(number, decade_of(8, choices), place),
+            Err(choices) => return self.need(number, decade_of(8, choices), one.places()),
         };
         // R411 is also the key `centripetal-mm-s2`.
         let also_key = number == 411 && !by_parameter && digits.value > Decimal::ZERO;
@@ -371,10 +435,11 @@ impl Assembly<'_> {
     }
 
     /// A control word: its decades are 0 or 1. A set that it enables is there.
-    fn control(&mut self, number: u16, set: u8, decades: Decades, place: Location) {
+    fn control(&mut self, one: Read, set: u8) {
+        let Read { number, decades, .. } = one;
         for decade in 1..=6 {
             if decades.part(decade, decade) > 1 {
-                return self.need(number, decade_of(decade, "0, 1"), place);
+                return self.need(number, decade_of(decade, "0, 1"), one.places());
             }
         }
         if decades.part(1, 1) == 1
@@ -395,8 +460,8 @@ impl Assembly<'_> {
             meant /= 1000;
         }
         let shown = format!("{}.{:03}", meant / 1000, meant % 1000);
-        let problem = UnusedConstant::TooFast { accel: digits, meant, shown };
-        let finding = Finding::ConstantNotUsed { constant: format!("R{}", one.number), problem };
+        let why = NotUsed::Why(UnusedConstant::TooFast { accel: digits, meant, shown });
+        let finding = Finding::ConstantNotUsed { name: format!("R{}", one.number), why };
         let text = format!("\"{meant:08}\"");
         let diagnostic = Diagnostic::new(finding, one.key);
         self.findings.add(match one.from {
@@ -415,7 +480,7 @@ impl Assembly<'_> {
     /// Whether a constant gives a quantity: what a key of the same layer gives already is an error, and one of the command
     /// line wins.
     fn give(&mut self, one: Read, quantity: Quantity) -> bool {
-        let Read { number, key: at, place, from, .. } = one;
+        let Read { number, key: at, from, .. } = one;
         let key = self.keys.iter().rev().find(|(other, ..)| *other == quantity).copied();
         if let Some((_, by, first)) = key {
             match (by, from) {
@@ -423,66 +488,99 @@ impl Assembly<'_> {
                 (From::Key, From::Set) => {}
                 _ => {
                     let needs = ConfigNeed::GivenTwice { key: quantity.key() };
-                    let finding = Finding::ConfigurationValue { key: format!("machine-constants.R{number}"), needs };
-                    self.findings
-                        .add(Diagnostic::new(finding, at).with_label(first, LabelText::First { what: quantity.key() }));
+                    let diagnostic = self.needing(number, needs, [at, at]);
+                    self.findings.add(diagnostic.with_label(first, LabelText::First { what: quantity.key() }));
                     return false;
                 }
             }
         }
         self.places.retain(|(other, _)| *other != quantity);
-        self.places.push((quantity, place));
+        self.places.push((quantity, at));
         true
+    }
+
+    /// Whether a value has a finding of its own: nobody knows then what it is.
+    fn is_wrong(&self, names: &[&str]) -> bool {
+        let is_one = |finding: &Finding| match finding {
+            Finding::ConfigurationValue { key, .. } => names.contains(&key.as_str()),
+            Finding::ConstantNotUsed { name, .. } => names.contains(&format!("machine-constants.{name}").as_str()),
+            _ => false,
+        };
+        self.findings.items().iter().any(|found| is_one(&found.finding))
+    }
+
+    fn is_on(&self, set: u8, key: SetKey) -> bool {
+        let set = self.motion.sets.get(usize::from(set)).and_then(Option::as_ref);
+        match set.and_then(|set| set.get(key)).map(|given| given.value) {
+            Some(SetValue::Number(number)) => number > Decimal::ZERO,
+            Some(SetValue::Parameter(_)) => true,
+            None => false,
+        }
+    }
+
+    /// A profile that this control does not have, or that lacks P, gives way to another one (W0707). Whether the profile
+    /// that was asked for holds.
+    fn settle_profile(&mut self) -> bool {
+        let Given { value, from } = self.motion.profile;
+        let (held, why) = match value {
+            Profile::Linear | Profile::Parabolic if self.dialect == Dialect::Cnc8x6 => {
+                (Profile::Ramps, Some(UnusedConstant::Envelope { dialect: self.dialect.name().to_owned() }))
+            }
+            Profile::Parabolic if !self.is_on(1, SetKey::Parabolic) => {
+                let said = ["motion.sets.1.parabolic", "machine-constants.R406", "machine-constants.R407"];
+                (Profile::Linear, (!self.is_wrong(&said)).then_some(UnusedConstant::ParabolicSet))
+            }
+            Profile::Ramps | Profile::Linear | Profile::Parabolic => return true,
+        };
+        self.motion.profile.value = held;
+        if let Some(why) = why {
+            let name =
+                if let From::Constant(number) = from { format!("R{number}") } else { "motion.profile".to_owned() };
+            self.warn(name, why, self.place(Quantity::Profile));
+        }
+        false
+    }
+
+    /// Without the cycle the criteria of accuracy and overload limit nothing: said at the first that is on (W0707).
+    fn check_cycle(&mut self) {
+        let profile = self.motion.profile.value;
+        if profile == Profile::Ramps || self.motion.given(MotionKey::Cycle).value.is_some() {
+            return;
+        }
+        let mut criteria = Vec::new();
+        for (key, of_set) in [(MotionKey::Accuracy, SetKey::Accuracy), (MotionKey::Overload, SetKey::Overload)] {
+            // Set 1 stands before the key.
+            let hidden = profile == Profile::Parabolic && self.is_on(1, of_set);
+            criteria.push((Quantity::Number(key), !hidden && self.motion.number(key) > Decimal::ZERO));
+        }
+        if profile == Profile::Parabolic {
+            for set in 1..=4_u8 {
+                for key in [SetKey::Accuracy, SetKey::Overload] {
+                    criteria.push((Quantity::Set(set, key), self.is_on(set, key)));
+                }
+            }
+        }
+        let Some((first, _)) = criteria.into_iter().find(|(_, on)| *on) else { return };
+        self.motion.lacks_cycle = true;
+        if !self.is_wrong(&["motion.cycle-ms"]) {
+            let from = match first {
+                Quantity::Number(key) => self.motion.given(key).from,
+                Quantity::Set(set, key) => {
+                    let set = self.motion.sets.get(usize::from(set)).and_then(Option::as_ref);
+                    set.and_then(|set| set.get(key)).map_or(From::Default, |given| given.from)
+                }
+                Quantity::Recognition | Quantity::Profile => From::Default,
+            };
+            let name = if let From::Constant(number) = from {
+                format!("R{number}")
+            } else {
+                format!("motion.{}", first.key())
+            };
+            self.warn(name, UnusedConstant::CycleTime, self.place(first));
+        }
     }
 }
 
 fn decade_of(decade: u32, digits: &str) -> ConfigNeed {
     ConfigNeed::Decade { decade, digits: digits.to_owned() }
-}
-
-/// What the values need of one another.
-fn check_whole(motion: &Motion, places: &[(Quantity, Location)], findings: &mut Findings) {
-    let place = |quantity: Quantity| places.iter().find(|(other, _)| *other == quantity).map(|(_, place)| *place);
-    // What has a finding of its own is there, though nobody knows what it is.
-    let is_wrong = |keys: &[&str]| {
-        let is_one = |finding: &Finding| matches!(finding, Finding::ConfigurationValue { key, .. } if keys.contains(&key.as_str()));
-        findings.items().iter().any(|found| is_one(&found.finding))
-    };
-    let no_p = is_wrong(&["motion.sets.1.parabolic", "machine-constants.R406", "machine-constants.R407"]);
-    let no_cycle = is_wrong(&["motion.cycle-ms"]);
-    let mut need = |key: String, needs: ConfigNeed, at: Location| {
-        findings.add(Diagnostic::new(Finding::ConfigurationValue { key, needs }, at));
-    };
-    let profile = motion.profile.value;
-    let set = |set: usize, key: SetKey| motion.sets.get(set).and_then(|set| set.as_ref()?.get(key));
-    let on = |value: Option<Given<SetValue>>| match value.map(|given| given.value) {
-        Some(SetValue::Number(number)) => number > Decimal::ZERO,
-        Some(SetValue::Parameter(_)) => true,
-        None => false,
-    };
-    if profile == Profile::Parabolic && !no_p && !on(set(1, SetKey::Parabolic)) {
-        let at = place(Quantity::Profile).unwrap_or_default();
-        need(motion.profile.from.shown("profile"), ConfigNeed::ParabolicSet, at);
-    }
-    if profile == Profile::Ramps || no_cycle || motion.given(MotionKey::Cycle).value.is_some() {
-        return;
-    }
-    // Of several criteria the first in the text says what is missing.
-    let mut criteria: Vec<(Quantity, bool)> = vec![
-        (Quantity::Number(MotionKey::Accuracy), motion.number(MotionKey::Accuracy) > Decimal::ZERO),
-        (Quantity::Number(MotionKey::Overload), motion.number(MotionKey::Overload) > Decimal::ZERO),
-    ];
-    if profile == Profile::Parabolic {
-        for number in 1..=4_u8 {
-            for key in [SetKey::Accuracy, SetKey::Overload] {
-                criteria.push((Quantity::Set(number, key), on(set(usize::from(number), key))));
-            }
-        }
-    }
-    let used = criteria.into_iter().filter(|(_, on)| *on);
-    let first =
-        used.filter_map(|(quantity, _)| Some((quantity, place(quantity)?))).min_by_key(|(_, at)| (at.file, at.span));
-    if let Some((quantity, at)) = first {
-        need(format!("motion.{}", quantity.key()), ConfigNeed::CycleTime, at);
-    }
 }

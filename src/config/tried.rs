@@ -4,7 +4,7 @@ use super::motion_constants::holds;
 use super::motion_keys::{MOTION, RAPID_SET, SET};
 use super::names::Names;
 use super::near::nearest;
-use crate::dict::Dialect;
+use crate::dict::{AxisLetter, Dialect};
 
 /// Why a value changes nothing.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -30,8 +30,12 @@ pub fn tried_fault(key: &str, dialect: Dialect) -> Option<TriedFault> {
         };
     }
     let is_timed = |key: &str| key.strip_prefix("times.").is_some_and(|name| Names::Timed.number(name).is_some());
+    let is_axis = |key: &str| {
+        let letter = key.strip_prefix("rapid-mm-min.")?;
+        AxisLetter::ALL.into_iter().find(|axis| axis.name() == letter)
+    };
     let keys = keys();
-    if is_timed(key) || keys.iter().any(|known| known == key) {
+    if is_timed(key) || is_axis(key).is_some() || keys.iter().any(|known| known == key) {
         return None;
     }
     let inner = key.strip_prefix("motion.").unwrap_or(key);
@@ -62,6 +66,7 @@ mod tests {
             "accuracy-um",
             "profile",
             "rapid-mm-min",
+            "rapid-mm-min.X",
             "sets.1.parabolic",
             "sets.rapid.linear-mm-s2",
             "times.M6",

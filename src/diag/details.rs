@@ -222,8 +222,7 @@ bilingual! {
         ParameterNumber "names a parameter here: 00 to 94", "zde uvádí parametr: 00 až 94";
         AboveZero "is an acceleration above 0", "je zrychlení větší než 0";
         GivenTwice { key: String } "gives what `{key}` of `[motion]` gives already", "udává totéž, co už udává {key} v [motion]";
-        CycleTime "needs `cycle-ms`, the interpolation cycle Ts: the criterion is computed with it", "potřebuje cycle-ms, takt interpolace Ts: kritérium se počítá s ním";
-        ParabolicSet "needs P: `parabolic` under `[motion.sets.1]`, or R407 with R406 enabling it", "potřebuje P: parabolic v [motion.sets.1], nebo R407 povolenou konstantou R406";
+        Recognition "takes 1 (manual) or 2 (automatic) in decade 1, the rightmost digit: automatic is written R97 = \"00000002\"", "má mít v 1. dekádě, tedy na posledním místě, 1 (ruční) nebo 2 (automatické): automatické se zapíše R97 = \"00000002\"";
         AtLeast { min: i64 } "takes a whole number, {min} or more", "musí být celé číslo {min} nebo větší";
         Constant "takes a number, or its digits as a text", "musí být číslo, nebo jeho číslice jako text";
         Table "takes a table", "musí být tabulka";
@@ -297,32 +296,61 @@ bilingual! {
 }
 
 bilingual! {
-    /// Why a machine constant is not used for motion.
+    /// Why a machine constant, or a key of `[motion]`, is not used for motion.
     UnusedConstant {
         Dialect { dialect: String } "{dialect} takes motion from `[motion]` and from no constant", "u {dialect} se pohyb počítá podle [motion], ne podle konstant";
         Circles "how R232 limits the velocity on circles is in no source; `centripetal-mm-s2` or R411 with 1 in decade 8 does it", "jak R232 omezuje rychlost na kruhu, prameny neuvádějí; slouží k tomu centripetal-mm-s2 nebo R411 s 1 v 8. dekádě";
-        Superseded "R386 is superseded by R395, the time criterion", "R386 nahradila R395, kritérium času";
+        Recognition "decade 1, the rightmost digit, is 0: `R97 = 2` is 2.000, and automatic recognition is written R97 = \"00000002\", manual \"00000001\"", "v 1. dekádě, tedy na posledním místě, je 0: R97 = 2 je 2.000; automatické rozpoznání se zapíše R97 = \"00000002\", ruční \"00000001\"";
+        Envelope { dialect: String } "{dialect} has no envelope velocity; `profile = \"ramps\"` holds", "{dialect} nemá obálkovou rychlost; platí profile = \"ramps\"";
+        ParabolicSet "the parabolic profile needs P: `parabolic` under `[motion.sets.1]`, or R407 with R406 enabling it; until then `linear` holds", "parabolický průběh potřebuje P: parabolic v [motion.sets.1], nebo R407 povolenou konstantou R406; zatím platí linear";
+        CycleTime "the criterion is computed with `cycle-ms`, the interpolation cycle Ts, which nobody gave: times are lower bounds", "kritérium se počítá s taktem interpolace Ts, a cycle-ms není zadáno: časy jsou dolní meze";
+        CloseToWorking "R236 is to be at least 100 mm/s² below R52, says the manual; both count as they are written", "R236 má být podle návodu aspoň o 100 mm/s² menší než R52; obě platí tak, jak jsou zapsány";
         LengthCorrection "how decade 8 corrects the criterion for the length of blocks is in no source; the other digits are used", "jak 8. dekáda koriguje kritérium na délku bloku, prameny neuvádějí; ostatní číslice platí";
         Percentage "how a percentage limits the velocity on circles is in no source; with 1 in decade 8 the digits are a centripetal acceleration in tenths of mm/s²", "jak procento omezuje rychlost na kruhu, prameny neuvádějí; s 1 v 8. dekádě jsou číslice odstředivým zrychlením v desetinách mm/s²";
         TooFast { accel: u32, meant: u32, shown: String } "{accel} mm/s² is no acceleration of a machine; probably {shown} is meant, which is {meant} mm/s²", "{accel} mm/s² není zrychlení stroje; míněno je asi {shown}, tedy {meant} mm/s²";
     }
 }
 
-impl UnusedConstant {
-    /// What is not used of a constant.
-    pub(super) fn what(&self, constant: &str, lang: Lang) -> String {
-        let part = matches!(self, Self::LengthCorrection);
-        match lang {
-            Lang::En if part => format!("decade 8 of machine constant {constant}"),
-            Lang::En => format!("machine constant {constant}"),
-            Lang::Cs if part => format!("8. dekáda strojní konstanty {constant}"),
-            Lang::Cs => format!("strojní konstanta {constant}"),
+/// Why W0707 is raised.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum NotUsed {
+    /// What the value asks for is not computed.
+    Why(UnusedConstant),
+    /// The value cannot be; commands that compute motion refuse it with E0702.
+    Needs(ConfigNeed),
+}
+
+impl NotUsed {
+    /// What is not used of a constant (`R384`) or a key (`motion.profile`).
+    pub(super) fn message(&self, name: &str, lang: Lang) -> String {
+        let constant = !name.contains('.');
+        let what = match lang {
+            Lang::En if constant => format!("machine constant {name}"),
+            Lang::En => format!("`{name}`"),
+            Lang::Cs if constant => format!("strojní konstanta {name}"),
+            Lang::Cs => name.to_owned(),
+        };
+        match (self, lang) {
+            (Self::Why(UnusedConstant::CloseToWorking), Lang::En) => format!("{what} is close to R52"),
+            (Self::Why(UnusedConstant::CloseToWorking), Lang::Cs) => format!("{what} se málo liší od R52"),
+            (Self::Why(UnusedConstant::LengthCorrection), Lang::En) => {
+                format!("decade 8 of {what} is not used for motion")
+            }
+            (Self::Why(UnusedConstant::LengthCorrection), Lang::Cs) => {
+                format!("8. dekáda strojní konstanty {name} se pro výpočet pohybu nepoužije")
+            }
+            (Self::Why(_) | Self::Needs(_), Lang::En) => format!("{what} is not used for motion"),
+            (Self::Why(_) | Self::Needs(_), Lang::Cs) => format!("{what} se pro výpočet pohybu nepoužije"),
         }
     }
 
-    /// Why a constant is not used that holds nothing that is.
-    pub const fn of(number: u16) -> Self {
-        if number == 232 { Self::Circles } else { Self::Superseded }
+    /// Why.
+    pub(super) fn note(&self, lang: Lang) -> String {
+        match (self, lang) {
+            (Self::Why(why), _) => why.text(lang),
+            (Self::Needs(needs), Lang::En) => format!("it {}", needs.text(lang)),
+            (Self::Needs(needs), Lang::Cs) => needs.text(lang),
+        }
     }
 }
 

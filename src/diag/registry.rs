@@ -10,9 +10,9 @@ use super::advice::{
 };
 use super::{
     AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, CommaMeant, ConfigNeed,
-    ConfigProblem, ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NumberMeant,
-    OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant, TextMeant, Unread,
-    UnreadEnd, UnusedConstant, UnusedMeant, ValueMeant,
+    ConfigProblem, ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NotUsed,
+    NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant,
+    TextMeant, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
 use crate::dict::{Address, Dialect, FeedPer, GCode, GGroup, Lang, Plane};
 use crate::sure::Sure;
@@ -695,10 +695,10 @@ diagnostics! {
     [E0706] MachineConstant "machine-constant" Error { constant: String, problem: ConstantProblem }
         en ({ let what = problem.text(Lang::En); format!("machine constant {constant} {what}") })
         cs ({ let what = problem.text(Lang::Cs); format!("strojní konstanta {constant} {what}") })
-    [W0707] ConstantNotUsed "constant-not-used" Warning { constant: String, problem: UnusedConstant }
-        en ({ let what = problem.what(constant, Lang::En); format!("{what} is not used for motion") })
-        cs ({ let what = problem.what(constant, Lang::Cs); format!("{what} se pro výpočet pohybu nepoužije") })
-        note (problem.text(Lang::En)) | (problem.text(Lang::Cs))
+    [W0707] ConstantNotUsed "constant-not-used" Warning { name: String, why: NotUsed }
+        en (why.message(name, Lang::En))
+        cs (why.message(name, Lang::Cs))
+        note (why.note(Lang::En)) | (why.note(Lang::Cs))
     [W0708] NoMFunctions "no-m-functions" Warning {}
         en "this ChannelConfig holds no `MFunctions`: it sets no M function"
         cs "tento ChannelConfig neobsahuje MFunctions: žádnou M funkci nenastaví"

@@ -79,6 +79,7 @@ pub fn request(bytes: &[u8]) -> Request {
             request.compile = true;
         } else if let Some(signals) = rest.strip_prefix("plc=") {
             request.plc = Some(signals.to_owned());
+            request.overrides.computes_motion = true;
         } else if let Some(dialect) = rest.strip_prefix("dialect=") {
             option(&mut request.overrides, "--dialect", dialect);
         } else if let Some(args) = rest.strip_prefix("args=") {

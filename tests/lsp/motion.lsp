@@ -114,6 +114,10 @@ N520 Z5 G70
 === answer
 [
   {
+    "dot": "red",
+    "line": 2
+  },
+  {
     "dot": "yellow",
     "line": 3
   },

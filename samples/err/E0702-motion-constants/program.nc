@@ -1,3 +1,4 @@
 %1 "Cisty program
+"! plc=PB06
 N10 G90 G0 X0 Y0
 N20 M30

@@ -2,8 +2,9 @@
 
 use super::basis::{Basis, InForce};
 use super::summary::{RedJoint, Summary, Total};
+use super::times::Untimed;
 use super::trimmed;
-use super::words::{Help, LimitName, Reason, Words};
+use super::words::{Help, LimitName, Reason, UntimedName, Words};
 use crate::diag::terminal_safe;
 use crate::dict::Lang;
 use crate::run::MotionType;
@@ -23,9 +24,9 @@ impl Total {
     pub fn text(&self, lang: Lang) -> String {
         let time = clock(self.time_s);
         let words = match self.unknown_blocks {
-            0 if self.jerk_free_blocks > 0 => Words::AtLeastSo { time },
+            0 if self.has_loose_limits() => Words::AtLeastSo { time },
             0 => Words::Whole { time },
-            blocks if blocks == self.approach_blocks && self.jerk_free_blocks > 0 => {
+            blocks if blocks == self.approach_blocks && self.has_loose_limits() => {
                 Words::AtLeastWithoutApproach { time }
             }
             blocks if blocks == self.approach_blocks => Words::WithoutApproach { time },
@@ -91,7 +92,15 @@ impl Account<'_> {
         if summary.total.jerk_free_blocks > 0 {
             lines.add(&Words::JerkFree { blocks: summary.total.jerk_free_blocks }.text(lang));
         }
+        if summary.total.lacks_cycle {
+            lines.add(&Words::LacksCycle.text(lang));
+        }
         self.add_basis(basis, &mut lines);
+        let zero = Untimed::ALL.into_iter().zip(summary.untimed).filter(|(_, untimed)| *untimed);
+        let zero: Vec<String> = zero.map(|(what, _)| UntimedName::of(what).text(lang)).collect();
+        if !zero.is_empty() {
+            lines.add(&Words::CountAsZero { what: zero.join(", ") }.text(lang));
+        }
         self.add_changes(&mut lines);
         self.add_times(summary, &mut lines);
         self.add_joints(summary, &mut lines);
@@ -115,11 +124,12 @@ impl Account<'_> {
         if basis.values.iter().all(|value| value.assumed) {
             let words = if basis.assumed { Words::Assumed } else { Words::AllAssumed };
             lines.add(&format!("{}:", words.text(lang)));
-            lines.add(&format!("  {}", list(&|_| true)));
+            lines.add(&format!("  {}, {}", list(&|_| true), Words::Override.text(lang)));
             return;
         }
         lines.add(&Words::Configured { values: list(&|value| !value.assumed) }.text(lang));
-        lines.add(&Words::AlsoAssumed { values: list(&|value| value.assumed) }.text(lang));
+        let assumed = [list(&|value| value.assumed), Words::Override.text(lang)];
+        lines.add(&Words::AlsoAssumed { values: assumed.join(", ") }.text(lang));
     }
 
     fn add_changes(&self, lines: &mut Lines) {
@@ -179,7 +189,7 @@ impl Account<'_> {
         }
         if summary.by_tool.keys().any(Option::is_some) {
             lines.head(&Words::Tools);
-            for (tool, total) in &summary.by_tool {
+            for (tool, total) in summary.by_tool.iter().filter(|(_, total)| !total.is_nothing()) {
                 let name = tool.map_or_else(|| Words::NoTool.text(lang), |tool| format!("T{tool}"));
                 let least = if total.lacks_more_than_approach() { Words::Least.text(lang) } else { String::new() };
                 let part = part(total.time_s);
@@ -223,11 +233,12 @@ impl Account<'_> {
             return;
         }
         lines.head(&Words::RedJoints);
-        for joint in &summary.red {
+        let (joints, more) = summary.costly();
+        for joint in &joints {
             let line = self.red(joint, lines.lang);
             lines.add(&line);
         }
-        if summary.more_red {
+        if more {
             lines.add(&format!("  {}", Words::MoreRed.text(lines.lang)));
         }
     }
@@ -255,6 +266,9 @@ impl Account<'_> {
             }
         };
         parts.extend(help.map(|help| help.text(lang)));
+        if red.cost_s >= 0.0005 {
+            parts.push(Words::Costs { seconds: trimmed(red.cost_s, 3) }.text(lang));
+        }
         if red.times > 1 {
             parts.push(Words::Times { times: red.times }.text(lang));
         }
@@ -297,7 +311,7 @@ mod tests {
     #[test]
     fn totals_say_what_they_lack() {
         let text = |unknown_blocks: u64, approach_blocks: u64, jerk_free_blocks: u64| {
-            Total { time_s: 0.6, unknown_blocks, approach_blocks, jerk_free_blocks }.text(Lang::En)
+            Total { time_s: 0.6, unknown_blocks, approach_blocks, jerk_free_blocks, lacks_cycle: false }.text(Lang::En)
         };
         assert_eq!(text(0, 0, 0), "0:00:00.6");
         assert_eq!(text(9, 1, 0), "at least 0:00:00.6; blocks of unknown time: 9");

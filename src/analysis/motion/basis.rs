@@ -101,10 +101,11 @@ impl Basis {
         add(table, key, BasisValue::Name(motion.profile.value.name()), (motion.profile.from, key));
         let (table, key) = own("recognition");
         add(table, key, BasisValue::Name(motion.recognition.value.name()), (motion.recognition.from, key));
-        let rapid_set = motion.profile.value == Profile::Parabolic && motion.sets.first().is_some_and(Option::is_some);
+        let parabolic = motion.profile.value == Profile::Parabolic;
+        let rapid_set = parabolic && motion.sets.first().is_some_and(Option::is_some);
         for key in MotionKey::ALL {
-            // With a set of its own G00 does not go by the key.
-            if rapid_set && key == MotionKey::AccelRapid {
+            // G00 goes by P and A there, of its own set or of set 1.
+            if parabolic && key == MotionKey::AccelRapid {
                 continue;
             }
             if let Some((value, given)) = number(motion, key) {
@@ -194,7 +195,7 @@ fn number(motion: &Motion, key: MotionKey) -> Option<(Decimal, (GivenBy, &'stati
         if other { (motion.given(MotionKey::Accel).from, MotionKey::Accel.name()) } else { (given.from, key.name()) };
     let off = match key {
         MotionKey::Angle => false,
-        MotionKey::BreakLength | MotionKey::MergeLength => value <= Decimal::ZERO,
+        MotionKey::BreakLength | MotionKey::MergeLength | MotionKey::RaiseLength => value <= Decimal::ZERO,
         MotionKey::Cycle
         | MotionKey::Accel
         | MotionKey::AccelContinuous

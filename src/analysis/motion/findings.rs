@@ -76,7 +76,7 @@ impl Listener for Found {
         let Some(joint) = &motion.joint else { return };
         let [broken, slow, room] = self.wants;
         if broken
-            && joint.dot.is_some()
+            && joint.within_g23
             && let Some(reason) = self.reason(joint)
         {
             let finding = Finding::ContinuityBroken { n: block.n, with: joint.with_n.unwrap_or(0), reason, count: 1 };

@@ -34,14 +34,36 @@ pub(super) struct Piece {
     /// Whether it is one of the short blocks that may be joined.
     pub plain: bool,
     pub is_piece: bool,
-    /// The piece before it: `seq`, number, kind.
-    pub with: Option<(u64, u32, MotionType)>,
+    /// The piece before it.
+    pub with: Option<With>,
     pub broken: Option<Break>,
     /// Tangent of half the angle at it; where both directions are known.
     pub half_tan: Option<f64>,
 }
 
+/// What the joint before a piece needs of the piece before it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct With {
+    pub seq: u64,
+    pub n: u32,
+    /// Working motion in G23, by the mode of its first block.
+    pub in_g23: bool,
+    pub length: Option<f64>,
+    pub programmed: Option<f64>,
+}
+
 impl Piece {
+    /// Itself as the piece before another one.
+    pub(super) fn as_with(&self) -> With {
+        let Self { seq, n, length, programmed, .. } = *self;
+        With { seq, n, in_g23: self.is_in_g23(), length, programmed }
+    }
+
+    /// Working motion in G23, by the mode of its first block (DOT-1).
+    pub(super) fn is_in_g23(&self) -> bool {
+        self.kind.is_working() && self.mode == Mode::Continuous
+    }
+
     /// Programmed velocity, where it is known and not 0.
     pub(super) fn velocity(&self) -> Option<f64> {
         self.programmed.filter(|velocity| *velocity > 0.0)
@@ -103,8 +125,7 @@ pub(super) fn is_after_basic(piece: &Piece) -> bool {
 /// The reasons `short_length` … `angle` between two pieces that nothing before them breaks; `allowed` is the tangent of
 /// half the tolerance angle.
 pub(super) fn late_break(model: &Model, allowed: f64, earlier: &Piece, later: &Piece) -> Option<Break> {
-    let short =
-        |piece: &Piece| piece.kind == MotionType::Linear && piece.length.is_some_and(|length| length < model.break_mm);
+    let short = |piece: &Piece| piece.length.is_some_and(|length| length < model.break_mm);
     let brief = |piece: &Piece| match (piece.length, piece.velocity()) {
         (Some(length), Some(velocity)) => length < model.shortest_s * velocity,
         _ => false,
@@ -203,7 +224,8 @@ impl JointCaps {
                 return (f64::INFINITY, f64::INFINITY);
             }
             let sine = if tan.is_infinite() { 1.0 } else { tan / (1.0 + tan * tan).sqrt() };
-            let on = |value: f64, velocity: f64| if value > 0.0 { velocity } else { f64::INFINITY };
+            let on =
+                |value: f64, velocity: f64| if value > 0.0 && model.cycle_ms > 0.0 { velocity } else { f64::INFINITY };
             // µm/ms are mm/s.
             let accuracy = on(dynamics.accuracy_um, dynamics.accuracy_um / (model.cycle_ms * tan));
             let overload = on(dynamics.overload, dynamics.overload * model.cycle_ms / 1000.0 / (2.0 * sine));

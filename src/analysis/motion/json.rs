@@ -197,6 +197,8 @@ pub fn write_block(out: &mut String, block: &BlockTimes) {
         unknown: _,
         approach: _,
         tool: _,
+        untimed: _,
+        lacks_cycle: _,
         motion,
     } = block;
     let mut record = Object::new(out);
@@ -270,8 +272,7 @@ fn push_phases(out: &mut String, phases: &[Phase]) {
 }
 
 fn put_joint(mut record: Object<'_>, joint: &Joint) {
-    let Joint { with, with_n: _, angle_deg, broken_by, velocity, limited_by, dot, feed_cap: _, no_room_to_stop: _ } =
-        joint;
+    let Joint { with, angle_deg, broken_by, velocity, limited_by, dot, .. } = joint;
     if let Some(with) = with {
         record.whole("with", *with);
     }

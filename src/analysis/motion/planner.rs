@@ -11,7 +11,7 @@ use super::model::Model;
 use super::parabola::{Curved, Parabola};
 use super::ramp::{Hump, Limits};
 use super::step::{Dynamics, Mode, Step};
-use super::times::{BlockTimes, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Velocities};
+use super::times::{BlockTimes, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Untimed, Velocities};
 use crate::config::Profile;
 use crate::run::MotionType;
 
@@ -141,6 +141,13 @@ impl Planner {
             unknown: step.unmapped_cycle,
             approach: step.approach,
             tool: step.tool,
+            untimed: [
+                step.untimed_change,
+                step.untimed_function,
+                false,
+                step.mode == Mode::Basic && !self.model.gap_given,
+            ],
+            lacks_cycle: self.model.lacks_cycle,
             motion: None,
         };
         self.waiting.push_back(Waiting { times, ready: moves.is_none(), joined_to: None });
@@ -274,7 +281,7 @@ impl Planner {
     fn join(&mut self, mut piece: Piece, listener: &mut impl Listener) {
         let earlier = self.last.as_ref().map(|(last, _)| last);
         if let Some(earlier) = earlier {
-            piece.with = Some((earlier.seq, earlier.n, earlier.kind));
+            piece.with = Some(earlier.as_with());
             piece.half_tan = half_tan(earlier.to, piece.from);
             if piece.broken.is_none() || is_after_basic(&piece) {
                 piece.broken = late_break(&self.model, self.allowed, earlier, &piece).or(piece.broken);
@@ -374,17 +381,11 @@ impl Planner {
         self.give(listener);
     }
 
-    /// Whether a motion outside of stretches goes by the set of G00.
-    fn goes_by_set(&self, kind: MotionType) -> bool {
-        kind == MotionType::Rapid && self.model.rapid_set && self.parabola.is_some()
-    }
-
     /// A motion outside of stretches: it begins and ends with a ramp (CNT-1).
     fn alone(&mut self, piece: Piece, listener: &mut impl Listener) {
         let caps = BlockCaps::of(&self.model, &piece, false);
         let (length, cap) = (piece.length.unwrap_or(0.0), caps.least());
-        let rapid = piece.kind == MotionType::Rapid;
-        let settled = if self.goes_by_set(piece.kind) {
+        let settled = if self.parabola.is_some() {
             let Dynamics { accel, jerk, .. } = piece.dynamics;
             let limits = Limits { accel, jerk };
             let hump = Hump::new(0.0, 0.0, limits, limits, length, cap);
@@ -394,7 +395,7 @@ impl Planner {
             let velocities = Velocities { start: 0.0, peak: hump.peak, end: 0.0 };
             Settled { time_s: hump.time(), velocities, seen: f64::INFINITY, phases }
         } else {
-            let accel = if rapid { self.model.accel_rapid } else { self.model.accel };
+            let accel = self.accel_alone(&piece);
             let link = envelope::Link { length, cap, joint: 0.0, accel };
             let linked = Linked { start: 0.0, end: 0.0, seen: f64::INFINITY };
             let settled = straight_in(&link, linked, true, self.wants_phases);
@@ -402,6 +403,19 @@ impl Planner {
             settled
         };
         self.complete(piece, caps, None, settled, None, true);
+    }
+
+    /// The acceleration of a motion outside of stretches (VEL-8).
+    fn accel_alone(&self, piece: &Piece) -> f64 {
+        match piece.kind {
+            _ if self.parabola.is_some() => piece.dynamics.accel,
+            MotionType::Rapid => self.model.accel_rapid,
+            MotionType::Linear
+            | MotionType::ArcCw
+            | MotionType::ArcCcw
+            | MotionType::Thread
+            | MotionType::Reference => self.model.accel,
+        }
     }
 
     fn complete_unknown(&mut self, piece: Piece) {
@@ -436,6 +450,11 @@ impl Planner {
         if matches!(mode, Mode::Continuous | Mode::Tight) { self.model.settle_s } else { 0.0 }
     }
 
+    /// Whether there is such a wait that nobody gave.
+    fn settles_unsaid(&self, mode: Mode) -> bool {
+        matches!(mode, Mode::Continuous | Mode::Tight) && !self.model.settle_given
+    }
+
     fn complete(
         &mut self,
         piece: Piece,
@@ -446,19 +465,17 @@ impl Planner {
         ends: bool,
     ) {
         let Settled { time_s, velocities, seen, phases } = settled;
-        let rapid = piece.kind == MotionType::Rapid;
-        let accel = match (&stretch, rapid && !self.goes_by_set(piece.kind)) {
-            (Some(_), _) => piece.dynamics.accel,
-            (None, true) => self.model.accel_rapid,
-            (None, false) if rapid => piece.dynamics.accel,
-            (None, false) => self.model.accel,
-        };
-        let jerk_free = piece.dynamics.jerk_free && (stretch.is_some() || self.goes_by_set(piece.kind));
+        let accel = if stretch.is_some() { piece.dynamics.accel } else { self.accel_alone(&piece) };
+        let jerk_free = piece.dynamics.jerk_free;
         let joint = self.joint(&piece, joint_caps.as_ref(), velocities.start, seen, ends);
         let settle_s = if ends { self.settle_time(piece.end_mode) } else { 0.0 };
+        let unsettled = ends && self.settles_unsaid(piece.end_mode);
         self.complete_joined_to(&piece, stretch, time_s);
         if let Some(waiting) = self.waiting_at(piece.slot) {
             waiting.ready = true;
+            if let Some(untimed) = waiting.times.untimed.get_mut(Untimed::Settle as usize) {
+                *untimed = unsettled;
+            }
             waiting.times.settle_s = settle_s;
             waiting.times.motion = Some(MotionTimes {
                 kind: piece.kind,
@@ -483,8 +500,9 @@ impl Planner {
     /// The joint before a piece.
     fn joint(&self, piece: &Piece, caps: Option<&JointCaps>, velocity: f64, seen: f64, ends: bool) -> Joint {
         let limited_by: Option<Limit> = caps.map(|caps| caps.limit(velocity, seen));
-        let with_working = piece.with.is_some_and(|(.., kind)| kind.is_working());
-        let working = with_working && piece.kind.is_working() && piece.mode == Mode::Continuous;
+        let with_in_g23 = piece.with.is_some_and(|with| with.in_g23);
+        let has_dot = piece.with.is_some() && (with_in_g23 || piece.is_in_g23());
+        let velocity = if piece.broken.is_some() { 0.0 } else { velocity };
         let red = match (piece.broken, self.model.profile) {
             (Some(_), _) => true,
             (None, Profile::Ramps) => false,
@@ -498,16 +516,32 @@ impl Planner {
             feed * feed > 2.0 * piece.dynamics.accel * length * (1.0 + 1e-12)
         };
         Joint {
-            with: piece.with.map(|(seq, ..)| seq),
-            with_n: piece.with.map(|(_, n, _)| n),
+            with: piece.with.map(|with| with.seq),
+            with_n: piece.with.map(|with| with.n),
             angle_deg: piece.half_tan.map(angle_deg),
             broken_by: piece.broken,
-            velocity: if piece.broken.is_some() { 0.0 } else { velocity },
+            velocity,
             limited_by,
-            dot: working.then_some(if red { Dot::Red } else { Dot::Yellow }),
+            dot: has_dot.then_some(if red { Dot::Red } else { Dot::Yellow }),
+            within_g23: with_in_g23 && piece.is_in_g23(),
+            cost_s: if has_dot && red { self.cost(piece, velocity) } else { 0.0 },
             feed_cap: caps.map_or(0.0, JointCaps::feed),
             no_room_to_stop: self.model.profile == Profile::Ramps && ends && short(),
         }
+    }
+
+    /// What passing a joint at `velocity` costs about, against the programmed velocities, with constant acceleration.
+    fn cost(&self, piece: &Piece, velocity: f64) -> f64 {
+        let accel = if piece.broken.is_none() { piece.dynamics.accel } else { self.accel_alone(piece) };
+        let side = |length: Option<f64>, programmed: Option<f64>| match (length, programmed) {
+            (Some(length), Some(programmed)) if programmed > velocity => {
+                let way = (programmed * programmed - velocity * velocity) / (2.0 * accel);
+                let way = way.min(length);
+                ((velocity * velocity + 2.0 * accel * way).sqrt() - velocity) / accel - way / programmed
+            }
+            _ => 0.0,
+        };
+        side(piece.length, piece.programmed) + piece.with.map_or(0.0, |with| side(with.length, with.programmed))
     }
 
     /// Gives the blocks that have their times.
@@ -533,10 +567,11 @@ impl From<Curved> for Settled {
 /// A motion of a stretch with constant accelerations.
 fn straight(model: &Model, link: &envelope::Link, linked: Linked, wants_phases: bool) -> Settled {
     let highest = linked.start.max(linked.end);
-    // VEL-9: without rising it would last less than the time criterion. From rest to rest it rises.
+    // VEL-9: without rising it would last less than the time criterion, or it is short. From rest to rest it rises.
     let rise = model.profile == Profile::Ramps
         || highest <= 0.0
-        || trapezoid(link.length, linked.start, linked.end, highest, link.accel, false).0 >= model.raise_s;
+        || (link.length >= model.raise_mm
+            && trapezoid(link.length, linked.start, linked.end, highest, link.accel, false).0 >= model.raise_s);
     straight_in(link, linked, rise, wants_phases)
 }
 

@@ -2,9 +2,9 @@
 
 use super::model::Model;
 use super::step::{Direction, Dynamics, Mode, Move, Step, Unit};
-use crate::config::{Motion as Configured, MotionKey, Profile, Rapid, SetKey, Settings, TimedFunction};
+use crate::config::{GivenBy, Motion as Configured, MotionKey, Profile, Rapid, SetKey, Settings, TimedFunction};
 use crate::dict::{Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro};
-use crate::run::{ArcPath, Executed, Length, Missing, Motion, MotionType};
+use crate::run::{ArcPath, Executed, Feed, Length, Missing, Motion, MotionType};
 
 /// The part of P that is a jerk of 1 mm/s³ (VEL-11).
 const P_OF_JERK: f64 = 32.768;
@@ -26,16 +26,19 @@ impl Model {
             profile: motion.profile.value,
             accel: number(MotionKey::Accel),
             accel_rapid: number(MotionKey::AccelRapid),
-            rapid_set: motion.sets.first().is_some_and(Option::is_some),
             shortest_s: number(MotionKey::ShortestBlock) / 1000.0,
             break_mm: number(MotionKey::BreakLength).max(0.0),
             merge_mm: number(MotionKey::MergeLength).max(0.0),
             red: number(MotionKey::Red) / 100.0,
+            raise_mm: number(MotionKey::RaiseLength).max(0.0),
             raise_s: number(MotionKey::Raise) / 1000.0,
             look_ahead: usize::try_from(motion.number(MotionKey::LookAhead).thousandths() / 1000).unwrap_or(1),
             cycle_ms: number(MotionKey::Cycle),
+            lacks_cycle: motion.lacks_cycle,
             settle_s: number(MotionKey::Settle) / 1000.0,
             gap_s: number(MotionKey::BlockGap) / 1000.0,
+            settle_given: motion.given(MotionKey::Settle).from != GivenBy::Default,
+            gap_given: motion.given(MotionKey::BlockGap).from != GivenBy::Default,
         }
     }
 }
@@ -51,6 +54,12 @@ pub struct StepReader {
     /// The dynamics of each set as last read; set 0 is that of G00.
     dynamics: [Option<Dynamics>; 5],
     correction: Option<u16>,
+    /// The dynamic set that was chosen last (VEL-14).
+    set: u8,
+    /// What G and F words of the block before left in force, where blocks are joined (CNT-4).
+    in_force: Option<InForce>,
+    /// M functions that act at the end of their block (TIM-1).
+    at_end: Vec<u8>,
     /// Whether a motion of known length was executed.
     moved: bool,
     /// The axes that motions led to known positions, by place in [`AxisLetter::ALL`].
@@ -70,6 +79,9 @@ impl StepReader {
             by_parameter: machine.motion.depends_on_parameters(),
             dynamics: [None; 5],
             correction: None,
+            set: 1,
+            in_force: None,
+            at_end: machine.m_functions.at_end().collect(),
             moved: false,
             reached: [false; AxisLetter::ALL.len()],
             line: 0,
@@ -78,6 +90,7 @@ impl StepReader {
 
     /// The block as a step.
     pub fn read(&mut self, block: &Executed<'_>) -> Step {
+        self.set = block.dynamic_set().unwrap_or(self.set);
         let words = self.words(block);
         let motion = block.motion();
         let dwells = block.g(GGroup::G10) == Some(GCode::G04);
@@ -105,6 +118,8 @@ impl StepReader {
             breaks_after: block.break_cont_end(),
             function_s: words.function_s,
             plain: words.plain && block.g(GGroup::G9) != Some(GCode::G91),
+            untimed_change: words.untimed_change,
+            untimed_function: words.untimed_function,
             approach,
             tool: block.tool(),
         }
@@ -131,40 +146,47 @@ impl StepReader {
 
     /// What is written in the block.
     fn words(&mut self, block: &Executed<'_>) -> Words {
-        let mut found = Words { plain: true, function_s: 0.0 };
+        let mut found = Words { plain: true, ..Words::default() };
         let (file, (_, id)) = (block.file(), block.at());
         let times = &self.motion.times;
-        let mut timed = |function: TimedFunction| {
-            if let Some(time) = times.get(&function) {
-                found.function_s = found.function_s.max(float(time.value));
-            }
-        };
-        let mut correction = false;
+        let (mut start_s, mut end_s) = (0.0_f64, 0.0_f64);
+        let (mut correction, mut changes) = (false, false);
         for word in file.into_iter().flat_map(|file| file.words(id)) {
             if word.address.axis().is_some() {
                 continue;
             }
             match word.address {
-                Address::G | Address::M => found.plain = false,
-                Address::F | Address::S | Address::T | Address::H | Address::P | Address::D => {
-                    found.plain = false;
-                    if !times.is_empty() {
-                        timed(TimedFunction::Address(word.address.letter()));
-                    }
-                }
+                Address::G | Address::F => changes = true,
+                Address::M | Address::S | Address::T | Address::H | Address::P | Address::D => found.plain = false,
                 Address::Correction => correction = true,
-                Address::Program | Address::N | Address::Skip | Address::R | Address::L | Address::Q => {}
-                Address::X | Address::Y | Address::Z | Address::I | Address::J | Address::K => {}
-                Address::A | Address::B | Address::C | Address::U | Address::V | Address::W => {}
+                Address::Program | Address::N | Address::Skip | Address::R | Address::L | Address::Q => continue,
+                Address::X | Address::Y | Address::Z | Address::I | Address::J | Address::K => continue,
+                Address::A | Address::B | Address::C | Address::U | Address::V | Address::W => continue,
+            }
+            if let Some(time) = times.get(&TimedFunction::Address(word.address.letter())) {
+                start_s = start_s.max(float(time.value));
             }
         }
-        if !times.is_empty() {
-            block.m_written().iter().for_each(|number| timed(TimedFunction::M(u16::from(*number))));
+        for number in block.m_written() {
+            match times.get(&TimedFunction::M(u16::from(*number))) {
+                Some(time) if self.at_end.contains(number) => end_s = end_s.max(float(time.value)),
+                Some(time) => start_s = start_s.max(float(time.value)),
+                None if *number == TOOL_CHANGE => {
+                    found.untimed_change |= !times.contains_key(&TimedFunction::Address(Address::T.letter()));
+                }
+                None => found.untimed_function |= !STOPS.contains(number),
+            }
         }
+        found.function_s = start_s + end_s;
         if correction {
             let digits = block.length_correction();
             found.plain &= digits == self.correction;
             self.correction = digits;
+        }
+        if self.motion.number(MotionKey::MergeLength) > Decimal::ZERO {
+            let now = InForce::of(block);
+            found.plain &= !changes || self.in_force.is_some_and(|before| before.is_kept_by(&now));
+            self.in_force = Some(now);
         }
         found
     }
@@ -205,8 +227,9 @@ impl StepReader {
             None if along == [0.0; 3] => (Direction::Still, Direction::Still),
             None => (Direction::Along(along), Direction::Along(along)),
         };
-        let set = block.dynamic_set().unwrap_or(1);
-        let rapid_set = kind == MotionType::Rapid && self.motion.sets.first().is_some_and(Option::is_some);
+        // In the parabolic profile G00 goes by the set of G00; elsewhere by a key.
+        let set =
+            if kind == MotionType::Rapid && self.motion.profile.value == Profile::Parabolic { 0 } else { self.set };
         Move {
             kind,
             length,
@@ -222,7 +245,7 @@ impl StepReader {
                 }
             },
             radius: arc.and_then(|arc| arc.radius_mm).map(Micro::to_f64),
-            dynamics: self.dynamics(block, if rapid_set { 0 } else { set }),
+            dynamics: self.dynamics(block, set),
         }
     }
 
@@ -353,11 +376,40 @@ fn millionths(value: Micro) -> f64 {
     value
 }
 
+/// The tool change.
+const TOOL_CHANGE: u8 = 6;
+/// M functions that stop or end the program: they take no time of the machine.
+const STOPS: [u8; 4] = [0, 1, 2, 30];
+
 /// What is written in a block.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Words {
     /// Nothing that keeps the block from being joined to its neighbours.
     plain: bool,
-    /// Seconds of the slowest function.
+    /// Seconds of its functions: the slowest at its start, and after them the slowest at its end.
     function_s: f64,
+    /// A tool change that nobody gave a time for.
+    untimed_change: bool,
+    /// Other functions that nobody gave a time for.
+    untimed_function: bool,
+}
+
+/// What G and F words set (CNT-4).
+#[derive(Clone, Copy, Debug)]
+struct InForce {
+    g: [Option<GCode>; GGroup::ALL.len()],
+    set: Option<u8>,
+    feed: Option<Feed>,
+}
+
+impl InForce {
+    fn of(block: &Executed<'_>) -> Self {
+        Self { g: GGroup::ALL.map(|group| block.g(group)), set: block.dynamic_set(), feed: block.feed() }
+    }
+
+    /// Whether the next block has nothing else in force; that a function of one block is over is no change.
+    fn is_kept_by(&self, next: &Self) -> bool {
+        let kept = self.g.iter().zip(&next.g).all(|(before, now)| now.is_none() || before == now);
+        kept && self.set == next.set && self.feed == next.feed
+    }
 }

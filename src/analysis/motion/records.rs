@@ -63,7 +63,7 @@ struct MachineRecord {
     rapid_axes_mm_min: Option<Numbers>,
     /// Shortest time of a block.
     shortest_block_ms: Option<f64>,
-    /// A shorter linear block breaks continuity.
+    /// A shorter block breaks continuity.
     break_length_mm: Option<f64>,
     /// A shorter linear block is joined to its neighbour.
     merge_length_mm: Option<f64>,
@@ -73,6 +73,8 @@ struct MachineRecord {
     red_percent: Option<f64>,
     /// Dynamic criterion.
     overload_mm_s2: Option<f64>,
+    /// In a shorter block the velocity does not rise.
+    raise_length_mm: Option<f64>,
     /// Time criterion for a rise of velocity.
     raise_ms: f64,
     /// Blocks that the control sees.

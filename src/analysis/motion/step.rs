@@ -76,7 +76,7 @@ pub struct Move {
     pub programmed: Option<f64>,
     /// Radius of an arc, mm.
     pub radius: Option<f64>,
-    /// The dynamic set in force; of G00 with a rapid set that set.
+    /// The dynamic set in force; of G00 with the parabolic profile that of G00.
     pub dynamics: Dynamics,
 }
 
@@ -107,8 +107,13 @@ pub struct Step {
     pub breaks_after: bool,
     /// The longest time of its functions, seconds.
     pub function_s: f64,
-    /// Whether it may be joined to its neighbours when it is short: in G90, no G, M, F, S, T, H, P or D word (CNT-4).
+    /// Whether it may be joined to its neighbours when it is short: in G90, no M, S, T, H, P or D word, and no G or F word
+    /// that changes what was in force (CNT-4).
     pub plain: bool,
+    /// It changes the tool, and nobody gave a time for that.
+    pub untimed_change: bool,
+    /// It has other functions that nobody gave a time for.
+    pub untimed_function: bool,
     /// Axis words under a fixed cycle that is not mapped: nobody knows what moves (TIM-3).
     pub unmapped_cycle: bool,
     /// The length is not known because no position was, up to here.

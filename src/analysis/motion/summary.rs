@@ -1,12 +1,13 @@
 //! Sums over the times of blocks: what a program takes, and where it is slow.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use super::planner::{Listener, Planner};
 use super::read::StepReader;
 use super::step::{Step, Unit};
-use super::times::{BlockTimes, Break, Dot, Joint, Limit};
+use super::times::{BlockTimes, Break, Dot, Joint, Limit, Untimed};
 use super::{Model, Profile};
 use crate::config::Settings;
 use crate::diag::Findings;
@@ -32,6 +33,22 @@ pub struct RedJoint {
     pub length: Option<f64>,
     /// How often.
     pub times: u64,
+    /// What all of them cost about, seconds.
+    pub cost_s: f64,
+}
+
+/// Red joints that are kept at least while the program runs.
+const CANDIDATES: usize = 8192;
+
+impl RedJoint {
+    /// The dearest first; of equal ones in the order of the text.
+    fn by_cost(&self, other: &Self) -> Ordering {
+        other.cost_s.total_cmp(&self.cost_s).then(self.key().cmp(&other.key()))
+    }
+
+    const fn key(&self) -> (Location, Option<u32>) {
+        (self.place, self.joint.with_n)
+    }
 }
 
 /// A time, and what it lacks.
@@ -45,6 +62,8 @@ pub struct Total {
     pub approach_blocks: u64,
     /// Blocks whose jerk nothing limits, since P is not known: they take at least their times.
     pub jerk_free_blocks: u64,
+    /// A criterion is on that needs the interpolation cycle, which is not known.
+    pub lacks_cycle: bool,
 }
 
 impl Total {
@@ -53,6 +72,7 @@ impl Total {
         self.time_s += block.duration_s;
         self.unknown_blocks += u64::from(block.unknown);
         self.approach_blocks += u64::from(block.unknown && block.approach);
+        self.lacks_cycle |= block.lacks_cycle;
         self.jerk_free_blocks += u64::from(block.motion.as_ref().is_some_and(|motion| motion.jerk_free));
     }
 
@@ -63,12 +83,17 @@ impl Total {
 
     /// Whether more is not known than the way to the first known position.
     pub const fn lacks_more_than_approach(&self) -> bool {
-        self.unknown_blocks > self.approach_blocks || self.jerk_free_blocks > 0
+        self.unknown_blocks > self.approach_blocks || self.has_loose_limits()
     }
 
     /// Whether some blocks take longer than is known.
     pub const fn is_lower_bound(&self) -> bool {
-        self.unknown_blocks + self.jerk_free_blocks > 0
+        self.unknown_blocks > 0 || self.has_loose_limits()
+    }
+
+    /// Whether a limit is not known: known times are the least possible.
+    pub const fn has_loose_limits(&self) -> bool {
+        self.jerk_free_blocks > 0 || self.lacks_cycle
     }
 }
 
@@ -105,10 +130,12 @@ pub struct Summary {
     pub working_mm: f64,
     /// What it takes.
     pub working_s: f64,
-    /// Red joints in the order in which they were passed first.
-    pub red: Vec<RedJoint>,
+    /// What takes time and counts as 0 because nobody gave it, by place in [`Untimed::ALL`].
+    pub untimed: [bool; Untimed::ALL.len()],
+    /// Red joints; those that cost most are kept.
+    red: Vec<RedJoint>,
     /// Whether there are others.
-    pub more_red: bool,
+    more_red: bool,
     /// Which are kept, by place and the block before.
     red_at: BTreeMap<(Location, Option<u32>), usize>,
     most_red: usize,
@@ -133,6 +160,7 @@ impl Summary {
             dots: [0; 2],
             working_mm: 0.0,
             working_s: 0.0,
+            untimed: [false; Untimed::ALL.len()],
             red: Vec::new(),
             more_red: false,
             red_at: BTreeMap::new(),
@@ -178,6 +206,7 @@ impl Summary {
             self.gap_s += block.gap_s;
         }
         self.by_tool.entry(block.tool).or_default().add(block);
+        self.untimed.iter_mut().zip(block.untimed).for_each(|(all, one)| *all |= one);
         let Some(motion) = &block.motion else { return };
         if let Some(seconds) = motion.motion_s {
             if let Some(sum) = self.by_type.get_mut(motion.kind as usize) {
@@ -213,6 +242,7 @@ impl Summary {
                     programmed: motion.programmed,
                     length: motion.length,
                     times: 1,
+                    cost_s: joint.cost_s,
                 };
                 self.add_red(red);
             }
@@ -221,16 +251,35 @@ impl Summary {
     }
 
     fn add_red(&mut self, red: RedJoint) {
-        let key = (red.place, red.joint.with_n);
+        let key = red.key();
         let known = self.red_at.get(&key).copied();
         if let Some(known) = known.and_then(|at| self.red.get_mut(at)) {
             known.times += 1;
-        } else if self.red.len() < self.most_red {
-            self.red_at.insert(key, self.red.len());
-            self.red.push(red);
-        } else {
-            self.more_red = true;
+            known.cost_s += red.cost_s;
+            return;
         }
+        if self.most_red == 0 {
+            self.more_red = true;
+            return;
+        }
+        if self.red.len() >= self.most_red.saturating_mul(2).max(CANDIDATES) {
+            // The cheaper half goes: memory does not grow with the program.
+            self.more_red = true;
+            self.red.sort_by(RedJoint::by_cost);
+            self.red.truncate(self.most_red.max(CANDIDATES / 2));
+            self.red_at = self.red.iter().zip(0..).map(|(red, at)| (red.key(), at)).collect();
+        }
+        self.red_at.insert(key, self.red.len());
+        self.red.push(red);
+    }
+
+    /// The red joints that cost most, those first; and whether there are others.
+    pub fn costly(&self) -> (Vec<RedJoint>, bool) {
+        let mut red = self.red.clone();
+        red.sort_by(RedJoint::by_cost);
+        let more = self.more_red || red.len() > self.most_red;
+        red.truncate(self.most_red);
+        (red, more)
     }
 }
 

@@ -28,7 +28,7 @@ pub enum Break {
     Unknown,
     /// One does not move the first three linear axes, or the two are measured in different units.
     Axes,
-    /// One is linear and shorter than `break-length-mm`.
+    /// One is shorter than `break-length-mm`.
     ShortLength,
     /// One lasts less than `shortest-block-ms`.
     ShortTime,
@@ -183,10 +183,32 @@ pub struct Joint {
     pub limited_by: Option<Limit>,
     /// The dot.
     pub dot: Option<Dot>,
+    /// Whether both blocks are working motion in G23 (W0801).
+    pub within_g23: bool,
+    /// What it costs about, seconds: against passing it at the programmed velocities.
+    pub cost_s: f64,
     /// The least of both programmed velocities, mm/s; 0 where the joint is broken.
     pub feed_cap: f64,
     /// VEL-10: the block after it, the last of its stretch, is too short to stop from the programmed velocity.
     pub no_room_to_stop: bool,
+}
+
+/// What takes time and counts as 0, because nobody gave it.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Untimed {
+    /// Tool changes.
+    Change,
+    /// Other functions.
+    Function,
+    /// Waits at the end of motions.
+    Settle,
+    /// Gaps of G98.
+    Gap,
+}
+
+impl Untimed {
+    /// Every one.
+    pub const ALL: [Self; 4] = [Self::Change, Self::Function, Self::Settle, Self::Gap];
 }
 
 /// A part of a motion with constant jerk.
@@ -300,6 +322,10 @@ pub struct BlockTimes {
     pub approach: bool,
     /// The tool in the spindle.
     pub tool: Option<Decimal>,
+    /// What takes time in it and counts as 0, because nobody gave it; by place in [`Untimed::ALL`].
+    pub untimed: [bool; 4],
+    /// A criterion is on that needs the cycle, which is not known: its time is a lower bound.
+    pub lacks_cycle: bool,
     /// Its motion.
     pub motion: Option<MotionTimes>,
 }

@@ -1,6 +1,6 @@
 //! What the account of a program's motion says, in both languages.
 
-use super::times::{Break, Limit};
+use super::times::{Break, Limit, Untimed};
 use crate::dict::{Lang, bilingual};
 
 /// Why a joint is broken.
@@ -23,6 +23,9 @@ bilingual! {
         AtLeastSo { time: String } "at least {time}", "nejméně {time}";
         AtLeastWithoutApproach { time: String } "at least {time}, without the approach", "nejméně {time}, bez příjezdu";
         JerkFree { blocks: u64 } "P is not known where it counts: the jerk is not limited there; such blocks: {blocks}", "P tam, kde platí, není známo: ryv tam není omezen; takových bloků: {blocks}";
+        LacksCycle "The interpolation cycle Ts (cycle-ms) is not known: the criteria of accuracy and overload limit nothing, the time is a lower bound", "Takt interpolace Ts (cycle-ms) není znám: kritéria přesnosti a přetížení nic neomezují, čas je dolní mez";
+        CountAsZero { what: String } "Count as 0, because no time is given: {what}", "Počítá se 0, protože čas není zadán: {what}";
+        Override "override 100 % (M48, M49)", "override 100 % (M48, M49)";
         Assumed "The machine is assumed, nothing is configured in [motion]. The estimate rests on", "Stroj je předpokládaný, v [motion] není nastaveno nic. Odhad vychází z hodnot";
         AllAssumed "[motion] gives no value, all are assumed. The estimate rests on", "[motion] žádnou hodnotu neudává, všechny jsou předpokládané. Odhad vychází z hodnot";
         Configured { values: String } "Configured: {values}", "Nastaveno: {values}";
@@ -54,6 +57,7 @@ bilingual! {
         MoreRed "There are more; --all lists them", "Jsou i další; vypíše je --all";
         NoRed "No joint has a red dot", "Žádné napojení nemá červenou tečku";
         After { n: u32, with: u32 } "N{n} after N{with}", "N{n} po N{with}";
+        Costs { seconds: String } "costs about {seconds} s", "stojí asi {seconds} s";
         Times { times: u64 } "{times} times", "{times}krát";
         Angle { angle: String } "{angle}°", "{angle}°";
         Stops "stop", "zastavení";
@@ -101,6 +105,27 @@ impl Reason {
 }
 
 bilingual! {
+    /// What takes time and counts as 0.
+    UntimedName {
+        Change "tool changes (M06 in [motion.times])", "výměny nástroje (M06 v [motion.times])";
+        Function "functions ([motion.times])", "funkce ([motion.times])";
+        Settle "waits at the end of motions (settle-ms)", "čekání na konci pohybů (settle-ms)";
+        Gap "gaps before blocks in G98 (block-gap-ms)", "prodlevy před bloky při G98 (block-gap-ms)";
+    }
+}
+
+impl UntimedName {
+    pub const fn of(untimed: Untimed) -> Self {
+        match untimed {
+            Untimed::Change => Self::Change,
+            Untimed::Function => Self::Function,
+            Untimed::Settle => Self::Settle,
+            Untimed::Gap => Self::Gap,
+        }
+    }
+}
+
+bilingual! {
     /// What limits a continuous joint.
     LimitName {
         Feed "programmed feed", "programovaný posuv";
@@ -130,7 +155,7 @@ impl LimitName {
 bilingual! {
     /// What would make a joint faster.
     Help {
-        Mode "write G23 into the block before it already", "zapsat G23 už do předchozího bloku";
+        Mode "write G23 into both blocks", "zapsat G23 do obou bloků";
         NoMotion "where the order allows it, write what the blocks between them hold in a block that moves", "kde to pořadí dovolí, zapsat obsah bloků mezi nimi do bloku s pohybem";
         Dwell "without G04 the motion goes on", "bez G04 pohyb pokračuje";
         Stop "write M00 or M01 where the machine stops anyway", "M00 nebo M01 zapsat tam, kde se stroj stejně zastaví";
@@ -152,7 +177,6 @@ impl Help {
     /// For a broken joint with a dot; none where nothing but another program helps.
     pub const fn of_break(reason: Break) -> Option<Self> {
         match reason {
-            // A dot says that the later block is in G23: the earlier one is in G98.
             Break::Mode => Some(Self::Mode),
             Break::NoMotion => Some(Self::NoMotion),
             Break::Dwell => Some(Self::Dwell),

@@ -37,7 +37,11 @@ fn pieces_in_tight_and_basic_mode() {
             let alone = plan(&model(profile), &steps[..1]);
             close(planned.time(), 10.0 * alone.time(), 1e-9);
             // v² = a·L stays below F.
-            close(alone.time(), 2.0 * (10.0_f64 / 500.0).sqrt(), 1e-9);
+            let jerk = dynamics().jerk;
+            let peak = (10.0_f64 / 2.0 * jerk.sqrt()).powf(2.0 / 3.0);
+            let curved = 4.0 * (peak / jerk).sqrt();
+            let expected = if profile == Profile::Parabolic { curved } else { 2.0 * (10.0_f64 / 500.0).sqrt() };
+            close(alone.time(), expected, 1e-9);
         }
     }
 }

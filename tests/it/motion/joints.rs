@@ -176,14 +176,20 @@ fn caps_and_accelerations() {
     // VEL-6 counts in stretches only.
     let tight = plan(&model, &[Step { mode: Mode::Tight, ..step }]);
     close(tight.blocks[0].motion.as_ref().unwrap().cap.unwrap().0, 1000.0, 1e-12);
-    // G00 with a rapid set goes by its P and A.
-    let mut curved = super::build::model(Profile::Parabolic);
-    curved.rapid_set = true;
-    let rapid = with(step, |motion| motion.kind = MotionType::Rapid);
+    // In the parabolic profile every change of velocity is parabolic: in G00, G24, G98 and in threads.
+    let curved = super::build::model(Profile::Parabolic);
     let jerk = dynamics().jerk;
     // √(L/2·√J)^(2/3) is the peak of an S curve over L.
     let peak = (10.0_f64 / 2.0 * jerk.sqrt()).powf(2.0 / 3.0);
-    close(plan(&curved, &[rapid]).time(), 4.0 * (peak / jerk).sqrt(), 1e-9);
+    let alone = [
+        with(step, |motion| motion.kind = MotionType::Rapid),
+        with(step, |motion| motion.kind = MotionType::Thread),
+        Step { mode: Mode::Tight, ..step },
+        Step { mode: Mode::Basic, ..step },
+    ];
+    for step in alone {
+        close(plan(&curved, &[step]).time(), 4.0 * (peak / jerk).sqrt(), 1e-9);
+    }
 }
 
 /// VEL-9: the time criterion, and what limits a joint.
@@ -260,7 +266,7 @@ fn sets_meet() {
     assert!(joint(&planned.blocks[1]).velocity <= cap * (1.0 + 1e-9));
 }
 
-/// DOT-1: between working blocks only, the later in G23.
+/// DOT-1: one of both at least is a working block in G23.
 #[test]
 fn dots() {
     let mut steps =
@@ -269,7 +275,7 @@ fn dots() {
     steps.push(with(line(5, [10.0, 0.0, 0.0], 6000.0, dynamics()), |motion| motion.kind = MotionType::Rapid));
     let planned = plan(&model(Profile::Linear), &steps);
     let dots: Vec<_> = planned.blocks.iter().map(|block| joint(block).dot).collect();
-    assert_eq!(dots, [None, Some(Dot::Yellow), Some(Dot::Red), Some(Dot::Red), None, None]);
+    assert_eq!(dots, [None, Some(Dot::Yellow), Some(Dot::Red), Some(Dot::Red), Some(Dot::Red), None]);
     // A joint that is slower than its share is red.
     let crawl = cnc872c::analysis::motion::Dynamics { overload: 100.0, ..dynamics() };
     let steps = lines(&[[10.0, 0.0, 0.0], [10.0, 1.0, 0.0]], 6000.0, crawl);

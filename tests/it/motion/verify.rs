@@ -99,14 +99,13 @@ pub fn verify(model: &Model, steps: &[Step], blocks: &[BlockTimes]) {
         assert!((top - velocities.peak).abs() <= EPS * scale, "block {k}: peak {top}, said {}", velocities.peak);
         assert!(top <= cap * (1.0 + EPS), "block {k}: {top} above its cap {cap}");
         // Accelerations, jerks, no jump within it.
-        let rapid_curve = motion.kind == MotionType::Rapid && model.rapid_set && jerk;
         let accel = match (stretch, motion.kind) {
             (true, _) => motion.dynamics.accel,
-            (false, MotionType::Rapid) if rapid_curve => motion.dynamics.accel,
+            (false, _) if jerk => motion.dynamics.accel,
             (false, MotionType::Rapid) => model.accel_rapid,
             (false, _) => model.accel,
         };
-        let curved = jerk && (stretch || rapid_curve);
+        let curved = jerk;
         for phase in &times.phases {
             let last = phase.acceleration + phase.jerk * phase.duration_s;
             assert!(
