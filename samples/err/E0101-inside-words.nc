@@ -2,6 +2,7 @@
 "LEX-13 LEX-2 outside comments the text is ASCII; a word keeps its place
 N10 G90 G0 X0 Y0 Z50 R1=0
 N20 G1 Z−4.2 F200
+"   ^^ W0619
 "      ^^^^^ E0101
 N30 X#1 Y5
 "   ^^^ E0101
@@ -17,7 +18,7 @@ N80 R10:=5 R11=2
 "   ^^^^^^ E0101
 N90 G1 X10° Y9;
 "         ^ E0101
-"@ 18:15-18:16 E0101
+"@ 19:15-19:16 E0101
 N110 T1 M06 'Vrtak D9' S900
 "           ^^^^^^^^^^ E0101
 N120 T1 `Vrtak D9`

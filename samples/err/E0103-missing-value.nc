@@ -1,9 +1,10 @@
-"@ 20:9-20:10 E0103
+"@ 21:9-21:10 E0103
 %103 "Slova bez hodnoty
 "LEX-4 a word that carries zero still needs one digit
 N10 G90 G0 X Y0
 "          ^ E0103
 N20 G1 Y- F200
+"   ^^ W0619
 "      ^^ E0103
 N30 X. S800
 "   ^^ E0103

@@ -8,7 +8,7 @@ N20 G00 X120 Z150
 
 "=== ZAVIT M20x1.5 na hrdle delky 14 ==="
 N30 T5 D5 M06                       "Zavitovy nuz"
-N40 S600 M03
+N40 S600 M03 F1.5
 N50 G00 X24 Z6 M08
 N60 X19.4 G71 L100
 N70 X18.9 G71 L100

@@ -15,6 +15,7 @@ N13 G95 F0.001
 N14 F99.999
 N15 G94 F1000
 N16 X1.23400000 Y-0000001.5 "ADR-2 zeros change nothing"
+"   ^^^^^^^^^^^ W0619
 N0000000017 C-69999.999 "MOT-9 the spindle turns no farther in one block"
 N99999998 M30
 N99999999 G79 L9999

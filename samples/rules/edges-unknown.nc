@@ -1,6 +1,7 @@
 %195 "what is unknown after a fault gives no finding
 N10 G90 G0 X0 Y0 Z50 F200 S800
 N20 G1 X4O Y,5 "a fix gives these their values
+"   ^^ W0619
 "      ^^^ E0107
 "          ^^^ E0104
 N30 X "X is unknown: the arc is not judged

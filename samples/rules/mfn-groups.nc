@@ -9,6 +9,8 @@ N40 M5 M19
 N50 M41 M40
 "       ^^^ E0308
 N60 M36 M37 "MFN-3 not configured: both belong to group 14"
+"   ^^^ W0623
+"       ^^^ W0623
 "       ^^^ E0308
 N70 M36 M20
 "       ^^^ E0308

@@ -1,6 +1,5 @@
 %155 "TEC-2 G01 G02 G03 are working motions
 N10 G90 G0 X0 Y0 Z0 S100 M3
-N20 G33 Z-10 K1 "G33 is none"
 N30 G30 X0 "nor is G30"
 N40 G0 X0 Z0
 N50 G1 "no axis word, no motion"

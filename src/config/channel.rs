@@ -2,6 +2,7 @@
 
 use roxmltree::{Attribute, Node};
 
+use super::mfunctions::ChannelList;
 use super::near::nearest;
 use super::reader::to_span;
 use super::{MFunction, MFunctions, xml};
@@ -32,9 +33,11 @@ pub(super) fn read(source: &SourceText, file: FileId, functions: &mut MFunctions
             return;
         }
     };
-    let mut reader = Reader { file, source, functions, findings, seen: Vec::new() };
     let mut lists = document.descendants().filter(|node| node.tag_name().name() == LIST).peekable();
-    if lists.peek().is_none() {
+    let missing = lists.peek().is_none();
+    functions.set_channel(if missing { ChannelList::Missing } else { ChannelList::Read });
+    let mut reader = Reader { file, source, functions, findings, seen: Vec::new() };
+    if missing {
         let at = reader.tag_name(document.root_element());
         reader.add(Finding::NoMFunctions {}, at);
     }

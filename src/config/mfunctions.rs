@@ -1,6 +1,6 @@
 //! The M functions of a machine: the standard ones and those that configuration adds (MFN-1…MFN-5).
 
-use crate::dict::{Dialect, Lasting, M_GROUPS, REDUCED_FEED, standard_m_functions};
+use crate::dict::{Dialect, FEED_FUNCTIONS, Lasting, M_GROUPS, REDUCED_FEED, standard_m_functions};
 
 /// The group that everything not listed belongs to.
 const REST: u8 = 14;
@@ -24,11 +24,25 @@ pub struct MFunction {
     pub change_pos: bool,
 }
 
+/// Whether a ChannelConfig lists the M functions of the machine.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(super) enum ChannelList {
+    /// There is no ChannelConfig.
+    #[default]
+    None,
+    /// It has no `MFunctions` (W0708).
+    Missing,
+    /// It has.
+    Read,
+}
+
 /// All M functions of a machine, by number.
 #[derive(Clone, Debug)]
 pub struct MFunctions {
     functions: Vec<MFunction>,
     defaults: [Option<u8>; M_GROUPS],
+    /// What a ChannelConfig says.
+    channel: ChannelList,
 }
 
 impl MFunctions {
@@ -57,7 +71,7 @@ impl MFunctions {
                 *default = Some(row.number);
             }
         }
-        Self { functions, defaults }
+        Self { functions, defaults, channel: ChannelList::default() }
     }
 
     /// The function of that number, 0–100.
@@ -79,6 +93,24 @@ impl MFunctions {
     pub fn set(&mut self, function: MFunction) {
         if let Some(slot) = self.functions.get_mut(usize::from(function.number)) {
             *slot = function;
+        }
+    }
+
+    /// Notes that there is a ChannelConfig.
+    pub(super) const fn set_channel(&mut self, channel: ChannelList) {
+        self.channel = channel;
+    }
+
+    /// Whether a function does nothing on this machine that anybody has said (TEC-8): M36 and M37 where they are no standard
+    /// functions and not configured, others of group 14 that a ChannelConfig does not list.
+    pub fn is_meaningless(&self, number: u8) -> bool {
+        let Some(function) = self.get(number).filter(|function| !function.standard && !function.configured) else {
+            return false;
+        };
+        match self.channel {
+            ChannelList::None => FEED_FUNCTIONS.contains(&number),
+            ChannelList::Missing => false,
+            ChannelList::Read => function.group == REST,
         }
     }
 

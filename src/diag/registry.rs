@@ -564,9 +564,9 @@ diagnostics! {
         en "`{address}` takes a number, not a parameter"
         cs "za {address} musí být číslo, ne parametr"
 
-    [W0601] MissingFeed "missing-feed" Warning {}
-        en "working motion before the program sets a feed"
-        cs "pracovní pohyb dřív, než program zadal posuv"
+    [W0601] MissingFeed "missing-feed" Warning { thread: bool }
+        en (if *thread { "a thread is cut before the program sets a feed" } else { "working motion before the program sets a feed" })
+        cs (if *thread { "řezání závitu dřív, než program zadal posuv" } else { "pracovní pohyb dřív, než program zadal posuv" })
         help "write `F` in this block or before it; otherwise the feed of the program before stays in force"
            | "zadat F v tomto bloku nebo před ním; jinak platí posuv z předchozího programu"
     [E0602] MissingArcCenter "missing-arc-center" Error { radius_word: bool, by: Option<String> }
@@ -671,6 +671,30 @@ diagnostics! {
         cs (if *above { format!("{axis}{value} je mimo rozsah pohybu osy, který končí na {limit}") } else { format!("{axis}{value} je mimo rozsah pohybu osy, který začíná na {limit}") })
         help "check the value, G90 or G91, and the origin; the travel is `min` and `max` of the axis in the project file"
            | "zkontrolovat hodnotu, G90 nebo G91 a počátek; rozsah je min a max osy v projektovém souboru"
+    [W0622] SpindleSpeedZero "spindle-speed-zero" Warning { m: u8, zero: bool }
+        en (if *zero { format!("a working motion under M{m:02} at S0: the spindle does not turn") } else { format!("a working motion under M{m:02} before the program sets the spindle speed it writes later") })
+        cs (if *zero { format!("pracovní pohyb při M{m:02} a S0: vřeteno se netočí") } else { format!("pracovní pohyb při M{m:02} dřív, než program zadal otáčky, které jsou až dál") })
+        help "write the speed `S` before this motion" | "zadat otáčky S před tímto pohybem"
+    [W0623] FunctionWithoutMeaning "function-without-meaning" Warning { m: u8, feed: bool }
+        en (if *feed { format!("M{m} does nothing on CNC872, where CNC8x6 and CNC8x9 take the feed by it: it stays as programmed") } else { format!("the ChannelConfig does not define M{m}") })
+        cs (if *feed { format!("M{m} na CNC872 nic nedělá: posuv, který mění na CNC8x6 a CNC8x9, zůstává, jak je programován") } else { format!("ChannelConfig funkci M{m} nedefinuje") })
+        help (if *feed { "write the feed itself; when the machine has the function, list it in `MFunctions`" } else { "check the number, or list the function in `MFunctions`" }) | (if *feed { "zadat přímo posuv; má-li stroj tuto funkci, uvést ji v MFunctions" } else { "zkontrolovat číslo, nebo funkci uvést v MFunctions" })
+    [W0624] CorrectionOnArc "correction-on-arc" Warning { function: GCode, sides: bool }
+        en (if *sides { format!("{function} changes the side of the radius correction without G40 between") } else { format!("the radius correction changes ({function}) on an arc") })
+        cs (if *sides { format!("{function} mění stranu poloměrové korekce bez G40") } else { format!("poloměrová korekce se mění ({function}) na oblouku") })
+        help (if *sides { "end the correction with G40 and a straight motion first" } else { "begin and end the correction on a straight motion (G00, G01)" }) | (if *sides { "nejdřív korekci ukončit funkcí G40 a přímkovým pohybem" } else { "korekci zapínat a vypínat na přímce (G00, G01)" })
+    [W0625] CorrectionLeftOn "correction-left-on" Warning { function: GCode, m: u8 }
+        en "M{m:02} while the radius correction {function} is in force"
+        cs "M{m:02} při zapnuté poloměrové korekci {function}"
+        help "end the correction with G40 and a straight motion before" | "před tím korekci ukončit funkcí G40 a přímkovým pohybem"
+    [W0626] CycleBlockPlunges "cycle-block-plunges" Warning { cycle: GCode, axis: char, l: u32 }
+        en "the block itself moves {axis} in rapid (G00), before {cycle} calls L{l}"
+        cs "blok sám najede osou {axis} rychloposuvem (G00), ještě než {cycle} zavolá L{l}"
+        help "leave {axis} out of the block and give the depth as L{l} reads it, such as in a parameter" | "osu {axis} v bloku vynechat a hloubku zadat tak, jak ji L{l} čte, například v parametru"
+    [W0627] CycleOverToolChange "cycle-over-tool-change" Warning { cycle: GCode }
+        en "M06 while the fixed cycle {cycle} is in force"
+        cs "M06 při zapnutém pevném cyklu {cycle}"
+        help "end the cycle with G80 before the tool change" | "před výměnou nástroje cyklus ukončit funkcí G80"
 
     [E0701] UnreadableConfiguration "unreadable-configuration" Error { reason: ConfigProblem }
         en ({ let why = reason.text(Lang::En); format!("the configuration cannot be read: {why}") })

@@ -10,6 +10,8 @@ pub const MOMENTARY_GROUPS: [u8; 3] = [1, 7, 9];
 
 /// Feed reduced 1:100 (TEC-6).
 pub const REDUCED_FEED: u8 = 37;
+/// The functions that say how F counts on CNC8x6 and CNC8x9 (TEC-6).
+pub const FEED_FUNCTIONS: [u8; 2] = [36, REDUCED_FEED];
 /// The group of M36 and M37 (TEC-6).
 pub const FEED_GROUP: usize = 4;
 

@@ -49,6 +49,14 @@ impl Plane {
     pub fn of(function: GCode) -> Option<Self> {
         Self::ALL.into_iter().find(|plane| plane.function == function)
     }
+
+    /// The axis of X, Y, Z that is perpendicular to the plane; `None` for planes with the 4th axis.
+    pub fn perpendicular(self) -> Option<AxisLetter> {
+        let others = [AxisLetter::X, AxisLetter::Y, AxisLetter::Z];
+        let mut others = others.into_iter().filter(|letter| !self.axes.contains(&PlaneAxis::Letter(*letter)));
+        let only = others.next();
+        only.filter(|_| others.next().is_none())
+    }
 }
 
 /// A function of group G1 does not compile without its plane.

@@ -77,6 +77,8 @@ fn everywhere(function: GCode) -> Option<FeedPer> {
 
 /// The dynamic sets that I chooses in a block with G23 (GRP-7).
 pub const DYNAMIC_SETS: ValueRange = ValueRange::whole(1, 4, ValueUnit::None).when(When::With(GCode::G23));
+/// The one that holds before another is chosen.
+pub const FIRST_DYNAMIC_SET: u8 = 1;
 
 /// The dwell of G04, Q (GRP-5).
 pub const DWELL: ValueRange = ValueRange::whole(0, HIGHEST_Q, ValueUnit::TenMilliseconds).when(When::With(GCode::G04));

@@ -42,6 +42,8 @@ pub(super) struct BlockChecker<'a> {
     refused: Vec<u32>,
     /// Control words whose operation is not configured, by its code.
     operations: Vec<(i64, Diagnostic)>,
+    /// M functions without a meaning on this machine, by number, the first word of each.
+    pub(super) meaningless: Vec<(u8, Diagnostic)>,
     points: Points,
 }
 
@@ -112,13 +114,19 @@ impl<'a> BlockChecker<'a> {
             units: &[],
             refused: Vec::new(),
             operations: Vec::new(),
+            meaningless: Vec::new(),
             points: Points::default(),
         }
     }
 
     /// What the look at the blocks gave besides findings.
     pub(super) fn finish(self) -> Judged {
-        Judged { refused: self.refused, operations: self.operations, points: self.points }
+        Judged {
+            refused: self.refused,
+            operations: self.operations,
+            meaningless: self.meaningless,
+            points: self.points,
+        }
     }
 
     /// Checks a block of a unit of that kind; `None`: of no unit.
@@ -240,7 +248,7 @@ impl<'a> BlockChecker<'a> {
         if limited && functions.g_words == MOST_G + 1 {
             self.too_many(word, MOST_G);
         }
-        functions.foreign |= word.whole().is_some_and(|number| matches!(number, 65 | 66 | 74..=77));
+        functions.foreign |= word.whole().is_some_and(|number| matches!(number, 65 | 66 | 76 | 77));
         let Some(code) = word.g_code() else { return };
         match functions.g.get_mut(code.group().index()) {
             Some(Some((first, first_word))) => {
@@ -261,6 +269,7 @@ impl<'a> BlockChecker<'a> {
             self.too_many(word, MOST_M);
         }
         let Some(number) = m_number(word, self.settings) else { return };
+        self.check_m_meaning(number, word);
         let group = self.settings.machine.m_functions.group(number);
         match functions.m.get_mut(usize::from(group)) {
             Some(Some((first, first_word))) => {

@@ -10,6 +10,8 @@ pub(super) struct Judged {
     pub(super) refused: Vec<u32>,
     /// Control words whose operation is not configured, by its code: each code is reported once for a program (PAR-9).
     pub(super) operations: Vec<(i64, Diagnostic)>,
+    /// M functions without a meaning on this machine, by number: each is reported once for a program (TEC-8).
+    pub(super) meaningless: Vec<(u8, Diagnostic)>,
     /// What is known of the points.
     pub(super) points: Points,
 }
@@ -19,6 +21,7 @@ impl Judged {
     pub(super) fn append(&mut self, other: Self) {
         self.refused.extend(other.refused);
         self.operations.extend(other.operations);
+        self.meaningless.extend(other.meaningless);
         self.points.join(other.points);
     }
 }

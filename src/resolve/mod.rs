@@ -13,6 +13,7 @@ mod judged;
 mod letters;
 mod library;
 mod lines;
+mod m_words;
 mod meant;
 mod numbers;
 mod pending;

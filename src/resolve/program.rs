@@ -110,6 +110,10 @@ pub struct Resolved {
     pub(super) cut_off: Option<CutOff>,
     /// How many units have had their calls followed.
     pub(super) followed: usize,
+    /// How many files written calls lead to; those behind are loaded by parameters and the cycle map.
+    pub(super) written_files: usize,
+    /// M functions without a meaning on this machine that have been reported (TEC-8).
+    pub(super) meaningless: BTreeSet<u8>,
 }
 
 impl Resolved {
@@ -117,6 +121,11 @@ impl Resolved {
     #[inline]
     pub fn file(&self, index: FileId) -> Option<&ParsedFile> {
         self.files.get(index.0 as usize).map(|file| &file.parsed)
+    }
+
+    /// The program's file and those of the macrocycles that written calls lead to.
+    pub fn written_files(&self) -> impl Iterator<Item = &ParsedFile> {
+        self.files.iter().take(self.written_files).map(|file| &file.parsed)
     }
 
     /// What is known of the points of a file.

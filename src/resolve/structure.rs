@@ -58,6 +58,7 @@ pub fn resolve_program(
         }
         rings::check(&mut context, &resolved);
     }
+    resolved.written_files = resolved.files.len();
     join_case(file, findings);
     origin.point_out(settings, findings);
     resolved
@@ -335,6 +336,11 @@ impl Context<'_, '_> {
         self.findings.append(checked.findings);
         for (operation, diagnostic) in checked.judged.operations {
             if resolved.unknown_operations.insert(operation) {
+                self.findings.add(diagnostic);
+            }
+        }
+        for (m, diagnostic) in checked.judged.meaningless {
+            if resolved.meaningless.insert(m) {
                 self.findings.add(diagnostic);
             }
         }

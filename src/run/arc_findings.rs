@@ -48,7 +48,11 @@ pub(super) fn check_plane(site: &mut Site<'_>, state: &mut State, words: &BlockW
     let Some(correction) = g.of(GGroup::G3).filter(|code| *code != GCode::G40) else { return };
     let axes = &site.machine().axes;
     let (plane, meant) = (planes::in_force(g), planes::of_pair(axes, pair));
-    if meant == Some(plane) || meant.is_some() && std::mem::replace(&mut state.said.other_plane, meant) == meant {
+    if g.unknown.has(GGroup::G1) || meant == Some(plane) {
+        return;
+    }
+    let arc = Some([pair[0].min(pair[1]), pair[0].max(pair[1])]);
+    if std::mem::replace(&mut state.said.other_axes, arc) == arc {
         return;
     }
     let letters: Vec<String> = planes::named(axes, pair)

@@ -1,7 +1,6 @@
 //! An executed block, as its readers see it: typed, borrowed from execution, and worked out only as far as asked.
 
 use super::block::{Effect, Jump};
-use super::gears::gear;
 use super::m_functions::{MStop, at_stop, halts};
 use super::moved::Motion;
 use super::state::State;
@@ -265,8 +264,8 @@ impl<'r> Executed<'r> {
     }
 
     /// The gear in force, 1–4 (MFN-9).
-    pub fn gear(&self) -> Option<u8> {
-        gear(&self.settings().machine, &self.interpreter.state)
+    pub const fn gear(&self) -> Option<u8> {
+        self.interpreter.state.gear
     }
 
     /// How it moves.
@@ -386,7 +385,7 @@ impl<'r> Executed<'r> {
         self.g(GGroup::G2) == Some(GCode::G23)
     }
 
-    /// The dynamic set, 1–4, once one was chosen (GRP-7).
+    /// The dynamic set that holds in G23, 1–4; `None` when that is not known (GRP-7).
     pub fn dynamic_set(&self) -> Option<u8> {
         self.interpreter.state.dynamic_set
     }

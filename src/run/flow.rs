@@ -9,7 +9,7 @@ use super::site::{Site, report};
 use super::state::State;
 use super::words::BlockWords;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
-use crate::dict::{Decimal, GCode, GGroup};
+use crate::dict::{Decimal, GCode, GGroup, Plane};
 use crate::resolve::{
     MacrocycleFault, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, ring_text, subprogram,
     value_or_word,
@@ -100,11 +100,23 @@ impl Flow<'_, '_> {
 
     fn call_cycle(&mut self, cycle: GCode) -> Next {
         let Some(&l) = self.program.settings.machine.cycles.get(&cycle.number()) else { return Next::Continue };
+        self.warn_of_plunge(cycle, l);
         let place = self.cycle_place(cycle);
         match self.load_macrocycle(l) {
             Ok(unit) => self.enter(unit, self.call_info(CallKind::Cycle(cycle.number()), l, 1), place, None),
             Err(fault) => self.no_macrocycle(fault, l, place, None),
         }
+    }
+
+    /// W0626: the block's own motion goes to the depth of the cycle first, in rapid.
+    fn warn_of_plunge(&mut self, cycle: GCode, l: u32) {
+        let g = &self.block.g;
+        let plane = g.of(GGroup::G1).and_then(Plane::of).filter(|_| g.of(GGroup::G0) == Some(GCode::G00));
+        let Some(axis) = plane.and_then(Plane::perpendicular) else { return };
+        let place = self.program.settings.machine.axes.index(axis);
+        let Some(Some(word)) = place.and_then(|place| self.block.words.axes.get(place)) else { return };
+        let at = self.word_place(word.word);
+        self.report(Diagnostic::new(Finding::CycleBlockPlunges { cycle, axis: axis.letter(), l }, at));
     }
 
     /// G71 and G72 (FLW-1).

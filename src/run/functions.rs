@@ -9,6 +9,7 @@ use super::words::BlockWords;
 use crate::diag::{Diagnostic, Finding};
 use crate::dict::{Decimal, GCode, GGroup, Lasting};
 use crate::resolve::missing_axis;
+use crate::syntax::Word;
 use crate::text::Location;
 
 /// Puts the G functions of the block into force, in `state` what lasts and in `in_force` what holds in the block: x functions
@@ -17,10 +18,13 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
     for &(code, word) in &words.g {
         match code.lasting() {
             Lasting::Modal | Lasting::Default => {
+                if code.group() == GGroup::G3 {
+                    change_correction(site, state, code, word);
+                }
                 state.set_modal(code);
                 state.said.arc_mode &= code.group() != GGroup::G9;
                 if code.group() == GGroup::G1 {
-                    state.said.other_plane = None;
+                    state.said.other_axes = None;
                 }
                 if code.group() == GGroup::G0 {
                     state.origins.motion = Noted(Some((site.file.shown_number(site.block), site.word_place(word))));
@@ -53,6 +57,17 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
         for (group, slot) in GGroup::ALL.into_iter().zip(&mut in_force.functions) {
             *slot = slot.filter(|_| !in_force.unknown.has(group));
         }
+    }
+}
+
+/// Notes a change of the radius correction; from one side to the other it takes a G40 between (W0624).
+fn change_correction(site: &mut Site<'_>, state: &mut State, code: GCode, word: Word) {
+    let Some(before) = state.modal(GGroup::G3).filter(|before| *before != code) else { return };
+    state.corrects = Some(code);
+    if before != GCode::G40 && code != GCode::G40 {
+        let diagnostic =
+            Diagnostic::new(Finding::CorrectionOnArc { function: code, sides: true }, site.word_place(word));
+        site.report(with_origin(state, diagnostic, word));
     }
 }
 

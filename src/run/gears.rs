@@ -10,8 +10,19 @@ use crate::diag::{Diagnostic, Finding, LabelText};
 use crate::dict::{Decimal, GEAR_BY_SPEED, GEAR_GROUP, GEARS, GGroup};
 use crate::syntax::Word;
 
+/// The gear in a block with these functions. Under M40 it stays as it was while S is no speed of the spindle.
+pub(super) fn in_block(machine: &Machine, state: &State, g: &InForce) -> Option<u8> {
+    let by_speed = state.m(GEAR_GROUP) == Some(GEAR_BY_SPEED);
+    if by_speed && is_cutting_speed(machine, g) { state.gear } else { gear(machine, state) }
+}
+
+/// Whether S is no speed of the spindle: the cutting speed is constant (G96, and G97 where it counts so).
+fn is_cutting_speed(machine: &Machine, g: &InForce) -> bool {
+    g.of(GGroup::G6).and_then(|mode| machine.feed_mode(mode)).is_some_and(|mode| mode.constant_cut)
+}
+
 /// The gear in force, 1–4: by M41–M44, or the lowest that S fits under M40.
-pub(super) fn gear(machine: &Machine, state: &State) -> Option<u8> {
+fn gear(machine: &Machine, state: &State) -> Option<u8> {
     match state.m(GEAR_GROUP) {
         Some(m) if GEARS.contains(&m) => Some(m - GEAR_BY_SPEED),
         Some(GEAR_BY_SPEED) => {
@@ -38,7 +49,7 @@ pub(super) fn check(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &
     let m_word: Option<Word> = m_word.map(|(_, word)| *word);
     let s_word = words.s.map(|valued| valued.word);
     let (Some(word), Some(m), Some(s)) = (s_word.or(m_word), state.m(GEAR_GROUP), speed(state)) else { return };
-    if g.of(GGroup::G6).and_then(|mode| machine.feed_mode(mode)).is_some_and(|mode| mode.constant_cut) {
+    if is_cutting_speed(machine, g) || g.unknown.has(GGroup::G6) {
         return;
     }
     let finding = if m == GEAR_BY_SPEED {

@@ -9,7 +9,7 @@ use super::program::Program;
 use super::repeats::Repeats;
 use super::site::{Site, report};
 use super::state::{Origins, State};
-use super::{functions, m_functions, motion, parameters, reading, technology, warnings};
+use super::{functions, m_functions, motion, parameters, reading, spindle, technology, warnings};
 use crate::diag::{Diagnostic, Finding, Findings};
 use crate::dict::{GCode, GGroup};
 use crate::resolve::{Target, Unit, UnitKind, may_have_end};
@@ -176,13 +176,17 @@ impl Interpreter {
         let mut site =
             Site { resolved: &program.resolved, file, block: block.id, settings: program.settings, frames, findings };
         block.clear();
+        if std::mem::take(&mut state.orients) {
+            spindle::orient(site.machine(), state);
+        }
         reading::read(&mut site, state, &mut block.words);
         functions::apply(&mut site, state, &block.words, &mut block.g);
         functions::track_origin(state, &block.words, &block.g);
         technology::hold(&site, state, &block.words);
         m_functions::apply(&mut site, state, &block.words, &block.g, &mut block.m);
-        warnings::check_tool(&mut site, state, &block.words);
+        warnings::check_tool(&mut site, state, &block.words, &block.g);
         let moved = motion::apply(&mut site, state, block);
+        warnings::check_correction(&mut site, state, block);
         m_functions::finish(&site, state, &block.m);
         parameters::apply(&mut site, state, block);
         let end = block.m.end;

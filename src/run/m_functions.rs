@@ -8,8 +8,8 @@ use super::{gears, spindle};
 use crate::config::{Machine, Settings};
 use crate::diag::Finding;
 use crate::dict::{
-    FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, OPTIONAL_STOP, ORIENTED_STOP,
-    PROGRAM_ENDS, PROGRAM_STOP, SPINDLE_GROUP, TOOL_CHANGE,
+    FEED_GROUP, GEAR_BY_SPEED, GEAR_GROUP, GGroup, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, OPTIONAL_STOP,
+    ORIENTED_STOP, PROGRAM_ENDS, PROGRAM_STOP, SPINDLE_GROUP, TOOL_CHANGE,
 };
 
 /// What M groups 2, 5 and 6 hold while the program stands.
@@ -54,7 +54,9 @@ pub(super) fn apply(
     g: &InForce,
     m: &mut MFunctionsOfBlock,
 ) {
-    let plain = words.m.is_empty() && words.s.is_none() && !words.malformed_m;
+    // Under another G6 function S may be a speed of the spindle again (MFN-9).
+    let mode = words.written(GGroup::G6).is_some() || words.unknown_g;
+    let plain = words.m.is_empty() && words.s.is_none() && !words.malformed_m && !mode;
     if plain && m.settled {
         return;
     }
@@ -85,7 +87,8 @@ pub(super) fn apply(
         match number {
             PROGRAM_STOP | OPTIONAL_STOP => m.stop = Some(number),
             TOOL_CHANGE => state.in_spindle = state.tool,
-            ORIENTED_STOP if !site.settings.machine.oriented_stop => {
+            // Found before execution when it is written out.
+            ORIENTED_STOP if word.is_parametric() && !site.settings.machine.oriented_stop => {
                 site.found(Finding::OrientedStopUnavailable {}, site.word_place(word));
             }
             number if PROGRAM_ENDS.contains(&number) => m.end = Some(number),
@@ -97,7 +100,7 @@ pub(super) fn apply(
     if m.end.is_some() {
         reset(site.machine(), state, &mut changed);
     }
-    let gear = gears::gear(site.machine(), state);
+    let gear = gears::in_block(site.machine(), state, g);
     if let Some(changed) = changed.get_mut(GEAR_GROUP) {
         *changed |= state.m(GEAR_GROUP) == Some(GEAR_BY_SPEED) && gear != state.gear;
     }
@@ -148,15 +151,13 @@ pub(super) fn at_stop(machine: &Machine) -> MStop {
     MStop { spindle, coolant_12, coolant_34 }
 }
 
-/// What happens to positions at the end of the block: an M function may move the machine (MFN-4), and START after a stop
+/// What follows from the M functions at the end of the block: one may move the machine (MFN-4), and START after a stop
 /// orients the spindle again (MFN-10).
 pub(super) fn finish(site: &Site<'_>, state: &mut State, m: &MFunctionsOfBlock) {
     if m.moves_after {
         state.lose_positions();
     }
-    if halts(site.settings, m) && spindle::axis(site.machine(), state).is_some() {
-        spindle::orient(site.machine(), state);
-    }
+    state.orients = halts(site.settings, m) && spindle::axis(site.machine(), state).is_some();
 }
 
 /// Whether the program stands at the end of the block (MFN-8): M00, and M01 with optional stop.

@@ -135,23 +135,33 @@ fn apply_unmapped_cycle(site: &mut Site<'_>, state: &mut State, block: &mut Bloc
 }
 
 /// Whether the motion's programmed start is not where the tool stands (MOT-8): of one of its axes is enough. `plane`: the
-/// axes of the plane in force, which an arc moves too. Any motion ends that state.
+/// axes of the plane in force, which an arc moves too. The motion of an axis ends that state for it.
 #[inline]
 pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option<[usize; 2]>) -> bool {
-    let unsettled = std::mem::take(&mut state.unsettled);
+    if state.unsettled.is_empty() {
+        return false;
+    }
+    let unsettled = state.unsettled;
     let by_plane = plane.filter(|_| travels.len() < 2).into_iter().flatten();
-    travels.iter().map(|travel| travel.axis).chain(by_plane).any(|axis| unsettled.contains(axis))
+    travels.iter().map(|travel| travel.axis).chain(by_plane).fold(false, |stale, axis| {
+        state.unsettled.remove(axis);
+        stale || unsettled.contains(axis)
+    })
 }
 
-/// Whether what the block does depends on a group whose function nobody knows.
+/// Whether what the block does depends on a group whose function nobody knows. Two axis words are the plane of their arc
+/// (MOT-3); with others the plane in force counts, with none also whether G23 takes I.
 fn is_unknown(words: &BlockWords, g: &InForce) -> bool {
     if g.unknown.is_empty() {
         return false;
     }
-    let centered = words.i.is_some() || words.j.is_some() || words.k.is_some();
-    let arc = kind_in_force(g).is_arc() || centered;
+    let plane: &[GGroup] = match words.axis_count {
+        2 => &[],
+        0 => &[GGroup::G1, GGroup::G2],
+        _ => &[GGroup::G1],
+    };
     g.unknown.has_any(&[GGroup::G0, GGroup::G8, GGroup::G9, GGroup::G10])
-        || (arc && g.unknown.has_any(&[GGroup::G1, GGroup::G2, GGroup::G3]))
+        || (kind_in_force(g).is_arc() && g.unknown.has_any(plane))
 }
 
 /// What I, J and K are for in this block: words of the record, the dynamic set, or nothing (MOT-3, GRP-7, GRP-8).
@@ -171,8 +181,9 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
     let goes_on = without_use
         && state.said.stray_centers.goes_on(site.file.file, site.block)
         && words.written(GGroup::G0).is_none();
-    // Nobody knows whether it is an arc.
-    let silent = goes_on || !is_arc && g.unknown.has(GGroup::G0);
+    // Nobody knows whether it is an arc, or whether G09, G10 or G23 takes the word.
+    let taken = g.unknown.has(GGroup::G2) && !(is_arc && words.axis_count == 2);
+    let silent = goes_on || taken || !is_arc && g.unknown.has(GGroup::G0);
     for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
         // A malformed word has its finding.
         let Some(valued) = valued.filter(|valued| !valued.word.is_void()) else { continue };
@@ -263,7 +274,8 @@ fn find_arc(
     };
     let zero = |word: Option<Valued>| word.is_none_or(|valued| valued.value == Some(Decimal::ZERO));
     let centered = !(zero(words.i) && zero(words.j));
-    if helix.is_some() && centered && g.of(GGroup::G2) != Some(GCode::G09) {
+    let helical = g.of(GGroup::G2) == Some(GCode::G09) || g.unknown.has(GGroup::G2);
+    if helix.is_some() && centered && !helical {
         arc_findings::found(site, state, (words, g), Finding::HelixWithoutG09 {}, words.place_of_motion(site));
     }
     arc_findings::check_plane(site, state, words, g, pair);

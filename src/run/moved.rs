@@ -105,9 +105,11 @@ impl Moving {
     /// See [`Motion::is_in_degrees`].
     #[inline]
     pub(super) fn is_in_degrees(&self, travels: &[Travel]) -> bool {
+        // The values of the axis words of G30 are not used (MOT-7).
+        let stands = |travel: &Travel| self.kind != MotionType::Reference && travel.distance == Some(Micro::ZERO);
         self.arc.is_none()
             && travels.iter().any(|travel| self.is_rotary(travel))
-            && travels.iter().all(|travel| self.is_rotary(travel) || travel.distance == Some(Micro::ZERO))
+            && travels.iter().all(|travel| self.is_rotary(travel) || stands(travel))
     }
 
     fn is_rotary(&self, travel: &Travel) -> bool {

@@ -8,7 +8,7 @@ use super::motion::{kind_in_force, settle_origin};
 use super::moved::{MotionType, Moving};
 use super::program::Program;
 use super::site::Site;
-use super::state::{AxisSet, State};
+use super::state::State;
 use super::travel::{Reading, Travel};
 use super::warnings::may_lack;
 use super::words::Valued;
@@ -47,6 +47,7 @@ impl Run {
         let degrees = moving.is_in_degrees(&block.travels);
         block.moves_on = settled && degrees == block.degrees;
         block.degrees = degrees;
+        state.corrects = None;
         arrive(site, state, &block.travels);
         true
     }
@@ -104,13 +105,12 @@ impl Run {
             let Some(said @ false) = said.get_mut(axis) else { continue };
             *said = true;
             state.set_position(axis, reading.target(axis, word.number()));
+            state.unsettled.remove(axis);
             unsaid -= 1;
             if unsaid == 0 {
                 break;
             }
         }
-        // Any motion ends that state (MOT-8).
-        state.unsettled = AxisSet::default();
         u64::from(passed)
     }
 
@@ -177,8 +177,8 @@ mod tests {
                 }
                 let Some(block) = interpreter.step(program, findings) else { break };
                 let facts = (block.motion(), block.feed(), block.m_written(), block.m_changed(), block.dwell());
-                // When it is looked up whether the program starts the spindle decides nothing.
-                let state = State { turns_spindle: None, ..block.state().clone() };
+                // When the words of the spindle are looked up decides nothing.
+                let state = State { spindle_words: None, ..block.state().clone() };
                 known.push(format!("{:?} {facts:?} {state:?} {:?}", block.at(), block.data()));
             }
             known

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::unknown::Groups;
 use crate::config::Settings;
-use crate::dict::{Decimal, FeedPer, GCode, GGroup, M_GROUPS, Micro, Plane};
+use crate::dict::{Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, Micro};
 use crate::syntax::BlockId;
 use crate::text::{FileId, Location};
 
@@ -103,6 +103,11 @@ impl AxisSet {
     /// Every axis.
     pub(super) const ALL: Self = Self(u16::MAX);
 
+    /// Whether no axis is in it.
+    pub(super) const fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
     /// Gives whether it was not in the set.
     pub(super) const fn insert(&mut self, axis: usize) -> bool {
         let new = !self.contains(axis);
@@ -117,6 +122,15 @@ impl AxisSet {
     pub(super) const fn contains(self, axis: usize) -> bool {
         self.0 & (1 << axis) != 0
     }
+}
+
+/// What is written in a program and the macrocycles that it names.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(super) struct SpindleWords {
+    /// M03, M04, M05, M19 or S.
+    pub(super) any: bool,
+    /// S.
+    pub(super) speed: bool,
 }
 
 /// The block that something was said of last. Where the next one has it for the same reason, it is not said again.
@@ -140,6 +154,8 @@ pub(super) struct Said {
     pub(super) speed: bool,
     /// W0615, for the F in force.
     pub(super) feed_unit: bool,
+    /// W0622.
+    pub(super) speed_zero: bool,
     /// W0618.
     pub(super) no_entry: bool,
     /// W0619.
@@ -151,8 +167,8 @@ pub(super) struct Said {
     pub(super) arc_mode: bool,
     /// Axes that an arc started from, nobody knew where (W0606), and that stand there still.
     pub(super) arc_starts: AxisSet,
-    /// The plane that arcs need instead of the one in force (W0616), until a plane is written.
-    pub(super) other_plane: Option<Plane>,
+    /// The axes of the last arc that lay in other axes than those of the plane in force (W0616), until a plane is written.
+    pub(super) other_axes: Option<[usize; 2]>,
     /// E0602, or E0611 of an arc without I and J.
     pub(super) no_center: LastBlock,
     /// E0609 of I, J and K that no function takes.
@@ -173,12 +189,13 @@ impl Default for Said {
             feed: false,
             speed: false,
             feed_unit: false,
+            speed_zero: false,
             no_entry: false,
             spindle_stopped: false,
             no_tool: false,
             arc_mode: false,
             arc_starts: AxisSet::default(),
-            other_plane: None,
+            other_axes: None,
             no_center: LastBlock::default(),
             stray_centers: LastBlock::default(),
             incremental: [false; 9],
@@ -212,8 +229,10 @@ pub struct State {
     pub(super) d: Held,
     /// The digits of `&` (§2).
     pub(super) correction: Held,
-    /// GRP-7.
+    /// GRP-7; `None`: not known.
     pub(super) dynamic_set: Option<u8>,
+    /// START orients the spindle before the next block (MFN-10).
+    pub(super) orients: bool,
     /// The axes whose programmed position is not where the tool stands (MOT-8).
     pub(super) unsettled: AxisSet,
     /// What the F in force was written as; `None` when nobody knows (W0615).
@@ -222,8 +241,10 @@ pub struct State {
     pub(super) feed_reduced: bool,
     /// The gear of the block before (MFN-6).
     pub(super) gear: Option<u8>,
-    /// Whether the program starts the spindle anywhere, once that was looked up (TEC-7).
-    pub(super) turns_spindle: Option<bool>,
+    /// What the program writes of the spindle, once that was looked up (TEC-7, TEC-8).
+    pub(super) spindle_words: Option<SpindleWords>,
+    /// The G3 function that was changed to, until the next motion (TEC-9).
+    pub(super) corrects: Option<GCode>,
     /// For texts.
     pub(super) origins: Origins,
     /// The G5 and G11 functions of the block before, x functions included (MOT-8).
@@ -261,12 +282,14 @@ impl State {
             p: Held::None,
             d: Held::None,
             correction: Held::None,
-            dynamic_set: None,
+            dynamic_set: Some(FIRST_DYNAMIC_SET),
+            orients: false,
             unsettled: AxisSet::default(),
             feed_per: None,
             feed_reduced: false,
             gear: None,
-            turns_spindle: None,
+            spindle_words: None,
+            corrects: None,
             origins: Origins::default(),
             last_origin: (None, None),
             said: Said::default(),

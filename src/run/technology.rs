@@ -38,6 +38,7 @@ pub(super) fn dwell(words: &BlockWords) -> Option<Micro> {
 /// I as the dynamic set of G23 (GRP-7): whether the word was used so.
 pub(super) fn choose_dynamic_set(site: &mut Site<'_>, state: &mut State, words: &BlockWords) -> bool {
     let (Some(i), Some(_)) = (words.i, words.has(GCode::G23)) else { return false };
+    state.dynamic_set = None;
     let Some(value) = i.value else { return true };
     match value.as_whole() {
         Some(set) if DYNAMIC_SETS.contains(value) => state.dynamic_set = u8::try_from(set).ok(),

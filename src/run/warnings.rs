@@ -1,30 +1,32 @@
-//! What a motion or a tool change lacks (TEC-1…TEC-7), each said once in a program, and the travel of the axes (W0621).
+//! What a motion or a tool change lacks (TEC-1…TEC-9), and the travel of the axes (W0621).
 
-use super::block::InForce;
+use super::block::{Block, Effect, InForce};
 use super::parameters::with_origin;
 use super::site::Site;
-use super::state::{Held, Position, State};
+use super::state::{Held, Position, SpindleWords, State};
 use super::travel::Travel;
 use super::words::BlockWords;
 use crate::config::Axis;
 use crate::diag::{Diagnostic, Finding, LabelText};
 use crate::dict::{
-    Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS,
-    TOOL_CHANGE,
+    Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, PROGRAM_ENDS, SPINDLE_GROUP,
+    SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
 };
 use crate::resolve::value_or_word;
-use crate::syntax::Word;
-use crate::text::FileId;
 
 /// What a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a spindle that
 /// turns (W0619).
 pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, thread: bool) {
+    if state.feed == Held::None && !state.said.feed {
+        state.said.feed = true;
+        site.found(Finding::MissingFeed { thread }, words.place_of_motion(site));
+    }
     if !thread {
-        if state.feed == Held::None && !state.said.feed {
-            state.said.feed = true;
-            site.found(Finding::MissingFeed {}, words.place_of_motion(site));
-        }
         check_feed_unit(site, state, words, g);
+    }
+    if let Some((m, zero)) = lacks_speed(site, state, g).filter(|_| !thread) {
+        state.said.speed_zero = true;
+        site.found(Finding::SpindleSpeedZero { m, zero }, words.place_of_motion(site));
     }
     if let Some(function) = speed_reader(site, g)
         && state.speed == Held::None
@@ -41,7 +43,8 @@ pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &Block
 
 /// Whether [`check_motion`] may have something to say.
 pub(super) fn may_lack(site: &Site<'_>, state: &mut State, g: &InForce, thread: bool) -> bool {
-    let feed = !thread && ((state.feed == Held::None && !state.said.feed) || differing_unit(site, state, g).is_some());
+    let feed = (state.feed == Held::None && !state.said.feed)
+        || (!thread && (differing_unit(site, state, g).is_some() || lacks_speed(site, state, g).is_some()));
     let speed = state.speed == Held::None && !state.said.speed && speed_reader(site, g).is_some();
     feed || speed || lacks_spindle(site, state, thread)
 }
@@ -81,37 +84,84 @@ fn check_feed_unit(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g
 fn lacks_spindle(site: &Site<'_>, state: &mut State, thread: bool) -> bool {
     state.m(SPINDLE_GROUP) == Some(SPINDLE_STOP)
         && !state.said.spindle_stopped
-        && (thread || *state.turns_spindle.get_or_insert_with(|| program_turns_spindle(site)))
+        && (thread || spindle_words(site, state).any)
 }
 
-/// Whether M03 or M04 is written in the program's file or a macrocycle that it names: else the spindle is none of the
-/// program's business.
-fn program_turns_spindle(site: &Site<'_>) -> bool {
-    let turns = |word: &Word| {
-        word.address == Address::M
-            && word.number().and_then(Decimal::as_whole).is_some_and(|m| SPINDLE_TURNS.map(i64::from).contains(&m))
-    };
-    let mut files = (0..).map_while(|file| site.resolved.file(FileId(file)));
-    files.any(|file| file.block_ids().any(|block| file.words(block).iter().any(turns)))
+/// The function that turns the spindle while S is 0 or, `false`, while no S was executed in a program that writes one, when
+/// nobody said so yet (TEC-8). A motion that needs S in any case has W0604.
+fn lacks_speed(site: &Site<'_>, state: &mut State, g: &InForce) -> Option<(u8, bool)> {
+    let m = state.m(SPINDLE_GROUP).filter(|m| SPINDLE_TURNS.contains(m) && !state.said.speed_zero)?;
+    let zero = state.speed == Held::Value(Decimal::ZERO);
+    let none = state.speed == Held::None;
+    let lacks = zero || none && speed_reader(site, g).is_none() && spindle_words(site, state).speed;
+    lacks.then_some((m, zero))
 }
 
-/// G41 or G42 with no D in force (W0618), M06 with no T (W0620).
-pub(super) fn check_tool(site: &mut Site<'_>, state: &mut State, words: &BlockWords) {
-    let correction = words.written(GGroup::G3).filter(|(code, _)| *code != GCode::G40);
-    if let Some((function, word)) = correction
+/// What the program's file and the macrocycles that written calls lead to say of the spindle: a program without such words
+/// leaves it to others.
+fn spindle_words(site: &Site<'_>, state: &mut State) -> SpindleWords {
+    *state.spindle_words.get_or_insert_with(|| {
+        let mut found = SpindleWords::default();
+        let spindle =
+            |m: i64| SPINDLE_TURNS.into_iter().chain([SPINDLE_STOP, ORIENTED_STOP]).any(|own| i64::from(own) == m);
+        for file in site.resolved.written_files() {
+            for word in file.block_ids().flat_map(|block| file.words(block)) {
+                found.speed |= word.address == Address::S;
+                found.any |= found.speed
+                    || word.address == Address::M && word.number().and_then(Decimal::as_whole).is_some_and(spindle);
+                if found.speed {
+                    return found;
+                }
+            }
+        }
+        found
+    })
+}
+
+/// G41 or G42 with no D in force (W0618), M06 with no T (W0620), and what is in force where tool or program end (W0625,
+/// W0627).
+pub(super) fn check_tool(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce) {
+    let written = words.written(GGroup::G3).filter(|(code, _)| *code != GCode::G40);
+    if let Some((function, word)) = written
         && state.d == Held::None
         && !state.said.no_entry
     {
         state.said.no_entry = true;
         site.found(Finding::CorrectionWithoutEntry { function }, site.word_place(word));
     }
-    let change = words.m.iter().find(|(m, _)| *m == TOOL_CHANGE).map(|(_, word)| *word);
-    if let Some(word) = change
-        && state.tool == Held::None
-        && !state.said.no_tool
-    {
-        state.said.no_tool = true;
-        site.found(Finding::ToolChangeWithoutTool {}, site.word_place(word));
+    let corrects = g.of(GGroup::G3).filter(|code| *code != GCode::G40);
+    let cycle = g.of(GGroup::G8).filter(|code| code.is_cycle());
+    for &(m, word) in &words.m {
+        let at = site.word_place(word);
+        if let Some(function) = corrects.filter(|_| m == TOOL_CHANGE || PROGRAM_ENDS.contains(&m)) {
+            site.found(Finding::CorrectionLeftOn { function, m }, at);
+        }
+        if m != TOOL_CHANGE {
+            continue;
+        }
+        if let Some(cycle) = cycle {
+            site.found(Finding::CycleOverToolChange { cycle }, at);
+        }
+        if state.tool == Held::None && !state.said.no_tool {
+            state.said.no_tool = true;
+            site.found(Finding::ToolChangeWithoutTool {}, at);
+        }
+    }
+}
+
+/// A correction that changes on an arc (W0624): in its block, or as the first motion after it.
+pub(super) fn check_correction(site: &mut Site<'_>, state: &mut State, block: &Block) {
+    match &block.effect {
+        Effect::Motion(moving) => {
+            let function = state.corrects.take().filter(|_| moving.kind.is_arc());
+            if let Some(function) = function {
+                let finding = Finding::CorrectionOnArc { function, sides: false };
+                site.found(finding, block.words.place_of_motion(site));
+            }
+        }
+        // Nobody knows how it moves.
+        Effect::None if block.words.axis_count > 0 => state.corrects = None,
+        Effect::None | Effect::Data(_) => {}
     }
 }
 

@@ -9,6 +9,7 @@ N40 M8 M93 "a new function in a standard group"
 N50 M6 T1 M60 "the standard group when none is given"
 "         ^^^ E0308
 N60 M100 M20 "14 for the others"
+"        ^^^ W0623
 "        ^^^ E0308
 N70 M95 M91 M93 M100 M6
 N80 M36 M20

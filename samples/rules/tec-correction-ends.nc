@@ -1,0 +1,8 @@
+%632 "G40 in the block of the end is in time"
+"TEC-9
+N10 G0 X0 Y-10 F100 D1 T1
+N20 G41 G1 Y0
+N30 G40 M6
+N40 G1 X50
+N50 G42 G1 X60
+N60 G40 M30
