@@ -1,9 +1,8 @@
 //! What is in force between two blocks, for readers that ask about a place in a program.
 
-use super::gears;
 use super::state::State;
 use super::{Executed, Feed, FeedUnit};
-use crate::config::{Machine, Settings};
+use crate::config::Machine;
 use crate::dict::{Decimal, FEED_GROUP, FeedPer, GCode, GGroup, Micro, REDUCED_FEED};
 use crate::syntax::BlockId;
 use crate::text::FileId;
@@ -95,13 +94,13 @@ impl State {
     }
 
     /// The gear, 1–4 (MFN-9).
-    pub fn gear_in_force(&self, settings: &Settings) -> Option<u8> {
-        gears::gear(&settings.machine, self)
+    pub const fn gear_in_force(&self) -> Option<u8> {
+        self.gear
     }
 
     /// The dynamic set as records show it (GRP-7).
-    pub const fn dynamic_set(&self) -> Option<u8> {
-        self.dynamic_set
+    pub fn dynamic_set(&self) -> Option<u8> {
+        self.dynamic_set.filter(|_| self.modal(GGroup::G2) == Some(GCode::G23))
     }
 
     /// What M02 and M30 leave of the G functions: those of power-up (MFN-7).

@@ -239,7 +239,7 @@ fn record(found: &Found, name: &str, settings: &Settings) -> Record {
         },
         g: GGroup::ALL.map(|group| state.g_in_force(group).map(GCode::number)),
         m: std::array::from_fn(m),
-        gear: state.gear_in_force(settings),
+        gear: state.gear_in_force(),
         position: positions.collect(),
         feed: feed.map(|feed| feed.value.into()),
         feed_unit: feed.map(|feed| feed.unit.name().to_owned()),

@@ -150,7 +150,7 @@ impl Table<'_> {
             (self.say(&Words::Tool), text(state.tool_in_spindle()).map(|tool| format!("T{tool}")), "tool"),
         ];
         let sometimes = [
-            (self.say(&Words::Gear), state.gear_in_force(self.settings).map(|gear| gear.to_string()), ""),
+            (self.say(&Words::Gear), state.gear_in_force().map(|gear| gear.to_string()), ""),
             ("H".to_owned(), text(state.h()), "h"),
             ("P".to_owned(), text(state.p()), "p"),
             ("D".to_owned(), text(state.d()), "d"),
