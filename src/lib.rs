@@ -22,9 +22,11 @@
 //! | [`run`] | execution: [`run::Executed`] blocks and the [`run::Sink`]s that read them |
 //! | [`analysis`] | such readers: totals, motion and time, the PLC, the set-up sheet, the equidistant |
 //! | [`stream`] | the reader that writes the block stream |
+//! | `columns` | the readers that write columns |
 //! | [`edit`] | text to text: what fixes make of a file |
 //! | [`explain`] | pages about functions, addresses, keys and findings |
 //! | [`parallel`] | threads, where there are any |
+//! | `stats` | one row of facts a program, for archives |
 //! | `view`, `lsp`, `cli` | the picture of a program, the language server, the command line |
 //!
 //! # Features
@@ -34,6 +36,7 @@
 //! | none | the core, on one thread; also for `wasm32-unknown-unknown`, with [`text::MemoryLoader`] |
 //! | `parallel` | long programs on all processors, output written beside execution |
 //! | `view` | the page that shows a program, and still pictures |
+//! | `arrow` | the streams as Apache Arrow columns |
 //! | `lsp` | the language server |
 //! | `cli` (default) | the command line, findings in the form for people, and all of the above |
 //!
@@ -46,6 +49,8 @@
 pub mod analysis;
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "arrow")]
+pub mod columns;
 pub mod config;
 pub mod diag;
 pub mod dict;
@@ -60,6 +65,8 @@ mod query;
 pub mod resolve;
 pub mod run;
 pub mod session;
+#[cfg(feature = "cli")]
+pub mod stats;
 pub mod stream;
 mod sure;
 pub mod syntax;

@@ -36,6 +36,7 @@ pub fn pages() -> BTreeMap<String, String> {
         ("plc", cnc872c::analysis::plc::schema()),
         ("report", cnc872c::analysis::sheet::schema()),
         ("state", cnc872c::analysis::state::schema()),
+        ("stats", cnc872c::stats::schema()),
     ];
     for (name, schema) in schemas {
         pages.insert(format!("schemas/{name}.json"), format!("{schema:#}\n"));

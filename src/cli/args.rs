@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::PossibleValue;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command as ClapCommand, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::config::Level;
@@ -62,6 +63,7 @@ pub(super) enum Command {
     Explain(ExplainArgs),
     Init(InitArgs),
     Lsp(LspArgs),
+    Stats(StatsArgs),
     Schema(SchemaArgs),
     Completions(CompletionsArgs),
     Man(ManArgs),
@@ -98,10 +100,56 @@ pub(super) struct CompileArgs {
     pub from: u64,
     #[arg(long, value_name = "N")]
     pub limit: Option<u64>,
-    #[command(flatten)]
-    pub shown: FindingsArgs,
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: CompileFormat,
+    #[arg(long)]
+    pub all: bool,
     #[command(flatten)]
     pub common: CommonArgs,
+}
+
+/// How `compile` shows findings, or that it writes columns.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum CompileFormat {
+    /// The stream is JSON; findings have this form.
+    Findings(Format),
+    /// The stream is Arrow; findings are for people.
+    #[cfg(feature = "arrow")]
+    Arrow,
+}
+
+impl ValueEnum for CompileFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &[
+            Self::Findings(Format::Human),
+            Self::Findings(Format::Short),
+            Self::Findings(Format::Json),
+            Self::Findings(Format::Sarif),
+            Self::Findings(Format::Github),
+            #[cfg(feature = "arrow")]
+            Self::Arrow,
+        ]
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        match self {
+            Self::Findings(format) => format.to_possible_value(),
+            #[cfg(feature = "arrow")]
+            Self::Arrow => Some(PossibleValue::new("arrow")),
+        }
+    }
+}
+
+impl CompileArgs {
+    /// How findings are shown.
+    pub const fn shown(&self) -> FindingsArgs {
+        let format = match self.format {
+            CompileFormat::Findings(format) => format,
+            #[cfg(feature = "arrow")]
+            CompileFormat::Arrow => Format::Human,
+        };
+        FindingsArgs { format, all: self.all }
+    }
 }
 
 /// `view`.
@@ -179,6 +227,8 @@ pub(super) enum MotionFormat {
     Human,
     Json,
     Csv,
+    #[cfg(feature = "arrow")]
+    Arrow,
 }
 
 /// `plc`.
@@ -216,6 +266,8 @@ pub(super) enum PlcFormat {
     Json,
     Csv,
     Vcd,
+    #[cfg(feature = "arrow")]
+    Arrow,
 }
 
 /// `report`.
@@ -280,12 +332,38 @@ pub(super) struct StateArgs {
     pub common: CommonArgs,
 }
 
+/// `stats`.
+#[derive(Debug, Args)]
+pub(super) struct StatsArgs {
+    #[arg(value_name = "PATH", required = true)]
+    pub paths: Vec<PathBuf>,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: StatsFormat,
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
 /// In which form `state` answers.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
 pub(super) enum StateFormat {
     #[default]
     Human,
     Json,
+}
+
+/// In which form `stats` writes.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+pub(super) enum StatsFormat {
+    #[default]
+    Human,
+    Json,
+    Csv,
+    #[cfg(feature = "arrow")]
+    Arrow,
 }
 
 /// How findings are shown.
@@ -409,6 +487,7 @@ pub(super) enum SchemaName {
     Plc,
     Report,
     State,
+    Stats,
 }
 
 /// `completions`.

@@ -84,7 +84,7 @@ fn show_diff(
 }
 
 /// Says what a search of folders did not find, or left alone.
-fn tell_unsearched(found: &Found, locale: Locale) {
+pub(super) fn tell_unsearched(found: &Found, locale: Locale) {
     let named = |path: &PathBuf| path_name(path);
     for folder in &found.barren {
         tell(&Words::NoPrograms { folder: named(folder) }, locale.lang);

@@ -1,10 +1,12 @@
 //! `compile`: the block stream of a program.
 
 use std::fs::OpenOptions;
+#[cfg(feature = "arrow")]
+use std::io::IsTerminal;
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::args::CompileArgs;
+use super::args::{CompileArgs, CompileFormat};
 use super::common::overrides;
 use super::job::{Ends, Job, unusable};
 use super::locale::Locale;
@@ -13,9 +15,17 @@ use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{Failure, Status};
 use super::threads;
 use super::words::Words;
+#[cfg(feature = "arrow")]
+use crate::columns::{BlockTable, Ipc};
+#[cfg(feature = "arrow")]
+use crate::config::Purpose;
 use crate::dict::Lang;
 use crate::run::End;
 use crate::session::{Part, Run, Session};
+
+/// Bytes that are written at once.
+#[cfg(feature = "arrow")]
+pub(super) const BUFFER: usize = 1 << 16;
 
 pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = overrides(&args.common, locale.lang)?;
@@ -24,8 +34,12 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     let mut projects = job.configure(&args.common, &overrides)?;
     let report = projects.report();
     let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
-        return Ok(unusable(report, &args.shown, locale));
+        return Ok(unusable(report, &args.shown(), locale));
     };
+    #[cfg(feature = "arrow")]
+    if args.format == CompileFormat::Arrow {
+        refuse_terminal(job.output())?;
+    }
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
     let count = |blocks: u64| {
@@ -34,12 +48,32 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     };
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let part = Part { from: args.from, limit: args.limit };
-    let written = session.compile(&job.target().path, &job.target().name(), part, &mut stream);
+    let (path, name) = (&job.target().path, job.target().name());
+    let written = match args.format {
+        CompileFormat::Findings(_) => session.compile(path, &name, part, &mut stream),
+        #[cfg(feature = "arrow")]
+        CompileFormat::Arrow => columns(&session, path, &name, part, &mut stream),
+    };
     drop(progress);
     let Run { outcome, whole } = written.map_err(|error| cannot_write(error, job.output(), locale.lang))?;
     let reason = Words::NotWhole { file: job.target().name() };
     let ends = Ends { whole: Status::Fine, broken: Status::Faulty, reason };
-    job.finish(stream, (outcome, whole), report, ends, &args.shown, locale)
+    job.finish(stream, (outcome, whole), report, ends, &args.shown(), locale)
+}
+
+/// The stream as columns.
+#[cfg(feature = "arrow")]
+fn columns(session: &Session<'_>, path: &Path, name: &str, part: Part, out: &mut Stream) -> io::Result<Run<End>> {
+    let mut failed = None;
+    let mut out = Ipc::new(io::BufWriter::with_capacity(BUFFER, out));
+    let run = session.run(path, name, Purpose::Compile, BlockTable::new(part, &mut out, &mut failed));
+    failed.map_or(Ok(run), Err)
+}
+
+/// Columns are no text.
+#[cfg(feature = "arrow")]
+pub(super) fn refuse_terminal(output: Option<&Path>) -> Result<(), Failure> {
+    if output.is_none() && io::stdout().is_terminal() { Err(Words::ColumnsOnTerminal.into()) } else { Ok(()) }
 }
 
 pub(super) fn cannot_write(error: io::Error, output: Option<&Path>, lang: Lang) -> Failure {
@@ -75,6 +109,13 @@ impl Stream {
 
     /// Puts the file in place, which only the stream of a whole run is.
     pub fn commit(self, _: End) -> io::Result<()> {
+        self.keep()
+    }
+}
+
+impl Stream {
+    /// Puts the file in place, which is whole whatever programs are.
+    pub fn keep(self) -> io::Result<()> {
         match self {
             Self::Stdout(_) | Self::Direct(_) => Ok(()),
             Self::File(file) => file.commit(),

@@ -306,6 +306,33 @@ Editory jej spouštějí samy; jak je nastavit, popisuje docs/guide/editors.cs.m
         },
     ),
     about(
+        "stats",
+        "Writes one row of facts a program: hash, blocks, time, tools, functions, findings",
+        "Zapíše o každém programu jeden řádek: otisk, bloky, čas, nástroje, funkce, hlášení",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c stats archive                                       to read here
+  cnc872c stats archive --format csv -o archive.csv           for a spreadsheet
+  cnc872c stats archive --format arrow -o archive.arrow       for DuckDB, polars, pandas
+  cnc872c stats archive --cache ~/.cache/cnc872c --format json
+
+Macrocycles have no row. With --cache a later run executes only what changed: programs, macrocycles,
+configuration. Exit status: 0 also when programs have errors, 2 a file cannot be read, no program was
+found, or the configuration or the command line is wrong.",
+            cs: "\
+Příklady:
+  cnc872c stats archiv                                        k přečtení zde
+  cnc872c stats archiv --format csv -o archiv.csv             pro tabulkový procesor
+  cnc872c stats archiv --format arrow -o archiv.arrow         pro DuckDB, polars, pandas
+  cnc872c stats archiv --cache ~/.cache/cnc872c --format json
+
+Makrocykly řádek nemají. S --cache se příště provede jen to, co se změnilo: programy, makrocykly,
+konfigurace. Návratový kód: 0 i při chybách v programech, 2 soubor nelze přečíst, žádný program se
+nenašel, nebo je chyba v konfiguraci či na příkazovém řádku.",
+        },
+    ),
+    about(
         "schema",
         "Prints the JSON Schema of what the other commands write and read",
         "Vypíše JSON Schema toho, co ostatní příkazy zapisují a čtou",
@@ -318,7 +345,8 @@ Examples:
   cnc872c schema motion       of a line of motion --format json
   cnc872c schema plc          of a line of plc --format json
   cnc872c schema report       of report --format json
-  cnc872c schema state        of state --format json",
+  cnc872c schema state        of state --format json
+  cnc872c schema stats        of stats --format json",
             cs: "\
 Příklady:
   cnc872c schema              řádku proudu bloků (compile)
@@ -327,7 +355,8 @@ Příklady:
   cnc872c schema motion       řádku motion --format json
   cnc872c schema plc          řádku plc --format json
   cnc872c schema report       listu report --format json
-  cnc872c schema state        odpovědi state --format json",
+  cnc872c schema state        odpovědi state --format json
+  cnc872c schema stats        výstupu stats --format json",
         },
     ),
     about(
@@ -620,6 +649,42 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
     ),
     arg("report", "format", Options, "The form of the sheet", "Tvar listu"),
+    arg(
+        "stats",
+        "paths",
+        Arguments,
+        "Programs, or folders to search for them as check does",
+        "Programy, nebo složky k prohledání jako u check",
+    ),
+    arg(
+        "stats",
+        "output",
+        Options,
+        "Write to this file. It is replaced when all is written, and left as it was otherwise",
+        "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
+    ),
+    arg("stats", "format", Options, "The form of the rows", "Tvar řádků"),
+    arg(
+        "stats",
+        "cache",
+        Options,
+        "Keep rows in this folder, and execute only what changed since",
+        "Ukládat řádky do této složky a provádět jen to, co se od té doby změnilo",
+    ),
+    arg(
+        "compile",
+        "format",
+        Options,
+        "How findings are shown; arrow: the stream is written as Arrow columns",
+        "Jak se hlášení vypíšou; arrow: proud se zapíše jako sloupce Arrow",
+    ),
+    arg(
+        "compile",
+        "all",
+        Options,
+        "Show all findings; else at most 20 of each code and file (human, short)",
+        "Vypsat všechna hlášení; jinak nejvýše 20 od každého kódu a souboru (human, short)",
+    ),
     arg("report", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
     arg("", "format", Options, "How findings are shown", "Jak se hlášení vypíšou"),
     arg(

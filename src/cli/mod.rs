@@ -23,6 +23,8 @@ mod report;
 mod schema;
 mod shell;
 mod state;
+mod stats;
+mod stats_cache;
 mod status;
 mod threads;
 mod usage;
@@ -44,6 +46,11 @@ use status::{Failure, Status, exit_code};
 /// Runs the command line `arguments`, the name of the program first. The exit status: 0 no errors, 1 the programs have
 /// errors, 2 it could not run.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    ExitCode::from(status(arguments))
+}
+
+/// The same, with the exit status as a number: for programs that have the command line within them.
+pub fn status(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let locale = Locale::find(&arguments);
     let matches = help::command(locale.lang).color(locale.clap_color()).try_get_matches_from(arguments);
@@ -66,6 +73,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
         Command::Lsp(_) => lsp::run(locale),
         Command::Motion(args) => motion::run(args, locale),
         Command::Plc(args) => plc::run(args, locale),
+        Command::Stats(args) => stats::run(args, locale),
         Command::Schema(args) => schema::run(args),
         Command::Completions(args) => shell::completions(args, locale),
         Command::Man(args) => shell::man(args, locale),

@@ -30,7 +30,7 @@ const RED: usize = 20;
 const BUFFER: usize = 1 << 16;
 
 pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> {
-    if args.phases && args.format != MotionFormat::Json {
+    if args.phases && matches!(args.format, MotionFormat::Human | MotionFormat::Csv) {
         return Err(Words::PhasesFormat.into());
     }
     let configured = Overrides { computes_motion: true, ..overrides(&args.common, locale.lang)? };
@@ -50,6 +50,10 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     let before = if args.set.is_empty() { Projects::default() } else { job.configure(&args.common, &configured)? };
     // What is wrong with the project file alone is found with the other values as well.
     let before = before.settings(job.target());
+    #[cfg(feature = "arrow")]
+    if args.format == MotionFormat::Arrow {
+        super::compile::refuse_terminal(job.output())?;
+    }
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
     let count = |blocks: u64| {
@@ -60,6 +64,8 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     let made = match args.format {
         MotionFormat::Human => run.account(before, args.all, locale, &mut stream).map(|made| (made, 0)),
         MotionFormat::Json | MotionFormat::Csv => run.rows(args, &mut stream),
+        #[cfg(feature = "arrow")]
+        MotionFormat::Arrow => run.columns(args.phases, &mut stream),
     };
     drop(progress);
     let made = made.map_err(|error| cannot_write(error, job.output(), locale.lang))?;
@@ -159,6 +165,22 @@ impl OneRun<'_> {
             Some(error) => Err(error),
             None => Ok(((run.outcome, run.whole), rows.jerk_free)),
         }
+    }
+}
+
+#[cfg(feature = "arrow")]
+impl OneRun<'_> {
+    /// The same as columns.
+    fn columns(&self, phases: bool, out: &mut Stream) -> io::Result<((Outcome, Option<End>), u64)> {
+        let name = self.target.name();
+        let (mut failed, mut jerk_free) = (None, 0);
+        let mut out = crate::columns::Ipc::new(io::BufWriter::with_capacity(BUFFER, out));
+        let first = machine(&Basis::of(self.settings), &name);
+        let profile = self.settings.machine.motion.profile.value;
+        let sink = crate::columns::MotionTable::new(first, profile, &mut out, &mut failed, &mut jerk_free);
+        let times = Times { phases, time_dist: true };
+        let run = self.session(self.settings).run_timed(self.path(), &name, Purpose::Compile, times, sink);
+        failed.map_or(Ok(((run.outcome, run.whole), jerk_free)), Err)
     }
 }
 

@@ -62,6 +62,10 @@ pub(super) fn run(args: &PlcArgs, locale: Locale) -> Result<Status, Failure> {
     if !motion {
         tell_of_motion(&signals, condition.is_some(), locale.lang);
     }
+    #[cfg(feature = "arrow")]
+    if args.format == PlcFormat::Arrow {
+        super::compile::refuse_terminal(job.output())?;
+    }
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
     let count = |blocks: u64| {
@@ -145,6 +149,11 @@ fn write(run: Run<'_>, args: &PlcArgs, out: impl Write + Send) -> io::Result<(Ou
         PlcFormat::Json => run.beside(Json::new(out)),
         PlcFormat::Csv => run.beside(Csv::new(out)),
         PlcFormat::Vcd => run.beside(Wave::new(out)),
+        #[cfg(feature = "arrow")]
+        PlcFormat::Arrow => {
+            let (mut out, mut failed) = (crate::columns::Ipc::new(out), None);
+            run.beside(crate::columns::StepTable::new(&mut out, &mut failed))
+        }
     }
 }
 
@@ -179,6 +188,8 @@ fn list(format: PlcFormat, machine: &Machine, lang: Lang) -> Result<Status, Fail
         PlcFormat::Table => plc::list_table(machine, lang),
         PlcFormat::Json => format!("{:#}\n", plc::list_json(machine, lang)),
         PlcFormat::Csv | PlcFormat::Vcd => return Err(Words::ListFormat.into()),
+        #[cfg(feature = "arrow")]
+        PlcFormat::Arrow => return Err(Words::ListFormat.into()),
     };
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())?;

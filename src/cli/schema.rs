@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::args::{SchemaArgs, SchemaName};
 use super::status::{Failure, Status};
 use crate::analysis::{motion, plc, sheet, state};
-use crate::{config, diag, stream};
+use crate::{config, diag, stats, stream};
 
 pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
     let schema = match args.schema {
@@ -16,6 +16,7 @@ pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
         SchemaName::Plc => plc::schema(),
         SchemaName::Report => sheet::schema(),
         SchemaName::State => state::schema(),
+        SchemaName::Stats => stats::schema(),
     };
     let mut out = io::stdout().lock();
     out.write_all(format!("{schema:#}\n").as_bytes())?;

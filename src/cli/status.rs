@@ -1,7 +1,6 @@
 //! How a command ends.
 
 use std::io::{self, Write};
-use std::process::ExitCode;
 
 use super::words::{self, Words, error_prefix};
 use crate::diag::{Format, Report, unshown};
@@ -40,8 +39,8 @@ impl From<Words> for Failure {
 }
 
 /// Says why a command failed, and gives its exit status: 0 no errors, 1 the programs have errors, 2 it could not run.
-pub(super) fn exit_code(end: Result<Status, Failure>, lang: Lang) -> ExitCode {
-    let code = match end {
+pub(super) fn exit_code(end: Result<Status, Failure>, lang: Lang) -> u8 {
+    match end {
         Ok(Status::Fine) => 0,
         Ok(Status::Faulty) => 1,
         Ok(Status::Unusable) => 2,
@@ -54,8 +53,7 @@ pub(super) fn exit_code(end: Result<Status, Failure>, lang: Lang) -> ExitCode {
             complain(&words, lang);
             2
         }
-    };
-    ExitCode::from(code)
+    }
 }
 
 /// Says what went wrong, on stderr.

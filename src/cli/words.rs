@@ -19,6 +19,15 @@ bilingual! {
         OutputIsProgram { file: String }
             "{file} is what the stream is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
             "z {file} proud bloků vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
+        CacheDamaged { folder: String, count: usize }
+            "{folder}: {count} damaged entries of the cache are made anew",
+            "{folder}: poškozené záznamy mezipaměti se vytvoří znovu: {count}";
+        OutputIsRead { file: String }
+            "{file} is one of the files that are read: another file belongs after -o",
+            "{file} je jeden z čtených souborů: za -o patří jiný soubor";
+        ColumnsOnTerminal
+            "Arrow columns are no text for a terminal: name a file after -o, or a program after |",
+            "sloupce Arrow nejsou text pro terminál: uvést soubor za -o, nebo program za |";
         NotWhole { file: String }
             "the stream of {file} has no end: execution stopped before M02 or M30",
             "proud bloků programu {file} nemá konec: provádění skončilo před M02 nebo M30";

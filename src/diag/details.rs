@@ -149,6 +149,19 @@ bilingual! {
     }
 }
 
+impl OtherControl {
+    /// As tables call it.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Fanuc => "fanuc",
+            Self::LinuxCnc => "linuxcnc",
+            Self::Sinumerik => "sinumerik",
+            Self::Heidenhain => "heidenhain",
+            Self::Iso => "iso",
+        }
+    }
+}
+
 bilingual! {
     /// Why a word I, J or K has no use in its block (MOT-3, GRP-4, GRP-7, GRP-8).
     CenterPlace {

@@ -90,6 +90,11 @@ impl<'a> Library<'a> {
         }
     }
 
+    /// The files that can be called, as a text: another text, another library.
+    pub fn listing(&mut self) -> String {
+        format!("{:?}", self.index())
+    }
+
     fn index(&mut self) -> &Numbered {
         let Self { loader, folders, index } = self;
         index.get_or_insert_with(|| loader.numbered(folders, &|| number_files(*loader, folders)))

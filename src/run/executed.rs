@@ -65,6 +65,9 @@ pub enum FeedUnit {
 }
 
 impl FeedUnit {
+    /// All.
+    pub const ALL: [Self; 4] = [Self::MmPerMinute, Self::MmPerRevolution, Self::DegPerMinute, Self::DegPerRevolution];
+
     /// The unit of F under a feed mode, of a path in degrees or in millimetres.
     pub const fn of(per: FeedPer, degrees: bool) -> Self {
         match (per, degrees) {

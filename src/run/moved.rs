@@ -174,6 +174,9 @@ pub enum Missing {
 }
 
 impl Missing {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Start, Self::Origin, Self::Reference];
+
     /// `start`, `origin`, `reference`.
     pub const fn name(self) -> &'static str {
         match self {

@@ -25,7 +25,7 @@ pub struct Part {
 }
 
 impl Part {
-    const fn contains(self, seq: u64) -> bool {
+    pub(crate) const fn contains(self, seq: u64) -> bool {
         seq >= self.from
             && match self.limit {
                 Some(limit) => seq - self.from < limit,
@@ -113,7 +113,8 @@ impl Sink for JsonStream<'_, '_> {
     }
 }
 
-fn program_record(program: &Program<'_>) -> ProgramRecord {
+/// The first record.
+pub(crate) fn program_record(program: &Program<'_>) -> ProgramRecord {
     let machine = &program.settings.machine;
     let file = program.resolved.file(FileId(0));
     let number = file.and_then(|file| file.program).and_then(|word| word.whole());

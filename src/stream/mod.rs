@@ -11,8 +11,16 @@ mod schema;
 mod single;
 mod writer;
 
+#[cfg(feature = "arrow")]
+pub(crate) use json::program_record;
 pub use json::{JsonStream, Part, write};
 pub use records::SCHEMA;
+#[cfg(feature = "arrow")]
+pub(crate) use records::{AxisMap, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Record};
+#[cfg(feature = "arrow")]
+pub(crate) use row::{Before, Rows};
 pub use schema::schema;
 #[cfg(feature = "view")]
 pub(crate) use single::SingleRecord;
+#[cfg(feature = "arrow")]
+pub(crate) use writer::record_text;

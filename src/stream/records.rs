@@ -360,12 +360,15 @@ impl Clone for BlockRecord {
     }
 }
 
+/// What calls.
+pub const CALLS_BY: [&str; 11] = ["G71", "G72", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"];
+
 /// One call on the way to a block.
 #[derive(Clone, Copy, Debug, Eq, JsonSchema, PartialEq)]
 #[schemars(deny_unknown_fields)]
 pub struct Call {
     /// G71, G72, or a fixed cycle by the cycle map.
-    #[schemars(extend("enum" = ["G71", "G72", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89"]))]
+    #[schemars(extend("enum" = CALLS_BY))]
     pub by: &'static str,
     /// What was called.
     pub l: u32,

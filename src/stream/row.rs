@@ -10,7 +10,7 @@ const REDUCED: Decimal = Decimal::from_thousandths(10);
 
 /// Where the row before a row is.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Before<'r> {
+pub(crate) enum Before<'r> {
     /// It is not there any more.
     Nowhere,
     /// In the place that the new one takes.
@@ -21,13 +21,13 @@ pub(super) enum Before<'r> {
 
 /// Makes rows, one from the other: hardly anything differs from one block to the next.
 #[derive(Debug, Default)]
-pub(super) struct Rows {
+pub(crate) struct Rows {
     lines: Lines,
 }
 
 impl Rows {
     /// Makes the row of a block in `row`.
-    pub(super) fn fill(&mut self, block: &Executed<'_>, row: &mut BlockRecord, before: Before<'_>) {
+    pub(crate) fn fill(&mut self, block: &Executed<'_>, row: &mut BlockRecord, before: Before<'_>) {
         let known = match before {
             Before::Nowhere => None,
             Before::InPlace => Some(row.seq),

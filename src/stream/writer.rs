@@ -202,6 +202,14 @@ impl Writer {
     }
 }
 
+/// A record alone, without its line end.
+#[cfg(feature = "arrow")]
+pub(crate) fn record_text(record: &Record) -> String {
+    let mut out = Vec::new();
+    Writer::new(&AxisLetter::ALL).write_record(&mut out, record);
+    String::from_utf8(out).unwrap_or_default().trim_end().to_owned()
+}
+
 fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], parts: &mut Parts) -> Line<'r> {
     let BlockRecord {
         seq,

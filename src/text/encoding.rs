@@ -44,6 +44,19 @@ const KAMENICKY: [char; 128] = [
 ];
 
 impl Encoding {
+    /// As options and tables call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Utf8 => "utf-8",
+            Self::Cp852 => "cp852",
+            Self::Windows1250 => "windows-1250",
+            Self::Iso88592 => "iso-8859-2",
+            Self::Kamenicky => "kamenicky",
+            Self::Utf16Le => "utf-16le",
+            Self::Utf16Be => "utf-16be",
+        }
+    }
+
     /// Decodes every byte to exactly one character (in the one-byte code pages): nothing is lost, nothing merged.
     pub(super) fn decode(self, bytes: &[u8]) -> String {
         match self {

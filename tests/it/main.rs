@@ -12,6 +12,8 @@ mod cli_init;
 mod cli_report;
 mod cli_view;
 mod cli_walk;
+#[cfg(feature = "arrow")]
+mod columns;
 mod dialects;
 mod disk;
 mod docs;
@@ -33,6 +35,7 @@ mod rules;
 mod run;
 mod samples;
 mod state;
+mod stats;
 mod stream;
 mod terminal;
 mod terms;

@@ -11,7 +11,7 @@ use crate::samples::root;
 const LONGEST: usize = 800;
 
 /// Which top-level modules each may use.
-const LAYERS: [(&str, &[&str]); 19] = [
+const LAYERS: [(&str, &[&str]); 21] = [
     ("sure", &[]),
     ("text", &[]),
     ("disk", &["text"]),
@@ -27,6 +27,8 @@ const LAYERS: [(&str, &[&str]); 19] = [
     ("stream", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "parallel"]),
     ("view", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "parallel"]),
     ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
+    ("columns", &["text", "dict", "diag", "config", "run", "analysis", "stream", "session"]),
+    ("stats", &["text", "dict", "diag", "config", "resolve", "run", "analysis", "session", "columns"]),
     ("query", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
     ("edit", &["text", "dict", "diag", "syntax", "resolve", "query"]),
     (
@@ -40,7 +42,7 @@ const LAYERS: [(&str, &[&str]); 19] = [
         "cli",
         &[
             "text", "disk", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "view",
-            "session", "explain", "edit", "lsp",
+            "session", "columns", "stats", "explain", "edit", "lsp",
         ],
     ),
 ];

@@ -9,7 +9,7 @@ use super::times::{BlockTimes, Joint, MotionTimes, Phase};
 use crate::dict::Micro;
 
 /// From velocities in a second to those in a minute.
-pub(super) const PER_MINUTE: f64 = 60.0;
+pub(crate) const PER_MINUTE: f64 = 60.0;
 
 /// An object under way.
 struct Object<'o> {
@@ -105,11 +105,16 @@ pub(super) fn push_number(out: &mut String, value: f64) {
     }
 }
 
-/// Twelve significant digits, without exponent.
-fn push_digits(out: &mut String, value: f64) {
+/// With twelve significant digits.
+pub(crate) fn twelve_digits(value: f64) -> f64 {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     // A negative zero is a zero.
-    let _ = write!(out, "{}", rounded + 0.0);
+    rounded + 0.0
+}
+
+/// Twelve significant digits, without exponent.
+fn push_digits(out: &mut String, value: f64) {
+    let _ = write!(out, "{}", twelve_digits(value));
 }
 
 fn push_text(out: &mut String, text: &str) {

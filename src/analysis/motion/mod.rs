@@ -35,6 +35,8 @@ pub use account::{Account, clock};
 pub use basis::{Basis, BasisValue, InForce, Table};
 pub use csv::{CSV_HEAD, write_csv};
 pub use findings::JointFindings;
+#[cfg(feature = "arrow")]
+pub(crate) use json::{PER_MINUTE, twelve_digits};
 pub use json::{machine, total, write_block};
 pub use model::Model;
 pub use planner::{Listener, Planner};

@@ -157,6 +157,9 @@ pub enum Dot {
 }
 
 impl Dot {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Yellow, Self::Red];
+
     /// As in records.
     pub const fn name(self) -> &'static str {
         match self {
@@ -292,7 +295,7 @@ pub struct MotionTimes {
 }
 
 /// What a block takes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct BlockTimes {
     /// The block, as the stream counts.
     pub seq: u64,

@@ -148,22 +148,36 @@ fn string(text: &str) -> String {
     safe
 }
 
+/// The first record.
+pub(crate) fn header_text(header: &Header<'_>) -> String {
+    let signals: Vec<String> = header.signals.iter().map(|signal| format!("\"{}\"", signal.name)).collect();
+    format!(
+        "{{\"kind\":\"plc\",\"schema\":\"{SCHEMA}\",\"generator\":\"{}\",\"name\":{},\"dialect\":\"{}\",\"signals\":[{}]}}",
+        concat!("cnc872c ", env!("CARGO_PKG_VERSION")),
+        string(header.name),
+        header.settings.machine.dialect.name(),
+        signals.join(",")
+    )
+}
+
+/// The record of another file.
+pub(crate) fn file_text(index: u32, name: &str) -> String {
+    format!("{{\"kind\":\"file\",\"index\":{index},\"name\":{}}}", string(name))
+}
+
+/// The last record.
+pub(crate) fn end_text(end: End) -> String {
+    format!("{{\"kind\":\"end\",\"reason\":\"{}\",\"blocks\":{}}}", end.reason(), end.blocks())
+}
+
 impl<W: Write> Writer for Json<W> {
     fn begin(&mut self, header: &Header<'_>) -> io::Result<()> {
         self.signals = header.signals.to_vec();
-        let signals: Vec<String> = header.signals.iter().map(|signal| format!("\"{}\"", signal.name)).collect();
-        writeln!(
-            self.out,
-            "{{\"kind\":\"plc\",\"schema\":\"{SCHEMA}\",\"generator\":\"{}\",\"name\":{},\"dialect\":\"{}\",\"signals\":[{}]}}",
-            concat!("cnc872c ", env!("CARGO_PKG_VERSION")),
-            string(header.name),
-            header.settings.machine.dialect.name(),
-            signals.join(",")
-        )
+        writeln!(self.out, "{}", header_text(header))
     }
 
     fn file(&mut self, index: u32, name: &str) -> io::Result<()> {
-        writeln!(self.out, "{{\"kind\":\"file\",\"index\":{index},\"name\":{}}}", string(name))
+        writeln!(self.out, "{}", file_text(index, name))
     }
 
     fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
@@ -195,7 +209,7 @@ impl<W: Write> Writer for Json<W> {
     }
 
     fn end(&mut self, end: End) -> io::Result<()> {
-        writeln!(self.out, "{{\"kind\":\"end\",\"reason\":\"{}\",\"blocks\":{}}}", end.reason(), end.blocks())?;
+        writeln!(self.out, "{}", end_text(end))?;
         self.out.flush()
     }
 }

@@ -38,6 +38,8 @@ pub use dictionary::{Cell, Flag, Form, Signal, signals};
 pub use facts::{Facts, MotionFacts, StepTimes};
 pub use find::Finder;
 pub use json::{Json, SCHEMA, schema};
+#[cfg(feature = "arrow")]
+pub(crate) use json::{end_text, file_text, header_text};
 pub use list::{list_json, list_table};
 pub use reader::{Header, Range, Reader, Writer};
 pub use steps::{Place, Step, Tracker};

@@ -24,7 +24,7 @@ pub struct Place {
 }
 
 /// One step with the values of the chosen signals.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Step<'a> {
     /// Where.
     pub place: Place,

@@ -1,0 +1,245 @@
+//! Rows of programs that were executed before, by the hash of their bytes, of their configuration and of this version.
+//!
+//! The folder holds files of lines: an id, a check sum, an entry as JSON. Each file is written beside its place and then
+//! renamed, and never changed: a run that is killed leaves the files before it. A line whose sum is wrong is no entry.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::fs::{self, File};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use serde::{Deserialize, Serialize};
+
+use super::replace::Replacement;
+use super::walk::Target;
+use crate::session::Session;
+use crate::stats::{Known, Row, hash, row};
+use crate::text::{FileId, Sources};
+
+/// How the files of the cache end.
+const EXTENSION: &str = "stats1";
+/// More files than these are made one.
+const MOST_FILES: usize = 256;
+/// Characters of an id and of a sum.
+const ID: usize = 64;
+const SUM: usize = 16;
+
+/// A row, and the macrocycles that it rests on: number and hash of the text.
+#[derive(Deserialize, Serialize)]
+struct Entry {
+    row: Row,
+    macrocycles: Vec<(u32, String)>,
+}
+
+/// Where an entry is.
+#[derive(Clone, Copy)]
+struct Place {
+    file: usize,
+    at: u64,
+    length: usize,
+}
+
+/// Rows that are known.
+pub(super) struct Cache {
+    folder: PathBuf,
+    files: Vec<Mutex<File>>,
+    known: HashMap<String, Place>,
+    damaged: usize,
+    /// Lines that are in no file yet.
+    new: Mutex<Vec<String>>,
+    /// What the rows of a folder rest on besides their programs: version, configuration, which macrocycles there are.
+    contexts: Mutex<HashMap<PathBuf, String>>,
+    /// Hashes of the texts of macrocycles.
+    texts: Mutex<HashMap<PathBuf, Option<String>>>,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The row of a program, made anew, with the texts that were read.
+pub(super) fn fresh(session: &Session<'_>, path: &Path, name: &str, bytes: &[u8]) -> (Row, Sources) {
+    let loader = Known { inner: session.loader, path, bytes };
+    row(&Session { loader: &loader, ..*session }, path, name, hash(bytes))
+}
+
+impl Cache {
+    /// The cache in a folder, which is made when it is not there.
+    pub fn open(folder: &Path) -> io::Result<Self> {
+        fs::create_dir_all(folder)?;
+        let mut cache = Self {
+            folder: folder.to_path_buf(),
+            files: Vec::new(),
+            known: HashMap::new(),
+            damaged: 0,
+            new: Mutex::default(),
+            contexts: Mutex::default(),
+            texts: Mutex::default(),
+        };
+        let paths = cache.paths()?;
+        for path in &paths {
+            cache.index(path)?;
+        }
+        if paths.len() > MOST_FILES {
+            cache.join(&paths)?;
+        }
+        Ok(cache)
+    }
+
+    /// How many lines are no entries.
+    pub const fn damaged(&self) -> usize {
+        self.damaged
+    }
+
+    #[expect(clippy::disallowed_methods, reason = "the cache is no program")]
+    fn paths(&self) -> io::Result<Vec<PathBuf>> {
+        let entries = fs::read_dir(&self.folder)?;
+        let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+        paths.retain(|path| path.extension().is_some_and(|extension| extension == EXTENSION));
+        paths.sort();
+        Ok(paths)
+    }
+
+    /// Adds the entries of a file.
+    #[expect(clippy::disallowed_methods, reason = "the cache is no program")]
+    fn index(&mut self, path: &Path) -> io::Result<()> {
+        let mut reader = BufReader::with_capacity(1 << 16, File::open(path)?);
+        let (mut line, mut at) = (Vec::new(), 0);
+        loop {
+            line.clear();
+            let length = reader.read_until(b'\n', &mut line)?;
+            if length == 0 {
+                break;
+            }
+            match read_line(&line) {
+                Some((id, entry)) => {
+                    let place = Place {
+                        file: self.files.len(),
+                        at: at + (length - 1 - entry.len()) as u64,
+                        length: entry.len(),
+                    };
+                    self.known.insert(id.to_owned(), place);
+                }
+                None => self.damaged += 1,
+            }
+            at += length as u64;
+        }
+        self.files.push(Mutex::new(reader.into_inner()));
+        Ok(())
+    }
+
+    /// Makes one file of many.
+    fn join(&self, paths: &[PathBuf]) -> io::Result<()> {
+        let mut ids: Vec<&String> = self.known.keys().collect();
+        ids.sort_unstable();
+        let lines = ids.into_iter().filter_map(|id| Some(line(id, &self.text(id)?)));
+        let lines: Vec<String> = lines.collect();
+        let written = self.write_lines(&lines)?;
+        // Another run may be doing the same: what is gone is gone.
+        paths.iter().filter(|path| **path != written).for_each(|path| drop(fs::remove_file(path)));
+        Ok(())
+    }
+
+    fn text(&self, id: &str) -> Option<String> {
+        let place = self.known.get(id)?;
+        let mut file = lock(self.files.get(place.file)?);
+        file.seek(SeekFrom::Start(place.at)).ok()?;
+        let mut text = vec![0; place.length];
+        file.read_exact(&mut text).ok()?;
+        String::from_utf8(text).ok()
+    }
+
+    /// The row of a program: known, or made anew.
+    pub fn row(&self, session: &Session<'_>, target: &Target, name: &str, bytes: &[u8]) -> Row {
+        let program = hash(bytes);
+        let id = hash(format!("{}{program}", self.context(session, target)).as_bytes());
+        let known = self.text(&id).and_then(|text| serde_json::from_str::<Entry>(&text).ok());
+        if let Some(entry) = known.filter(|entry| self.holds(session, target, &entry.macrocycles)) {
+            return Row { path: name.to_owned(), ..entry.row };
+        }
+        let (row, sources) = fresh(session, &target.path, name, bytes);
+        if !row.findings.contains_key("E0112")
+            && let Some(macrocycles) = macrocycles(&sources)
+        {
+            let entry = Entry { row: Row { path: String::new(), ..row.clone() }, macrocycles };
+            if let Ok(text) = serde_json::to_string(&entry) {
+                lock(&self.new).push(line(&id, &text));
+            }
+        }
+        row
+    }
+
+    fn context(&self, session: &Session<'_>, target: &Target) -> String {
+        let folder = target.folder();
+        if let Some(known) = lock(&self.contexts).get(folder) {
+            return known.clone();
+        }
+        let listing = session.library(&target.path).listing();
+        let text = format!("{} {:?} {listing}", env!("CARGO_PKG_VERSION"), session.settings);
+        let context = hash(text.as_bytes());
+        lock(&self.contexts).insert(folder.to_path_buf(), context.clone());
+        context
+    }
+
+    /// Whether the macrocycles are what they were.
+    fn holds(&self, session: &Session<'_>, target: &Target, macrocycles: &[(u32, String)]) -> bool {
+        let mut library = session.library(&target.path);
+        macrocycles.iter().all(|(l, before)| {
+            let Ok(path) = library.find(*l) else { return false };
+            let mut texts = lock(&self.texts);
+            let now = texts.entry(path).or_insert_with_key(|path| {
+                let source = library.load(path, "", session.settings.encoding).ok()?;
+                Some(hash(source.text().as_bytes()))
+            });
+            now.as_ref() == Some(before)
+        })
+    }
+
+    /// Writes what is new as a file of its own.
+    pub fn write(&self) -> io::Result<()> {
+        let lines = std::mem::take(&mut *lock(&self.new));
+        if lines.is_empty() { Ok(()) } else { self.write_lines(&lines).map(drop) }
+    }
+
+    fn write_lines(&self, lines: &[String]) -> io::Result<PathBuf> {
+        let text = lines.concat();
+        let path = self.folder.join(format!("{}.{EXTENSION}", hash(text.as_bytes())));
+        let mut file = Replacement::begin(&path)?;
+        file.write_all(text.as_bytes())?;
+        file.commit()?;
+        Ok(path)
+    }
+}
+
+/// The macrocycles that were read; `None` when one has no number.
+fn macrocycles(sources: &Sources) -> Option<Vec<(u32, String)>> {
+    let others = sources.iter().filter(|(file, _)| *file != FileId(0));
+    let of = |(_, source): (FileId, &std::sync::Arc<crate::text::SourceText>)| {
+        let number = crate::resolve::Library::number(Path::new(source.name()))?;
+        Some((number, hash(source.text().as_bytes())))
+    };
+    others.map(of).collect()
+}
+
+/// A line of the cache.
+fn line(id: &str, entry: &str) -> String {
+    let mut line = String::with_capacity(ID + SUM + 3 + entry.len());
+    let _ = writeln!(line, "{id} {} {entry}", sum(id, entry));
+    line
+}
+
+fn sum(id: &str, entry: &str) -> String {
+    let mut sum = hash(format!("{id}{entry}").as_bytes());
+    sum.truncate(SUM);
+    sum
+}
+
+/// The id and the entry of a line; `None` when it is damaged.
+fn read_line(line: &[u8]) -> Option<(&str, &str)> {
+    let text = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
+    let (id, rest) = text.split_at_checked(ID)?;
+    let (found, entry) = rest.strip_prefix(' ')?.split_once(' ')?;
+    (found == sum(id, entry)).then_some((id, entry))
+}

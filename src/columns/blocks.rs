@@ -1,0 +1,280 @@
+//! The block stream as columns.
+
+use std::fmt::{self, Display};
+use std::io;
+use std::ops::ControlFlow;
+
+use super::batches::{Batches, End as LastBatch, Rows};
+use super::table::Table;
+use crate::analysis::Totals;
+use crate::config::Axis;
+use crate::diag::Findings;
+use crate::dict::{AxisLetter, Decimal, Micro};
+use crate::run::{End, Executed, FeedUnit, Jump, MStop, Missing, MotionType, Program, Sink};
+use crate::stream::{
+    AxisMap, Before, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Part, Record, Rows as Records,
+    program_record, record_text,
+};
+
+/// Millimetres.
+const MM: &str = "mm";
+/// Degrees.
+const DEG: &str = "deg";
+
+/// The block stream as columns: a reader of executed blocks.
+pub struct BlockTable<'o> {
+    rows: Rows<'o>,
+    part: Part,
+    axes: Vec<Axis>,
+    totals: Totals,
+    records: Records,
+    row: Box<BlockRecord>,
+    files: Vec<String>,
+}
+
+impl fmt::Debug for BlockTable<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("BlockTable").field("part", &self.part).finish_non_exhaustive()
+    }
+}
+
+impl<'o> BlockTable<'o> {
+    /// Gives record batches of a part of the blocks to `out`. What that fails with goes to `failed`, and ends the reading.
+    pub fn new(part: Part, out: &'o mut (dyn Batches + Send), failed: &'o mut Option<io::Error>) -> Self {
+        Self {
+            rows: Rows::new(out, failed),
+            part,
+            axes: Vec::new(),
+            totals: Totals::new(),
+            records: Records::default(),
+            row: Box::default(),
+            files: Vec::new(),
+        }
+    }
+}
+
+impl Sink for BlockTable<'_> {
+    type Whole = End;
+
+    fn begin(&mut self, program: &Program<'_>) {
+        self.axes = program.settings.machine.axes.iter().collect();
+        put(&mut self.rows.table, &BlockRecord::default(), &self.axes);
+        self.rows.begin(&record_text(&Record::Program(Box::new(program_record(program)))));
+    }
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        if usize::try_from(block.file_index()).is_ok_and(|index| index == self.files.len() + 1) {
+            let record = FileRecord { index: block.file_index(), name: block.file_name().to_owned() };
+            self.files.push(record_text(&Record::File(record)));
+        }
+        if !self.part.contains(block.seq()) {
+            self.totals.add(block);
+            return ControlFlow::Continue(());
+        }
+        self.records.fill(block, &mut self.row, Before::InPlace);
+        let motion = self.row.motion.as_ref();
+        self.totals.add_motion(motion.and_then(|motion| Some((motion.kind, motion.length_mm?))));
+        put(&mut self.rows.table, &self.row, &self.axes);
+        self.rows.row();
+        if self.rows.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
+    fn end(mut self, end: End, _: &mut Findings) -> End {
+        let record = EndRecord {
+            reason: end.reason(),
+            blocks: end.blocks(),
+            path_mm: self.totals.path(),
+            path_mm_by_type: self.totals.by_type().collect(),
+        };
+        self.rows.end(&LastBatch::new(&record_text(&Record::End(record)), &self.files));
+        end
+    }
+}
+
+/// The name of an axis behind what it is of, in lower case.
+struct Of<'n>(&'n str, AxisLetter);
+
+impl Display for Of<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.0, self.1.letter().to_ascii_lowercase())
+    }
+}
+
+fn whole(value: Option<Decimal>) -> Option<u32> {
+    value.and_then(Decimal::as_whole).and_then(|value| u32::try_from(value).ok())
+}
+
+fn decimal(value: Option<Decimal>) -> Option<f64> {
+    value.map(|value| Micro::from(value).to_f64())
+}
+
+fn micro(value: Option<Micro>) -> Option<f64> {
+    value.map(Micro::to_f64)
+}
+
+/// Letters with their values, by name.
+fn letters(values: &[(char, Decimal)]) -> impl Iterator<Item = (String, f64)> {
+    values.iter().map(|(letter, value)| (letter.to_string(), Micro::from(*value).to_f64()))
+}
+
+/// Puts a record into the next row. Each field is named, so that a new one does not compile until it has its column.
+fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
+    let BlockRecord {
+        seq,
+        n,
+        file,
+        line,
+        column,
+        calls,
+        jump,
+        skippable,
+        first_block,
+        last_block,
+        g,
+        g_set,
+        m,
+        m_set,
+        m_changed,
+        m_at_stop,
+        break_cont,
+        break_cont_end,
+        change_pos,
+        gear,
+        motion,
+        position,
+        feed,
+        feed_unit,
+        feed_scale,
+        tool,
+        rev_feed,
+        const_cut_speed,
+        s,
+        t,
+        h,
+        p,
+        d,
+        t_set,
+        h_set,
+        p_set,
+        d_set,
+        s_set,
+        f_set,
+        length_correction,
+        dwell_s,
+        stop,
+        cond_stop,
+        continuous_mode,
+        dynamic_set,
+        data,
+        words,
+        params,
+        comments,
+    } = record;
+    table.long("seq", Some(*seq));
+    table.whole("n", "", Some(*n));
+    table.whole("file", "", Some(*file));
+    table.whole("line", "", Some(*line));
+    table.whole("column", "", Some(*column));
+    put_calls(table, calls);
+    table.whole("jump_to", "", jump.map(|Jump { to, left: _ }| to));
+    table.whole("jump_left", "", jump.and_then(|jump| jump.left));
+    table.flag("skippable", *skippable);
+    table.flag("first_block", *first_block);
+    table.flag("last_block", *last_block);
+    table.fixed("g", g);
+    table.bytes("g_set", g_set);
+    table.fixed("m", m);
+    table.bytes("m_set", m_set);
+    table.bytes("m_changed", m_changed);
+    put_m_at_stop(table, *m_at_stop);
+    table.flag("break_cont", *break_cont);
+    table.flag("break_cont_end", *break_cont_end);
+    table.flag("change_pos", *change_pos);
+    table.byte("gear", *gear);
+    put_motion(table, motion.as_ref(), axes);
+    put_axes(table, "", Some(position), axes);
+    table.number("feed", "", decimal(*feed));
+    let units = || FeedUnit::ALL.into_iter().map(FeedUnit::name);
+    table.name("feed_unit", units, feed_unit.map(|unit| unit as usize));
+    table.number("feed_scale", "", decimal(*feed_scale));
+    table.whole("tool", "", whole(*tool));
+    table.flag("rev_feed", *rev_feed);
+    table.flag("const_cut_speed", *const_cut_speed);
+    table.whole("s", "rev/min", whole(*s));
+    table.whole("t", "", whole(*t));
+    table.number("h", "", decimal(*h));
+    table.whole("p", "", whole(*p));
+    table.whole("d", "", whole(*d));
+    table.flag("t_set", *t_set);
+    table.flag("h_set", *h_set);
+    table.flag("p_set", *p_set);
+    table.flag("d_set", *d_set);
+    table.flag("s_set", *s_set);
+    table.flag("f_set", *f_set);
+    table.text("length_correction", length_correction.map(|digits| format!("{digits:04}")).as_deref());
+    table.number("dwell_s", "s", micro(*dwell_s));
+    table.flag("stop", *stop);
+    table.flag("cond_stop", *cond_stop);
+    table.flag("continuous_mode", *continuous_mode);
+    table.byte("dynamic_set", *dynamic_set);
+    put_data(table, data.as_ref());
+    table.map("words", "", letters(words));
+    table.map("params", "", params.iter().map(|(index, value)| (format!("R{index}"), Micro::from(*value).to_f64())));
+    table.texts("comments", comments);
+}
+
+fn put_calls(table: &mut Table, calls: &[Call]) {
+    let row = |call: &Call| {
+        let Call { by, l, file, n, line, pass, of } = *call;
+        (CALLS_BY.iter().position(|name| *name == by).unwrap_or(0), [l, file, n, line, pass, of])
+    };
+    let rows = (!calls.is_empty()).then(|| calls.iter().map(row));
+    table.structs("calls", || ("by", CALLS_BY.into_iter()), &["l", "file", "n", "line", "pass", "of"], rows);
+}
+
+fn put_m_at_stop(table: &mut Table, m_at_stop: Option<MStop>) {
+    let groups = m_at_stop.map(|MStop { spindle, coolant_12, coolant_34 }| {
+        [("2", spindle), ("5", coolant_12), ("6", coolant_34)].map(|(group, m)| (group, f64::from(m)))
+    });
+    table.map("m_at_stop", "", groups.into_iter().flatten());
+}
+
+fn put_axes(table: &mut Table, name: &str, values: Option<&AxisMap>, axes: &[Axis]) {
+    for axis in axes {
+        let unit = if axis.rotary { DEG } else { MM };
+        table.number(Of(name, axis.letter), unit, micro(values.and_then(|values| values.get(axis.letter))));
+    }
+}
+
+fn put_data(table: &mut Table, data: Option<&Data>) {
+    table.byte("data_g", data.map(|Data { g, origin: _, d: _, values: _ }| *g));
+    table.byte("data_origin", data.and_then(|data| data.origin));
+    table.whole("data_d", "", whole(data.and_then(|data| data.d)));
+    table.map("data_values", "", letters(data.map_or(&[], |data| data.values.as_slice())));
+}
+
+fn put_motion(table: &mut Table, motion: Option<&Motion>, axes: &[Axis]) {
+    let names = || AxisLetter::ALL.into_iter().map(AxisLetter::name);
+    let kinds = || MotionType::ALL.into_iter().map(MotionType::name);
+    table.name("motion_type", kinds, motion.map(|motion| motion.kind as usize));
+    let moved = motion.filter(|motion| motion.axes.iter().next().is_some());
+    let moved = moved.map(|motion| motion.axes.iter().map(|axis| axis as usize));
+    table.names("motion_axes", names, moved);
+    put_axes(table, "motion_start_", motion.map(|motion| &motion.start), axes);
+    put_axes(table, "motion_delta_", motion.map(|motion| &motion.delta), axes);
+    table.number("motion_length_mm", MM, micro(motion.and_then(|motion| motion.length_mm)));
+    table.number("motion_length_deg", DEG, micro(motion.and_then(|motion| motion.length_deg)));
+    let missing = motion.and_then(|motion| motion.length_missing).map(|missing| missing as usize);
+    table.name("motion_length_missing", || Missing::ALL.into_iter().map(Missing::name), missing);
+    let plane = motion
+        .and_then(|motion| motion.plane)
+        .map(|[first, second]| first as usize * AxisLetter::ALL.len() + second as usize);
+    let pairs =
+        || AxisLetter::ALL.into_iter().flat_map(|first| AxisLetter::ALL.map(|second| format!("{first}{second}")));
+    table.name("motion_plane", pairs, plane);
+    put_axes(table, "motion_center_", motion.map(|motion| &motion.center), axes);
+    table.number("motion_radius_mm", MM, micro(motion.and_then(|motion| motion.radius_mm)));
+    table.number("motion_sweep_deg", DEG, micro(motion.and_then(|motion| motion.sweep_deg)));
+    let spindle = motion.and_then(|motion| motion.spindle_axis).map(|axis| axis as usize);
+    table.name("motion_spindle_axis", names, spindle);
+}

@@ -1,0 +1,262 @@
+//! Rows under way to record batches.
+//!
+//! A row is given field by field, always in the same order: the first row of all declares the columns by it, the others
+//! fill them. So what a column is called, what it holds and what is put into it stand in one place.
+
+use std::fmt::Display;
+use std::sync::Arc;
+
+use arrow_array::{ArrayRef, RecordBatch, StringArray};
+use arrow_schema::{ArrowError, Field, Metadata, Schema, SchemaRef};
+
+use super::cells::{Cells, Kind};
+
+/// Rows of a record batch; the last one has fewer.
+pub const ROWS: usize = 1 << 16;
+
+/// A column under way.
+struct Column {
+    field: Field,
+    kind: Kind,
+    /// Rows without a value before the first that has one.
+    absent: usize,
+    /// `None`: no row has a value so far.
+    cells: Option<Cells>,
+}
+
+impl Column {
+    #[inline]
+    fn cells(&mut self) -> &mut Cells {
+        let Self { kind, absent, cells, .. } = self;
+        cells.get_or_insert_with(|| {
+            let mut cells = Cells::new(kind);
+            (0..*absent).for_each(|_| cells.push_absent());
+            cells
+        })
+    }
+
+    #[inline]
+    fn push_absent(&mut self) {
+        match &mut self.cells {
+            None => self.absent += 1,
+            Some(cells) => cells.push_absent(),
+        }
+    }
+}
+
+/// Rows of columns.
+#[derive(Default)]
+pub(crate) struct Table {
+    columns: Vec<Column>,
+    /// The column of the next field.
+    at: usize,
+    rows: usize,
+    declared: bool,
+    /// Columns without any value, by what they hold: shared by all of them and by all batches.
+    absent: Vec<(Kind, ArrayRef)>,
+}
+
+impl Table {
+    /// The next field of the row. `unit` is that of its numbers, empty when they have none.
+    #[inline]
+    fn field<V>(
+        &mut self,
+        name: &dyn Display,
+        unit: &str,
+        kind: impl FnOnce() -> Kind,
+        value: Option<V>,
+        push: impl FnOnce(&mut Cells, V),
+    ) {
+        if !self.declared {
+            self.add_column(name, unit, kind());
+        }
+        if let Some(column) = self.columns.get_mut(self.at) {
+            match value {
+                None => column.push_absent(),
+                Some(value) => push(column.cells(), value),
+            }
+        }
+        self.at += 1;
+    }
+
+    #[cold]
+    fn add_column(&mut self, name: &dyn Display, unit: &str, kind: Kind) {
+        let field = Field::new(name.to_string(), kind.data_type(), kind != Kind::Flag);
+        let field = if unit.is_empty() { field } else { field.with_metadata(Metadata::new().with("unit", unit)) };
+        self.columns.push(Column { field, kind, absent: 0, cells: None });
+    }
+
+    /// A whole number below 256.
+    #[inline]
+    pub fn byte(&mut self, name: impl Display, value: Option<u8>) {
+        self.field(&name, "", || Kind::Byte, value, Cells::push_byte);
+    }
+
+    /// A whole number.
+    #[inline]
+    pub fn whole(&mut self, name: impl Display, unit: &str, value: Option<u32>) {
+        self.field(&name, unit, || Kind::Whole, value, Cells::push_whole);
+    }
+
+    /// A whole number without bounds.
+    #[inline]
+    pub fn long(&mut self, name: impl Display, value: Option<u64>) {
+        self.field(&name, "", || Kind::Long, value, Cells::push_long);
+    }
+
+    /// A number.
+    #[inline]
+    pub fn number(&mut self, name: impl Display, unit: &str, value: Option<f64>) {
+        self.field(&name, unit, || Kind::Number, value, Cells::push_number);
+    }
+
+    /// A flag: absent is false.
+    #[inline]
+    pub fn flag(&mut self, name: impl Display, value: bool) {
+        self.field(&name, "", || Kind::Flag, value.then_some(true), Cells::push_flag);
+    }
+
+    /// One of `names`, by its place among them.
+    #[inline]
+    pub fn name<N: Iterator<Item: AsRef<str>>>(
+        &mut self,
+        name: impl Display,
+        names: impl FnOnce() -> N,
+        value: Option<usize>,
+    ) {
+        self.field(&name, "", || Kind::Name(StringArray::from_iter_values(names())), value, Cells::push_name);
+    }
+
+    /// Several of `names`, by their places among them; none of them is absent.
+    #[inline]
+    pub fn names<N: Iterator<Item: AsRef<str>>>(
+        &mut self,
+        name: impl Display,
+        names: impl FnOnce() -> N,
+        values: Option<impl Iterator<Item = usize>>,
+    ) {
+        self.field(
+            &name,
+            "",
+            || Kind::Names(StringArray::from_iter_values(names())),
+            values,
+            |cells, values| cells.push_names(values),
+        );
+    }
+
+    /// A text.
+    #[inline]
+    pub fn text(&mut self, name: impl Display, value: Option<&str>) {
+        self.field(&name, "", || Kind::Text, value, Cells::push_text);
+    }
+
+    /// Texts; none of them is absent.
+    #[inline]
+    pub fn texts(&mut self, name: impl Display, values: &[String]) {
+        self.field(&name, "", || Kind::Texts, (!values.is_empty()).then_some(values), Cells::push_texts);
+    }
+
+    /// Whole numbers below 256; none of them is absent.
+    #[inline]
+    pub fn bytes(&mut self, name: impl Display, values: &[u8]) {
+        self.field(&name, "", || Kind::Bytes, (!values.is_empty()).then_some(values), Cells::push_bytes);
+    }
+
+    /// Whole numbers; none of them is absent.
+    pub fn wholes(&mut self, name: impl Display, values: &[u32]) {
+        self.field(&name, "", || Kind::Wholes, (!values.is_empty()).then_some(values), Cells::push_wholes);
+    }
+
+    /// Numbers; none of them is absent.
+    pub fn numbers(&mut self, name: impl Display, values: &[f64]) {
+        self.field(&name, "", || Kind::Numbers, (!values.is_empty()).then_some(values), Cells::push_numbers);
+    }
+
+    /// So many whole numbers below 256, some of which are absent.
+    #[inline]
+    pub fn fixed(&mut self, name: impl Display, values: &[Option<u8>]) {
+        self.field(&name, "", || Kind::Fixed(values.len()), Some(values), Cells::push_fixed);
+    }
+
+    /// Numbers by name; none of them is absent.
+    #[inline]
+    pub fn map<K: AsRef<str>>(&mut self, name: impl Display, unit: &str, values: impl Iterator<Item = (K, f64)>) {
+        let mut values = values.peekable();
+        let some = values.peek().is_some().then_some(values);
+        self.field(&name, unit, || Kind::Map, some, |cells, values| cells.push_map(values));
+    }
+
+    /// Rows of numbers with a name each, `fields` wide; none of them is absent.
+    #[inline]
+    pub fn structs<N: Iterator<Item: AsRef<str>>>(
+        &mut self,
+        name: impl Display,
+        names: impl FnOnce() -> (&'static str, N),
+        fields: &'static [&'static str],
+        rows: Option<impl Iterator<Item = (usize, [u32; 6])>>,
+    ) {
+        let kind = || {
+            let (name, names) = names();
+            Kind::Structs { name, names: StringArray::from_iter_values(names), fields }
+        };
+        self.field(&name, "", kind, rows, |cells, rows| cells.push_structs(rows));
+    }
+
+    /// Lists of four numbers; none of them is absent.
+    #[inline]
+    pub fn quadruples(&mut self, name: impl Display, rows: Option<impl Iterator<Item = [f64; 4]>>) {
+        self.field(&name, "", || Kind::Quadruples, rows, |cells, rows| cells.push_quadruples(rows));
+    }
+
+    /// The row in the table has declared the columns; it is no row of the data.
+    pub fn declare(&mut self, metadata: Metadata) -> SchemaRef {
+        self.declared = true;
+        self.at = 0;
+        for column in &mut self.columns {
+            (column.absent, column.cells) = (0, None);
+        }
+        let fields: Vec<Field> = self.columns.iter().map(|column| column.field.clone()).collect();
+        Arc::new(Schema::new_with_metadata(fields, metadata))
+    }
+
+    /// After the last field of a row. `true`: the batch is full.
+    #[inline]
+    pub fn end_row(&mut self) -> bool {
+        debug_assert_eq!(self.at, self.columns.len(), "every row has every field");
+        self.at = 0;
+        self.rows += 1;
+        self.rows == ROWS
+    }
+
+    /// Whether there are rows that no batch has.
+    pub const fn has_rows(&self) -> bool {
+        self.rows > 0
+    }
+
+    /// A batch of the rows, which the table then has no more.
+    pub fn batch(&mut self, schema: &SchemaRef) -> Result<RecordBatch, ArrowError> {
+        let rows = std::mem::take(&mut self.rows);
+        let Self { columns, absent, .. } = self;
+        let arrays = columns.iter_mut().map(|column| {
+            column.absent = 0;
+            match column.cells.take() {
+                Some(cells) => cells.finish(&column.kind),
+                None => absent_column(absent, &column.kind, rows),
+            }
+        });
+        RecordBatch::try_new(SchemaRef::clone(schema), arrays.collect::<Result<_, _>>()?)
+    }
+}
+
+/// A column without any value.
+fn absent_column(known: &mut Vec<(Kind, ArrayRef)>, kind: &Kind, rows: usize) -> Result<ArrayRef, ArrowError> {
+    if let Some((_, array)) = known.iter().find(|(of, array)| of == kind && array.len() >= rows) {
+        return Ok(array.slice(0, rows));
+    }
+    let mut cells = Cells::new(kind);
+    (0..rows).for_each(|_| cells.push_absent());
+    let array = cells.finish(kind)?;
+    known.retain(|(of, _)| of != kind);
+    known.push((kind.clone(), ArrayRef::clone(&array)));
+    Ok(array)
+}

@@ -1,0 +1,13 @@
+//! One row of facts a program, for archives: `cnc872c.stats/1`.
+
+#[cfg(feature = "arrow")]
+mod arrow;
+mod program;
+mod render;
+mod row;
+
+#[cfg(feature = "arrow")]
+pub use arrow::write as write_arrow;
+pub use program::{Known, hash, row};
+pub use render::{CSV_HEAD, csv, human, json_end, json_head, json_row};
+pub use row::{Extents, Row, SCHEMA, schema};

@@ -1,0 +1,120 @@
+//! What is known of a program.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::analysis::forbid_null;
+
+/// Name and version of the form.
+pub const SCHEMA: &str = "cnc872c.stats/1";
+
+/// Least and greatest position by axis.
+pub type Reach = BTreeMap<String, [f64; 2]>;
+
+/// How far motions reach, in programmed coordinates.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Extents {
+    /// G01, G02, G03.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub working: Reach,
+    /// All motions.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub all: Reach,
+}
+
+/// A program. What execution gives is there only when the program was executed to its end without errors; what is false,
+/// empty or absent is left out.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Row {
+    /// The file, as named or found.
+    pub path: String,
+    /// SHA-256 of its bytes, hexadecimal; none when it cannot be read.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hash: Option<String>,
+    /// The number after `%`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub number: Option<u32>,
+    /// The title (BLK-9).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// The control that the program seems to be for: `cnc8x6`, `cnc8x9`, `cnc872`; of programs for others `fanuc`,
+    /// `linuxcnc`, `sinumerik`, `heidenhain`, or `iso`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub dialect: Option<String>,
+    /// How its bytes are read.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub encoding: Option<String>,
+    /// Blocks written in the file.
+    pub blocks: u64,
+    /// Blocks executed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub executed: Option<u64>,
+    /// Time of the program in seconds, as `motion` estimates it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_s: Option<f64>,
+    /// Some blocks have no known time: the time is at least this.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub lower_bound: bool,
+    /// Path in mm by type of motion.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub path_mm_by_type: BTreeMap<String, f64>,
+    /// How far motions reach.
+    #[serde(default)]
+    pub extents: Extents,
+    /// Tools: T written, and tools in the spindle.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tools: Vec<u32>,
+    /// M functions used.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub m: Vec<u8>,
+    /// G functions used.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub g: Vec<u8>,
+    /// H used.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub h: Vec<f64>,
+    /// Subprograms that run.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub subprograms: Vec<u32>,
+    /// Macrocycles that run.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub macrocycles: Vec<u32>,
+    /// Parameters that are read before the program gives them a value: `R10`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub parameters: Vec<String>,
+    /// How many findings of each code there are.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub findings: BTreeMap<String, u64>,
+}
+
+/// All programs.
+#[derive(JsonSchema)]
+#[schemars(deny_unknown_fields, title = "Programs of an archive cnc872c.stats/1")]
+#[expect(dead_code, reason = "the schema is all it is for: rows are written one by one")]
+struct Document {
+    /// `cnc872c.stats/1`.
+    #[schemars(extend("const" = SCHEMA))]
+    schema: String,
+    /// The programs, in the order in which they were named or found.
+    programs: Vec<Row>,
+}
+
+/// The schema, JSON Schema 2020-12.
+pub fn schema() -> Value {
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    let mut schema = generator.into_root_schema_for::<Document>().to_value();
+    forbid_null(&mut schema);
+    if let Some(Value::Object(definitions)) = schema.get_mut("$defs") {
+        definitions.values_mut().for_each(forbid_null);
+    }
+    if let Some(root) = schema.as_object_mut() {
+        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
+    }
+    schema
+}
