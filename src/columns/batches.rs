@@ -64,10 +64,7 @@ pub trait Batches {
 
 /// The error of a writer as it came from there.
 pub(super) fn io_error(error: ArrowError) -> io::Error {
-    match error {
-        ArrowError::IoError(_, error) => error,
-        other => io::Error::other(other),
-    }
+    if let ArrowError::IoError(_, error) = error { error } else { io::Error::other(error) }
 }
 
 /// A table whose batches go somewhere. The first error stays, and ends the run.

@@ -21,7 +21,7 @@ pub struct Ipc<W: Write> {
 
 enum State<W: Write> {
     New(W),
-    Open { writer: StreamWriter<W>, schema: SchemaRef, begun: bool },
+    Open { writer: Box<StreamWriter<W>>, schema: SchemaRef, begun: bool },
     Done,
 }
 
@@ -41,7 +41,7 @@ impl<W: Write> Ipc<W> {
 impl<W: Write> Batches for Ipc<W> {
     fn begin(&mut self, schema: &SchemaRef) -> io::Result<()> {
         if let State::New(out) = std::mem::replace(&mut self.state, State::Done) {
-            let writer = StreamWriter::try_new(out, schema).map_err(io_error)?;
+            let writer = Box::new(StreamWriter::try_new(out, schema).map_err(io_error)?);
             self.state = State::Open { writer, schema: SchemaRef::clone(schema), begun: false };
         }
         Ok(())
