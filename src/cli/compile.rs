@@ -1,9 +1,7 @@
 //! `compile`: the block stream of a program.
 
 use std::fs::OpenOptions;
-#[cfg(feature = "arrow")]
-use std::io::IsTerminal;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 
 use super::args::{CompileArgs, CompileFormat};
@@ -71,7 +69,7 @@ fn columns(session: &Session<'_>, path: &Path, name: &str, part: Part, out: &mut
 }
 
 /// Columns are no text.
-#[cfg(feature = "arrow")]
+#[cfg_attr(not(feature = "arrow"), expect(dead_code, reason = "nothing else is no text"))]
 pub(super) fn refuse_terminal(output: Option<&Path>) -> Result<(), Failure> {
     if output.is_none() && io::stdout().is_terminal() { Err(Words::ColumnsOnTerminal.into()) } else { Ok(()) }
 }
