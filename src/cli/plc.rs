@@ -42,7 +42,10 @@ pub(super) fn run(args: &PlcArgs, locale: Locale) -> Result<Status, Failure> {
     if args.list {
         return list(args.format, &settings.machine, locale.lang);
     }
-    let condition = match args.find.as_deref().map(|text| Condition::read(text, dialect).map_err(|found| (text, found)))
+    let condition = match args
+        .find
+        .as_deref()
+        .map(|text| Condition::read(text, &settings.machine).map_err(|found| (text, found)))
     {
         Some(Err((text, found))) => {
             add_condition(&mut report, text, found);

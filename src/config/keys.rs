@@ -250,8 +250,15 @@ pub(super) const GEAR_MAX: Row = row(
     "MFN-9",
 )
 .with_example("500");
+pub(super) const GEAR_OUTPUT: Row = row(
+    "output",
+    Takes::Number { min: Decimal::from_thousandths(1), max: Decimal::whole(1) },
+    Default::Number(Decimal::whole(1)),
+    ("part of the full voltage at `max`, for PB11 and PB12", "část plného napětí při `max`, pro PB11 a PB12"),
+    "PLC-8",
+);
 /// One of `[[gears]]`.
-pub(super) const GEAR: &[Row] = &[GEAR_M, GEAR_MIN, GEAR_MAX];
+pub(super) const GEAR: &[Row] = &[GEAR_M, GEAR_MIN, GEAR_MAX, GEAR_OUTPUT];
 
 pub(super) const RECORDS: Row = row(
     "records",

@@ -115,6 +115,8 @@ pub struct Gear {
     pub min: u32,
     /// Greatest speed in rev/min.
     pub max: u32,
+    /// The part of the full voltage at `max` (PLC-8).
+    pub output: Decimal,
 }
 
 /// Where the compiler stops or draws a line.

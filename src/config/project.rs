@@ -232,7 +232,8 @@ impl Project {
             return;
         }
         if let (Some(min), Some(max)) = (min, max) {
-            let gear = Gear { m: m.value, min: min.value, max: max.value };
+            let output = values.number(&keys::GEAR_OUTPUT).map_or(Decimal::whole(1), |output| output.value);
+            let gear = Gear { m: m.value, min: min.value, max: max.value, output };
             self.gears.push(Setting { value: gear, key: values.at, at: m.at });
         }
     }

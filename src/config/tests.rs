@@ -149,7 +149,7 @@ fn example_of_the_specification() {
     assert_eq!(machine.parameters[&10], Decimal::from_thousandths(25_500));
     assert_eq!(machine.operations[&1], Operation::Add);
     assert_eq!(machine.cycles[&81], 8100);
-    assert_eq!(machine.gears, [Gear { m: 41, min: 20, max: 500 }]);
+    assert_eq!(machine.gears, [Gear { m: 41, min: 20, max: 500, output: Decimal::whole(1) }]);
     assert_eq!(machine.constants[&39], "60.0");
     assert_eq!(machine.limits.feed, Decimal::whole(24_000));
     assert_eq!(settings.lints[&Code::W0214], Level::Allow);

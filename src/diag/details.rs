@@ -448,6 +448,7 @@ bilingual! {
         Unclosed "a parenthesis is not closed", "závorka není uzavřena";
         Superfluous "this parenthesis closes none", "tato závorka žádnou neuzavírá";
         EdgeParentheses "`rising` and `falling` take a condition in parentheses: `rising(M03PI)`", "„rising“ a „falling“ mají podmínku v závorkách: „rising(M03PI)“";
+        NeverHolds { name: String, low: String, high: String } "`{name}` is a whole number from {low} to {high}: this never holds", "{name} je celé číslo od {low} do {high}: toto nikdy neplatí";
         TooDeep { limit: usize } "more than {limit} parentheses and `!` are within one another", "závorek a „!“ je v sobě vnořeno více než {limit}";
         EdgeInEdge "`rising` and `falling` cannot be within one another", "„rising“ a „falling“ nelze vkládat do sebe";
     }

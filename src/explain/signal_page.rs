@@ -13,7 +13,7 @@ pub(super) fn signal_page(name: &str, lang: Lang) -> String {
     let form = signal.form().name();
     let mut page = format!("# {name}: {}\n\n- {form}, S0 {}; {controls}\n", signal.meaning(lang), row.section);
     page.push_str(&format!("- {} (PLC-{})\n", row.value_text().get(lang), row.rule));
-    if let Some(place) = signal.axis() {
+    if let Some(place) = signal.place() {
         page.push_str(&match lang {
             Lang::En => {
                 format!("- NC axis {place} is axis {} of `[[axes]]`; `plc --list` shows its letter\n", place + 1)

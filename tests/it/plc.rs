@@ -395,13 +395,35 @@ fn requests_to_move() {
     assert_eq!(table(&program, names), cells);
 }
 
-/// PLC-4: the places are those of the machine. On a lathe with X and Z the second place is Z, whatever the signal is called.
+/// PLC-4, PLC-5: places are those of the machine, `PO_OS` and `SM_PO` say X, Y, Z of these letters: on a lathe with X, Z and C
+/// Z is the second place and `PO_OSZPI`, C is `PO_OS4PI`.
 #[test]
 fn a_lathe() {
-    let axes = "[[axes]]\nletter = \"X\"\nkind = \"linear\"\n[[axes]]\nletter = \"Z\"\nkind = \"linear\"\n";
+    let axes = "[[axes]]\nletter = \"X\"\nkind = \"linear\"\n[[axes]]\nletter = \"Z\"\nkind = \"linear\"\n\
+                [[axes]]\nletter = \"C\"\nkind = \"rotary\"\n";
+    let turned = case("%1\nN10 G0 C10\nN20 G90 C5\nN30 M30").config(axes);
+    assert_eq!(table(&turned, "PO_OS4PI SM_PO4PI BLK.AxNC2Move PO_OS5PI"), ["1 - 1 0", "1 1 1 0", "0 - 0 0"]);
     let program = case("%1\nN10 G0 X10 Z5\nN20 Z2\nN30 X8\nN40 M30").config(axes);
-    let names = "PO_OSXPI PO_OSYPI PO_OSZPI BLK.AxNC1Move BLK.AxNC[0] BLK.AxNC[1] BLK.AxNC[2] SM_POYPI";
-    let cells = ["1 1 0 1 10 5 - -", "0 1 0 1 10 2 - 1", "1 0 0 0 8 2 - -", "0 0 0 0 8 2 - -"];
+    let names = "PO_OSXPI PO_OSYPI PO_OSZPI BLK.AxNC1Move BLK.AxNC[0] BLK.AxNC[1] BLK.AxNC[2] SM_POZPI";
+    let cells = ["1 0 1 1 10 5 - -", "0 0 1 1 10 2 - 1", "1 0 0 0 8 2 - -", "0 0 0 0 8 2 - -"];
+    assert_eq!(table(&program, names), cells);
+}
+
+/// PLC-6, PLC-8: under G96 S is a cutting speed; after it S counts as it stands.
+#[test]
+fn cutting_speeds() {
+    let gears = "[[gears]]\nm = 41\nmin = 0\nmax = 1000\noutput = 0.5\n";
+    let program = case("%1\nN10 G95 S500 M41 M3 F0.1\nN20 G96 S180\nN30 G94\nN40 M30").config(gears);
+    let cells = ["500 00h 20h", "- - -", "180 85h 0Bh", "180 85h 0Bh"];
+    assert_eq!(table(&program, "BLK.SpindleSpeed PB11 PB12"), cells);
+}
+
+/// PLC-14, PLC-17: a dwell, a reference that the program starts, and a stop.
+#[test]
+fn states_of_a_program() {
+    let program = case("%1\nN10 G0 X5\nN20 G4 Q10\nN30 G30 X0\nN40 G30 M0\nN50 X7\nN60 M30");
+    let names = "PRODLEVA SF_DELAYINPROGR REFPI SF_STOP PO_STOP";
+    let cells = ["0 0 0 0 0", "1 1 0 0 0", "0 0 1 0 0", "0 0 1 0 0", "! 0 0 0 1 1", "0 0 0 0 0", "0 0 0 0 0"];
     assert_eq!(table(&program, names), cells);
 }
 

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use cnc872c::analysis::plc::{Condition, Json, signals};
+use cnc872c::config::Machine;
 use cnc872c::dict::Dialect;
 use cnc872c::session::Part;
 use proptest::prelude::*;
@@ -235,7 +236,7 @@ proptest! {
     #[test]
     fn any_condition_is_read(text in condition()) {
         for dialect in Dialect::ALL {
-            match Condition::read(&text, dialect) {
+            match Condition::read(&text, &Machine::new(dialect)) {
                 Ok(condition) => prop_assert!(!condition.signals().is_empty()),
                 Err(found) => {
                     prop_assert!(!found.is_empty());

@@ -362,7 +362,7 @@ empty-‹lint›block = "allow"
       "detail": "rozsahy otáček vřetena",
       "documentation": {
         "kind": "markdown",
-        "value": "# gears: rozsahy otáček vřetena\n\n- Kde: `cnc872c.toml`, `[[gears]]`\n- `m`: funkce rozsahu, M41 až M44, každá jednou\n- `min`: nejnižší otáčky rozsahu v ot/min\n- `max`: nejvyšší otáčky rozsahu v ot/min, ne pod `min`, ne nad `limits.speed`\n- Pravidlo: MFN-9\n\n## Příklad\n\n```toml\n[[gears]]\nm = 41\nmin = 20\nmax = 500\n```\n"
+        "value": "# gears: rozsahy otáček vřetena\n\n- Kde: `cnc872c.toml`, `[[gears]]`\n- `m`: funkce rozsahu, M41 až M44, každá jednou\n- `min`: nejnižší otáčky rozsahu v ot/min\n- `max`: nejvyšší otáčky rozsahu v ot/min, ne pod `min`, ne nad `limits.speed`\n- `output`: část plného napětí při `max`, pro PB11 a PB12\n- Pravidlo: MFN-9\n\n## Příklad\n\n```toml\n[[gears]]\nm = 41\nmin = 20\nmax = 500\noutput = 1\n```\n"
       },
       "filterText": "[[gears]]",
       "kind": 9,

@@ -86,7 +86,8 @@ pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, la
     let Some(earlier) = earlier else { return Some(Break::Start) };
     let other = |kind: MotionType| matches!(kind, MotionType::Thread | MotionType::Reference);
     let still = |piece: &Piece| piece.from == Direction::Still || piece.to == Direction::Still;
-    if later.mode != Mode::Continuous {
+    // Each block in G98 begins and ends with a ramp (CNT-1); in G24 the earlier one may go on (CNT-3).
+    if later.mode != Mode::Continuous || earlier.mode == Mode::Basic {
         Some(Break::Mode)
     } else if earlier.kind == MotionType::Rapid || later.kind == MotionType::Rapid {
         Some(Break::Rapid)
@@ -108,18 +109,8 @@ pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, la
             Recognition::Automatic => still(earlier) || still(later),
             Recognition::Manual => earlier.unit != later.unit,
         };
-        if apart {
-            Some(Break::Axes)
-        } else {
-            // In G98 also the earlier one ends with a ramp (CNT-1); in G24 it may go on (CNT-3).
-            (earlier.mode == Mode::Basic).then_some(Break::Mode)
-        }
+        apart.then_some(Break::Axes)
     }
-}
-
-/// Whether nothing but the G98 of the block before breaks it so far: reasons that are looked for later come first.
-pub(super) fn is_after_basic(piece: &Piece) -> bool {
-    piece.broken == Some(Break::Mode) && piece.mode == Mode::Continuous
 }
 
 /// The reasons `short_length` … `angle` between two pieces that nothing before them breaks; `allowed` is the tangent of

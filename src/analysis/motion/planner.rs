@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 
 use super::curve;
 use super::envelope::{self, Envelope, Linked, trapezoid};
-use super::joint::{BlockCaps, JointCaps, Piece, angle_deg, early_break, half_tan, is_after_basic, late_break};
+use super::joint::{BlockCaps, JointCaps, Piece, angle_deg, early_break, half_tan, late_break};
 use super::merge::{Merged, Merger};
 use super::model::Model;
 use super::parabola::{Curved, Parabola};
@@ -283,8 +283,8 @@ impl Planner {
         if let Some(earlier) = earlier {
             piece.with = Some(earlier.as_with());
             piece.half_tan = half_tan(earlier.to, piece.from);
-            if piece.broken.is_none() || is_after_basic(&piece) {
-                piece.broken = late_break(&self.model, self.allowed, earlier, &piece).or(piece.broken);
+            if piece.broken.is_none() {
+                piece.broken = late_break(&self.model, self.allowed, earlier, &piece);
             }
         }
         if piece.broken.is_some() {

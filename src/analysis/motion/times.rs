@@ -10,7 +10,7 @@ use crate::text::Location;
 pub enum Break {
     /// The first motion of the program.
     Start,
-    /// The later block is not in G23; where nothing else breaks the joint, also the earlier one in G98.
+    /// The later block is not in G23, or the earlier one is in G98.
     Mode,
     /// One of the two is G00.
     Rapid,

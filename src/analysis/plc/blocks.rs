@@ -82,7 +82,8 @@ impl Blocks {
         facts.tool = block.t();
         facts.h = block.h();
         facts.feed = block.feed().map(|feed| feed.value);
-        facts.speed = block.s();
+        // Where S is a cutting speed no source says what the spindle turns (PLC-6).
+        facts.speed = block.s().filter(|_| !block.const_cut_speed());
         facts.dwell = block.dwell();
         facts.m = *block.m_of_groups();
         for &group in block.m_changed() {
@@ -104,8 +105,8 @@ impl Blocks {
         if let Some(times) = times {
             facts.motion.set_times(times);
         }
-        if self.parabolic && block.continuous_mode() {
-            let set = usize::from(block.dynamic_set().unwrap_or(1));
+        if self.parabolic && (facts.has(Flag::Rapid) || block.continuous_mode()) {
+            let set = if facts.has(Flag::Rapid) { 0 } else { usize::from(block.dynamic_set().unwrap_or(1)) };
             let value = |key| {
                 let value = machine.motion.dynamic(set, key, |number| block.parameter(number));
                 Some(Micro::from(value)).filter(|value| *value > Micro::ZERO)
@@ -118,7 +119,7 @@ impl Blocks {
         if interpolation != Some(GCode::G30) {
             self.modal = interpolation;
         }
-        self.steady = facts.marks == 0 && facts.written() == 0 && !block.first();
+        self.steady = facts.marks == 0 && facts.written() == 0 && !block.first() && !facts.has(Flag::Reference);
         block.m_at_stop().map(|held| {
             self.steady = false;
             self.after_stop = true;
@@ -163,6 +164,7 @@ impl Blocks {
         facts.set(Flag::Rapid, interpolation == Some(GCode::G00));
         facts.set(Flag::Thread, interpolation == Some(GCode::G33));
         facts.set(Flag::Automatic, true);
+        facts.set(Flag::Reference, block.g_written().any(|code| code == GCode::G30));
         facts.set(Flag::Dwell, block.dwell().is_some_and(|dwell| dwell > Micro::ZERO));
     }
 }

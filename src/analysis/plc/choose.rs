@@ -2,7 +2,8 @@
 
 use super::dictionary::{Signal, signals};
 use super::run_time::{self, RunTime};
-use crate::dict::Dialect;
+use crate::config::Machine;
+use crate::dict::{AxisLetter, Dialect};
 use crate::sure::Sure;
 
 /// A name or pattern that matches no signal of the control.
@@ -91,6 +92,33 @@ pub fn why_none(name: &str, dialect: Dialect) -> Why {
     nearest(name, dialect).map_or(Why::Nothing, Why::Near)
 }
 
+/// The signal that the word of a program means which somebody wrote for it: `M03PI` for `M03`, `BLK.AxNC[2]` for `Z`.
+pub fn of_word(name: &str, machine: &Machine) -> Option<String> {
+    let has = |signal: &str| signals().iter().any(|known| known.name == signal && known.row.is_of(machine.dialect));
+    let mut letters = name.chars();
+    let letter = letters.next()?.to_ascii_uppercase();
+    let digits = letters.as_str();
+    let candidates = if digits.is_empty() {
+        let axis = AxisLetter::ALL.into_iter().find(|axis| axis.letter() == letter);
+        match (letter, axis) {
+            ('T', _) => vec!["BLK.T".to_owned(), "PB07".to_owned()],
+            ('H', _) => vec!["BLK.H".to_owned(), "PB05".to_owned()],
+            ('S', _) => vec!["BLK.SpindleSpeed".to_owned(), "PB12".to_owned()],
+            ('F', _) => vec!["BLK.FeedProgr".to_owned()],
+            (_, Some(axis)) => {
+                let place = machine.axes.index(axis)?;
+                vec![format!("BLK.AxNC[{place}]"), format!("PO_OS{letter}PI")]
+            }
+            (_, None) => Vec::new(),
+        }
+    } else {
+        let number: u8 = digits.parse().ok()?;
+        let word = format!("{letter}{number:02}");
+        vec![format!("{word}PI"), format!("{word}PID"), format!("{word}_PID")]
+    };
+    candidates.into_iter().find(|candidate| has(candidate))
+}
+
 /// The name most like `name`. `BLK[0].M11`, as PLC programs write it, is `BLK.M11`.
 pub fn nearest(name: &str, dialect: Dialect) -> Option<String> {
     let plain = run_time::plain(name);
@@ -104,7 +132,11 @@ pub fn nearest(name: &str, dialect: Dialect) -> Option<String> {
         };
         (signal, likeness)
     };
-    let of_control = signals().iter().filter(|signal| signal.row.is_of(dialect));
+    // Another number is another function: `G00PI` is no help for `G01PI`.
+    let numbers = |name: &str| name.bytes().filter(u8::is_ascii_digit).collect::<Vec<_>>();
+    let own = numbers(&plain);
+    let is_other = |signal: &Signal| !own.is_empty() && numbers(&signal.name) != own;
+    let of_control = signals().iter().filter(|signal| signal.row.is_of(dialect) && !is_other(signal));
     // Of equals the first of the dictionary.
     let best = of_control.map(like).fold(None, |best: Option<(&Signal, f64)>, next| match best {
         Some(best) if best.1 >= next.1 => Some(best),
@@ -174,6 +206,22 @@ mod tests {
         let named = named("BLK.T,G23ACT,PB06", Dialect::Cnc872).unwrap();
         assert_eq!(with_compatible(&named, Dialect::Cnc872, false).len(), old + 2);
         assert!(default(Dialect::Cnc872, false, true).iter().all(|signal| signal.name.starts_with("BLK.")));
+    }
+
+    /// Words of programs, and numbers that are other functions.
+    #[test]
+    fn words_and_numbers() {
+        let new = Machine::new(Dialect::Cnc872);
+        let word = |name: &str| of_word(name, &new);
+        let is = |name: &str| Some(name.to_owned());
+        assert_eq!(
+            [word("M03"), word("m3"), word("M00"), word("M06")],
+            [is("M03PI"), is("M03PI"), is("M00_PID"), is("M06PID")]
+        );
+        assert_eq!([word("Z"), word("T"), word("S")], [is("BLK.AxNC[2]"), is("BLK.T"), is("BLK.SpindleSpeed")]);
+        assert_eq!([word("M91"), word("G01"), word("Q"), word("PB06")], [None, None, None, None]);
+        assert_eq!(of_word("Z", &Machine::new(Dialect::Cnc8x6)), is("PO_OSZPI"));
+        assert_eq!(nearest("G01PI", Dialect::Cnc872), None);
     }
 
     #[test]

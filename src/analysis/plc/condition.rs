@@ -3,12 +3,13 @@
 
 use std::cmp::Ordering;
 
-use super::choose::{Why, why_none};
+use super::choose::{Why, of_word, why_none};
 use super::dictionary::{Cell, Form, Signal, signals};
 use super::grammar::{Comparison, DEEPEST, Tree, parse, too_deep};
 use super::run_time;
 use super::tokens::{Kind, Token, tokens};
 use super::values::Value;
+use crate::config::Machine;
 use crate::diag::{ConditionProblem, Diagnostic, Finding, FixTitle, SignalProblem};
 use crate::dict::Dialect;
 use crate::sure::{Sure, small};
@@ -51,12 +52,12 @@ const MILLION: i128 = 1_000_000;
 const LONGEST: usize = 18;
 
 impl Condition {
-    /// The condition that `text` is, for signals of a control.
+    /// The condition that `text` is, for signals of the control of a machine.
     ///
     /// # Errors
     /// What is wrong with it, at its place; `text` is file 0.
-    pub fn read(text: &str, dialect: Dialect) -> Result<Self, Vec<Diagnostic>> {
-        let mut reader = Reader { text, dialect, signals: Vec::new(), found: Vec::new() };
+    pub fn read(text: &str, machine: &Machine) -> Result<Self, Vec<Diagnostic>> {
+        let mut reader = Reader { text, machine, signals: Vec::new(), found: Vec::new() };
         let tokens = tokens(text);
         for token in &tokens {
             reader.look_at(*token);
@@ -187,7 +188,7 @@ impl Number {
 /// From the tree to the condition, with all that is wrong.
 struct Reader<'a> {
     text: &'a str,
-    dialect: Dialect,
+    machine: &'a Machine,
     signals: Vec<&'static Signal>,
     found: Vec<Diagnostic>,
 }
@@ -272,7 +273,7 @@ impl Reader<'_> {
             }
             Tree::Signal { name, compared: Some((by, with)) } => {
                 let left = self.signal(*name);
-                let right = self.operand(*with, left);
+                let right = self.operand(*with, *by, left);
                 Some(Node::Compare { left: self.index(left?), by: *by, right: right? })
             }
             Tree::Not { at, of } => {
@@ -311,7 +312,7 @@ impl Reader<'_> {
         }
     }
 
-    fn operand(&mut self, token: Token, left: Option<&'static Signal>) -> Option<Operand> {
+    fn operand(&mut self, token: Token, by: Comparison, left: Option<&'static Signal>) -> Option<Operand> {
         let text = self.slice(token.span).to_owned();
         if token.kind == Kind::Hexadecimal {
             let digits = text.get(..text.len() - 1)?.trim_start_matches('0');
@@ -320,7 +321,9 @@ impl Reader<'_> {
             if value.is_none() {
                 self.add_problem(ConditionProblem::NumberTooLong, token.span, None);
             }
-            return Some(Operand::Number(Number::hexadecimal(value?)));
+            let number = Number::hexadecimal(value?);
+            self.check_possible(left, by, number, token.span)?;
+            return Some(Operand::Number(number));
         }
         if token.kind == Kind::Decimal {
             let Some(number) = Number::decimal(&text) else {
@@ -331,6 +334,7 @@ impl Reader<'_> {
                 self.add_decimal(left, &text, token.span);
                 return None;
             }
+            self.check_possible(left, by, number, token.span)?;
             return Some(Operand::Number(number));
         }
         // `FFh` reads as a name.
@@ -343,6 +347,29 @@ impl Reader<'_> {
         }
         let signal = self.signal(token)?;
         Some(Operand::Signal(self.index(signal)))
+    }
+
+    /// A comparison that no value of the signal can fulfil is an error, as `M03PI == 2`.
+    fn check_possible(&mut self, left: Option<&Signal>, by: Comparison, number: Number, span: Span) -> Option<()> {
+        let Some((left, [low, high])) = left.and_then(|left| Some((left, left.range()?))) else { return Some(()) };
+        // How the least and the greatest value lie to the number.
+        let (low_lies, high_lies) = (number.compared_with(low * MILLION), number.compared_with(high * MILLION));
+        let whole = !number.more && number.millionths % MILLION == 0;
+        let possible = match by {
+            Comparison::Equal => whole && low_lies.is_le() && high_lies.is_ge(),
+            Comparison::NotEqual => true,
+            Comparison::Less => low_lies.is_lt(),
+            Comparison::AtMost => low_lies.is_le(),
+            Comparison::Greater => high_lies.is_gt(),
+            Comparison::AtLeast => high_lies.is_ge(),
+        };
+        if possible {
+            return Some(());
+        }
+        let problem =
+            ConditionProblem::NeverHolds { name: left.name.clone(), low: low.to_string(), high: high.to_string() };
+        self.add_problem(problem, span, None);
+        None
     }
 
     /// A decimal number above 9 against a cell in BCD.
@@ -363,15 +390,18 @@ impl Reader<'_> {
 
     fn signal(&mut self, token: Token) -> Option<&'static Signal> {
         let name = self.slice(token.span).to_owned();
-        let known = signals().iter().find(|signal| signal.name == name && signal.row.is_of(self.dialect));
+        let known = signals().iter().find(|signal| signal.name == name && signal.row.is_of(self.machine.dialect));
         if known.is_none() {
-            let why = why_none(&name, self.dialect);
+            let why = match of_word(&name, self.machine) {
+                Some(near) => Why::Near(near),
+                None => why_none(&name, self.machine.dialect),
+            };
             if name.contains('*') && !matches!(why, Why::RunTime { .. }) {
                 // One of several signals cannot be meant.
                 self.add_problem(ConditionProblem::Character { written: "*".to_owned() }, token.span, None);
                 return None;
             }
-            let why = signal_problem(&why, self.dialect);
+            let why = signal_problem(&why, self.machine.dialect);
             let plain = name.strip_prefix("BLK[0].").map_or_else(|| name.clone(), |cell| format!("BLK.{cell}"));
             let certain = if let SignalProblem::Near(near) = &why {
                 Some(near.clone()).filter(|near| near.eq_ignore_ascii_case(&plain))
@@ -405,6 +435,21 @@ pub fn signal_problem(why: &Why, dialect: Dialect) -> SignalProblem {
     }
 }
 
+impl Signal {
+    /// The least and the greatest value; none of real numbers.
+    fn range(&self) -> Option<[i128; 2]> {
+        Some(match (self.cell, self.form()) {
+            (_, Form::Real) => return None,
+            (Cell::Gear, _) => [1, 4],
+            (_, Form::Bit) => [0, 1],
+            (_, Form::Byte) if self.is_bcd() => [0, 0x99],
+            (_, Form::Byte) => [0, 0xFF],
+            (_, Form::Word) => [0, 0xFFFF],
+            (_, Form::DWord) => [0, 0xFFFF_FFFF],
+        })
+    }
+}
+
 /// How a signal that is no bit may be compared.
 const fn example(signal: &Signal) -> &'static str {
     if signal.is_hexadecimal() {
@@ -423,10 +468,10 @@ const fn at(span: Span) -> Location {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dict::Lang;
+    use crate::dict::{Dialect, Lang};
 
     fn read(text: &str) -> Condition {
-        Condition::read(text, Dialect::Cnc872).unwrap_or_else(|found| panic!("{text}: {found:?}"))
+        Condition::read(text, &Machine::new(Dialect::Cnc872)).unwrap_or_else(|found| panic!("{text}: {found:?}"))
     }
 
     /// Whether a condition holds, with values of signals by name, now and before.
@@ -498,7 +543,7 @@ mod tests {
             ("PB06 > BLK.H", true),
             ("PB06 <> 5", false),
         ] {
-            if let Ok(condition) = Condition::read(text, Dialect::Cnc872) {
+            if let Ok(condition) = Condition::read(text, &Machine::new(Dialect::Cnc872)) {
                 assert!(!condition.signals().is_empty());
                 assert_eq!(now(text, &values), expected, "{text}");
             } else {
@@ -509,7 +554,7 @@ mod tests {
 
     /// What is wrong: code, the text that it stands at, the fix.
     fn wrong(text: &str) -> Vec<String> {
-        let found = Condition::read(text, Dialect::Cnc872).expect_err(text);
+        let found = Condition::read(text, &Machine::new(Dialect::Cnc872)).expect_err(text);
         let shown = |diagnostic: &Diagnostic| {
             let Span { start, end } = diagnostic.at.span;
             let fix = diagnostic.fixes.first().map_or("-", |fix| fix.edits[0].text.as_str());
@@ -552,19 +597,30 @@ mod tests {
             ("rising(falling(M03PI))", vec!["E0903 `falling` at 7: -"]),
             ("BLK.H > 3,5", vec!["E0903 `3,5` at 8: 3.5"]),
             ("BLK.H > 1e5", vec!["E0903 `1e5` at 8: -"]),
+            ("M03PI == 2", vec!["E0903 `2` at 9: -"]),
+            ("M03PI < 0", vec!["E0903 `0` at 8: -"]),
+            ("PB06 == 1.5", vec!["E0903 `1.5` at 8: -"]),
+            ("PB11 > 0FFh", vec!["E0903 `0FFh` at 7: -"]),
+            ("SPINDLE_GEAR_ACT_1 == 5", vec!["E0903 `5` at 22: -"]),
+            ("M03PI & G01PI", vec!["E0902 `G01PI` at 8: -"]),
+            ("M03", vec!["E0902 `M03` at 0: -"]),
+            ("Z < 0", vec!["E0902 `Z` at 0: -"]),
             ("M03PI § M04PI", vec!["E0903 `§` at 6: -"]),
             ("BLK.H > 1234567890123456789", vec!["E0903 `1234567890123456789` at 8: -"]),
         ] {
             assert_eq!(wrong(text), expected, "{text}");
         }
-        assert_eq!(Condition::read("BLK.T == 5", Dialect::Cnc8x6).unwrap_err()[0].code().as_str(), "E0902");
+        assert_eq!(
+            Condition::read("BLK.T == 5", &Machine::new(Dialect::Cnc8x6)).unwrap_err()[0].code().as_str(),
+            "E0902"
+        );
     }
 
     /// Depth is bounded, length is not; `!` of neighbours do not add up.
     #[test]
     fn deep_and_long() {
         for deep in ["(".repeat(101) + "M03PI", "!".repeat(100_000) + "M03PI", "!(".repeat(51) + "M03PI"] {
-            let found = Condition::read(&deep, Dialect::Cnc872).unwrap_err();
+            let found = Condition::read(&deep, &Machine::new(Dialect::Cnc872)).unwrap_err();
             assert_eq!(found.len(), 1);
             let message = found[0].finding.message(Lang::En);
             assert_eq!(message, "more than 100 parentheses and `!` are within one another");
@@ -579,7 +635,7 @@ mod tests {
     #[test]
     fn what_is_missing() {
         let said = |text: &str| {
-            let found = Condition::read(text, Dialect::Cnc872).expect_err(text);
+            let found = Condition::read(text, &Machine::new(Dialect::Cnc872)).expect_err(text);
             found.iter().map(|found| found.finding.message(Lang::En)).collect::<Vec<_>>()
         };
         for text in ["PB06 ==", "PB06 == !", "PB06 = ", "(PB06 >= )"] {
@@ -602,13 +658,13 @@ mod tests {
         ] {
             let mut fixed = text.to_owned();
             for _ in 0..4 {
-                let Err(found) = Condition::read(&fixed, Dialect::Cnc872) else { break };
+                let Err(found) = Condition::read(&fixed, &Machine::new(Dialect::Cnc872)) else { break };
                 let edit =
                     found.iter().rev().find_map(|found| Some(found.fixes.first()?.edits[0].clone())).expect(text);
                 let Span { start, end } = edit.at.span;
                 fixed.replace_range(start as usize..end as usize, &edit.text);
             }
-            assert!(Condition::read(&fixed, Dialect::Cnc872).is_ok(), "{text}: {fixed}");
+            assert!(Condition::read(&fixed, &Machine::new(Dialect::Cnc872)).is_ok(), "{text}: {fixed}");
         }
     }
 
@@ -616,7 +672,7 @@ mod tests {
         /// No text makes it panic; places lie in the text.
         #[test]
         fn any_text(text in "([A-Za-z0-9 _.\\[\\]!&|=<>()ř,+-]{0,30}|(M03PI|PB06|BLK\\.H|!|&|\\||\\(|\\)| |==|<|95h|12|rising){0,12})") {
-            if let Err(found) = Condition::read(&text, Dialect::Cnc872) {
+            if let Err(found) = Condition::read(&text, &Machine::new(Dialect::Cnc872)) {
                 assert!(!found.is_empty());
                 for diagnostic in found {
                     let Span { start, end } = diagnostic.at.span;

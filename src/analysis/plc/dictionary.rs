@@ -4,7 +4,8 @@ use std::sync::LazyLock;
 
 pub use super::value_texts::rule_text;
 use super::value_texts::value_of;
-use crate::dict::{Bilingual, Dialect, Lang};
+use crate::config::Machine;
+use crate::dict::{AxisLetter, Bilingual, Dialect, Lang};
 
 /// M groups are numbered from 1.
 pub const GROUPS: u8 = 14;
@@ -22,7 +23,9 @@ pub enum Cell {
     Flag(Flag),
     /// The axis at that place moves.
     Moves(u8),
-    /// The axis at that place moves in the negative direction.
+    /// The axis of that name in [`AXIS_NAMES`] moves.
+    Request(u8),
+    /// The axis of that name moves in the negative direction.
     Backwards(u8),
     /// T, in BCD.
     Tool,
@@ -101,6 +104,10 @@ pub enum Flag {
     Automatic,
     /// A dwell above 0.
     Dwell,
+    /// The program stands at M00 or M01.
+    Standing,
+    /// G30 written.
+    Reference,
 }
 
 /// M functions whose bits last one block.
@@ -356,15 +363,15 @@ pub const ROWS: &[Row] = &[
         "BLK.ParabAccel",
         |_| Cell::ParabAccel,
         "8.3.4",
-        "parabolic acceleration in G23 [m/s³·65.536]",
-        "parabolické zrychlení při G23 [m/s³·65.536]",
+        "parabolic acceleration in G00 and G23 [m/s³·65.536]",
+        "parabolické zrychlení při G00 a G23 [m/s³·65.536]",
     ),
     real(
         "BLK.LinearAccel",
         |_| Cell::LinearAccel,
         "8.3.4",
-        "linear acceleration in G23 [mm/s²]",
-        "lineární zrychlení při G23 [mm/s²]",
+        "linear acceleration in G00 and G23 [mm/s²]",
+        "lineární zrychlení při G00 a G23 [mm/s²]",
     ),
     row(
         Groups("ZMM", "PI"),
@@ -377,12 +384,12 @@ pub const ROWS: &[Row] = &[
     ),
     row(
         Axes("PO_OS", "PI"),
-        Cell::Moves,
+        Cell::Request,
         Form::Bit,
         "8.1.7",
         4,
-        "request to move NC axis {x}",
-        "požadavek na pohyb NC osy {x}",
+        "request to move axis {x}",
+        "požadavek na pohyb osy {x}",
     ),
     row(
         Axes("SM_PO", "PI"),
@@ -390,8 +397,8 @@ pub const ROWS: &[Row] = &[
         Form::Bit,
         "8.1.8",
         5,
-        "direction of NC axis {x}: 1 is negative",
-        "směr pohybu NC osy {x}: 1 je záporný",
+        "direction of axis {x}: 1 is negative",
+        "směr pohybu osy {x}: 1 je záporný",
     ),
     byte("PB03", |_| Cell::GroupByte(10), "the function of M group 10", "funkce 10. skupiny M"),
     byte("PB05", |_| Cell::HByte, "auxiliary function H", "pomocná funkce H"),
@@ -534,6 +541,38 @@ pub const ROWS: &[Row] = &[
     ),
     flag("PRODLEVA", |_| Cell::Flag(Flag::Dwell), "8.1.21", 14, "the block dwells (G04)", "v bloku je prodleva (G04)"),
     flag(
+        "SF_DELAYINPROGR",
+        |_| Cell::Flag(Flag::Dwell),
+        "8.3.6",
+        14,
+        "the block dwells (G04)",
+        "v bloku je prodleva (G04)",
+    ),
+    flag(
+        "SF_STOP",
+        |_| Cell::Flag(Flag::Standing),
+        "8.3.6",
+        17,
+        "the program stands at M00 or M01",
+        "program stojí na M00 nebo M01",
+    ),
+    flag(
+        "PO_STOP",
+        |_| Cell::Flag(Flag::Standing),
+        "8.1.16",
+        17,
+        "the program stands at M00 or M01",
+        "program stojí na M00 nebo M01",
+    ),
+    flag(
+        "REFPI",
+        |_| Cell::Flag(Flag::Reference),
+        "8.2.2",
+        17,
+        "the program starts a reference (G30)",
+        "program spouští nájezd do reference (G30)",
+    ),
+    flag(
         "G23ACT",
         |_| Cell::Stretch,
         "8.4.4",
@@ -555,6 +594,19 @@ pub const ROWS: &[Row] = &[
 /// The axes as names of signals have them.
 pub const AXIS_NAMES: [&str; AXES as usize] =
     ["X", "Y", "Z", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16"];
+
+/// The place in machine order of the axis that names of signals call X, Y, Z, 4 … 16: the first three are these letters,
+/// the others the other letters in machine order (PLC-4).
+pub(super) fn place_of(name: u8, machine: &Machine) -> Option<usize> {
+    const LETTERS: [AxisLetter; 3] = [AxisLetter::X, AxisLetter::Y, AxisLetter::Z];
+    match LETTERS.get(usize::from(name)) {
+        Some(letter) => machine.axes.index(*letter),
+        None => {
+            let others = machine.axes.iter().enumerate().filter(|(_, axis)| !LETTERS.contains(&axis.letter));
+            others.map(|(place, _)| place).nth(usize::from(name) - LETTERS.len())
+        }
+    }
+}
 
 impl Names {
     /// Every name, with the group or place that it is for.
@@ -614,7 +666,11 @@ impl Row {
 impl Signal {
     /// What it is.
     pub fn meaning(&self, lang: Lang) -> String {
-        self.row.meaning.get(lang).replace("{x}", &self.member.to_string())
+        let member = match self.row.names {
+            Axes(..) => AXIS_NAMES.get(usize::from(self.member)).map_or_else(String::new, |name| (*name).to_owned()),
+            One(_) | Groups(..) | Places(..) => self.member.to_string(),
+        };
+        self.row.meaning.get(lang).replace("{x}", &member)
     }
 
     /// Its type.
@@ -622,10 +678,19 @@ impl Signal {
         self.row.form
     }
 
-    /// The place of the axis that it is about, from 0.
-    pub const fn axis(&self) -> Option<u8> {
+    /// The place of the axis in the order of the machine, where its name counts so; from 0.
+    pub const fn place(&self) -> Option<u8> {
         match self.row.names {
-            Places(..) | Axes(..) => Some(self.member),
+            Places(..) => Some(self.member),
+            One(_) | Groups(..) | Axes(..) => None,
+        }
+    }
+
+    /// The place of the axis that it is about, on this machine, from 0.
+    pub fn axis(&self, machine: &Machine) -> Option<usize> {
+        match self.row.names {
+            Places(..) => Some(usize::from(self.member)),
+            Axes(..) => place_of(self.member, machine),
             One(_) | Groups(..) => None,
         }
     }
@@ -675,11 +740,11 @@ mod tests {
         assert_eq!(names.len(), signals().len());
     }
 
-    /// PLC-1…PLC-15: every rule gives the value of some signal, and every signal has its rule.
+    /// PLC-1…PLC-17: every rule gives the value of some signal, and every signal has its rule.
     #[test]
     fn every_rule_has_signals() {
         let rules: BTreeSet<u8> = ROWS.iter().map(|row| row.rule).collect();
-        assert_eq!(rules, (1..=15).collect());
+        assert_eq!(rules, (1..=15).chain([17]).collect());
         for lang in [Lang::En, Lang::Cs] {
             let texts: BTreeSet<&str> = rules.iter().map(|rule| rule_text(*rule).get(lang)).collect();
             assert_eq!(texts.len(), rules.len());
@@ -696,7 +761,8 @@ mod tests {
         assert_eq!(of("ZMM10PI"), (Cell::Mark(10), Form::Bit, "change mark of M group 10".to_owned()));
         assert_eq!(of("BLK.AxNC15Move").0, Cell::Moves(15));
         assert_eq!(of("BLK.AxNC[0]").0, Cell::Position(0));
-        assert_eq!(of("PO_OSZPI").0, Cell::Moves(2));
+        assert_eq!(of("PO_OSZPI").0, Cell::Request(2));
+        assert_eq!(of("PO_OSZPI").2, "request to move axis Z");
         assert_eq!(of("SM_PO16PI").0, Cell::Backwards(15));
         assert!(find("zmm10pi").is_none() && find("BLK.M15").is_none() && find("BLK.M[0]").is_none());
     }

@@ -59,7 +59,7 @@ pub struct MotionFacts {
     pub in_stretch: Option<bool>,
     /// Time to the end of that stretch, in ms.
     pub time_dist_ms: Option<u32>,
-    /// P/500 of the set in force, in G23 with a parabolic profile.
+    /// P/500 of the set in force, in G00 and G23 with a parabolic profile.
     pub parabolic: Option<Micro>,
     /// Linear acceleration of that set, in mm/s².
     pub linear: Option<Micro>,
@@ -190,6 +190,7 @@ impl Facts {
         for flag in [Flag::RevFeed, Flag::ContinuousMode, Flag::ConstCutSpeed] {
             step.set(flag, self.has(flag));
         }
+        step.set(Flag::Standing, true);
         step.set(Flag::Rapid, rapid);
         step.set(Flag::Thread, thread);
         step.set(Flag::Automatic, true);

@@ -61,6 +61,6 @@ impl Signal {
 
 /// The axis that a signal is about, on this machine.
 fn letter(signal: &Signal, machine: &Machine) -> Option<String> {
-    let axis = machine.axes.get(usize::from(signal.axis()?))?;
+    let axis = machine.axes.get(signal.axis(machine)?)?;
     Some(axis.letter.to_string())
 }

@@ -84,7 +84,6 @@ const ROWS: &[Row] = &[
     row("8.1.13", One, Plc, "START_DISABLE START_SUSPEND"),
     row("8.1.14", One, Running, "PO_F"),
     row("8.1.15", One, Running, "PO_POL"),
-    row("8.1.16", One, Running, "PO_STOP"),
     row("8.1.17", One, Running, "INPOS"),
     row("8.1.18", One, Running, "BZH13"),
     row("8.1.19", One, Plc, "FEED_OVR BZH09 BZH10 FEED_OVR_MULTIPLIER"),
@@ -94,7 +93,7 @@ const ROWS: &[Row] = &[
     row("8.1.23", One, Plc, "HOMING_REQ REFPOINT_DIST HOMING_START_REQ SLS_REFER NlcAxisEnable NlcServoEnable"),
     row("8.1.23", Axes, Inputs, "KR~ KRR~ ZPR~"),
     row("8.1.24", Axes, Inputs, "KH~0 KH~1 ZP~0 ZP~1"),
-    row("8.2.2", One, Running, "REFPI CAPI"),
+    row("8.2.2", One, Running, "CAPI"),
     row("8.3.1", One, Running, "BLK.Backward BLK.SelBlock BLK.Cont BLK.TchlOff BLK.Partial"),
     row("8.3.1", One, NoGroup, "BLK.M0"),
     row("8.3.1", Parameters, Unsaid, "BLK.IPlc~ BLK.RPlc~"),
@@ -108,7 +107,7 @@ const ROWS: &[Row] = &[
         "8.3.6",
         One,
         Running,
-        "SF_RUN SF_BLOCKINPROGR SF_BLOCKFINISHED SF_STOP SF_NOTINPOS SF_DELAYINPROGR SF_INDICATIONMODE \
+        "SF_RUN SF_BLOCKINPROGR SF_BLOCKFINISHED SF_NOTINPOS SF_INDICATIONMODE \
          SF_SIMULATIONMODE SF_HIGHSPEEDMODE SF_CONDSTOPMODE SF_MANUALMODE SF_BLOCKBYBLOCK SF_LS SF_SLS SF_BACKWARD \
          SF_STOPPOSCHANGED",
     ),

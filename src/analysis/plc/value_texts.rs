@@ -19,10 +19,11 @@ pub const fn rule_text(rule: u8) -> Bilingual {
         ),
         3 => ("1 in blocks of which it is true", "1 v blocích, pro které to platí"),
         4 => (
-            "1 when the axis is written in a block that moves, or is one of the two of an arc. The axes count in the order \
-             of the machine; beyond its axes it is 0",
-            "1, když je osa zapsána v bloku s pohybem nebo je jednou ze dvou os oblouku. Osy se počítají v pořadí stroje; za \
-             jeho osami je 0",
+            "1 when the axis is written in a block that moves, or is one of the two of an arc. AxNC counts in the order of the \
+             machine; in PO_OS and SM_PO X, Y, Z are these letters, 4, 5, 6 … the other ones in the order of the machine. \
+             Beyond its axes it is 0",
+            "1, když je osa zapsána v bloku s pohybem nebo je jednou ze dvou os oblouku. AxNC se počítá v pořadí stroje; \
+             v PO_OS a SM_PO jsou X, Y, Z tato písmena, 4, 5, 6 … ostatní v pořadí stroje. Za osami stroje je 0",
         ),
         5 => (
             "1 when the programmed coordinate falls, 0 when it rises. No value when the axis does not move, when its \
@@ -38,8 +39,10 @@ pub const fn rule_text(rule: u8) -> Bilingual {
              znaménkem se nevejdou: 00h a W0901",
         ),
         8 => (
-            "S / max · 7FFFh, max being that of the gear in force; no value without [[gears]] or without a known gear",
-            "S / max · 7FFFh, kde max má zařazený stupeň; bez hodnoty, když chybí [[gears]] nebo stupeň není znám",
+            "S / max · output · 7FFFh, both of the gear in force; no value without [[gears]], without a known gear, and where S \
+             is a cutting speed",
+            "S / max · output · 7FFFh, obojí zařazeného stupně; bez hodnoty, když chybí [[gears]], když stupeň není znám \
+             a když je S řezná rychlost",
         ),
         9 => (
             "1 for one block, the one in which the function is written; M01 also when optional stop is off",
@@ -134,22 +137,26 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
             "Platné F, i při G00; bez hodnoty před prvním F",
         ),
         Cell::SpindleSpeed => (
-            "The S in force, also while the spindle stands; no value before the first S",
-            "Platné S, i když vřeteno stojí; bez hodnoty před prvním S",
+            "The S in force, also while the spindle stands; no value before the first S, and where S is a cutting speed",
+            "Platné S, i když vřeteno stojí; bez hodnoty před prvním S a když je S řezná rychlost",
         ),
         Cell::ParabAccel => (
-            "P/500 of the dynamic set in force; only with [motion] and the profile parabolic, in blocks in G23; else no value",
-            "P/500 platné dynamické sady; jen s [motion] a parabolickým průběhem, v blocích s G23; jinak bez hodnoty",
+            "P/500 of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and the profile \
+             parabolic, under G00 or in G23; else no value",
+            "P/500 platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při G00 nebo \
+             G23; jinak bez hodnoty",
         ),
         Cell::LinearAccel => (
-            "`linear-mm-s2` of the dynamic set in force; only with [motion] and the profile parabolic, in blocks in G23; else \
-             no value",
-            "`linear-mm-s2` platné dynamické sady; jen s [motion] a parabolickým průběhem, v blocích s G23; jinak bez hodnoty",
+            "`linear-mm-s2` of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and the \
+             profile parabolic, under G00 or in G23; else no value",
+            "`linear-mm-s2` platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při \
+             G00 nebo G23; jinak bez hodnoty",
         ),
-        Cell::Flag(Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell)
+        Cell::Flag(Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell | Flag::Standing | Flag::Reference)
         | Cell::Group(_)
         | Cell::Mark(_)
         | Cell::Moves(_)
+        | Cell::Request(_)
         | Cell::Backwards(_)
         | Cell::GroupByte(_)
         | Cell::HByte

@@ -1,6 +1,6 @@
-//! From the facts of a step to the values of signals (PLC-1 to PLC-15).
+//! From the facts of a step to the values of signals (PLC-1 to PLC-17).
 
-use super::dictionary::{Cell, Form, Signal};
+use super::dictionary::{Cell, Form, Signal, place_of};
 use super::facts::Facts;
 use crate::config::{Gear, Machine};
 use crate::dict::{
@@ -51,7 +51,7 @@ impl Part {
             | Cell::Gear => Self::Groups,
             Cell::Mark(_) => Self::Marks,
             Cell::Flag(_) | Cell::Written(_) => Self::Flags,
-            Cell::Moves(_) => Self::Moves,
+            Cell::Moves(_) | Cell::Request(_) => Self::Moves,
             Cell::Backwards(_) => Self::Directions,
             Cell::Tool
             | Cell::ToolByte(_)
@@ -94,12 +94,17 @@ pub fn value(cell: Cell, facts: &Facts, machine: &Machine) -> Value {
     let group = |group: usize| facts.m.get(group).copied().flatten();
     let bit = |holds: bool| Some(i64::from(holds));
     let at = |mask: u16, place: u8| mask.checked_shr(u32::from(place)).unwrap_or(0) & 1 == 1;
+    let place = |name: u8| place_of(name, machine).and_then(|place| u8::try_from(place).ok());
     match cell {
         Cell::Group(number) => group(usize::from(number)).map(|function| bcd(i64::from(function))),
         Cell::Mark(number) => bit(at(facts.marks, number)),
         Cell::Flag(flag) => bit(facts.has(flag)),
         Cell::Moves(place) => bit(at(facts.moves, place)),
-        Cell::Backwards(place) => at(facts.directed, place).then(|| i64::from(at(facts.negative, place))),
+        Cell::Request(name) => bit(place(name).is_some_and(|place| at(facts.moves, place))),
+        Cell::Backwards(name) => {
+            let place = place(name).filter(|place| at(facts.directed, *place))?;
+            bit(at(facts.negative, place))
+        }
         Cell::Tool => facts.tool.and_then(Decimal::as_whole).map(bcd),
         Cell::H => facts.h.map(decimal),
         Cell::Delay => facts.dwell.map(Micro::millionths),
@@ -163,14 +168,16 @@ pub fn fits_byte(h: Decimal) -> bool {
     h.as_whole().is_some_and(|whole| (0..=99).contains(&whole))
 }
 
-/// S as a part of the greatest speed of the gear in force, 0–7FFFh (PLC-8); a speed beyond it is full output.
+/// S as a part of the greatest speed of the gear in force and of its voltage, 0–7FFFh (PLC-8); a speed beyond it is full
+/// output.
 fn output(facts: &Facts, gears: &[Gear]) -> Value {
     let gear = facts.gear?;
-    let max =
-        gears.iter().find(|row| row.m == gear_function(gear)).map(|row| i64::from(row.max)).filter(|max| *max > 0)?;
-    let speed = facts.speed?.as_whole()?;
-    // Halves away from zero; S has no sign.
-    Some(((2 * speed * FULL_OUTPUT + max) / (2 * max)).min(FULL_OUTPUT))
+    let gear = gears.iter().find(|row| row.m == gear_function(gear)).filter(|row| row.max > 0)?;
+    let speed = i128::from(facts.speed?.as_whole()?);
+    // Thousandths; halves away from zero; S has no sign.
+    let (part, whole) = (i128::from(gear.output.thousandths()), i128::from(gear.max) * 1000);
+    let word = (2 * speed * part * i128::from(FULL_OUTPUT) + whole) / (2 * whole);
+    Some(i64::try_from(word).map_or(FULL_OUTPUT, |word| word.min(FULL_OUTPUT)))
 }
 
 /// The value as tables show it; absent is empty.
@@ -294,7 +301,7 @@ mod tests {
     /// PLC-8: exact, halves away from zero.
     #[test]
     fn spindle_output() {
-        let gears = |max| vec![Gear { m: 41, min: 0, max }];
+        let gears = |max| vec![Gear { m: 41, min: 0, max, output: Decimal::whole(1) }];
         let facts = |speed, gear| Facts { speed: Some(Decimal::whole(speed)), gear, ..Facts::default() };
         let at = |speed, max| output(&facts(speed, Some(1)), &gears(max));
         assert_eq!([at(0, 500), at(500, 500), at(250, 500)], [Some(0), Some(0x7FFF), Some(0x4000)]);
@@ -302,5 +309,9 @@ mod tests {
         assert_eq!([at(1, 2), at(1, 3), at(600, 500)], [Some(16_384), Some(10_922), Some(0x7FFF)]);
         assert_eq!([at(1, 0), output(&facts(1, Some(2)), &gears(5)), output(&facts(1, None), &gears(5))], [None; 3]);
         assert_eq!(output(&Facts { gear: Some(1), ..Facts::default() }, &gears(5)), None);
+        // Half the voltage at the greatest speed.
+        let half = vec![Gear { m: 41, min: 0, max: 500, output: Decimal::from_thousandths(500) }];
+        assert_eq!(output(&facts(500, Some(1)), &half), Some(0x4000));
+        assert_eq!(output(&facts(2_000_000, Some(1)), &half), Some(0x7FFF));
     }
 }

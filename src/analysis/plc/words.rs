@@ -181,6 +181,7 @@ fn group_of(cell: Cell) -> Option<usize> {
         Cell::Flag(_)
         | Cell::Written(_)
         | Cell::Moves(_)
+        | Cell::Request(_)
         | Cell::Backwards(_)
         | Cell::Tool
         | Cell::H
@@ -243,7 +244,7 @@ mod tests {
     #[test]
     fn words_with_gears() {
         let mut machine = Machine::new(Dialect::Cnc8x9);
-        machine.gears = vec![Gear { m: 41, min: 0, max: 500 }];
+        machine.gears = vec![Gear { m: 41, min: 0, max: 500, output: Decimal::whole(1) }];
         let of = |address, number| of_machine(address, number, &machine);
         assert_eq!(of(Address::S, 900), "PB11=? PB12=?");
         assert_eq!(of(Address::M, 40), "ZMM3PI=1 PB11=? PB12=? M41PI=? M42PI=? M43PI=? M44PI=? SPINDLE_GEAR_ACT_1=?");

@@ -71,10 +71,10 @@ fn reasons() {
     let last = line(2, [10.0, 0.0, 0.0], 1000.0, dynamics());
     assert_eq!(broken(&[first, idle(1), last]), Some(Break::NoMotion));
     assert_eq!(broken(&[first, line(1, [0.0; 3], 1000.0, dynamics()), last]), Some(Break::NoMotion));
-    // CNT-1: the ramp of G98 is the reason where there is no other.
+    // CNT-1: the ramp of G98 is the first reason but for the start.
     let basic = Step { mode: Mode::Basic, ..first };
-    assert_eq!(broken(&[basic, line(1, [0.0, 10.0, 0.0], 1000.0, dynamics())]), Some(Break::Angle));
-    assert_eq!(broken(&[Step { dwell_s: Some(0.0), ..basic }, last]), Some(Break::Dwell));
+    assert_eq!(broken(&[basic, line(1, [0.0, 10.0, 0.0], 1000.0, dynamics())]), Some(Break::Mode));
+    assert_eq!(broken(&[Step { dwell_s: Some(0.0), ..basic }, last]), Some(Break::Mode));
     // The first reason counts.
     let stopped = Step { dwell_s: Some(1.0), stops: true, breaks_after: true, ..first };
     assert_eq!(broken(&[stopped, last]), Some(Break::Dwell));
