@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, FileType};
-use std::io::{self, Read};
+use std::io::{self, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use crate::sure::Sure;
 use crate::text::{BrokenLink, Loader, Numbered};
@@ -72,7 +73,7 @@ impl Loader for DiskLoader {
             return Err(io::ErrorKind::Unsupported.into());
         }
         self.read.lock().unwrap_or_else(PoisonError::into_inner).insert(path.to_path_buf());
-        read_whole(path, data)
+        read_whole(path)
     }
 
     fn size(&self, path: &Path) -> Option<u64> {
@@ -141,6 +142,11 @@ impl Entry {
     /// Whether it is a link that leads to nothing, or round in a circle.
     pub fn is_dangling(&self) -> bool {
         self.is_link() && fs::metadata(&self.path).is_err()
+    }
+
+    /// Whether it is a pipe or a device, behind links.
+    pub fn is_special(&self) -> bool {
+        fs::metadata(&self.path).is_ok_and(|data| !data.is_file() && !data.is_dir())
     }
 
     /// Whether it is a symbolic link, or may be one.
@@ -227,18 +233,78 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
 /// How often a file is read anew that changes meanwhile.
 const ATTEMPTS: usize = 5;
 
-/// Reads a file of which `data` is known. One that is written to meanwhile would be halves of two versions: it is read
-/// anew.
-fn read_whole(path: &Path, mut data: fs::Metadata) -> io::Result<Vec<u8>> {
-    for _ in 0..ATTEMPTS {
-        let bytes = read_bounded(open(path)?, data.len())?;
-        let now = fs::metadata(path)?;
-        if bytes.len() as u64 == now.len() && data.modified().ok() == now.modified().ok() {
+/// What is waited before a file is read anew.
+const PAUSE: Duration = Duration::from_millis(20);
+/// A file written to so short a time ago may be written to again without another time: clocks of files tick every few
+/// milliseconds, and a writer pauses between its pieces.
+const FRESH: Duration = Duration::from_millis(100);
+/// The same where times of files are whole seconds, or every other one.
+const FRESH_OF_SECONDS: Duration = Duration::from_secs(2);
+
+/// Reads a file. One that is written to meanwhile would be halves of two versions: it is read anew.
+fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
+    for attempt in 0..ATTEMPTS {
+        if attempt > 0 {
+            std::thread::sleep(PAUSE);
+        }
+        let mut file = open(path)?;
+        let before = file.metadata()?;
+        let bytes = read_bounded(&file, before.len())?;
+        let is_same = |file: &File| Ok::<_, io::Error>(is_unchanged(&before, &file.metadata()?));
+        if bytes.len() as u64 != before.len() || !is_same(&file)? {
+            continue;
+        }
+        if !is_fresh(&before) {
             return Ok(bytes);
         }
-        data = now;
+        std::thread::sleep(PAUSE);
+        file.rewind()?;
+        if holds(&file, &bytes)? && is_same(&file)? {
+            return Ok(bytes);
+        }
     }
     Err(io::ErrorKind::ResourceBusy.into())
+}
+
+/// Whether nothing was written to a file between two looks at it, as far as its times tell.
+fn is_unchanged(before: &fs::Metadata, after: &fs::Metadata) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        // The time of the last change of any kind cannot be set back, as that of the content can.
+        let changed = |data: &fs::Metadata| (data.ctime(), data.ctime_nsec());
+        if changed(before) != changed(after) {
+            return false;
+        }
+    }
+    before.len() == after.len() && before.modified().ok() == after.modified().ok()
+}
+
+/// Whether a file was written to just now, so that its times may not tell of more.
+fn is_fresh(data: &fs::Metadata) -> bool {
+    let Ok(modified) = data.modified() else { return true };
+    let in_seconds = modified.duration_since(UNIX_EPOCH).is_ok_and(|since| since.subsec_nanos() == 0);
+    let fresh = if in_seconds { FRESH_OF_SECONDS } else { FRESH };
+    let now = SystemTime::now();
+    now.duration_since(modified).or_else(|_| modified.duration_since(now)).is_ok_and(|age| age < fresh)
+}
+
+/// Whether the rest of a file is these bytes.
+fn holds(mut file: &File, mut bytes: &[u8]) -> io::Result<bool> {
+    let mut piece = vec![0; 1 << 16];
+    loop {
+        let length = match file.read(&mut piece) {
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+            read => read?,
+        };
+        if length == 0 {
+            return Ok(bytes.is_empty());
+        }
+        match piece.get(..length).and_then(|read| bytes.strip_prefix(read)) {
+            Some(rest) => bytes = rest,
+            None => return Ok(false),
+        }
+    }
 }
 
 /// Reads to the end, but not 4 GiB.

@@ -77,7 +77,7 @@ pub(super) struct CheckArgs {
     pub paths: Vec<PathBuf>,
     #[arg(long)]
     pub fix: bool,
-    #[arg(long)]
+    #[arg(long, conflicts_with = "fix")]
     pub diff: bool,
     #[arg(long)]
     pub deny_warnings: bool,

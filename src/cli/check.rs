@@ -10,7 +10,7 @@ use super::common::{Origins, Projects, overrides};
 use super::fix::{diff_all, fix_all};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
-use super::status::{Failure, Status, tell, tell_unshown};
+use super::status::{Failure, Status, stdout, tell, tell_unshown};
 use super::threads;
 use super::walk::{Found, Target, targets};
 use super::words::Words;
@@ -74,7 +74,7 @@ fn show_diff(
         print(&args.shown, &report, locale)?;
         return Ok(Status::Unusable);
     }
-    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    let mut out = BufWriter::with_capacity(1 << 16, stdout()?);
     let (some, unreadable) = diff_all(targets, &projects, loader, locale, &mut out)?;
     Ok(match (unreadable || (targets.is_empty() && !args.allow_empty), some) {
         (true, _) => Status::Unusable,
@@ -91,6 +91,9 @@ pub(super) fn tell_unsearched(found: &Found, locale: Locale) {
     }
     for link in &found.outward {
         tell(&Words::OutwardLink { link: named(link) }, locale.lang);
+    }
+    for file in &found.special {
+        tell(&Words::SpecialFile { file: named(file) }, locale.lang);
     }
     for link in &found.dangling {
         tell(&Words::DanglingLink { link: named(link) }, locale.lang);
@@ -147,7 +150,13 @@ fn check_one(target: &Target, session: &Session<'_>) -> Outcome {
         return unreadable(&target.name(), error);
     }
     let outcome = session.check(&target.path, &target.name());
-    if outcome.findings.is_empty() { Outcome { sources: Sources::new(), ..outcome } } else { outcome }
+    if !outcome.findings.is_empty() {
+        return outcome;
+    }
+    // Its name is enough, and there may be many programs.
+    let mut sources = Sources::new();
+    sources.add(SourceText::from_text(target.name(), ""));
+    Outcome { sources, ..outcome }
 }
 
 /// E0112 for what cannot be read, shown as an empty file.
@@ -163,7 +172,7 @@ pub(super) fn unreadable(name: &str, error: &io::Error) -> Outcome {
 /// Writes the findings to standard output.
 fn print(args: &FindingsArgs, report: &Report, locale: Locale) -> Result<(), Failure> {
     let colors = locale.colors(io::stdout().is_terminal());
-    let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+    let mut out = BufWriter::with_capacity(1 << 16, stdout()?);
     let shown = Shown { lang: locale.lang, colour: colors, all: args.all };
     match render(args.format, report, shown, &mut out).and_then(|()| out.flush()) {
         Ok(()) => tell_unshown(args.format, report, locale.lang),

@@ -10,7 +10,7 @@ use super::job::{Ends, Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
 use super::replace::{Replacement, clean_up_when_interrupted};
-use super::status::{Failure, Status};
+use super::status::{Failure, Status, stdout};
 use super::threads;
 use super::words::Words;
 #[cfg(feature = "arrow")]
@@ -93,10 +93,10 @@ pub(super) enum Stream {
 impl Stream {
     pub fn open(output: Option<&Path>, lang: Lang) -> Result<Self, Failure> {
         let Some(output) = output else {
+            drop(stdout()?);
             return Ok(Self::Stdout(io::stdout()));
         };
-        let special = std::fs::metadata(output).is_ok_and(|data| !data.is_file() && !data.is_dir());
-        let opened = if special {
+        let opened = if is_special(output) {
             OpenOptions::new().write(true).open(output).map(Self::Direct)
         } else {
             clean_up_when_interrupted(lang);
@@ -119,6 +119,11 @@ impl Stream {
             Self::File(file) => file.commit(),
         }
     }
+}
+
+/// Whether it is a pipe or a device.
+fn is_special(output: &Path) -> bool {
+    std::fs::metadata(output).is_ok_and(|data| !data.is_file() && !data.is_dir())
 }
 
 impl Write for Stream {

@@ -8,15 +8,10 @@ use crate::text::{Encoding, SourceText};
 /// Lines that a hunk shows around what changes.
 const CONTEXT: usize = 3;
 
-/// The lines of a file, each with its line feed; a diff knows no other line ends. A file without any is shown by its
-/// carriage returns, as if they were line feeds.
+/// The lines of a file, each with its line feed: `patch` knows no other line ends, so that a file which has only carriage
+/// returns is one line.
 pub fn lines(bytes: &[u8]) -> Vec<Vec<u8>> {
-    let end = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
-    let fed = |line: &[u8]| match line.strip_suffix(b"\r") {
-        Some(text) if end == b'\r' => [text, b"\n"].concat(),
-        _ => line.to_vec(),
-    };
-    bytes.split_inclusive(|&byte| byte == end).map(fed).collect()
+    bytes.split_inclusive(|&byte| byte == b'\n').map(<[u8]>::to_vec).collect()
 }
 
 /// The lines of a file as a terminal may have them: decoded, no control characters, line ends alike.
@@ -148,12 +143,12 @@ mod tests {
         assert_eq!(diff("a\na\n", "a\n"), "--- a.nc\n+++ a.nc\n@@ -1,2 +1 @@\n a\n-a\n");
     }
 
-    /// LEX-8: line ends of old Macintosh computers.
+    /// LEX-8: line ends of old Macintosh computers. A patch has the bytes of the file; a terminal is shown its lines.
     #[test]
     fn carriage_returns_alone() {
-        let expected = "--- a.nc\n+++ a.nc\n@@ -1,3 +1,3 @@\n %1\n-N1 X0,5\n+N1 X0.5\n N2 M30\n";
-        assert_eq!(diff("%1\rN1 X0,5\rN2 M30\r", "%1\rN1 X0.5\rN2 M30\r"), expected);
-        assert_eq!(lines(b"%1\rN1"), [b"%1\n".to_vec(), b"N1".to_vec()]);
+        let no_end = "\n\\ No newline at end of file\n";
+        let expected = format!("--- a.nc\n+++ a.nc\n@@ -1 +1 @@\n-%1\rN1 X0,5\r{no_end}+%1\rN1 X0.5\r{no_end}");
+        assert_eq!(diff("%1\rN1 X0,5\r", "%1\rN1 X0.5\r"), expected);
         assert_eq!(safe_lines(b"%1\rN1", Encoding::Cp852), [b"%1\n".to_vec(), b"N1".to_vec()]);
     }
 

@@ -1,21 +1,21 @@
 //! `explain`: pages about findings, functions, addresses and keys of the project file; else those that mention a word.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{IsTerminal, Write};
 
 use super::args::ExplainArgs;
 use super::locale::Locale;
-use super::status::{Failure, Status, complain};
+use super::status::{Failure, Status, complain, stdout};
 use super::words::Words;
 use crate::diag::Finding;
 use crate::diag::explain::{list, terminal};
 use crate::dict::{Bilingual, Lang};
-use crate::explain::{Hit, Topic, Unknown, search};
+use crate::explain::{Hit, Topic, Unknown, search, search_stems};
 
 /// Most pages that a search lists.
 const MOST_HITS: usize = 40;
 
 pub(super) fn run(args: &ExplainArgs, locale: Locale) -> Result<Status, Failure> {
-    let mut out = io::stdout().lock();
+    let mut out = stdout()?;
     let colors = locale.colors(out.is_terminal());
     let mut status = Status::Fine;
     if args.names.is_empty() {
@@ -52,7 +52,11 @@ fn hits(name: &str, unknown: &Unknown) -> Option<Vec<Hit>> {
     match unknown {
         Unknown::Word(_) | Unknown::M(_) => None,
         Unknown::Name(_) if name.contains(|c: char| c.is_ascii_digit()) || name.chars().count() < 3 => None,
-        Unknown::Name(_) => Some(search(name)).filter(|hits| !hits.is_empty()),
+        Unknown::Name(near) => {
+            let hits = Some(search(name)).filter(|hits| !hits.is_empty());
+            // A name that is nearly right is a slip, no word to look for.
+            hits.or_else(|| near.is_none().then(|| search_stems(name))).filter(|hits| !hits.is_empty())
+        }
     }
 }
 

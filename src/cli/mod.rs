@@ -41,7 +41,7 @@ use clap::error::ErrorKind;
 
 use args::{Command, CommandLine};
 use locale::Locale;
-use status::{Failure, Status, exit_code};
+use status::{Failure, Status, exit_code, stdout};
 
 /// Runs the command line `arguments`, the name of the program first. The exit status: 0 no errors, 1 the programs have
 /// errors, 2 it could not run.
@@ -84,6 +84,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
 /// Help and version that were asked for go to stdout; what is wrong with the command line goes to stderr.
 fn answer(error: &clap::Error, locale: Locale) -> Result<Status, Failure> {
     if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        drop(stdout()?);
         error.print()?;
         io::stdout().flush()?;
         return Ok(Status::Fine);

@@ -8,7 +8,7 @@ use super::compile::{Stream, cannot_write};
 use super::job::{Ends, Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
-use super::status::{Failure, Status, tell};
+use super::status::{Failure, Status, stdout, tell};
 use super::threads;
 use super::walk::Target;
 use super::words::Words;
@@ -194,7 +194,7 @@ fn list(format: PlcFormat, machine: &Machine, lang: Lang) -> Result<Status, Fail
         #[cfg(feature = "arrow")]
         PlcFormat::Arrow => return Err(Words::ListFormat.into()),
     };
-    let mut out = io::stdout().lock();
+    let mut out = stdout()?;
     out.write_all(text.as_bytes())?;
     out.flush()?;
     Ok(Status::Fine)

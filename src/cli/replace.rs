@@ -12,7 +12,8 @@ use tempfile::NamedTempFile;
 use super::words::{Words, error_prefix};
 use crate::dict::Lang;
 
-/// Exit status after an interruption: 128 and the number of SIGINT, as shells count.
+/// Exit status after an interruption where no signal ends a run: 128 and the number of SIGINT, as shells count.
+#[cfg(not(unix))]
 const INTERRUPTED: i32 = 130;
 
 /// The unfinished files of this run. The lock is held while one appears or gets its final name, so that whoever holds it
@@ -24,38 +25,50 @@ fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 }
 
 /// From now on an interruption (Ctrl-C, the end of the terminal's session) removes unfinished files, says so, and ends
-/// the run with status 130. Signals that are ignored on purpose (`nohup`) stay ignored.
+/// the run as that signal does. Signals that are ignored on purpose (`nohup`) stay ignored.
 pub fn clean_up_when_interrupted(lang: Lang) {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {
         // Without a handler the worst is an unfinished file left behind, under a name of its own.
-        if ctrlc::try_set_handler(move || end_interrupted(lang)).is_err() {
-            #[cfg(unix)]
-            handle_others(lang);
-        }
+        #[cfg(unix)]
+        handle_signals(lang);
+        #[cfg(not(unix))]
+        let _ = ctrlc::try_set_handler(move || {
+            let _files = clean_up(lang);
+            end();
+        });
     });
 }
 
-/// Handles those of the signals that are not ignored, where the system says which.
+/// Handles those of the signals that are not ignored. Where the system does not say which these are, the end of the
+/// session may be ignored, and is not handled.
 #[cfg(unix)]
 #[expect(clippy::disallowed_methods, reason = "what the system says of this process is no file of a run")]
-fn handle_others(lang: Lang) {
+fn handle_signals(lang: Lang) {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    let Some(ignored) = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()) else { return };
-    let others = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| ignored & (1 << (signal - 1)) == 0);
-    if let Ok(mut signals) = signal_hook::iterator::Signals::new(others) {
+    let ignored = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or(1 << (SIGHUP - 1));
+    let handled = [SIGHUP, SIGINT, SIGTERM].into_iter().filter(|signal| ignored & (1 << (signal - 1)) == 0);
+    if let Ok(mut signals) = signal_hook::iterator::Signals::new(handled) {
         std::thread::spawn(move || {
-            if signals.forever().next().is_some() {
-                end_interrupted(lang);
+            if let Some(signal) = signals.forever().next() {
+                let _files = clean_up(lang);
+                // What the signal does when nobody handles it: it ends the run.
+                let _ = signal_hook::low_level::emulate_default_handler(signal);
             }
         });
     }
 }
 
-#[expect(clippy::disallowed_methods, reason = "a signal ends the run from a thread that is not the main one")]
-fn end_interrupted(lang: Lang) {
+#[cfg(not(unix))]
+#[expect(clippy::disallowed_methods, reason = "an interruption ends the run from a thread that is not the main one")]
+fn end() {
+    std::process::exit(INTERRUPTED);
+}
+
+/// Removes unfinished files and says so. As long as the lock is held, no file appears or gets its final name.
+fn clean_up(lang: Lang) -> MutexGuard<'static, BTreeSet<PathBuf>> {
     let files = unfinished();
     for file in files.iter() {
         let _ = fs::remove_file(file);
@@ -63,7 +76,7 @@ fn end_interrupted(lang: Lang) {
     // A progress bar may stand in the line.
     let clear = if io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
     let _ = writeln!(io::stderr(), "{clear}{}: {}", error_prefix(lang), Words::Interrupted.text(lang));
-    std::process::exit(INTERRUPTED);
+    files
 }
 
 /// A file being written in the place of another.

@@ -1,9 +1,9 @@
 //! `schema`: what other programs check the data against.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::args::{SchemaArgs, SchemaName};
-use super::status::{Failure, Status};
+use super::status::{Failure, Status, stdout};
 use crate::analysis::{motion, plc, sheet, state};
 use crate::{config, diag, stats, stream};
 
@@ -18,7 +18,7 @@ pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
         SchemaName::State => state::schema(),
         SchemaName::Stats => stats::schema(),
     };
-    let mut out = io::stdout().lock();
+    let mut out = stdout()?;
     out.write_all(format!("{schema:#}\n").as_bytes())?;
     out.flush()?;
     Ok(Status::Fine)

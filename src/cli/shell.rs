@@ -7,7 +7,7 @@ use clap::Command;
 use super::args::{CompletionsArgs, HelpArgs, ManArgs};
 use super::help;
 use super::locale::Locale;
-use super::status::{Failure, Status};
+use super::status::{Failure, Status, stdout};
 use super::words::Words;
 
 const NAME: &str = "cnc872c";
@@ -48,7 +48,7 @@ fn find(name: Option<&str>, locale: Locale) -> Result<Command, Failure> {
 }
 
 fn put(bytes: &[u8]) -> Result<Status, Failure> {
-    let mut out = io::stdout().lock();
+    let mut out = stdout()?;
     out.write_all(bytes)?;
     out.flush()?;
     Ok(Status::Fine)

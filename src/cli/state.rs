@@ -1,6 +1,6 @@
 //! `state`: what holds at a place of a program.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use super::args::{FindingsArgs, StateArgs, StateFormat};
 use super::common::{overrides, print_beside};
@@ -8,7 +8,7 @@ use super::job::{Job, unusable};
 use super::locale::Locale;
 use super::place::Named;
 use super::progress::{Counted, Progress};
-use super::status::{Failure, Status, complain, tell};
+use super::status::{Failure, Status, complain, stdout, tell};
 use super::threads;
 use super::words::Words;
 use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, fault_text, json, text};
@@ -76,7 +76,7 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
                 StateFormat::Human => text(found, &name, settings, locale.lang),
                 StateFormat::Json => json(found, &name, settings),
             };
-            let mut out = io::stdout().lock();
+            let mut out = stdout()?;
             out.write_all(text.as_bytes())?;
             out.flush()?;
             Status::Fine

@@ -1,6 +1,6 @@
 //! How a command ends.
 
-use std::io::{self, Write};
+use std::io::{self, StdoutLock, Write};
 
 use super::words::{self, Words, error_prefix};
 use crate::diag::{Format, Report, unshown};
@@ -36,6 +36,18 @@ impl From<Words> for Failure {
     fn from(words: Words) -> Self {
         Self::Said(words)
     }
+}
+
+/// Standard output, for data.
+///
+/// # Errors
+/// When it was closed before the program started: what is written to it would be lost in silence.
+pub(super) fn stdout() -> Result<StdoutLock<'static>, Failure> {
+    #[cfg(target_os = "linux")]
+    if cnc872c_start::stdout_was_closed() {
+        return Err(Words::StdoutClosed.into());
+    }
+    Ok(io::stdout().lock())
 }
 
 /// Says why a command failed, and gives its exit status: 0 no errors, 1 the programs have errors, 2 it could not run.

@@ -1,9 +1,13 @@
 //! Wrong usage, in both languages. clap's own words are English, and repeat arguments as they came, control characters
 //! included.
 
+use std::ffi::OsStr;
+use std::path::Path;
+
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
 use super::words::error_prefix;
+use crate::config::EXTENSIONS;
 use crate::diag::terminal_safe;
 use crate::dict::Lang;
 
@@ -25,6 +29,11 @@ pub(super) fn message(error: &clap::Error, lang: Lang, colors: bool) -> String {
             text.push_str(&format!("  {tip}: {}\n", terminal_safe(&near)));
         }
     }
+    if error.kind() == ErrorKind::InvalidSubcommand
+        && let Some(file) = Some(context(error, ContextKind::InvalidSubcommand)).filter(|name| is_program(name))
+    {
+        text.push_str(&format!("  {tip}: cnc872c check {}\n", terminal_safe(&file)));
+    }
     let line = context(error, ContextKind::Usage);
     let line = line.trim_start_matches("Usage: ").trim();
     if line.is_empty() {
@@ -33,6 +42,13 @@ pub(super) fn message(error: &clap::Error, lang: Lang, colors: bool) -> String {
         text.push_str(&format!("\n{usage}: {line}\n{more}\n"));
     }
     text
+}
+
+/// Whether a file stands where the command belongs.
+fn is_program(name: &str) -> bool {
+    let path = Path::new(name);
+    let named_so = |extension: &str| EXTENSIONS.iter().any(|own| own.eq_ignore_ascii_case(extension));
+    path.extension().and_then(OsStr::to_str).is_some_and(named_so) || path.is_file()
 }
 
 #[expect(clippy::wildcard_enum_match_arm, reason = "clap may add kinds of errors")]
@@ -148,6 +164,8 @@ mod tests {
         assert!(said(Lang::En, &["cnc872c", "check", "-x.nc"]).contains("given as `./-…`"));
         assert!(said(Lang::Cs, &["cnc872c", "check", "-x.nc"]).contains("zadává jako „./-…“"));
         assert!(said(Lang::En, &["cnc872c", "chekc"]).contains("perhaps this is meant: check"));
+        assert!(said(Lang::En, &["cnc872c", "celo.nc"]).contains("perhaps this is meant: cnc872c check celo.nc\n"));
+        assert!(said(Lang::Cs, &["cnc872c", "check", "a", "--fix", "--diff"]).contains("nelze použít s"));
         assert!(said(Lang::En, &["cnc872c", "check", "a", "--fux"]).contains("--fix"));
     }
 

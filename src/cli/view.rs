@@ -1,14 +1,16 @@
 //! `view`: the path of a program as a page or a picture.
 
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
 
 use super::args::{PlaneName, ViewArgs};
 use super::common::{overrides, print_beside};
+use super::compile::{Stream, cannot_write};
 use super::job::{Job, unusable};
 use super::locale::Locale;
 use super::progress::{Counted, Progress};
-use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{Failure, Status, tell};
 use super::threads;
 use super::words::{Words, reason};
@@ -17,6 +19,9 @@ use crate::disk::is_stdin;
 use crate::session::Session;
 use crate::text::{FileId, path_name};
 use crate::view::{Collector, LeftOut, Part, Picture, Plane, Still, page};
+
+/// How long is waited for what the opener comes to.
+const OPENING: Duration = Duration::from_secs(2);
 
 pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = Overrides { computes_motion: true, ..overrides(&args.common, locale.lang)? };
@@ -41,7 +46,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let run = session.run(&job.target().path, &job.target().name(), Purpose::Compile, collector.sink());
     drop(progress);
     let outcome = run.outcome;
-    let lacks_file = outcome.lacks_file() && outcome.executed == 0;
+    let lacks_file = outcome.lacks_file();
     let view = collector.finish(outcome.sources.get(FileId(0)), &job.target().name(), outcome.executed);
     job.refuse_input()?;
     let unusable = outcome.unusable;
@@ -151,13 +156,9 @@ fn output(args: &ViewArgs) -> Result<Option<PathBuf>, Failure> {
 }
 
 fn write(bytes: &[u8], output: Option<&Path>, locale: Locale) -> Result<(), Failure> {
-    let Some(output) = output else {
-        let mut out = io::stdout().lock();
-        return out.write_all(bytes).and_then(|()| out.flush()).map_err(Failure::Stdout);
-    };
-    clean_up_when_interrupted(locale.lang);
-    let written = Replacement::begin(output).and_then(|mut file| file.write_all(bytes).and_then(|()| file.commit()));
-    written.map_err(|error| Words::cannot_write(output, &error, locale.lang).into())
+    let mut stream = Stream::open(output, locale.lang)?;
+    let written = stream.write_all(bytes).and_then(|()| stream.flush()).and_then(|()| stream.keep());
+    written.map_err(|error| cannot_write(error, output, locale.lang))
 }
 
 /// Opens a file with the program that the system has for it.
@@ -169,9 +170,22 @@ fn open(file: &Path, locale: Locale) -> Result<(), Failure> {
     } else {
         ("xdg-open", &[])
     };
-    let started = std::process::Command::new(program).args(before).arg(file).spawn();
-    started.map(drop).map_err(|error| {
+    let fault = |reason| {
         let (file, opener) = (path_name(file), program.to_owned());
-        Words::CannotOpen { file, opener, reason: reason(&error, locale.lang) }.into()
-    })
+        Words::CannotOpen { file, opener, reason }.into()
+    };
+    let mut opener = match Command::new(program).args(before).arg(file).stdout(Stdio::null()).spawn() {
+        Ok(opener) => opener,
+        Err(error) => return Err(fault(reason(&error, locale.lang))),
+    };
+    // One that still runs has become the viewer itself.
+    let start = Instant::now();
+    while start.elapsed() < OPENING {
+        match opener.try_wait() {
+            Ok(None) => std::thread::sleep(Duration::from_millis(10)),
+            Ok(Some(status)) if !status.success() => return Err(fault(status.to_string())),
+            Ok(Some(_)) | Err(_) => break,
+        }
+    }
+    Ok(())
 }

@@ -58,6 +58,8 @@ pub struct Found {
     pub outward: Vec<PathBuf>,
     /// Links that lead nowhere and have no name of a program; one that has is a target with a problem.
     pub dangling: Vec<PathBuf>,
+    /// Pipes and devices that have the name of a program.
+    pub special: Vec<PathBuf>,
 }
 
 /// The programs that `paths` mean. `extensions` gives those of the programs of a folder, without points.
@@ -145,6 +147,8 @@ impl Search {
                     }
                 } else if named_so && entry.is_file() && is_program(&entry) {
                     found.push((Target { path: entry.path, origin, problem: None }, identity));
+                } else if named_so && entry.is_special() {
+                    self.found.special.push(entry.path);
                 }
             }
         }
@@ -158,6 +162,7 @@ impl Search {
         }
         self.found.outward.sort_unstable();
         self.found.dangling.sort_unstable();
+        self.found.special.sort_unstable();
     }
 }
 

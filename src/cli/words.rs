@@ -16,6 +16,9 @@ bilingual! {
         CannotWriteStdout { reason: String }
             "cannot write to standard output: {reason}",
             "nelze zapisovat na standardní výstup: {reason}";
+        StdoutClosed
+            "standard output is closed: there is nowhere to write to",
+            "standardní výstup je uzavřen: není kam zapisovat";
         OutputIsProgram { file: String }
             "{file} is what the stream is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
             "z {file} proud bloků vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
@@ -62,8 +65,8 @@ bilingual! {
             "{names}: no value without [motion] in the project file",
             "{names}: bez [motion] v souboru projektu nemá hodnotu";
         CannotOpen { file: String, opener: String, reason: String }
-            "{file} is written, but {opener}, which opens files, cannot be started: {reason}",
-            "{file} je zapsán, ale {opener}, který otevírá soubory, nelze spustit: {reason}";
+            "{file} is written, but {opener} did not open it: {reason}",
+            "{file} je zapsán, ale {opener} ho neotevřel: {reason}";
         NoSuchPicture { extension: String }
             "view writes no .{extension}: name a page (.html) or a picture (.svg, .png) after -o",
             "view nezapisuje .{extension}: za -o uvést stránku (.html) nebo obrázek (.svg, .png)";
@@ -81,6 +84,9 @@ bilingual! {
         DanglingLink { link: String }
             "{link}: the link leads to no file",
             "{link}: odkaz nevede k žádnému souboru";
+        SpecialFile { file: String }
+            "{file}: not read, it is a pipe or a device: name it to check it",
+            "{file}: nečteno, je to roura nebo zařízení: ke kontrole uvést jménem";
         FixedOne { file: String }
             "{file}: 1 fix applied",
             "{file}: provedena 1 oprava";

@@ -1,122 +1,137 @@
-//! A commented project file, made of the table of keys: what `cnc872c init` writes. Defaults are set; what has none, or
-//! depends on the machine, is an example behind `#`.
+//! A commented project file, made of the table of keys: what `cnc872c init` writes. In force is what was asked for or found;
+//! all else stands behind `#`, so that another control gets its own values.
 
-use std::fmt::{self, Write};
+use std::fmt::Write;
 
-use super::names::{Names, group, m_group};
+use super::keys;
 use super::row::{Default, Row};
 use super::sections::{Form, SECTIONS, Section};
-use super::{MFunctions, keys};
-use crate::dict::{Bilingual, Dialect, GCode, Lang};
+use crate::dict::{Bilingual, Dialect, Lang};
 
-/// Most characters of a line of a comment.
-const WIDTH: usize = 100;
+/// Most characters of a line.
+const WIDTH: usize = 110;
 
 const INTRODUCTION: Bilingual = Bilingual {
-    en: "The machine that the programs in this folder and below are for. `cnc872c explain KEY` says more of a key. Lines \
-         that begin with #, without a blank after it, are examples: delete the # to use them.",
-    cs: "Stroj, pro který jsou programy v této složce a ve složkách v ní. Víc o klíči řekne „cnc872c explain KLÍČ“. Řádky, \
-         které začínají # bez mezery, jsou příklady: k použití stačí # smazat.",
+    en: "\
+# The machine that the programs in this folder and below it are for. Lines with # before them are not in force: they
+# show what holds without them, or an example. To use one, delete its # and that of the [table] above it.
+# More about a key: cnc872c explain KEY.
+",
+    cs: "\
+# Stroj, pro který jsou programy v této složce a pod ní. Řádky s # na začátku neplatí: ukazují, co platí bez nich,
+# nebo příklad. K použití stačí smazat # před řádkem a před [tabulkou] nad ním.
+# Víc o klíči řekne „cnc872c explain KLÍČ“.
+",
 };
 
-/// A project file for that control with all keys, each with a comment in `lang`.
-pub fn initial(dialect: Dialect, lang: Lang) -> String {
-    let mut text = String::new();
-    // Writing to a `String` cannot fail.
-    let _ = file(&mut text, dialect, lang);
+/// What is there for a project file to name, in its folder.
+#[derive(Clone, Debug, Default)]
+pub struct Surroundings {
+    /// Folders with macrocycles, relative, with `/`; none when there are none but in the folder of the programs.
+    pub macrocycles: Vec<String>,
+    /// The ChannelConfig, relative.
+    pub channel_config: Option<String>,
+}
+
+/// A project file for that control, its comments in `lang`.
+pub fn initial(dialect: Dialect, found: &Surroundings, lang: Lang) -> String {
+    let mut text = INTRODUCTION.get(lang).to_owned();
+    for section in SECTIONS {
+        match section.form {
+            Form::Keys(rows, _) if section.name.is_empty() => root(&mut text, rows, (dialect, found), lang),
+            // Lists stand before the tables, each in one line.
+            Form::List(..) => {}
+            // The outer table of others, without keys of its own; and sets that are like the first.
+            Form::Keys([], _) => {}
+            Form::Keys(..) if is_like_the_first(section) => {}
+            Form::Keys(rows, _) => {
+                head(&mut text, section.name, section, lang);
+                for row in rows {
+                    key(&mut text, row, dialect, lang);
+                }
+            }
+            Form::Tables(_, rows, _) => {
+                head(&mut text, &format!("{}.{}", section.name, section.example), section, lang);
+                for row in rows {
+                    key(&mut text, row, dialect, lang);
+                }
+            }
+            Form::Map(..) => {
+                head(&mut text, section.name, section, lang);
+                // Writing to a `String` cannot fail.
+                let _ = writeln!(text, "#{}", section.example);
+            }
+        }
+    }
     text
 }
 
-fn file(text: &mut String, dialect: Dialect, lang: Lang) -> fmt::Result {
-    comment(text, INTRODUCTION.get(lang))?;
+/// Whether it is one of the sets of motion behind the first.
+fn is_like_the_first(section: &Section) -> bool {
+    matches!(section.name, "motion.sets.2" | "motion.sets.3" | "motion.sets.4")
+}
+
+/// What stands before all tables.
+fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundings), lang: Lang) {
+    text.push('\n');
+    for row in rows {
+        let quoted = |name: &String| toml_edit::Value::from(name.as_str()).to_string();
+        if row.name == keys::DIALECT.name {
+            line(text, &format!("{} = \"{}\"", row.name, dialect.name()), row.meaning, lang);
+        } else if row.name == keys::CHANNEL_CONFIG.name {
+            match found.channel_config.as_ref().filter(|_| dialect.has_channel_config()) {
+                Some(name) => line(text, &format!("{} = {}", row.name, quoted(name)), row.meaning, lang),
+                // An example would name a file that is not there.
+                None => {}
+            }
+        } else if row.name == keys::MACROCYCLES.name {
+            let folders: Vec<String> = found.macrocycles.iter().map(quoted).collect();
+            let value = if folders.is_empty() {
+                "#macrocycles = [\".\"]".to_owned()
+            } else {
+                format!("macrocycles = [{}]", folders.join(", "))
+            };
+            line(text, &value, row.meaning, lang);
+        } else {
+            key(text, row, dialect, lang);
+        }
+    }
     for section in SECTIONS {
-        // The outer table of others, without keys of its own.
-        if matches!(section.form, Form::Keys([], _)) {
-            continue;
-        }
-        text.push('\n');
-        if !section.name.is_empty() {
-            comment(text, &sentence(section.meaning.get(lang), section.rule))?;
-        }
-        match section.form {
-            // A machine whose motion is not configured is not the same as one with the defaults.
-            Form::Keys(rows, _) if is_motion(section) => {
-                writeln!(text, "#[{}]", section.name)?;
-                for row in rows {
-                    comment(text, &about(row, lang))?;
-                    let value = literal(row, dialect).unwrap_or_else(|| row.example.to_owned());
-                    writeln!(text, "#{} = {value}", row.name)?;
-                }
-            }
-            Form::Map(..) if is_motion(section) => {
-                writeln!(text, "#[{}]\n#{}", section.name, section.example)?;
-            }
-            Form::Keys(rows, _) => {
-                if !section.name.is_empty() {
-                    writeln!(text, "[{}]", section.name)?;
-                }
-                write_keys(text, rows, dialect, lang)?;
-            }
-            Form::List(rows, _) => {
-                writeln!(text, "#[[{}]]", section.name)?;
-                examples(text, rows, lang)?;
-            }
-            Form::Tables(_, rows, _) => {
-                writeln!(text, "#[{}.{}]", section.name, section.example)?;
-                examples(text, rows, lang)?;
-            }
-            Form::Map(names, _) => map(text, section, names, dialect)?,
+        if let Form::List(rows, _) = section.form {
+            let values: Vec<String> = rows.iter().map(|row| format!("{} = {}", row.name, row.example)).collect();
+            line(text, &format!("#{} = [{{ {} }}]", section.name, values.join(", ")), section.meaning, lang);
         }
     }
-    Ok(())
 }
 
-/// Whether a table configures motion.
-fn is_motion(section: &Section) -> bool {
-    section.name == "motion" || section.parent().is_some_and(|parent| parent.starts_with("motion"))
+/// The head of a table.
+fn head(text: &mut String, name: &str, section: &Section, lang: Lang) {
+    text.push('\n');
+    line(text, &format!("#[{name}]"), section.meaning, lang);
 }
 
-/// Keys, set to their defaults where they have some.
-fn write_keys(text: &mut String, rows: &[Row], dialect: Dialect, lang: Lang) -> fmt::Result {
-    for row in rows {
-        // Only the newest control has one.
-        if row.name == keys::CHANNEL_CONFIG.name && !dialect.has_channel_config() {
-            continue;
-        }
-        comment(text, &about(row, lang))?;
-        match literal(row, dialect) {
-            Some(value) => writeln!(text, "{} = {value}", row.name)?,
-            None => writeln!(text, "#{} = {}", row.name, row.example)?,
-        }
-    }
-    Ok(())
+/// A key with its default, or an example.
+fn key(text: &mut String, row: &Row, dialect: Dialect, lang: Lang) {
+    let value = literal(row, dialect).unwrap_or_else(|| row.example.to_owned());
+    line(text, &format!("#{} = {value}", row.name), row.meaning, lang);
 }
 
-/// The keys of a table that is an example.
-fn examples(text: &mut String, rows: &[Row], lang: Lang) -> fmt::Result {
-    for row in rows {
-        writeln!(text, "#{} = {}  # {}", row.name, row.example, plain(row.meaning.get(lang)))?;
-    }
-    Ok(())
+/// A line, with as much of its meaning behind it as there is room for: up to a `;`, a `:` or a `,`.
+fn line(text: &mut String, code: &str, meaning: Bilingual, lang: Lang) {
+    let meaning = meaning.get(lang).replace('`', "");
+    let room = WIDTH.saturating_sub(code.chars().count().max(36) + 4);
+    let parts = [Some(meaning.as_str()), part(&meaning, ';'), part(&meaning, ':'), part(&meaning, ',')];
+    let shown = parts.into_iter().flatten().find(|part| part.chars().count() <= room);
+    // Writing to a `String` cannot fail.
+    let _ = match shown {
+        Some(shown) => writeln!(text, "{code:36}  # {shown}"),
+        None => writeln!(text, "{code}"),
+    };
 }
 
-/// A table whose keys are names of the control: groups with what holds at power-up, an example of the others.
-fn map(text: &mut String, section: &Section, names: Names, dialect: Dialect) -> fmt::Result {
-    writeln!(text, "[{}]", section.name)?;
-    if names != Names::Groups {
-        return writeln!(text, "#{}", section.example);
-    }
-    let functions = MFunctions::standard(dialect);
-    for (name, number) in names.listed().unwrap_or_default() {
-        let default = match m_group(number) {
-            Some(group) => functions.defaults().get(usize::from(group)).copied().flatten(),
-            None => group(number).and_then(GCode::power_up).map(GCode::number),
-        };
-        if let Some(default) = default {
-            writeln!(text, "{name} = {default}")?;
-        }
-    }
-    Ok(())
+/// What stands before the first `end`.
+fn part(meaning: &str, end: char) -> Option<&str> {
+    meaning.split_once(end).map(|(part, _)| part)
 }
 
 /// The default as TOML, where there is one.
@@ -136,57 +151,61 @@ pub(super) fn literal(row: &Row, dialect: Dialect) -> Option<String> {
     }
 }
 
-/// What a key sets and takes.
-fn about(row: &Row, lang: Lang) -> String {
-    let takes = row.takes.shown(lang);
-    sentence(&format!("{}: {takes}", row.meaning.get(lang)), row.rule)
-}
-
-fn sentence(meaning: &str, rule: &str) -> String {
-    let mut characters = meaning.chars();
-    let start: String = characters.next().into_iter().flat_map(char::to_uppercase).collect();
-    format!("{start}{} ({rule}).", characters.as_str())
-}
-
-/// Without the marks of Markdown.
-fn plain(text: &str) -> String {
-    text.replace('`', "")
-}
-
-/// A comment, in lines that are not too long.
-fn comment(text: &mut String, words: &str) -> fmt::Result {
-    let mut line = String::from("#");
-    for word in plain(words).split_whitespace() {
-        if line.chars().count() + 1 + word.chars().count() > WIDTH {
-            writeln!(text, "{line}")?;
-            line = String::from("#");
-        }
-        line.push(' ');
-        line.push_str(word);
-    }
-    writeln!(text, "{line}")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::Settings;
     use crate::config::tests::Run;
-    use crate::config::{Machine, Settings};
 
-    /// The file sets what holds without it.
+    fn all() -> impl Iterator<Item = (Dialect, Lang, String)> {
+        let pairs = Dialect::ALL.into_iter().flat_map(|dialect| [Lang::En, Lang::Cs].map(|lang| (dialect, lang)));
+        pairs.map(|(dialect, lang)| (dialect, lang, initial(dialect, &Surroundings::default(), lang)))
+    }
+
+    /// project-file.md: in force is the dialect, so that editing it gives another machine whole.
     #[test]
-    fn sets_the_defaults_of_the_dialect() {
-        for dialect in Dialect::ALL {
-            for lang in [Lang::En, Lang::Cs] {
-                let text = initial(dialect, lang);
-                assert_eq!(text.contains("channel-config"), dialect.has_channel_config());
-                let run = Run::plain(&text);
-                assert!(run.findings.is_empty(), "{text}{:?}", run.findings);
-                let settings = run.settings();
-                assert_eq!(format!("{settings:?}"), format!("{:?}", Settings::new(dialect)));
-                assert_eq!(settings.machine.limits, Machine::new(dialect).limits);
-                assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
+    fn sets_nothing_but_the_dialect() {
+        for (dialect, _, text) in all() {
+            let run = Run::plain(&text);
+            assert!(run.findings.is_empty(), "{text}{:?}", run.findings);
+            assert_eq!(format!("{:?}", run.settings()), format!("{:?}", Settings::new(dialect)));
+            assert!(text.lines().count() <= 120, "{}", text.lines().count());
+            assert!(text.lines().all(|line| line.chars().count() <= 120), "{text}");
+            for rule in ["MFN-", "ADR-", "§"] {
+                assert!(!text.contains(rule), "{text}");
             }
         }
+    }
+
+    /// Each key, without its `#` and that of its table, is in a valid file.
+    #[test]
+    fn every_line_can_be_used() {
+        for (dialect, _, text) in all() {
+            let lines: Vec<&str> = text.lines().collect();
+            let is_code = |line: &str| line.starts_with('#') && !line.starts_with("# ");
+            let mut table = None;
+            for (at, line) in lines.iter().enumerate().filter(|(_, line)| is_code(line)) {
+                if line.starts_with("#[") {
+                    table = Some(at);
+                    continue;
+                }
+                let used = |other: usize| other == at || Some(other) == table;
+                let uncommented = lines.iter().enumerate().map(|(other, line)| match line.strip_prefix('#') {
+                    Some(code) if used(other) => format!("{code}\n"),
+                    _ => format!("{line}\n"),
+                });
+                let run = Run::plain(&uncommented.collect::<String>());
+                assert!(run.findings.is_empty(), "{dialect:?} {line}: {:?}", run.findings);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_there_is_named() {
+        let found =
+            Surroundings { macrocycles: vec!["macros".to_owned()], channel_config: Some("Channel.xml".to_owned()) };
+        let text = initial(Dialect::Cnc872, &found, Lang::En);
+        assert!(text.contains("\nmacrocycles = [\"macros\"]") && text.contains("\nchannel-config = \"Channel.xml\""));
+        assert!(!initial(Dialect::Cnc8x9, &found, Lang::En).contains("channel-config"));
     }
 }

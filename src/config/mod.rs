@@ -37,7 +37,7 @@ pub use client::{client_keys, client_overrides};
 pub use configure::configure;
 pub use constant::Constant;
 pub use find::{PROJECT_FILE, find_project};
-pub use init::initial;
+pub use init::{Surroundings, initial};
 pub use key::Key;
 pub use machine::{Axes, Axis, EXTENSIONS, Gear, Level, Limits, Machine, Purpose, Settings};
 pub use mfunctions::{MFunction, MFunctions};

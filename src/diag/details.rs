@@ -7,6 +7,9 @@ bilingual! {
     /// Why a file cannot be read.
     Problem {
         NotFound "no such file", "soubor neexistuje";
+        Pattern
+            "no such file; the shell passed the pattern on as it is: name the files, or their folder",
+            "soubor neexistuje; shell předal vzor tak, jak je: uvést soubory, nebo jejich složku";
         Denied "permission denied", "přístup odepřen";
         Directory "it is a directory", "je to složka";
         NotAFile "it is not a regular file", "není to obyčejný soubor";

@@ -25,7 +25,7 @@ pub struct Report {
     by_name: BTreeMap<String, Vec<FileId>>,
     items: BTreeMap<(Location, Code, u8), Reported>,
     counts: BTreeMap<(FileId, Code), Count>,
-    programs: usize,
+    files: Vec<String>,
     not_executed: Vec<NotExecuted>,
     unusable: bool,
 }
@@ -76,7 +76,8 @@ impl Report {
 
     /// Adds the findings of one program, as [`Self::add`] does, and counts the program.
     pub fn add_program(&mut self, sources: &Sources, findings: Findings) {
-        self.programs += 1;
+        let name = sources.get(FileId(0)).map(|source| source.name().to_owned());
+        self.files.push(name.unwrap_or_default());
         self.add(sources, findings);
     }
 
@@ -155,7 +156,12 @@ impl Report {
 
     /// How many programs were checked.
     pub const fn programs(&self) -> usize {
-        self.programs
+        self.files.len()
+    }
+
+    /// The programs that were checked, as the user named them.
+    pub fn files(&self) -> &[String] {
+        &self.files
     }
 
     /// How many errors there are, those that were not kept included.

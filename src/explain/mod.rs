@@ -8,5 +8,5 @@ mod signal_page;
 mod topic;
 mod usage;
 
-pub use search::{Hit, search};
+pub use search::{Hit, search, search_stems};
 pub use topic::{Topic, Unknown, nearest};

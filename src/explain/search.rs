@@ -12,10 +12,28 @@ pub struct Hit {
     pub in_title: bool,
 }
 
+/// Most letters that an ending has: `vrtání`, `vrtat`, `vrtací` are one word.
+const ENDING: usize = 3;
+/// Letters that are left of a word without its ending.
+const STEM: usize = 4;
+
 /// The pages that have words which begin with those of `query`, in either language; upper and lower case, and letters with
 /// and without accents, are alike. Those with the words in their titles come first.
 pub fn search(query: &str) -> Vec<Hit> {
-    let wanted = words(query);
+    pages(&words(query))
+}
+
+/// The same, whatever endings the words have.
+pub fn search_stems(query: &str) -> Vec<Hit> {
+    let mut wanted = words(query);
+    for word in &mut wanted {
+        let letters = word.chars().count();
+        *word = word.chars().take(letters.saturating_sub(ENDING).max(STEM)).collect();
+    }
+    pages(&wanted)
+}
+
+fn pages(wanted: &[String]) -> Vec<Hit> {
     if wanted.is_empty() {
         return Vec::new();
     }
@@ -78,6 +96,10 @@ mod tests {
             assert!(radius.contains(&name.to_owned()), "{name}: {radius:?}");
         }
         assert_eq!(names("rezna rychlost"), names("Řezná RYCHLOST"));
+        for query in ["vrtání", "vrtat", "Vrtání"] {
+            let drilling: Vec<String> = search_stems(query).into_iter().map(|hit| hit.topic.name()).collect();
+            assert!(drilling.contains(&"G81".to_owned()), "{drilling:?}");
+        }
         assert!(names("řezná rychlost").contains(&"G96".to_owned()));
         // Titles first.
         let hits = search("posuv");

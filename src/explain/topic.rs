@@ -255,8 +255,14 @@ fn is_value(text: &str) -> bool {
     text.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'.' | b'-' | b'+' | b' ' | b'='))
 }
 
+/// Longest name for which a near one is looked for, in bytes.
+const LONGEST: usize = 100;
+
 /// The code or name of a diagnostic, or the signal, that is most like `name`. `W0306` is E0306: numbers are known better than levels.
 pub fn nearest(name: &str) -> Option<&'static str> {
+    if name.len() > LONGEST {
+        return None;
+    }
     let (upper, lower) = (name.to_ascii_uppercase(), name.to_ascii_lowercase());
     let number = |code: &str| code.get(1..).map(str::to_owned);
     if let Some(code) = Code::ALL.iter().find(|code| number(code.as_str()) == number(&upper)) {

@@ -98,6 +98,10 @@ const ARITHMETIC: &[Bilingual] = &[
 
 const CYCLE: &[Bilingual] = &[
     note(
+        "On other controls: drilling, tapping and boring (G81 drilling, G84 tapping, G85 boring)",
+        "U jiných systémů: vrtání, závitování a vyvrtávání (G81 vrtání, G84 závit, G85 vyvrtávání)",
+    ),
+    note(
         "What it does is not in the manuals but for \"by the ISO standard\". So the project file says which macrocycle it \
          is: `[cycles]`, `G81 = 8100`",
         "Co dělá, příručky neříkají, jen „podle normy ISO“. Makrocyklus proto určuje soubor projektu: `[cycles]`, \

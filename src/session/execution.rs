@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 
+use super::checks::Checks;
 use super::{Outcome, Run, Session, is_stopped, offers};
 use crate::config::Purpose;
 use crate::diag::Findings;
@@ -21,6 +22,8 @@ pub struct Execution<'a> {
     interpreter: Interpreter,
     outcome: Outcome,
     purpose: Purpose,
+    /// What else is looked for in the blocks.
+    checks: Option<Box<Checks>>,
     /// No error was found, and nobody gave up.
     whole: bool,
     /// Blocks after an error are shown as well.
@@ -52,6 +55,7 @@ impl<'a> Execution<'a> {
             whole: !is_stopped(&outcome.findings, purpose),
             outcome,
             purpose,
+            checks: None,
             despite_errors: false,
             given_up: false,
             most: u64::MAX,
@@ -62,6 +66,17 @@ impl<'a> Execution<'a> {
     pub(super) fn of_piece(self, state: State, most: u64) -> Self {
         let interpreter = Interpreter::from_state(&self.program, state);
         Self { interpreter, most, ..self }
+    }
+
+    /// The same, with what else its run looks for in executed blocks.
+    pub(super) fn with_checks(self) -> Self {
+        let checks = Checks::of(self.session.settings, self.purpose);
+        Self { checks, ..self }
+    }
+
+    /// Whether all blocks must be shown for what is looked for in them.
+    pub(super) const fn has_checks(&self) -> bool {
+        self.checks.is_some()
     }
 
     /// The same, with blocks after an error shown as well: for what is known of a program that is not right yet.
@@ -95,6 +110,9 @@ impl<'a> Execution<'a> {
         }
         let block = self.interpreter.step(&mut self.program, &mut self.outcome.findings)?;
         let findings = &mut self.outcome.findings;
+        if let Some(checks) = &mut self.checks {
+            checks.block(&block, findings);
+        }
         if is_stopped(findings, self.purpose) {
             self.whole = false;
             if !self.despite_errors {
@@ -157,7 +175,11 @@ impl<'a> Execution<'a> {
             }
         }
         self.outcome.executed = self.interpreter.executed();
-        End::of(&self.interpreter, &self.outcome.findings).filter(|_| self.whole)
+        let end = End::of(&self.interpreter, &self.outcome.findings).filter(|_| self.whole)?;
+        if let Some(checks) = self.checks.take() {
+            checks.end(end, &mut self.outcome.findings);
+        }
+        End::of(&self.interpreter, &self.outcome.findings)
     }
 
     /// Ends the run: what it found, and how the program ended; `None` when it has errors, or was not executed to its end.

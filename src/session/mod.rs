@@ -1,5 +1,6 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
+mod checks;
 mod execution;
 mod offers;
 mod signals;
@@ -9,8 +10,6 @@ use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::analysis::equidistant::Equidistant;
-use crate::analysis::motion::JointFindings;
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem};
 use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
@@ -70,12 +69,13 @@ pub struct Session<'a> {
 impl<'a> Session<'a> {
     /// Checks the program or macrocycle at `path`, which the user calls `name`: everything that `check` finds.
     pub fn check(&self, path: &Path, name: &str) -> Outcome {
-        let analyses = (JointFindings::new(self.settings), Equidistant::new(self.settings, false));
-        if analyses.0.is_wanted() || analyses.1.is_wanted() {
-            return self.run(path, name, Purpose::Check, analyses).outcome;
-        }
         match self.open(path, name, Purpose::Check) {
-            Ok(execution) => execution.finish().outcome,
+            Ok(mut execution) => {
+                if execution.has_checks() {
+                    execution.show(&mut ());
+                }
+                execution.finish().outcome
+            }
             Err(outcome) => *outcome,
         }
     }
@@ -128,7 +128,7 @@ impl<'a> Session<'a> {
             }
             return Err(Box::new(outcome));
         }
-        Ok(Execution::new(*self, path, resolved, outcome, purpose))
+        Ok(Execution::new(*self, path, resolved, outcome, purpose).with_checks())
     }
 
     /// The first half of [`Self::check`]: what is found without executing the program.
@@ -219,7 +219,11 @@ impl<'a> Session<'a> {
         match self.loader.load(path, name, self.settings.encoding) {
             Ok(source) => Some(source),
             Err(error) => {
-                self.refuse(name, Problem::from_io(&error), outcome);
+                let problem = match Problem::from_io(&error) {
+                    Problem::NotFound if name.contains(['*', '?']) => Problem::Pattern,
+                    problem => problem,
+                };
+                self.refuse(name, problem, outcome);
                 None
             }
         }

@@ -29,12 +29,16 @@ pub(super) fn check_lines(file: FileId, source: &SourceText, start: u32, end: u3
     }
 }
 
-/// Reports a file in UTF-16, with a fix that writes all of it in UTF-8 (LEX-13).
+/// Reports a file in UTF-16, with a fix that writes all of it in UTF-8 where that loses nothing (LEX-13).
 pub(super) fn report_utf16(file: FileId, source: &SourceText, findings: &mut Findings) {
     let at = |span: Span| Location { file, span };
     let text = source.text().get(source.first_offset() as usize..).sure();
     let diagnostic = Diagnostic::new(Finding::Utf16 {}, at(Span::empty(source.first_offset())));
-    findings.add(diagnostic.with_fix(FixTitle::Utf8, at(Span::new(0, source.len())), text));
+    // Where bytes are no character, the text would lose them.
+    findings.add(match source.is_exact() {
+        true => diagnostic.with_fix(FixTitle::Utf8, at(Span::new(0, source.len())), text),
+        false => diagnostic,
+    });
 }
 
 /// Where the text ends that is read: before a trailing run of blanks and line ends that holds a Ctrl-Z or NUL (LEX-8).

@@ -57,6 +57,17 @@ impl Encoding {
         }
     }
 
+    /// Whether the bytes have no unit of UTF-16 that stands for nothing: half a pair, or half a unit at the end.
+    pub(super) fn is_exact(self, bytes: &[u8]) -> bool {
+        let unit: fn(&[u8; 2]) -> u16 = match self {
+            Self::Utf16Le => |pair| u16::from_le_bytes(*pair),
+            Self::Utf16Be => |pair| u16::from_be_bytes(*pair),
+            Self::Utf8 | Self::Cp852 | Self::Windows1250 | Self::Iso88592 | Self::Kamenicky => return true,
+        };
+        let (pairs, rest) = bytes.as_chunks();
+        rest.is_empty() && char::decode_utf16(pairs.iter().map(unit)).all(|unit| unit.is_ok())
+    }
+
     /// Decodes every byte to exactly one character (in the one-byte code pages): nothing is lost, nothing merged.
     pub(super) fn decode(self, bytes: &[u8]) -> String {
         match self {

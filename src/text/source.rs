@@ -34,6 +34,8 @@ pub struct SourceText {
     bom: bool,
     /// Its last character is half a one in the file, which is in UTF-16 and has an odd number of bytes.
     half: bool,
+    /// No byte was lost in decoding.
+    exact: bool,
     lines: OnceLock<LineIndex>,
 }
 
@@ -45,8 +47,12 @@ impl SourceText {
     /// [`DecodeError::TooLarge`] when the text has 4 GiB or more.
     pub fn decode(name: impl Into<String>, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
         let size = bytes.len();
+        let mut exact = true;
         let (text, encoding) = match Encoding::utf16(&bytes) {
-            Some(wide) => (wide.decode(&bytes), wide),
+            Some(wide) => {
+                exact = wide.is_exact(&bytes);
+                (wide.decode(&bytes), wide)
+            }
             None => match String::from_utf8(bytes) {
                 Ok(text) => (text, Encoding::Utf8),
                 Err(error) => (fallback.decode(error.as_bytes()), fallback),
@@ -57,14 +63,15 @@ impl SourceText {
         }
         let bom = !encoding.is_single_byte() && text.starts_with('\u{feff}');
         let half = encoding.is_utf16() && encoding.length(&text) > size;
-        Ok(Self { name: name.into(), text, encoding, bom, half, lines: OnceLock::new() })
+        Ok(Self { name: name.into(), text, encoding, bom, half, exact, lines: OnceLock::new() })
     }
 
     /// A text that is already decoded: an editor's buffer, a test.
     pub fn from_text(name: impl Into<String>, text: impl Into<String>) -> Self {
         let text = text.into();
         let bom = text.starts_with('\u{feff}');
-        Self { name: name.into(), text, encoding: Encoding::Utf8, bom, half: false, lines: OnceLock::new() }
+        let encoding = Encoding::Utf8;
+        Self { name: name.into(), text, encoding, bom, half: false, exact: true, lines: OnceLock::new() }
     }
 
     /// The file as the user named it.
@@ -80,6 +87,11 @@ impl SourceText {
     /// What the bytes were decoded from.
     pub const fn encoding(&self) -> Encoding {
         self.encoding
+    }
+
+    /// Whether the text is all that its bytes say: UTF-16 may have units that are no character.
+    pub const fn is_exact(&self) -> bool {
+        self.exact
     }
 
     /// Where the text begins: after a byte-order mark.

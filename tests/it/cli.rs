@@ -234,6 +234,8 @@ fn words_and_keys_are_explained() {
     let place = Place::with(&[]);
     let run = place.run(&["explain", "posuv", "--lang", "cs"]).ends(0);
     assert!(run.stdout.starts_with("Stránky, kde je „posuv“:\n  G94 "), "{run:?}");
+    assert!(place.run(&["explain", "vrtání"]).ends(0).stdout.contains("\n  G81 "));
+    place.run(&["explain", &"q".repeat(100_000)]).ends(2).says("no page has the word");
     let run = place.run(&["explain", "radius"]).ends(0);
     assert!(run.stdout.contains("\n  G41 ") && run.stdout.contains("\n  E0603 "), "{run:?}");
     let run = place.run(&["explain", "g97"]).ends(0);

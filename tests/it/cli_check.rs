@@ -99,7 +99,13 @@ fn pipes_in_a_folder_are_passed_by() {
     crate::cli::make_fifo(&place.path("b.nc"));
     crate::cli::make_fifo(&place.path("c.txt"));
     crate::cli::make_fifo(&place.path("L5"));
-    place.run(&["check", "."]).ends(0);
+    let run = place.run(&["check", "."]).ends(0);
+    let named: Vec<&str> = run
+        .stderr
+        .lines()
+        .filter_map(|line| line.strip_suffix(": not read, it is a pipe or a device: name it to check it"))
+        .collect();
+    assert_eq!(named, ["L5", "b.nc", "c.txt"]);
 }
 
 #[test]
@@ -236,4 +242,70 @@ fn the_first_of_many() {
     assert_eq!(shown(&["--format", "short"]), (20, true));
     assert_eq!(shown(&["--all"]), (30, false));
     assert_eq!(shown(&["--format", "short", "--all"]), (30, false));
+}
+
+#[test]
+fn a_pattern_that_no_shell_expanded() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
+    let run = place.run(&["check", "*.nc"]).ends(2);
+    assert!(run.stdout.contains("the shell passed the pattern on"), "{run:?}");
+    let run = place.run(&["check", "b.nc"]).ends(2);
+    assert!(!run.stdout.contains("pattern"), "{run:?}");
+    place.run(&["celo.nc"]).ends(2).says("cnc872c check celo.nc");
+    place.run(&["check", "a.nc", "--fix", "--diff"]).ends(2).says("does not go with");
+}
+
+/// diagnostics.md, "As JSON": which program found it, and in which files it looked.
+#[test]
+fn json_names_the_program_and_the_files() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("b.nc", crate::cli::BAD.as_bytes())]);
+    let run = place.run(&["check", ".", "--format", "json"]).ends(1);
+    assert!(
+        run.stdout.starts_with("{\"tool\":{\"name\":\"cnc872c\",\"version\":\"0.2.0\"},\"files\":[\"a.nc\",\"b.nc\"],")
+    );
+    let sarif = json(&place.run(&["check", ".", "--format", "sarif"]).ends(1).stdout);
+    assert_eq!(sarif["runs"][0]["tool"]["driver"]["version"], "0.2.0");
+}
+
+/// What is only offered is told apart from what `--fix` applies; the certain one comes first.
+#[test]
+fn json_says_which_fixes_are_certain() {
+    let place = Place::with(&[("a.nc", b"%1\nN10 G00 G90 X7 0\nN20 Y36,12\nN30 M30\n")]);
+    let found = json(&place.run(&["check", "a.nc", "--format", "json"]).ends(1).stdout);
+    let certain = |code: &str| {
+        let items = found["diagnostics"].as_array().unwrap();
+        let item = items.iter().find(|item| item["code"] == code).unwrap();
+        let fixes = item["fixes"].as_array().unwrap();
+        fixes.iter().map(|fix| fix["certain"].as_bool().unwrap()).collect::<Vec<_>>()
+    };
+    assert_eq!(certain("E0104"), [true]);
+    assert!(certain("E0102").iter().all(|certain| !certain), "{found:#}");
+}
+
+/// A file in lower case is one finding with many edits: as JSON it stays near the size of the file.
+#[test]
+fn many_edits_stay_small() {
+    let lines: String = (2..5000).map(|n| format!("n{n} x{n} y5\n")).collect();
+    let program = format!("%1\nn1 g0 g90 x0\n{lines}n5000 m30\n");
+    let place = Place::with(&[("a.nc", program.as_bytes())]);
+    for form in ["json", "sarif"] {
+        let run = place.run(&["check", "a.nc", "--format", form, "-A", "W0110"]).ends(0);
+        assert!(run.stdout.contains("W0108"), "{}", &run.stdout[..500]);
+        assert!(run.stdout.len() < 2 * program.len() + 20_000, "{form}: {}", run.stdout.len());
+    }
+}
+
+/// UTF-16 in which half a character stands is not written anew: the rest of it would be lost.
+#[test]
+fn broken_utf16_is_not_fixed() {
+    let wide = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    let (head, tail) = (wide("\u{feff}%1 \"x"), wide("\"\r\nN10 G90 G00 X0\r\nN20 M30\r\n"));
+    let whole = [head.clone(), tail.clone()].concat();
+    let lone = [head, vec![0, 0xd8], tail].concat();
+    let odd = [whole.clone(), vec![0x0d]].concat();
+    for (bytes, fixed) in [(&whole, true), (&lone, false), (&odd, false)] {
+        let place = Place::with(&[("a.nc", bytes)]);
+        place.run(&["check", "a.nc", "--fix"]).ends(if fixed { 0 } else { 1 });
+        assert_eq!(place.read("a.nc") == *bytes, !fixed);
+    }
 }

@@ -5,6 +5,7 @@
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::os::unix::fs::symlink;
+use std::os::unix::process::ExitStatusExt;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -368,13 +369,15 @@ fn readers_that_go_away_in_the_middle() {
 /// Every signal that ends a run leaves the old file and nothing beside it.
 #[test]
 fn signals_in_the_middle_of_an_output() {
-    for name in ["INT", "TERM", "HUP"] {
+    for (name, number) in [("INT", 2), ("TERM", 15), ("HUP", 1)] {
         let place = Place::with(&[("a.nc", LONG.as_bytes()), ("out", b"old")]);
         let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000000", "--lang", "cs"];
         let child = place.interruptible(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         wait_until("it writes", || place.list().len() == 3);
         signal(&child, name);
-        let run = Run::of(child.wait_with_output().unwrap()).ends(130);
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.signal(), Some(number), "{output:?}");
+        let run = Run::of(output);
         assert_eq!(run.stderr, "chyba: přerušeno; žádný soubor nezůstal zapsaný napůl\n");
         assert_eq!(place.read("out"), b"old");
         assert_eq!(place.list(), ["a.nc", "out"]);
@@ -397,14 +400,14 @@ fn an_interruption_while_many_programs_are_fixed() {
         // In the middle of it: when so many are fixed.
         wait_until("files are fixed", || names.iter().filter(|name| is_fixed(name)).count() >= wait);
         signal(&child, "INT");
-        let code = child.wait().unwrap().code();
+        let status = child.wait().unwrap();
         let fixed = names.iter().filter(|name| is_fixed(name)).count();
         assert!(names.iter().all(|name| is_fixed(name) || place.read(name) == before.as_bytes()));
         assert_eq!(place.list(), names, "nothing is left beside them");
-        match code {
-            Some(130) => cut += usize::from(fixed < names.len()),
+        match status.signal() {
+            Some(2) => cut += usize::from(fixed < names.len()),
             // It was done before the signal came.
-            code => assert_eq!((code, fixed), (Some(0), names.len())),
+            _ => assert_eq!((status.code(), fixed), (Some(0), names.len())),
         }
     }
     assert!(cut > 0, "no run was cut off");
@@ -430,8 +433,80 @@ fn an_ignored_signal_does_not_hide_the_others() {
     let child = writing_with_ignored(&place, "INT", &line);
     signal(&child, "INT");
     signal(&child, "TERM");
-    let run = Run::of(child.wait_with_output().unwrap()).ends(130);
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.signal(), Some(15), "{output:?}");
+    let run = Run::of(output);
     assert!(run.stderr.contains("no file is left half written"), "{run:?}");
     assert_eq!(place.read("out"), b"old");
     assert_eq!(place.list(), ["a.nc", "out"]);
+}
+
+/// A program that is written anew in place, with the same length, is one of its versions or E0112, never both.
+#[test]
+fn a_program_is_never_read_as_halves_of_two() {
+    use std::io::{Seek, SeekFrom, Write};
+    use std::sync::atomic::{AtomicBool, Ordering};
+    let version = |x: u32| {
+        let blocks: String = (2..20_000).map(|n| format!("N{n} X{x} Y{x}\n")).collect();
+        format!("%1\nN1 G90 G00 X{x}\n{blocks}N20000 M30\n").into_bytes()
+    };
+    let versions = [version(111), version(222)];
+    let place = Place::with(&[("a.nc", &versions[0])]);
+    let done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            let mut file = fs::OpenOptions::new().write(true).open(place.path("a.nc")).unwrap();
+            for bytes in versions.iter().cycle() {
+                if done.load(Ordering::Relaxed) {
+                    break;
+                }
+                file.seek(SeekFrom::Start(0)).unwrap();
+                for piece in bytes.chunks(1 << 14) {
+                    file.write_all(piece).unwrap();
+                    std::thread::yield_now();
+                }
+                std::thread::sleep(std::time::Duration::from_millis(7));
+            }
+        });
+        let runs: Vec<Run> = (0..12).map(|_| place.run(&["compile", "a.nc"])).collect();
+        done.store(true, Ordering::Relaxed);
+        for run in runs {
+            let both = run.stdout.contains("111") && run.stdout.contains("\"X\":222");
+            assert!(!both, "halves of two versions");
+            assert!(run.code == Some(0) || run.stderr.contains("E0112"), "{:?} {}", run.code, run.stderr);
+        }
+    });
+}
+
+/// Data that would be lost is told, in each command that writes to standard output.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_closed_standard_output() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
+    let run = |redirected: &str, line: &[&str]| {
+        let script = format!("exec \"$@\" {redirected}");
+        Run::of(place.command_through(&["sh", "-c", &script, "sh"], line).output().unwrap())
+    };
+    for line in [
+        &["check", "a.nc"][..],
+        &["check", "a.nc", "--format", "json"],
+        &["check", "a.nc", "--diff"],
+        &["compile", "a.nc"],
+        &["motion", "a.nc"],
+        &["plc", "a.nc"],
+        &["plc", "--list"],
+        &["report", "a.nc"],
+        &["view", "a.nc", "-o", "-"],
+        &["explain", "G01"],
+        &["schema"],
+        &["man"],
+        &["--help"],
+        &["--version"],
+    ] {
+        run(">&-", line).ends(2).says("standard output is closed");
+        run("> /dev/null", line).ends(0);
+        // What programs give that throw the output away.
+        run("1<> /dev/null", line).ends(0);
+    }
+    run(">&-", &["compile", "a.nc", "-o", "out"]).ends(0);
 }

@@ -9,11 +9,11 @@ fn a_file_for_each_control() {
     assert!(run.stdout.is_empty() && run.stderr.starts_with("cnc872c.toml is written"), "{run:?}");
     place.run(&["init", "sub", "--dialect", "cnc8x9", "--lang", "cs"]).ends(0).says("sub/cnc872c.toml je zapsán");
     let text = |name: &str| String::from_utf8(place.read(name)).unwrap();
-    assert!(text("cnc872c.toml").contains("\ndialect = \"cnc872\"\n"));
-    assert!(text("cnc872c.toml").contains("\ng97 = \"per-minute\"\n"));
+    assert!(text("cnc872c.toml").contains("\ndialect = \"cnc872\" "));
+    assert!(text("cnc872c.toml").contains("\n#g97 = \"per-minute\" "));
     let czech = text("sub/cnc872c.toml");
-    assert!(czech.contains("\ndialect = \"cnc8x9\"\n") && czech.contains("\nfeed = 24000\n"), "{czech}");
-    assert!(czech.contains("# Řídicí systém, pro který programy jsou"), "{czech}");
+    assert!(czech.contains("\ndialect = \"cnc8x9\" ") && czech.contains("\n#feed = 24000 "), "{czech}");
+    assert!(czech.contains("# řídicí systém, pro který programy jsou"), "{czech}");
     place.run(&["check", "a.nc", "sub/a.nc", "--deny-warnings"]).ends(0);
 }
 
@@ -32,4 +32,24 @@ fn nothing_is_overwritten() {
         place.run(&["init", "folder", "--lang", "cs"]).ends(2).says("už existuje");
         assert!(!place.path("folder/elsewhere").exists());
     }
+}
+
+/// Folders of macrocycles and a ChannelConfig that are there are named; programs then find them.
+#[test]
+fn what_is_there_is_in_force() {
+    let cycle = b"N1 G79 L9001\nN2 G70\n";
+    let files: [(&str, &[u8]); 5] = [
+        ("a.nc", b"%1\nN10 G90 G00 X0\nN20 G72 L9001\nN30 M30\n"),
+        ("cycles/mill/L9001", cycle),
+        ("notes.xml", b"<notes/>"),
+        ("Channel.xml", b"<ChannelConfig><MFunctions><MFunc No='3'/></MFunctions></ChannelConfig>"),
+        (".git/L5", cycle),
+    ];
+    let place = Place::with(&files);
+    place.run(&["check", "a.nc"]).ends(1);
+    place.run(&["init"]).ends(0);
+    let text = String::from_utf8(place.read("cnc872c.toml")).unwrap();
+    assert!(text.contains("\nmacrocycles = [\"cycles/mill\"]"), "{text}");
+    assert!(text.contains("\nchannel-config = \"Channel.xml\""), "{text}");
+    place.run(&["check", "a.nc"]).ends(0);
 }

@@ -271,3 +271,19 @@ fn too_many_yellow_dots_are_left_out_and_that_is_said() {
     assert!(!few.stderr.contains(said));
     assert_eq!(dots(&String::from_utf8(place.read("a.svg")).unwrap(), "dot yellow").len(), 898);
 }
+
+/// A device is written to, as `compile` does; an opener that fails is told.
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_and_openers() {
+    let place = Place::with(&[("a.nc", crate::cli::GOOD.as_bytes())]);
+    let page = place.run(&["view", "a.nc", "-o", "-"]).ends(0).stdout;
+    assert_eq!(place.run(&["view", "a.nc", "-o", "/dev/stdout"]).ends(0).stdout, page);
+    place.put("bin/xdg-open", "#!/bin/sh\nexit 3\n");
+    let opener = place.path("bin/xdg-open");
+    assert!(std::process::Command::new("chmod").arg("+x").arg(&opener).status().unwrap().success());
+    let mut command = place.command(&["view", "a.nc", "-o", "x.html", "--open"]);
+    let output = command.env("PATH", opener.parent().unwrap()).output().unwrap();
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("xdg-open did not open it"), "{output:?}");
+}

@@ -36,6 +36,7 @@ mod run;
 mod samples;
 mod state;
 mod stats;
+mod statuses;
 mod stream;
 mod terminal;
 mod terms;

@@ -6,6 +6,7 @@ use std::io::{self, Write};
 use schemars::{JsonSchema, generate::SchemaSettings};
 use serde::{Serialize, Serializer};
 
+use super::edits::gathered;
 use super::json_text;
 use super::places::Places;
 use crate::diag::{Diagnostic, Report, Reported, Severity, terminal_safe};
@@ -35,6 +36,10 @@ pub fn schema() -> serde_json::Value {
 #[derive(Serialize, JsonSchema)]
 #[schemars(title = "cnc872c diagnostics")]
 struct Document<'a> {
+    /// The program that found them.
+    tool: Tool,
+    /// The programs and macrocycles that were checked, as the user named them.
+    files: &'a [String],
     /// Name and version of this form.
     #[schemars(extend("const" = SCHEMA))]
     schema: &'static str,
@@ -43,6 +48,15 @@ struct Document<'a> {
     diagnostics: Items<'a>,
     /// How many there are.
     summary: Summary,
+}
+
+/// The program that found something.
+#[derive(Serialize, JsonSchema)]
+struct Tool {
+    /// Its name.
+    name: &'static str,
+    /// Its version.
+    version: &'static str,
 }
 
 /// One finding.
@@ -72,7 +86,7 @@ struct Item<'a> {
     labels: Vec<Label<'a>>,
     /// The calls that led there, outermost first.
     calls: Vec<Call<'a>>,
-    /// Changes, each of which fixes it.
+    /// Changes, each of which may fix it: the certain one, then those that are offered.
     fixes: Vec<Fix<'a>>,
 }
 
@@ -140,8 +154,10 @@ struct Call<'a> {
 struct Fix<'a> {
     /// What it does.
     title: String,
+    /// Whether it is what was meant beyond doubt, so that `check --fix` applies it; else it is offered.
+    certain: bool,
     /// Replacements that do not overlap.
-    #[schemars(with = "Vec<Edit<'a>>")]
+    #[schemars(with = "Vec<Edit<'a, 'a>>")]
     edits: Edits<'a>,
 }
 
@@ -165,19 +181,19 @@ struct Edits<'a> {
 
 impl Serialize for Edits<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.edits.iter().map(|edit| self.form.edit(edit)))
+        serializer.collect_seq(gathered(self.edits, &self.form.places).iter().map(|edit| self.form.edit(edit)))
     }
 }
 
 /// One replacement.
 #[derive(Serialize, JsonSchema)]
-struct Edit<'a> {
+struct Edit<'a, 't> {
     /// The file that is changed.
     file: &'a str,
     /// What is replaced.
     span: Range,
-    /// By what: ASCII, the same in every code page.
-    text: &'a str,
+    /// By what.
+    text: &'t str,
 }
 
 /// How many programs and findings there are.
@@ -210,6 +226,8 @@ struct NotExecuted {
 
 fn document<'a>(form: &'a Form<'a>, report: &'a Report) -> Document<'a> {
     Document {
+        tool: Tool { name: env!("CARGO_PKG_NAME"), version: env!("CARGO_PKG_VERSION") },
+        files: report.files(),
         schema: SCHEMA,
         diagnostics: Items { form, report },
         summary: Summary {
@@ -265,18 +283,19 @@ impl<'a> Form<'a> {
                     line: self.places.start(call.at).line,
                 })
                 .collect(),
-            fixes: fixes
-                .iter()
-                .filter(|fix| fix.certain)
+            fixes: [true, false]
+                .into_iter()
+                .flat_map(|certain| fixes.iter().filter(move |fix| fix.certain == certain))
                 .map(|fix| Fix {
                     title: safe(fix.title.text(self.lang)),
+                    certain: fix.certain,
                     edits: Edits { form: self, edits: &fix.edits },
                 })
                 .collect(),
         }
     }
 
-    fn edit(&'a self, edit: &'a crate::diag::Edit) -> Edit<'a> {
+    fn edit<'t>(&'a self, edit: &'t crate::diag::Edit) -> Edit<'a, 't> {
         Edit { file: self.places.name(edit.at.file), span: self.range(edit.at), text: &edit.text }
     }
 
@@ -309,14 +328,15 @@ mod tests {
 
     #[test]
     fn every_member() {
-        let text = rendered(Format::Json, &samples::plain(), Lang::En, false);
+        let no_version = |text: String| text.replace(env!("CARGO_PKG_VERSION"), "0.0.0");
+        let text = no_version(rendered(Format::Json, &samples::plain(), Lang::En, false));
         insta::assert_snapshot!(text.replace("},{\"code\"", "},\n {\"code\""), @r#"
-            {"schema":"cnc872c.diagnostics/1","diagnostics":[{"code":"E0306","name":"duplicate-address","severity":"error","message":"`X` is written twice in this block","help":"keep one of them, or begin a new block with `N…`","notes":[],"file":"part.nc","span":{"start":{"line":2,"column":14,"offset":26},"end":{"line":2,"column":16,"offset":28}},"labels":[{"file":"part.nc","span":{"start":{"line":2,"column":8,"offset":20},"end":{"line":2,"column":10,"offset":22}},"message":"`X0` is the first one"}],"calls":[],"fixes":[]},
-             {"code":"E0104","name":"decimal-comma","severity":"error","message":"a decimal comma","help":"the control knows the decimal point only: write `X36.12`","notes":[],"file":"part.nc","span":{"start":{"line":3,"column":9,"offset":38},"end":{"line":3,"column":14,"offset":43}},"labels":[],"calls":[],"fixes":[{"title":"write `X36.12`","edits":[{"file":"part.nc","span":{"start":{"line":3,"column":9,"offset":38},"end":{"line":3,"column":14,"offset":43}},"text":"36.12"}]}]},
+            {"tool":{"name":"cnc872c","version":"0.0.0"},"files":["part.nc"],"schema":"cnc872c.diagnostics/1","diagnostics":[{"code":"E0306","name":"duplicate-address","severity":"error","message":"`X` is written twice in this block","help":"keep one of them, or begin a new block with `N…`","notes":[],"file":"part.nc","span":{"start":{"line":2,"column":14,"offset":26},"end":{"line":2,"column":16,"offset":28}},"labels":[{"file":"part.nc","span":{"start":{"line":2,"column":8,"offset":20},"end":{"line":2,"column":10,"offset":22}},"message":"`X0` is the first one"}],"calls":[],"fixes":[]},
+             {"code":"E0104","name":"decimal-comma","severity":"error","message":"a decimal comma","help":"the control knows the decimal point only: write `X36.12`","notes":[],"file":"part.nc","span":{"start":{"line":3,"column":9,"offset":38},"end":{"line":3,"column":14,"offset":43}},"labels":[],"calls":[],"fixes":[{"title":"write `X36.12`","certain":true,"edits":[{"file":"part.nc","span":{"start":{"line":3,"column":9,"offset":38},"end":{"line":3,"column":14,"offset":43}},"text":"36.12"}]}]},
              {"code":"W0214","name":"empty-block","severity":"warning","message":"block N30 is empty","help":"delete it, or say in a comment what it is for","notes":[],"file":"part.nc","span":{"start":{"line":4,"column":1,"offset":50},"end":{"line":4,"column":4,"offset":53}},"labels":[],"calls":[],"fixes":[]}],"summary":{"files":1,"errors":2,"warnings":1,"by_code":{"E0104":1,"E0306":1,"W0214":1},"not_executed":[]}}
             "#);
-        let text = rendered(Format::Json, &samples::called(), Lang::Cs, false);
-        insta::assert_snapshot!(text, @r#"{"schema":"cnc872c.diagnostics/1","diagnostics":[{"code":"E0510","name":"unusable-parameter-value","severity":"error","message":"R1 má hodnotu 2.5, ale D musí být celé číslo","notes":[],"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"labels":[{"file":"díly/a b.nc","span":{"start":{"line":2,"column":8,"offset":22},"end":{"line":2,"column":11,"offset":25}},"message":"zde dostal R1 hodnotu 2.5"}],"calls":[{"by":"G71","l":100,"file":"díly/a b.nc","n":80,"line":3},{"by":"G81","l":9081,"file":"díly/a b.nc","n":110,"line":6}],"fixes":[{"title":"napsat „D2“","edits":[{"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"text":"D2"}]}]}],"summary":{"files":1,"errors":1,"warnings":0,"by_code":{"E0510":1},"not_executed":[]}}"#);
+        let text = no_version(rendered(Format::Json, &samples::called(), Lang::Cs, false));
+        insta::assert_snapshot!(text, @r#"{"tool":{"name":"cnc872c","version":"0.0.0"},"files":["díly/a b.nc"],"schema":"cnc872c.diagnostics/1","diagnostics":[{"code":"E0510","name":"unusable-parameter-value","severity":"error","message":"R1 má hodnotu 2.5, ale D musí být celé číslo","notes":[],"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"labels":[{"file":"díly/a b.nc","span":{"start":{"line":2,"column":8,"offset":22},"end":{"line":2,"column":11,"offset":25}},"message":"zde dostal R1 hodnotu 2.5"}],"calls":[{"by":"G71","l":100,"file":"díly/a b.nc","n":80,"line":3},{"by":"G81","l":9081,"file":"díly/a b.nc","n":110,"line":6}],"fixes":[{"title":"napsat „D2“","certain":true,"edits":[{"file":"cykly/\u001b[31mL9081","span":{"start":{"line":2,"column":7,"offset":19},"end":{"line":2,"column":10,"offset":22}},"text":"D2"}]}]}],"summary":{"files":1,"errors":1,"warnings":0,"by_code":{"E0510":1},"not_executed":[]}}"#);
     }
 
     /// diagnostics.md: offsets are bytes of the file, columns characters.

@@ -1,5 +1,6 @@
 //! The forms in which findings leave the program: for people, for editors, for other programs.
 
+mod edits;
 #[cfg(feature = "cli")]
 mod excerpt;
 mod few;

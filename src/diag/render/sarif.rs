@@ -6,6 +6,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
+use super::edits::gathered;
 use super::places::Places;
 use super::{json_text, words};
 use crate::diag::{Code, Diagnostic, Edit, Report, Reported, explain, terminal_safe};
@@ -14,6 +15,9 @@ use crate::text::{Encoding, FileId, Location};
 
 /// Where the schema of SARIF is.
 const SCHEMA: &str = "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
+
+/// The name of the program as an address that never changes; pages about it come with it (`cnc872c explain`).
+const INFORMATION: &str = concat!("urn:", env!("CARGO_PKG_NAME"), ":", env!("CARGO_PKG_VERSION"));
 
 /// Writes one log with one run.
 pub(super) fn write(report: &Report, lang: Lang, out: &mut dyn Write) -> io::Result<()> {
@@ -45,7 +49,9 @@ impl Serialize for Run<'_> {
         let mut run = serializer.serialize_map(None)?;
         let driver = json!({
             "name": env!("CARGO_PKG_NAME"),
+            "version": env!("CARGO_PKG_VERSION"),
             "semanticVersion": env!("CARGO_PKG_VERSION"),
+            "informationUri": INFORMATION,
             "language": language(log.lang),
             "rules": log.codes.iter().map(|&code| log.rule(code)).collect::<Vec<_>>(),
         });
@@ -106,7 +112,7 @@ struct Replacements<'a> {
 impl Serialize for Replacements<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(
-            self.edits
+            gathered(self.edits, &self.log.places)
                 .iter()
                 .map(|edit| json!({"deletedRegion": self.log.region(edit.at), "insertedContent": {"text": edit.text}})),
         )

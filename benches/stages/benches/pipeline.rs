@@ -18,7 +18,7 @@ use cnc872c::syntax::{Form, parse, tokens};
 use cnc872c::text::{FileId, MemoryLoader, SourceText, Sources};
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 
-#[path = "../examples/generate.rs"]
+#[path = "../../../examples/generate.rs"]
 #[expect(dead_code, reason = "the example's command line is not used here")]
 mod generate;
 
