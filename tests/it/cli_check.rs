@@ -258,7 +258,7 @@ fn a_pattern_that_no_shell_expanded() {
 /// diagnostics.md, "As JSON": which program found it, and in which files it looked.
 #[test]
 fn json_names_the_program_and_the_files() {
-    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("b.nc", crate::cli::BAD.as_bytes())]);
+    let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("b.nc", BAD.as_bytes())]);
     let run = place.run(&["check", ".", "--format", "json"]).ends(1);
     assert!(
         run.stdout.starts_with("{\"tool\":{\"name\":\"cnc872c\",\"version\":\"0.2.0\"},\"files\":[\"a.nc\",\"b.nc\"],")

@@ -465,7 +465,7 @@ fn a_program_is_never_read_as_halves_of_two() {
                     file.write_all(piece).unwrap();
                     std::thread::yield_now();
                 }
-                std::thread::sleep(std::time::Duration::from_millis(7));
+                std::thread::sleep(Duration::from_millis(7));
             }
         });
         let runs: Vec<Run> = (0..12).map(|_| place.run(&["compile", "a.nc"])).collect();

@@ -276,7 +276,7 @@ fn too_many_yellow_dots_are_left_out_and_that_is_said() {
 #[cfg(target_os = "linux")]
 #[test]
 fn devices_and_openers() {
-    let place = Place::with(&[("a.nc", crate::cli::GOOD.as_bytes())]);
+    let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
     let page = place.run(&["view", "a.nc", "-o", "-"]).ends(0).stdout;
     assert_eq!(place.run(&["view", "a.nc", "-o", "/dev/stdout"]).ends(0).stdout, page);
     place.put("bin/xdg-open", "#!/bin/sh\nexit 3\n");
