@@ -37,6 +37,7 @@ pub fn pages() -> BTreeMap<String, String> {
         ("report", cnc872c::analysis::sheet::schema()),
         ("state", cnc872c::analysis::state::schema()),
         ("stats", cnc872c::stats::schema()),
+        ("compare", cnc872c::analysis::compare::schema()),
     ];
     for (name, schema) in schemas {
         pages.insert(format!("schemas/{name}.json"), format!("{schema:#}\n"));

@@ -1,5 +1,6 @@
 //! Readers of executed blocks: each is a [`crate::run::Sink`], and none knows another.
 
+pub mod compare;
 pub mod equidistant;
 pub mod motion;
 mod number;

@@ -60,6 +60,7 @@ pub(super) enum Command {
     Plc(PlcArgs),
     Report(ReportArgs),
     State(StateArgs),
+    Compare(CompareArgs),
     Explain(ExplainArgs),
     Init(InitArgs),
     Lsp(LspArgs),
@@ -366,6 +367,35 @@ pub(super) enum StatsFormat {
     Arrow,
 }
 
+/// `compare`.
+#[derive(Debug, Args)]
+pub(super) struct CompareArgs {
+    #[arg(value_name = "OLD")]
+    pub old: PathBuf,
+    #[arg(value_name = "NEW")]
+    pub new: PathBuf,
+    #[arg(long, value_name = "MM", default_value_t = 0.001, value_parser = not_negative)]
+    pub tolerance: f64,
+    #[arg(long, value_name = "%", default_value_t = 0.0, value_parser = not_negative)]
+    pub feed_tolerance: f64,
+    #[arg(long)]
+    pub parameters: bool,
+    #[arg(long)]
+    pub partial: bool,
+    #[arg(long, value_name = "FORMAT", default_value = "human")]
+    pub format: StateFormat,
+    #[arg(long)]
+    pub all: bool,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// A number that is not negative.
+fn not_negative(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|number| number.is_finite() && *number >= 0.0);
+    number.ok_or_else(|| "0.01".to_owned())
+}
+
 /// How findings are shown.
 #[derive(Debug, Args)]
 pub(super) struct FindingsArgs {
@@ -488,6 +518,7 @@ pub(super) enum SchemaName {
     Report,
     State,
     Stats,
+    Compare,
 }
 
 /// `completions`.

@@ -5,12 +5,13 @@ use crate::dict::Bilingual;
 use Heading::{Arguments, Options};
 
 /// The commands.
-pub(super) const COMMANDS: &[CommandText] = &[about(
-    "state",
-    "Tells what holds at a place of a program: position, functions, values, parameters, calls, time left",
-    "Řekne, co v daném místě programu platí: poloha, funkce, hodnoty, parametry, volání, zbývající čas",
-    Bilingual {
-        en: "\
+pub(super) const COMMANDS: &[CommandText] = &[
+    about(
+        "state",
+        "Tells what holds at a place of a program: position, functions, values, parameters, calls, time left",
+        "Řekne, co v daném místě programu platí: poloha, funkce, hodnoty, parametry, volání, zbývající čas",
+        Bilingual {
+            en: "\
 Examples:
   cnc872c state flange.nc --n 120                before N120; executed several times, its passes are listed
   cnc872c state flange.nc --n 120 --pass 3       before its third execution
@@ -22,7 +23,7 @@ Examples:
 
 Times are those of `motion`. Findings go to standard error. Exit status: 0 found, 1 the program has errors
 before the place, 2 there is no such place or several, or it could not run.",
-        cs: "\
+            cs: "\
 Příklady:
   cnc872c state priruba.nc --n 120               před N120; provádí-li se vícekrát, vypíše průchody
   cnc872c state priruba.nc --n 120 --pass 3      před jeho třetím provedením
@@ -34,8 +35,30 @@ Příklady:
 
 Časy jsou z „motion“. Hlášení jdou na standardní chybový výstup. Návratový kód: 0 nalezeno, 1 program má
 před místem chyby, 2 takové místo není nebo jich je více, nebo příkaz nešlo provést.",
-    },
-)];
+        },
+    ),
+    about(
+        "compare",
+        "Tells what two programs do differently; how they are written does not matter",
+        "Řekne, co dva programy dělají jinak; na způsobu zápisu nezáleží",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c compare old.nc new.nc                     what is cut differently
+  cnc872c compare old.nc new.nc --tolerance 0.01    positions up to 0.01 mm apart are the same
+  cnc872c compare old.nc new.nc --format json | jq '.changes[].kind'
+
+Exit status: 0 the same, 1 different, 2 it could not run, or a program has errors.",
+            cs: "\
+Příklady:
+  cnc872c compare stary.nc novy.nc                    co se obrobí jinak
+  cnc872c compare stary.nc novy.nc --tolerance 0.01   polohy do 0.01 mm od sebe jsou stejné
+  cnc872c compare stary.nc novy.nc --format json | jq '.changes[].kind'
+
+Návratový kód: 0 stejné, 1 různé, 2 příkaz nešlo provést nebo program má chyby.",
+        },
+    ),
+];
 
 /// The arguments.
 pub(super) const ARGUMENTS: &[ArgumentText] = &[
@@ -74,10 +97,44 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg("state", "after", Options, "The state behind the block, not before it", "Stav za blokem, ne před ním"),
     arg("state", "format", Options, "The form of the answer", "Tvar odpovědi"),
     arg("state", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
+    arg("compare", "old", Arguments, "The first program", "První program"),
+    arg("compare", "new", Arguments, "The second program", "Druhý program"),
+    arg(
+        "compare",
+        "tolerance",
+        Options,
+        "Positions that differ by so much at most are the same, mm and degrees",
+        "Polohy, které se liší nejvýše o tolik, jsou stejné, mm a stupně",
+    ),
+    arg(
+        "compare",
+        "feed_tolerance",
+        Options,
+        "F and S that differ by so many per cent at most are the same",
+        "F a S, které se liší nejvýše o tolik procent, jsou stejné",
+    ),
+    arg("compare", "parameters", Options, "Compare parameters and jumps too", "Porovnat i parametry a skoky"),
+    arg(
+        "compare",
+        "partial",
+        Options,
+        "Compare programs with errors as far as they can be executed",
+        "Programy s chybami porovnat, pokud je lze provést",
+    ),
+    arg("compare", "format", Options, "The form of the answer", "Tvar odpovědi"),
+    arg(
+        "compare",
+        "all",
+        Options,
+        "List all changes, not the first 40 lines",
+        "Vypsat všechny změny, ne jen prvních 40 řádků",
+    ),
 ];
 
 /// What stands for a value, in both languages.
 pub(super) const VALUES: &[Bilingual] = &[
+    Bilingual { en: "OLD", cs: "STARÝ" },
+    Bilingual { en: "NEW", cs: "NOVÝ" },
     Bilingual { en: "LINE", cs: "ŘÁDEK" },
     Bilingual { en: "TIME", cs: "ČAS" },
     Bilingual { en: "PASS", cs: "PRŮCHOD" },

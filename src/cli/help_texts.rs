@@ -346,6 +346,7 @@ Examples:
   cnc872c schema plc          of a line of plc --format json
   cnc872c schema report       of report --format json
   cnc872c schema state        of state --format json
+  cnc872c schema compare      of compare --format json
   cnc872c schema stats        of stats --format json",
             cs: "\
 Příklady:
@@ -356,6 +357,7 @@ Příklady:
   cnc872c schema plc          řádku plc --format json
   cnc872c schema report       listu report --format json
   cnc872c schema state        odpovědi state --format json
+  cnc872c schema compare      výstupu compare --format json
   cnc872c schema stats        výstupu stats --format json",
         },
     ),

@@ -3,6 +3,7 @@
 mod args;
 mod check;
 mod common;
+mod compare;
 mod compile;
 mod diff;
 mod explain;
@@ -67,6 +68,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
         Command::Compile(args) => compile::run(args, locale),
         Command::View(args) => view::run(args, locale),
         Command::Report(args) => report::run(args, locale),
+        Command::Compare(args) => compare::run(args, locale),
         Command::State(args) => state::run(args, locale),
         Command::Explain(args) => explain::run(args, locale),
         Command::Init(args) => init::run(args, locale),

@@ -4,7 +4,7 @@ use std::io::Write;
 
 use super::args::{SchemaArgs, SchemaName};
 use super::status::{Failure, Status, stdout};
-use crate::analysis::{motion, plc, sheet, state};
+use crate::analysis::{compare, motion, plc, sheet, state};
 use crate::{config, diag, stats, stream};
 
 pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
@@ -17,6 +17,7 @@ pub(super) fn run(args: &SchemaArgs) -> Result<Status, Failure> {
         SchemaName::Report => sheet::schema(),
         SchemaName::State => state::schema(),
         SchemaName::Stats => stats::schema(),
+        SchemaName::Compare => compare::schema(),
     };
     let mut out = stdout()?;
     out.write_all(format!("{schema:#}\n").as_bytes())?;

@@ -38,7 +38,7 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
         Named::At(asked) => Ok(asked),
         Named::Time(seconds, asked) => {
             let mut at_time = AtTime::new(settings, seconds);
-            let run = session.watch(path, &name, Purpose::Report, &mut at_time);
+            let run = session.watch(path, &name, Purpose::Report, &mut &mut at_time);
             match at_time.found() {
                 Ok(seq) => Ok(Asked { place: Place::Seq(seq), ..asked }),
                 Err(seconds) => Err((run.outcome, asked, seconds)),

@@ -185,6 +185,9 @@ bilingual! {
         Place { text: String }
             "{text}",
             "{text}";
+        CompareFolder { folder: String }
+            "{folder} is a folder: compare takes two programs",
+            "{folder} je složka: compare porovnává dva programy";
         NForm { text: String }
             "--n {text}: a block number belongs here, as in --n 120",
             "--n {text}: patří sem číslo bloku, například --n 120";

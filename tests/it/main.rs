@@ -14,6 +14,7 @@ mod cli_view;
 mod cli_walk;
 #[cfg(feature = "arrow")]
 mod columns;
+mod compare;
 mod dialects;
 mod disk;
 mod docs;

@@ -153,15 +153,15 @@ impl AtTime {
     }
 }
 
-impl Sink for AtTime {
-    type Whole = Self;
+impl Sink for &mut AtTime {
+    type Whole = End;
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
         self.planned.push(self.reader.read(block));
         ControlFlow::Continue(())
     }
 
-    fn end(self, _: End, _: &mut Findings) -> Self {
-        self
+    fn end(self, end: End, _: &mut Findings) -> End {
+        end
     }
 }

@@ -1,0 +1,436 @@
+//! Differences of aligned steps, grouped: what is the same change at many blocks is one (CMP-4).
+
+use std::collections::BTreeMap;
+
+use super::align::{Aligned, align};
+use super::steps::{Context, Does, Event, Motion, Step, Steps, Value};
+use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::run::FeedUnit;
+
+/// What differs.
+#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub enum ChangeKind {
+    /// Where a motion ends, or its centre.
+    Position,
+    /// F.
+    Feed,
+    /// S.
+    Speed,
+    /// T, M06.
+    Tool,
+    /// G or M functions, H, P.
+    Function,
+    /// G04.
+    Dwell,
+    /// M00, M01.
+    Stop,
+    /// D, `&`.
+    Correction,
+    /// Words that are data, or that nobody knows the meaning of.
+    Data,
+    /// Parameters and jumps.
+    Parameter,
+    /// Blocks of the new program alone.
+    Added,
+    /// Blocks of the old program alone.
+    Removed,
+}
+
+impl ChangeKind {
+    /// Every kind.
+    pub const ALL: [Self; 12] = [
+        Self::Position,
+        Self::Feed,
+        Self::Speed,
+        Self::Tool,
+        Self::Function,
+        Self::Dwell,
+        Self::Stop,
+        Self::Correction,
+        Self::Data,
+        Self::Parameter,
+        Self::Added,
+        Self::Removed,
+    ];
+
+    /// As in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Position => "position",
+            Self::Feed => "feed",
+            Self::Speed => "speed",
+            Self::Tool => "tool",
+            Self::Function => "function",
+            Self::Dwell => "dwell",
+            Self::Stop => "stop",
+            Self::Correction => "correction",
+            Self::Data => "data",
+            Self::Parameter => "parameter",
+            Self::Added => "added",
+            Self::Removed => "removed",
+        }
+    }
+}
+
+/// What is taken for the same.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerances {
+    /// Positions, mm and degrees.
+    pub position: Micro,
+    /// F and S, per cent.
+    pub percent: f64,
+}
+
+/// Executed blocks of one program, in runs.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
+pub struct Blocks {
+    /// From and to, by seq.
+    pub runs: Vec<[u32; 2]>,
+    /// How many.
+    pub count: u64,
+    /// The numbers of the first and the last.
+    pub n: Option<(u32, u32)>,
+}
+
+impl Blocks {
+    fn add(&mut self, step: &Step) {
+        match self.runs.last_mut() {
+            Some([_, to]) if *to >= step.seq => return,
+            Some([_, to]) if *to + 1 == step.seq => *to = step.seq,
+            _ => self.runs.push([step.seq; 2]),
+        }
+        self.count += 1;
+        self.n = Some((self.n.map_or(step.n, |(first, _)| first), step.n));
+    }
+}
+
+/// One change.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// What kind.
+    pub kind: ChangeKind,
+    /// The tool in the spindle.
+    pub tool: Option<Decimal>,
+    /// Axis, function or address.
+    pub what: Option<String>,
+    /// The old value, where it is one.
+    pub old: Option<Value>,
+    /// The new value, where it is one.
+    pub new: Option<Value>,
+    /// The difference, where it is one number.
+    pub delta: Option<i64>,
+    /// Blocks of the old program.
+    pub old_blocks: Blocks,
+    /// Blocks of the new program.
+    pub new_blocks: Blocks,
+}
+
+impl Change {
+    /// How many blocks it is.
+    pub fn count(&self) -> u64 {
+        self.old_blocks.count.max(self.new_blocks.count)
+    }
+}
+
+/// What two programs differ in.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Comparison {
+    /// In the order of their first places.
+    pub changes: Vec<Change>,
+}
+
+type Key = (ChangeKind, Option<Decimal>, Option<String>, Option<Value>, Option<Value>, Option<i64>, u64);
+
+/// A difference of two steps, or what one lacks.
+struct Difference {
+    kind: ChangeKind,
+    what: Option<String>,
+    old: Option<Value>,
+    new: Option<Value>,
+}
+
+struct Grouping<'s> {
+    old: &'s Steps,
+    new: &'s Steps,
+    tolerances: Tolerances,
+    groups: BTreeMap<Key, Change>,
+    /// Steps in a row without counterpart, of the old program and of the new one.
+    alone: [Vec<usize>; 2],
+    /// Single events of either program, by place.
+    events: [Vec<usize>; 2],
+    runs: u64,
+    /// Contexts that were the same.
+    same_context: Option<(u32, u32)>,
+}
+
+/// Compares what two programs do.
+pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
+    let mut grouping = Grouping {
+        old,
+        new,
+        tolerances,
+        groups: BTreeMap::new(),
+        alone: Default::default(),
+        events: Default::default(),
+        runs: 0,
+        same_context: None,
+    };
+    align(old, new, |aligned| match aligned {
+        Aligned::Old(at) => grouping.alone(0, at),
+        Aligned::New(at) => grouping.alone(1, at),
+        Aligned::Both(a, b) => {
+            grouping.end_runs();
+            grouping.pair(a, b);
+        }
+    });
+    grouping.end_runs();
+    grouping.end_events();
+    let mut changes: Vec<Change> = grouping.groups.into_values().collect();
+    let first = |change: &Change| {
+        let first = |blocks: &Blocks| blocks.runs.first().map_or(u32::MAX, |run| run[0]);
+        (first(&change.new_blocks).min(first(&change.old_blocks)), change.kind)
+    };
+    changes.sort_by_key(first);
+    Comparison { changes }
+}
+
+impl Grouping<'_> {
+    fn alone(&mut self, side: usize, at: usize) {
+        if let Some(alone) = self.alone.get_mut(side) {
+            alone.push(at);
+        }
+    }
+
+    const fn steps(&self, side: usize) -> &Steps {
+        if side == 0 { self.old } else { self.new }
+    }
+
+    /// A run without counterpart is blocks added or removed when it moves; else what is written in it counts by itself.
+    fn end_runs(&mut self) {
+        for side in 0..2 {
+            let run = self.alone.get_mut(side).map(std::mem::take).unwrap_or_default();
+            let steps = self.steps(side);
+            let moves = run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
+            if !moves {
+                if let Some(events) = self.events.get_mut(side) {
+                    events.extend(run);
+                }
+                continue;
+            }
+            self.runs += 1;
+            let kind = if side == 0 { ChangeKind::Removed } else { ChangeKind::Added };
+            for at in run {
+                let [old, new] = if side == 0 { [Some(at), None] } else { [None, Some(at)] };
+                self.note(Difference { kind, what: None, old: None, new: None }, old, new, self.runs);
+            }
+        }
+    }
+
+    /// What is written in one program alone: the same of the other program at another place is one change (CMP-4).
+    fn end_events(&mut self) {
+        let [old, new] = std::mem::take(&mut self.events);
+        let mut waiting: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+        for at in old.iter().rev() {
+            if let Some(step) = self.old.step(*at) {
+                waiting.entry(step.token).or_default().push(*at);
+            }
+        }
+        for at in new {
+            let Some(step) = self.new.step(at) else { continue };
+            let moved = waiting.get_mut(&step.token).and_then(Vec::pop);
+            if let Some(event) = event(self.new, step).cloned() {
+                let old = moved.map(|_| event.value.clone());
+                let runs = if moved.is_some() { self.next_run() } else { 0 };
+                self.note(difference(&event, old, Some(event.value.clone())), moved, Some(at), runs);
+            }
+        }
+        let mut left: Vec<usize> = waiting.into_values().flatten().collect();
+        left.sort_unstable();
+        for at in left {
+            let event = self.old.step(at).and_then(|step| event(self.old, step)).cloned();
+            if let Some(event) = event {
+                self.note(difference(&event, Some(event.value.clone()), None), Some(at), None, 0);
+            }
+        }
+    }
+
+    const fn next_run(&mut self) -> u64 {
+        self.runs += 1;
+        self.runs
+    }
+
+    /// The differences of two steps that are one.
+    fn pair(&mut self, a: usize, b: usize) {
+        let (Some(old), Some(new)) = (self.old.step(a), self.new.step(b)) else { return };
+        let contexts = (Steps::context_id(old), Steps::context_id(new));
+        let mut found = Vec::new();
+        match (self.old.does(old), self.new.does(new)) {
+            (Some(Does::Motion(old)), Some(Does::Motion(new))) => {
+                if old.values() != new.values() || old.axes != new.axes {
+                    self.positions(&old, &new, &mut found);
+                }
+            }
+            (Some(Does::Event(old)), Some(Does::Event(new))) if old.value != new.value => {
+                found.push(difference(new, Some(old.value.clone()), Some(new.value.clone())));
+            }
+            _ => {}
+        }
+        if self.same_context != Some(contexts)
+            && let (Some(old), Some(new)) = (self.old.context_of(old), self.new.context_of(new))
+        {
+            let before = found.len();
+            self.contexts(old, new, &mut found);
+            if found.len() == before {
+                self.same_context = Some(contexts);
+            }
+        }
+        found.into_iter().for_each(|difference| self.note(difference, Some(a), Some(b), 0));
+    }
+
+    fn positions(&self, old: &Motion, new: &Motion, found: &mut Vec<Difference>) {
+        let mut deltas = [0; AxisLetter::ALL.len()];
+        let beyond = |a: i64, b: i64| a.abs_diff(b) > self.tolerances.position.millionths().unsigned_abs();
+        let mut add = |what: String, old: Option<i64>, new: Option<i64>| {
+            let (old, new) = (old.map(Value::Number), new.map(Value::Number));
+            found.push(Difference { kind: ChangeKind::Position, what: Some(what), old, new });
+        };
+        for letter in AxisLetter::ALL {
+            match (old.value(letter), new.value(letter)) {
+                (Some(a), Some(b)) => {
+                    if let Some(delta) = deltas.get_mut(letter as usize) {
+                        *delta = b.saturating_sub(a);
+                    }
+                    if beyond(a, b) {
+                        add(letter.to_string(), Some(a), Some(b));
+                    }
+                }
+                // Named in one program alone, where it stays.
+                (Some(a), None) if old.moves(letter) => add(letter.to_string(), Some(a), None),
+                (None, Some(b)) if new.moves(letter) => add(letter.to_string(), None, Some(b)),
+                _ => {}
+            }
+        }
+        let (Some(plane), Some(a), Some(b)) = (new.plane, old.center(), new.center()) else { return };
+        for ((letter, what), (a, b)) in plane.into_iter().zip(["I", "J"]).zip(a.into_iter().zip(b)) {
+            let shift = deltas.get(letter as usize).copied().unwrap_or(0);
+            if beyond(a.saturating_add(shift), b) {
+                add(what.to_owned(), Some(a), Some(b));
+            }
+        }
+    }
+
+    fn contexts(&self, old: &Context, new: &Context, found: &mut Vec<Difference>) {
+        let near = |a: Decimal, b: Decimal| {
+            let (a, b) = (Micro::from(a).to_f64(), Micro::from(b).to_f64());
+            (a - b).abs() <= a.abs().max(b.abs()) * self.tolerances.percent / 100.0 + 1e-9
+        };
+        if old.working && new.working && old.feed != new.feed {
+            let same = matches!((old.feed, new.feed), (Some((a, unit, scale)), Some((b, new_unit, new_scale)))
+                if (unit, scale) == (new_unit, new_scale) && near(a, b));
+            if !same {
+                let units = [old.feed, new.feed].map(|feed| feed.map(|(_, unit, scale)| (unit, scale)));
+                let [unit, new_unit] = units;
+                let plain = unit == new_unit || unit.is_none() || new_unit.is_none();
+                let value = |feed: Option<(Decimal, FeedUnit, bool)>| feed.map(|feed| feed_value(feed, plain));
+                let (old, new) = (value(old.feed), value(new.feed));
+                found.push(Difference { kind: ChangeKind::Feed, what: Some("F".to_owned()), old, new });
+            }
+        }
+        let same_speed = match (old.speed, new.speed) {
+            (Some(a), Some(b)) => near(a, b),
+            (a, b) => a == b,
+        };
+        if old.working && new.working && !same_speed {
+            let (old, new) = (old.speed.map(Value::from), new.speed.map(Value::from));
+            found.push(Difference { kind: ChangeKind::Speed, what: Some("S".to_owned()), old, new });
+        }
+        let of =
+            |context: &Context, group: GGroup| context.functions.iter().copied().find(|code| code.group() == group);
+        for group in GGroup::ALL {
+            let (a, b) = (of(old, group), of(new, group));
+            if a != b {
+                let text = |code: Option<GCode>| code.map(|code| Value::Text(code.to_string()));
+                let what = b.or(a).map(|code| code.to_string());
+                found.push(Difference { kind: ChangeKind::Function, what, old: text(a), new: text(b) });
+            }
+        }
+        if old.dynamic_set != new.dynamic_set {
+            let number = |set: Option<u8>| set.map(|set| Value::from(Decimal::whole(i64::from(set))));
+            let (a, b) = (number(old.dynamic_set), number(new.dynamic_set));
+            let what = Some(GCode::G23.to_string());
+            found.push(Difference { kind: ChangeKind::Function, what, old: a, new: b });
+        }
+    }
+
+    /// Adds a difference to its group; `run`: one of its own, when not 0.
+    fn note(&mut self, difference: Difference, old: Option<usize>, new: Option<usize>, run: u64) {
+        let Difference { kind, what, old: old_value, new: new_value } = difference;
+        let old = old.and_then(|at| self.old.step(at));
+        let new = new.and_then(|at| self.new.step(at));
+        let context = new.and_then(|step| self.new.context_of(step));
+        let context = context.or_else(|| old.and_then(|step| self.old.context_of(step)));
+        let tool = context.and_then(|context| context.tool);
+        let delta = match (&old_value, &new_value) {
+            (Some(Value::Number(a)), Some(Value::Number(b))) if a != b => Some(b.saturating_sub(*a)),
+            _ => None,
+        };
+        // One shift is one change, whatever it shifts.
+        let by_delta = kind == ChangeKind::Position && delta.is_some();
+        let values = if by_delta { (None, None) } else { (old_value.clone(), new_value.clone()) };
+        let key = (kind, tool, what.clone(), values.0, values.1, delta, run);
+        let change = self.groups.entry(key).or_insert_with(|| Change {
+            kind,
+            tool,
+            what,
+            old: old_value.clone(),
+            new: new_value.clone(),
+            delta,
+            old_blocks: Blocks::default(),
+            new_blocks: Blocks::default(),
+        });
+        if change.old != old_value || change.new != new_value {
+            (change.old, change.new) = (None, None);
+        }
+        old.into_iter().for_each(|step| change.old_blocks.add(step));
+        new.into_iter().for_each(|step| change.new_blocks.add(step));
+    }
+}
+
+fn feed_value((value, unit, hundredth): (Decimal, FeedUnit, bool), plain: bool) -> Value {
+    if plain {
+        return Value::from(value);
+    }
+    let scale = if hundredth { " (M37)" } else { "" };
+    Value::Text(format!("{value} {}{scale}", unit.name()))
+}
+
+fn event<'s>(steps: &'s Steps, step: &Step) -> Option<&'s Event> {
+    match steps.does(step) {
+        Some(Does::Event(event)) => Some(event),
+        Some(Does::Motion(_)) | None => None,
+    }
+}
+
+fn difference(event: &Event, old: Option<Value>, new: Option<Value>) -> Difference {
+    // M functions are called by their numbers.
+    let function = |value: &Option<Value>| match value {
+        Some(Value::Text(text)) if event.slot.starts_with('m') => Some(text.clone()),
+        Some(Value::Text(_) | Value::Number(_)) | None => None,
+    };
+    let what = function(&new).or_else(|| function(&old));
+    let what = match event.kind {
+        ChangeKind::Dwell => None,
+        ChangeKind::Tool => Some("T".to_owned()),
+        ChangeKind::Position
+        | ChangeKind::Feed
+        | ChangeKind::Speed
+        | ChangeKind::Function
+        | ChangeKind::Stop
+        | ChangeKind::Correction
+        | ChangeKind::Data
+        | ChangeKind::Parameter
+        | ChangeKind::Added
+        | ChangeKind::Removed => what.or_else(|| Some(event.slot.clone())),
+    };
+    Difference { kind: event.kind, what, old, new }
+}

@@ -1,0 +1,160 @@
+//! The changes as JSON `cnc872c.compare/1`, and its schema.
+
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::Serialize;
+use serde_json::{Value as Json, json};
+
+use super::changes::{Blocks, Change, ChangeKind};
+use super::steps::Value;
+use crate::analysis::{Number, forbid_null};
+use crate::dict::Micro;
+
+/// Name and version of the form.
+pub const SCHEMA: &str = "cnc872c.compare/1";
+
+/// One of the programs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// As the user named it.
+    pub name: String,
+    /// Blocks executed.
+    pub blocks: u64,
+    /// The sum of known lengths.
+    pub path: Micro,
+    /// The known time.
+    pub time_s: Option<f64>,
+}
+
+/// Two programs compared.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields, title = "Comparison cnc872c.compare/1")]
+struct Record {
+    /// `compare`.
+    #[schemars(extend("const" = "compare"))]
+    kind: String,
+    /// `cnc872c.compare/1`.
+    #[schemars(extend("const" = SCHEMA))]
+    schema: String,
+    /// Name and version of the compiler.
+    generator: String,
+    /// Whether nothing differs.
+    same: bool,
+    /// The first program.
+    old: SideRecord,
+    /// The second program.
+    new: SideRecord,
+    /// What differs, in the order of first places.
+    changes: Vec<ChangeRecord>,
+}
+
+/// A program.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct SideRecord {
+    /// As the user named it.
+    name: String,
+    /// Blocks executed.
+    blocks: u64,
+    /// The sum of known lengths.
+    path_mm: Number,
+    /// The known time, as `motion` estimates it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time_s: Option<Number>,
+}
+
+/// A change.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+struct ChangeRecord {
+    /// What kind.
+    #[schemars(extend("enum" = ChangeKind::ALL.map(ChangeKind::name)))]
+    kind: String,
+    /// The tool in the spindle, of the new program; of the old one where only that has blocks.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tool: Option<Number>,
+    /// How many blocks.
+    count: u64,
+    /// Axis, function or address.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    what: Option<String>,
+    /// The old value: a number, or a function or words as written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Scalar>")]
+    old: Option<Json>,
+    /// The new value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Scalar>")]
+    new: Option<Json>,
+    /// The difference, where it is one number.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    delta: Option<Number>,
+    /// Executed blocks of the old program: from and to, by seq.
+    old_blocks: Vec<[u32; 2]>,
+    /// Executed blocks of the new program.
+    new_blocks: Vec<[u32; 2]>,
+}
+
+/// A value.
+#[derive(JsonSchema)]
+#[schemars(inline, untagged)]
+#[expect(dead_code, reason = "only its schema is used")]
+enum Scalar {
+    /// A number.
+    Number(f64),
+    /// A function, or words.
+    Text(String),
+}
+
+/// The schema, JSON Schema 2020-12.
+pub fn schema() -> Json {
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    let mut schema = generator.into_root_schema_for::<Record>().to_value();
+    forbid_null(&mut schema);
+    if let Some(Json::Object(definitions)) = schema.get_mut("$defs") {
+        definitions.values_mut().for_each(forbid_null);
+    }
+    if let Some(root) = schema.as_object_mut() {
+        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
+    }
+    schema
+}
+
+/// The comparison, pretty, with a line end.
+pub fn json(old: &Side, new: &Side, changes: &[Change]) -> String {
+    let record = Record {
+        kind: "compare".to_owned(),
+        schema: SCHEMA.to_owned(),
+        generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
+        same: changes.is_empty(),
+        old: side(old),
+        new: side(new),
+        changes: changes.iter().map(change).collect(),
+    };
+    // Numbers and texts always have a JSON.
+    serde_json::to_string_pretty(&record).unwrap_or_default() + "\n"
+}
+
+fn side(side: &Side) -> SideRecord {
+    let Side { name, blocks, path, time_s } = side;
+    SideRecord { name: name.clone(), blocks: *blocks, path_mm: Number(*path), time_s: time_s.map(Number::from) }
+}
+
+fn change(change: &Change) -> ChangeRecord {
+    let value = |value: &Value| match value {
+        Value::Number(number) => json!(Number(Micro::from_millionths(*number))),
+        Value::Text(text) => json!(text),
+    };
+    let runs = |blocks: &Blocks| blocks.runs.clone();
+    ChangeRecord {
+        kind: change.kind.name().to_owned(),
+        tool: change.tool.map(Number::from),
+        count: change.count(),
+        what: change.what.clone(),
+        old: change.old.as_ref().map(value),
+        new: change.new.as_ref().map(value),
+        delta: change.delta.map(|delta| Number(Micro::from_millionths(delta))),
+        old_blocks: runs(&change.old_blocks),
+        new_blocks: runs(&change.new_blocks),
+    }
+}

@@ -1,0 +1,22 @@
+//! Two programs compared by what they do (the rules CMP).
+//!
+//! | stage | from | to | by |
+//! |---|---|---|---|
+//! | read | executed blocks | [`Steps`]: motions, and what is written between them | [`StepReader`] |
+//! | align | steps of both | pairs, and what is without one | `align` |
+//! | group | pairs | [`Change`]s with counts and places | `changes` |
+//! | show | changes | text, JSON | `text`, `json` |
+
+mod align;
+mod changes;
+mod json;
+mod reader;
+mod steps;
+mod text;
+mod words;
+
+pub use changes::{Blocks, Change, ChangeKind, Comparison, Tolerances, compare};
+pub use json::{SCHEMA, Side, json, schema};
+pub use reader::StepReader;
+pub use steps::{Context, Event, Steps, Value};
+pub use text::text;

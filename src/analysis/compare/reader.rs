@@ -1,0 +1,208 @@
+//! From executed blocks to steps.
+
+use std::ops::ControlFlow;
+
+use super::ChangeKind;
+use super::steps::{Context, Event, Motion, Steps, Value};
+use crate::diag::Findings;
+use crate::dict::{
+    AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_ENDS,
+    PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_STOP, TOOL_CHANGE, standard_m_functions,
+};
+use crate::run::{End, Executed, MotionType, Sink, State};
+
+/// Reads the steps of a program.
+#[derive(Debug)]
+pub struct StepReader {
+    steps: Steps,
+    parameters: bool,
+    context: u32,
+    before: Option<Written>,
+}
+
+/// What lasts, as a change of it counts and its repetition does not.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
+struct Written {
+    t: Option<Decimal>,
+    d: Option<Decimal>,
+    h: Option<Decimal>,
+    p: Option<Decimal>,
+    correction: Option<u16>,
+    m: [Option<u8>; M_GROUPS],
+}
+
+impl Written {
+    fn of(state: &State) -> Self {
+        let (t, d, h, p) = (state.t(), state.d(), state.h(), state.p());
+        let m = std::array::from_fn(|group| state.m_in_force(group));
+        Self { t, d, h, p, correction: state.length_correction(), m }
+    }
+}
+
+impl StepReader {
+    /// `parameters`: also what is assigned to parameters, and jumps.
+    pub fn new(parameters: bool) -> Self {
+        Self { steps: Steps::default(), parameters, context: 0, before: None }
+    }
+
+    /// The steps read.
+    pub fn finish(self) -> Steps {
+        self.steps
+    }
+
+    fn event(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
+        let event = Event { kind, slot: slot.to_owned(), value };
+        self.steps.add_event(block.seq(), block.n(), self.context, event);
+    }
+
+    /// What is written before the motion of a block.
+    fn read_before(&mut self, block: &Executed<'_>, before: &Written) {
+        let after = Written::of(block.state());
+        let number = |value: Option<Decimal>| value.map(Value::from);
+        let correction = after.correction.map(|digits| Value::Text(format!("{digits:04}")));
+        let changed = [
+            (ChangeKind::Tool, "T", after.t != before.t, number(after.t)),
+            (ChangeKind::Correction, "D", after.d != before.d, number(after.d)),
+            (ChangeKind::Correction, "&", after.correction != before.correction, correction),
+            (ChangeKind::Function, "H", after.h != before.h, number(after.h)),
+            (ChangeKind::Function, "P", after.p != before.p, number(after.p)),
+        ];
+        for (kind, slot, changed, value) in changed {
+            if let Some(value) = value.filter(|_| changed) {
+                self.event(block, kind, slot, value);
+            }
+        }
+        self.read_functions(block, before, false);
+        if let Some(data) = block.data() {
+            let words = data.values.iter().map(|(letter, value)| format!("{letter}{value}"));
+            let origin = data.origin.map(|origin| origin.to_string());
+            let correction = data.d.map(|d| format!("D{d}"));
+            let words: Vec<String> = origin.into_iter().chain(correction).chain(words).collect();
+            self.event(block, ChangeKind::Data, &data.g.to_string(), Value::Text(words.join(" ")));
+        } else if !block.words().is_empty() {
+            // A fixed cycle that nobody knows, a spiral, a thread.
+            let slot = block.g(GGroup::G8).filter(|code| code.is_cycle()).map_or("I J K".to_owned(), |g| g.to_string());
+            let words = block.words().iter().map(|(letter, value)| format!("{letter}{value}"));
+            self.event(block, ChangeKind::Data, &slot, Value::Text(words.collect::<Vec<_>>().join(" ")));
+        }
+    }
+
+    /// The M functions that act before the motion, or `late`, behind it.
+    fn read_functions(&mut self, block: &Executed<'_>, before: &Written, late: bool) {
+        let machine = &block.settings().machine;
+        for &number in block.m_written() {
+            let group = usize::from(machine.m_functions.group(number));
+            if is_late(number) != late {
+                continue;
+            }
+            let stays = standard_m_functions(machine.dialect).any(|row| usize::from(row.group) == group);
+            if stays && before.m.get(group).copied().flatten() == Some(number) {
+                continue;
+            }
+            if number == TOOL_CHANGE {
+                let tool = block.tool().map_or_else(|| Value::Text(String::new()), Value::from);
+                self.event(block, ChangeKind::Tool, "M06", tool);
+                continue;
+            }
+            let stop = group == PROGRAM_GROUP && !PROGRAM_ENDS.contains(&number);
+            let kind = if stop { ChangeKind::Stop } else { ChangeKind::Function };
+            self.event(block, kind, &format!("m{group}"), Value::Text(format!("M{number:02}")));
+        }
+    }
+
+    /// What acts behind the motion of a block.
+    fn read_behind(&mut self, block: &Executed<'_>, before: &Written) {
+        self.read_functions(block, before, true);
+        if let Some(dwell) = block.dwell() {
+            self.event(block, ChangeKind::Dwell, "G04", Value::Number(dwell.millionths()));
+        }
+        if self.parameters {
+            for (index, value) in block.params() {
+                self.event(block, ChangeKind::Parameter, &format!("R{index}"), Value::from(*value));
+            }
+            if let Some(jump) = block.jump() {
+                let to = Value::Text(format!("N{}", jump.to));
+                self.event(block, ChangeKind::Parameter, "G73", to);
+            }
+        }
+    }
+
+    fn note_context(&mut self, block: &Executed<'_>) {
+        let kind = block.motion().map(|motion| motion.kind());
+        let working =
+            kind.is_some_and(|kind| kind.is_working() || kind == MotionType::Thread) || block.is_unmapped_cycle();
+        let feed = block.feed().map(|feed| (feed.value, feed.unit, feed.hundredth));
+        let radius = block.g(GGroup::G3).filter(|code| *code != GCode::G40);
+        let plane = block.g(GGroup::G1).filter(|_| radius.is_some());
+        let groups = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11];
+        let functions = groups.into_iter().filter_map(|group| block.g(group)).chain(plane);
+        let context = Context {
+            tool: block.tool(),
+            working,
+            feed: feed.filter(|_| working),
+            speed: block.s().filter(|_| working),
+            functions: functions.collect(),
+            dynamic_set: block.dynamic_set().filter(|_| block.continuous_mode()),
+        };
+        self.context = self.steps.context(&context);
+    }
+
+    fn read_motion(&mut self, block: &Executed<'_>) {
+        let Some(moves) = block.motion() else { return };
+        let mut motion = Motion::new(moves.kind());
+        for letter in AxisLetter::ALL.into_iter().filter(|letter| moves.moves(*letter)) {
+            let bit = 1 << (letter as u16);
+            let known = moves.end(letter);
+            let distance = moves.distance(letter);
+            motion.axes |= bit;
+            if known.is_none() {
+                motion.by |= bit;
+            }
+            if distance == Some(Micro::ZERO) && moves.start(letter).is_some() {
+                motion.still |= bit;
+            }
+            motion.push(known.or(distance).map_or(i64::MIN, Micro::millionths));
+        }
+        let arc = moves.arc();
+        if let Some((arc, center)) = arc.and_then(|arc| Some((arc, arc.center?))) {
+            motion.plane = Some(arc.plane);
+            center.iter().for_each(|value| motion.push(value.millionths()));
+        }
+        let moves_nothing = motion.still == motion.axes && arc.is_none() && moves.kind() != MotionType::Reference;
+        if !moves_nothing {
+            self.steps.add_motion(block.seq(), block.n(), self.context, &motion);
+        }
+    }
+}
+
+/// Whether a function acts behind the motion of its block.
+fn is_late(number: u8) -> bool {
+    let off = [SPINDLE_STOP, COOLANT_12[1], COOLANT_34[1], PROGRAM_STOP, OPTIONAL_STOP];
+    off.contains(&number) || PROGRAM_ENDS.contains(&number)
+}
+
+impl Sink for &mut StepReader {
+    type Whole = End;
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        self.steps.blocks += 1;
+        if let Some(length) = block.motion().and_then(|motion| motion.length().mm()) {
+            self.steps.path = self.steps.path.plus(length);
+        }
+        if block.moves_on() && self.before.is_some() {
+            self.read_motion(block);
+            return ControlFlow::Continue(());
+        }
+        let before = self.before.take().unwrap_or_else(|| Written::of(&State::new(block.settings())));
+        self.note_context(block);
+        self.read_before(block, &before);
+        self.read_motion(block);
+        self.read_behind(block, &before);
+        self.before = Some(Written::of(block.state()));
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, end: End, _: &mut Findings) -> End {
+        end
+    }
+}

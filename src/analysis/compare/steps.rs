@@ -1,0 +1,260 @@
+//! What a program does, step by step: a motion, or something written beside motions. A million blocks fit in some 80 MB.
+
+use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+use super::ChangeKind;
+use crate::dict::{AxisLetter, Decimal, GCode, Micro};
+use crate::run::{FeedUnit, MotionType};
+
+/// A value that differs or not.
+#[derive(Clone, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+pub enum Value {
+    /// A number, in millionths.
+    Number(i64),
+    /// A function, or words as written.
+    Text(String),
+}
+
+impl From<Decimal> for Value {
+    fn from(value: Decimal) -> Self {
+        Self::Number(Micro::from(value).millionths())
+    }
+}
+
+/// Something that is written beside motions.
+#[derive(Clone, Debug, Eq, Hash, PartialEq)]
+pub struct Event {
+    /// What a change of it is.
+    pub kind: ChangeKind,
+    /// What holds one value at a time: `T`, `m5`, `G04`.
+    pub slot: String,
+    /// Its value.
+    pub value: Value,
+}
+
+/// What is in force at a step, as far as it matters to what is cut.
+#[derive(Clone, Debug, Default, Eq, Hash, PartialEq)]
+pub struct Context {
+    /// The tool in the spindle.
+    pub tool: Option<Decimal>,
+    /// Whether F and S count: a working motion, a thread, a fixed cycle.
+    pub working: bool,
+    /// F, its unit, and whether a hundredth of it counts.
+    pub feed: Option<(Decimal, FeedUnit, bool)>,
+    /// S.
+    pub speed: Option<Decimal>,
+    /// Functions in force that change a motion.
+    pub functions: Vec<GCode>,
+    /// The dynamic set under G23.
+    pub dynamic_set: Option<u8>,
+}
+
+/// Most values of a motion: nine axes and a centre.
+const MOST: usize = AxisLetter::ALL.len() + 2;
+
+/// A motion, as it is read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    pub kind: MotionType,
+    /// The axes of it, a bit each.
+    pub axes: u16,
+    /// Those that stay where they are.
+    pub still: u16,
+    /// Those of which the distance is known, not the end.
+    pub by: u16,
+    /// The axes of the plane of an arc whose centre is known.
+    pub plane: Option<[AxisLetter; 2]>,
+    /// End or distance by axis, then the centre.
+    pub values: [i64; MOST],
+    pub count: usize,
+}
+
+impl Motion {
+    pub const fn new(kind: MotionType) -> Self {
+        Self { kind, axes: 0, still: 0, by: 0, plane: None, values: [0; MOST], count: 0 }
+    }
+
+    pub fn push(&mut self, value: i64) {
+        if let Some(slot) = self.values.get_mut(self.count) {
+            *slot = value;
+            self.count += 1;
+        }
+    }
+
+    pub fn values(&self) -> &[i64] {
+        self.values.get(..self.count).unwrap_or_default()
+    }
+
+    /// The axes in the order of their values.
+    pub fn letters(&self) -> impl Iterator<Item = AxisLetter> {
+        let axes = self.axes;
+        AxisLetter::ALL.into_iter().filter(move |letter| axes & 1 << (*letter as u16) != 0)
+    }
+
+    /// The value of an axis.
+    pub fn value(&self, axis: AxisLetter) -> Option<i64> {
+        let at = self.letters().position(|letter| letter == axis)?;
+        self.values.get(at).copied()
+    }
+
+    /// The centre.
+    pub fn center(&self) -> Option<[i64; 2]> {
+        let at = self.axes.count_ones() as usize;
+        self.plane.and_then(|_| Some([*self.values.get(at)?, *self.values.get(at + 1)?]))
+    }
+
+    /// What it does: axes that stay are left out.
+    fn hash(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.kind_key().hash(&mut hasher);
+        let moving = self.letters().zip(self.values).filter(|(letter, _)| self.moves(*letter));
+        moving.for_each(|(_, value)| value.hash(&mut hasher));
+        self.center().hash(&mut hasher);
+        hasher.finish()
+    }
+
+    pub fn moves(&self, letter: AxisLetter) -> bool {
+        self.kind.is_arc() || self.still & 1 << (letter as u16) == 0
+    }
+
+    /// Motions with another key are never the same motion with other values.
+    fn kind_key(&self) -> (MotionType, u16, u16, Option<[AxisLetter; 2]>) {
+        let moving = if self.kind.is_arc() { self.axes } else { self.axes & !self.still };
+        (self.kind, moving, self.by & moving, self.plane)
+    }
+}
+
+/// A step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    pub seq: u32,
+    pub n: u32,
+    context: u32,
+    /// What it is the same as.
+    pub token: u64,
+    what: What,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum What {
+    /// The index of its head.
+    Motion(u32),
+    Event(u32),
+}
+
+/// A motion without its values.
+#[derive(Clone, Copy, Debug)]
+struct Head {
+    kind: MotionType,
+    axes: u16,
+    still: u16,
+    by: u16,
+    plane: Option<[AxisLetter; 2]>,
+    at: u32,
+}
+
+/// What a step does.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Does<'s> {
+    Motion(Motion),
+    Event(&'s Event),
+}
+
+/// What a program does.
+#[derive(Debug, Default)]
+pub struct Steps {
+    pub(super) list: Vec<Step>,
+    heads: Vec<Head>,
+    values: Vec<i64>,
+    contexts: Vec<Context>,
+    context_at: HashMap<Context, u32>,
+    events: Vec<Event>,
+    event_at: HashMap<Event, u32>,
+    /// Blocks executed.
+    pub blocks: u64,
+    /// The sum of known lengths.
+    pub path: Micro,
+}
+
+fn index(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
+
+impl Steps {
+    pub(super) fn context(&mut self, context: &Context) -> u32 {
+        if let Some(known) = self.context_at.get(context) {
+            return *known;
+        }
+        let new = index(self.contexts.len());
+        self.contexts.push(context.clone());
+        self.context_at.insert(context.clone(), new);
+        new
+    }
+
+    pub(super) fn add_motion(&mut self, seq: u64, n: u32, context: u32, motion: &Motion) {
+        let head = index(self.heads.len());
+        let Motion { kind, axes, still, by, plane, .. } = *motion;
+        self.heads.push(Head { kind, axes, still, by, plane, at: index(self.values.len()) });
+        self.values.extend_from_slice(motion.values());
+        let seq = u32::try_from(seq).unwrap_or(u32::MAX);
+        self.list.push(Step { seq, n, context, token: motion.hash(), what: What::Motion(head) });
+    }
+
+    pub(super) fn add_event(&mut self, seq: u64, n: u32, context: u32, event: Event) {
+        let mut hasher = DefaultHasher::new();
+        event.hash(&mut hasher);
+        let token = hasher.finish();
+        let known = self.event_at.get(&event).copied();
+        let at = known.unwrap_or_else(|| {
+            let new = index(self.events.len());
+            self.event_at.insert(event.clone(), new);
+            self.events.push(event);
+            new
+        });
+        let seq = u32::try_from(seq).unwrap_or(u32::MAX);
+        self.list.push(Step { seq, n, context, token, what: What::Event(at) });
+    }
+
+    pub(super) fn step(&self, at: usize) -> Option<&Step> {
+        self.list.get(at)
+    }
+
+    pub(super) fn context_of(&self, step: &Step) -> Option<&Context> {
+        self.contexts.get(step.context as usize)
+    }
+
+    pub(super) const fn context_id(step: &Step) -> u32 {
+        step.context
+    }
+
+    pub(super) fn is_motion(step: &Step) -> bool {
+        matches!(step.what, What::Motion(_))
+    }
+
+    pub(super) fn does(&self, step: &Step) -> Option<Does<'_>> {
+        match step.what {
+            What::Event(at) => self.events.get(at as usize).map(Does::Event),
+            What::Motion(at) => {
+                let head = self.heads.get(at as usize)?;
+                let Head { kind, axes, still, by, plane, .. } = *head;
+                let end = self.heads.get(at as usize + 1).map_or(self.values.len(), |next| next.at as usize);
+                let mut motion = Motion { kind, axes, still, by, plane, ..Motion::new(kind) };
+                let values = self.values.get(head.at as usize..end).unwrap_or_default();
+                values.iter().for_each(|value| motion.push(*value));
+                Some(Does::Motion(motion))
+            }
+        }
+    }
+
+    /// Steps with another kind are never paired.
+    pub(super) fn kind(&self, step: &Step) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        match self.does(step) {
+            Some(Does::Motion(motion)) => motion.kind_key().hash(&mut hasher),
+            Some(Does::Event(event)) => (event.kind, &event.slot).hash(&mut hasher),
+            None => {}
+        }
+        hasher.finish()
+    }
+}

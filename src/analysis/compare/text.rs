@@ -1,0 +1,89 @@
+//! Changes as lines for people (CMP-3).
+
+use super::changes::{Blocks, Change, ChangeKind};
+use super::json::Side;
+use super::steps::Value;
+use super::words::Words;
+use crate::analysis::motion::{clock, trimmed};
+use crate::diag::terminal_safe;
+use crate::dict::{Lang, Micro};
+
+/// Lines without `--all`.
+const MOST: usize = 40;
+
+/// The changes, after what both programs take; at most so many lines as people read, or `all`.
+pub fn text(old: &Side, new: &Side, changes: &[Change], all: bool, lang: Lang) -> String {
+    let mut lines = vec![format!("{} → {}", old.name, new.name)];
+    lines.push(Words::Blocks { old: old.blocks, new: new.blocks }.text(lang));
+    if let (Some(before), Some(after)) = (old.time_s, new.time_s) {
+        let delta = format!("{:+.1}", after - before).replace('-', "−");
+        lines.push(Words::Time { old: clock(before), new: clock(after), delta }.text(lang));
+    }
+    if changes.is_empty() {
+        lines.push(Words::Same.text(lang));
+    }
+    let room = if all { usize::MAX } else { MOST - lines.len() - 1 };
+    lines.extend(changes.iter().take(room).map(|change| line(change, lang)));
+    if changes.len() > room {
+        lines.push(Words::More { count: changes.len() - room }.text(lang));
+    }
+    lines.iter().map(|line| format!("{}\n", terminal_safe(line))).collect()
+}
+
+fn line(change: &Change, lang: Lang) -> String {
+    let count = match change.count() {
+        1 => Words::OneBlock,
+        count => Words::ManyBlocks { count },
+    };
+    let count = count.text(lang);
+    let places = format!("({})", places(change, lang));
+    let dwell = || Words::Dwell.text(lang);
+    let what = change.what.clone().unwrap_or_else(dwell);
+    let value = |value: &Option<Value>| match value {
+        Some(Value::Number(number)) => Micro::from_millionths(*number).to_string(),
+        Some(Value::Text(text)) => text.clone(),
+        None => Words::None.text(lang),
+    };
+    let words = match change.kind {
+        ChangeKind::Added => Words::Added { count, places },
+        ChangeKind::Removed => Words::Removed { count, places },
+        ChangeKind::Position if change.delta.is_some() => {
+            let by = Micro::from_millionths(change.delta.unwrap_or(0)).to_f64();
+            let sign = if by < 0.0 { "−" } else { "+" };
+            Words::Shift { what, by: format!("{sign}{}", trimmed(by.abs(), 6)), count, places }
+        }
+        kind if kind != ChangeKind::Position && change.old.is_some() && change.old == change.new => {
+            let at = |blocks: &Blocks| numbers(blocks).unwrap_or_default();
+            Words::Moved { what, new: at(&change.new_blocks), old: at(&change.old_blocks) }
+        }
+        ChangeKind::Position
+        | ChangeKind::Feed
+        | ChangeKind::Speed
+        | ChangeKind::Tool
+        | ChangeKind::Function
+        | ChangeKind::Dwell
+        | ChangeKind::Stop
+        | ChangeKind::Correction
+        | ChangeKind::Data
+        | ChangeKind::Parameter => {
+            Words::Value { what, old: value(&change.old), new: value(&change.new), count, places }
+        }
+    };
+    match change.tool {
+        Some(tool) => format!("T{tool}: {}", words.text(lang)),
+        None => words.text(lang),
+    }
+}
+
+fn numbers(blocks: &Blocks) -> Option<String> {
+    blocks.n.map(|(first, last)| if first == last { format!("N{first}") } else { format!("N{first}–N{last}") })
+}
+
+/// `N310–N1514, was N300–N1500`.
+fn places(change: &Change, lang: Lang) -> String {
+    match (numbers(&change.old_blocks), numbers(&change.new_blocks)) {
+        (Some(old), Some(new)) if old == new => new,
+        (Some(old), Some(new)) => format!("{new}, {}", Words::Was { places: old }.text(lang)),
+        (old, new) => new.or(old).unwrap_or_default(),
+    }
+}
