@@ -92,7 +92,9 @@ fn put(table: &mut Table, block: &BlockTimes) {
         settle_s: _,
         gap_s: _,
         unknown: _,
+        untimed: _,
         approach: _,
+        lacks_cycle: _,
         tool: _,
         motion,
     } = block;

@@ -44,15 +44,15 @@ fn put(table: &mut Table, row: &Row) {
     table.text("encoding", encoding.as_deref());
     table.long("blocks", Some(*blocks));
     table.long("executed", *executed);
-    table.number("time_s", "s", *time_s);
+    table.number("time_s", "s", time_s.map(|time| time.0));
     table.flag("lower_bound", *lower_bound);
-    table.map("path_mm_by_type", "mm", path_mm_by_type.iter().map(|(kind, path)| (kind, *path)));
+    table.map("path_mm_by_type", "mm", path_mm_by_type.iter().map(|(kind, path)| (kind, path.0)));
     put_reach(table, "extents_working", &extents.working);
     put_reach(table, "extents_all", &extents.all);
     table.wholes("tools", tools);
     table.bytes("m", m);
     table.bytes("g", g);
-    table.numbers("h", h);
+    table.numbers("h", &h.iter().map(|h| h.0).collect::<Vec<_>>());
     table.wholes("subprograms", subprograms);
     table.wholes("macrocycles", macrocycles);
     table.texts("parameters", parameters);
@@ -62,7 +62,7 @@ fn put(table: &mut Table, row: &Row) {
 
 fn put_reach(table: &mut Table, name: &str, reach: &Reach) {
     for axis in AxisLetter::ALL {
-        let [least, greatest] = reach.get(axis.name()).map_or([None; 2], |ends| ends.map(Some));
+        let [least, greatest] = reach.get(axis.name()).map_or([None; 2], |ends| ends.map(|end| Some(end.0)));
         let letter = axis.letter().to_ascii_lowercase();
         table.number(format_args!("{name}_{letter}_min"), "", least);
         table.number(format_args!("{name}_{letter}_max"), "", greatest);

@@ -10,4 +10,4 @@ mod row;
 pub use arrow::write as write_arrow;
 pub use program::{Known, hash, row};
 pub use render::{CSV_HEAD, csv, human, json_end, json_head, json_row};
-pub use row::{Extents, Row, SCHEMA, schema};
+pub use row::{Extents, Number, Row, SCHEMA, schema};

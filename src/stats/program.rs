@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::row::{Extents, Reach, Row};
+use super::row::{Extents, Number, Reach, Row};
 use crate::analysis::Totals;
 use crate::analysis::equidistant::Equidistant;
 use crate::analysis::motion::{Estimate, JointFindings, Summary};
@@ -143,21 +143,25 @@ fn fill(row: &mut Row, sheet: &Sheet, summary: &Summary, totals: &Totals, used: 
         of.map(|unit| unit.l).collect::<BTreeSet<u32>>().into_iter().collect()
     };
     row.executed = Some(end.blocks());
-    row.time_s = Some(Micro::from_f64(summary.total.time_s).to_f64());
+    row.time_s = Some(Number(Micro::from_f64(summary.total.time_s).to_f64()));
     row.lower_bound = summary.total.is_lower_bound();
-    row.path_mm_by_type = totals.by_type().map(|(kind, path)| (kind.name().to_owned(), path.to_f64())).collect();
+    row.path_mm_by_type =
+        totals.by_type().map(|(kind, path)| (kind.name().to_owned(), Number(path.to_f64()))).collect();
     row.extents = Extents { working: reach(&sheet.working), all: reach(&sheet.all) };
     row.tools = tools.into_iter().collect();
     row.m = sheet.m_functions.keys().copied().collect();
     row.g = used.g.iter().copied().collect();
-    row.h = used.h.iter().map(|h| Micro::from(*h).to_f64()).collect();
+    row.h = used.h.iter().map(|h| Number(Micro::from(*h).to_f64())).collect();
     row.subprograms = units(false);
     row.macrocycles = units(true);
     row.parameters = sheet.parameters.keys().map(|index| format!("R{index}")).collect();
 }
 
 fn reach(extents: &sheet::Extents) -> Reach {
-    extents.axes().map(|(axis, least, greatest)| (axis.to_string(), [least.to_f64(), greatest.to_f64()])).collect()
+    extents
+        .axes()
+        .map(|(axis, least, greatest)| (axis.to_string(), [Number(least.to_f64()), Number(greatest.to_f64())]))
+        .collect()
 }
 
 fn count(findings: &Findings) -> BTreeMap<String, u64> {

@@ -113,7 +113,7 @@ pub fn human(row: &Row) -> String {
         let _ = write!(line, " → {executed}");
     }
     if let Some(time) = row.time_s {
-        let _ = write!(line, "  {}{}", if row.lower_bound { "≥ " } else { "" }, clock(time));
+        let _ = write!(line, "  {}{}", if row.lower_bound { "≥ " } else { "" }, clock(time.0));
     }
     for tool in &row.tools {
         let _ = write!(line, " T{tool}");

@@ -1,10 +1,11 @@
 //! What is known of a program.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use schemars::JsonSchema;
 use schemars::generate::SchemaSettings;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
 use crate::analysis::forbid_null;
@@ -12,8 +13,31 @@ use crate::analysis::forbid_null;
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.stats/1";
 
+/// A number; whole ones are written without a point.
+#[derive(Clone, Copy, Debug, Default, Deserialize, JsonSchema, PartialEq)]
+#[serde(transparent)]
+#[schemars(inline)]
+pub struct Number(pub f64);
+
+impl Serialize for Number {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[expect(clippy::cast_possible_truncation, reason = "whole, and far fewer than 63 bits")]
+        if self.0.fract() == 0.0 && self.0.abs() < 1e15 {
+            serializer.serialize_i64(self.0 as i64)
+        } else {
+            serializer.serialize_f64(self.0)
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
 /// Least and greatest position by axis.
-pub type Reach = BTreeMap<String, [f64; 2]>;
+pub type Reach = BTreeMap<String, [Number; 2]>;
 
 /// How far motions reach, in programmed coordinates.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
@@ -57,13 +81,13 @@ pub struct Row {
     pub executed: Option<u64>,
     /// Time of the program in seconds, as `motion` estimates it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub time_s: Option<f64>,
+    pub time_s: Option<Number>,
     /// Some blocks have no known time: the time is at least this.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub lower_bound: bool,
     /// Path in mm by type of motion.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub path_mm_by_type: BTreeMap<String, f64>,
+    pub path_mm_by_type: BTreeMap<String, Number>,
     /// How far motions reach.
     #[serde(default)]
     pub extents: Extents,
@@ -78,7 +102,7 @@ pub struct Row {
     pub g: Vec<u8>,
     /// H used.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub h: Vec<f64>,
+    pub h: Vec<Number>,
     /// Subprograms that run.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub subprograms: Vec<u32>,
