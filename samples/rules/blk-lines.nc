@@ -1,7 +1,7 @@
 %27 "BLK-1 lines without a block number
 N10 G90 G0 X0 Y0
- G71 L100
-"^^^ W0221
+G71 L100
+"@ 3:1-3:4 W0221
 N20 X5
 N30 X10 "W0213 alone for a line that begins with a slash
  / Y10

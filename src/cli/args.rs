@@ -7,7 +7,7 @@ use clap::{Arg, ArgAction, ArgMatches, Args, Command as ClapCommand, FromArgMatc
 
 use crate::config::Level;
 use crate::diag::Format;
-use crate::dict::{Dialect, Lang};
+use crate::dict::{Dialect, HIGHEST_BLOCK, HIGHEST_L, Lang};
 use crate::text::Encoding;
 
 /// The whole command line.
@@ -54,6 +54,9 @@ pub(super) enum ColorWhen {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     Check(CheckArgs),
+    #[command(visible_alias = "fmt")]
+    Format(FormatArgs),
+    Renumber(RenumberArgs),
     Compile(CompileArgs),
     View(ViewArgs),
     Motion(MotionArgs),
@@ -88,6 +91,64 @@ pub(super) struct CheckArgs {
     pub shown: FindingsArgs,
     #[command(flatten)]
     pub common: CommonArgs,
+}
+
+/// `format`.
+#[derive(Debug, Args)]
+pub(super) struct FormatArgs {
+    #[arg(value_name = "PATH", required = true)]
+    pub paths: Vec<PathBuf>,
+    #[command(flatten)]
+    pub rewrite: RewriteArgs,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// Whether `format` and `renumber` only show what they would change.
+#[derive(Debug, Args)]
+pub(super) struct RewriteArgs {
+    #[arg(long)]
+    pub check: bool,
+    #[arg(long)]
+    pub diff: bool,
+}
+
+/// `renumber`.
+#[derive(Debug, Args)]
+pub(super) struct RenumberArgs {
+    #[arg(value_name = "PATH", required = true)]
+    pub paths: Vec<PathBuf>,
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=99_999_999))]
+    pub step: u32,
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=99_999_999))]
+    pub start: u32,
+    #[arg(long, value_name = "L100", value_parser = unit_number, conflicts_with_all = ["from", "to"])]
+    pub unit: Option<u32>,
+    #[arg(long, value_name = "N", value_parser = block_number)]
+    pub from: Option<u32>,
+    #[arg(long, value_name = "N", value_parser = block_number)]
+    pub to: Option<u32>,
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=8))]
+    pub width: u8,
+    #[command(flatten)]
+    pub rewrite: RewriteArgs,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// `120` or `N120`.
+fn block_number(text: &str) -> Result<u32, String> {
+    numbered(text, 'N').filter(|number| *number <= HIGHEST_BLOCK).ok_or_else(|| "N120".to_owned())
+}
+
+/// `100` or `L100`.
+fn unit_number(text: &str) -> Result<u32, String> {
+    numbered(text, 'L').filter(|number| *number <= HIGHEST_L).ok_or_else(|| "L100".to_owned())
+}
+
+fn numbered(text: &str, letter: char) -> Option<u32> {
+    let digits = text.strip_prefix([letter, letter.to_ascii_lowercase()]).unwrap_or(text);
+    digits.parse().ok().filter(|number| *number > 0)
 }
 
 /// `compile`.

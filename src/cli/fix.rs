@@ -265,7 +265,7 @@ fn is_foreign(diagnostic: &Diagnostic) -> bool {
 }
 
 /// Puts the fixed bytes in the place of the file, unless it is no longer as it was read.
-fn write(path: &Path, disk: &DiskLoader, before: &[u8], after: &[u8]) -> io::Result<bool> {
+pub(super) fn write(path: &Path, disk: &DiskLoader, before: &[u8], after: &[u8]) -> io::Result<bool> {
     let mut file = Replacement::begin(path)?;
     file.write_all(after)?;
     if disk.read(path)? != before {

@@ -8,6 +8,7 @@ mod compile;
 mod diff;
 mod explain;
 mod fix;
+mod format;
 mod help;
 mod help_places;
 mod help_texts;
@@ -19,8 +20,10 @@ mod motion;
 mod place;
 mod plc;
 mod progress;
+mod renumber;
 mod replace;
 mod report;
+mod rewrite;
 mod schema;
 mod shell;
 mod state;
@@ -66,6 +69,8 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
     match command {
         Command::Check(args) => check::run(args, locale),
         Command::Compile(args) => compile::run(args, locale),
+        Command::Format(args) => format::run(args, locale),
+        Command::Renumber(args) => renumber::run(args, locale),
         Command::View(args) => view::run(args, locale),
         Command::Report(args) => report::run(args, locale),
         Command::Compare(args) => compare::run(args, locale),

@@ -105,6 +105,33 @@ bilingual! {
         FixForeign { file: String }
             "{file}: not fixed, because it does not look like a program for this control: name the file to fix it",
             "{file}: neopraveno, nevypadá jako program pro tento systém: k opravě soubor uvést jménem";
+        LinesLeft { file: String, lines: usize }
+            "{file}: lines left as they are, because they could not be read: {lines}; `cnc872c check` says why",
+            "{file}: řádků ponechaných beze změny, protože je nelze přečíst: {lines}; proč, řekne „cnc872c check“";
+        Rewrote { changed: usize, same: usize }
+            "changed: {changed}, unchanged: {same}",
+            "změněno: {changed}, beze změny: {same}";
+        WouldRewrite { changed: usize, same: usize }
+            "would change: {changed}, unchanged: {same}",
+            "změnilo by se: {changed}, beze změny: {same}";
+        RewriteLink { file: String }
+            "{file}: left as it is, because a link leads to it: name the file to change it",
+            "{file}: ponecháno beze změny, vede k němu odkaz: ke změně soubor uvést jménem";
+        RewriteNeedsFile { file: String }
+            "{file} is no regular file and cannot be replaced",
+            "{file} není obyčejný soubor a nelze jej nahradit";
+        RewriteChanged { file: String }
+            "{file}: left as it is, because it changed meanwhile",
+            "{file}: ponecháno beze změny, protože se soubor mezitím změnil";
+        NotRenumbered { file: String, why: String }
+            "{file}: not renumbered: {why}",
+            "{file}: nepřečíslováno: {why}";
+        NumberMentioned { file: String, line: u32, old: u32, new: u32 }
+            "{file}:{line}: the comment names N{old}, which is N{new} now",
+            "{file}:{line}: poznámka uvádí N{old}, což je teď N{new}";
+        MoreMentions { file: String, more: usize }
+            "{file}: such comments besides: {more}",
+            "{file}: dalších takových poznámek: {more}";
         CannotRead { file: String, reason: String }
             "{file}: cannot be read: {reason}",
             "{file}: nelze přečíst: {reason}";

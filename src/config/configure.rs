@@ -45,6 +45,7 @@ pub fn configure(
         overrides.macrocycles.clone()
     };
     let lints = values.lints.iter().map(|lint| lint.value).chain(overrides.lints.iter().copied());
+    settings.format = values.format;
     settings.lints = lints.filter(|(code, _)| code.is_configurable()).collect();
     files.findings.set_levels(settings.levels(Purpose::Check));
     if let Some(extensions) = &values.extensions {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::{ArcCenters, G97, MFunctions, Motion, SpindleAxis};
+use super::{ArcCenters, G97, MFunctions, Motion, SpindleAxis, Style};
 use crate::diag::{Code, Levels, Severity};
 use crate::dict::{
     Address, AxisLetter, Decimal, Dialect, FeedMode, FeedRow, GCode, GGroup, HIGHEST_S, M_GROUPS, Operation,
@@ -285,6 +285,8 @@ pub struct Settings {
     pub extensions: Vec<String>,
     /// Levels of diagnostics that differ from the registry's.
     pub lints: BTreeMap<Code, Level>,
+    /// How programs are laid out.
+    pub format: Style,
 }
 
 impl Settings {
@@ -298,6 +300,7 @@ impl Settings {
             optional_stop: false,
             extensions: EXTENSIONS.iter().map(|&extension| extension.to_owned()).collect(),
             lints: BTreeMap::new(),
+            format: Style::default(),
         }
     }
 

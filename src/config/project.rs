@@ -12,7 +12,7 @@ use super::row::Row;
 use super::sections::{Form, ROOT, Section, TakeValues};
 use super::taken::{Named, Setting, Values};
 use super::toml_problem::toml_problem;
-use super::{ArcCenters, Axis, G97, Gear, Level, SpindleAxis};
+use super::{ArcCenters, Axis, G97, Gear, Level, SpindleAxis, Style};
 use crate::diag::{Code, ConfigNeed, Diagnostic, Finding, Findings};
 use crate::dict::{AxisLetter, Decimal, Dialect, GCode, Operation};
 use crate::text::{Encoding, FileId, Location, SourceText, Span};
@@ -82,6 +82,8 @@ pub(super) struct Project {
     pub arc_tolerance: Option<Setting<Decimal>>,
     /// Levels of diagnostics.
     pub lints: Vec<Setting<(Code, Level)>>,
+    /// How programs are laid out.
+    pub format: Style,
 }
 
 impl Project {

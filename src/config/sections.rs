@@ -1,6 +1,7 @@
 //! Every table of `cnc872c.toml`: its keys, and the function that takes their values. The keys themselves are in
 //! [`keys`](super::keys), or beside what they configure.
 
+use super::format::FORMAT;
 use super::keys;
 use super::motion_keys;
 use super::names::Names;
@@ -256,6 +257,12 @@ pub(super) const SECTIONS: &[Section] = &[
         Form::Keys(keys::LIMITS, Project::limits),
         ("where the compiler draws a line", "meze překladače"),
         "§11",
+    ),
+    section(
+        "format",
+        Form::Keys(FORMAT, Project::format),
+        ("how `format` lays out programs", "jak `format` upravuje zápis programů"),
+        "FMT-5",
     ),
     section(
         "lints",

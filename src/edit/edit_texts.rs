@@ -1,5 +1,6 @@
 //! What the server says about changes of a program, in both languages.
 
+use crate::diag::Code;
 use crate::dict::bilingual;
 
 bilingual! {
@@ -12,12 +13,17 @@ bilingual! {
         Renumber { step: u32 } "renumber the blocks {step} by {step}", "přečíslovat bloky po {step}";
         NumberedAlready "the blocks have these numbers already", "bloky už jsou takto očíslovány";
         NoBlocks "there are no blocks", "program nemá žádné bloky";
+        Unread { line: u32, code: Code } "line {line} cannot be read ({code})", "řádek {line} nelze přečíst ({code})";
         UnreadableNumber { line: u32 } "the number of the block in line {line} cannot be read", "číslo bloku na řádku {line} nelze přečíst";
-        JumpByParameter { line: u32 } "where the jump in line {line} leads depends on a parameter", "cíl skoku na řádku {line} závisí na parametru";
+        JumpByParameter { block: u32, line: u32, word: String } "where N{block} in line {line} jumps depends on a parameter: {word}", "kam skáče N{block} na řádku {line}, závisí na parametru: {word}";
+        NoSuchBlock { number: u32 } "there is no block N{number} in that place", "blok N{number} tam není";
+        NoSuchUnit { l: u32 } "there is no subprogram L{l} in the file", "podprogram L{l} v souboru není";
+        NumberTaken { number: u32 } "the new number N{number} belongs to a block outside the part", "nové číslo N{number} už má blok mimo číslovanou část";
         UnclearJump { line: u32 } "it is not clear where the jump in line {line} leads", "není jasné, kam vede skok na řádku {line}";
         DuplicateTarget { number: u32 } "several blocks have the number N{number} that a jump leads to", "číslo N{number}, na které vede skok, má více bloků";
         TooManyBlocks "the program has too many blocks for these numbers", "program má pro tato čísla příliš mnoho bloků";
-        TargetTooHigh "a jump would have to lead beyond N9999", "skok by musel vést na číslo vyšší než N9999";
+        TargetTooHigh { step: u32 } "a jump would have to lead beyond N9999; the largest step that works is {step}", "skok by musel vést na číslo vyšší než N9999; největší možný krok je {step}";
+        TargetTooFar "a jump would have to lead beyond N9999, whatever the step", "skok by musel vést na číslo vyšší než N9999 při každém kroku";
         LineTooLong { line: u32 } "line {line} would get longer than 80 characters", "řádek {line} by byl delší než 80 znaků";
         UnknownCommand { command: String } "unknown command {command}", "neznámý příkaz {command}";
         NoProgram "a program is expected: the URI of a document", "očekává se partprogram: URI dokumentu";

@@ -3,9 +3,10 @@
 
 use std::collections::BTreeMap;
 
+use super::splice::{Splice, Written};
 use crate::diag::{Edit, Fix};
-use crate::sure::{Sure, small};
-use crate::text::{Encoding, FileId, SourceText, Span};
+use crate::sure::small;
+use crate::text::{FileId, SourceText, Span};
 
 /// A file after some of its fixes.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -26,7 +27,11 @@ pub fn apply_fixes<'a>(
     fixes: impl IntoIterator<Item = &'a Fix>,
 ) -> Fixed {
     let (edits, applied) = take(source, file, fixes);
-    Fixed { bytes: splice(source, bytes, &edits), applied }
+    let mut splice = Splice::new(source, bytes);
+    for (&start, &(end, before)) in &edits {
+        splice.write(Written { span: Span::new(start, end), before, copied: None, after: "" });
+    }
+    Fixed { bytes: splice.finish(), applied }
 }
 
 /// The edits that [`apply_fixes`] would make, in the order of the text.
@@ -119,32 +124,11 @@ fn without_common_ends<'a>(before: &str, edit: &'a Edit) -> (Span, &'a str) {
     (Span::new(start + small(head), end - small(tail)), &text[head..])
 }
 
-/// Puts the edits into the bytes. Offsets in the bytes are counted along: [`SourceText::byte_offset`] begins at the start
-/// of the file each time.
-fn splice(source: &SourceText, bytes: &[u8], edits: &BTreeMap<u32, (u32, &str)>) -> Vec<u8> {
-    let encoding = source.encoding();
-    let length = |span: Span| {
-        if encoding == Encoding::Utf8 { span.len() as usize } else { encoding.length(source.slice(span)) }
-    };
-    let mut result = Vec::with_capacity(bytes.len() + edits.len());
-    let (mut text_at, mut byte_at) = (0, 0);
-    for (&start, &(end, text)) in edits {
-        let edit_at = byte_at + length(Span::new(text_at, start));
-        result.extend_from_slice(bytes.get(byte_at..edit_at).sure());
-        result.extend_from_slice(text.as_bytes());
-        // Of a character at the end of a file in UTF-16 a byte can be missing.
-        byte_at = (edit_at + length(Span::new(start, end))).min(bytes.len());
-        text_at = end;
-    }
-    result.extend_from_slice(bytes.get(byte_at..).sure());
-    result
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::diag::FixTitle;
-    use crate::text::Location;
+    use crate::text::{Encoding, Location};
 
     fn edit(start: usize, end: usize, text: &str) -> Edit {
         let span = Span::new(u32::try_from(start).unwrap(), u32::try_from(end).unwrap());

@@ -18,7 +18,7 @@ use super::requests::{Answer, Refusal, Snapshot};
 use crate::diag::Reported;
 use crate::edit::compatible_edits;
 use crate::edit::edit_texts::EditText;
-use crate::edit::renumber::renumber;
+use crate::edit::renumber::renumber_evenly;
 use crate::query;
 use crate::session::Session;
 use crate::sure::{Sure, small};
@@ -70,7 +70,8 @@ pub(super) fn resolve(snapshot: &Snapshot, analysis: &Analysis, mut action: Code
         return Err(Refusal { code: ErrorCode::ContentModified, message: "the document has changed".to_owned() });
     }
     if action.kind == Some(CodeActionKind::Custom(RENUMBER.into())) && action.edit.is_none() {
-        let renumbering = renumber(analysis).map_err(|why| Refusal::new(why.text(snapshot.client.lang())))?;
+        let renumbering =
+            renumber_evenly(&analysis.resolved).map_err(|why| Refusal::new(why.text(snapshot.client.lang())))?;
         if let Some(source) = analysis.sources.get(FileId(0)) {
             let edits = renumbering.edits.iter().map(|(span, text)| (*span, text.as_str()));
             action.edit = document_edit(snapshot, analysis, source, edits);
@@ -226,7 +227,7 @@ fn renumber_action(snapshot: &Snapshot, analysis: &Analysis, source: &SourceText
     let client = &snapshot.client;
     let kind = Some(CodeActionKind::Custom(RENUMBER.into()));
     let title = |step| EditText::Renumber { step }.text(client.lang());
-    let renumbering = match renumber(analysis) {
+    let renumbering = match renumber_evenly(&analysis.resolved) {
         Ok(renumbering) => renumbering,
         Err(why) => {
             let disabled = Some(CodeActionDisabled { reason: why.text(client.lang()) });

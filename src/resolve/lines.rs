@@ -251,13 +251,17 @@ fn in_line(index: &LineIndex, line: usize, word: Word) -> bool {
     index.start(line + 1).is_none_or(|next| word.start() < next)
 }
 
-/// Whether a word that has no finding of its own there begins its line, comments aside. A `/` there has W0213.
+/// Whether a word that has no finding of its own there begins its line, comments aside. A `/` there has W0213; a line that
+/// begins with a blank or tab is meant to continue the block (BLK-1).
 fn begins_line(parsed: &ParsedFile, word: Word) -> bool {
     if word.address == Address::Skip || (word.is_void() && word.is_faulty()) {
         return false;
     }
     let lines = parsed.source.lines();
     let mut from = lines.start(lines.line_at(word.start())).unwrap_or(word.start());
+    if matches!(parsed.source.text().as_bytes().get(from as usize), Some(b' ' | b'\t')) {
+        return false;
+    }
     let comments = parsed.all_comments();
     let first = comments.partition_point(|comment| comment.start < from);
     let blank = |from: u32, to: u32| {

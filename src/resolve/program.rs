@@ -117,6 +117,12 @@ pub struct Resolved {
 }
 
 impl Resolved {
+    /// The program or macrocycle itself, without what it calls; `None` when it could not be read.
+    pub fn into_program(self) -> Option<ParsedFile> {
+        let first = self.files.into_iter().next()?;
+        Arc::into_inner(first).map(|file| file.parsed)
+    }
+
     /// A file; `None` for an index of another program.
     #[inline]
     pub fn file(&self, index: FileId) -> Option<&ParsedFile> {

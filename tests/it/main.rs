@@ -10,6 +10,7 @@ mod cli_faults;
 mod cli_fix;
 mod cli_init;
 mod cli_report;
+mod cli_rewrite;
 mod cli_view;
 mod cli_walk;
 #[cfg(feature = "arrow")]
@@ -23,6 +24,7 @@ mod editors;
 mod endings;
 mod explain;
 mod faults;
+mod format;
 mod lsp;
 mod markers;
 mod model;

@@ -1,0 +1,42 @@
+//! One file read for itself: what it calls does not matter.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::config::Settings;
+use crate::resolve::Resolved;
+use crate::session::{Outcome, Session};
+use crate::text::{Encoding, Loader, SourceText};
+
+/// What is found in a file, and what is in it. `path` says whether it is a program or a macrocycle.
+pub(super) fn resolve(path: &Path, source: &Arc<SourceText>, settings: &Settings) -> (Outcome, Resolved) {
+    let mut settings = settings.clone();
+    settings.macrocycles.clear();
+    let alone = Alone(source);
+    Session { loader: &alone, settings: &settings, progress: None }.resolve(path, source.name())
+}
+
+struct Alone<'a>(&'a Arc<SourceText>);
+
+impl Loader for Alone<'_> {
+    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
+        Err(io::ErrorKind::NotFound.into())
+    }
+
+    fn load(&self, _: &Path, _: &str, _: Encoding) -> io::Result<Arc<SourceText>> {
+        Ok(Arc::clone(self.0))
+    }
+
+    fn list(&self, _: &Path) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    fn folders(&self, _: &Path) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    fn canonical(&self, path: &Path) -> PathBuf {
+        path.to_path_buf()
+    }
+}

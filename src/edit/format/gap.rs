@@ -1,0 +1,287 @@
+//! What stands between words and comments, and each of them as it is written: the edits of a file in the order of its text.
+
+use super::block::{Part, line_ends, without_trailing_blanks};
+use super::kept::{BLANK, Kept, lines_of};
+use super::{LINE, Style, word};
+use crate::edit::splice::Written;
+use crate::sure::Sure;
+use crate::syntax::{BlockId, Form, ParsedFile};
+use crate::text::Span;
+
+/// What separates a word or comment from what stands before it.
+#[derive(Clone, Copy, Debug)]
+enum Gap {
+    /// One blank.
+    Blank,
+    /// A line end, at most so many empty lines, and an indentation.
+    Line { empty: usize, indent: usize },
+    /// Nothing: it is the first of the text.
+    Nothing,
+}
+
+/// The layout of one file.
+pub(super) struct Layout<'a> {
+    file: &'a ParsedFile,
+    kept: &'a Kept,
+    style: Style,
+    /// The line end that most lines have.
+    line_end: &'static str,
+    /// Up to where the text has been laid out.
+    at: u32,
+    part: Part,
+    scratch: String,
+}
+
+impl<'a> Layout<'a> {
+    pub(super) fn new(file: &'a ParsedFile, kept: &'a Kept, style: Style) -> Self {
+        let line_end = usual_line_end(file.source.text());
+        Self { file, kept, style, line_end, at: file.start, part: Part::default(), scratch: String::new() }
+    }
+
+    /// Writes the edits.
+    pub(super) fn write(mut self, write: &mut dyn FnMut(Written<'_>)) {
+        self.header(write);
+        for block in self.file.block_ids() {
+            self.block(block, write);
+        }
+        self.end(write);
+    }
+
+    /// What stands before the first block.
+    fn header(&mut self, write: &mut dyn FnMut(Written<'_>)) {
+        let mut first = true;
+        for (span, _) in header(self.file) {
+            let gap = self.apart(span, first);
+            self.lay(span, gap, None, write);
+            first = false;
+        }
+    }
+
+    /// A block, and the comments on lines of their own behind it.
+    fn block(&mut self, block: BlockId, write: &mut dyn FnMut(Written<'_>)) {
+        let mut part = std::mem::take(&mut self.part);
+        part.read(self.file, block);
+        let stays = self.kept.has(self.file, part.span().start);
+        if !stays && self.may_be_long(&part) {
+            part.wrap(self.file, block, self.style);
+        }
+        let mut moved = part.pieces.iter().find(|piece| piece.moved).map(|piece| piece.span);
+        let first_item = self.at == self.file.start && self.file.form == Form::Macrocycle;
+        for (at, piece) in part.pieces.iter().enumerate() {
+            let gap = match at {
+                0 if first_item => Gap::Nothing,
+                0 => Gap::Line { empty: self.empty_lines(block), indent: 0 },
+                _ if piece.begins => {
+                    Gap::Line { empty: self.empty_lines(block.next()), indent: part.indent(at, self.style) }
+                }
+                _ => Gap::Blank,
+            };
+            if piece.moved {
+                write(Written { span: Span::new(self.at, piece.span.end), before: "", copied: None, after: "" });
+                self.at = piece.span.end;
+            } else {
+                self.lay(piece.span, gap, moved.take(), write);
+            }
+        }
+        let comments = self.file.comments_behind(block);
+        for comment in comments.get(part.comments..).sure() {
+            let span = without_trailing_blanks(self.file, *comment);
+            let gap = self.apart(span, false);
+            self.lay(span, gap, None, write);
+        }
+        self.part = part;
+    }
+
+    /// The gap before something that keeps its line.
+    fn apart(&self, span: Span, first: bool) -> Gap {
+        match line_ends(self.file, self.at, span.start) {
+            _ if first => Gap::Nothing,
+            0 => Gap::Blank,
+            _ => Gap::Line { empty: self.empty_lines_before(span.start), indent: 0 },
+        }
+    }
+
+    /// How many empty lines may stand before a block: none before the first of a macrocycle (FMT-4).
+    fn empty_lines(&self, block: BlockId) -> usize {
+        let first = self.file.form == Form::Macrocycle && block == BlockId(0);
+        if first { 0 } else { usize::from(self.style.blank_lines) }
+    }
+
+    fn empty_lines_before(&self, at: u32) -> usize {
+        let first = self.file.n_word(BlockId(0)).is_none_or(|n| at < n.start());
+        self.empty_lines(BlockId(u32::from(!first)))
+    }
+
+    /// Whether a line of the block may be longer than 80 characters when it is formatted: each piece grows by a blank and a
+    /// digit at most, and by its indentation.
+    fn may_be_long(&self, part: &Part) -> bool {
+        let grown = part.pieces.len() * 2 + usize::from(self.style.indent);
+        part.span().len() as usize + grown > LINE
+    }
+
+    /// The end of the text: a blank before `*`, a line end behind all else.
+    fn end(mut self, write: &mut dyn FnMut(Written<'_>)) {
+        let rest = Span::new(self.at, self.file.end.max(self.at));
+        let text = self.file.source.slice(rest);
+        let some = self.at > self.file.start;
+        if let Some(before) = text.strip_suffix('*') {
+            if before.trim_matches(BLANK).is_empty() && some {
+                let star = Span::new(rest.end - 1, rest.end);
+                let line = self.file.source.line_span(self.file.source.lines().line_at(star.start));
+                let room = self.file.source.slice(Span::new(line.start, star.end)).chars().count() < LINE;
+                // A blank that would make the line too long is left out.
+                if room || !before.is_empty() {
+                    let gap = self.apart(star, false);
+                    self.lay(star, gap, None, write);
+                }
+            }
+        } else if some && text.trim_matches(BLANK).is_empty() && self.file.end == self.file.source.len() {
+            let stays = self.kept.has(self.file, self.at.saturating_sub(1));
+            let trail = if stays { first_line(text) } else { "" };
+            let ended = trail.ends_with(['\n', '\r']);
+            let (before, after) = (trail.to_owned(), if ended { "" } else { self.line_end });
+            if text != format!("{before}{after}") {
+                write(Written { span: rest, before: &before, copied: None, after });
+            }
+        }
+    }
+
+    /// Lays out one word or comment with the gap before it. A comment that goes to a line of its own before it is `moved`.
+    fn lay(&mut self, span: Span, gap: Gap, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
+        let stays = self.kept.has(self.file, span.start);
+        self.gap(span.start, gap, stays, moved, write);
+        self.at = span.end;
+        let text = self.file.source.slice(span);
+        if stays || text.starts_with('"') {
+            return;
+        }
+        self.scratch.clear();
+        if word::write(text, self.style, &mut self.scratch) && self.scratch != text {
+            write(Written { span, before: &self.scratch, copied: None, after: "" });
+        }
+    }
+
+    fn gap(&self, to: u32, gap: Gap, stays: bool, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
+        let span = Span::new(self.at.min(to), to);
+        let text = self.file.source.slice(span);
+        if !text.trim_matches(BLANK).is_empty() {
+            return;
+        }
+        let ends = line_ends(self.file, span.start, span.end);
+        if stays && ends == 0 {
+            return;
+        }
+        let before_stays = span.start > self.file.start && self.kept.has(self.file, span.start - 1);
+        let mut new = String::new();
+        match gap {
+            Gap::Nothing => {}
+            Gap::Blank => new.push(' '),
+            Gap::Line { empty, .. } => {
+                new.push_str(if before_stays { first_line(text) } else { "" });
+                let ended = usize::from(new.ends_with(['\n', '\r']));
+                for _ in ended..=ends.saturating_sub(1).min(empty) {
+                    new.push_str(self.line_end);
+                }
+            }
+        }
+        let indent = match gap {
+            _ if stays => text.rsplit(['\n', '\r']).next().sure().to_owned(),
+            Gap::Line { indent, .. } => " ".repeat(indent),
+            Gap::Blank | Gap::Nothing => String::new(),
+        };
+        let after = if moved.is_some() { format!("{}{indent}", self.line_end) } else { indent };
+        if moved.is_some() || text.strip_prefix(new.as_str()) != Some(after.as_str()) {
+            write(Written { span, before: &new, copied: moved, after: &after });
+        }
+    }
+
+    /// The lines of what would get longer than 80 characters and is not: they stay.
+    pub(super) fn grown(mut self) -> Vec<usize> {
+        let mut grown = Vec::new();
+        let mut rows = Rows::default();
+        for (span, comment) in header(self.file) {
+            rows.add(self.file, self.style, span, comment, &mut grown);
+        }
+        for block in self.file.block_ids() {
+            self.part.read(self.file, block);
+            if self.may_be_long(&self.part) && !self.kept.has(self.file, self.part.span().start) {
+                self.part.wrap(self.file, block, self.style);
+                let long = self.part.lengths(self.file, self.style).iter().filter(|length| **length > LINE).count();
+                let lines = lines_of(self.file, self.part.span());
+                if long > lines.clone().filter(|line| is_long(self.file, *line)).count() {
+                    grown.extend(lines);
+                }
+            }
+            let comments = self.file.comments_behind(block).get(self.part.comments..).sure();
+            rows = Rows::default();
+            for comment in comments {
+                rows.add(self.file, self.style, without_trailing_blanks(self.file, *comment), true, &mut grown);
+            }
+        }
+        grown.retain(|line| !self.kept.has(self.file, self.file.source.line_span(*line).start));
+        grown
+    }
+}
+
+/// The length of a line of comments as it grows.
+#[derive(Default)]
+struct Rows {
+    end: u32,
+    length: usize,
+}
+
+impl Rows {
+    fn add(&mut self, file: &ParsedFile, style: Style, span: Span, comment: bool, grown: &mut Vec<usize>) {
+        let text = file.source.slice(span);
+        let mut written = String::new();
+        let own = if !comment && word::write(text, style, &mut written) { written.len() } else { text.chars().count() };
+        let same = self.end > 0 && line_ends(file, self.end, span.start) == 0;
+        self.length = if same { self.length + 1 + own } else { own };
+        self.end = span.end;
+        let line = file.source.lines().line_at(span.start);
+        if self.length > LINE && !is_long(file, line) {
+            grown.push(line);
+        }
+    }
+}
+
+/// The words and comments before the first block, and whether it is a comment.
+fn header(file: &ParsedFile) -> impl Iterator<Item = (Span, bool)> + '_ {
+    let first = file.n_word(BlockId(0)).map_or(u32::MAX, crate::syntax::Word::start);
+    super::block::items(file).take_while(move |span| span.start < first).map(|span| {
+        let comment = file.source.slice(span).starts_with('"');
+        (if comment { without_trailing_blanks(file, span) } else { span }, comment)
+    })
+}
+
+fn is_long(file: &ParsedFile, line: usize) -> bool {
+    let span = file.source.line_span(line);
+    span.len() as usize > LINE && file.source.slice(span).chars().count() > LINE
+}
+
+/// Up to the first line end, with it.
+fn first_line(text: &str) -> &str {
+    let Some(at) = text.find(['\n', '\r']) else { return text };
+    let length = if text.get(at..).sure().starts_with("\r\n") { 2 } else { 1 };
+    text.get(..at + length).sure()
+}
+
+/// The line end that most lines have; CR LF where none is most.
+fn usual_line_end(text: &str) -> &'static str {
+    let bytes = text.as_bytes();
+    let (mut both, mut feeds, mut returns) = (0_usize, 0_usize, 0_usize);
+    let mut before = None;
+    for at in memchr::memchr2_iter(b'\n', b'\r', bytes) {
+        match bytes.get(at) {
+            Some(b'\n') if before == at.checked_sub(1) && before.is_some() => (both, returns) = (both + 1, returns - 1),
+            Some(b'\n') => feeds += 1,
+            _ => returns += 1,
+        }
+        before = (bytes.get(at) == Some(&b'\r')).then_some(at);
+    }
+    match both.max(feeds).max(returns) {
+        most if most == both => "\r\n",
+        most if most == feeds => "\n",
+        _ => "\r",
+    }
+}

@@ -1,0 +1,140 @@
+//! Which lines stay byte for byte (FMT-6): those that could not be read, and all lines of the blocks that they cut.
+
+use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
+
+use super::block::{Part, items};
+use super::word;
+use crate::config::Style;
+use crate::diag::{Code, Findings};
+use crate::syntax::ParsedFile;
+use crate::text::{FileId, Span};
+
+/// The warnings that say that a line, or the file, is perhaps not what was meant. They count when they are allowed, too.
+pub(super) const WARNINGS: [Code; 4] = [Code::W0113, Code::W0114, Code::W0213, Code::W0221];
+
+/// Whether a finding says that its line could not be read as it was meant.
+const fn is_unread(code: Code) -> bool {
+    matches!(
+        code,
+        Code::E0101
+            | Code::E0102
+            | Code::E0103
+            | Code::E0104
+            | Code::E0105
+            | Code::E0106
+            | Code::E0107
+            | Code::E0111
+            | Code::W0114
+            | Code::W0213
+            | Code::W0221
+    )
+}
+
+/// The lines that stay as they are.
+#[derive(Debug, Default)]
+pub(super) struct Kept {
+    /// From 0.
+    lines: BTreeSet<usize>,
+    /// How many of them because they could not be read.
+    unread: usize,
+}
+
+impl Kept {
+    /// The lines that could not be read. Where there are more than findings are kept, none could.
+    pub(super) fn of(file: &ParsedFile, findings: &Findings) -> Self {
+        let mut kept = Self::default();
+        if findings.beyond().any(|((found_in, code), _)| found_in == FileId(0) && is_unread(code)) {
+            kept.lines.extend(0..file.source.lines().count());
+        }
+        let unread = findings.items().iter().filter(|item| item.at.file == FileId(0) && is_unread(item.code()));
+        kept.lines.extend(unread.flat_map(|item| lines_of(file, item.at.span)));
+        kept.lines.extend(debris(file));
+        kept.close(file);
+        kept.unread = kept.lines.len();
+        kept
+    }
+
+    /// Keeps more lines.
+    pub(super) fn keep(&mut self, file: &ParsedFile, lines: impl IntoIterator<Item = usize>) {
+        self.lines.extend(lines);
+        self.close(file);
+    }
+
+    /// Whether no line stays.
+    pub(super) fn is_empty(&self) -> bool {
+        self.lines.is_empty()
+    }
+
+    /// How many lines could not be read, blocks that they cut included.
+    pub(super) const fn unread(&self) -> usize {
+        self.unread
+    }
+
+    /// Whether the line at a place stays.
+    pub(super) fn has(&self, file: &ParsedFile, at: u32) -> bool {
+        !self.is_empty() && self.lines.contains(&file.source.lines().line_at(at))
+    }
+
+    /// Takes in all lines of the blocks of which one stays.
+    fn close(&mut self, file: &ParsedFile) {
+        if self.is_empty() {
+            return;
+        }
+        let mut part = Part::default();
+        loop {
+            let before = self.lines.len();
+            for block in file.block_ids() {
+                part.read(file, block);
+                let lines = lines_of(file, part.span());
+                if self.lines.range(lines.clone()).next().is_some() {
+                    self.lines.extend(lines);
+                }
+            }
+            if self.lines.len() == before {
+                return;
+            }
+        }
+    }
+}
+
+/// The lines that a part of the text is in.
+pub(super) fn lines_of(file: &ParsedFile, span: Span) -> RangeInclusive<usize> {
+    let lines = file.source.lines();
+    lines.line_at(span.start)..=lines.line_at(span.end.saturating_sub(1).max(span.start))
+}
+
+/// The lines with text that is neither well-formed word nor comment, whatever findings it has.
+fn debris(file: &ParsedFile) -> Vec<usize> {
+    let mut lines = Vec::new();
+    let mut from = file.start;
+    let mut look = |gap: Span| {
+        let text = file.source.slice(gap);
+        let debris = text.trim_start_matches(BLANK);
+        if !debris.is_empty() {
+            let start = gap.end - u32::try_from(debris.len()).unwrap_or(0);
+            let length = u32::try_from(debris.trim_end_matches(BLANK).len()).unwrap_or(0);
+            lines.extend(lines_of(file, Span::new(start, start + length)));
+        }
+    };
+    for item in items(file) {
+        look(Span::new(from.min(item.start), item.start));
+        from = from.max(item.end);
+    }
+    let end = file.end.max(from);
+    if !file.source.slice(Span::new(from, end)).ends_with('*') {
+        look(Span::new(from, end));
+    }
+    // A word whose finding is part of another one.
+    let mut written = String::new();
+    for word in file.all_words().map(|word| word.span(file.source.text())) {
+        written.clear();
+        if !word::write(file.source.slice(word), Style::default(), &mut written) {
+            lines.extend(lines_of(file, word));
+        }
+    }
+    lines
+}
+
+/// What separates words: blanks, tabs, line ends.
+pub(super) const BLANK: [char; 4] = [' ', '\t', '\r', '\n'];

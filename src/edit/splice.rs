@@ -1,0 +1,62 @@
+//! Puts edits into the bytes of a file, in whatever encoding: all between them stays byte by byte.
+
+use crate::sure::Sure;
+use crate::text::{Encoding, SourceText, Span};
+
+/// An edit: `before`, the bytes of `copied`, and `after` take the place of `span`.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Written<'a> {
+    /// What is replaced.
+    pub span: Span,
+    /// ASCII, or in UTF-8 any text.
+    pub before: &'a str,
+    /// A part of the same text, at or behind `span`.
+    pub copied: Option<Span>,
+    /// As `before`.
+    pub after: &'a str,
+}
+
+/// Bytes with edits, which come in the order of the text.
+#[derive(Debug)]
+pub struct Splice<'a> {
+    source: &'a SourceText,
+    bytes: &'a [u8],
+    result: Vec<u8>,
+    /// What is done, in the text and in the bytes: [`SourceText::byte_offset`] begins at the start of the file each time.
+    text_at: u32,
+    byte_at: usize,
+}
+
+impl<'a> Splice<'a> {
+    /// Without edits yet; `bytes` are those of the text.
+    pub fn new(source: &'a SourceText, bytes: &'a [u8]) -> Self {
+        Self { source, bytes, result: Vec::with_capacity(bytes.len() + bytes.len() / 16), text_at: 0, byte_at: 0 }
+    }
+
+    /// One more edit.
+    pub fn write(&mut self, edit: Written<'_>) {
+        let Written { span, before, copied, after } = edit;
+        let edit_at = self.byte_at + self.length(Span::new(self.text_at, span.start));
+        self.result.extend_from_slice(self.bytes.get(self.byte_at..edit_at).sure());
+        self.result.extend_from_slice(before.as_bytes());
+        if let Some(copied) = copied {
+            let from = edit_at + self.length(Span::new(span.start, copied.start));
+            self.result.extend_from_slice(self.bytes.get(from..from + self.length(copied)).sure());
+        }
+        self.result.extend_from_slice(after.as_bytes());
+        // Of a character at the end of a file in UTF-16 a byte can be missing.
+        self.byte_at = (edit_at + self.length(span)).min(self.bytes.len());
+        self.text_at = span.end;
+    }
+
+    /// The bytes with all edits.
+    pub fn finish(mut self) -> Vec<u8> {
+        self.result.extend_from_slice(self.bytes.get(self.byte_at..).sure());
+        self.result
+    }
+
+    fn length(&self, span: Span) -> usize {
+        let encoding = self.source.encoding();
+        if encoding == Encoding::Utf8 { span.len() as usize } else { encoding.length(self.source.slice(span)) }
+    }
+}
