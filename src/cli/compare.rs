@@ -1,7 +1,7 @@
 //! `compare`: what two programs do differently.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::Path;
 
 use super::args::{CompareArgs, FindingsArgs, StateFormat};
 use super::common::{overrides, print_beside};
@@ -27,7 +27,7 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
     let overrides = overrides(&args.common, locale.lang)?;
     threads::prepare();
     let shown = FindingsArgs { format: Format::Human, all: args.all };
-    let read_one = |file: &PathBuf| read(file, args, &overrides);
+    let read_one = |file: &Path| read(file, args, &overrides);
     let (old, new) = crate::parallel::join(|| read_one(&args.old), || read_one(&args.new));
     let ((old_report, old), (new_report, new)) = (old?, new?);
     let (Some((old, old_steps)), Some((new, new_steps))) = (old, new) else {
@@ -54,8 +54,8 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
 }
 
 /// Executes one of the programs.
-fn read(file: &PathBuf, args: &CompareArgs, overrides: &Overrides) -> Result<Read, Failure> {
-    let job = Job::new(file.clone(), None);
+fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, Failure> {
+    let job = Job::new(file.to_path_buf(), None);
     let mut projects = job.configure(&args.common, overrides)?;
     let mut report = projects.report();
     let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {

@@ -24,7 +24,7 @@ pub(super) fn align(old: &Steps, new: &Steps, mut give: impl FnMut(Aligned)) {
         Aligned::Both(a, b) if swapped => Aligned::Both(b, a),
         Aligned::Old(at) if swapped => Aligned::New(at),
         Aligned::New(at) if swapped => Aligned::Old(at),
-        same => same,
+        Aligned::Both(..) | Aligned::Old(_) | Aligned::New(_) => aligned,
     };
     let (first, second) = if swapped { (new, old) } else { (old, new) };
     let (a, b) = if swapped { (b, a) } else { (a, b) };

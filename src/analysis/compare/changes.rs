@@ -265,10 +265,10 @@ impl Grouping<'_> {
         let contexts = (Steps::context_id(old), Steps::context_id(new));
         let mut found = Vec::new();
         match (self.old.does(old), self.new.does(new)) {
-            (Some(Does::Motion(old)), Some(Does::Motion(new))) => {
-                if old.values() != new.values() || old.axes != new.axes {
-                    self.positions(&old, &new, &mut found);
-                }
+            (Some(Does::Motion(old)), Some(Does::Motion(new)))
+                if old.values() != new.values() || old.axes != new.axes =>
+            {
+                self.positions(&old, &new, &mut found);
             }
             (Some(Does::Event(old)), Some(Does::Event(new))) if old.value != new.value => {
                 found.push(difference(new, Some(old.value.clone()), Some(new.value.clone())));
