@@ -501,10 +501,14 @@ impl Assembly<'_> {
 
     /// Whether a value has a finding of its own: nobody knows then what it is.
     fn is_wrong(&self, names: &[&str]) -> bool {
-        let is_one = |finding: &Finding| match finding {
-            Finding::ConfigurationValue { key, .. } => names.contains(&key.as_str()),
-            Finding::ConstantNotUsed { name, .. } => names.contains(&format!("machine-constants.{name}").as_str()),
-            _ => false,
+        let is_one = |finding: &Finding| {
+            if let Finding::ConfigurationValue { key, .. } = finding {
+                names.contains(&key.as_str())
+            } else if let Finding::ConstantNotUsed { name, .. } = finding {
+                names.contains(&format!("machine-constants.{name}").as_str())
+            } else {
+                false
+            }
         };
         self.findings.items().iter().any(|found| is_one(&found.finding))
     }

@@ -79,15 +79,16 @@ pub(super) fn too_deep(tokens: &[Token]) -> Option<Token> {
     let mut outside = Vec::new();
     let mut depth = 0;
     tokens.iter().copied().find(|token| {
-        match token.kind {
-            Kind::Not | Kind::WordNot => depth += 1,
-            Kind::Open => {
-                outside.push(depth);
-                depth += 1;
-            }
-            Kind::Close => depth = outside.pop().unwrap_or(0),
+        if matches!(token.kind, Kind::Not | Kind::WordNot) {
+            depth += 1;
+        } else if token.kind == Kind::Open {
+            outside.push(depth);
+            depth += 1;
+        } else if token.kind == Kind::Close {
+            depth = outside.pop().unwrap_or(0);
+        } else {
             // The next operand stands beside, not within.
-            _ => depth = outside.last().map_or(0, |depth| depth + 1),
+            depth = outside.last().map_or(0, |depth| depth + 1);
         }
         depth > DEEPEST
     })
