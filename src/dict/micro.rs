@@ -53,6 +53,18 @@ impl Micro {
         Self(self.0.saturating_abs())
     }
 
+    /// Rounded to thousandths: what people read of a computed length.
+    #[must_use]
+    pub const fn rounded(self) -> Self {
+        Self((self.0.saturating_add(500)).div_euclid(1000).saturating_mul(1000))
+    }
+
+    /// A hundredth of it, exactly for every programmed value (TEC-6).
+    #[must_use]
+    pub const fn hundredth(self) -> Self {
+        Self(self.0 / 100)
+    }
+
     /// Half of it, exactly for every programmed value (MOT-1: diameters).
     #[must_use]
     pub const fn half(self) -> Self {

@@ -81,6 +81,71 @@ fn unknown_paths() {
     assert!(cycle["tools"][0].get("working_mm").is_none(), "{cycle}");
 }
 
+/// An extent whose motions are not all known says so, by axis and with the blocks, in each form.
+#[test]
+fn unknown_extents() {
+    let place = place();
+    let extents = |program: &str| -> Value {
+        place.put("reach.nc", format!("%1\n{program}"));
+        let sheet: Value =
+            serde_json::from_str(&place.run(&["report", "reach.nc", "--format", "json"]).ends(0).stdout).unwrap();
+        let validator = jsonschema::validator_for(&cnc872c::analysis::sheet::schema()).unwrap();
+        assert!(validator.is_valid(&sheet), "{:?}", validator.iter_errors(&sheet).next());
+        sheet
+    };
+    let cycle =
+        "N1 G90 G0 X0 Y0 Z5 F100 S900 M3 T1 M6\nN2 G81 X50 Y40 Z-30\nN3 X80 Y90\nN4 G80\nN5 G1 X10 Y10\nN6 M30\n";
+    let sheet = extents(cycle);
+    let working = json!({ "X": [10, 10], "Y": [10, 10], "lower_bound": true, "lower_bound_axes": ["X", "Y", "Z"],
+        "unknown_blocks": [2, 3] });
+    let known = |sheet: &Value, of: &str| {
+        let reach = &sheet["extents"][of];
+        (reach["lower_bound"] == true, reach["unknown_blocks"].clone())
+    };
+    assert_eq!(known(&sheet, "working"), (true, working["unknown_blocks"].clone()), "{sheet}");
+    assert_eq!(sheet["extents"]["working"]["lower_bound_axes"], working["lower_bound_axes"]);
+    assert_eq!(known(&sheet, "all"), (true, json!([2, 3])));
+    assert_eq!(sheet["tools"][0]["extents"]["unknown_blocks"], json!([2, 3]));
+    for (form, says) in [("human", "without N2, N3"), ("markdown", "without N2, N3"), ("html", "without N2, N3")] {
+        let text = place.run(&["report", "reach.nc", "--format", form, "--lang", "en"]).ends(0).stdout;
+        assert!(text.contains("at least ") && text.contains(says), "{text}");
+    }
+    // G91 from the reference point, G91 alone, a parameter that the machine has.
+    let from_reference =
+        extents("N1 G90 G0 X0 Y0 Z6 S900 M3 T1 M6\nN2 G1 Z0 F100\nN4 G30 Z0\nN5 G91 X500\nN6 G1 Z-20\nN7 M30\n");
+    assert_eq!(known(&from_reference, "working"), (true, json!([6])), "{from_reference}");
+    let incremental = extents("N1 G91 G1 X10 F100 S900 M3\nN2 Z-5\nN3 M30\n");
+    assert_eq!(known(&incremental, "working"), (true, json!([1, 2])));
+    let parameter = extents("N1 G90 G0 X0 Y0 S900 M3\nN2 G1 X5 F100\nN3 XR50\nN4 X9\nN5 M30\n");
+    assert_eq!(known(&parameter, "working"), (true, json!([3])), "{parameter}");
+    // The approach, from wherever it comes, leaves the extents whole.
+    let whole = extents("N1 G90 G0 X0 Y0 Z5 S900 M3\nN2 G1 X5 F100\nN3 M30\n");
+    assert_eq!((known(&whole, "working").0, known(&whole, "all").0), (false, false), "{whole}");
+}
+
+/// X of a lathe is a diameter, F is as it acts, S under constant cutting speed counts no revolutions.
+#[test]
+fn of_a_lathe() {
+    let place = place();
+    let program =
+        "%1\nN1 G90 G74 G0 X100 Z5 T1 M6 S900 M3\nN2 G95 G1 X40 Z0 F0.25\nN3 Z-20\nN4 G96 S180 F200\nN5 X10\nN6 M30\n";
+    place.put("lathe.nc", program);
+    let sheet: Value =
+        serde_json::from_str(&place.run(&["report", "lathe.nc", "--format", "json"]).ends(0).stdout).unwrap();
+    assert_eq!((&sheet["diameter"], &sheet["extents"]["working"]["X"]), (&json!(true), &json!([10, 100])));
+    let tool = &sheet["tools"][0];
+    assert_eq!((&tool["speeds"], &tool["cutting_speeds"]), (&json!([900, 900]), &json!([180, 180])));
+    let text = place.run(&["report", "lathe.nc", "--lang", "cs"]).ends(0).stdout;
+    assert!(text.contains("X (průměr)") && text.contains("0.25 mm/ot") && !text.contains("mm/rev"), "{text}");
+    assert!(text.contains("900 ot/min; 180 (konstantní řezná rychlost)"), "{text}");
+    place.put("slow.nc", "%1\nN1 G0 G90 X0 Y0 T1 M6 S900 M3\nN2 G1 X5 F100 M37\nN3 G3 X5 Y10 I0 J5\nN4 M36 M30\n");
+    let run = place.run(&["report", "slow.nc", "--format", "json", "--dialect", "cnc8x6"]).ends(0);
+    let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(sheet["tools"][0]["feeds"][0]["max"], json!(1), "{sheet}");
+    let text = place.run(&["report", "slow.nc", "--lang", "en", "--dialect", "cnc8x6"]).ends(0).stdout;
+    assert!(text.contains("20.708 mm"), "{text}");
+}
+
 #[test]
 fn forms_for_people() {
     let place = place();

@@ -4,7 +4,8 @@ use super::extents::Extents;
 use super::reader::{Path, Sheet, ToolUse};
 use super::words::Words;
 use crate::analysis::motion::{Summary, Total, clock};
-use crate::dict::{Decimal, Lang, Micro};
+use crate::dict::{AxisLetter, Lang};
+use crate::run::FeedUnit;
 
 /// A heading with a table below it.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -71,16 +72,40 @@ fn section(heading: Words, head: &[Words], rows: Vec<Vec<String>>, lang: Lang) -
 fn size(sheet: &Sheet, lang: Lang) -> Section {
     let rows = [(Words::Working, &sheet.working), (Words::All, &sheet.all)].into_iter().flat_map(|(what, extents)| {
         let what = what.text(lang);
-        extents.axes().map(move |(letter, least, greatest)| {
-            vec![what.clone(), letter.to_string(), least.to_string(), greatest.to_string(), span(least, greatest)]
+        let missing = missing(extents, lang);
+        extents.axes().map(move |(letter, reach)| {
+            let letter = match letter {
+                AxisLetter::X if sheet.head.diameter => Words::Diameter { letter: letter.to_string() }.text(lang),
+                other => other.to_string(),
+            };
+            let [from, to, size] = match reach.known {
+                Some((least, greatest)) => [least, greatest, greatest.minus(least)].map(|value| value.to_string()),
+                None => [(); 3].map(|()| Words::Unknown.text(lang)),
+            };
+            let [size, missing] = match reach.known {
+                _ if !reach.lacks => [size, String::new()],
+                Some(_) => [Words::AtLeast { what: size }.text(lang), missing.clone()],
+                None => [size, missing.clone()],
+            };
+            vec![what.clone(), letter, from, to, size, missing]
         })
     });
     let rows = rows.collect();
-    section(Words::Work, &[Words::Motions, Words::Axis, Words::From, Words::To, Words::Size], rows, lang)
+    let head = [Words::Motions, Words::Axis, Words::From, Words::To, Words::Size, Words::MissingBlocks];
+    section(Words::Work, &head, rows, lang)
 }
 
-fn span(least: Micro, greatest: Micro) -> String {
-    greatest.minus(least).to_string()
+/// How many blocks are named in a cell.
+const NAMED: usize = 8;
+
+/// The blocks whose reach is not known.
+fn missing(extents: &Extents, lang: Lang) -> String {
+    let blocks = extents.unknown_blocks();
+    let mut named: Vec<String> = blocks.iter().take(NAMED).map(|n| format!("N{n}")).collect();
+    if blocks.len() > NAMED {
+        named.push("…".to_owned());
+    }
+    Words::Missing { blocks: named.join(", ") }.text(lang)
 }
 
 fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
@@ -92,10 +117,10 @@ fn tools(sheet: &Sheet, summary: &Summary, lang: Lang) -> Section {
             time(summary.of_tool(tool.tool), lang),
             path(tool.working, lang),
             path(tool.rapid, lang),
-            feeds(tool),
-            tool.speeds.map_or_else(String::new, range),
+            feeds(tool, lang),
+            speeds(tool, lang),
             tool.d.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "),
-            reach(&tool.extents),
+            reach(&tool.extents, sheet.head.diameter, lang),
         ]
     });
     let head = [
@@ -119,25 +144,47 @@ fn time(total: Total, lang: Lang) -> String {
 }
 
 fn path(path: Path, lang: Lang) -> String {
-    match path.known() {
-        None => Words::Unknown.text(lang),
-        Some(length) if path.is_lower_bound() => Words::AtLeast { what: format!("{length} mm") }.text(lang),
-        Some(length) => format!("{length} mm"),
-    }
+    let Some(length) = path.known() else { return Words::Unknown.text(lang) };
+    let length = format!("{} mm", length.rounded());
+    if path.is_lower_bound() { Words::AtLeast { what: length }.text(lang) } else { length }
 }
 
-fn feeds(tool: &ToolUse) -> String {
-    let feeds = tool.feeds.iter().map(|(unit, feeds)| format!("{} {}", range(*feeds), unit.name()));
+fn feeds(tool: &ToolUse, lang: Lang) -> String {
+    let unit = |unit: FeedUnit| match unit {
+        FeedUnit::MmPerMinute => Words::PerMinute,
+        FeedUnit::MmPerRevolution => Words::PerRevolution,
+        FeedUnit::DegPerMinute => Words::DegPerMinute,
+        FeedUnit::DegPerRevolution => Words::DegPerRevolution,
+    };
+    let feeds = tool.feeds.iter().map(|(counts, feeds)| format!("{} {}", range(*feeds), unit(*counts).text(lang)));
     feeds.collect::<Vec<_>>().join("; ")
 }
 
-fn range((least, greatest): (Decimal, Decimal)) -> String {
-    if least == greatest { least.to_string() } else { format!("{least} – {greatest}") }
+fn speeds(tool: &ToolUse, lang: Lang) -> String {
+    let speeds = tool.speeds.map(|speeds| Words::Revolutions { speeds: range(speeds) });
+    let cutting = tool.cutting_speeds.map(|speeds| Words::CuttingSpeed { speeds: range(speeds) });
+    [speeds, cutting].into_iter().flatten().map(|words| words.text(lang)).collect::<Vec<_>>().join("; ")
 }
 
-fn reach(extents: &Extents) -> String {
-    let axes = extents.axes().map(|(letter, least, greatest)| format!("{letter} {least} … {greatest}"));
-    axes.collect::<Vec<_>>().join("; ")
+fn range<T: PartialEq + ToString>((least, greatest): (T, T)) -> String {
+    if least == greatest { least.to_string() } else { format!("{} – {}", least.to_string(), greatest.to_string()) }
+}
+
+fn reach(extents: &Extents, diameter: bool, lang: Lang) -> String {
+    let mut lacks = false;
+    let axes = extents.axes().map(|(letter, reach)| {
+        lacks |= reach.lacks;
+        let sign = if diameter && letter == AxisLetter::X { "⌀" } else { "" };
+        match reach.known {
+            None => format!("{letter}{sign} {}", Words::Unknown.text(lang)),
+            Some((least, greatest)) => {
+                let what = format!("{letter}{sign} {least} … {greatest}");
+                if reach.lacks { Words::AtLeast { what }.text(lang) } else { what }
+            }
+        }
+    });
+    let axes = axes.collect::<Vec<_>>().join("; ");
+    if lacks { format!("{axes} ({})", missing(extents, lang)) } else { axes }
 }
 
 fn m_functions(sheet: &Sheet, lang: Lang) -> Section {

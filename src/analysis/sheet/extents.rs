@@ -3,44 +3,82 @@
 use crate::dict::{AxisLetter, Micro};
 use crate::run::{ArcPath, Motion, MotionType};
 
-/// The least and the greatest programmed position of each axis.
+/// How many blocks of unknown reach are named.
+pub const MOST_BLOCKS: usize = 100;
+
+/// How far an axis goes.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub struct Reach {
+    /// The least and the greatest programmed position; `None`: none is known.
+    pub known: Option<(Micro, Micro)>,
+    /// Whether there are positions that are not known: it goes at least as far as is known.
+    pub lacks: bool,
+}
+
+/// How far each axis goes.
+#[derive(Clone, Debug, Default, Eq, PartialEq)]
 pub struct Extents {
-    axes: [Option<(Micro, Micro)>; AxisLetter::ALL.len()],
+    axes: [Reach; AxisLetter::ALL.len()],
+    /// X is programmed as a diameter.
+    diameter: bool,
+    unknown: Vec<u32>,
 }
 
 impl Extents {
-    /// The axes that moved over known positions, in the order of their letters.
-    pub fn axes(&self) -> impl Iterator<Item = (AxisLetter, Micro, Micro)> + '_ {
-        AxisLetter::ALL.into_iter().zip(self.axes).filter_map(|(letter, reach)| {
-            let (least, greatest) = reach?;
-            Some((letter, least, greatest))
+    /// The axes that moved, in the order of their letters; X as a diameter where it is programmed as one.
+    pub fn axes(&self) -> impl Iterator<Item = (AxisLetter, Reach)> + '_ {
+        let moved = |(_, reach): &(AxisLetter, Reach)| reach.known.is_some() || reach.lacks;
+        AxisLetter::ALL.into_iter().zip(self.axes).filter(moved).map(|(letter, reach)| match letter {
+            AxisLetter::X if self.diameter => {
+                let twice = |position: Micro| position.plus(position);
+                (letter, Reach { known: reach.known.map(|(least, greatest)| (twice(least), twice(greatest))), ..reach })
+            }
+            other => (other, reach),
         })
     }
 
-    /// Whether no axis moved over known positions.
-    pub fn is_empty(&self) -> bool {
-        self.axes.iter().all(Option::is_none)
+    /// The numbers of the first [`MOST_BLOCKS`] blocks whose reach is not known.
+    pub fn unknown_blocks(&self) -> &[u32] {
+        &self.unknown
+    }
+
+    /// Gives X as a diameter.
+    pub(super) const fn in_diameters(&mut self) {
+        self.diameter = true;
     }
 
     fn add(&mut self, letter: AxisLetter, position: Micro) {
-        if let Some(slot) = self.axes.get_mut(letter as usize) {
-            let (least, greatest) = slot.unwrap_or((position, position));
-            *slot = Some((least.min(position), greatest.max(position)));
+        if let Some(Reach { known, .. }) = self.axes.get_mut(letter as usize) {
+            let (least, greatest) = known.unwrap_or((position, position));
+            *known = Some((least.min(position), greatest.max(position)));
         }
     }
 
-    /// Adds the way of a motion, as far as it is known.
-    pub fn add_motion(&mut self, motion: &Motion<'_>) {
-        if motion.kind() == MotionType::Reference {
-            return;
+    /// A block takes an axis where nobody knows.
+    pub(super) fn lack(&mut self, letter: AxisLetter, n: u32) {
+        if let Some(reach) = self.axes.get_mut(letter as usize) {
+            reach.lacks = true;
         }
+        if self.unknown.len() < MOST_BLOCKS && !self.unknown.contains(&n) {
+            self.unknown.push(n);
+        }
+    }
+
+    /// Adds the way of the motion of block `n`, from where it is known; its end is missing where nobody knows it.
+    pub(super) fn add_motion(&mut self, motion: &Motion<'_>, n: u32) {
         for letter in motion.axes() {
-            for position in [motion.start(letter), motion.end(letter)].into_iter().flatten() {
-                self.add(letter, position);
+            let (start, end) = (motion.start(letter), motion.end(letter));
+            if end.is_none() {
+                self.lack(letter, n);
+            }
+            if motion.kind() != MotionType::Reference {
+                [start, end].into_iter().flatten().for_each(|position| self.add(letter, position));
             }
         }
         if let Some(arc) = motion.arc().filter(|_| motion.kind().is_arc()) {
+            if arc.center.is_none() {
+                arc.plane.into_iter().for_each(|letter| self.lack(letter, n));
+            }
             self.add_arc(motion, &arc);
         }
     }

@@ -11,12 +11,28 @@ use super::extents::Extents;
 use super::reader::{Sheet, ToolUse};
 use crate::analysis::motion::Summary;
 use crate::analysis::{Number, forbid_null};
+use crate::dict::AxisLetter;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.report/1";
 
-/// Least and greatest position by axis.
-type Reach = BTreeMap<String, [Number; 2]>;
+/// Least and greatest position by axis, and what is missing in them.
+#[derive(Serialize, JsonSchema)]
+#[schemars(inline)]
+struct Reach {
+    /// By letter; an axis of which no position is known is in `lower_bound_axes` only.
+    #[serde(flatten)]
+    axes: BTreeMap<String, [Number; 2]>,
+    /// Some motions are not known: the extent is at least this.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    lower_bound: bool,
+    /// The axes that go at least so far.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    lower_bound_axes: Vec<String>,
+    /// The numbers of the blocks whose motions are missing, in the order in which they are executed first; the first 100.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    unknown_blocks: Vec<u32>,
+}
 
 /// The set-up sheet of a program. What is `false`, empty or absent is left out.
 #[derive(Serialize, JsonSchema)]
@@ -38,6 +54,9 @@ struct Record {
     /// The control.
     #[schemars(extend("enum" = ["cnc8x6", "cnc8x9", "cnc872"]))]
     dialect: String,
+    /// A lathe: X of all extents is a diameter.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    diameter: bool,
     /// Time of the program, as `motion` estimates it.
     time_s: Number,
     /// The machine of the estimate is not configured.
@@ -96,11 +115,14 @@ struct ToolRecord {
     /// Some motions by G00 have no known length: the path is at least this.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     rapid_lower_bound: bool,
-    /// F of working motion, by what it counts.
+    /// F of working motion as it acts, M37 included, by what it counts.
     feeds: Vec<FeedRecord>,
-    /// S of working motion: least and greatest.
+    /// S of working motion and of fixed cycles, rev/min: least and greatest.
     #[serde(skip_serializing_if = "Option::is_none")]
     speeds: Option<[Number; 2]>,
+    /// S under constant cutting speed: least and greatest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cutting_speeds: Option<[Number; 2]>,
     /// D of working motion.
     d: Vec<Number>,
     /// How far working motion reaches.
@@ -182,6 +204,7 @@ pub fn json(sheet: &Sheet, summary: &Summary, assumed: bool) -> String {
         number: head.number,
         title: head.title.clone(),
         dialect: head.dialect.to_owned(),
+        diameter: head.diameter,
         time_s: summary.total.time_s.into(),
         assumed,
         lower_bound: summary.total.is_lower_bound(),
@@ -226,19 +249,25 @@ fn tool(used: &ToolUse, summary: &Summary) -> ToolRecord {
         feeds: used
             .feeds
             .iter()
-            .map(|(unit, (min, max))| FeedRecord {
-                unit: unit.name().to_owned(),
-                min: (*min).into(),
-                max: (*max).into(),
-            })
+            .map(|(unit, (min, max))| FeedRecord { unit: unit.name().to_owned(), min: Number(*min), max: Number(*max) })
             .collect(),
         speeds: used.speeds.map(|(least, greatest)| [least.into(), greatest.into()]),
+        cutting_speeds: used.cutting_speeds.map(|(least, greatest)| [least.into(), greatest.into()]),
         d: used.d.iter().map(|d| Number::from(*d)).collect(),
         extents: reach(&used.extents),
     }
 }
 
 fn reach(extents: &Extents) -> Reach {
-    let axes = extents.axes().map(|(letter, least, greatest)| (letter.to_string(), [Number(least), Number(greatest)]));
-    axes.collect()
+    let known = |(letter, reach): (AxisLetter, super::Reach)| {
+        reach.known.map(|(least, greatest)| (letter.to_string(), [Number(least), Number(greatest)]))
+    };
+    let lower_bound_axes: Vec<String> =
+        extents.axes().filter(|(_, reach)| reach.lacks).map(|(letter, _)| letter.to_string()).collect();
+    Reach {
+        axes: extents.axes().filter_map(known).collect(),
+        lower_bound: !lower_bound_axes.is_empty(),
+        lower_bound_axes,
+        unknown_blocks: extents.unknown_blocks().to_vec(),
+    }
 }

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::extents::Extents;
 use crate::diag::{CallKind, Findings};
-use crate::dict::{Address, Decimal, Micro, TOOL_CHANGE};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
 use crate::run::{End, Executed, FeedUnit, Length, Motion, MotionType, Program, Sink};
 use crate::syntax::Value;
 use crate::text::{FileId, Location};
@@ -21,6 +21,8 @@ pub struct Head {
     pub title: Option<String>,
     /// The control.
     pub dialect: &'static str,
+    /// A lathe: X is given as a diameter.
+    pub diameter: bool,
 }
 
 /// A path, mm.
@@ -62,10 +64,12 @@ pub struct ToolUse {
     pub working: Path,
     /// Path of G00.
     pub rapid: Path,
-    /// Least and greatest F of working motion, by what it counts.
-    pub feeds: BTreeMap<FeedUnit, (Decimal, Decimal)>,
-    /// Least and greatest S of working motion.
+    /// Least and greatest F of working motion as it acts, by what it counts.
+    pub feeds: BTreeMap<FeedUnit, (Micro, Micro)>,
+    /// Least and greatest S of working motion and of fixed cycles, rev/min.
     pub speeds: Option<(Decimal, Decimal)>,
+    /// Least and greatest S under constant cutting speed.
+    pub cutting_speeds: Option<(Decimal, Decimal)>,
     /// D of working motion.
     pub d: BTreeSet<Decimal>,
     /// How far working motion reaches.
@@ -212,42 +216,64 @@ impl SheetReader {
         tools.get_mut(at)
     }
 
-    /// Of the paths under a fixed cycle that is not mapped nothing is known.
+    /// Where a fixed cycle that is not mapped leads, and how far, nobody knows.
     fn unknown_cycle(&mut self, block: &Executed<'_>) {
-        if block.is_unmapped_cycle()
-            && let Some(tool) = self.tool(block)
-        {
+        if !block.is_unmapped_cycle() {
+            return;
+        }
+        let axes = block.settings().machine.axes.iter().filter(|axis| !axis.rotary).map(|axis| axis.letter);
+        let main = |letter: &AxisLetter| matches!(letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z);
+        let letters: Vec<AxisLetter> = axes.filter(main).collect();
+        let lack = |extents: &mut Extents| letters.iter().for_each(|letter| extents.lack(*letter, block.n()));
+        lack(&mut self.sheet.working);
+        lack(&mut self.sheet.all);
+        if let Some(tool) = self.tool(block) {
+            lack(&mut tool.extents);
             tool.working.lacks = true;
             tool.rapid.lacks = true;
+            tool.cuts(block);
         }
     }
 
     fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
-        self.sheet.all.add_motion(motion);
+        let n = block.n();
+        self.sheet.head.diameter |= block.g(GGroup::G10) == Some(GCode::G74);
+        self.sheet.all.add_motion(motion, n);
         let kind = motion.kind();
         if kind.is_working() {
-            self.sheet.working.add_motion(motion);
+            self.sheet.working.add_motion(motion, n);
         }
         let length = motion.length();
         let Some(tool) = self.tool(block) else { return };
-        if kind == MotionType::Rapid {
-            tool.rapid.add(length);
+        match kind {
+            MotionType::Rapid => tool.rapid.add(length),
+            MotionType::Thread => tool.cuts(block),
+            MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw => {
+                tool.working.add(length);
+                tool.extents.add_motion(motion, n);
+                tool.cuts(block);
+            }
+            MotionType::Reference => {}
         }
-        if !kind.is_working() {
-            return;
-        }
-        tool.working.add(length);
-        tool.extents.add_motion(motion);
+    }
+}
+
+impl ToolUse {
+    /// Takes up F, S and D of a block that cuts.
+    fn cuts(&mut self, block: &Executed<'_>) {
         if let Some(feed) = block.feed() {
-            let (least, greatest) = tool.feeds.entry(feed.unit).or_insert((feed.value, feed.value));
-            *least = (*least).min(feed.value);
-            *greatest = (*greatest).max(feed.value);
+            let value = Micro::from(feed.value);
+            let value = if feed.hundredth { value.hundredth() } else { value };
+            let (least, greatest) = self.feeds.entry(feed.unit).or_insert((value, value));
+            *least = (*least).min(value);
+            *greatest = (*greatest).max(value);
         }
         if let Some(s) = block.s() {
-            let (least, greatest) = tool.speeds.unwrap_or((s, s));
-            tool.speeds = Some((least.min(s), greatest.max(s)));
+            let speeds = if block.const_cut_speed() { &mut self.cutting_speeds } else { &mut self.speeds };
+            let (least, greatest) = speeds.unwrap_or((s, s));
+            *speeds = Some((least.min(s), greatest.max(s)));
         }
-        tool.d.extend(block.d().filter(|d| *d != Decimal::ZERO));
+        self.d.extend(block.d().filter(|d| *d != Decimal::ZERO));
     }
 }
 
@@ -262,6 +288,7 @@ impl Sink for SheetReader {
             number: number.and_then(|number| u32::try_from(number).ok()),
             title: file.and_then(|file| file.title.map(|title| file.comment_text(title).to_owned())),
             dialect: program.settings.machine.dialect.name(),
+            diameter: program.settings.machine.power_up.contains(&Some(GCode::G74)),
         };
     }
 
@@ -287,7 +314,11 @@ impl Sink for SheetReader {
         ControlFlow::Continue(())
     }
 
-    fn end(self, _: End, _: &mut Findings) -> Sheet {
+    fn end(mut self, _: End, _: &mut Findings) -> Sheet {
+        if self.sheet.head.diameter {
+            let tools = self.sheet.tools.iter_mut().map(|tool| &mut tool.extents);
+            [&mut self.sheet.working, &mut self.sheet.all].into_iter().chain(tools).for_each(Extents::in_diameters);
+        }
         self.sheet
     }
 }

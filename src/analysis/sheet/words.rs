@@ -18,7 +18,10 @@ bilingual! {
         All "all motions", "všechny pohyby";
         From "from", "od";
         To "to", "do";
-        Size "size", "rozsah";
+        Size "size", "rozměr";
+        Diameter { letter: String } "{letter} (diameter)", "{letter} (průměr)";
+        MissingBlocks "missing", "chybí";
+        Missing { blocks: String } "without {blocks}", "bez {blocks}";
         Tools "Tools", "Nástroje";
         Tool "Tool", "Nástroj";
         NoTool "before the first M06", "před prvním M06";
@@ -28,6 +31,12 @@ bilingual! {
         Rapid "G00", "G00";
         Feeds "F", "F";
         Speeds "S", "S";
+        CuttingSpeed { speeds: String } "{speeds} (constant cutting speed)", "{speeds} (konstantní řezná rychlost)";
+        PerMinute "mm/min", "mm/min";
+        PerRevolution "mm/rev", "mm/ot";
+        DegPerMinute "deg/min", "°/min";
+        DegPerRevolution "deg/rev", "°/ot";
+        Revolutions { speeds: String } "{speeds} rev/min", "{speeds} ot/min";
         D "D", "D";
         Reach "reach", "rozsah";
         MFunctions "M functions", "M funkce";
