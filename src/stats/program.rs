@@ -158,15 +158,10 @@ fn fill(row: &mut Row, sheet: &Sheet, summary: &Summary, totals: &Totals, used: 
 }
 
 fn reach(extents: &sheet::Extents) -> Reach {
-<<<<<<< HEAD
-    extents
-        .axes()
-        .map(|(axis, least, greatest)| (axis.to_string(), [Number(least.to_f64()), Number(greatest.to_f64())]))
-        .collect()
-=======
     let known = extents.axes().filter_map(|(axis, reach)| Some((axis, reach.known?)));
-    known.map(|(axis, (least, greatest))| (axis.to_string(), [least.to_f64(), greatest.to_f64()])).collect()
->>>>>>> 796139e (report says at least of an extent that is not wholly known, and gives X of a lathe as a diameter)
+    known
+        .map(|(axis, (least, greatest))| (axis.to_string(), [Number(least.to_f64()), Number(greatest.to_f64())]))
+        .collect()
 }
 
 fn count(findings: &Findings) -> BTreeMap<String, u64> {
