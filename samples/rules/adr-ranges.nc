@@ -48,6 +48,7 @@ N130 G71 L200 Q10000
 N140 G4 Q10000
 "        ^^^^^ E0302
 N150 X69999.9995 "ADR-2 ranges are checked after rounding"
+"    ^^^^^^^^^^^ E0602
 "     ^^^^^^^^^^ E0302
 N160 G20 X5
 "     ^^ E0309

@@ -2,5 +2,6 @@
 N10 R1=25 G90 G0 X0 Y0
 N20 G73 LR1
 "       ^^^ E0406
-N30 G1 X5 "execution went no farther"
+N30 G1 X5 "the jump is not taken"
+"   ^^ W0601
 N40 M30

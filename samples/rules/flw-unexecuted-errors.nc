@@ -3,7 +3,8 @@ N10 G90 G0 X0 Y0
 N20 G73 L40
 N30 G72 L9998
 "        ^^^^ E0405
-N40 G1 X5 "the program is not executed: no feed is missed"
+N40 G1 X5 "the jump passes the call over"
+"   ^^ W0601
 N50 M30
 N100 G79 L100
 "    ^^^ W0211

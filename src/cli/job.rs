@@ -94,6 +94,7 @@ impl Job {
         let lacks_file = outcome.lacks_file();
         report.add_program(&outcome.sources, outcome.findings);
         outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+        outcome.stayed_unknown.into_iter().for_each(|unknown| report.add_unknown(unknown));
         self.refuse_input()?;
         let status = match whole {
             Some(whole) => {

@@ -154,15 +154,9 @@ impl Findings {
         self.faults
     }
 
-    /// Whether one of them keeps the program from being executed.
+    /// Whether one of them is an error of structure or flow, or the program is for another control.
     pub fn prevent_execution(&self) -> bool {
         self.counts.keys().any(|(_, code)| code.prevents_execution())
-    }
-
-    /// How many keep a program from being executed, those that are only counted included.
-    pub fn preventing_count(&self) -> usize {
-        let preventing = self.counts.iter().filter(|((_, code), _)| code.prevents_execution());
-        preventing.map(|(_, count)| count.kept + count.beyond).sum()
     }
 
     /// Whether there are none.

@@ -32,5 +32,5 @@ pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;
 pub use registry::{Code, Finding, Severity};
 pub use render::{Format, Shown, render, schema, unshown};
-pub use report::{NotExecuted, Report, Reported};
+pub use report::{NotExecuted, Report, Reported, StayedUnknown};
 pub use shown::{shown, terminal_safe};

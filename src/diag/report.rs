@@ -27,7 +27,34 @@ pub struct Report {
     counts: BTreeMap<(FileId, Code), Count>,
     files: Vec<String>,
     not_executed: Vec<NotExecuted>,
+    stayed_unknown: Vec<StayedUnknown>,
     unusable: bool,
+}
+
+/// Where positions are not known any more, because a call cannot be followed.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct StayedUnknown {
+    /// The program, as the user named it.
+    pub file: String,
+    /// The number of the calling block.
+    pub n: u32,
+    /// What it calls, where that is known.
+    pub l: Option<u32>,
+    /// That does not exist.
+    pub missing: bool,
+}
+
+impl StayedUnknown {
+    /// In one sentence.
+    pub fn text(&self, lang: Lang) -> String {
+        let Self { n, l, missing, .. } = self;
+        match (l, lang) {
+            (Some(l), Lang::En) if *missing => format!("after N{n} positions are not known: L{l} is missing"),
+            (Some(l), Lang::Cs) if *missing => format!("za N{n} nejsou známy polohy: chybí L{l}"),
+            (_, Lang::En) => format!("after N{n} positions are not known: its call cannot be followed"),
+            (_, Lang::Cs) => format!("za N{n} nejsou známy polohy: jeho volání nelze provést"),
+        }
+    }
 }
 
 /// A program that was not executed, so that what only execution finds is not known of it.
@@ -202,6 +229,16 @@ impl Report {
     /// Notes that a program was not executed.
     pub fn add_not_executed(&mut self, not_executed: NotExecuted) {
         self.not_executed.push(not_executed);
+    }
+
+    /// Notes what stayed unknown in a program.
+    pub fn add_unknown(&mut self, unknown: StayedUnknown) {
+        self.stayed_unknown.push(unknown);
+    }
+
+    /// The programs in which something stayed unknown.
+    pub fn stayed_unknown(&self) -> &[StayedUnknown] {
+        &self.stayed_unknown
     }
 
     /// The programs that were not executed.

@@ -142,6 +142,7 @@ pub(super) fn run(
                 sources: outcome.sources.clone(),
                 resolved: resolved.clone(),
                 executable,
+                certain: executable && !outcome.findings.prevent_execution(),
             },
             files: files.clone(),
         },

@@ -23,6 +23,8 @@ pub(crate) struct Analysis {
     pub(crate) resolved: Resolved,
     /// Whether the program can be executed, so that positions and values are known.
     pub(crate) executable: bool,
+    /// Whether structure and flow have no errors, so that everything that is executed is known.
+    pub(crate) certain: bool,
 }
 
 impl Analysis {

@@ -153,7 +153,7 @@ impl Doubts<'_> {
                 return Some(NavigationText::UnknownControlWord { n: block.map_or(0, |block| self.shown(block)) });
             }
         }
-        if !self.reach.analysis.executable {
+        if !self.reach.analysis.certain {
             Some(NavigationText::NotExecuted)
         } else if !assigned {
             Some(NavigationText::NeverAssigned { r })

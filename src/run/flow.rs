@@ -9,13 +9,24 @@ use super::site::{Site, report};
 use super::state::State;
 use super::words::BlockWords;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
-use crate::dict::{Decimal, GCode, GGroup, Plane};
+use crate::dict::{Address, Decimal, GCode, GGroup, Plane};
 use crate::resolve::{
     MacrocycleFault, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, ring_text, subprogram,
     value_or_word,
 };
-use crate::syntax::{BlockId, ParsedFile, Word};
+use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::Location;
+
+/// A call that cannot be followed: what it would have done is not known after it.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct LostCall {
+    /// The number of the calling block.
+    pub n: u32,
+    /// What it calls, where that is known.
+    pub l: Option<u32>,
+    /// That does not exist.
+    pub missing: bool,
+}
 
 /// What a block does at its end.
 #[derive(Clone, Debug)]
@@ -46,10 +57,10 @@ pub(super) struct Flow<'e, 'p> {
     pub(super) program: &'e mut Program<'p>,
     pub(super) findings: &'e mut Findings,
     pub(super) frames: &'e mut Vec<Frame>,
-    pub(super) state: &'e State,
+    pub(super) state: &'e mut State,
     pub(super) block: &'e mut Block,
-    /// A macrocycle that execution loaded has errors: nothing is called any more.
-    pub(super) broken: &'e mut bool,
+    /// The first call that could not be followed.
+    pub(super) lost: &'e mut Option<LostCall>,
 }
 
 impl Flow<'_, '_> {
@@ -59,7 +70,9 @@ impl Flow<'_, '_> {
         // Nobody knows what is called, or whether something is.
         let unknown = words.clashes.has(GGroup::G7) || (words.malformed_g && words.l.is_some());
         if unknown && !ends {
-            return Next::Halt;
+            let words = self.file().map_or(&[][..], |file| file.words(self.block.id));
+            let machine = words.iter().any(|word| word.address == Address::G && self.is_of_machine(*word));
+            return if machine { Next::Halt } else { self.lose(None) };
         }
         let roles = if words.g.is_empty() { Roles::default() } else { words.roles() };
         let flow = roles.flow();
@@ -121,8 +134,11 @@ impl Flow<'_, '_> {
 
     /// G71 and G72 (FLW-1).
     fn call(&mut self, function: GCode, word: Word, roles: &Roles) -> Next {
-        let Some(l) = self.block.words.l else { return Next::Halt };
-        let (Some(number), Some(count)) = (whole(l.value), self.repeats(roles)) else { return Next::Halt };
+        let Some(l) = self.block.words.l else { return self.lose(None) };
+        let (Some(number), Some(count)) = (whole(l.value), self.repeats(roles)) else {
+            let machine = self.is_of_machine(l.word) || self.repeat_is_of_machine(roles);
+            return if machine { Next::Halt } else { self.lose(whole(l.value)) };
+        };
         let place = self.file().map(|file| value_or_word(file, l.word)).unwrap_or_default();
         let by = if function == GCode::G71 { CallKind::Subprogram } else { CallKind::Macrocycle };
         if function == GCode::G71 && word.is_parametric() {
@@ -130,9 +146,11 @@ impl Flow<'_, '_> {
         }
         let unit = match self.written_target(word, l.word) {
             Some(Target::Unit(unit)) => unit,
+            // Found before execution.
+            _ if !word.is_parametric() && !l.word.is_parametric() => return self.lose_missing(number),
             _ if function == GCode::G71 => match self.find_subprogram(number, l.word, place) {
                 Some(unit) => unit,
-                None => return Next::Halt,
+                None => return self.lose_missing(number),
             },
             _ => match self.load_macrocycle(number) {
                 Ok(unit) => unit,
@@ -181,28 +199,24 @@ impl Flow<'_, '_> {
     }
 
     fn load_macrocycle(&mut self, l: u32) -> Result<UnitId, MacrocycleFault> {
-        let faults = self.findings.preventing_count();
-        let unit = self.program.macrocycle(l, self.findings);
-        *self.broken |= self.findings.preventing_count() > faults;
-        unit
+        self.program.macrocycle(l, self.findings)
     }
 
     fn no_macrocycle(&mut self, fault: MacrocycleFault, l: u32, place: Location, word: Option<Word>) -> Next {
-        let known = self.program.resolved.subprogram(l).is_some();
-        let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, known, 1), place);
-        self.report(self.with_origin_of(diagnostic, word));
-        Next::Halt
+        if self.state.said.no_macrocycle.insert(l) && !self.is_said(l) {
+            let known = self.program.resolved.subprogram(l).is_some();
+            let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, known, 1), place);
+            self.report(self.with_origin_of(diagnostic, word));
+        }
+        self.lose_missing(l)
     }
 
     /// Calls a unit, unless it still runs or too many calls are open (FLW-2). `word`: what names it.
     fn enter(&mut self, unit: UnitId, call: CallInfo, place: Location, word: Option<Word>) -> Next {
-        if *self.broken {
-            return Next::Halt;
-        }
         if let Some(ring) = self.ring(unit) {
             let diagnostic = Diagnostic::new(Finding::RecursiveCall { ring }, place);
             self.report(self.with_origin_of(diagnostic, word));
-            return Next::Halt;
+            return self.lose(Some(call.l));
         }
         let limit = self.program.settings.machine.limits.nesting;
         if self.frames.len() > limit as usize {
@@ -227,13 +241,17 @@ impl Flow<'_, '_> {
     /// G73 (FLW-3, FLW-4).
     fn jump(&mut self, word: Word, roles: &Roles) -> Next {
         let block = self.block.id;
-        let Some(l) = self.block.words.l else { return Next::Halt };
-        let Some(number) = whole(l.value) else { return Next::Halt };
+        let Some(l) = self.block.words.l else { return Next::Continue };
+        let Some(number) = whole(l.value) else {
+            return if self.is_of_machine(l.word) { Next::Halt } else { Next::Continue };
+        };
         let target = match self.written_target(word, l.word) {
             Some(Target::Block(target)) => target,
+            // Found before execution.
+            _ if !word.is_parametric() && !l.word.is_parametric() => return Next::Continue,
             _ => match self.find_block(number, l.word) {
                 Some(target) => target,
-                None => return Next::Halt,
+                None => return Next::Continue,
             },
         };
         if target > block && roles.is_uncounted() {
@@ -245,13 +263,54 @@ impl Flow<'_, '_> {
         let count = match self.repeats(roles) {
             Some(count) => count,
             None if armed => 0,
-            None => return Next::Halt,
+            None if self.repeat_is_of_machine(roles) => return Next::Halt,
+            None => return Next::Continue,
         };
         let Some(left) = self.frames.last_mut().and_then(|frame| frame.arrive(block, || count)) else {
             return Next::Continue;
         };
         self.block.jump = Some(Jump { to: number, left: Some(left) });
         Next::Jump(target)
+    }
+
+    /// Goes on behind a call that cannot be followed: nothing that it may have set is known (§13).
+    fn lose(&mut self, l: Option<u32>) -> Next {
+        self.lose_to(l, false)
+    }
+
+    /// The same, because what it calls does not exist.
+    fn lose_missing(&mut self, l: u32) -> Next {
+        self.lose_to(Some(l), true)
+    }
+
+    fn lose_to(&mut self, l: Option<u32>, missing: bool) -> Next {
+        let n = self.file().map_or(0, |file| file.shown_number(self.block.id));
+        self.lost.get_or_insert(LostCall { n, l, missing });
+        self.state.lose_by_call();
+        Next::Continue
+    }
+
+    /// Whether a word has the value of a parameter that only the machine knows (PAR-5).
+    fn is_of_machine(&self, word: Word) -> bool {
+        match word.value() {
+            Value::Parameter { index, .. } if !word.is_void() => {
+                self.state.parameters.get(usize::from(index)).is_none_or(|parameter| parameter.value.is_none())
+            }
+            _ => false,
+        }
+    }
+
+    fn repeat_is_of_machine(&self, roles: &Roles) -> bool {
+        roles.repeat().is_some() && self.block.words.q.is_some_and(|q| self.is_of_machine(q.word))
+    }
+
+    /// Whether that a macrocycle is missing was found before execution.
+    fn is_said(&self, l: u32) -> bool {
+        let of = |found: &Diagnostic| match &found.finding {
+            Finding::UnknownMacrocycle { l: known, .. } | Finding::DuplicateMacrocycle { l: known, .. } => *known == l,
+            _ => false,
+        };
+        self.findings.items().iter().any(of)
     }
 
     /// The block of the unit in hand with that number, which a parameter gave.

@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::executed::Executed;
-use super::flow::{Flow, Next, check_late_words};
+use super::flow::{Flow, LostCall, Next, check_late_words};
 use super::frames::Frame;
 use super::points::Run;
 use super::program::Program;
@@ -47,15 +47,15 @@ pub struct Interpreter {
     /// The index that streams show for each file: files are counted as their first blocks are executed.
     pub(super) shown_files: Vec<Option<u32>>,
     pub(super) executed: u64,
-    /// A macrocycle that execution loaded has errors: nothing is called any more.
-    broken: bool,
+    /// The first call that could not be followed.
+    lost: Option<LostCall>,
     /// What has multiplied so far.
     repeats: Repeats,
     stop: Option<Stop>,
 }
 
 impl Interpreter {
-    /// Ready for the first block of the main program. The program has no error so far.
+    /// Ready for the first block of the main program.
     pub fn new(program: &Program<'_>) -> Self {
         let resolved = &program.resolved;
         let main = resolved.main().and_then(|id| resolved.unit(id).map(|unit| Frame::new(id, *unit, None)));
@@ -70,7 +70,7 @@ impl Interpreter {
             pending: None,
             shown_files: Vec::new(),
             executed: 0,
-            broken: false,
+            lost: None,
             repeats: Repeats::default(),
         }
     }
@@ -114,6 +114,11 @@ impl Interpreter {
         self.stop
     }
 
+    /// The first call that could not be followed: positions are not known after it.
+    pub const fn lost_call(&self) -> Option<LostCall> {
+        self.lost
+    }
+
     /// Blocks executed so far.
     pub const fn executed(&self) -> u64 {
         self.executed
@@ -139,7 +144,12 @@ impl Interpreter {
         let Some(file) = program.resolved.file(unit.file) else { return Err(Stop::Halted) };
         if block >= unit.end {
             self.report_missing_end(program, unit, findings);
-            return Err(Stop::Halted);
+            if self.frames.len() < 2 {
+                return Err(Stop::Halted);
+            }
+            // A unit without its G70 ends with its last block.
+            self.leave();
+            return Ok(false);
         }
         let flags = file.flags(block);
         if program.settings.block_skip && flags.has(BlockFlags::SKIP) {
@@ -171,7 +181,7 @@ impl Interpreter {
 
     /// Executes a block by all the rules, in their order.
     fn execute(&mut self, program: &mut Program<'_>, findings: &mut Findings, flags: BlockFlags) -> Result<bool, Stop> {
-        let Self { state, frames, block, broken, .. } = self;
+        let Self { state, frames, block, lost, .. } = self;
         let Some(file) = program.resolved.file(block.file) else { return Err(Stop::Halted) };
         let mut site =
             Site { resolved: &program.resolved, file, block: block.id, settings: program.settings, frames, findings };
@@ -192,7 +202,7 @@ impl Interpreter {
         let end = block.m.end;
         check_late_words(&mut site, state, &block.words, end.is_some());
         let (id, returns) = (block.id, flags.has(BlockFlags::RETURN) && frames.len() > 1);
-        let next = Flow { program, findings, frames, state, block, broken }.next(moved, end.is_some());
+        let next = Flow { program, findings, frames, state, block, lost }.next(moved, end.is_some());
         match end {
             Some(end) => return Err(Stop::End(end)),
             // The block itself was executed; what would follow is not.
@@ -288,7 +298,11 @@ impl Interpreter {
 
     /// BLK-10: a skipped end is a missing end.
     fn report_missing_end(&self, program: &Program<'_>, unit: Unit, findings: &mut Findings) {
-        if program.resolved.file(unit.file).is_some_and(|file| may_have_end(file, &unit)) {
+        let Some(file) = program.resolved.file(unit.file) else { return };
+        let end = if unit.kind == UnitKind::Main { BlockFlags::END } else { BlockFlags::RETURN };
+        let skipped = |block: BlockId| file.flags(block).has(end) && file.flags(block).has(BlockFlags::SKIP);
+        // One that is missing was found before execution.
+        if may_have_end(file, &unit) || !(unit.first.0..unit.end.0).map(BlockId).any(skipped) {
             return;
         }
         let (finding, at) = match unit.kind {

@@ -39,6 +39,7 @@ mod words;
 pub use block::Jump;
 pub use end::End;
 pub use executed::{Call, Data, Executed, Feed, FeedUnit};
+pub use flow::LostCall;
 pub use held::ArmedCounter;
 pub use interpreter::{Interpreter, Stop};
 pub use m_functions::MStop;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::unknown::Groups;
 use crate::config::Settings;
-use crate::dict::{Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, Micro};
+use crate::dict::{Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, Micro, SPINDLE_GROUP, SPINDLE_STOP};
 use crate::syntax::BlockId;
 use crate::text::{FileId, Location};
 
@@ -175,6 +175,8 @@ pub(super) struct Said {
     pub(super) stray_centers: LastBlock,
     /// An axis moved from an unknown position (MOT-2), by place in machine order.
     pub(super) incremental: [bool; 9],
+    /// Macrocycles that execution did not find, by number.
+    pub(super) no_macrocycle: BTreeSet<u32>,
     /// Functions that are not modelled (GRP-8).
     pub(super) unmodelled: Vec<GCode>,
     /// Parameters without a value (PAR-5).
@@ -199,6 +201,7 @@ impl Default for Said {
             no_center: LastBlock::default(),
             stray_centers: LastBlock::default(),
             incremental: [false; 9],
+            no_macrocycle: BTreeSet::new(),
             unmodelled: Vec::new(),
             unassigned: [false; 96],
             operations: BTreeSet::new(),
@@ -327,6 +330,21 @@ impl State {
     pub(super) fn lose_positions(&mut self) {
         self.positions = [Position::Unknown; 9];
         self.said.arc_starts = AxisSet::default();
+    }
+
+    /// A call could not be followed: where the axes are is not known, nor what it may have written first (§13).
+    pub(super) fn lose_by_call(&mut self) {
+        self.positions = [Position::Undetermined; 9];
+        self.said.arc_starts = AxisSet::default();
+        self.corrects = None;
+        for held in [&mut self.feed, &mut self.speed, &mut self.tool, &mut self.in_spindle, &mut self.d] {
+            if *held == Held::None {
+                *held = Held::Undetermined;
+            }
+        }
+        if let Some(spindle) = self.m.get_mut(SPINDLE_GROUP) {
+            *spindle = spindle.filter(|m| *m != SPINDLE_STOP);
+        }
     }
 
     /// The function of an M group.

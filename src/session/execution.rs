@@ -6,9 +6,10 @@ use std::path::Path;
 use super::checks::Checks;
 use super::{Outcome, Run, Session, is_stopped, offers};
 use crate::config::Purpose;
-use crate::diag::Findings;
+use crate::diag::{Findings, StayedUnknown};
 use crate::resolve::Resolved;
-use crate::run::{End, Executed, Interpreter, Program, Sink, State};
+use crate::run::{End, Executed, Interpreter, LostCall, Program, Sink, State};
+use crate::text::FileId;
 
 /// Blocks between two reports of progress.
 const PROGRESS: u64 = 1 << 16;
@@ -175,6 +176,11 @@ impl<'a> Execution<'a> {
             }
         }
         self.outcome.executed = self.interpreter.executed();
+        let name = || self.program.sources.get(FileId(0)).map_or_else(String::new, |source| source.name().to_owned());
+        self.outcome.stayed_unknown = self.interpreter.lost_call().map(|LostCall { n, l, missing }| {
+            let file = name();
+            StayedUnknown { file, n, l, missing }
+        });
         let end = End::of(&self.interpreter, &self.outcome.findings).filter(|_| self.whole)?;
         if let Some(checks) = self.checks.take() {
             checks.end(end, &mut self.outcome.findings);

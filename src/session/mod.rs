@@ -11,7 +11,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
-use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem};
+use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem, StayedUnknown};
 use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
 use crate::run::{End, Sink, State};
 use crate::stream;
@@ -36,6 +36,8 @@ pub struct Outcome {
     pub executed: u64,
     /// That the program was not executed, and why; nothing for a macrocycle, and for a file that cannot be read.
     pub not_executed: Option<NotExecuted>,
+    /// The first call that could not be followed: positions are not known after it.
+    pub stayed_unknown: Option<StayedUnknown>,
 }
 
 impl Outcome {
@@ -113,7 +115,7 @@ impl<'a> Session<'a> {
     /// Resolves the program at `path`, which the user calls `name`, for an execution whose blocks the caller asks for.
     ///
     /// # Errors
-    /// What was found, when there is nothing to execute: the file cannot be read, its structure or flow has errors, or it is a
+    /// What was found, when there is nothing to execute: the file cannot be read, has no blocks, is for another control, or is a
     /// macrocycle.
     pub fn open(&self, path: &Path, name: &str, purpose: Purpose) -> Result<Execution<'a>, Box<Outcome>> {
         if purpose != Purpose::Check && Self::is_macrocycle_name(path) {
@@ -149,10 +151,11 @@ impl<'a> Session<'a> {
         (outcome, resolved)
     }
 
-    /// Whether the second half of [`Self::check`] follows: it is a program, and its structure and flow have no errors. Words that
-    /// are wrong do not keep it from being executed: what they would have set is unknown then (§13).
+    /// Whether the second half of [`Self::check`] follows: it is a program with blocks, and not one for another control. What is
+    /// wrong does not keep it from being executed: what it would have set or called is unknown then (§13).
     pub fn can_execute(&self, resolved: &Resolved, outcome: &Outcome) -> bool {
-        resolved.main().is_some() && !outcome.findings.prevent_execution()
+        let main = resolved.main().and_then(|id| resolved.unit(id));
+        main.is_some_and(|main| main.first < main.end) && !outcome.findings.has(Code::W0113)
     }
 
     /// Nothing found yet, at the levels of the run.

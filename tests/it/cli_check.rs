@@ -199,12 +199,8 @@ fn a_full_disk_is_told() {
 /// diagnostics.md: the summary says which programs were not executed, and why.
 #[test]
 fn programs_that_are_not_executed() {
-    let place = Place::with(&[
-        ("a.nc", b"%1\nN10 G71 L5\nN20 M30\n"),
-        ("b.nc", b"%1\nN10 G72 L9001\nN20 M30\n"),
-        ("c.nc", GOOD.as_bytes()),
-        ("L9001", b"N1 G79 L9001\nN2 G71 L5\nN3 G70\n"),
-    ]);
+    let place =
+        Place::with(&[("a.nc", b"%1\nG0 X0\n"), ("b.nc", b"%1\nN10 G71 L5\nN20 M30\n"), ("c.nc", GOOD.as_bytes())]);
     let run = place.run(&["check", ".", "--format", "json"]).ends(1);
     let json: Value = serde_json::from_str(&run.stdout).unwrap();
     let listed: Vec<(&str, &str)> = json["summary"]["not_executed"]
@@ -214,15 +210,11 @@ fn programs_that_are_not_executed() {
         .map(|program| (program["file"].as_str().unwrap(), program["reason"].as_str().unwrap()))
         .collect();
     let checked = "arcs, feeds and calls by parameter are checked once it is corrected";
-    assert_eq!(
-        listed,
-        [
-            ("a.nc", format!("E0404 (line 2): {checked}").as_str()),
-            ("b.nc", format!("E0404 (L9001, line 2): {checked}").as_str())
-        ]
-    );
+    assert_eq!(listed, [("a.nc", format!("E0203 (line 2): {checked}").as_str()),]);
     let human = place.run(&["check", "a.nc", "--lang", "cs"]).ends(1);
-    assert!(human.stdout.contains("a.nc nebyl proveden kvůli E0404 (řádek 2): oblouky, posuvy"), "{human:?}");
+    assert!(human.stdout.contains("a.nc nebyl proveden kvůli E0203 (řádek 2): oblouky, posuvy"), "{human:?}");
+    let lost = place.run(&["check", "b.nc"]).ends(1);
+    assert!(lost.stdout.contains("b.nc: after N10 positions are not known: L5 is missing"), "{lost:?}");
     let sarif = place.run(&["check", "none.nc", "--format", "sarif"]).ends(2);
     assert!(sarif.stdout.contains("\"executionSuccessful\":false"), "{sarif:?}");
 }

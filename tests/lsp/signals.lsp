@@ -49,8 +49,8 @@ N20 M30
 === request cnc872c/signals part.nc@first
 === answer
 {
-  "code": -32803,
-  "message": "not executed: the program or its configuration has errors"
+  "text": "N10 G73 L99\nN10 runs 1×\n\nseq 0\n  changes in this block:\n    PB06=05h                the function of M group 2: the spindle\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n",
+  "truncated": false
 }
 === request cnc872c/signals L9001@macro
 === answer

@@ -139,6 +139,9 @@ impl Human<'_> {
         if more > 0 {
             writeln!(out, "{}", words::more_not_executed(more, self.lang))?;
         }
+        for program in report.stayed_unknown().iter().take(MOST_PROGRAMS) {
+            writeln!(out, "{}: {}", terminal_safe(&program.file), program.text(self.lang))?;
+        }
         let fixable = report.items().filter(|item| item.diagnostic.certain_fix().is_some()).count();
         if fixable > 0 && report.programs() > 0 {
             writeln!(out, "{}", words::fixable(fixable, self.lang))?;
