@@ -7,15 +7,12 @@ export const CODE_PAGES = [
   { id: 'iso88592', label: 'ISO 8859-2' },
 ] as const;
 
-/** How much of a file is looked at. */
-const LOOKED_AT = 1_000_000;
-
 /**
  * Whether the text holds the character that stands for bytes that could not be read: saving it would destroy them.
  * A file that was never saved has nothing to lose.
  */
 export function isDamaged(text: string): boolean {
-  return text.slice(0, LOOKED_AT).includes('\uFFFD');
+  return text.includes('\uFFFD');
 }
 
 /** The encoding to read a damaged file again in without asking: the configured one, when it was not the one used. */

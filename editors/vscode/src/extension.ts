@@ -12,11 +12,13 @@ import { Views } from './view';
 let server: Server | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
+  // Before all else: somebody may be typing already. It needs no server.
+  context.subscriptions.push(guardEncodings());
   const started = new Server(context);
   server = started;
   const views = new Views(started);
   const path = new PathPanel(started, context.extensionUri);
-  context.subscriptions.push(started, views, path, new Dots(started), guardEncodings());
+  context.subscriptions.push(started, views, path, new Dots(started));
   registerCommands(context, started, views, path);
   await started.start();
 }

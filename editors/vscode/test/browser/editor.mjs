@@ -55,10 +55,10 @@ async function answers(url, process) {
 }
 
 /**
- * An editor with a folder: `files` names what of the project is copied there, by its name in the folder;
- * `language` is that of the extension's texts.
+ * An editor with a folder: `files` names what of the project is copied there, by its name in the folder, or gives the
+ * bytes; `language` is that of the extension's texts; `first` is a file that is open from the start.
  */
-export async function openEditor({ files, settings, language }) {
+export async function openEditor({ files, settings, language, first }) {
   const place = mkdtempSync(path.join(tmpdir(), 'cnc872c-browser-'));
   const [data, extensions, folder, profile] = ['data', 'extensions', 'programs', 'profile'].map((name) =>
     path.join(place, name),
@@ -66,7 +66,11 @@ export async function openEditor({ files, settings, language }) {
   mkdirSync(path.join(data, 'User'), { recursive: true });
   mkdirSync(folder);
   for (const [name, source] of Object.entries(files)) {
-    cpSync(path.join(project, source), path.join(folder, name), { recursive: true });
+    if (Buffer.isBuffer(source)) {
+      writeFileSync(path.join(folder, name), source);
+    } else {
+      cpSync(path.join(project, source), path.join(folder, name), { recursive: true });
+    }
   }
   const quiet = {
     'workbench.startupEditor': 'none',
@@ -141,7 +145,9 @@ export async function openEditor({ files, settings, language }) {
         Object.defineProperty(globalThis, '_VSCODE_NLS_LANGUAGE', { get: () => value, set: () => {} });
       }, language);
     }
-    await page.goto(`${url}/?folder=${encodeURIComponent(folder)}`);
+    const place = `vscode-remote://127.0.0.1:${port}${path.join(folder, first ?? '')}`;
+    const opens = first === undefined ? '' : `&payload=${encodeURIComponent(JSON.stringify([['openFile', place]]))}`;
+    await page.goto(`${url}/?folder=${encodeURIComponent(folder)}${opens}`);
     await page.waitForSelector('.monaco-workbench .part.editor', { timeout: 60_000 });
     return { page, folder, close, editor: new Editor(page) };
   } catch (error) {

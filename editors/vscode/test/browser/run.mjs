@@ -117,7 +117,7 @@ try {
     await editor.openFile('plate.nc');
     await squiggles().nth(1).waitFor({ timeout: 30_000 });
     await page.keyboard.press('Control+Shift+KeyM');
-    await says('.markers-panel', 'a decimal comma', 'a letter stands where a digit is meant', 'E0104', 'E0107');
+    await says('.markers-panel', 'a decimal comma', 'a letter in place of a digit', 'E0104', 'E0107');
     await editor.picture('findings');
   });
 
@@ -265,6 +265,43 @@ try {
   });
 } finally {
   await open.close();
+}
+
+// A program that the editor opens before it knows the extension, and reads as UTF-8; typed in at once. Where the settings do
+// not name its code page, it is saved while the question for it is open.
+for (const [codePage, setting, letters] of [
+  ['cp852', 'cp852', [0xfd, 0xa7]],
+  ['windows1250', 'windows1250', [0xf8, 0x9e]],
+  ['windows1250', 'utf8', [0xf8, 0x9e]],
+]) {
+  const name = `typed-at-once-${codePage}-${setting}`;
+  await step(name, undefined, async () => {
+    const comment = Buffer.from([...Buffer.from('%1 "'), ...letters, ...Buffer.from('"\r\nN10 G54 "'), ...letters]);
+    const before = Buffer.concat([comment, Buffer.from('"\r\nN20 M30\r\n')]);
+    await start({
+      files: { 'first.nc': before },
+      first: 'first.nc',
+      settings: { 'cnc872c.server.path': program, '[cnc872]': { 'files.encoding': setting } },
+    });
+    try {
+      await page.locator('.monaco-editor .view-line').first().click();
+      await page.keyboard.press('Control+End');
+      await page.keyboard.type('N30');
+      if (setting === 'utf8') {
+        await says('.notifications-toasts', 'first.nc was read as utf8');
+      } else {
+        await says('#status\\.editor\\.encoding', codePage === 'cp852' ? 'CP 852' : '1250');
+        await says('.editor-instance .view-lines', '"řž"', 'N30');
+      }
+      await page.keyboard.press('Control+KeyS');
+      await page.waitForSelector('.tab.active:not(.dirty)');
+      await page.waitForTimeout(1000);
+      assert.deepEqual(readFileSync(path.join(open.folder, 'first.nc')), Buffer.concat([before, Buffer.from('N30')]));
+      await editor.picture(name);
+    } finally {
+      await open.close();
+    }
+  });
 }
 
 for (const [name, language, word, title] of [
