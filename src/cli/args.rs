@@ -205,12 +205,11 @@ impl ValueEnum for CompileFormat {
 impl CompileArgs {
     /// How findings are shown.
     pub const fn shown(&self) -> FindingsArgs {
-        let format = match self.format {
-            CompileFormat::Findings(format) => format,
+        match self.format {
+            CompileFormat::Findings(format) => FindingsArgs { format, all: self.all },
             #[cfg(feature = "arrow")]
-            CompileFormat::Arrow => Format::Human,
-        };
-        FindingsArgs { format, all: self.all }
+            CompileFormat::Arrow => FindingsArgs { format: Format::Human, all: self.all },
+        }
     }
 }
 

@@ -79,10 +79,9 @@ fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundin
         if row.name == keys::DIALECT.name {
             line(text, &format!("{} = \"{}\"", row.name, dialect.name()), row.meaning, lang);
         } else if row.name == keys::CHANNEL_CONFIG.name {
-            match found.channel_config.as_ref().filter(|_| dialect.has_channel_config()) {
-                Some(name) => line(text, &format!("{} = {}", row.name, quoted(name)), row.meaning, lang),
-                // An example would name a file that is not there.
-                None => {}
+            // Without one, an example would name a file that is not there.
+            if let Some(name) = found.channel_config.as_ref().filter(|_| dialect.has_channel_config()) {
+                line(text, &format!("{} = {}", row.name, quoted(name)), row.meaning, lang);
             }
         } else if row.name == keys::MACROCYCLES.name {
             let folders: Vec<String> = found.macrocycles.iter().map(quoted).collect();

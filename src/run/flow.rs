@@ -292,12 +292,9 @@ impl Flow<'_, '_> {
 
     /// Whether a word has the value of a parameter that only the machine knows (PAR-5).
     fn is_of_machine(&self, word: Word) -> bool {
-        match word.value() {
-            Value::Parameter { index, .. } if !word.is_void() => {
-                self.state.parameters.get(usize::from(index)).is_none_or(|parameter| parameter.value.is_none())
-            }
-            _ => false,
-        }
+        let Value::Parameter { index, .. } = word.value() else { return false };
+        let parameter = self.state.parameters.get(usize::from(index));
+        !word.is_void() && parameter.is_none_or(|parameter| parameter.value.is_none())
     }
 
     fn repeat_is_of_machine(&self, roles: &Roles) -> bool {
@@ -306,9 +303,13 @@ impl Flow<'_, '_> {
 
     /// Whether that a macrocycle is missing was found before execution.
     fn is_said(&self, l: u32) -> bool {
-        let of = |found: &Diagnostic| match &found.finding {
-            Finding::UnknownMacrocycle { l: known, .. } | Finding::DuplicateMacrocycle { l: known, .. } => *known == l,
-            _ => false,
+        let of = |found: &Diagnostic| {
+            let (Finding::UnknownMacrocycle { l: known, .. } | Finding::DuplicateMacrocycle { l: known, .. }) =
+                &found.finding
+            else {
+                return false;
+            };
+            *known == l
         };
         self.findings.items().iter().any(of)
     }

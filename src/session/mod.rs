@@ -222,10 +222,9 @@ impl<'a> Session<'a> {
         match self.loader.load(path, name, self.settings.encoding) {
             Ok(source) => Some(source),
             Err(error) => {
-                let problem = match Problem::from_io(&error) {
-                    Problem::NotFound if name.contains(['*', '?']) => Problem::Pattern,
-                    problem => problem,
-                };
+                let problem = Problem::from_io(&error);
+                let pattern = problem == Problem::NotFound && name.contains(['*', '?']);
+                let problem = if pattern { Problem::Pattern } else { problem };
                 self.refuse(name, problem, outcome);
                 None
             }

@@ -55,14 +55,12 @@ fn meaning(path: &str, bytes: &[u8], settings: &Settings) -> Meaning {
 
 fn without_places(mut value: serde_json::Value) -> serde_json::Value {
     fn strip(value: &mut serde_json::Value) {
-        match value {
-            serde_json::Value::Object(fields) => {
-                fields.remove("line");
-                fields.remove("column");
-                fields.values_mut().for_each(strip);
-            }
-            serde_json::Value::Array(items) => items.iter_mut().for_each(strip),
-            _ => {}
+        if let Some(fields) = value.as_object_mut() {
+            fields.remove("line");
+            fields.remove("column");
+            fields.values_mut().for_each(strip);
+        } else if let Some(items) = value.as_array_mut() {
+            items.iter_mut().for_each(strip);
         }
     }
     strip(&mut value);

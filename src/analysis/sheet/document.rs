@@ -74,10 +74,9 @@ fn size(sheet: &Sheet, lang: Lang) -> Section {
         let what = what.text(lang);
         let missing = missing(extents, lang);
         extents.axes().map(move |(letter, reach)| {
-            let letter = match letter {
-                AxisLetter::X if sheet.head.diameter => Words::Diameter { letter: letter.to_string() }.text(lang),
-                other => other.to_string(),
-            };
+            let diameter = letter == AxisLetter::X && sheet.head.diameter;
+            let letter = letter.to_string();
+            let letter = if diameter { Words::Diameter { letter }.text(lang) } else { letter };
             let [from, to, size] = match reach.known {
                 Some((least, greatest)) => [least, greatest, greatest.minus(least)].map(|value| value.to_string()),
                 None => [(); 3].map(|()| Words::Unknown.text(lang)),

@@ -28,12 +28,10 @@ impl Extents {
     /// The axes that moved, in the order of their letters; X as a diameter where it is programmed as one.
     pub fn axes(&self) -> impl Iterator<Item = (AxisLetter, Reach)> + '_ {
         let moved = |(_, reach): &(AxisLetter, Reach)| reach.known.is_some() || reach.lacks;
-        AxisLetter::ALL.into_iter().zip(self.axes).filter(moved).map(|(letter, reach)| match letter {
-            AxisLetter::X if self.diameter => {
-                let twice = |position: Micro| position.plus(position);
-                (letter, Reach { known: reach.known.map(|(least, greatest)| (twice(least), twice(greatest))), ..reach })
-            }
-            other => (other, reach),
+        AxisLetter::ALL.into_iter().zip(self.axes).filter(moved).map(|(letter, reach)| {
+            let twice = |position: Micro| position.plus(position);
+            let known = reach.known.map(|(least, greatest)| (twice(least), twice(greatest)));
+            if letter == AxisLetter::X && self.diameter { (letter, Reach { known, ..reach }) } else { (letter, reach) }
         })
     }
 
