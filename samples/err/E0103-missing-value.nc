@@ -20,7 +20,7 @@ N80 X12 Y "LEX-3 a comment leaves Y without a value" R2=5
 "       ^ E0103
 N90 X14 Y
 R3=5 "LEX-3 so does a line end: R3=5 is an assignment of its own
-"@ 21:1-21:5 W0221
+"@ 22:1-22:5 W0221
 N100 X0 F
 "       ^ E0103
 N110 M30

@@ -118,9 +118,9 @@ pub(super) struct RewriteArgs {
 pub(super) struct RenumberArgs {
     #[arg(value_name = "PATH", required = true)]
     pub paths: Vec<PathBuf>,
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=99_999_999))]
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=i64::from(HIGHEST_BLOCK)))]
     pub step: u32,
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=99_999_999))]
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=i64::from(HIGHEST_BLOCK)))]
     pub start: u32,
     #[arg(long, value_name = "L100", value_parser = unit_number, conflicts_with_all = ["from", "to"])]
     pub unit: Option<u32>,

@@ -5,7 +5,7 @@ use clap::{Arg, Command, CommandFactory};
 
 use super::args::CommandLine;
 use super::help_texts::{ArgumentText, CommandText};
-use super::{help_places, help_texts};
+use super::{help_places, help_rewrites, help_texts};
 use crate::dict::Lang;
 
 /// The command line with its help in `lang`.
@@ -18,11 +18,11 @@ pub(super) fn command(lang: Lang) -> Command {
 }
 
 fn commands() -> impl Iterator<Item = &'static CommandText> {
-    help_texts::COMMANDS.iter().chain(help_places::COMMANDS)
+    help_texts::COMMANDS.iter().chain(help_places::COMMANDS).chain(help_rewrites::COMMANDS)
 }
 
 fn arguments() -> impl Iterator<Item = &'static ArgumentText> {
-    help_texts::ARGUMENTS.iter().chain(help_places::ARGUMENTS)
+    help_texts::ARGUMENTS.iter().chain(help_places::ARGUMENTS).chain(help_rewrites::ARGUMENTS)
 }
 
 fn localized(command: Command, lang: Lang) -> Command {

@@ -11,6 +11,7 @@ mod fix;
 mod format;
 mod help;
 mod help_places;
+mod help_rewrites;
 mod help_texts;
 mod init;
 mod job;

@@ -97,7 +97,11 @@ fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundin
     }
     for section in SECTIONS {
         if let Form::List(rows, _) = section.form {
-            let values: Vec<String> = rows.iter().map(|row| format!("{} = {}", row.name, row.example)).collect();
+            let values: Vec<String> = rows
+                .iter()
+                .filter(|row| !row.example.is_empty())
+                .map(|row| format!("{} = {}", row.name, row.example))
+                .collect();
             line(text, &format!("#{} = [{{ {} }}]", section.name, values.join(", ")), section.meaning, lang);
         }
     }

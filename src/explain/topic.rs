@@ -296,7 +296,8 @@ mod tests {
         let found = |pattern: &str| Topic::find(pattern).unwrap();
         assert_eq!(found("ZMM*").len(), 14);
         assert_eq!(found("BLK[0].AxNC*Move").len(), 16);
-        assert!(found("SF_*").iter().all(|topic| matches!(topic, Topic::RunTime(name) if name.starts_with("SF_"))));
+        // Of signals and names of the running machine, the signals.
+        assert_eq!(found("SF_*"), [Topic::Signal("SF_DELAYINPROGR"), Topic::Signal("SF_STOP")]);
         assert_eq!(found("e0306"), [Topic::Finding(Code::E0306)]);
         assert_eq!(found("FirstBlock"), [Topic::Signal("BLK.FirstBlock")]);
         assert_eq!(found("BLK[0].M"), [Topic::Signal("BLK.M[1]")]);

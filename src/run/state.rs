@@ -256,6 +256,11 @@ pub struct State {
 }
 
 impl State {
+    /// Whether the machine moves at a hundredth of F (M37, TEC-6).
+    pub const fn feed_is_hundredth(&self) -> bool {
+        self.feed_reduced
+    }
+
     /// After power-up.
     pub fn new(settings: &Settings) -> Self {
         let machine = &settings.machine;

@@ -196,7 +196,7 @@ impl Program {
         for (unit, steps) in self.units.iter().enumerate() {
             let n = first_number(unit);
             blocks.push(match unit {
-                0 => format!("N{n} G90 G0 X0 Y0 Z0 F500\n"),
+                0 => format!("N{n} G90 G0 X0 Y0 Z0 F500 S500\n"),
                 _ => format!("\nN{n} G79 L{}\n", l_of(unit)),
             });
             blocks.extend(steps.iter().enumerate().map(|(index, step)| step.text(unit, index)));
@@ -220,7 +220,7 @@ impl Program {
             trace: Vec::new(),
             position: [0; 3],
             spindle: 5,
-            speed: None,
+            speed: Some(500),
             calls: Vec::new(),
         };
         interpreter.unit(0)?;
@@ -354,7 +354,7 @@ fn motion() -> impl Strategy<Value = Motion> {
 /// A block whose flow is not yet tied to what there is: a kind, where to, how often.
 fn block() -> impl Strategy<Value = (Block, u8, u32, Option<u32>)> {
     let spindle = prop::option::weighted(0.2, prop::sample::select(&[3_u8, 4, 5][..]));
-    let speed = prop::option::weighted(0.2, 0..5000_u32);
+    let speed = prop::option::weighted(0.2, 1..5000_u32);
     let times = prop::option::of(1..4_u32);
     let flags = (prop::bool::weighted(0.15), prop::bool::weighted(0.2), any::<u8>());
     (motion(), spindle, speed, flags, 0..8_u8, any::<u32>(), times).prop_map(

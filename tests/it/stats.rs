@@ -9,7 +9,7 @@ use crate::cli::{BAD, Place};
 fn place() -> Place {
     Place::with(&[
         ("in/a.nc", b"%7 \"DIL\"\nN10 G54 G90 G0 X0 Y0\nN20 T25 M06\nN30 G1 X30 F100 M52\nN40 G72 L9 Q2\nN50 M30\n"),
-        ("in/L9", b"N10 G1 Y10 H3\nN20 G70\n"),
+        ("in/L9", b"N5 G79 L9\nN10 G1 Y10 H3\nN20 G70\n"),
         ("in/bad.nc", BAD.as_bytes()),
         ("in/notes.txt", b"no program"),
     ])
@@ -32,7 +32,7 @@ fn rows() {
     assert_eq!(names, ["in/a.nc", "in/bad.nc"], "macrocycles have no row");
     let row = &found[0];
     assert_eq!((&row["number"], &row["title"], &row["dialect"]), (&json!(7), &json!("DIL"), &json!("cnc872")));
-    assert_eq!((&row["blocks"], &row["executed"]), (&json!(5), &json!(9)));
+    assert_eq!((&row["blocks"], &row["executed"]), (&json!(5), &json!(11)));
     assert_eq!((&row["tools"], &row["h"], &row["macrocycles"]), (&json!([25]), &json!([3]), &json!([9])));
     assert!(row["m"].as_array().unwrap().contains(&json!(52)));
     assert_eq!(row["extents"]["all"], json!({"X": [0, 30], "Y": [0, 10]}));
@@ -44,8 +44,9 @@ fn rows() {
     assert_eq!(csv.lines().count(), 3);
     assert_eq!(csv.lines().next().unwrap().split(',').count(), 21);
     let human = place.run(&["stats", "in"]).ends(0).stdout;
-    assert!(human.starts_with("in/a.nc  %7 \"DIL\"  5 → 9"), "{human}");
-    place.run(&["stats", "in/notes.txt", "missing.nc"]).ends(2).says("missing.nc");
+    assert!(human.starts_with("in/a.nc  %7 \"DIL\"  5 → 11"), "{human}");
+    let missing = place.run(&["stats", "in/notes.txt", "missing.nc"]).ends(2);
+    assert!(missing.stderr.contains("missing.nc"), "{missing:?}");
     place.run(&["stats", "in", "-o", "in/a.nc"]).ends(2);
     let schema = place.run(&["schema", "stats"]).ends(0).stdout;
     assert_eq!(serde_json::from_str::<Value>(&schema).unwrap(), cnc872c::stats::schema());
@@ -70,7 +71,7 @@ fn the_cache() {
     // A row that the cache alone can have.
     let text = fs::read_to_string(&before[0]).unwrap();
     // A macrocycle is another: the row too.
-    fs::write(place.path("in/L9"), "N10 G1 Y25 H4\nN20 G70\n").unwrap();
+    fs::write(place.path("in/L9"), "N5 G79 L9\nN10 G1 Y25 H4\nN20 G70\n").unwrap();
     assert_eq!(programs(&cached().stdout), plain());
     assert_eq!(plain()[0]["h"], json!([4]));
     assert_eq!(files().len(), 2);
@@ -80,11 +81,12 @@ fn the_cache() {
     fs::remove_file(place.path("cnc872c.toml")).unwrap();
     // Damaged lines are noticed and made anew; half a file is what a disk that is full leaves.
     for damaged in [text.replace("\"h\":[3]", "\"h\":[8]"), text[..text.len() / 2].to_owned(), "\u{0}\n".to_owned()] {
-        fs::write(place.path("in/L9"), "N10 G1 Y10 H3\nN20 G70\n").unwrap();
+        fs::write(place.path("in/L9"), "N5 G79 L9\nN10 G1 Y10 H3\nN20 G70\n").unwrap();
         fs::remove_dir_all(place.path("cache")).unwrap();
         cached();
         fs::write(&before[0], damaged).unwrap();
-        let run = cached().says("damaged");
+        let run = cached();
+        assert!(run.stderr.contains("damaged"), "{run:?}");
         assert_eq!(programs(&run.stdout), plain());
     }
 }

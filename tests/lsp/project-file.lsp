@@ -621,6 +621,30 @@ empty-‹lint›block = "allow"
           }
         }
       }
+    },
+    {
+      "detail": "jak `format` upravuje zápis programů",
+      "documentation": {
+        "kind": "markdown",
+        "value": "# format: jak `format` upravuje zápis programů\n\n- Kde: `cnc872c.toml`, `[format]`\n- `codes`: jak se píšou čísla G a M: `G01`, `G1`, nebo beze změny\n- `numbers`: jak se píšou souřadnice, F a hodnoty R: beze změny, nebo bez zbytečných nul (z `X036.120` je `X36.12`)\n- `indent`: mezery před řádkem, na kterém blok pokračuje\n- `blank-lines`: nejvyšší počet prázdných řádků za sebou\n- Pravidlo: FMT-5\n\n## Příklad\n\n```toml\n[format]\ncodes = \"two-digits\"\nnumbers = \"keep\"\nindent = 2\nblank-lines = 1\n```\n"
+      },
+      "filterText": "[format]",
+      "kind": 9,
+      "label": "[format]",
+      "sortText": "0022",
+      "textEdit": {
+        "newText": "[format]",
+        "range": {
+          "end": {
+            "character": 0,
+            "line": 4
+          },
+          "start": {
+            "character": 0,
+            "line": 4
+          }
+        }
+      }
     }
   ]
 }

@@ -256,7 +256,7 @@ N2 M30
 [
   {
     "disabled": {
-      "reason": "where the jump in line 2 leads depends on a parameter"
+      "reason": "where N1 in line 2 jumps depends on a parameter: LR1"
     },
     "kind": "source.renumber.cnc872c",
     "title": "renumber the blocks 10 by 10"
@@ -273,7 +273,7 @@ N2 M30
 [
   {
     "disabled": {
-      "reason": "where the jump in line 3 leads depends on a parameter"
+      "reason": "where N1 in line 3 jumps depends on a parameter: GR1"
     },
     "kind": "source.renumber.cnc872c",
     "title": "renumber the blocks 10 by 10"

@@ -59,7 +59,7 @@ export class Rescue<P extends Program> {
     }
     for (let tries = 1; ; tries += 1) {
       const typed = program.isDirty ? program.getText() : undefined;
-      const text = typed === undefined ? undefined : mend(bytes, typed, await this.editor.decode(bytes, page));
+      const text = typed === undefined ? undefined : restore(bytes, typed, await this.editor.decode(bytes, page));
       if (typed !== undefined) {
         if (program.getText() !== typed) {
           continue;
@@ -98,7 +98,7 @@ export class Rescue<P extends Program> {
     const decoded = await this.editor.decode(bytes, configured);
     const page = isDamaged(decoded) ? LOSSLESS : configured;
     this.saved.set(program, page);
-    return mend(bytes, program.getText(), page === configured ? decoded : await this.editor.decode(bytes, page));
+    return restore(bytes, program.getText(), page === configured ? decoded : await this.editor.decode(bytes, page));
   }
 
   /** Writes a program in its code page that was saved with the letters of `beforeSave`. */
@@ -149,14 +149,14 @@ export function isUtf8(bytes: Uint8Array): boolean {
  * of typing; `decoded` is what the bytes are in their code page, a character each. What was not typed is taken from
  * `decoded`.
  */
-export function mend(bytes: Uint8Array, typed: string, decoded: string): string {
+export function restore(bytes: Uint8Array, typed: string, decoded: string): string {
   const right = lines(decoded);
   const read = linesOf(bytes);
   const wrong = read.map((line) => new TextDecoder('utf-8', { ignoreBOM: true }).decode(line));
   // For a line that was moved or copied as a whole.
   const known = new Map(wrong.map((line, at) => [line, right[at] ?? line]));
   const now = lines(typed);
-  const mended: string[] = [];
+  const restored: string[] = [];
   let [from, to] = [0, 0];
   const parts = diffArrays(wrong, now);
   for (let at = 0; at < parts.length; at += 1) {
@@ -165,7 +165,7 @@ export function mend(bytes: Uint8Array, typed: string, decoded: string): string 
       break;
     }
     if (!part.added && !part.removed) {
-      mended.push(...right.slice(from, from + part.count));
+      restored.push(...right.slice(from, from + part.count));
       [from, to] = [from + part.count, to + part.count];
       continue;
     }
@@ -180,30 +180,30 @@ export function mend(bytes: Uint8Array, typed: string, decoded: string): string 
     const changed = damaged
       ? mendPart(join(read.slice(from, from + removed)), right.slice(from, from + removed).join('\n'), text.join('\n'))
       : text.join('\n');
-    mended.push(...(added > 0 ? changed.split('\n') : []));
+    restored.push(...(added > 0 ? changed.split('\n') : []));
     [from, to] = [from + removed, to + added];
   }
   const end = /\r\n|\r|\n/.exec(typed)?.[0] ?? '\n';
-  return mended.join(end);
+  return restored.join(end);
 }
 
 /** The same of changed lines, character by character. */
 function mendPart(bytes: Uint8Array, right: string, typed: string): string {
   const { text, at } = characters(bytes);
   let place = 0;
-  let mended = '';
+  let restored = '';
   for (const part of diffChars(text, typed)) {
     if (part.added) {
-      mended += part.value;
+      restored += part.value;
       continue;
     }
     const end = place + part.value.length;
     if (!part.removed) {
-      mended += right.slice(at[place], at[end]);
+      restored += right.slice(at[place], at[end]);
     }
     place = end;
   }
-  return mended;
+  return restored;
 }
 
 /** Bytes read as UTF-8, with the byte that each unit of its text begins with; at its end, the number of bytes. */

@@ -63,6 +63,10 @@ pub const fn rule_text(rule: u8) -> Bilingual {
             "Při M41–M44 a při M40 s [[gears]]; jinak bez hodnoty",
         ),
         14 => ("1 in a block with a dwell above 0", "1 v bloku s prodlevou větší než 0"),
+        17 => (
+            "1 in the step in which the program stands; REFPI in a block that writes G30",
+            "1 v kroku, ve kterém program stojí; REFPI v bloku, ve kterém je zapsáno G30",
+        ),
         _ => (
             "With [motion]: in a stretch of two blocks or more; without it no value",
             "S [motion]: v úseku dvou nebo více bloků; jinak bez hodnoty",

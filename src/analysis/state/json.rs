@@ -243,7 +243,7 @@ fn record(found: &Found, name: &str, settings: &Settings) -> Record {
         position: positions.collect(),
         feed: feed.map(|feed| feed.value.into()),
         feed_unit: feed.map(|feed| feed.unit.name().to_owned()),
-        feed_scale: feed.filter(|feed| feed.hundredth).map(|_| Number(Micro::from_millionths(10_000))),
+        feed_scale: state.feed_is_hundredth().then_some(Number(Micro::from_millionths(10_000))),
         s: state.s().map(Number::from),
         t: state.t().map(Number::from),
         tool: state.tool_in_spindle().map(Number::from),

@@ -50,7 +50,7 @@ fn dynamic_sets() {
         "",
         "N10 G01 X1\nN20 G23 I2\nN30 X2\nN40 G24\nN50 G23 I4 X3\nN60 G23\nN70 G02 X5 Y0 I1 J0 G23\nN80 G23 I1\nN90 G98",
     );
-    assert_eq!(column(&found, "dynamic_set"), json!([null, 2, 2, 2, 4, 4, 4, 1, 1]));
+    assert_eq!(column(&found, "dynamic_set"), json!([null, 2, 2, null, 4, 4, 4, 1, null]));
     assert_eq!(column(&found, "continuous_mode"), json!([null, true, true, null, true, true, true, true, null]));
     assert_eq!(found[6]["motion"]["center"], json!({"X": 4, "Y": 0}));
     assert_eq!(found[7].get("motion"), None);

@@ -248,7 +248,7 @@ fn stale_start() {
         ("N20 G58 X1\nN30 X3\nN40 X7", json!([null, null, 4])),
         ("N10 G58\nN20 X1\nN30 X3", json!([null, null, 2])),
         ("N20 G59 X1\nN30 G59 X3\nN40 X7\nN50 X15", json!([null, 2, null, 8])),
-        ("N10 G54\nN20 G53 G30 Z0\nN30 X3", json!([null, null, 3])),
+        ("N10 G54\nN20 G53 G30 Z0\nN30 X3\nN40 X7", json!([null, null, null, 4])),
         ("N20 G35 Z1\nN30 X3\nN40 X7\nN50 G34\nN60 X1\nN70 X3", json!([null, null, 4, null, null, 2])),
         ("N20 G34\nN30 X3", json!([null, 3])),
         ("N20 G92 X5 D3\nN30 X3\nN40 X7", json!([null, null, 4])),
@@ -260,7 +260,7 @@ fn stale_start() {
         ("N10 &1000 X1\nN20 &0 X3\nN30 &0 X7", json!([null, null, 4])),
         ("N10 D1\nN20 X1\nN30 D2 X3", json!([null, 1, 2])),
         ("N10 D1 &1000\nN20 X1\nN30 D1 X3\nN40 D2 X7", json!([null, null, 2, null])),
-        ("N10 G54\nN20 A1\nN30 X3", json!([null, null, 3])),
+        ("N10 G54\nN20 A1\nN30 X3\nN40 X7", json!([null, null, null, 4])),
         ("N10 G90\nN20 G54 G91 X5\nN30 X5", json!([null, null, 5])),
     ] {
         assert_eq!(lengths(&from_zero("", lines)), lengths_expected, "{lines}");

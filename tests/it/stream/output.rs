@@ -68,7 +68,8 @@ fn large_programs() {
     for n in 1..=2000 {
         ring = ring.with(&format!("L{n}"), &format!("N1 G79 L{n}\nN2 G72 L{}\nN3 G72 L1\nN4 G70", n % 2000 + 1));
     }
-    assert_eq!(ring.run().errors.len(), 2001);
+    // Each call is one of the ring, and the ring is deeper than calls may be.
+    assert_eq!(ring.run().errors.len(), 2002);
 }
 
 /// Block skip, on and off (BLK-6).

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 
 import * as iconv from '@vscode/iconv-lite-umd';
 
-import { type Editor, Rescue, isUtf8, mend } from '../../src/rescue';
+import { type Editor, Rescue, isUtf8, restore } from '../../src/rescue';
 
 const TEXT = '%1 "Příliš žluťoučký kůň"\r\nN10 G54 "úpěl ďábelské"\r\nN20 M30 "ódy"\r\n';
 
@@ -140,10 +140,10 @@ test('a file that holds the replacement character itself is left alone', async (
 });
 
 test('what is typed where', () => {
-  const mended = (page: string, change: (text: string) => string) => {
+  const restored = (page: string, change: (text: string) => string) => {
     const bytes = iconv.encode(TEXT, page);
     const typed = change(iconv.decode(bytes, 'utf8'));
-    return mend(bytes, typed, iconv.decode(bytes, page));
+    return restore(bytes, typed, iconv.decode(bytes, page));
   };
   const lines = (text: string) => text.split('\r\n');
   const moved = (text: string) => [lines(text)[1], lines(text)[0], ...lines(text).slice(2)].join('\r\n');
@@ -159,7 +159,7 @@ test('what is typed where', () => {
       moved,
       twice,
     ]) {
-      assert.equal(mended(page, change), change(TEXT), `${page} ${change}`);
+      assert.equal(restored(page, change), change(TEXT), `${page} ${change}`);
     }
   }
 });
