@@ -1,5 +1,11 @@
 //! Columns: what they hold is what the records of the same stream say, over all samples.
 
+#![expect(
+    clippy::wildcard_enum_match_arm,
+    clippy::if_same_then_else,
+    reason = "a column of another type fails the test"
+)]
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
