@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::config::Settings;
+use crate::diag::Code;
 use crate::resolve::Resolved;
 use crate::session::{Outcome, Session};
 use crate::text::{Encoding, Loader, SourceText};
@@ -15,6 +16,14 @@ pub(super) fn resolve(path: &Path, source: &Arc<SourceText>, settings: &Settings
     settings.macrocycles.clear();
     let alone = Alone(source);
     Session { loader: &alone, settings: &settings, progress: None }.resolve(path, source.name())
+}
+
+/// Whether a finding says that characters could not be read as words (FMT-6, REN-5).
+pub(super) const fn is_malformed(code: Code) -> bool {
+    matches!(
+        code,
+        Code::E0101 | Code::E0102 | Code::E0103 | Code::E0104 | Code::E0105 | Code::E0106 | Code::E0107 | Code::E0111
+    )
 }
 
 struct Alone<'a>(&'a Arc<SourceText>);

@@ -112,19 +112,7 @@ pub(crate) fn renumbered(
 
 /// Whether a finding says that what it is about could not be read: then no number is safe to change (REN-5).
 const fn is_unread(code: Code) -> bool {
-    matches!(
-        code,
-        Code::E0101
-            | Code::E0102
-            | Code::E0103
-            | Code::E0104
-            | Code::E0105
-            | Code::E0106
-            | Code::E0107
-            | Code::E0111
-            | Code::E0115
-            | Code::E0203
-    )
+    alone::is_malformed(code) || matches!(code, Code::E0115 | Code::E0203)
 }
 
 /// Renumbers the file.

@@ -7,6 +7,7 @@ use super::block::{Part, items};
 use super::word;
 use crate::config::Style;
 use crate::diag::{Code, Findings};
+use crate::edit::alone;
 use crate::syntax::ParsedFile;
 use crate::text::{FileId, Span};
 
@@ -15,20 +16,7 @@ pub(super) const WARNINGS: [Code; 4] = [Code::W0113, Code::W0114, Code::W0213, C
 
 /// Whether a finding says that its line could not be read as it was meant.
 const fn is_unread(code: Code) -> bool {
-    matches!(
-        code,
-        Code::E0101
-            | Code::E0102
-            | Code::E0103
-            | Code::E0104
-            | Code::E0105
-            | Code::E0106
-            | Code::E0107
-            | Code::E0111
-            | Code::W0114
-            | Code::W0213
-            | Code::W0221
-    )
+    alone::is_malformed(code) || matches!(code, Code::W0114 | Code::W0213 | Code::W0221)
 }
 
 /// The lines that stay as they are.
