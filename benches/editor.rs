@@ -21,6 +21,7 @@ fn main() {
         return;
     }
     small();
+    formatting(100_000);
     large(1_000_000);
 }
 
@@ -65,6 +66,32 @@ fn large(blocks: u32) {
     let waits = (0..200).map(|round| editor.change(blocks / 2, round)).collect();
     show("findings after a change", waits);
     println!("  memory {} MB", editor.memory_mb());
+}
+
+/// A program that has no layout yet: every block changes, or every tenth.
+fn formatting(blocks: u32) {
+    for (what, every) in [("every block", 1), ("every tenth block", 10)] {
+        let mut text = "%1\nN1 G00 X0 Y0 Z5\n".to_owned();
+        for block in 2..blocks {
+            let (x, y) = (block % 1000, block / 1000);
+            let words = if block % every == 0 { "  g1" } else { "G01" };
+            let _ = writeln!(text, "N{block} {words} X{x}.125 Y{y}.250 F100");
+        }
+        let _ = writeln!(text, "N{blocks} M30");
+        let mut editor = Editor::open(&text, 9);
+        println!("{blocks} blocks, {what} to be formatted");
+        let params = |more: Value| {
+            let mut params =
+                json!({ "textDocument": { "uri": URI }, "options": { "tabSize": 4, "insertSpaces": true } });
+            more.as_object().into_iter().flatten().for_each(|(key, value)| params[key] = value.clone());
+            params
+        };
+        let waits = (0..20).map(|_| editor.ask("textDocument/formatting", params(json!({})))).collect();
+        show("formatting", waits);
+        let enter = json!({ "position": { "line": blocks / 2, "character": 0 }, "ch": "\n" });
+        let waits = (0..20).map(|_| editor.ask("textDocument/onTypeFormatting", params(enter.clone()))).collect();
+        show("Enter", waits);
+    }
 }
 
 struct Editor {

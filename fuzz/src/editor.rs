@@ -25,7 +25,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 const MOST_COMPARED: usize = 12;
 
 /// Every request that the server knows.
-const METHODS: [&str; 26] = [
+const METHODS: [&str; 28] = [
     "textDocument/hover",
     "textDocument/completion",
     "textDocument/codeAction",
@@ -43,6 +43,8 @@ const METHODS: [&str; 26] = [
     "textDocument/inlayHint",
     "textDocument/codeLens",
     "textDocument/documentLink",
+    "textDocument/formatting",
+    "textDocument/rangeFormatting",
     "textDocument/onTypeFormatting",
     "textDocument/prepareCallHierarchy",
     "callHierarchy/incomingCalls",
@@ -455,6 +457,8 @@ impl Editor {
             "textDocument/codeAction",
             "codeAction/resolve",
             "textDocument/rename",
+            "textDocument/formatting",
+            "textDocument/rangeFormatting",
             "textDocument/onTypeFormatting",
             "textDocument/completion",
         ];

@@ -4,7 +4,7 @@ mod alone;
 #[cfg(feature = "lsp")]
 pub(crate) mod edit_texts;
 mod fix;
-mod format;
+pub(crate) mod format;
 #[cfg(feature = "lsp")]
 pub(crate) mod line_length;
 #[cfg(feature = "lsp")]

@@ -11,7 +11,7 @@ use super::requests::Snapshot;
 use crate::text::{SourceText, Span};
 
 /// From this many changes on one takes their place: editors are slow with more.
-const MANY: usize = 10_000;
+pub(super) const MANY: usize = 10_000;
 
 /// A change of the request's document: the texts that stand in the place of spans, in the order of the text.
 pub(super) fn document_edit<'t>(

@@ -19,6 +19,7 @@ mod explain;
 mod files;
 mod findings;
 mod folding;
+mod formatting;
 mod hierarchy;
 mod hover;
 mod inlay_hints;

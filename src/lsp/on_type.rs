@@ -1,34 +1,43 @@
-//! The number of a new block, put down when its line is begun.
+//! Enter: the line that was left is formatted, and the next block gets its number.
 
-use gen_lsp_types::{DocumentOnTypeFormattingParams, Range, TextEdit};
+use gen_lsp_types::{DocumentOnTypeFormattingParams, TextEdit};
 
 use super::analysis::Analysis;
 use super::completion::{next_numbers, written};
-use super::places::offset;
+use super::formatting::edits_of;
+use super::places::{Places, offset};
 use super::requests::{Answer, Snapshot};
 use crate::dict::Address;
+use crate::edit::format::Part;
 use crate::query::cursor::{DOCUMENT, block_at, unit_of};
 use crate::resolve::UnitKind;
 use crate::syntax::{BlockFlags, Kind, ParsedFile, tokens};
 use crate::text::Span;
 
-/// `textDocument/onTypeFormatting`, after a line end: `N40 ` on the new line, when a block may begin there. Nothing else is
-/// ever changed.
+/// `textDocument/onTypeFormatting`, after a line end: the line before it in its layout, and `N40 ` on the new line, when a
+/// block may begin there.
 pub(super) fn on_type_formatting(
     snapshot: &Snapshot,
     analysis: &Analysis,
     params: DocumentOnTypeFormattingParams,
 ) -> Answer<Option<Vec<TextEdit>>> {
     let Some(file) = analysis.resolved.file(DOCUMENT) else { return Ok(None) };
-    let at = offset(&file.source, params.position, snapshot.client.unit);
-    if params.ch != "\n" || !begins_block(analysis, file, at) {
+    let (source, unit) = (&file.source, snapshot.client.unit);
+    let at = offset(source, params.position, unit);
+    if params.ch != "\n" {
         return Ok(None);
     }
-    let number = next_numbers(analysis, file, at, 1).and_then(|numbers| numbers.first().copied());
-    Ok(number.map(|number| {
-        let range = Range { start: params.position, end: params.position };
-        vec![TextEdit { range, new_text: format!("{} ", written(file, at, number)) }]
-    }))
+    let line = source.lines().line_at(at);
+    let left = line.checked_sub(1).and_then(|left| edits_of(snapshot, analysis, Part::Line(left)));
+    let mut edits = left.unwrap_or_default();
+    let begins = begins_block(analysis, file, at);
+    if let Some(&number) = begins.then(|| next_numbers(analysis, file, at, 1)).flatten().iter().flatten().next() {
+        // The editor may have indented the new line as the one before; blocks are not indented.
+        let indentation = Span::new(source.line_span(line).start, at);
+        let range = Places::new(source, unit).range(indentation);
+        edits.push(TextEdit { range, new_text: format!("{} ", written(file, at, number)) });
+    }
+    Ok((!edits.is_empty()).then_some(edits))
 }
 
 /// Whether the line of `at` is empty, the one before is one of a block that is not the last of its unit, or that of `%`,

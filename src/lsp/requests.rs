@@ -11,9 +11,9 @@ use super::client::Client;
 use super::files::EditorFiles;
 use super::workspace_findings::{self, Checked};
 use super::{
-    code_actions, code_lens, commands, completion, definition, dots, explain, folding, hierarchy, hover, inlay_hints,
-    links, offered, on_type, outline, path, project_file, references, rename, selection, semantic_tokens, signals,
-    signature, workspace, workspace_symbols,
+    code_actions, code_lens, commands, completion, definition, dots, explain, folding, formatting, hierarchy, hover,
+    inlay_hints, links, offered, on_type, outline, path, project_file, references, rename, selection, semantic_tokens,
+    signals, signature, workspace, workspace_symbols,
 };
 use crate::query;
 use crate::query::cancel::Cancel;
@@ -103,6 +103,12 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
             document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
             project_file::completion,
         ),
+        "textDocument/formatting" => {
+            document::<lsp::DocumentFormattingRequest>(Needs::Analysis, formatting::formatting)
+        }
+        "textDocument/rangeFormatting" => {
+            document::<lsp::DocumentRangeFormattingRequest>(Needs::Analysis, formatting::range_formatting)
+        }
         "textDocument/onTypeFormatting" => {
             document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
         }

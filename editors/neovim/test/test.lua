@@ -285,6 +285,32 @@ test('CncFixAll mends what can be mended', function()
   equal(lines(), expected)
 end)
 
+test('formatting changes what is loose; the cursor and all other lines stay', function()
+  local loose = { '%4711 "test of an editor"', 'N10 G90 G00 X0 Y0', 'n20  g1 X10   F200', 'N30 X-  5', 'N40 X20 "ř  "  Y 5', 'N50 M30 "Neovim 0.7 wants it long"' }
+  vim.api.nvim_buf_set_lines(0, 0, -1, false, loose)
+  vim.api.nvim_win_set_cursor(0, { 5, #'N40 X20 "ř  "  ' })
+  local changed = {}
+  vim.api.nvim_buf_attach(0, false, {
+    on_lines = function(_, _, _, first, last)
+      for line = first + 1, last do
+        changed[line] = true
+      end
+      return false
+    end,
+  })
+  if vim.lsp.buf.format then
+    vim.lsp.buf.format({ timeout_ms = WAIT })
+  else
+    vim.lsp.buf.formatting_sync({}, WAIT)
+  end
+  local expected = { loose[1], loose[2], 'N20 G01 X10 F200', 'N30 X-  5', 'N40 X20 "ř  " Y5', loose[6] }
+  equal(lines(), expected)
+  local touched = vim.tbl_keys(changed)
+  table.sort(touched)
+  equal(touched, { 3, 5 }, 'changed lines')
+  equal(vim.api.nvim_win_get_cursor(0), { 5, #'N40 X20 "ř  " ' })
+end)
+
 test('CncRenumber numbers the blocks anew, and the jumps to them', function()
   local numbered = { '%4711 "test of an editor"', 'N1 G90 G0 X0 Y0', 'N2 G1 X10 F200', 'N7 X20', 'N9 G73 L7 Q2', 'N11 M30' }
   vim.api.nvim_buf_set_lines(0, 0, -1, false, numbered)

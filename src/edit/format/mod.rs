@@ -2,10 +2,15 @@
 //! numbers change, nothing else. What could not be read stays byte for byte.
 
 mod block;
+#[cfg(feature = "lsp")]
+mod changes;
 mod gap;
 mod kept;
 mod word;
 
+use std::borrow::Cow;
+#[cfg(feature = "lsp")]
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -16,6 +21,10 @@ use crate::diag::{Code, Findings};
 use crate::session::Outcome;
 use crate::syntax::ParsedFile;
 use crate::text::SourceText;
+#[cfg(feature = "lsp")]
+use crate::text::Span;
+#[cfg(feature = "lsp")]
+use changes::{Changes, Collector};
 use gap::Layout;
 use kept::Kept;
 
@@ -61,6 +70,40 @@ impl Formatting {
         Layout::new(&self.file, &self.kept, self.style).write(write);
     }
 
+    /// The place in the text of a part of it; nothing for the whole.
+    #[cfg(feature = "lsp")]
+    fn place(&self, part: Part) -> Option<Span> {
+        let source = &self.file.source;
+        match part {
+            Part::Whole => None,
+            Part::Line(line) => Some(source.line_span(line)),
+            Part::Blocks(span) => {
+                let lines = self.whole_blocks(kept::lines_of(&self.file, span));
+                Some(source.line_span(*lines.start()).to(source.line_span(*lines.end())))
+            }
+        }
+    }
+
+    /// The lines of all blocks that those lines touch.
+    #[cfg(feature = "lsp")]
+    fn whole_blocks(&self, lines: RangeInclusive<usize>) -> RangeInclusive<usize> {
+        let (mut first, mut last) = lines.into_inner();
+        let mut block_part = block::Part::default();
+        loop {
+            let before = (first, last);
+            for block in self.file.block_ids() {
+                block_part.read(&self.file, block);
+                let lines = kept::lines_of(&self.file, block_part.span());
+                if *lines.start() <= last && first <= *lines.end() {
+                    (first, last) = (first.min(*lines.start()), last.max(*lines.end()));
+                }
+            }
+            if before == (first, last) {
+                return first..=last;
+            }
+        }
+    }
+
     /// Formatting makes no line longer than 80 characters that was not: where it would, the block stays.
     fn keep_lines_that_would_grow(&mut self) {
         loop {
@@ -83,30 +126,85 @@ pub fn format(
     bytes: &[u8],
     settings: &Settings,
 ) -> Result<(Vec<u8>, usize), Box<Outcome>> {
-    let mut formatting = Formatting::of(path, source, settings)?;
-    let left = formatting.lines_left();
-    let mut bytes = spliced(&formatting, source, bytes);
-    for _ in 1..MOST_ROUNDS {
-        if formatting.kept.is_empty() {
-            break;
-        }
-        let Ok(again) = SourceText::decode(source.name(), bytes.clone(), source.encoding()).map(Arc::new) else {
-            break;
-        };
-        formatting = Formatting::of(path, &again, settings)?;
-        let next = spliced(&formatting, &again, &bytes);
-        if next == bytes {
-            break;
-        }
-        bytes = next;
-    }
-    Ok((bytes, left))
+    let mut bytes = Cow::Borrowed(bytes);
+    let left = in_rounds(path, source, settings, &mut |formatting, source| {
+        let mut splice = Splice::new(source, &bytes);
+        formatting.edits(&mut |edit| splice.write(edit));
+        let next = splice.finish();
+        let changed = next != *bytes;
+        bytes = Cow::Owned(next);
+        let again = || SourceText::decode(source.name(), bytes.to_vec(), source.encoding()).ok();
+        if changed && !formatting.kept.is_empty() { again() } else { None }
+    })?;
+    Ok((bytes.into_owned(), left))
 }
 
-fn spliced(formatting: &Formatting, source: &SourceText, bytes: &[u8]) -> Vec<u8> {
-    let mut splice = Splice::new(source, bytes);
-    formatting.edits(&mut |edit| splice.write(edit));
-    splice.finish()
+/// What formatting changes in a text, or in a part of it.
+///
+/// # Errors
+/// The finding that keeps the text as it is.
+#[cfg(feature = "lsp")]
+pub(crate) fn changes(
+    path: &Path,
+    source: &Arc<SourceText>,
+    settings: &Settings,
+    part: Part,
+) -> Result<Changes, Box<Outcome>> {
+    let mut all: Option<Changes> = None;
+    let mut within = None;
+    in_rounds(path, source, settings, &mut |formatting, source| {
+        if all.is_none() {
+            within = formatting.place(part);
+        }
+        let mut collector = Collector::new(source);
+        formatting.edits(&mut |edit| collector.write(edit));
+        let changes = collector.finish();
+        let again = !changes.is_empty() && !formatting.kept.is_empty();
+        let changes = match all.take() {
+            Some(before) => before.then(changes),
+            None => changes,
+        };
+        let next = again.then(|| SourceText::from_text(source.name(), changes.text()));
+        all = Some(changes);
+        next
+    })?;
+    let mut changes = all.unwrap_or_default();
+    if let Some(within) = within {
+        changes.keep_within(within);
+    }
+    Ok(changes)
+}
+
+/// What is to be formatted of a text.
+#[cfg(feature = "lsp")]
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Part {
+    /// All of it.
+    Whole,
+    /// The blocks that a span touches.
+    Blocks(Span),
+    /// One line, from 0, whatever block it belongs to.
+    Line(usize),
+}
+
+/// Formats a text, and what becomes of it, until nothing changes any more. `apply` takes the edits, and gives the text that
+/// they make when it is to be formatted again. How many lines of the first text could not be read.
+fn in_rounds(
+    path: &Path,
+    source: &Arc<SourceText>,
+    settings: &Settings,
+    apply: &mut dyn FnMut(&Formatting, &SourceText) -> Option<SourceText>,
+) -> Result<usize, Box<Outcome>> {
+    let mut source = Arc::clone(source);
+    let mut formatting = Formatting::of(path, &source, settings)?;
+    let left = formatting.lines_left();
+    for _ in 1..MOST_ROUNDS {
+        let Some(next) = apply(&formatting, &source) else { return Ok(left) };
+        source = Arc::new(next);
+        formatting = Formatting::of(path, &source, settings)?;
+    }
+    let _ = apply(&formatting, &source);
+    Ok(left)
 }
 
 /// What keeps a file as it is (FMT-6): UTF-16 (E0115), and programs for other controls (W0113); without a finding there is

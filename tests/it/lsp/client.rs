@@ -168,6 +168,8 @@ fn capability(method: &str) -> Option<&'static str> {
         "textDocument/codeLens" => "/codeLensProvider",
         "textDocument/inlayHint" => "/inlayHintProvider",
         "textDocument/completion" => "/completionProvider",
+        "textDocument/formatting" => "/documentFormattingProvider",
+        "textDocument/rangeFormatting" => "/documentRangeFormattingProvider",
         "textDocument/onTypeFormatting" => "/documentOnTypeFormattingProvider",
         "textDocument/documentSymbol" => "/documentSymbolProvider",
         "textDocument/foldingRange" => "/foldingRangeProvider",

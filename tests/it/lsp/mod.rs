@@ -3,6 +3,7 @@
 mod changes;
 mod client;
 mod completion;
+mod formatting;
 mod life;
 mod rename;
 mod scenario;

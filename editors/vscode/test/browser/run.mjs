@@ -193,6 +193,20 @@ try {
     await editor.command('File: Revert File');
   });
 
+  await step('format', 'documentFormattingProvider', async () => {
+    const file = path.join(open.folder, 'loose.nc');
+    writeFileSync(file, '%1\r\nN10 G00 X0\r\nn20  g1 X5   F100\r\nN30 X-  5\r\nN40 M30\r\n');
+    await editor.openFile('loose.nc');
+    await squiggles().first().waitFor({ timeout: 30_000 });
+    await editor.goTo(3, 13);
+    await editor.command('Format Document');
+    await says('.editor-instance .view-lines', 'N20 G01 X5 F100', 'N30 X-  5');
+    // The cursor stays behind X5 and one blank.
+    await says('#status\\.editor\\.selection', 'Ln 3, Col 12');
+    await editor.picture('format');
+    await editor.command('File: Revert File');
+  });
+
   await step('stream', 'executeCommandProvider', async () => {
     await editor.openFile('flange.nc');
     await editor.command('CNC872: Show Block Stream');

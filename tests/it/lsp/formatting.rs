@@ -1,0 +1,64 @@
+//! Formatting in the editor gives what `format` gives on the command line.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use cnc872c::config::Settings;
+use cnc872c::dict::Dialect;
+use cnc872c::edit::format;
+use cnc872c::session::Session;
+use cnc872c::text::{Encoding, SourceText};
+use serde_json::{Value, json};
+
+use super::Client;
+use super::scenario::apply;
+use crate::markers::files;
+use crate::samples::root;
+
+/// FMT-1, FMT-7: every sample, as it is and with more blanks, empty lines and small letters.
+#[test]
+fn samples_as_on_the_command_line() {
+    let capabilities = json!({ "general": { "positionEncodings": ["utf-16"] } });
+    let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
+    let settings = Settings::new(Dialect::Cnc872);
+    let mut changed = 0;
+    for path in files(&root().join("samples")) {
+        let is_program = path.extension().is_some_and(|name| name == "nc") || Session::is_macrocycle_name(&path);
+        let source = SourceText::decode("", std::fs::read(&path).unwrap(), Encoding::default()).unwrap();
+        // A client of the tests counts line ends as LF.
+        let text = source.text().replace("\r\n", "\n");
+        if !is_program || text.contains('\r') || text.len() > 50_000 {
+            continue;
+        }
+        let loose = text.replace(' ', "  ").replace("\nN", " \n\n\n\n n").replace(" G", " \t g");
+        for text in [text, loose] {
+            // In the root folder no project file says otherwise.
+            let name = Path::new("/").join(path.file_name().unwrap());
+            let uri = format!("file://{}", name.display());
+            let document = json!({ "uri": uri, "languageId": "cnc872", "version": 0, "text": text });
+            client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+            let params = json!({ "textDocument": { "uri": uri }, "options": { "tabSize": 4, "insertSpaces": true } });
+            let answer = client.request("textDocument/formatting", params);
+            let given = Arc::new(SourceText::from_text(name.to_string_lossy(), text.as_str()));
+            let expected = match format(&name, &given, text.as_bytes(), &settings) {
+                Ok((bytes, _)) => String::from_utf8(bytes).unwrap(),
+                Err(_) => text.clone(),
+            };
+            changed += usize::from(expected != text);
+            assert_eq!(edited(&text, &answer["result"]), expected, "{}", path.display());
+            client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
+        }
+    }
+    assert!(changed > 300, "{changed}");
+    assert_eq!(client.end(), 0);
+}
+
+fn edited(text: &str, edits: &Value) -> String {
+    let mut text = text.to_owned();
+    let edits = edits.as_array().into_iter().flatten();
+    let changes: Vec<Value> = edits.map(|edit| json!({ "range": edit["range"], "text": edit["newText"] })).collect();
+    for change in changes.iter().rev() {
+        apply(&mut text, std::slice::from_ref(change));
+    }
+    text
+}
