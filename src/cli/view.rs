@@ -18,7 +18,7 @@ use crate::config::{Overrides, Purpose};
 use crate::disk::is_stdin;
 use crate::session::Session;
 use crate::text::{FileId, path_name};
-use crate::view::{Collector, LeftOut, Part, Picture, Plane, Still, page};
+use crate::view::{Collector, LeftOut, Naming, Part, Picture, Plane, Still, page};
 
 /// How long is waited for what the opener comes to.
 const OPENING: Duration = Duration::from_secs(2);
@@ -46,39 +46,37 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let run = session.run(&job.target().path, &job.target().name(), Purpose::Compile, collector.sink());
     drop(progress);
     let outcome = run.outcome;
-    let lacks_file = outcome.lacks_file();
-    let view = collector.finish(outcome.sources.get(FileId(0)), &job.target().name(), outcome.executed);
+    let (lacks_file, unusable, executed) = (outcome.lacks_file(), outcome.unusable, outcome.executed);
+    let naming = Naming { program: &job.target().path, loader: &job.loader };
+    let view = collector.finish(outcome.sources.get(FileId(0)), naming, executed);
     job.refuse_input()?;
-    let unusable = outcome.unusable;
     report.add_program(&outcome.sources, outcome.findings);
-    if !unusable {
-        let still = still(args);
-        let whole = |bytes: Vec<u8>| Picture { bytes, left_out: LeftOut::default() };
-        let picture = match form {
-            Form::Page => whole(page(&view.data(&report), &job.target().name(), locale.chosen).into_bytes()),
-            Form::Svg => view.svg(still),
-            Form::Png => view.png(still).ok_or(Words::PictureTooLarge)?,
-        };
-        write(&picture.bytes, output, locale)?;
-        // What programs read on stderr holds nothing but the findings.
-        let say = |words: &Words| {
-            if args.shown.format.is_for_people() {
-                tell(words, locale.lang);
-            }
-        };
-        let LeftOut { yellow, motions } = picture.left_out;
-        if yellow > 0 {
-            say(&Words::YellowLeftOut { count: yellow });
+    // What programs read on stderr holds nothing but the findings.
+    let say = |words: &Words| {
+        if args.shown.format.is_for_people() {
+            tell(words, locale.lang);
         }
-        if motions > 0 {
-            say(&Words::MotionsLeftOut { count: motions });
+    };
+    let drawn = executed > 0 && (view.count() > 0 || report.errors() == 0);
+    match output {
+        _ if unusable => {}
+        // An earlier picture shows more than one of nothing.
+        Some(output) if !drawn && std::fs::metadata(output).is_ok_and(|data| data.is_file()) => {
+            say(&Words::PictureKept { file: path_name(output) });
         }
-        if form != Form::Page && !settings.machine.motion.configured {
-            say(&Words::AssumedMachine);
-        }
-        if let Some(output) = output {
-            say(&Words::PictureWritten { file: path_name(output) });
-            if args.open {
+        _ => {
+            let picture = match form {
+                Form::Page => {
+                    let page = page(&view.data(&report, naming), &naming.program(), locale.chosen);
+                    Picture { bytes: page.into_bytes(), left_out: LeftOut::default() }
+                }
+                Form::Svg => view.svg(still(args)),
+                Form::Png => view.png(still(args)).ok_or(Words::PictureTooLarge)?,
+            };
+            write(&picture.bytes, output, locale)?;
+            let assumed = form != Form::Page && !settings.machine.motion.configured;
+            remarks(picture.left_out, assumed, output).iter().for_each(say);
+            if let Some(output) = output.filter(|_| args.open) {
                 open(output, locale)?;
             }
         }
@@ -92,6 +90,23 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
         true => Status::Faulty,
         false => Status::Fine,
     })
+}
+
+/// What is said of a picture that is written.
+fn remarks(left_out: LeftOut, assumed: bool, output: Option<&Path>) -> Vec<Words> {
+    let LeftOut { yellow, motions } = left_out;
+    let mut remarks = Vec::new();
+    if yellow > 0 {
+        remarks.push(Words::YellowLeftOut { count: yellow });
+    }
+    if motions > 0 {
+        remarks.push(Words::MotionsLeftOut { count: motions });
+    }
+    if assumed {
+        remarks.push(Words::AssumedMachine);
+    }
+    remarks.extend(output.map(|output| Words::PictureWritten { file: path_name(output) }));
+    remarks
 }
 
 /// What is written.

@@ -46,6 +46,9 @@ bilingual! {
         PictureWritten { file: String }
             "written: {file}",
             "zapsáno: {file}";
+        PictureKept { file: String }
+            "{file} stays as it was: nothing of the program can be drawn",
+            "{file} zůstává beze změny: z programu není co nakreslit";
         YellowLeftOut { count: usize }
             "{count} yellow dots are not drawn: they are too many for a picture, the page has them all",
             "nekreslených žlutých teček: {count}; na obrázek je jich příliš mnoho, stránka je má všechny";

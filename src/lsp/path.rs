@@ -11,7 +11,7 @@ use crate::query;
 use crate::query::observe::{MOST, executing};
 use crate::session::Session;
 use crate::text::{FileId, Loader};
-use crate::view::{Collector, Part, base64};
+use crate::view::{Collector, Naming, Part, base64};
 
 /// A program, or a macrocycle that an open program calls, gives `{ "uri", "files", "blocks", "truncated", "data" }`: the program
 /// that is shown, the URIs of its files by the index that the data give them, how many blocks were executed, whether there are
@@ -48,7 +48,8 @@ pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) 
     if snapshot.cancel.is_cancelled() {
         return Ok(None);
     }
-    let view = collector.finish(outcome.sources.get(FileId(0)), &name, outcome.executed);
+    let naming = Naming { program: path, loader: files };
+    let view = collector.finish(outcome.sources.get(FileId(0)), naming, outcome.executed);
     report.add_program(&outcome.sources, outcome.findings);
     let uri = |name: &str| files.uri_of(std::path::Path::new(name)).map(|uri| uri.as_str().to_owned());
     let own = files.uri_of(path).as_ref().map(|uri: &Uri| uri.as_str().to_owned());
@@ -59,6 +60,6 @@ pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) 
         "files": uris,
         "blocks": if view.count() == 0 { 0 } else { outcome.executed },
         "truncated": outcome.executed > MOST,
-        "data": base64(&view.data(&report)),
+        "data": base64(&view.data(&report, naming)),
     })))
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use serde_json::{Map, Value, json};
 
 use super::files::Files;
+use super::names::Naming;
 use super::pack::{About, pack};
 use super::picture::{Besides, Chain, Picture, Still, as_png, as_svg};
 use super::rows::{Part, Rows};
@@ -44,6 +45,8 @@ pub struct View {
     assumed: bool,
     machine: Value,
     program: Map<String, Value>,
+    /// What the page calls its files.
+    names: Vec<String>,
     blocks: u64,
     whole: bool,
 }
@@ -75,7 +78,7 @@ impl Collector {
     }
 
     /// What the run came to: the text of the program, which may not have been executed, and how many blocks were.
-    pub fn finish(self, text: Option<&Arc<SourceText>>, name: &str, executed: u64) -> View {
+    pub fn finish(self, text: Option<&Arc<SourceText>>, naming: Naming<'_>, executed: u64) -> View {
         let Self { mut rows, planned, equidistant, assumed, machine, mut program, whole, .. } = self;
         // A program that cannot be executed is shown all the same.
         if let Some(source) = text.filter(|_| rows.files.is_empty()) {
@@ -84,13 +87,14 @@ impl Collector {
         }
         let (mut planner, mut times) = planned.finish();
         planner.finish(&mut times);
-        program.insert("name".to_owned(), json!(name));
-        View { rows, times, equidistant, assumed, machine, program, blocks: executed, whole }
+        program.insert("name".to_owned(), json!(naming.program()));
+        let names = rows.files.iter().map(|file| naming.of(file.source.name())).collect();
+        View { rows, times, equidistant, assumed, machine, program, names, blocks: executed, whole }
     }
 }
 
 impl View {
-    /// The names of its files, by the index that the data give them.
+    /// The paths of its files, by the index that the data give them.
     pub fn files(&self) -> impl Iterator<Item = &str> {
         self.rows.files.iter().map(|file| file.source.name())
     }
@@ -101,11 +105,12 @@ impl View {
     }
 
     /// The data of the page: a deflated stream.
-    pub fn data(&self, report: &Report) -> Vec<u8> {
-        let findings = self.findings(report);
+    pub fn data(&self, report: &Report, naming: Naming<'_>) -> Vec<u8> {
+        let findings = self.findings(report, naming);
         let (time_s, unknown) = self.times.total();
         let about = About {
             program: self.program.clone(),
+            names: &self.names,
             motion: [self.machine.clone(), json!({ "time_s": time_s, "lower_bound": unknown })],
             blocks: self.blocks,
             whole: self.whole,
@@ -160,7 +165,7 @@ impl View {
         (!pieces.is_empty()).then(|| json!({ "pieces": pieces }))
     }
 
-    fn findings(&self, report: &Report) -> Vec<Value> {
+    fn findings(&self, report: &Report, naming: Naming<'_>) -> Vec<Value> {
         let one = |found: &crate::diag::Reported| {
             let diagnostic = &found.diagnostic;
             let mut item = Map::new();
@@ -174,7 +179,8 @@ impl View {
                     Severity::Warning => "warning",
                 }),
             );
-            let message = |lang: Lang| diagnostic.finding.message(lang);
+            let finding = naming.in_finding(&diagnostic.finding);
+            let message = |lang: Lang| finding.message(lang);
             put("message", json!({ "en": message(Lang::En), "cs": message(Lang::Cs) }));
             if let Some(source) = report.sources().get(diagnostic.at.file) {
                 let place = source.line_column(diagnostic.at.span.start);
@@ -182,7 +188,7 @@ impl View {
                 put("column", json!(place.column));
                 match self.rows.files.index_of(source.name()) {
                     Some(index) => put("file", json!(index)),
-                    None => put("path", json!(source.name())),
+                    None => put("path", json!(naming.of(source.name()))),
                 }
             }
             Value::Object(item)

@@ -20,6 +20,7 @@ mod display;
 mod files;
 mod glyphs;
 mod lines;
+mod names;
 mod pack;
 mod page;
 mod parts;
@@ -37,6 +38,7 @@ mod text;
 mod times;
 
 pub use collect::{Collect, Collector, View};
+pub use names::Naming;
 pub use pack::SCHEMA;
 pub use page::page;
 pub use picture::{LeftOut, Picture, Still};

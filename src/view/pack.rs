@@ -12,9 +12,11 @@ pub const SCHEMA: &str = "cnc872c.path/1";
 
 /// What the header of a page says besides its rows.
 #[derive(Debug)]
-pub(super) struct About {
+pub(super) struct About<'v> {
     /// The program record of the stream.
     pub program: Map<String, Value>,
+    /// What the page calls its files.
+    pub names: &'v [String],
     /// What the page shows of the records `machine` and `total` of the motion stream.
     pub motion: [Value; 2],
     /// Blocks executed of the whole program.
@@ -26,7 +28,7 @@ pub(super) struct About {
 }
 
 /// Packs rows and texts.
-pub(super) fn pack(rows: &Rows, times: &Times, about: About) -> Vec<u8> {
+pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     let mut container = Container::default();
     let mut per = Map::new();
     let (text, (positions, times)) = crate::parallel::join(|| Text::of(rows), || (positions(rows), times.pack(rows)));
@@ -76,8 +78,9 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About) -> Vec<u8> {
     let files: Vec<Value> = rows
         .files
         .iter()
+        .zip(about.names)
         .zip(&text.heads)
-        .map(|(file, head)| json!({ "name": file.source.name(), "blocks": file.starts.len(), "head": head }))
+        .map(|((file, name), head)| json!({ "name": name, "blocks": file.starts.len(), "head": head }))
         .collect();
     let mut header = Map::new();
     let mut put = |name: &str, value: Value| drop(header.insert(name.to_owned(), value));

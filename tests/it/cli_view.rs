@@ -85,6 +85,61 @@ fn a_program_with_errors_is_drawn_as_far_as_execution_comes() {
     assert_eq!((&found["whole"], &found["count"]), (&false.into(), &2.into()));
 }
 
+/// An earlier picture shows more than one of nothing; where there is none, the page shows the findings.
+#[test]
+fn a_program_that_is_not_executed_leaves_the_picture_of_before() {
+    let place = Place::with(&[("a.nc", GOOD.as_bytes())]);
+    for output in ["a.nc.html", "a.svg", "a.png"] {
+        place.run(&["view", "a.nc", "-o", output]).ends(0);
+        let before = place.read(output);
+        place.put("a.nc", "%1\nN10 G0 X0 X5\nN20 M30\n");
+        let run = place.run(&["view", "a.nc", "-o", output]).ends(1).says("stays as it was");
+        assert!(!run.stderr.contains("written:"), "{run:?}");
+        assert_eq!(place.read(output), before, "{output}");
+        place.put("a.nc", GOOD);
+    }
+    assert_eq!(place.list(), ["a.nc", "a.nc.html", "a.png", "a.svg"], "nothing half written");
+}
+
+/// The same bytes from every working folder, and none of them names a folder of the computer.
+#[test]
+fn a_page_holds_no_folders_of_its_author() {
+    let program = "%1 \"P\"\nN10 G0 G90 X0 Y0\nN20 G72 L9001\nN30 G72 L9002\nN40 M30\n";
+    let place = Place::with(&[
+        ("home/someone/shop/part.nc", program.as_bytes()),
+        ("home/someone/shop/cnc872c.toml", b"macrocycles = [\"macros\", \"../others\"]\n"),
+        ("home/someone/shop/macros/L9001", b"N1 G79 L9001\nN2 G1 X5 F100\nN3 G70\n"),
+        ("home/someone/others/L9002", b"N1 G79 L9002\nN2 G1 Y5 F100 \"no rule\"\nN3 G70\n"),
+    ]);
+    let pages = [
+        ("", "home/someone/shop/part.nc".to_owned()),
+        ("home/someone/shop", "part.nc".to_owned()),
+        ("home/someone/others", "../shop/part.nc".to_owned()),
+        ("home", place.path("home/someone/shop/part.nc").to_string_lossy().into_owned()),
+    ]
+    .map(|(folder, program)| {
+        let page = place.path("page.html");
+        let mut command = place.command(&["view", &program, "-o", page.to_str().unwrap()]);
+        Run::of(command.current_dir(place.path(folder)).output().unwrap()).ends(0);
+        place.read("page.html")
+    });
+    let header = header(&pages[0]);
+    let names: Vec<&str> =
+        header["files"].as_array().unwrap().iter().map(|file| file["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["part.nc", "macros/L9001", "L9002"]);
+    assert_eq!(header["program"]["name"], "part.nc");
+    assert!(!header.to_string().contains("someone"));
+    assert!(pages.iter().all(|page| *page == pages[0]));
+    assert!(String::from_utf8_lossy(&pages[0]).contains("<title>part.nc</title>"));
+    // Words of findings name files too.
+    place.put("home/someone/shop/macros/L9001", "N1 G79 L9003\nN2 G70\n");
+    let mut command = place.command(&["view", place.path("home/someone/shop/part.nc").to_str().unwrap()]);
+    Run::of(command.output().unwrap()).ends(1).says("E0216");
+    let header = self::header(&place.read("home/someone/shop/part.nc.html"));
+    assert!(!header.to_string().contains("someone"), "{header}");
+    assert!(header["findings"][0]["message"]["en"].as_str().unwrap().contains("macros/L9001"), "{header}");
+}
+
 /// R387: the first N executed blocks; and from a later one on.
 #[test]
 fn a_part_of_the_program() {
