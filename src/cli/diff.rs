@@ -1,6 +1,8 @@
-//! `check --diff`: what fixing would change, as a unified diff.
+//! `--diff`: what fixing, formatting or renumbering would change, as a unified diff.
 
 use std::ops::Range;
+
+use imara_diff::{Algorithm, Diff, InternedInput, Interner};
 
 use crate::diag::terminal_safe;
 use crate::text::{Encoding, SourceText};
@@ -51,24 +53,16 @@ struct Change {
     after: Range<usize>,
 }
 
-/// What differs. Fixes keep lines, so lines of one number belong together; when there are more or fewer, all between the
-/// first and the last difference is replaced.
+/// What differs, in order.
 fn changes(before: &[Vec<u8>], after: &[Vec<u8>]) -> Vec<Change> {
-    let mut changes: Vec<Change> = Vec::new();
-    if before.len() == after.len() {
-        for (at, _) in before.iter().zip(after).enumerate().filter(|(_, (a, b))| a != b) {
-            match changes.last_mut().filter(|last| last.before.end == at) {
-                Some(last) => (last.before.end, last.after.end) = (at + 1, at + 1),
-                None => changes.push(Change { before: at..at + 1, after: at..at + 1 }),
-            }
-        }
-        return changes;
-    }
-    let same = before.iter().zip(after).take_while(|(a, b)| a == b).count();
-    let rest = before.len().min(after.len()) - same;
-    let tail = before.iter().rev().zip(after.iter().rev()).take(rest).take_while(|(a, b)| a == b).count();
-    changes.push(Change { before: same..before.len() - tail, after: same..after.len() - tail });
-    changes
+    let interner = Interner::new(before.len() + after.len());
+    let mut input = InternedInput { before: Vec::new(), after: Vec::new(), interner };
+    input.update_before(before.iter());
+    input.update_after(after.iter());
+    let mut diff = Diff::compute(Algorithm::Histogram, &input);
+    diff.postprocess_no_heuristic(&input);
+    let lines = |range: Range<u32>| range.start as usize..range.end as usize;
+    diff.hunks().map(|hunk| Change { before: lines(hunk.before), after: lines(hunk.after) }).collect()
 }
 
 fn hunk(out: &mut Vec<u8>, changes: &[Change], before: &[Vec<u8>], after: &[Vec<u8>], colors: bool) {
@@ -141,6 +135,37 @@ mod tests {
         assert_eq!(diff("", "a\n"), "--- a.nc\n+++ a.nc\n@@ -0,0 +1 @@\n+a\n");
         assert_eq!(diff("a", "a\n"), "--- a.nc\n+++ a.nc\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+a\n");
         assert_eq!(diff("a\na\n", "a\n"), "--- a.nc\n+++ a.nc\n@@ -1,2 +1 @@\n a\n-a\n");
+    }
+
+    /// Lines that come and go far apart are hunks of their own, and those between them stay.
+    #[test]
+    fn lines_more_or_fewer_in_several_places() {
+        let text = |from: u32, to: u32| (from..=to).map(|line| format!("N{line} X{line}\n")).collect::<String>();
+        let before = format!("%1\n{}\n\n{}N21 Y1 Y2\n{}", text(1, 10), text(11, 20), text(22, 30));
+        let after = format!("%1\n{}\n{}N21 Y1\n  Y2\n{}", text(1, 10), text(11, 20), text(22, 30));
+        let hunks = "@@ -10,7 +10,6 @@\n N9 X9\n N10 X10\n \n-\n N11 X11\n N12 X12\n N13 X13\n\
+                     @@ -21,7 +20,8 @@\n N18 X18\n N19 X19\n N20 X20\n-N21 Y1 Y2\n+N21 Y1\n+  Y2\n N22 X22\n\x20\
+                     N23 X23\n N24 X24\n";
+        assert_eq!(diff(&before, &after), format!("--- a.nc\n+++ a.nc\n{hunks}"));
+    }
+
+    proptest::proptest! {
+        /// The lines that stay, and those that come, are the lines afterwards.
+        #[test]
+        fn changes_lead_from_one_to_the_other(
+            before in proptest::collection::vec(0_u8..4, 0..20),
+            after in proptest::collection::vec(0_u8..4, 0..20),
+        ) {
+            let [before, after] = [before, after].map(|lines| lines.into_iter().map(|it| vec![it]).collect::<Vec<_>>());
+            let (mut made, mut at) = (Vec::new(), 0);
+            for change in changes(&before, &after) {
+                made.extend_from_slice(&before[at..change.before.start]);
+                made.extend_from_slice(&after[change.after]);
+                at = change.before.end;
+            }
+            made.extend_from_slice(&before[at..]);
+            proptest::prop_assert_eq!(made, after);
+        }
     }
 
     /// LEX-8: line ends of old Macintosh computers. A patch has the bytes of the file; a terminal is shown its lines.

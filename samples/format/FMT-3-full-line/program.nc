@@ -1,0 +1,4 @@
+%1
+N10"xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
+N20 g1 X1
+N30 M30
