@@ -90,7 +90,7 @@ line is wrong.",
 Příklady:
   cnc872c check priruba.nc              jeden program
   cnc872c check .                       všechny programy v této složce a ve složkách v ní
-  cnc872c check --fix priruba.nc        a také opraví, co má jedinou jasnou opravu
+  cnc872c check --fix priruba.nc        a také opraví, co má jistou opravu
   cnc872c check --diff .                ukáže, co by --fix změnilo
   cnc872c check -L makra priruba.nc     makrocykly L… jsou ve složce makra
   cnc872c check --param R10=25.5 a.nc   R10 má hodnotu z tabulky stroje
@@ -472,8 +472,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "check",
         "fix",
         Options,
-        "Change the files where a finding has one clear fix, then report what is left. Encoding and line ends stay",
-        "Upravit soubory tam, kde má hlášení jedinou jasnou opravu, a vypsat, co zbývá. Kódování a konce řádků zůstanou",
+        "Change the files where a finding has a certain fix, then report what is left. Encoding and line ends stay",
+        "Upravit soubory tam, kde má hlášení jistou opravu, a vypsat, co zbývá. Kódování a konce řádků zůstanou",
     ),
     arg(
         "check",

@@ -77,8 +77,32 @@ pub struct Fix {
     pub title: FixTitle,
     /// Replacements that do not overlap.
     pub edits: Vec<Edit>,
-    /// Whether it is what was meant beyond doubt, so that a machine may apply it by itself; else it is only offered.
-    pub certain: bool,
+    /// Why it is what was meant beyond doubt, so that `check --fix` applies it; `None` where it is only offered.
+    pub certain: Option<Certain>,
+}
+
+/// Why a fix is certain: nobody who made one slip of the keyboard can have meant anything else, and no number, word or
+/// comment becomes another one. Whatever is not in this list is offered, and never applied by itself.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Certain {
+    /// A decimal comma between the digits of a dimensional word: `X36,12`.
+    DecimalComma,
+    /// Letters that look like digits and are the whole number: `XO`.
+    LettersAlone,
+    /// Blanks between a sign and the number: `X-  36.12`.
+    BlankBehindSign,
+    /// Addresses in lower case, in a file that has most of them so.
+    LowerCase,
+    /// Typographic quotes around a comment without a word of a block in it.
+    Quotes,
+    /// A typographic minus before a number.
+    Minus,
+    /// A blank that is none of ASCII.
+    Blank,
+    /// UTF-16 without an error in it.
+    Utf16,
+    /// `(text)`, `; text` without a word of a block in it.
+    Comment,
 }
 
 /// One replacement.
@@ -93,7 +117,7 @@ pub struct Edit {
 impl Fix {
     /// A change of one place that is offered, but not applied by itself.
     pub fn offer(title: FixTitle, at: Location, text: impl Into<String>) -> Self {
-        Self { title, edits: vec![Edit { at, text: text.into() }], certain: false }
+        Self { title, edits: vec![Edit { at, text: text.into() }], certain: None }
     }
 }
 
@@ -122,14 +146,14 @@ impl Diagnostic {
 
     /// With a fix that replaces one place.
     #[must_use]
-    pub fn with_fix(self, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
-        self.with_edits(title, vec![Edit { at, text: text.into() }])
+    pub fn with_fix(self, why: Certain, title: FixTitle, at: Location, text: impl Into<String>) -> Self {
+        self.with_edits(Some(why), title, vec![Edit { at, text: text.into() }])
     }
 
-    /// With a fix of several edits.
+    /// With a change of several edits: a fix where it is certain, else an offer.
     #[must_use]
-    pub fn with_edits(mut self, title: FixTitle, edits: Vec<Edit>) -> Self {
-        self.fixes.push(Fix { title, edits, certain: true });
+    pub fn with_edits(mut self, certain: Option<Certain>, title: FixTitle, edits: Vec<Edit>) -> Self {
+        self.fixes.push(Fix { title, edits, certain });
         self
     }
 
@@ -142,14 +166,13 @@ impl Diagnostic {
 
     /// With a change of several edits that is offered, but not applied by itself.
     #[must_use]
-    pub fn with_offers(mut self, title: FixTitle, edits: Vec<Edit>) -> Self {
-        self.fixes.push(Fix { title, edits, certain: false });
-        self
+    pub fn with_offers(self, title: FixTitle, edits: Vec<Edit>) -> Self {
+        self.with_edits(None, title, edits)
     }
 
     /// The fix that a machine may apply by itself.
     pub fn certain_fix(&self) -> Option<&Fix> {
-        self.fixes.iter().find(|fix| fix.certain)
+        self.fixes.iter().find(|fix| fix.certain.is_some())
     }
 
     /// The file it is in.

@@ -25,7 +25,7 @@ pub use details::{
     MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, UnusedConstant, is_blank,
 };
 pub use details::{ConditionProblem, RunTimeReason, SignalProblem};
-pub use diagnostic::{CallKind, CallSite, Diagnostic, Edit, Fix, Label};
+pub use diagnostic::{CallKind, CallSite, Certain, Diagnostic, Edit, Fix, Label};
 pub use findings::{Findings, LIMIT_PER_CODE};
 pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};

@@ -127,7 +127,7 @@ fn without_common_ends<'a>(before: &str, edit: &'a Edit) -> (Span, &'a str) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diag::FixTitle;
+    use crate::diag::{Certain, FixTitle};
     use crate::text::{Encoding, Location};
 
     fn edit(start: usize, end: usize, text: &str) -> Edit {
@@ -136,7 +136,7 @@ mod tests {
     }
 
     fn fix(edits: impl Into<Vec<Edit>>) -> Fix {
-        Fix { title: FixTitle::UpperCase, edits: edits.into(), certain: true }
+        Fix { title: FixTitle::UpperCase, edits: edits.into(), certain: Some(Certain::LowerCase) }
     }
 
     fn applied(bytes: &[u8], fixes: &[Fix]) -> (Vec<u8>, usize) {

@@ -167,7 +167,7 @@ impl<'a> OfDocument<'a> {
                     title: fix.title.text(client.lang()),
                     kind: Some(CodeActionKind::QuickFix),
                     diagnostics: Some(vec![converter.diagnostic(item, &mut places)]),
-                    is_preferred: (fixes.len() == 1 && fix.certain).then_some(true),
+                    is_preferred: (fixes.len() == 1 && fix.certain.is_some()).then_some(true),
                     edit,
                     ..CodeAction::default()
                 });

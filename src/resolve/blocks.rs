@@ -700,7 +700,7 @@ impl<'a> BlockChecker<'a> {
         if let Some(next) = next.filter(|_| !entry && self.takes_skip(block.next(), line)) {
             let text = source.slice(place.span);
             let behind = Span::empty(next.span(source.text()).end);
-            diagnostic = diagnostic.with_fix(
+            diagnostic = diagnostic.with_offer(
                 FixTitle::MoveSkip { block: self.file.shown_number(block.next()) },
                 Location { span: behind, ..place },
                 format!(" {text}"),

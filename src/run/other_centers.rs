@@ -52,7 +52,7 @@ pub(super) fn report_k(site: &mut Site<'_>, state: &State, words: &mut BlockWord
     let place = CenterPlace::OtherLetters;
     let finding = Finding::CenterWordNotUsable { letter: 'K', place, written: shown.clone() };
     let at = site.word_place(k.word);
-    let diagnostic = Diagnostic::new(finding, at).with_edits(FixTitle::Write { text: shown }, edits);
+    let diagnostic = Diagnostic::new(finding, at).with_offers(FixTitle::Write { text: shown }, edits);
     site.report(because_of(state, words, g, diagnostic));
     words.j = Some(Valued { value: None, ..k });
     true

@@ -4,7 +4,7 @@ use super::lower::{Lowering, PARAMETERS};
 use super::number::Number;
 use super::token::METRES_PER_MINUTE;
 use super::{BlockFlags, Kind, Token, Word, swallowed, tokens};
-use crate::diag::{Diagnostic, Edit, Finding, FixTitle, Meant, TextMeant, shown};
+use crate::diag::{Certain, Diagnostic, Edit, Finding, FixTitle, Meant, TextMeant, shown};
 use crate::dict::Address;
 use crate::sure::{Sure, small};
 use crate::text::{Location, Span};
@@ -24,7 +24,7 @@ impl Lowering<'_> {
                 Edit { at: self.at(Span::new(end, span.end)), text: "\"".to_owned() },
             ];
             let finding = Finding::StrayText { text: shown(text), meant: TextMeant::Message };
-            self.pending.push(Diagnostic::new(finding, self.at(span)).with_edits(FixTitle::Comment, edits));
+            self.pending.push(Diagnostic::new(finding, self.at(span)).with_offers(FixTitle::Comment, edits));
             return;
         }
         if self.quotes_off.is_some_and(|end| span.start < end) || self.beside_quote(span) {
@@ -209,11 +209,13 @@ impl Lowering<'_> {
             Diagnostic::new(finding(meant), place)
         } else if body.trim().is_empty() {
             let title = FixTitle::Delete { text: shown(text) };
-            Diagnostic::new(finding(Meant::Comment), place).with_fix(title, place, "")
+            Diagnostic::new(finding(Meant::Comment), place).with_offer(title, place, "")
         } else if words.is_none() && body.contains('"') {
             Diagnostic::new(finding(Meant::Comment), place)
         } else if words.is_none() {
-            Diagnostic::new(finding(Meant::Comment), place).with_edits(FixTitle::Comment, quotes())
+            let certain = text.starts_with(['(', ';']) && swallowed::is_text(self.text, Span::new(start, end));
+            let certain = certain.then_some(Certain::Comment);
+            Diagnostic::new(finding(Meant::Comment), place).with_edits(certain, FixTitle::Comment, quotes())
         } else {
             // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment.
             let apart = kept.replace(';', " ").trim_end().to_owned();

@@ -1,11 +1,12 @@
 //! Words and signs as other controls, programs and text processors write them: each is one finding, with what is written
-//! here instead, as a fix where that is certain.
+//! here instead.
 
 use super::lower::{Lowering, PARAMETERS, printed_number, split};
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word};
 use crate::diag::{
-    AddressMeant, Diagnostic, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, ValueMeant, is_blank, shown,
+    AddressMeant, Certain, Diagnostic, Finding, FixTitle, MINUS, Meant, NumberMeant, TargetMeant, ValueMeant, is_blank,
+    shown,
 };
 use crate::dict::{Address, GCode, HIGHEST_L};
 use crate::sure::{Sure, small};
@@ -90,11 +91,18 @@ impl Lowering<'_> {
         }
     }
 
-    /// A finding with a fix that writes `text` over all of it.
+    /// A finding with an offer to write `text` over all of it.
     fn report_with_text(&mut self, span: Span, finding: Finding, text: String) {
         let place = self.at(span);
         let title = FixTitle::Write { text: shown(&text) };
-        self.pending.push(Diagnostic::new(finding, place).with_fix(title, place, text));
+        self.pending.push(Diagnostic::new(finding, place).with_offer(title, place, text));
+    }
+
+    /// A finding about a typographic minus or a foreign blank in a number, fixed by `text` over all of it.
+    fn report_sign(&mut self, span: Span, finding: Finding, text: String) {
+        let place = self.at(span);
+        let title = FixTitle::Write { text: shown(&text) };
+        self.pending.push(Diagnostic::new(finding, place).with_fix(Certain::Minus, title, place, text));
     }
 
     fn push_written(&mut self, address: Address, span: Span, written: &Written) {
@@ -253,7 +261,7 @@ impl Lowering<'_> {
         let meant = ValueMeant::Written { written: fixed.clone() };
         let finding = Finding::MissingValue { address: "%".to_owned(), meant };
         let title = FixTitle::Write { text: fixed };
-        self.pending.push(Diagnostic::new(finding, percent).with_fix(title, self.at(span), text_here));
+        self.pending.push(Diagnostic::new(finding, percent).with_offer(title, self.at(span), text_here));
         match Number::parse(digits.as_bytes()) {
             Some(number) => self.push_written(Address::Program, span, &Written::Number(number)),
             None => self.push_void(Address::Program, span),
@@ -285,7 +293,7 @@ impl Lowering<'_> {
         let title = FixTitle::Write { text: shown(&text) };
         let letter = self.at(Span::new(token.start, token.start + 1));
         let diagnostic = Diagnostic::new(Finding::MissingTarget { function, meant }, place);
-        self.pending.push(diagnostic.with_fix(title, letter, "L"));
+        self.pending.push(diagnostic.with_offer(title, letter, "L"));
         self.push_written(Address::L, span, &Written::Number(target));
     }
 
@@ -485,7 +493,7 @@ impl Lowering<'_> {
         match Number::parse(plain.as_bytes()) {
             Some(value_here) => {
                 let finding = Finding::UnknownCharacter { text: shown(text), meant: Meant::of(text) };
-                self.report_with_text(value.span(), finding, plain);
+                self.report_sign(value.span(), finding, plain);
                 self.push(Word::with_number(Address::R, span, value_here).assigning(number).faulty(), span);
             }
             None => {
@@ -541,7 +549,12 @@ impl Lowering<'_> {
             } else {
                 Meant::inside(rest).with_word(&text_here)
             };
-            self.report_with_text(span, Finding::UnknownCharacter { text: shown(text), meant }, text_here);
+            let finding = Finding::UnknownCharacter { text: shown(text), meant };
+            if number.starts_with('R') {
+                self.report_with_text(span, finding, text_here);
+            } else {
+                self.report_sign(span, finding, text_here);
+            }
             self.push_written(address, span, &written);
             return;
         }
@@ -576,14 +589,14 @@ impl Lowering<'_> {
         }
         self.pending.push(if text == ";" && line_ends {
             let title = FixTitle::Delete { text: ";".to_owned() };
-            Diagnostic::new(finding(Meant::BlockEnd), place).with_fix(title, place, "")
+            Diagnostic::new(finding(Meant::BlockEnd), place).with_offer(title, place, "")
         } else if text.chars().all(is_blank) {
-            Diagnostic::new(finding(Meant::of(text)), place).with_fix(FixTitle::PlainBlank, place, " ")
+            Diagnostic::new(finding(Meant::of(text)), place).with_fix(Certain::Blank, FixTitle::PlainBlank, place, " ")
         } else if text.chars().all(|character| MINUS.contains(&character)) && text.chars().count() == 1 {
             let title = FixTitle::Write { text: "-".to_owned() };
             let diagnostic = Diagnostic::new(finding(Meant::Minus), place);
             let signs = rest.starts_with(|first: char| first.is_ascii_alphanumeric() || first == '.');
-            if signs { diagnostic.with_fix(title, place, "-") } else { diagnostic }
+            if signs { diagnostic.with_fix(Certain::Minus, title, place, "-") } else { diagnostic }
         } else {
             Diagnostic::new(finding(Meant::of(text)), place)
         });

@@ -134,7 +134,9 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
         assigned.map(|(target, _)| target).or(address).then(of_function).then(operands).map(
             |((first, value), operands)| Item::Bracketed { first, last: operands.last().copied().unwrap_or(value) },
         );
-    let parametric = address.then(parameter).then(operands).map(|((address, parameter), pieces)| Item::Parametric {
+    // `X R10=5`: the letter has no value, and the parameter gets one.
+    let read = parameter.then_ignore(one(Kind::Equals).not());
+    let parametric = address.then(read).then(operands).map(|((address, parameter), pieces)| Item::Parametric {
         address,
         parameter,
         pieces,

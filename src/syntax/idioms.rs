@@ -167,11 +167,7 @@ impl Lowering<'_> {
         let mut diagnostic = Diagnostic::new(Finding::MissingDwell { meant }, self.at(g.span(self.text)));
         if let Some(text) = text {
             let title = FixTitle::Write { text: shown(&text) };
-            diagnostic = if maybe_target || in_seconds {
-                diagnostic.with_offer(title, place, text)
-            } else {
-                diagnostic.with_fix(title, place, text)
-            };
+            diagnostic = diagnostic.with_offer(title, place, text);
         }
         self.pending.retain(|found| is_about_comments(found.code()));
         self.pending.push(diagnostic);

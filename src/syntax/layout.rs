@@ -1,7 +1,7 @@
 //! What is judged by lines and characters: their length, case, and what follows the end.
 
 use super::{Kind, tokens};
-use crate::diag::{AfterEndMeant, Diagnostic, Edit, Finding, Findings, FixTitle, shown};
+use crate::diag::{AfterEndMeant, Certain, Diagnostic, Edit, Finding, Findings, FixTitle, shown};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
 
@@ -36,7 +36,7 @@ pub(super) fn report_utf16(file: FileId, source: &SourceText, findings: &mut Fin
     let diagnostic = Diagnostic::new(Finding::Utf16 {}, at(Span::empty(source.first_offset())));
     // Where bytes are no character, the text would lose them.
     findings.add(match source.is_exact() {
-        true => diagnostic.with_fix(FixTitle::Utf8, at(Span::new(0, source.len())), text),
+        true => diagnostic.with_fix(Certain::Utf16, FixTitle::Utf8, at(Span::new(0, source.len())), text),
         false => diagnostic,
     });
 }
@@ -80,8 +80,9 @@ pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, fi
 /// So many tokens behind `*` are looked at for a second program.
 const FAR: usize = 1 << 12;
 
-/// Reports lower-case addresses, once, with a fix of them all (LEX-11): `places` are theirs.
-pub(super) fn check_case(file: FileId, text: &str, places: &[u32], findings: &mut Findings) {
+/// Reports lower-case addresses, once (LEX-11): `places` are theirs, `addresses` counts those of the file. Changing them all
+/// is certain where they are the rule; a few of them may stand for something else, as in `X18y.924`.
+pub(super) fn check_case(file: FileId, text: &str, places: &[u32], addresses: usize, findings: &mut Findings) {
     let edit = |&place: &u32| {
         let letter = text.as_bytes().get(place as usize).copied().unwrap_or(b'?');
         let at = Location { file, span: Span::new(place, place + 1) };
@@ -90,6 +91,7 @@ pub(super) fn check_case(file: FileId, text: &str, places: &[u32], findings: &mu
     let edits: Vec<Edit> = places.iter().map(edit).collect();
     if let Some(first) = edits.first().map(|edit| edit.at) {
         let finding = Finding::LowercaseAddress { count: edits.len() };
-        findings.add(Diagnostic::new(finding, first).with_edits(FixTitle::UpperCase, edits));
+        let certain = (edits.len() * 2 > addresses).then_some(Certain::LowerCase);
+        findings.add(Diagnostic::new(finding, first).with_edits(certain, FixTitle::UpperCase, edits));
     }
 }

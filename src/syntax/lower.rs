@@ -4,7 +4,7 @@ use super::grammar::Item;
 use super::misread::look_alike;
 use super::number::Number;
 use super::{BlockFlags, Kind, Token, Word, swallowed};
-use crate::diag::{CommaMeant, Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
+use crate::diag::{Certain, CommaMeant, Diagnostic, Edit, Finding, Findings, FixTitle, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, Decimal, GCode, PROGRAM_ENDS};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
@@ -201,7 +201,11 @@ impl<'t> Lowering<'t> {
         }
         if let (Some(quote), Some(place)) = (text.chars().next(), edits.first().map(|edit| edit.at)) {
             let diagnostic = Diagnostic::new(Finding::TypographicQuote { quote }, place);
-            self.pending.push(diagnostic.with_edits(FixTitle::PlainQuotes, edits));
+            // A comment that nothing closes may have swallowed words.
+            let inner = Span::new(token.start + small(quote.len_utf8()), token.end);
+            let closed = edits.len() > 1 || text.ends_with('"');
+            let certain = (closed || swallowed::is_text(self.text, inner)).then_some(Certain::Quotes);
+            self.pending.push(diagnostic.with_edits(certain, FixTitle::PlainQuotes, edits));
         }
     }
 
@@ -308,6 +312,7 @@ impl<'t> Lowering<'t> {
         prefix: &str,
         span: Span,
     ) -> Option<Number> {
+        let sign = matches!(run.as_str(), "+" | "-");
         let mut joined = run;
         for piece in pieces {
             joined.push_str(self.slice(piece.span()));
@@ -338,26 +343,25 @@ impl<'t> Lowering<'t> {
                 Finding::MissingValue { address, meant: ValueMeant::Number }
             }
         };
-        // Of words without a decimal point two may have been written as one, `M0 3`: joining is offered, and its value
-        // taken for what follows, unless an address is missing. `XI` may be two addresses without values.
-        // Letters alone are a guess too.
-        let guess = joined.contains(['S', 'B'])
-            || letter
-                && matches!(address, Address::N | Address::L)
-                && joined.len() > 1
-                && !joined.bytes().any(|byte| byte.is_ascii_digit());
-        let doubtful =
-            joined == "I" || guess || matches!(finding, Finding::SplitNumber { .. }) && !address.is_dimensional();
+        let only = matches!(pieces, [only] if only.kind == Kind::Number && self.byte(only.start) != b'-');
+        let certain = if matches!(finding, Finding::LetterForDigit { .. }) {
+            // N and L are never 0: another digit was meant.
+            let alone = pieces.is_empty() && is_letters(joined.trim_start_matches(['+', '-']).as_bytes());
+            (alone && !matches!(address, Address::N | Address::L)).then_some(Certain::LettersAlone)
+        } else {
+            (sign && only && address.is_dimensional()).then_some(Certain::BlankBehindSign)
+        };
         let corrected = !matches!(finding, Finding::MalformedNumber { .. } | Finding::MissingValue { .. });
         let place = self.at(span);
         let title = FixTitle::Write { text: shown(&fixed) };
         let diagnostic = Diagnostic::new(finding, place);
-        self.pending.push(match (corrected, doubtful) {
-            (false, _) => diagnostic,
-            (true, true) => diagnostic.with_offer(title, place, fixed),
-            (true, false) => diagnostic.with_fix(title, place, fixed),
+        self.pending.push(if corrected {
+            diagnostic.with_edits(certain, title, vec![Edit { at: place, text: fixed }])
+        } else {
+            diagnostic
         });
-        number.filter(|_| corrected && !(doubtful && address.is_dimensional()))
+        // What a coordinate was meant as is not known; of other words later checks take what is offered.
+        number.filter(|_| corrected && (certain.is_some() || !address.is_dimensional()))
     }
 
     /// A number with a comma: a decimal one, where its address takes a point, or one that parts it from the next word.
@@ -386,16 +390,21 @@ impl<'t> Lowering<'t> {
         } else {
             (CommaMeant::Whole { address }, None, None)
         };
-        let guess = matches!(meant, CommaMeant::WholeWritten { .. });
+        // `L1,00` may be L100, `X10,` X100.
+        let between = joined.split_once(',').is_some_and(|(before, behind)| {
+            before.ends_with(|last: char| last.is_ascii_digit()) && behind.bytes().all(|byte| byte.is_ascii_digit())
+        });
+        let certain = matches!(meant, CommaMeant::Point { .. }) && between && address.is_dimensional();
+        let certain = certain.then_some(Certain::DecimalComma);
         let diagnostic = Diagnostic::new(Finding::DecimalComma { meant }, place);
-        let title = |fixed: &str| FixTitle::Write { text: shown(fixed) };
         self.pending.push(match fixed {
-            // `L1,00` may be L100.
-            Some(fixed) if guess => diagnostic.with_offer(title(&fixed), place, fixed),
-            Some(fixed) => diagnostic.with_fix(title(&fixed), place, fixed),
+            Some(fixed) => {
+                let title = FixTitle::Write { text: shown(&fixed) };
+                diagnostic.with_edits(certain, title, vec![Edit { at: place, text: fixed }])
+            }
             None => diagnostic,
         });
-        value
+        value.filter(|_| certain.is_some() || !address.is_dimensional())
     }
 
     /// The number of a parameter, 0–95, and whether it has a finding already.
@@ -426,7 +435,9 @@ impl<'t> Lowering<'t> {
             let place = self.at(number_span);
             let shown = shown(&format!("R{text}"));
             let diagnostic = Diagnostic::new(Finding::LetterForDigit { fixed: shown.clone() }, self.at(token.span()));
-            self.pending.push(diagnostic.with_fix(FixTitle::Write { text: shown }, place, text));
+            let certain = is_letters(digits).then_some(Certain::LettersAlone);
+            let edits = vec![Edit { at: place, text }];
+            self.pending.push(diagnostic.with_edits(certain, FixTitle::Write { text: shown }, edits));
         }
         (number, letters)
     }
@@ -484,7 +495,7 @@ impl<'t> Lowering<'t> {
         let joined: String = self.slice(span).chars().filter(|character| !matches!(character, ' ' | '\t')).collect();
         let diagnostic = Diagnostic::new(split(shown(&joined)), self.at(span));
         let fix = FixTitle::Write { text: shown(&joined) };
-        self.pending.push(diagnostic.with_fix(fix, self.at(blanks), ""));
+        self.pending.push(diagnostic.with_fix(Certain::BlankBehindSign, fix, self.at(blanks), ""));
     }
 
     fn copy(&mut self, target: Token, sign: Option<Token>, source: Token, pieces: &[Token]) {
@@ -561,11 +572,17 @@ impl<'t> Lowering<'t> {
             let joined = format!("{prefix}{run}");
             let place = self.at(span);
             let diagnostic = Diagnostic::new(split(shown(&joined)), place);
-            self.pending.push(diagnostic.with_fix(FixTitle::Write { text: shown(&joined) }, place, joined));
+            let title = FixTitle::Write { text: shown(&joined) };
+            self.pending.push(diagnostic.with_fix(Certain::BlankBehindSign, title, place, joined));
             return Number::parse(run.as_bytes());
         }
         self.corrected(run.to_owned(), &more, Address::R, prefix, span)
     }
+}
+
+/// Whether a number is nothing but letters that are taken for digits: `O`, `Ol`.
+fn is_letters(number: &[u8]) -> bool {
+    !number.is_empty() && number.iter().all(|letter| matches!(letter, b'O' | b'o' | b'l'))
 }
 
 /// A blank inside a number; which address is missing is said at the end of the block.

@@ -216,10 +216,13 @@ impl Lowering<'_> {
 }
 
 /// Whether digits stand right before the block number in `token`: `8N0`, `1N30`.
-pub(super) fn is_mixed_number(bytes: &[u8], before: Option<&Token>, token: Token) -> bool {
-    let Some(number) = before.filter(|before| before.kind == Kind::Number && before.end == token.start) else {
+pub(super) fn is_mixed_number(bytes: &[u8], before: &[Token], token: Token) -> bool {
+    let Some((number, others)) = before.split_last() else { return false };
+    // `R65 51N20`: the number is the value of a parameter (PAR-1).
+    let value = others.last().is_some_and(|last| matches!(last.kind, Kind::Parameter | Kind::Equals | Kind::Sign));
+    if number.kind != Kind::Number || number.end != token.start || value {
         return false;
-    };
+    }
     let digits = |from: u32, to: u32| {
         bytes.get(from as usize..to as usize).is_some_and(|digits| digits.iter().all(u8::is_ascii_digit))
     };

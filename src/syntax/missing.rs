@@ -124,7 +124,7 @@ impl Lowering<'_> {
             }
             // Joining is less likely than what is missing: `X7040` for `X70 40` would be a wrong move.
             if written.is_empty() {
-                found.fixes.retain(|fix| fix.certain && !split.has_own_point());
+                found.fixes.retain(|_| word.address.is_dimensional() && !split.has_own_point());
             } else {
                 let title = FixTitle::Write { text: shown(&written) };
                 found.fixes = vec![Fix::offer(title, place, written)];

@@ -119,7 +119,9 @@ pub(super) fn parse_in(
         findings.add(Diagnostic::new(finding, at(outside.first)));
     }
     parsed.mark_commented();
-    layout::check_case(file, text, &lowercase, findings);
+    let parametric = || parsed.words.iter().filter(|word| word.is_parametric()).count();
+    let addresses = if lowercase.is_empty() { 0 } else { parsed.words.len() + parametric() };
+    layout::check_case(file, text, &lowercase, addresses, findings);
     layout::check_lines(file, source, parsed.start, parsed.end, findings);
     parsed
 }
@@ -442,7 +444,7 @@ impl<'t> Reader<'t> {
                         batch.clear();
                         cuts.clear();
                     }
-                    if is_mixed_number(bytes, batch.last(), token)
+                    if is_mixed_number(bytes, &batch, token)
                         && let Some(digits) = batch.pop()
                     {
                         (token.kind, token.start) = (Kind::MixedNumber, digits.start);
@@ -484,7 +486,7 @@ impl<'t> Reader<'t> {
         let rest = self.lowering.text.get(token.end as usize..).sure();
         // Other controls end a file with it.
         if bare && rest.bytes().take(FEW).all(|byte| byte.is_ascii_whitespace()) && rest.len() < FEW {
-            diagnostic = diagnostic.with_fix(FixTitle::Delete { text: "%".to_owned() }, place, "");
+            diagnostic = diagnostic.with_offer(FixTitle::Delete { text: "%".to_owned() }, place, "");
         }
         self.lowering.findings.add(diagnostic);
     }
@@ -597,6 +599,8 @@ mod tests {
         one("N10 X1O0", "E0107", "X1O0");
         one("N10 Xl0", "E0107", "Xl0");
         one("N10 E5", "E0301", "E5");
+        one("N10 G26 E R5=65010203", "E0301", "E");
+        one("N10 X R5=2", "E0103", "X");
         one("N10 ERROR X5", "E0111", "ERROR");
         one("N10 #", "E0101", "#");
         one("N10 ř X5", "E0101", "ř");
@@ -647,7 +651,15 @@ mod tests {
 
     #[test]
     fn well_formed() {
-        for text in ["N10 XR1R2=5 R3=R4R5=4", "N10 X R10", "N10 R10 25.5", "N10 R10-5 R11=-R10", "N10/5 X1"] {
+        for text in [
+            "N10 R65 51N20 G0",
+            "N10 R65 = 51N20",
+            "N10 XR1R2=5 R3=R4R5=4",
+            "N10 X R10",
+            "N10 R10 25.5",
+            "N10 R10-5 R11=-R10",
+            "N10/5 X1",
+        ] {
             assert_eq!(codes(&format!("%1\n{text}")), [], "{text}");
         }
     }

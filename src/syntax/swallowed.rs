@@ -53,6 +53,33 @@ pub(super) fn words_between(text: &str, span: Span) -> Option<Vec<Token>> {
     Some(words)
 }
 
+/// Whether `span` holds a text without a word of a block, so that it is a comment whatever is around it. A number at its
+/// beginning may be one that lost its address.
+pub(super) fn is_text(text: &str, span: Span) -> bool {
+    let inner = text.get(span.range()).sure();
+    let begins = inner.chars().find(|character| character.is_alphanumeric()).is_some_and(char::is_alphabetic);
+    let is_word = |token: &Token| {
+        // `KUS 2`: the lexer may take the last letter for an address.
+        let before = text.get(span.start as usize..token.start as usize).sure().chars().next_back();
+        !before.is_some_and(char::is_alphabetic)
+            && matches!(
+                token.kind,
+                Kind::Word
+                    | Kind::LooseWord
+                    | Kind::Parameter
+                    | Kind::LooseParameter
+                    | Kind::PrintedWord
+                    | Kind::AssignedWord
+                    | Kind::NamedValue
+                    | Kind::Variable
+                    | Kind::GarbledWord
+                    | Kind::Comment
+                    | Kind::TypographicComment
+            )
+    };
+    begins && !tokens(text, span.start, span.end).any(|token| is_word(&token))
+}
+
 /// Where words stand that follow a text on its line, up to a comment or the next block.
 pub(super) fn words_behind(text: &str, start: u32) -> Option<Span> {
     let rest = text.as_bytes().get(start as usize..)?;

@@ -15,7 +15,7 @@ use crate::cli::{BAD, GOOD, Place, Run, closed_pipe, make_fifo};
 const LONG: &str = "%1\nN10 G0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
 
 /// The same with a fix.
-const LONG_TO_FIX: &str = "%1\nN10 g0 G90 X0\nN20 G1 X1 F100\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n";
+const LONG_TO_FIX: &str = "%1\nn10 g0 g90 x0\nn20 g1 x1 f100\nn30 g73 l20 q9999\nn40 g73 l20 q9999\nn50 m30\n";
 
 /// What happens to the files of a run.
 type Event = fn(&Place);
@@ -73,12 +73,12 @@ fn a_file_on_a_full_disk_stays() {
 
 #[test]
 fn a_program_on_a_full_disk_stays() {
-    let lower = big().replace("G90 G0", "g90 G0");
-    let place = Place::with(&[("a.nc", lower.as_bytes()), ("small.nc", b"%1\nN10 g90 G0 X1\nN20 M30\n")]);
+    let lower = big().to_lowercase();
+    let place = Place::with(&[("a.nc", lower.as_bytes()), ("small.nc", b"%1\nn10 g90 g0 x1\nn20 m30\n")]);
     let run = on_a_small_disk(&place, &["check", "--fix", "a.nc", "small.nc", "--format", "short"]).ends(2);
     assert!(run.stderr.contains("error: cannot write a.nc: it is too large\n"), "{run:?}");
     assert!(run.stderr.contains("small.nc: 1 fix applied\n"), "the other one is fixed: {run:?}");
-    assert!(run.stdout.contains("a.nc:2:7: warning[W0108]"), "the finding is still there: {run:?}");
+    assert!(run.stdout.contains("a.nc:2:1: warning[W0108]"), "the finding is still there: {run:?}");
     assert_eq!(place.read("a.nc"), lower.as_bytes());
     assert_eq!(place.read("small.nc"), b"%1\nN10 G90 G0 X1\nN20 M30\n");
     assert_eq!(place.list(), ["a.nc", "small.nc"]);
@@ -87,7 +87,7 @@ fn a_program_on_a_full_disk_stays() {
 #[cfg(target_os = "linux")]
 #[test]
 fn findings_for_a_full_disk() {
-    let lower = b"%1\nN10 g0 G90 X0 X1\nN20 M30\n";
+    let lower = b"%1\nn10 g0 g90 x0 x1\nn20 m30\n";
     let place = Place::with(&[("a.nc", lower)]);
     let full = || crate::cli::open_for_writing("/dev/full");
     for format in FORMATS {
@@ -126,7 +126,7 @@ fn macrocycles_that_cannot_be_read() {
         place.run(&["compile", "b.nc", "-L", "m", "-o", "out"]).ends(2).says("m/L9001 cannot be read");
         assert_eq!(place.read("out"), b"old");
         // That a macrocycle is broken does not keep the program from being fixed.
-        place.put("c.nc", CALL.replace("G72", "g72"));
+        place.put("c.nc", CALL.to_lowercase());
         place.run(&["check", "--fix", "c.nc", "-L", "m"]).ends(2);
         assert_eq!(place.read("c.nc"), CALL.as_bytes());
     }
@@ -326,7 +326,7 @@ fn a_program_that_changes_while_it_is_read() {
 
 #[test]
 fn readers_that_go_away() {
-    let place = Place::with(&[("a.nc", b"%1\nN10 g0 G90 X0 X1\nN20 M30\n"), ("good.nc", GOOD.as_bytes())]);
+    let place = Place::with(&[("a.nc", b"%1\nn10 g0 g90 x0 x1\nn20 m30\n"), ("good.nc", GOOD.as_bytes())]);
     // The fix is made even when nobody reads what is left.
     place.run_into(&["check", "--fix", "a.nc"], closed_pipe()).ends(1);
     assert_eq!(place.read("a.nc"), b"%1\nN10 G0 G90 X0 X1\nN20 M30\n");
@@ -387,8 +387,8 @@ fn signals_in_the_middle_of_an_output() {
 /// Interrupted among many files: each is as before or fixed, whole, and nothing is left beside them.
 #[test]
 fn an_interruption_while_many_programs_are_fixed() {
-    let before = format!("%1\nN10 g0 G90 X0\n{}N20 M30\n", "\"COMMENT\n".repeat(500));
-    let after = before.replace("g0", "G0");
+    let after = format!("%1\nN10 G0 G90 X0\n{}N20 M30\n", "\"COMMENT\n".repeat(500));
+    let before = after.replace("N10 G0 G90 X0", "n10 g0 g90 x0");
     let names: Vec<String> = (0..150).map(|number| format!("{number:03}.nc")).collect();
     let mut cut = 0;
     for wait in [1, 20, 60] {

@@ -39,6 +39,8 @@ mod rules;
 mod run;
 mod same_program;
 mod samples;
+mod slip_measure;
+mod slips;
 mod state;
 mod stats;
 mod statuses;

@@ -318,12 +318,12 @@ fn nothing_raw_of_arguments() {
 fn nothing_raw_of_names_on_disk() {
     let h = all();
     let name = format!("{h}.nc");
-    let lower = b"%1\nN10 g0 G90 X1 X2\nN20 G72 L5\nN30 M30\n";
+    let lower = b"%1\nn10 g0 g90 x1 x2\nn20 g72 L5\nN30 M30\n";
     let place = Place::with(&[(&format!("empty{h}/x"), b"")]);
     assert_told(&place, &["check", &format!("empty{h}")]);
     let fresh = || {
         place.put(&name, lower);
-        place.put(&format!("macros{h}/L5"), "N1 G79 L5\nN2 g0 X1 X2\nN3 G70\n");
+        place.put(&format!("macros{h}/L5"), "n1 g79 l5\nn2 g0 x1 x2\nn3 G70\n");
     };
     let macros = format!("macros{h}");
     for format in ["human", "short", "github"] {

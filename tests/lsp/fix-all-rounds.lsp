@@ -3,7 +3,7 @@
 { "capabilities": { "textDocument": { "codeAction": { "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } } } } } }
 === open part.nc
 ‹0›%1
-N10 G00 −X5 Y0
+N10 G00 RO=5,5 Y0
 N20 M30
 ‹E›
 === request textDocument/codeAction part.nc@0..E
@@ -15,7 +15,7 @@ N20 M30
       "changes": {
         "DIR/part.nc": [
           {
-            "newText": "N10 G00 X-5 Y0\n",
+            "newText": "N10 G00 R0=5.5 Y0\n",
             "range": {
               "end": {
                 "character": 0,

@@ -127,32 +127,6 @@ N40 M30
                   "line": 2
                 }
               }
-            },
-            {
-              "newText": "",
-              "range": {
-                "end": {
-                  "character": 1,
-                  "line": 3
-                },
-                "start": {
-                  "character": 0,
-                  "line": 3
-                }
-              }
-            },
-            {
-              "newText": " /",
-              "range": {
-                "end": {
-                  "character": 4,
-                  "line": 3
-                },
-                "start": {
-                  "character": 4,
-                  "line": 3
-                }
-              }
             }
           ],
           "textDocument": {
@@ -171,7 +145,7 @@ N40 M30
 %1
 N10 X5.5 Y2.5
 N20 X-0
-N30 / X1
+/N30 X1
 N40 M30
 === request textDocument/codeAction part.nc@1..1
 { "context": { "diagnostics": [], "only": ["refactor"] } }

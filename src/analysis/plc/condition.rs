@@ -198,17 +198,17 @@ impl Reader<'_> {
         self.text.get(span.start as usize..span.end as usize).sure()
     }
 
-    /// Reports a finding, with what to write instead where that is certain.
-    fn add(&mut self, finding: Finding, span: Span, fix: Option<String>) {
+    /// Reports a finding, with what to write instead where that is known.
+    fn add(&mut self, finding: Finding, span: Span, written: Option<String>) {
         let diagnostic = Diagnostic::new(finding, at(span));
-        self.found.push(match fix {
-            Some(text) => diagnostic.with_fix(FixTitle::Write { text: text.clone() }, at(span), text),
+        self.found.push(match written {
+            Some(text) => diagnostic.with_offer(FixTitle::Write { text: text.clone() }, at(span), text),
             None => diagnostic,
         });
     }
 
-    fn add_problem(&mut self, problem: ConditionProblem, span: Span, fix: Option<String>) {
-        self.add(Finding::MalformedCondition { problem }, span, fix);
+    fn add_problem(&mut self, problem: ConditionProblem, span: Span, written: Option<String>) {
+        self.add(Finding::MalformedCondition { problem }, span, written);
     }
 
     /// What a token is wrong by itself.
@@ -403,12 +403,12 @@ impl Reader<'_> {
             }
             let why = signal_problem(&why, self.machine.dialect);
             let plain = name.strip_prefix("BLK[0].").map_or_else(|| name.clone(), |cell| format!("BLK.{cell}"));
-            let certain = if let SignalProblem::Near(near) = &why {
+            let written = if let SignalProblem::Near(near) = &why {
                 Some(near.clone()).filter(|near| near.eq_ignore_ascii_case(&plain))
             } else {
                 None
             };
-            self.add(Finding::UnknownSignal { name, why }, token.span, certain);
+            self.add(Finding::UnknownSignal { name, why }, token.span, written);
         }
         known
     }

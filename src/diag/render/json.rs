@@ -285,10 +285,10 @@ impl<'a> Form<'a> {
                 .collect(),
             fixes: [true, false]
                 .into_iter()
-                .flat_map(|certain| fixes.iter().filter(move |fix| fix.certain == certain))
+                .flat_map(|certain| fixes.iter().filter(move |fix| fix.certain.is_some() == certain))
                 .map(|fix| Fix {
                     title: safe(fix.title.text(self.lang)),
-                    certain: fix.certain,
+                    certain: fix.certain.is_some(),
                     edits: Edits { form: self, edits: &fix.edits },
                 })
                 .collect(),

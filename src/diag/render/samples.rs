@@ -2,8 +2,8 @@
 
 use super::{Format, Shown, render};
 use crate::diag::{
-    CallKind, CallSite, Diagnostic, Finding, Findings, FixTitle, LabelText, ParameterNeed, Problem, Report, Severity,
-    TextMeant,
+    CallKind, CallSite, Certain, Diagnostic, Finding, Findings, FixTitle, LabelText, ParameterNeed, Problem, Report,
+    Severity, TextMeant,
 };
 use crate::dict::{Address, AxisLetter, Lang};
 use crate::text::{Encoding, FileId, Location, SourceText, Sources, Span};
@@ -46,7 +46,12 @@ pub(super) fn plain() -> Report {
     report(
         &sources,
         [
-            Diagnostic::new(comma, at).with_fix(FixTitle::Write { text: "X36.12".to_owned() }, at, "36.12"),
+            Diagnostic::new(comma, at).with_fix(
+                Certain::DecimalComma,
+                FixTitle::Write { text: "X36.12".to_owned() },
+                at,
+                "36.12",
+            ),
             Diagnostic::new(twice, find(&sources, 0, "X5", 0))
                 .with_label(find(&sources, 0, "X0", 0), LabelText::First { what: "X0".to_owned() }),
             Diagnostic::new(Finding::EmptyBlock { block: 30 }, find(&sources, 0, "N30", 0)),
@@ -72,7 +77,7 @@ pub(super) fn called() -> Report {
     };
     let mut diagnostic = Diagnostic::new(unusable, find(&sources, 1, "DR1", 0))
         .with_label(find(&sources, 0, "2.5", 0), LabelText::ParameterValue { parameter: 1, value: "2.5".to_owned() })
-        .with_fix(FixTitle::Write { text: "D2".to_owned() }, find(&sources, 1, "DR1", 0), "D2");
+        .with_fix(Certain::DecimalComma, FixTitle::Write { text: "D2".to_owned() }, find(&sources, 1, "DR1", 0), "D2");
     diagnostic.calls = vec![
         CallSite { by: CallKind::Subprogram, l: 100, n: 80, at: find(&sources, 0, "N80", 0) },
         CallSite { by: CallKind::Cycle(81), l: 9081, n: 110, at: find(&sources, 0, "N110", 0) },
@@ -110,7 +115,7 @@ pub(super) fn hostile() -> Report {
         find(&sources, 0, "X\u{7}", 0),
     )
     .with_label(find(&sources, 0, "\u{202e}", 0), LabelText::MacrocycleFile { name: text.clone() })
-    .with_fix(FixTitle::Write { text: text.clone() }, find(&sources, 0, "X\u{7}", 0), text);
+    .with_fix(Certain::DecimalComma, FixTitle::Write { text: text.clone() }, find(&sources, 0, "X\u{7}", 0), text);
     report(&sources, [stray])
 }
 

@@ -188,7 +188,7 @@ impl Log<'_> {
             });
             set(&mut said, "stacks", json!([{"frames": frames.collect::<Vec<_>>()}]));
         }
-        let fixes = fixes.iter().filter(|fix| fix.certain).map(|fix| Fix {
+        let fixes = fixes.iter().filter(|fix| fix.certain.is_some()).map(|fix| Fix {
             description: message(&terminal_safe(&fix.title.text(self.lang))),
             artifact_changes: fix
                 .edits
@@ -375,7 +375,8 @@ mod tests {
         let edits = [(0, "n"), (0, "x"), (1, "n")]
             .map(|(file, what)| Edit { at: place(file, what), text: what.to_uppercase() });
         let mut diagnostic = Diagnostic::new(crate::diag::Finding::MissingProgramStart { number: 1 }, place(0, "n"));
-        diagnostic = diagnostic.with_fix(crate::diag::FixTitle::UpperCase, place(0, "n"), "N");
+        diagnostic =
+            diagnostic.with_fix(crate::diag::Certain::LowerCase, crate::diag::FixTitle::UpperCase, place(0, "n"), "N");
         diagnostic.fixes[0].edits = edits.to_vec();
         let log = sarif(&samples::report(&sources, [diagnostic]), Lang::En);
         let changes = log["runs"][0]["results"][0]["fixes"][0]["artifactChanges"].as_array().unwrap();

@@ -304,7 +304,7 @@ fn fixing_all_is_check_fix() {
             let source = SourceText::from_text("", expected.clone());
             let own = run.report.sources().find(&sample.file);
             let items = run.report.items().filter(|item| Some(item.diagnostic.at.file) == own);
-            let fixes = items.filter_map(|item| item.diagnostic.fixes.first().filter(|fix| fix.certain));
+            let fixes = items.filter_map(|item| item.diagnostic.fixes.first().filter(|fix| fix.certain.is_some()));
             let fixed = apply_fixes(&source, own.unwrap_or_default(), expected.as_bytes(), fixes);
             if fixed.applied.is_empty() {
                 break;

@@ -242,7 +242,7 @@ fn the_point_is_moved() {
         let found = findings_of(&text);
         let [found] = found.items() else { panic!("{text}") };
         let fix = &found.fixes[0];
-        assert!(!fix.certain);
+        assert!(fix.certain.is_none());
         let now = text.replace(digits, &fix.edits[0].text);
         let (settings, codes) = configured(&now);
         assert_eq!(codes, Vec::<String>::new(), "{now}");
