@@ -29,12 +29,12 @@ mod schema;
 mod shell;
 mod state;
 mod stats;
-mod stats_cache;
+pub mod stats_cache;
 mod status;
 mod threads;
 mod usage;
 mod view;
-mod walk;
+pub mod walk;
 mod words;
 
 use std::ffi::OsString;

@@ -42,7 +42,7 @@ struct Place {
 }
 
 /// Rows that are known.
-pub(super) struct Cache {
+pub struct Cache {
     folder: PathBuf,
     files: Vec<Mutex<File>>,
     known: HashMap<String, Place>,
@@ -55,18 +55,27 @@ pub(super) struct Cache {
     texts: Mutex<HashMap<PathBuf, Option<String>>>,
 }
 
+impl std::fmt::Debug for Cache {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Cache").field("folder", &self.folder).finish_non_exhaustive()
+    }
+}
+
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The row of a program, made anew, with the texts that were read.
-pub(super) fn fresh(session: &Session<'_>, path: &Path, name: &str, bytes: &[u8]) -> (Row, Sources) {
+pub fn fresh(session: &Session<'_>, path: &Path, name: &str, bytes: &[u8]) -> (Row, Sources) {
     let loader = Known { inner: session.loader, path, bytes };
     row(&Session { loader: &loader, ..*session }, path, name, hash(bytes))
 }
 
 impl Cache {
     /// The cache in a folder, which is made when it is not there.
+    ///
+    /// # Errors
+    /// When it cannot be made or read.
     pub fn open(folder: &Path) -> io::Result<Self> {
         fs::create_dir_all(folder)?;
         let mut cache = Self {
@@ -198,6 +207,9 @@ impl Cache {
     }
 
     /// Writes what is new as a file of its own.
+    ///
+    /// # Errors
+    /// What writing gives.
     pub fn write(&self) -> io::Result<()> {
         let lines = std::mem::take(&mut *lock(&self.new));
         if lines.is_empty() { Ok(()) } else { self.write_lines(&lines).map(drop) }

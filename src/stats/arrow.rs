@@ -5,12 +5,32 @@ use std::io::{self, Write};
 use arrow_schema::Metadata;
 
 use super::row::{Reach, Row};
-use crate::columns::{Plain, Table};
+use crate::columns::{Kept, Plain, Table};
 use crate::dict::AxisLetter;
 
 /// Begins an Arrow IPC stream of rows, which are then [put](put) into it.
 pub fn write(out: &mut (dyn Write + Send)) -> io::Result<Plain<'_, Row>> {
     Plain::begin(out, put, &Row::default(), Metadata::new().with("cnc872c.schema", super::SCHEMA))
+}
+
+/// Rows as record batches in memory.
+///
+/// # Errors
+/// Never for rows of programs: what columns refuse.
+pub fn kept(rows: &[Row]) -> io::Result<Kept> {
+    let mut table = Table::default();
+    put(&mut table, &Row::default());
+    let schema = table.declare(Metadata::new().with("cnc872c.schema", super::SCHEMA));
+    let mut batches = Vec::new();
+    let mut left = rows.len();
+    for row in rows {
+        put(&mut table, row);
+        left -= 1;
+        if table.end_row() || left == 0 {
+            batches.push(table.batch(&schema).map_err(io::Error::other)?);
+        }
+    }
+    Ok(Kept { schema: Some(schema), batches, end: None })
 }
 
 fn put(table: &mut Table, row: &Row) {

@@ -1,0 +1,405 @@
+"""The functions of the package."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, TypedDict
+
+from . import _native
+from ._findings import Finding, Report
+from ._options import Options, Path, plain, program
+from ._records import Block, Facts, Move, Step
+from ._tables import Table
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+
+class Blocks(Table[Block]):
+    """The executed blocks of a program: records :class:`Block`, and its columns."""
+
+    _record = Block
+
+    program: dict[str, Any]
+    """The first record of the stream: what it was made from and for."""
+    files: list[str]
+    """The files that blocks come from, by index."""
+    end: dict[str, Any]
+    """The last record: how the program ended, the number of its blocks, and its path."""
+    findings: list[Finding]
+    """Warnings."""
+
+    def __init__(self, table: _native.Table, findings: list[Finding]) -> None:
+        super().__init__(table)
+        self.program = json.loads(table.first())
+        self.files = [self.program["name"], *(record["name"] for record in json.loads(table.files()))]
+        self.end = json.loads(table.last())
+        self.findings = findings
+
+
+class Moves(Table[Move]):
+    """The executed blocks of a program with their times: records :class:`Move`, and its columns."""
+
+    _record = Move
+
+
+class Steps(Table[Step]):
+    """Steps of a program as the PLC sees them: records :class:`Step`, and its columns, one a signal."""
+
+    _record = Step
+
+    program: dict[str, Any]
+    """The first record: what the steps were made from, and the names of the signals."""
+    files: list[str]
+    """The files that blocks come from, by index."""
+    end: dict[str, Any]
+    """The last record: how the program ended."""
+    findings: list[Finding]
+    """Warnings."""
+
+    def __init__(self, table: _native.Table, findings: list[Finding]) -> None:
+        super().__init__(table)
+        self.program = json.loads(table.first())
+        self.files = [self.program["name"], *(record["name"] for record in json.loads(table.files()))]
+        self.end = json.loads(table.last())
+        self.findings = findings
+
+
+class Archive(Table[Facts]):
+    """Facts about programs: records :class:`Facts`, and its columns."""
+
+    _record = Facts
+
+
+class Motion:
+    """How the machine moves through a program, and how long it takes."""
+
+    machine: dict[str, Any]
+    """The machine that the times are of."""
+    total: dict[str, Any]
+    """Sums over the program."""
+    blocks: Moves
+    """The blocks with their times."""
+    findings: list[Finding]
+    """Warnings."""
+
+    def __init__(self, table: _native.Table, findings: list[Finding]) -> None:
+        self.machine = json.loads(table.first())
+        self.total = json.loads(table.last())
+        self.blocks = Moves(table)
+        self.findings = findings
+
+    @property
+    def time_s(self) -> float:
+        """How long the program takes, in seconds."""
+        return float(self.total["time_s"])
+
+    @property
+    def lower_bound(self) -> bool:
+        """Some blocks have no known time: the program takes at least this."""
+        return bool(self.total.get("lower_bound", False))
+
+    def __repr__(self) -> str:
+        least = "at least " if self.lower_bound else ""
+        return f"<Motion of {len(self.blocks)} blocks, {least}{self.time_s} s>"
+
+
+class Place(TypedDict):
+    """A place of a program."""
+
+    seq: int
+    n: int
+    file: int
+    line: int
+    column: int
+    calls: list[dict[str, Any]]
+    after: bool
+
+
+class _State(TypedDict):
+    kind: str
+    schema: str
+    generator: str
+    name: str
+    place: Place
+    g: list[int | None]
+    m: list[int | None]
+    unknown: dict[str, str]
+    parameters: dict[str, float]
+    written: dict[str, dict[str, int]]
+    counters: list[dict[str, int]]
+    progress: dict[str, Any]
+
+
+class State(_State, total=False):
+    """What holds at a place of a program, as ``cnc872c schema state`` says. What is absent is left out."""
+
+    gear: int
+    position: dict[str, float]
+    feed: float
+    feed_unit: str
+    feed_scale: float
+    s: float
+    t: float
+    tool: float
+    h: float
+    p: float
+    d: float
+    length_correction: str
+    dynamic_set: int
+    continuous_mode: bool
+
+
+class _Change(TypedDict):
+    kind: str
+    count: int
+    old_blocks: list[list[int]]
+    new_blocks: list[list[int]]
+
+
+class Change(_Change, total=False):
+    """What differs. What is absent is left out."""
+
+    tool: float
+    what: str
+    old: float | str
+    new: float | str
+    delta: float
+
+
+class Comparison(TypedDict):
+    """What two programs do differently, as ``cnc872c schema compare`` says."""
+
+    kind: str
+    schema: str
+    generator: str
+    same: bool
+    old: dict[str, Any]
+    new: dict[str, Any]
+    changes: list[Change]
+
+
+def check(
+    path: Path | Iterable[Path] | None = None,
+    *,
+    text: str | bytes | None = None,
+    deny_warnings: bool = False,
+    **options: Unpack[Options],
+) -> Report:
+    """Checks programs, macrocycles, or folders of them: everything that ``cnc872c check`` finds.
+
+    ``text`` stands for the program at ``path``; without one its file is ``"-"``.
+
+    >>> import cnc872c
+    >>> report = cnc872c.check(text="%1\\nN10 G01 X5,5 F100\\nN20 M30")
+    >>> report.ok
+    False
+    >>> for finding in report.findings:
+    ...     print(finding)
+    -:2:9: error[E0104]: a decimal comma
+    >>> report.findings[0].fixes[0].title
+    'write `X5.5`'
+    """
+    if text is None and path is not None and not isinstance(path, (str, os.PathLike)):
+        found = _native.check([os.fspath(one) for one in path], None, plain(options))
+    else:
+        named, given = program(_one(path), text)
+        found = _native.check(named, given, plain(options))
+    return Report.from_json(found, deny_warnings)
+
+
+def compile(
+    path: Path | None = None,
+    *,
+    text: str | bytes | None = None,
+    first: int = 0,
+    limit: int | None = None,
+    **options: Unpack[Options],
+) -> Blocks:
+    """Executes a program, and gives its blocks: the records of ``cnc872c compile``, from the one with ``seq`` ``first`` on,
+    at most ``limit``.
+
+    Raises ProgramError when the program has errors.
+
+    >>> import cnc872c
+    >>> blocks = cnc872c.compile(text="%1\\nN10 G00 X0 Y0\\nN20 G01 X3 Y4 F100\\nN30 M30")
+    >>> [block.n for block in blocks]
+    [10, 20, 30]
+    >>> blocks[1].motion.length_mm
+    5.0
+    >>> blocks[1].position
+    {'X': 3.0, 'Y': 4.0}
+    >>> print(blocks[1].s)
+    None
+    >>> blocks.end["path_mm"]
+    5
+    >>> blocks.to_polars().select("n", "motion_type", "x").rows()
+    [(10, 'rapid', 0.0), (20, 'linear', 3.0), (30, None, 3.0)]
+    """
+    table, report = _native.compile(program(path, text), plain(options), first, limit)
+    return Blocks(table, Report.from_json(report).findings)
+
+
+def motion(
+    path: Path | None = None,
+    *,
+    text: str | bytes | None = None,
+    phases: bool = False,
+    set: Mapping[str, object] | None = None,
+    **options: Unpack[Options],
+) -> Motion:
+    """How the machine moves through a program, and how long it takes: the records of ``cnc872c motion``.
+
+    ``set`` tries other values: ``{"accel-mm-s2": 800}``. With ``phases`` the blocks have the phases of their motions.
+
+    >>> import cnc872c
+    >>> motion = cnc872c.motion(text="%1\\nN10 G90 G00 X0\\nN20 G01 X100 F600\\nN30 M30")
+    >>> motion.time_s
+    10.02
+    >>> motion.blocks[1].peak
+    600.0
+    >>> motion.blocks.to_arrow().schema.field("duration_s").metadata
+    {b'unit': b's'}
+    """
+    tried = {} if set is None else dict(set)
+    table, report = _native.motion(program(path, text), plain(options), phases, tried)
+    return Motion(table, Report.from_json(report).findings)
+
+
+def plc(
+    path: Path | None = None,
+    *,
+    text: str | bytes | None = None,
+    signals: str | Iterable[str] | None = None,
+    compat: bool = False,
+    find: str | None = None,
+    first: int = 0,
+    limit: int | None = None,
+    **options: Unpack[Options],
+) -> Steps:
+    """What a program asks of the PLC, step by step: the signals of ``cnc872c plc``.
+
+    With ``find`` only the steps in which a condition holds, with the signals that it names.
+
+    >>> import cnc872c
+    >>> text = "%1\\nN10 G90 G00 X0 T5\\nN20 M03 S500\\nN30 M30"
+    >>> steps = cnc872c.plc(text=text, signals=["BLK.T", "BLK.SpindleSpeed"])
+    >>> steps[1]["BLK.SpindleSpeed"]
+    500.0
+    >>> [step.n for step in cnc872c.plc(text=text, find="BLK.TProg")]
+    [10]
+    """
+    names = signals if signals is None or isinstance(signals, str) else ",".join(signals)
+    wanted = {"signals": names, "compat": compat, "find": find, "first": first, "limit": limit}
+    table, report = _native.plc(program(path, text), plain(options), wanted)
+    return Steps(table, Report.from_json(report).findings)
+
+
+def state(
+    path: Path | None = None,
+    *,
+    text: str | bytes | None = None,
+    n: int | None = None,
+    line: int | None = None,
+    seq: int | None = None,
+    time: float | None = None,
+    at_tool: int | None = None,
+    file: str | None = None,
+    pass_: int | None = None,
+    after: bool = False,
+    **options: Unpack[Options],
+) -> State:
+    """What holds at a place of a program: the document of ``cnc872c state``.
+
+    The place is a block number, a line, an executed block, a time in seconds, or the M06 of a tool; ``file`` names the
+    macrocycle that a number or line is of, ``pass_`` says which execution of the block is meant.
+
+    Raises PlaceError when there is no such place.
+
+    >>> import cnc872c
+    >>> state = cnc872c.state(text="%1\\nN10 G90 G00 X0\\nN20 G01 X5 F100\\nN30 M30", n=20, after=True)
+    >>> state["position"], state["feed"]
+    ({'X': 5}, 100)
+    """
+    given = [place for place in (n, line, seq, time, at_tool) if place is not None]
+    if len(given) != 1:
+        raise TypeError("a place is one of n, line, seq, time, at_tool")
+    at = {
+        "n": n,
+        "line": line,
+        "seq": seq,
+        "time": time,
+        "at_tool": at_tool,
+        "file": file,
+        "pass": pass_,
+        "after": after,
+    }
+    found: State = json.loads(_native.state(program(path, text), plain(options), at))
+    return found
+
+
+def compare(
+    old: Path | None = None,
+    new: Path | None = None,
+    *,
+    old_text: str | bytes | None = None,
+    new_text: str | bytes | None = None,
+    tolerance: float = 0.001,
+    feed_tolerance: float = 0.0,
+    parameters: bool = False,
+    partial: bool = False,
+    **options: Unpack[Options],
+) -> Comparison:
+    """What two programs do differently: the document of ``cnc872c compare``.
+
+    ``tolerance`` is in mm, ``feed_tolerance`` in percent. With ``partial`` programs with errors are compared as far as they
+    are executed.
+
+    >>> import cnc872c
+    >>> old = "%1\\nN10 G90 G00 X0\\nN20 G01 X5 F100\\nN30 M30"
+    >>> comparison = cnc872c.compare(old_text=old, new_text=old.replace("F100", "F120"))
+    >>> comparison["same"]
+    False
+    >>> [(change["kind"], change["old"], change["new"]) for change in comparison["changes"]]
+    [('feed', 100, 120)]
+    """
+    differences = {
+        "tolerance": tolerance,
+        "feed_tolerance": feed_tolerance,
+        "parameters": parameters,
+        "partial": partial,
+    }
+    sides = program(old, old_text), program(new, new_text)
+    made: Comparison = json.loads(_native.compare(*sides, plain(options), differences))
+    return made
+
+
+def stats(
+    path: Path | Iterable[Path] | None = None,
+    *,
+    text: str | bytes | None = None,
+    cache: Path | None = None,
+    **options: Unpack[Options],
+) -> Archive:
+    """Facts about programs, a row each: those of ``cnc872c stats``. Programs with errors have rows too.
+
+    With a folder ``cache`` another call reads only what changed.
+
+    >>> import cnc872c
+    >>> archive = cnc872c.stats(text="%5\\nN10 G90 G00 X0 T3\\nN20 M06\\nN30 G01 X100 F600\\nN40 M30")
+    >>> archive[0].number, archive[0].tools, archive[0].m
+    (5, [3], [6, 30])
+    """
+    folder = None if cache is None else os.fspath(cache)
+    if text is None and path is not None and not isinstance(path, (str, os.PathLike)):
+        return Archive(_native.stats([os.fspath(one) for one in path], None, plain(options), folder))
+    named, given = program(_one(path), text)
+    return Archive(_native.stats(named, given, plain(options), folder))
+
+
+def _one(path: Path | Iterable[Path] | None) -> Path | None:
+    if path is None or isinstance(path, (str, os.PathLike)):
+        return path
+    raise TypeError("a text stands for one program")

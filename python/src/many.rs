@@ -1,0 +1,164 @@
+//! Functions over many programs.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use cnc872c::cli::stats_cache::{Cache, fresh};
+use cnc872c::cli::walk::{Target, targets};
+use cnc872c::config::EXTENSIONS;
+use cnc872c::session::{Outcome, Session};
+use cnc872c::stats::{Row, kept};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+
+use crate::fault::{Fault, json};
+use crate::options::{Options, paths};
+use crate::setup::Setup;
+use crate::table::Table;
+use crate::work::{GoesOn, work};
+
+/// How many programs are worked on before their results are put in order.
+const AT_ONCE: usize = 1024;
+
+/// Programs with their configuration.
+struct Many<'o> {
+    setup: Setup<'o>,
+    targets: Vec<Target>,
+}
+
+impl<'o> Many<'o> {
+    /// The programs that `paths` mean. A text stands for the only one.
+    fn new(
+        paths: Vec<PathBuf>,
+        text: Option<Arc<[u8]>>,
+        options: &'o Options,
+        macrocycles: bool,
+    ) -> Result<Self, Fault> {
+        let given = text.is_some();
+        let mut setup = Setup::new(options, &paths, text)?;
+        let mut found = if given {
+            paths.into_iter().map(Target::named).collect()
+        } else {
+            let plain = || EXTENSIONS.iter().map(|extension| (*extension).to_owned()).collect();
+            let mut extensions =
+                |folder: &Path| setup.folder(folder).map_or_else(plain, |settings| settings.extensions.clone());
+            let found = targets(&paths, &mut extensions);
+            if let Some(folder) = found.barren.into_iter().next() {
+                return Err(Fault::Barren(folder));
+            }
+            found.targets
+        };
+        found.retain(|target| macrocycles || !Session::is_macrocycle_name(&target.path));
+        for target in &found {
+            setup.folder(target.folder());
+        }
+        Ok(Self { setup, targets: found })
+    }
+
+    /// What `each` makes of the programs, in their order; those of the last are given to `take` before the next are begun.
+    fn each<T: Send>(
+        &self,
+        goes_on: &GoesOn<'_>,
+        each: impl Fn(&Target, &Session<'_>) -> Result<T, Fault> + Sync,
+        mut take: impl FnMut(Vec<T>) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        let one = |target: &Target| {
+            let settings = self.setup.settings(target.folder()).filter(|_| goes_on(0))?;
+            Some(each(target, &Session { loader: &self.setup.files, settings, progress: Some(goes_on) }))
+        };
+        for some in self.targets.chunks(AT_ONCE) {
+            // One program may use all threads itself.
+            let made: Result<Vec<T>, Fault> = match some {
+                [only] => one(only).into_iter().collect(),
+                _ => some.par_iter().filter_map(one).collect(),
+            };
+            take(made?)?;
+        }
+        Ok(())
+    }
+}
+
+/// Why a program cannot be read, where that is known already.
+fn problem(target: &Target) -> Option<Fault> {
+    let problem = target.problem.as_ref()?;
+    let error = problem.raw_os_error().map_or_else(|| problem.kind().into(), std::io::Error::from_raw_os_error);
+    Some(Fault::Io(target.path.clone(), error))
+}
+
+/// All findings, as JSON.
+#[pyfunction]
+pub fn check(
+    py: Python<'_>,
+    programs: &Bound<'_, PyAny>,
+    text: Option<Vec<u8>>,
+    options: &Bound<'_, PyDict>,
+) -> PyResult<String> {
+    let options = Options::new(options)?;
+    let (paths, text) = (paths(programs)?, text.map(Arc::from));
+    let made = work(py, |goes_on| {
+        let mut many = Many::new(paths, text, &options, true)?;
+        let mut report = many.setup.report()?;
+        let check = |target: &Target, session: &Session<'_>| {
+            if let Some(fault) = problem(target) {
+                return Err(fault);
+            }
+            let outcome = session.check(&target.path, &target.name());
+            match session.loader.read(&target.path) {
+                Err(error) if outcome.unusable => Err(Fault::Io(target.path.clone(), error)),
+                _ => Ok(outcome),
+            }
+        };
+        many.each(goes_on, check, |outcomes| {
+            for Outcome { sources, findings, not_executed, stayed_unknown, .. } in outcomes {
+                report.add_program(&sources, findings);
+                not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+                stayed_unknown.into_iter().for_each(|unknown| report.add_unknown(unknown));
+            }
+            Ok(())
+        })?;
+        Ok(json(&report, options.lang))
+    })?;
+    made.map_err(|fault: Fault| fault.raise(py))
+}
+
+/// A row of facts a program.
+#[pyfunction]
+pub fn stats(
+    py: Python<'_>,
+    programs: &Bound<'_, PyAny>,
+    text: Option<Vec<u8>>,
+    options: &Bound<'_, PyDict>,
+    cache: Option<PathBuf>,
+) -> PyResult<Table> {
+    let options = Options::new(options)?;
+    let (paths, text) = (paths(programs)?, text.map(Arc::from));
+    let made = work(py, |goes_on| {
+        let cache = match cache {
+            Some(folder) => Some(Cache::open(&folder).map_err(|error| Fault::Io(folder, error))?),
+            None => None,
+        };
+        let mut many = Many::new(paths, text, &options, false)?;
+        many.setup.report()?;
+        let mut rows = Vec::new();
+        let row = |target: &Target, session: &Session<'_>| {
+            if let Some(fault) = problem(target) {
+                return Err(fault);
+            }
+            let bytes = session.loader.read(&target.path).map_err(|error| Fault::Io(target.path.clone(), error))?;
+            let name = target.name();
+            Ok(match &cache {
+                Some(cache) => cache.row(session, target, &name, &bytes),
+                None => fresh(session, &target.path, &name, &bytes).0,
+            })
+        };
+        many.each(goes_on, row, |some: Vec<Row>| {
+            rows.extend(some);
+            // A run that was stopped has no rows of whole programs to keep.
+            let written = cache.as_ref().filter(|_| goes_on(0)).map_or(Ok(()), Cache::write);
+            written.map_err(|error| Fault::Io(PathBuf::new(), error))
+        })?;
+        kept(&rows).map(Table::from).map_err(|error| Fault::Io(PathBuf::new(), error))
+    })?;
+    made.map_err(|fault: Fault| fault.raise(py))
+}

@@ -1,0 +1,363 @@
+//! Functions over one program.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use cnc872c::analysis::compare::{Side, StepReader, Steps, Tolerances, compare as changes, json as changes_json};
+use cnc872c::analysis::motion::{Basis, machine};
+use cnc872c::analysis::plc::{
+    Cell, Condition, Header, Range, Reader, Signal, Step, Writer, default, named, signal_problem, with_compatible,
+};
+use cnc872c::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, fault_text, json as state_json};
+use cnc872c::columns::{BlockTable, Kept, MotionTable, StepTable};
+use cnc872c::config::{Machine, Purpose, Settings, tried_fault};
+use cnc872c::diag::{Diagnostic, Finding, Findings, Report};
+use cnc872c::dict::{Decimal, Lang, Micro};
+use cnc872c::run::End;
+use cnc872c::session::{Outcome, Part, Run, Session, TimedSignals, Times};
+use cnc872c::text::{SourceText, Sources, path_name};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::fault::{Fault, json};
+use crate::options::{Options, tried};
+use crate::setup::Setup;
+use crate::table::Table;
+use crate::work::{GoesOn, work};
+
+/// A table, and the findings as JSON.
+type Made = (Table, String);
+
+/// One program under way.
+struct One<'a> {
+    session: Session<'a>,
+    path: &'a Path,
+    name: String,
+    report: Report,
+    lang: Lang,
+}
+
+/// Configures one program, and does `work` with it, without the interpreter's lock.
+fn one<T: Send>(
+    py: Python<'_>,
+    (path, text): (PathBuf, Option<Vec<u8>>),
+    options: &Options,
+    run: impl FnOnce(One<'_>) -> Result<T, Fault> + Send,
+) -> PyResult<T> {
+    let text = text.map(Arc::from);
+    work(py, |goes_on| with_one(&path, text, options, goes_on, run))?.map_err(|fault| fault.raise(py))
+}
+
+fn with_one<T>(
+    path: &Path,
+    text: Option<Arc<[u8]>>,
+    options: &Options,
+    goes_on: &GoesOn<'_>,
+    run: impl FnOnce(One<'_>) -> Result<T, Fault>,
+) -> Result<T, Fault> {
+    let mut setup = Setup::new(options, &[path.to_path_buf()], text)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    setup.folder(folder);
+    let report = setup.report()?;
+    let Some(settings) = setup.settings(folder) else { return Err(Fault::Config(String::new())) };
+    let session = Session { loader: &setup.files, settings, progress: Some(goes_on) };
+    run(One { session, path, name: path_name(path), report, lang: options.lang })
+}
+
+impl One<'_> {
+    /// Adds what was found.
+    ///
+    /// # Errors
+    /// When the program cannot be read.
+    fn add(&mut self, outcome: Outcome) -> Result<(), Fault> {
+        if outcome.unusable
+            && let Err(error) = self.session.loader.read(self.path)
+        {
+            return Err(Fault::Io(self.path.to_path_buf(), error));
+        }
+        self.report.add_program(&outcome.sources, outcome.findings);
+        outcome.not_executed.into_iter().for_each(|program| self.report.add_not_executed(program));
+        outcome.stayed_unknown.into_iter().for_each(|unknown| self.report.add_unknown(unknown));
+        Ok(())
+    }
+
+    /// The findings as JSON.
+    fn json(&self) -> String {
+        json(&self.report, self.lang)
+    }
+
+    /// The columns of a whole program.
+    fn finish(mut self, run: Run<End>, kept: Kept, failed: Option<io::Error>) -> Result<Made, Fault> {
+        if let Some(error) = failed {
+            return Err(Fault::Io(self.path.to_path_buf(), error));
+        }
+        self.add(run.outcome)?;
+        let report = self.json();
+        if run.whole.is_some() { Ok((kept.into(), report)) } else { Err(Fault::Program(report)) }
+    }
+}
+
+/// The block stream.
+#[pyfunction]
+pub fn compile(
+    py: Python<'_>,
+    program: (PathBuf, Option<Vec<u8>>),
+    options: &Bound<'_, PyDict>,
+    first: u64,
+    limit: Option<u64>,
+) -> PyResult<Made> {
+    let options = Options::new(options)?;
+    one(py, program, &options, |one| {
+        let (mut kept, mut failed) = (Kept::default(), None);
+        let sink = BlockTable::new(Part { from: first, limit }, &mut kept, &mut failed);
+        let run = one.session.run(one.path, &one.name, Purpose::Compile, sink);
+        one.finish(run, kept, failed)
+    })
+}
+
+/// The motion stream.
+#[pyfunction]
+pub fn motion(
+    py: Python<'_>,
+    program: (PathBuf, Option<Vec<u8>>),
+    options: &Bound<'_, PyDict>,
+    phases: bool,
+    set: &Bound<'_, PyAny>,
+) -> PyResult<Made> {
+    let mut options = Options::new(options)?;
+    options.overrides.motion = tried(set)?;
+    options.overrides.computes_motion = true;
+    let tried = options.overrides.motion.clone();
+    one(py, program, &options, |one| {
+        let settings = one.session.settings;
+        check_tried(&tried, settings)?;
+        let (mut kept, mut failed, mut jerk_free) = (Kept::default(), None, 0);
+        let first = machine(&Basis::of(settings), &one.name);
+        let profile = settings.machine.motion.profile.value;
+        let sink = MotionTable::new(first, profile, &mut kept, &mut failed, &mut jerk_free);
+        let times = Times { phases, time_dist: true };
+        let run = one.session.run_timed(one.path, &one.name, Purpose::Compile, times, sink);
+        one.finish(run, kept, failed)
+    })
+}
+
+/// Refuses a key that changes nothing.
+fn check_tried(tried: &[(String, String)], settings: &Settings) -> Result<(), Fault> {
+    let fault = |(key, _): &&(String, String)| tried_fault(key, settings.machine.dialect).is_some();
+    match tried.iter().find(fault) {
+        Some((key, _)) => Err(Fault::Option(format!("set: {key:?} is nothing that motion depends on"))),
+        None => Ok(()),
+    }
+}
+
+/// Gives on the steps in which a condition holds.
+struct Matching<W> {
+    inner: W,
+    condition: Option<Condition>,
+}
+
+impl<W: Writer> Writer for Matching<W> {
+    fn begin(&mut self, header: &Header<'_>) -> io::Result<()> {
+        self.inner.begin(header)
+    }
+
+    fn file(&mut self, index: u32, name: &str) -> io::Result<()> {
+        self.inner.file(index, name)
+    }
+
+    fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
+        let holds = self.condition.as_ref().is_none_or(|condition| condition.holds(step.before, step.values));
+        if holds { self.inner.step(step) } else { Ok(()) }
+    }
+
+    fn end(&mut self, end: End) -> io::Result<()> {
+        self.inner.end(end)
+    }
+}
+
+/// What of the signals is asked for.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Wanted {
+    signals: Option<String>,
+    compat: bool,
+    find: Option<String>,
+    first: u64,
+    limit: Option<u64>,
+}
+
+/// The signals of the PLC.
+#[pyfunction]
+pub fn plc(
+    py: Python<'_>,
+    program: (PathBuf, Option<Vec<u8>>),
+    options: &Bound<'_, PyDict>,
+    wanted: Wanted,
+) -> PyResult<Made> {
+    let mut options = Options::new(options)?;
+    options.overrides.computes_motion = true;
+    one(py, program, &options, |mut one| {
+        let session = one.session;
+        let machine = &session.settings.machine;
+        let condition = match wanted.find.as_deref().map(|text| (text, Condition::read(text, machine))) {
+            Some((text, Err(found))) => return Err(wrong_condition(&mut one, text, found)),
+            Some((_, Ok(condition))) => Some(condition),
+            None => None,
+        };
+        let signals = chosen(&wanted, condition.as_ref(), machine, one.lang)?;
+        let has = |cell: Cell| signals.iter().any(|signal| signal.cell == cell);
+        let times = Times { phases: false, time_dist: has(Cell::TimeDist) };
+        let timed = machine.motion.configured;
+        let (mut kept, mut broken, mut failed) = (Kept::default(), None, None);
+        let mut writer = Matching { inner: StepTable::new(&mut kept, &mut broken), condition };
+        let range = Range { from: wanted.first, limit: wanted.limit };
+        let reader = Reader::new(signals, machine, range, &mut writer, &mut failed);
+        let run = if timed {
+            session.run_timed(one.path, &one.name, Purpose::Compile, times, TimedSignals(reader))
+        } else {
+            session.run(one.path, &one.name, Purpose::Compile, reader)
+        };
+        one.finish(run, kept, failed.or(broken))
+    })
+}
+
+fn wrong_condition(one: &mut One<'_>, text: &str, found: Vec<Diagnostic>) -> Fault {
+    let mut sources = Sources::new();
+    sources.add(SourceText::from_text("find", text));
+    let mut findings = Findings::new();
+    found.into_iter().for_each(|diagnostic| findings.add(diagnostic));
+    one.report.add(&sources, findings);
+    Fault::Config(one.json())
+}
+
+fn chosen(
+    wanted: &Wanted,
+    condition: Option<&Condition>,
+    machine: &Machine,
+    lang: Lang,
+) -> Result<Vec<&'static Signal>, Fault> {
+    let (dialect, motion) = (machine.dialect, machine.motion.configured);
+    if let Some(condition) = condition {
+        return Ok(condition.signals().to_vec());
+    }
+    let Some(names) = &wanted.signals else { return Ok(default(dialect, wanted.compat, motion)) };
+    let chosen = named(names, dialect).map_err(|none| {
+        let finding = Finding::UnknownSignal { name: none.name.clone(), why: signal_problem(&none.why, dialect) };
+        let parts = [Some(finding.message(lang)), finding.note(lang), finding.help(lang)];
+        Fault::Option(parts.into_iter().flatten().collect::<Vec<_>>().join("; "))
+    })?;
+    Ok(if wanted.compat { with_compatible(&chosen, dialect, motion) } else { chosen })
+}
+
+/// A place of a program: one of the first five.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct At {
+    n: Option<u32>,
+    line: Option<u32>,
+    seq: Option<u64>,
+    time: Option<f64>,
+    at_tool: Option<i64>,
+    file: Option<String>,
+    #[pyo3(item("pass"))]
+    pass_number: Option<u64>,
+    after: bool,
+}
+
+/// What holds at a place, as JSON.
+#[pyfunction]
+pub fn state(
+    py: Python<'_>,
+    program: (PathBuf, Option<Vec<u8>>),
+    options: &Bound<'_, PyDict>,
+    at: At,
+) -> PyResult<String> {
+    let options = Options::new(options)?;
+    one(py, program, &options, |mut one| {
+        let settings = one.session.settings;
+        let place = match at {
+            At { n: Some(n), .. } => Place::N(n),
+            At { line: Some(line), .. } => Place::Line(line),
+            At { at_tool: Some(tool), .. } => Place::Tool(Decimal::whole(tool)),
+            At { seq, .. } => Place::Seq(seq.unwrap_or(0)),
+        };
+        let mut asked = Asked { place, file: at.file.clone(), pass: at.pass_number, after: at.after };
+        if let Some(seconds) = at.time {
+            let mut at_time = AtTime::new(settings, seconds);
+            let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut &mut at_time);
+            match at_time.found() {
+                Ok(seq) => asked.place = Place::Seq(seq),
+                Err(seconds) => return Err(no_place(&mut one, run.outcome, &PlaceFault::TooLate { seconds }, &asked)),
+            }
+        }
+        let mut reader = StateReader::new(settings, asked.clone());
+        let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut &mut reader);
+        if reader.has_error_before() || run.outcome.unusable || run.outcome.not_executed.is_some() {
+            one.add(run.outcome)?;
+            return Err(Fault::Program(one.json()));
+        }
+        match reader.finish(run.whole.is_some()) {
+            Ok(found) => Ok(state_json(&found, &one.name, settings)),
+            Err(fault) => Err(no_place(&mut one, run.outcome, &fault, &asked)),
+        }
+    })
+}
+
+/// Why there is no such place: the program has errors, or else.
+fn no_place(one: &mut One<'_>, outcome: Outcome, fault: &PlaceFault, asked: &Asked) -> Fault {
+    let faulty = outcome.findings.has_errors() || outcome.unusable || outcome.not_executed.is_some();
+    match one.add(outcome) {
+        Err(fault) => fault,
+        Ok(()) if faulty => Fault::Program(one.json()),
+        Ok(()) => Fault::Place(fault_text(fault, asked, one.lang)),
+    }
+}
+
+/// What counts as a difference.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Differences {
+    tolerance: f64,
+    feed_tolerance: f64,
+    parameters: bool,
+    partial: bool,
+}
+
+/// What two programs do differently, as JSON.
+#[pyfunction]
+pub fn compare(
+    py: Python<'_>,
+    old: (PathBuf, Option<Vec<u8>>),
+    new: (PathBuf, Option<Vec<u8>>),
+    options: &Bound<'_, PyDict>,
+    differences: Differences,
+) -> PyResult<String> {
+    let options = Options::new(options)?;
+    let made = work(py, |goes_on| {
+        let read = |(path, text): (PathBuf, Option<Vec<u8>>)| {
+            with_one(&path, text.map(Arc::from), &options, goes_on, |one| steps(one, &differences))
+        };
+        let (old, new) = rayon::join(|| read(old), || read(new));
+        let ((old, old_steps), (new, new_steps)) = (old?, new?);
+        let tolerances =
+            Tolerances { position: Micro::from_f64(differences.tolerance), percent: differences.feed_tolerance };
+        Ok(changes_json(&old, &new, &changes(&old_steps, &new_steps, tolerances).changes))
+    })?;
+    made.map_err(|fault: Fault| fault.raise(py))
+}
+
+/// What one of two programs does.
+fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), Fault> {
+    let mut reader = StepReader::new(differences.parameters);
+    let mut clock = AtTime::new(one.session.settings, f64::INFINITY);
+    let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut (&mut reader, &mut clock));
+    let whole = run.whole.is_some();
+    let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();
+    one.add(run.outcome)?;
+    if !usable || !(whole || differences.partial) {
+        return Err(Fault::Program(one.json()));
+    }
+    let steps = reader.finish();
+    Ok((Side { name: one.name, blocks: steps.blocks, path: steps.path, time_s: clock.found().err() }, steps))
+}

@@ -1,0 +1,204 @@
+"""What functions take, give and raise."""
+
+from __future__ import annotations
+
+import pickle
+from pathlib import Path
+
+import cnc872c
+import pytest
+from shared import FAULTY, ROOT, WHOLE, run
+
+
+def test_findings_are_those_of_the_command(folder: Path) -> None:
+    (folder / "part.nc").write_text(FAULTY)
+    report = cnc872c.check("part.nc")
+    short = run("check", "part.nc", "--format", "short", cwd=folder).stdout.splitlines()
+    assert [str(finding) for finding in report.findings] == short[: len(report.findings)]
+    [finding] = report.findings
+    assert (finding.code, finding.severity, finding.line, finding.column) == ("E0104", "error", 2, 9)
+    [fix] = finding.fixes
+    [edit] = fix.edits
+    assert (fix.certain, edit.text, FAULTY[edit.start : edit.end]) == (True, "X5.5", "X5,5")
+    assert (report.ok, report.errors, report.warnings, report.by_code) == (False, 1, 0, {"E0104": 1})
+    with pytest.raises(TypeError):
+        bool(report)
+
+
+def test_several_programs_and_folders(folder: Path) -> None:
+    (folder / "a.nc").write_text(WHOLE)
+    (folder / "more").mkdir()
+    (folder / "more" / "b.nc").write_text(FAULTY)
+    assert cnc872c.check(["a.nc", folder / "more"]).files == ["a.nc", str(folder / "more" / "b.nc")]
+    assert [facts.path for facts in cnc872c.stats(".")] == ["a.nc", "more/b.nc"]
+    (folder / "empty").mkdir()
+    with pytest.raises(FileNotFoundError):
+        cnc872c.check("empty")
+
+
+def test_language_and_levels() -> None:
+    assert cnc872c.check(text=FAULTY, lang="cs").findings[0].message == "desetinná čárka"
+    warned = cnc872c.check(text="%1\nN10\nN20 M30")
+    assert warned.ok and [finding.code for finding in warned.findings] == ["W0214"]
+    assert not cnc872c.check(text="%1\nN10\nN20 M30", deny_warnings=True).ok
+    assert not cnc872c.check(text="%1\nN10\nN20 M30", deny="W0214").ok
+    assert not cnc872c.check(text="%1\nN10\nN20 M30", allow=["empty-block"]).findings
+
+
+@pytest.mark.parametrize("function", [cnc872c.check, cnc872c.compile, cnc872c.motion, cnc872c.plc, cnc872c.stats])
+def test_paths_that_are_none(folder: Path, function: object) -> None:
+    assert callable(function)
+    with pytest.raises(FileNotFoundError) as found:
+        function("missing.nc")
+    assert (found.value.errno, found.value.filename) == (2, "missing.nc")
+    if function not in (cnc872c.check, cnc872c.stats):
+        with pytest.raises(IsADirectoryError):
+            function(folder)
+    with pytest.raises(TypeError):
+        function()
+    with pytest.raises(TypeError):
+        function(5)
+    with pytest.raises(TypeError):
+        function("part.nc", colour="red")
+    with pytest.raises((OSError, ValueError)):
+        function("a\0b.nc")
+
+
+def test_a_missing_program_of_a_comparison_or_a_state(folder: Path) -> None:
+    (folder / "part.nc").write_text(WHOLE)
+    with pytest.raises(FileNotFoundError):
+        cnc872c.compare("part.nc", "missing.nc")
+    with pytest.raises(FileNotFoundError):
+        cnc872c.state("missing.nc", n=10)
+
+
+@pytest.mark.parametrize("text", ["", "no program at all", b"\x00\xff\xfe", "%", "\n" * 1000, b"\x7fELF" + bytes(range(256))])
+def test_text_that_is_no_program(text: str | bytes) -> None:
+    report = cnc872c.check(text=text)
+    assert not report.ok
+    assert {finding.file for finding in report.findings} == {"-"}
+    for function in (cnc872c.compile, cnc872c.motion, cnc872c.plc):
+        with pytest.raises(cnc872c.ProgramError) as raised:
+            function(text=text)
+        assert raised.value.findings
+    assert cnc872c.stats(text=text)[0].findings
+
+
+def test_a_text_in_place_of_a_file(folder: Path) -> None:
+    (folder / "part.nc").write_text(FAULTY)
+    report = cnc872c.check("part.nc", text=WHOLE)
+    assert (report.ok, report.files) == (True, ["part.nc"])
+    (folder / "cnc872c.toml").write_text('dialect = "cnc8x9"\n')
+    assert cnc872c.compile("part.nc", text=WHOLE).program["dialect"] == "cnc8x9"
+    bytes_of_windows = '%1 "příruba"\nN10 M30\n'.encode("cp1250")
+    assert cnc872c.compile(text=bytes_of_windows, encoding="windows-1250").program["title"] == "příruba"
+
+
+def test_configuration(folder: Path) -> None:
+    blocks = cnc872c.compile(text=WHOLE, config={"dialect": "cnc8x6", "parameters": {"R10": 2.5}})
+    assert (blocks.program["dialect"], blocks.program["parameters"]) == ("cnc8x6", {"R10": 2.5})
+    assert cnc872c.compile(text=WHOLE, param={"R10": 5}).program["parameters"] == {"R10": 5}
+    (folder / "other.toml").write_text('dialect = "cnc8x9"\n')
+    assert cnc872c.compile(text=WHOLE, config="other.toml").program["dialect"] == "cnc8x9"
+    assert cnc872c.compile(text=WHOLE, config="other.toml", dialect="cnc872").program["dialect"] == "cnc872"
+    axes = {"axes": [{"letter": "X", "type": "linear"}, {"letter": "C", "type": "rotary"}]}
+    assert isinstance(cnc872c.check(text=WHOLE, config={"motion": {"accel-mm-s2": 800}}), cnc872c.Report)
+    assert axes
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"config": {"dialect": "cnc900"}},
+        {"config": {"dialect": 5}},
+        {"config": "missing.toml"},
+        {"dialect": "cnc900"},
+        {"encoding": "ascii"},
+        {"lang": "de"},
+        {"param": {"R96": 1}},
+        {"param": {"X": 1}},
+        {"max_blocks": 0},
+        {"macrocycles": "missing"},
+        {"deny": "E0104"},
+        {"allow": "W9999"},
+        {"channel_config": "missing.xml"},
+        {"channel_config": "missing.xml", "dialect": "cnc8x6"},
+    ],
+)
+def test_wrong_configuration(folder: Path, options: dict[str, object]) -> None:
+    for function in (cnc872c.check, cnc872c.compile, cnc872c.motion, cnc872c.plc, cnc872c.stats):
+        with pytest.raises(cnc872c.ConfigError) as raised:
+            function(text=WHOLE, **options)
+        assert isinstance(raised.value, ValueError)
+        assert str(raised.value)
+
+
+def test_what_motion_and_plc_refuse() -> None:
+    with pytest.raises(cnc872c.ConfigError):
+        cnc872c.motion(text=WHOLE, set={"acel": 5})
+    with pytest.raises(cnc872c.ConfigError):
+        cnc872c.plc(text=WHOLE, signals="NONE")
+    with pytest.raises(cnc872c.ConfigError) as raised:
+        cnc872c.plc(text=WHOLE, find="BLK.T >")
+    assert raised.value.findings[0].file == "find"
+    faster = cnc872c.motion(text=WHOLE, set={"accel-mm-s2": 5000})
+    assert faster.time_s < cnc872c.motion(text=WHOLE).time_s
+
+
+def test_places() -> None:
+    text = "%1\nN10 G90 G00 X0\nN20 G01 X5 F100\nN30 G73 L20 Q2\nN40 M30\n"
+    assert cnc872c.state(text=text, n=40)["place"]["line"] == 5
+    assert cnc872c.state(text=text, n=20, pass_=2)["place"]["seq"] == 3
+    assert cnc872c.state(text=text, line=3, pass_=1)["place"]["n"] == 20
+    assert cnc872c.state(text=text, time=1.0)["place"]["n"] == 20
+    for place in ({"n": 20}, {"n": 99}, {"seq": 99}, {"time": 1e9}, {"at_tool": 3}, {"n": 20, "file": "L5"}):
+        with pytest.raises(cnc872c.PlaceError) as raised:
+            cnc872c.state(text=text, **place)
+        assert isinstance(raised.value, LookupError)
+    with pytest.raises(TypeError):
+        cnc872c.state(text=text)
+    with pytest.raises(TypeError):
+        cnc872c.state(text=text, n=20, line=3)
+
+
+def test_comparison(folder: Path) -> None:
+    (folder / "a.nc").write_text(WHOLE)
+    assert cnc872c.compare("a.nc", "a.nc")["same"]
+    assert cnc872c.compare("a.nc", new_text=WHOLE)["old"]["name"] == "a.nc"
+    with pytest.raises(cnc872c.ProgramError):
+        cnc872c.compare("a.nc", new_text=FAULTY)
+    assert not cnc872c.compare("a.nc", new_text=FAULTY, partial=True)["same"]
+
+
+def test_sequences() -> None:
+    blocks = cnc872c.compile(text=WHOLE)
+    assert [block.n for block in blocks] == [10, 20, 30]
+    assert [block.n for block in blocks[1:]] == [20, 30]
+    assert (blocks[-1].n, len(blocks), blocks[0] == blocks[0], blocks[0] == blocks[1]) == (30, 3, True, False)
+    with pytest.raises(IndexError):
+        blocks[3]
+    block = blocks[1]
+    assert block.motion is not None and block.motion.axes == ["X", "Y"]
+    assert (block.jump, block.calls, block.stop, block.s) == (None, None, False, None)
+    with pytest.raises(AttributeError):
+        block.missing  # noqa: B018
+    assert repr(block.motion).startswith("Motion(type='linear'")
+    assert [block.seq for block in cnc872c.compile(text=WHOLE, first=1, limit=1)] == [1]
+    assert len(blocks.to_pandas()) == 3
+
+
+def test_errors_can_be_pickled() -> None:
+    with pytest.raises(cnc872c.ProgramError) as raised:
+        cnc872c.compile(text=FAULTY)
+    again = pickle.loads(pickle.dumps(raised.value))
+    assert (type(again), str(again), again.findings) == (cnc872c.ProgramError, str(raised.value), raised.value.findings)
+
+
+def test_the_command(folder: Path) -> None:
+    (folder / "part.nc").write_text(FAULTY)
+    made = run("check", "part.nc", cwd=folder)
+    assert made.returncode == 1 and "E0104" in made.stdout
+    assert run("--version").stdout.split() == ["cnc872c", cnc872c.__version__]
+    assert run("check", "missing.nc").returncode == 2
+    toml = (ROOT / "Cargo.toml").read_text()
+    assert f'version = "{cnc872c.__version__}"' in toml
