@@ -7,7 +7,7 @@ N30 H1.5 X7
 "    ^^^ E0304
 N40 M100 X9
 "    ^^^ E0302
-N50 A1 B1 C1 U1 V1 W1 "ADR-4 X Y A B C U come first, V and W are too many
+N50 A1 U1 V1 W1 C1 "ADR-4 A, U and V come first beside X, Y, Z
+"            ^^ E0311
 "               ^^ E0311
-"                  ^^ E0311
 N60 M30

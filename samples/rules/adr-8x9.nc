@@ -11,7 +11,8 @@ N50 H-1 X8
 "    ^^ E0305
 N60 M100 X9
 "    ^^^ E0302
-N70 A1 B1 C1 U1 V1 W1 "ADR-4 X Y A B C U come first, V and W are too many
+N70 A1 B1 C1 U1 V1 W1 "ADR-4 A B C come first beside X, Y, Z
+"            ^^ E0311
 "               ^^ E0311
 "                  ^^ E0311
 N75 X20 WR1 A2 "each word of them, in the order of the text

@@ -165,6 +165,7 @@ fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
         cond_stop,
         continuous_mode,
         dynamic_set,
+        opaque_call,
         data,
         words,
         params,
@@ -217,6 +218,7 @@ fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
     table.flag("cond_stop", *cond_stop);
     table.flag("continuous_mode", *continuous_mode);
     table.byte("dynamic_set", *dynamic_set);
+    table.whole("opaque_call", "", *opaque_call);
     put_data(table, data.as_ref());
     table.map("words", "", letters(words));
     table.map("params", "", params.iter().map(|(index, value)| (format!("R{index}"), Micro::from(*value).to_f64())));

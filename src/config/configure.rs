@@ -5,9 +5,9 @@ use std::path::{Component, Path, PathBuf};
 
 use super::motion_constants::is_digits;
 use super::motion_values::{Layer, assemble};
-use super::project::Project;
+use super::project::{Project, letter};
 use super::taken::Setting;
-use super::{Axes, MFunctions, Machine, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
+use super::{Axes, MFunctions, Machine, MayMove, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
 use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back};
@@ -93,6 +93,7 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
         values.parameters.iter().map(|r| r.value).chain(overrides.parameters.iter().copied()).collect();
     machine.operations = values.operations.iter().map(|operation| operation.value).collect();
     machine.cycles = values.cycles.iter().map(|cycle| cycle.value).collect();
+    machine.macrocycles = values.machine_macrocycles.iter().map(|(number, axes)| (*number, may_move(axes.as_ref()))).collect();
     machine.gears = values.gears.iter().map(|gear| gear.value).collect();
     machine.gears.sort_by_key(|gear| gear.m);
     let without_plus = |digits: &str| digits.strip_prefix('+').unwrap_or(digits).to_owned();
@@ -111,6 +112,14 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
     limits.feed = value(values.feed).unwrap_or(limits.feed);
     limits.speed = value(values.speed).unwrap_or(limits.speed);
     limits.arc_tolerance = value(values.arc_tolerance).unwrap_or(limits.arc_tolerance);
+}
+
+/// The axes that a macrocycle of the machine may move: any, unless they are listed.
+fn may_move(axes: Option<&Setting<Vec<(String, Span)>>>) -> MayMove {
+    match axes {
+        None => MayMove::All,
+        Some(axes) => MayMove::Only(axes.value.iter().filter_map(|(name, _)| letter(name)).collect()),
+    }
 }
 
 /// Reports a value of the project file that does not fit the others (E0702).
@@ -135,6 +144,13 @@ fn check_machine(machine: &Machine, values: &Project, file: FileId, findings: &m
     for setting in &values.start {
         if let Some(needs) = missing(setting.value.0) {
             misfit(findings, file, format!("start.{}", setting.value.0), setting.key, needs);
+        }
+    }
+    for (number, axes) in &values.machine_macrocycles {
+        for (name, at) in axes.iter().flat_map(|axes| &axes.value) {
+            if let Some(needs) = letter(name).and_then(missing) {
+                misfit(findings, file, format!("machine-macrocycles.L{number}.axes"), *at, needs);
+            }
         }
     }
     for (key, end) in &values.gear_ends {
@@ -173,6 +189,10 @@ fn check_dialect(values: &Project, file: FileId, dialect: Dialect, findings: &mu
     {
         let letter = sixth.value.letter.to_string();
         misfit(findings, file, "axes.letter", sixth.at, ConfigNeed::SixthAxis { letter });
+    }
+    if let Some(fourth) = extra.get(3).filter(|_| dialect.axes() < AxisLetter::ALL.len()) {
+        let letter = fourth.value.letter.to_string();
+        misfit(findings, file, "axes.letter", fourth.at, ConfigNeed::FourthBeside { letter });
     }
     if dialect.has_channel_config() {
         for constant in &values.constants {

@@ -54,9 +54,9 @@ impl Key {
         Self::all().find(|key| key.is_in(table) && key.name() == name)
     }
 
-    /// The table that a line of the project file begins: `limits`, `corrections.7`.
+    /// The table that a line of the project file begins: `limits`, `corrections.7`, `corrections`.
     pub fn of_table(table: &str) -> Option<Self> {
-        Self::all().find(|key| key.is_table() && key.holds(table))
+        Self::all().find(|key| key.is_table() && (key.holds(table) || key.section.name == table))
     }
 
     /// Whether it is a table.

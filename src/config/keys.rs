@@ -313,6 +313,20 @@ pub(super) const CORRECTION_RADIUS: Row = row(
 /// One of `[corrections]`.
 pub(super) const CORRECTION: &[Row] = &[CORRECTION_RADIUS];
 
+pub(super) const MACROCYCLE_AXES: Row = row(
+    "axes",
+    Takes::Letters,
+    words("any axis", "kteroukoli osou"),
+    (
+        "the axes that it may move, `[]` for none; after a call the positions of these are not known",
+        "osy, kterými smí pohnout, „[]“ žádnou; jejich polohy pak po volání nejsou známy",
+    ),
+    "FLW-12",
+)
+.with_example("[\"Z\"]");
+/// One of `[machine-macrocycles]`.
+pub(super) const MACHINE_MACROCYCLE: &[Row] = &[MACROCYCLE_AXES];
+
 #[cfg(test)]
 mod tests {
     use super::*;

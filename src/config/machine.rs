@@ -106,6 +106,25 @@ impl Default for Axes {
     }
 }
 
+/// What a macrocycle that only the machine has may move (FLW-12).
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum MayMove {
+    /// Any axis.
+    All,
+    /// These axes.
+    Only(Vec<AxisLetter>),
+}
+
+impl MayMove {
+    /// Whether it may move that axis.
+    pub fn moves(&self, axis: AxisLetter) -> bool {
+        match self {
+            Self::All => true,
+            Self::Only(axes) => axes.contains(&axis),
+        }
+    }
+}
+
 /// One range of the gearbox (MFN-9), both ends included.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Gear {
@@ -181,6 +200,8 @@ pub struct Machine {
     pub operations: BTreeMap<u8, Operation>,
     /// Fixed cycles mapped to macrocycles: number of the G function to number of the macrocycle (GRP-6).
     pub cycles: BTreeMap<u8, u32>,
+    /// Macrocycles that only the machine has, by number (FLW-12).
+    pub macrocycles: BTreeMap<u32, MayMove>,
     /// The gear table, by rising M number.
     pub gears: Vec<Gear>,
     /// Whether M19 exists (MFN-10).
@@ -216,6 +237,7 @@ impl Machine {
             parameters: BTreeMap::new(),
             operations: BTreeMap::new(),
             cycles: BTreeMap::new(),
+            macrocycles: BTreeMap::new(),
             gears: Vec::new(),
             oriented_stop: true,
             spindle_axis: SpindleAxis::default(),

@@ -41,7 +41,7 @@ pub use find::{PROJECT_FILE, find_project};
 pub use format::{Codes, Numbers, Style};
 pub use init::{Surroundings, initial};
 pub use key::Key;
-pub use machine::{Axes, Axis, EXTENSIONS, Gear, Level, Limits, Machine, Purpose, Settings};
+pub use machine::{Axes, Axis, EXTENSIONS, Gear, Level, Limits, Machine, MayMove, Purpose, Settings};
 pub use mfunctions::{MFunction, MFunctions};
 pub use modes::{ArcCenters, G97, SpindleAxis};
 pub use motion::{

@@ -14,6 +14,8 @@ const HIGHEST_CONSTANT: u16 = 999;
 pub(super) const TIMED_ADDRESS: u16 = 1000;
 /// Highest operation code (PAR-8: two digits).
 const HIGHEST_OPERATION: u16 = 99;
+/// Highest number of a macrocycle.
+const HIGHEST_MACROCYCLE: u16 = HIGHEST_L as u16;
 /// Words for levels, with what they mean.
 pub(super) const LEVELS: [(&str, super::Level); 3] =
     [("allow", super::Level::Allow), ("warn", super::Level::Warn), ("deny", super::Level::Deny)];
@@ -33,6 +35,8 @@ pub(super) enum Names {
     Operations,
     /// Fixed cycles: `G81`–`G89`.
     Cycles,
+    /// Macrocycles: `L1`–`L9999`.
+    Macrocycles,
     /// Functions that take time: M functions, and T, S, H, P, D, F.
     Timed,
     /// Machine constants: `R0`–`R999`; leading zeros may be written (`R06`).
@@ -56,6 +60,7 @@ impl Names {
             Self::Corrections => digits(name).filter(|&number| name.len() <= 2 && number > 0),
             Self::Operations => digits(name).filter(|_| name.len() <= 2),
             Self::Cycles => plain(name, "G", 89).filter(|&number| number >= 81),
+            Self::Macrocycles => plain(name, "L", HIGHEST_MACROCYCLE).filter(|&number| number > 0),
             Self::Timed => match name.strip_prefix('M') {
                 Some(number) => digits(number).filter(|number| *number <= u16::from(Dialect::HIGHEST_M)),
                 None => {
@@ -75,7 +80,7 @@ impl Names {
     pub(super) fn takes(self, number: u16) -> Takes {
         match self {
             Self::Groups => group(number).map_or(Takes::MFunction, Takes::GFunction),
-            Self::Axes | Self::Corrections => DIMENSION,
+            Self::Axes | Self::Corrections | Self::Macrocycles => DIMENSION,
             Self::Parameters => Takes::ParameterValue,
             Self::Operations => Takes::OneOf(operations),
             Self::Cycles => Takes::Whole { min: 1, max: Some(i64::from(HIGHEST_L)) },
@@ -110,6 +115,7 @@ impl Names {
             | Self::Axes
             | Self::Parameters
             | Self::Cycles
+            | Self::Macrocycles
             | Self::Timed
             | Self::Constants
             | Self::Lints => {
@@ -136,7 +142,12 @@ impl Names {
                     .filter_map(|name| Some((name.to_owned(), self.number(name)?)))
                     .collect(),
             ),
-            Self::Parameters | Self::Corrections | Self::Operations | Self::Timed | Self::Constants => None,
+            Self::Parameters
+            | Self::Corrections
+            | Self::Operations
+            | Self::Macrocycles
+            | Self::Timed
+            | Self::Constants => None,
         }
     }
 
@@ -146,6 +157,7 @@ impl Names {
             Self::Parameters => Some("^R([0-9]|[1-8][0-9]|9[0-5])$"),
             Self::Corrections => Some("^(0?[1-9]|[1-9][0-9])$"),
             Self::Operations => Some("^[0-9]{1,2}$"),
+            Self::Macrocycles => Some("^L[1-9][0-9]{0,3}$"),
             Self::Timed => Some("^(M(0*([0-9]{1,2}|100))|[TSHPDF])$"),
             Self::Constants => Some("^R[0-9]{1,3}$"),
             Self::Groups | Self::Axes | Self::Cycles | Self::Lints => None,
@@ -161,6 +173,7 @@ impl Names {
             Self::Corrections => KnownNames::Corrections,
             Self::Operations => KnownNames::Operations,
             Self::Cycles => KnownNames::Cycles,
+            Self::Macrocycles => KnownNames::Macrocycles,
             Self::Timed => KnownNames::Timed,
             Self::Constants => KnownNames::Constants,
             Self::Lints => KnownNames::Lints,
@@ -180,6 +193,7 @@ impl Names {
             Self::Corrections => format!("`1` {to} `99`"),
             Self::Operations => format!("`\"00\"` {to} `\"{HIGHEST_OPERATION}\"`"),
             Self::Cycles => format!("`G81` {to} `G89`"),
+            Self::Macrocycles => format!("`L1` {to} `L{HIGHEST_MACROCYCLE}`"),
             Self::Timed => format!("`M00` {to} `M100`, `T`, `S`, `H`, `P`, `D`, `F`"),
             Self::Constants => format!("`R0` {to} `R{HIGHEST_CONSTANT}`"),
             Self::Lints => match lang {
@@ -255,6 +269,9 @@ mod tests {
             (Names::Operations, "+1", None),
             (Names::Cycles, "G81", Some(81)),
             (Names::Cycles, "G80", None),
+            (Names::Macrocycles, "L9001", Some(9001)),
+            (Names::Macrocycles, "L09001", None),
+            (Names::Macrocycles, "L0", None),
             (Names::Constants, "R06", Some(6)),
             (Names::Constants, "R432", Some(432)),
             (Names::Constants, "R1000", None),
@@ -276,6 +293,7 @@ mod tests {
             (Names::Parameters, "R96", None),
             (Names::Operations, "001", Some("01")),
             (Names::Cycles, "g81", Some("G81")),
+            (Names::Macrocycles, "l09001", Some("L9001")),
             (Names::Corrections, "D7", Some("7")),
             (Names::Groups, "G4", None),
             (Names::Groups, "G 5", Some("G5")),

@@ -60,6 +60,8 @@ pub(super) struct Project {
     pub operations: Vec<Setting<(u8, Operation)>>,
     /// Macrocycle 1–9999 of cycle 81–89.
     pub cycles: Vec<Setting<(u8, u32)>>,
+    /// Macrocycles 1–9999 that only the machine has; their axes, each at its place.
+    pub machine_macrocycles: Vec<(u32, Option<Setting<Vec<(String, Span)>>>)>,
     /// The gears, each M once.
     pub gears: Vec<Setting<Gear>>,
     /// The ends of all gears, by key: they may reach `limits.speed`.
@@ -272,6 +274,11 @@ impl Project {
         self.cycles.extend(named.setting(|taken| Some((number?, taken.whole()?))));
     }
 
+    /// One of `[machine-macrocycles]` (FLW-12).
+    pub(super) fn machine_macrocycle(&mut self, _: &mut Reader<'_>, number: u16, values: &Values) {
+        self.machine_macrocycles.push((u32::from(number), values.texts(&keys::MACROCYCLE_AXES)));
+    }
+
     /// One of `[machine-constants]`.
     pub(super) fn constant(&mut self, named: &Named) {
         self.constants.extend(named.setting(|taken| Some((named.number, taken.text()?.to_owned()))));
@@ -314,7 +321,7 @@ impl Project {
 }
 
 /// The axis of that letter.
-fn letter(name: &str) -> Option<AxisLetter> {
+pub(super) fn letter(name: &str) -> Option<AxisLetter> {
     AxisLetter::ALL.into_iter().find(|letter| letter.name() == name)
 }
 

@@ -136,6 +136,7 @@ impl<'t> Reader<'t> {
             Takes::Path => value.as_str().map(|path| Taken::Text(path.to_owned())),
             Takes::Paths => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, Some)),
             Takes::Extensions => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, extension)),
+            Takes::Letters => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, letter)),
             Takes::OneOf(choices) => {
                 value.as_str().filter(|text| choices().contains(text)).map(|text| Taken::Text(text.to_owned()))
             }
@@ -147,7 +148,8 @@ impl<'t> Reader<'t> {
             }
             Takes::Constant => self.digits(value).map(Taken::Text),
         });
-        if taken.is_none() && !matches!((takes, entry.item.as_array()), (Takes::Paths | Takes::Extensions, Some(_))) {
+        let is_list = matches!(takes, Takes::Paths | Takes::Extensions | Takes::Letters);
+        if taken.is_none() && !(is_list && entry.item.as_array().is_some()) {
             self.need(key, entry.at, takes.need());
         }
         taken
@@ -242,6 +244,11 @@ impl<'t> Reader<'t> {
         }
         Some(number)
     }
+}
+
+/// An axis letter.
+fn letter(text: &str) -> Option<&str> {
+    AxisLetter::ALL.iter().any(|letter| letter.name() == text).then_some(text)
 }
 
 /// An extension without its point.

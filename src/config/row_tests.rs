@@ -18,6 +18,7 @@ fn taken(takes: Takes) -> Vec<String> {
         Takes::Path => vec![quoted("Channel.xml"), quoted("Other.xml")],
         Takes::Paths => vec!["['a']".to_owned(), "['own', 'a']".to_owned()],
         Takes::Extensions => vec!["['nc']".to_owned(), "['H', 'tap']".to_owned()],
+        Takes::Letters => vec!["['Z']".to_owned(), "[]".to_owned()],
         Takes::OneOf(choices) => choices().into_iter().map(quoted).collect(),
         Takes::Whole { min, max } => {
             let highest = max.unwrap_or(min + 1_000_000);
@@ -62,7 +63,7 @@ fn with_key(section: &Section, row: &Row, value: &str) -> String {
 
 /// One of the names.
 fn name_of(names: Names) -> String {
-    let tried = ["X", "G81", "R340", "R5", "7", "W0214", "rapid", "M06"];
+    let tried = ["X", "G81", "L9001", "R340", "R5", "7", "W0214", "rapid", "M06"];
     tried.into_iter().find(|name| names.number(name).is_some()).unwrap().to_owned()
 }
 

@@ -166,6 +166,16 @@ pub(super) const SECTIONS: &[Section] = &[
     )
     .with_example("G81 = 8100"),
     section(
+        "machine-macrocycles",
+        Form::Tables(Names::Macrocycles, keys::MACHINE_MACROCYCLE, Project::machine_macrocycle),
+        (
+            "macrocycles that only the machine has; a file of that number on the search path wins",
+            "makrocykly, které má jen stroj; soubor téhož čísla na cestě hledání má přednost",
+        ),
+        "FLW-12",
+    )
+    .with_example("L9001"),
+    section(
         "gears",
         Form::List(keys::GEAR, Project::gear),
         ("the speed ranges of the spindle", "rozsahy otáček vřetena"),

@@ -45,6 +45,8 @@ pub enum Takes {
     MFunction,
     /// A list of extensions of files, without their points.
     Extensions,
+    /// A list of axis letters.
+    Letters,
     /// A number, or its digits as a text.
     Constant,
 }
@@ -65,6 +67,7 @@ impl Takes {
             Self::GFunction(group) => ConfigNeed::GOfGroup { group: group.to_string() },
             Self::MFunction => Self::M_NUMBER.need(),
             Self::Extensions => ConfigNeed::Extensions,
+            Self::Letters => ConfigNeed::Letters,
             Self::Constant => ConfigNeed::Constant,
         }
     }
@@ -83,6 +86,7 @@ impl Takes {
             | Self::NumberOrAxes { .. }
             | Self::ParameterValue
             | Self::Extensions
+            | Self::Letters
             | Self::Constant => false,
         }
     }
@@ -100,6 +104,7 @@ impl Takes {
             | Self::GFunction(_)
             | Self::MFunction
             | Self::Extensions
+            | Self::Letters
             | Self::Constant => false,
         }
     }
@@ -137,6 +142,9 @@ impl Takes {
             Self::MFunction => Self::M_NUMBER.schema(),
             Self::Extensions => {
                 json!({ "type": "array", "items": { "type": "string", "pattern": "^\\.?[A-Za-z0-9_-]+$" } })
+            }
+            Self::Letters => {
+                json!({ "type": "array", "items": { "enum": AxisLetter::ALL.map(AxisLetter::name) } })
             }
             Self::Constant => json!({ "anyOf": [
                 { "type": "number" },
@@ -188,6 +196,7 @@ impl Takes {
             }
             Self::MFunction => text("number of an M function of this group", "číslo M funkce této skupiny"),
             Self::Extensions => text("list of extensions, as `[\"nc\"]`", "seznam přípon, např. `[\"nc\"]`"),
+            Self::Letters => text("list of axis letters, as `[\"Z\"]`", "seznam písmen os, např. `[\"Z\"]`"),
             Self::Constant => text("number, or digits as a text", "číslo, nebo číslice jako text"),
         }
     }

@@ -11,6 +11,8 @@ bilingual! {
         BlockNumber { written: String } "if it is a block number, write `{written}`", "je-li to číslo bloku, napsat „{written}“";
         Ruler "a line between blocks is a comment, between quotes: `\"-----\"`", "čára mezi bloky se píše jako komentář do uvozovek: \"-----\"";
         AddressMissing { loose: String, written: String } "an address is missing before `{loose}`: `{written}`?", "před {loose} chybí adresa: „{written}“?";
+        Divided { written: String } "nothing is divided here: write the result, `{written}`", "dělit se zde nedá: napsat výsledek, „{written}“";
+        Undivided "nothing is divided here: write the result; `/` is a block skip and stands behind the block number", "dělit se zde nedá: napsat výsledek; / znamená vypuštění bloku a stojí za číslem bloku";
         Computed "there are no expressions; G26 to G29 compute with parameters", "výrazy se psát nedají; s parametry počítají G26 až G29";
         Exponent { written: String } "a number has no exponent: write `{written}`", "číslo se píše bez exponentu: „{written}“";
         ExponentForm "a number has no exponent: write out its digits", "číslo se píše bez exponentu, všemi číslicemi";
@@ -34,7 +36,7 @@ impl NumberMeant {
     /// What is wrong with `text`.
     pub(super) fn message(&self, text: &str, lang: Lang) -> String {
         let of_number =
-            matches!(self, Self::Form | Self::Exponent { .. } | Self::ExponentForm | Self::NotANumber | Self::Fastest);
+            matches!(self, Self::Form | Self::Divided { .. } | Self::Undivided | Self::Exponent { .. } | Self::ExponentForm | Self::NotANumber | Self::Fastest);
         match (lang, of_number, matches!(self, Self::NoAddress | Self::BlockNumber { .. })) {
             (Lang::En, _, true) => format!("the number `{text}` has no address"),
             (Lang::Cs, _, true) => format!("číslo {text} nemá adresu"),

@@ -1,6 +1,8 @@
 //! Closed sets of reasons that the texts of some diagnostics name, in both languages.
 
-use crate::dict::{Address, Lang, bilingual};
+use std::collections::BTreeSet;
+
+use crate::dict::{Address, GCode, Lang, bilingual};
 use crate::text::BrokenLink;
 
 bilingual! {
@@ -141,6 +143,51 @@ pub fn is_blank(character: char) -> bool {
     !character.is_ascii() && character.is_whitespace()
 }
 
+/// What is known by its name alone (W0612).
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub enum Unmodelled {
+    /// G05 to G08, or a fixed cycle that nothing maps (GRP-6, GRP-8).
+    Function(GCode),
+    /// Macrocycles that only the machine has, by number (FLW-12).
+    Macrocycles(BTreeSet<u32>),
+}
+
+impl Unmodelled {
+    /// What is not known of it.
+    pub fn message(&self, lang: Lang) -> String {
+        let words = match self {
+            Self::Function(cycle) if cycle.is_cycle() => UnmodelledText::Cycle { cycle: cycle.to_string() },
+            Self::Function(function) => UnmodelledText::Function { function: function.to_string() },
+            Self::Macrocycles(numbers) => {
+                let list = numbers.iter().map(|l| format!("L{l}")).collect::<Vec<_>>().join(", ");
+                if numbers.len() == 1 { UnmodelledText::Macrocycle { list } } else { UnmodelledText::Macrocycles { list } }
+            }
+        };
+        words.text(lang)
+    }
+
+    /// What would make it known; empty when nothing would.
+    pub fn help(&self, lang: Lang) -> String {
+        match self {
+            Self::Function(cycle) if cycle.is_cycle() => UnmodelledText::NameCycle { cycle: cycle.to_string() }.text(lang),
+            Self::Function(_) => String::new(),
+            Self::Macrocycles(_) => UnmodelledText::NameAxes.text(lang),
+        }
+    }
+}
+
+bilingual! {
+    /// The sentences of [`Unmodelled`].
+    UnmodelledText {
+        Function { function: String } "what {function} does is not modelled: the programmed path counts", "účinek {function} se nemodeluje: počítá se s programovanou dráhou";
+        Cycle { cycle: String } "how the fixed cycle {cycle} moves is not known: its blocks have no motion here", "jak se pevný cyklus {cycle} pohybuje, není známo: jeho bloky zde nemají žádný pohyb";
+        NameCycle { cycle: String } "name the macrocycle that the machine runs for it in the project file: `[cycles]`, `{cycle} = …`", "uvést v projektovém souboru makrocyklus, který stroj při něm provádí: [cycles], {cycle} = …";
+        Macrocycle { list: String } "only the machine has macrocycle {list}: what it does is not known here", "makrocyklus {list} má jen stroj: co dělá, zde není známo";
+        Macrocycles { list: String } "only the machine has the macrocycles {list}: what they do is not known here", "makrocykly {list} má jen stroj: co dělají, zde není známo";
+        NameAxes "`axes` under `[machine-macrocycles]` says which axes it moves; the positions of the others then stay known", "axes v [machine-macrocycles] určí, kterými osami pohybuje; polohy ostatních pak zůstanou známy";
+    }
+}
+
 bilingual! {
     /// The control that a program was written for, when that is none of ours.
     OtherControl {
@@ -244,10 +291,12 @@ bilingual! {
         Table "takes a table", "musí být tabulka";
         List { name: String } "takes a list: each of its tables is written `[[{name}]]`", "musí být seznam: každá jeho tabulka se píše [[{name}]]";
         Texts "takes a list of texts, as `[\"macros\"]`", "musí být seznam textů, např. [\"makra\"]";
+        Letters "takes a list of axis letters, as `[\"Z\"]`", "musí být seznam písmen os, např. [\"Z\"]";
         Extensions "takes a list of extensions, as `[\"nc\", \"txt\"]`", "musí být seznam přípon, např. [\"nc\", \"txt\"]";
         Folder { name: String } "names `{name}`, which is no folder", "uvádí {name}, ale taková složka není";
         NoSuchAxis { letter: String, axes: String } "names {letter}, which `[[axes]]` does not list: {axes}", "uvádí osu {letter}, kterou [[axes]] nemá: {axes}";
         SixthAxis { letter: String } "makes {letter} the 6th axis; on this control that is A, B or C", "má na místě 6. osy {letter}; u tohoto systému to může být A, B nebo C";
+        FourthBeside { letter: String } "makes {letter} the fourth axis beside X, Y and Z; this control has three", "je {letter} už čtvrtá osa kromě X, Y a Z; tento systém má tři";
         MOfGroup { group: u8 } "takes an M function of group {group}", "musí být M funkce skupiny {group}";
         BlockOnly { group: u8 } "cannot be set: functions of M group {group} hold in their block only", "nastavit nelze: funkce M skupiny {group} platí jen ve svém bloku";
         OneOf { choices: String } "takes one of {choices}", "musí být jedno z: {choices}";
@@ -279,6 +328,7 @@ bilingual! {
         Corrections "entries are 1 to 99, by D", "položky jsou 1 až 99, podle D";
         Operations "codes are \"00\" to \"99\"", "kódy jsou \"00\" až \"99\"";
         Cycles "fixed cycles are G81 to G89", "pevné cykly jsou G81 až G89";
+        Macrocycles "macrocycles are L1 to L9999", "makrocykly jsou L1 až L9999";
         Timed "M functions take time, and T, S, H, P, D, F", "čas trvají M funkce a T, S, H, P, D, F";
         Constants "machine constants are R0 to R999", "strojní konstanty jsou R0 až R999";
         Axes "axes are X, Y, Z, A, B, C, U, V, W", "osy jsou X, Y, Z, A, B, C, U, V, W";

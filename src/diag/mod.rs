@@ -22,7 +22,7 @@ pub use advice::{
 };
 pub use details::{
     ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, JointBreak, JointLimit, KnownNames,
-    MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, UnusedConstant, is_blank,
+    MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, Unmodelled, UnusedConstant, is_blank,
 };
 pub use details::{ConditionProblem, RunTimeReason, SignalProblem};
 pub use diagnostic::{CallKind, CallSite, Certain, Diagnostic, Edit, Fix, Label};

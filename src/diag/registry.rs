@@ -12,7 +12,7 @@ use super::{
     AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, CommaMeant, ConfigNeed,
     ConfigProblem, ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NotUsed,
     NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant,
-    TextMeant, Unread, UnreadEnd, UnusedMeant, ValueMeant,
+    TextMeant, Unmodelled, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
 use crate::dict::{Address, Dialect, FeedPer, GCode, GGroup, Lang, Plane};
 use crate::sure::Sure;
@@ -246,13 +246,11 @@ diagnostics! {
     [W0108] LowercaseAddress "lowercase-address" Warning { count: usize }
         en (if *count == 1 { "an address in lower case".to_owned() } else { format!("{count} addresses in lower case, the first one here") })
         cs (if *count == 1 { "adresa malým písmenem".to_owned() } else { format!("adresy malými písmeny ({count}×), první je zde") })
-        help "write addresses in upper case, as the control's own editor does"
-           | "psát adresy velkými písmeny, jako to dělá editor systému"
+        help "write addresses in upper case, as the control's own editor does" | "psát adresy velkými písmeny, jako to dělá editor systému"
     [E0109] LineTooLong "line-too-long" Error { length: usize }
         en "the line has {length} characters; the control reads 80"
         cs "řádek má {length} znaků; systém jich čte 80"
-        help "break the line between two words: a block may go on in the next line, a comment may not"
-           | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, komentář ne"
+        help "break the line between two words: a block may go on in the next line, a comment may not" | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, komentář ne"
     [W0110] TextAfterEnd "text-after-end" Warning { meant: AfterEndMeant }
         en (meant.message(Lang::En))
         cs (meant.message(Lang::Cs))
@@ -269,8 +267,7 @@ diagnostics! {
         cs ({ let control = control.text(Lang::Cs); format!("program je napsán pro jiný řídicí systém: {control}") })
         help "let the postprocessor write it for this control; `cnc872c explain W0113` says what to change by hand"
            | "nechat ho vygenerovat postprocesorem pro tento systém; co změnit ručně, řekne „cnc872c explain W0113“"
-        note "of each line only the first finding is shown; `-A other-control` shows all"
-           | "z každého řádku je jen první hlášení; všechna ukáže volba -A other-control"
+        note "of each line only the first finding is shown; `-A other-control` shows all" | "z každého řádku je jen první hlášení; všechna ukáže volba -A other-control"
     [W0114] CommentSwallowsWords "comment-swallows-words" Warning { words: String }
         en "the comment has no closing quote and swallows `{words}`"
         cs "komentář bez koncových uvozovek spolkl „{words}“"
@@ -304,8 +301,7 @@ diagnostics! {
         cs (match last { Some(last) => format!("bloky N{block} až N{last} jsou v souboru dvakrát"), None => format!("číslo bloku N{block} je v souboru dvakrát") })
         help (if last.is_some() { "delete one of the copies, or renumber its blocks" } else { "give one of the blocks a number of its own" })
            | (if last.is_some() { "jednu kopii vymazat, nebo její bloky přečíslovat" } else { "jednomu z bloků dát jiné číslo" })
-        note "subprograms count too: one file, one set of block numbers"
-           | "platí i pro podprogramy: v jednom souboru smí být každé číslo bloku jen jednou"
+        note "subprograms count too: one file, one set of block numbers" | "platí i pro podprogramy: v jednom souboru smí být každé číslo bloku jen jednou"
     [E0205] MissingProgramEnd "missing-program-end" Error { skipped: bool, late: Option<u8>, instead: Option<u8>, unread: Option<UnreadEnd> }
         en (match (late, skipped) { _ if unread.is_some() => unread.map(|end| end.message(Lang::En)).unwrap_or_default(), (Some(m), _) => format!("the main program has no end: M{m:02} is after the subprograms"), (None, true) => "with block skip on, the end of the program is left out".to_owned(), (None, false) => "the program has no end: no block holds M02 or M30".to_owned() })
         cs (match (late, skipped) { _ if unread.is_some() => unread.map(|end| end.message(Lang::Cs)).unwrap_or_default(), (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
@@ -333,8 +329,7 @@ diagnostics! {
     [E0210] TooManySubprograms "too-many-subprograms" Error {}
         en "more than 99 subprograms in one file"
         cs "v souboru je více než 99 podprogramů"
-        help "make macrocycles of some of them: files of their own, called by G72"
-           | "některé převést na makrocykly: samostatné soubory volané pomocí G72"
+        help "make macrocycles of some of them: files of their own, called by G72" | "některé převést na makrocykly: samostatné soubory volané pomocí G72"
     [W0211] UnusedSubprogram "unused-subprogram" Warning { l: u32 }
         en "no G71 calls subprogram L{l}"
         cs "podprogram L{l} žádné G71 nevolá"
@@ -368,8 +363,7 @@ diagnostics! {
     [E0218] BlockAfterMacrocycleEnd "block-after-macrocycle-end" Error { block: u32 }
         en "N{block} comes after the G70 that ends the macrocycle"
         cs "blok N{block} stojí za G70, které makrocyklus ukončuje"
-        help "a macrocycle file holds one unit; move the block before G70, or into another file"
-           | "soubor makrocyklu obsahuje jediný celek; blok přesunout před G70, nebo do jiného souboru"
+        help "a macrocycle file holds one unit; move the block before G70, or into another file" | "soubor makrocyklu obsahuje jediný celek; blok přesunout před G70, nebo do jiného souboru"
     [W0219] SkippableStructure "skippable-structure" Warning { function: String }
         en "`/` in the block with {function}: with block skip on, the control goes on behind it"
         cs "/ v bloku s {function}: při zapnutém vynechávání bloků se pokračuje za ním"
@@ -383,6 +377,11 @@ diagnostics! {
         cs (if *block == 0 { "řádek nezačíná číslem bloku: slova patří k bloku nad ním".to_owned() } else { format!("řádek nezačíná číslem bloku: slova patří k bloku N{block}") })
         help "begin a block of its own with `N…`, or move the words to the line of the block that they belong to"
            | "začít samostatný blok „N…“, nebo přesunout slova na řádek bloku, ke kterému patří"
+
+    [W0222] ProgramNamedAsMacrocycle "program-named-as-macrocycle" Warning { l: u32 }
+        en "a program in a file with the name of macrocycle L{l}"
+        cs "program v souboru, který se jmenuje jako makrocyklus L{l}"
+        help "give the file another name: the control calls L{l} by G72 and finds this program" | "soubor přejmenovat: volání G72 L{l} najde místo makrocyklu tento program"
 
     [E0301] UnknownAddress "unknown-address" Error { address: String, meant: AddressMeant }
         en "`{address}` is no address of this control"
@@ -431,15 +430,14 @@ diagnostics! {
         cs "v bloku je více než {limit} slov {address}"
         help "share them out among several blocks" | "rozdělit je do více bloků"
     [E0311] UnknownAxis "unknown-axis" Error { axis: char, axes: String, limit: Option<usize> }
-        en (match limit { Some(limit) => format!("axis {axis} is one too many: the control has {limit} axes"), None => format!("this machine has no axis {axis}") })
-        cs (match limit { Some(limit) => format!("osa {axis} je navíc: systém má {limit} os"), None => format!("stroj nemá osu {axis}") })
+        en (match limit { Some(limit) => format!("axis {axis} is one too many: beside X, Y, Z the control has {limit} axes, one of the three A, B or C"), None => format!("this machine has no axis {axis}") })
+        cs (match limit { Some(limit) => format!("osa {axis} je navíc: kromě X, Y, Z má systém {limit} osy a jedna z nich je A, B nebo C"), None => format!("stroj nemá osu {axis}") })
         help (if limit.is_some() { format!("the program uses {axes} before it; the axes of the machine are named under [[axes]] in cnc872c.toml") } else { format!("the configured axes are {axes}") })
            | (if limit.is_some() { format!("dřív program používá osy {axes}; osy stroje se uvádějí v [[axes]] v souboru cnc872c.toml") } else { format!("nastavené osy jsou {axes}") })
     [E0312] CorrectionDigits "length-correction-digits" Error {}
         en "`&` takes four digits, each 0, 1 or 2"
         cs "& má čtyři číslice, každou 0, 1 nebo 2"
-        help "one digit for each axis: 0 no correction, 1 or 2 its direction; for example `&0010`"
-           | "každé ose patří jedna číslice: 0 bez korekce, 1 nebo 2 směr; například „&0010“"
+        help "one digit for each axis: 0 no correction, 1 or 2 its direction; for example `&0010`" | "každé ose patří jedna číslice: 0 bez korekce, 1 nebo 2 směr; například „&0010“"
 
     [E0401] MissingTarget "missing-target" Error { function: GCode, meant: TargetMeant }
         en "{function} without `L`"
@@ -453,8 +451,7 @@ diagnostics! {
     [W0403] UnusedRepeat "unused-repeat" Warning {}
         en "`Q` has no use in this block"
         cs "Q zde nemá význam"
-        help "`Q` goes with G71, G72, G73 or, as the dwell time, with G04"
-           | "Q patří ke G71, G72, G73 nebo jako délka prodlevy ke G04"
+        help "`Q` goes with G71, G72, G73 or, as the dwell time, with G04" | "Q patří ke G71, G72, G73 nebo jako délka prodlevy ke G04"
     [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool, without_entry: Option<u32>, uncalled: Option<u32>, unread: Option<Unread> }
         en (if let Some(Unread { line, .. }) = unread { format!("subprogram L{l} in line {line} is after `*`, which ends the file") } else if *from_macrocycle { format!("a macrocycle cannot call subprogram L{l}: subprograms belong to the program's file") } else { format!("there is no subprogram L{l} in this file") })
         cs (if let Some(Unread { line, .. }) = unread { format!("podprogram L{l} na řádku {line} je až za hvězdičkou, která ukončuje soubor") } else if *from_macrocycle { format!("makrocyklus nemůže volat podprogram L{l}: podprogramy patří k souboru programu") } else { format!("podprogram L{l} v souboru není") })
@@ -463,8 +460,8 @@ diagnostics! {
     [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool, calls: usize, near: Option<u32> }
         en (if *calls > 1 { format!("macrocycle L{l} is not on the search path; {calls} blocks call it") } else { format!("macrocycle L{l} is not on the search path") })
         cs (if *calls > 1 { format!("makrocyklus L{l} na cestě hledání není; program ho volá {calls}×") } else { format!("makrocyklus L{l} na cestě hledání není") })
-        help (match (subprogram, near) { (true, _) => format!("L{l} is a subprogram of this file: call it with `G71 L{l}`"), (false, Some(near)) => format!("the nearest one is `G72 L{near}`; if L{l} is meant, name its folder with `-L` or under `macrocycles` in cnc872c.toml"), (false, None) => "name its folder with `-L` or under `macrocycles` in cnc872c.toml".to_owned() })
-           | (match (subprogram, near) { (true, _) => format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“"), (false, Some(near)) => format!("nejbližší je „G72 L{near}“; je-li míněno L{l}, uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml"), (false, None) => "uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml".to_owned() })
+        help (match (subprogram, near) { (true, _) => format!("L{l} is a subprogram of this file: call it with `G71 L{l}`"), (false, Some(near)) => format!("the nearest one is `G72 L{near}`; if L{l} is meant, name its folder with `-L` or under `macrocycles` in cnc872c.toml"), (false, None) => format!("name its folder with `-L` or under `macrocycles` in cnc872c.toml; if only the machine has it, `L{l} = {{}}` under `[machine-macrocycles]` there") })
+           | (match (subprogram, near) { (true, _) => format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“"), (false, Some(near)) => format!("nejbližší je „G72 L{near}“; je-li míněno L{l}, uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml"), (false, None) => format!("uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml; má-li ho jen stroj, zapsat tam v [machine-macrocycles] L{l} = {{}}") })
         note ({ let searched = crate::diag::terminal_safe(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::terminal_safe(searched); format!("hledalo se v: {searched}") })
     [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32>, line: Option<u32> }
         en "there is no block N{l} to jump to"
@@ -479,8 +476,7 @@ diagnostics! {
     [E0408] RecursiveCall "recursive-call" Error { ring: String }
         en "this call leads back to a unit that is still running: {ring}"
         cs "toto volání vede zpět do celku, který ještě běží: {ring}"
-        help "break the ring; to repeat something, use `Q` or a jump with G73"
-           | "kruh přerušit; k opakování slouží Q nebo skok G73"
+        help "break the ring; to repeat something, use `Q` or a jump with G73" | "kruh přerušit; k opakování slouží Q nebo skok G73"
     [E0409] NestingTooDeep "nesting-too-deep" Error { limit: u32 }
         en "more than {limit} calls are open at once"
         cs "otevřených volání je více než {limit}"
@@ -488,8 +484,7 @@ diagnostics! {
     [E0410] ExpansionLimit "expansion-limit" Error { limit: u64, repeats: String }
         en ({ let (count, noun) = (grouped(*limit, ','), if *limit == 1 { "block" } else { "blocks" }); format!("the program executes more than {count} {noun}") })
         cs ({ let (count, noun) = (grouped(*limit, ' '), blocks_cs(*limit)); format!("program provede více než {count} {noun}") })
-        help "if intended, raise `records` under [limits], or `--max-blocks`"
-           | "je-li to záměr, zvýšit records v [limits], nebo --max-blocks"
+        help "if intended, raise `records` under [limits], or `--max-blocks`" | "je-li to záměr, zvýšit records v [limits], nebo --max-blocks"
         note (if repeats.is_empty() { String::new() } else { format!("what multiplies here: {repeats}") })
            | (if repeats.is_empty() { String::new() } else { format!("co se zde násobí: {repeats}") })
     [E0411] MissingDwell "missing-dwell" Error { meant: DwellMeant }
@@ -508,14 +503,12 @@ diagnostics! {
         en "a subprogram calls another one with G71"
         cs "podprogram volá pomocí G71 další podprogram"
         help "make the called one a macrocycle and call it with G72" | "z volaného udělat makrocyklus a volat ho pomocí G72"
-        note "the manual describes G71 in the main program only; not every machine may follow"
-           | "příručka popisuje G71 jen v hlavním programu; ne každý stroj to musí umět"
+        note "the manual describes G71 in the main program only; not every machine may follow" | "příručka popisuje G71 jen v hlavním programu; ne každý stroj to musí umět"
 
     [E0501] ParameterNumber "parameter-number" Error {}
         en "there are parameters R0 to R95 only"
         cs "parametry jsou jen R0 až R95"
-        help "use a number from 0 to 95, without sign and decimal point"
-           | "použít číslo 0 až 95, bez znaménka a desetinné tečky"
+        help "use a number from 0 to 95, without sign and decimal point" | "použít číslo 0 až 95, bez znaménka a desetinné tečky"
     [W0502] ReservedParameter "reserved-parameter" Warning {}
         en "R95 is reserved for control functions"
         cs "R95 je vyhrazen pro řídicí funkce"
@@ -545,8 +538,7 @@ diagnostics! {
     [E0507] MalformedControlWord "malformed-control-word" Error { field: Option<i64> }
         en (match field { Some(number) => format!("the control word names parameter R{number}; there are R0 to R95"), None => "a control word is a whole number of at most eight digits".to_owned() })
         cs (match field { Some(number) => format!("řídicí slovo uvádí parametr R{number}; jsou jen R0 až R95"), None => "řídicí slovo je celé číslo nejvýše o osmi číslicích".to_owned() })
-        help "its digits are `oo aa bb rr`: operation, first operand, second operand, result"
-           | "číslice jsou „oo aa bb rr“: operace, první operand, druhý operand, výsledek"
+        help "its digits are `oo aa bb rr`: operation, first operand, second operand, result" | "číslice jsou „oo aa bb rr“: operace, první operand, druhý operand, výsledek"
     [E0508] UnknownOperation "unknown-operation" Error { operation: i64, digits: i64 }
         en "the configuration does not say what operation {operation:02} means"
         cs "význam kódu operace {operation:02} není v konfiguraci uveden"
@@ -623,11 +615,10 @@ diagnostics! {
         cs (if *many { "oblouk smí mít nejvýše tři slova os".to_owned() } else { format!("slova os oblouku nesouhlasí s platnou rovinou {plane}") })
         help "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX"
            | "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX"
-    [W0612] FunctionNotModelled "function-not-modelled" Warning { function: GCode }
-        en (if function.is_cycle() { format!("how the fixed cycle {function} moves is not known: its blocks have no motion here") } else { format!("what {function} does is not modelled: the programmed path counts") })
-        cs (if function.is_cycle() { format!("jak se pevný cyklus {function} pohybuje, není známo: jeho bloky zde nemají žádný pohyb") } else { format!("účinek {function} se nemodeluje: počítá se s programovanou dráhou") })
-        help (if function.is_cycle() { format!("name the macrocycle that the machine runs for it in the project file: `[cycles]`, `{function} = …`") } else { String::new() })
-           | (if function.is_cycle() { format!("uvést v projektovém souboru makrocyklus, který stroj při něm provádí: [cycles], {function} = …") } else { String::new() })
+    [W0612] FunctionNotModelled "function-not-modelled" Warning { what: Unmodelled }
+        en (what.message(Lang::En))
+        cs (what.message(Lang::Cs))
+        help (what.help(Lang::En)) | (what.help(Lang::Cs))
     [W0613] HelixWithoutG09 "helix-without-g09" Warning {}
         en "an arc with a third axis, but G09 is not in force"
         cs "oblouk s třetí osou, ale neplatí G09"

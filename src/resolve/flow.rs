@@ -185,7 +185,7 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         let written = |code: GCode| words.iter().any(|word| word.g_code() == Some(code));
         if let Some(l) = l.and_then(l_number)
             && (written(GCode::G17) && Roles::written(words).flow().is_none()
-                || written(GCode::G72) && context.library.find(l).is_err())
+                || written(GCode::G72) && context.library.find(l).is_err() && !context.library.is_of_machine(l))
         {
             named.insert(l);
         }

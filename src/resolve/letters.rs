@@ -5,44 +5,61 @@ use crate::diag::Finding;
 use crate::dict::{Address, AxisLetter};
 use crate::syntax::ParsedFile;
 
-/// The axis letters that a program uses, as far as the control has axes: the first different ones in the order of the text,
-/// program before macrocycles. Every other one is one too many.
+/// How many axes the control has beside X, Y and Z, where it has not room for all letters.
+const BESIDE: usize = 3;
+
+/// The axis letters beside X, Y and Z that a program uses, as far as the control has axes: the first different ones in the
+/// order of the text, program before macrocycles. Every other one is one too many, and so is the third where none of the
+/// three is one that the sixth axis may have.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Letters {
-    known: Vec<AxisLetter>,
+    beside: Vec<AxisLetter>,
 }
 
 impl Letters {
-    /// How many axis letters a program may use; `None` when the configuration names them, or the control has all of them.
-    pub(super) fn limit(machine: &Machine) -> Option<usize> {
-        let limit = machine.dialect.axes();
-        (!machine.axes.are_configured() && limit < AxisLetter::ALL.len()).then_some(limit)
+    /// Whether a program may not use all letters: the control has too few axes, and the configuration does not name them.
+    pub(super) fn are_limited(machine: &Machine) -> bool {
+        !machine.axes.are_configured() && machine.dialect.axes() < AxisLetter::ALL.len()
     }
 
     /// Takes note of the letters of a file.
     pub(super) fn read(&mut self, machine: &Machine, parsed: &ParsedFile) {
-        let Some(limit) = Self::limit(machine) else { return };
+        if !Self::are_limited(machine) {
+            return;
+        }
         for letter in parsed.all_words().filter_map(|word| word.address.axis()) {
-            if self.known.len() >= limit {
+            if self.beside.len() >= BESIDE {
                 return;
             }
-            if !self.known.contains(&letter) {
-                self.known.push(letter);
+            if !letter.is_of_the_planes() && !self.beside.contains(&letter) {
+                self.beside.push(letter);
             }
         }
     }
 
+    /// Those that the control has.
+    fn known(&self, machine: &Machine) -> &[AxisLetter] {
+        let sixth = self.beside.iter().any(|letter| machine.dialect.takes_sixth_axis(*letter));
+        let room = if sixth { BESIDE } else { BESIDE - 1 };
+        self.beside.get(..room.min(self.beside.len())).unwrap_or_default()
+    }
+
     /// The addresses of axes that the control does not have, a bit for each [`Address`].
     pub(super) fn surplus(&self, machine: &Machine) -> u32 {
-        let full = Self::limit(machine).is_some_and(|limit| self.known.len() >= limit);
-        let is_surplus = |address: &Address| address.axis().is_some_and(|letter| !self.known.contains(&letter));
-        Address::ALL.iter().filter(|address| full && is_surplus(address)).fold(0, |bits, address| bits | bit(*address))
+        if !Self::are_limited(machine) || self.beside.len() < BESIDE {
+            return 0;
+        }
+        let known = self.known(machine);
+        let is_surplus = |address: &Address| {
+            address.axis().is_some_and(|letter| !letter.is_of_the_planes() && !known.contains(&letter))
+        };
+        Address::ALL.iter().filter(|address| is_surplus(address)).fold(0, |bits, address| bits | bit(*address))
     }
 
     /// The finding at a word of a letter that is one too many.
     pub(super) fn finding(&self, machine: &Machine, letter: AxisLetter) -> Finding {
-        let axes = self.known.iter().map(AxisLetter::to_string).collect::<Vec<_>>().join(", ");
-        Finding::UnknownAxis { axis: letter.letter(), axes, limit: Self::limit(machine) }
+        let axes = self.known(machine).iter().map(AxisLetter::to_string).collect::<Vec<_>>().join(", ");
+        Finding::UnknownAxis { axis: letter.letter(), axes, limit: Some(BESIDE) }
     }
 }
 

@@ -1,9 +1,11 @@
 //! The macrocycles that programs may call: files named `L` and their number, on the search path (PRG-6).
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::spelling::distance;
+use crate::config::MayMove;
 use crate::diag::Problem;
 use crate::dict::HIGHEST_L;
 use crate::text::{Encoding, Loader, Numbered, SourceText, path_name};
@@ -18,6 +20,8 @@ pub enum MacrocycleFault {
         /// The one whose number is written nearly so.
         near: Option<u32>,
     },
+    /// No file of that number, and only the machine has it (FLW-12).
+    OfMachine,
     /// Two files of that number.
     Ambiguous {
         /// One.
@@ -39,6 +43,7 @@ pub struct Library<'a> {
     loader: &'a dyn Loader,
     folders: Vec<PathBuf>,
     index: Option<Arc<Numbered>>,
+    of_machine: Option<&'a BTreeMap<u32, MayMove>>,
 }
 
 impl<'a> Library<'a> {
@@ -49,7 +54,14 @@ impl<'a> Library<'a> {
         } else {
             folders.to_vec()
         };
-        Self { loader, folders, index: None }
+        Self { loader, folders, index: None, of_machine: None }
+    }
+
+    /// The same, with those that only the machine has.
+    #[must_use]
+    pub fn with_machine(mut self, macrocycles: &'a BTreeMap<u32, MayMove>) -> Self {
+        self.of_machine = Some(macrocycles);
+        self
     }
 
     /// The number of the macrocycle that a file of that name holds: `L` and digits, with no extension or `.NC`, `.NCP`,
@@ -70,9 +82,11 @@ impl<'a> Library<'a> {
     /// The file of macrocycle `l`.
     ///
     /// # Errors
-    /// [`MacrocycleFault::Missing`] or [`MacrocycleFault::Ambiguous`].
+    /// [`MacrocycleFault::Missing`], [`MacrocycleFault::OfMachine`] or [`MacrocycleFault::Ambiguous`].
     pub fn find(&mut self, l: u32) -> Result<PathBuf, MacrocycleFault> {
+        let of_machine = self.of_machine.is_some_and(|known| known.contains_key(&l));
         match self.index().get(&l).map(Vec::as_slice) {
+            None | Some([]) if of_machine => Err(MacrocycleFault::OfMachine),
             None | Some([]) => {
                 let name = |folder: &PathBuf| match path_name(folder) {
                     name if name.is_empty() => ".".to_owned(),
@@ -90,13 +104,18 @@ impl<'a> Library<'a> {
         }
     }
 
+    /// Whether only the machine has macrocycle `l` (FLW-12).
+    pub fn is_of_machine(&mut self, l: u32) -> bool {
+        matches!(self.find(l), Err(MacrocycleFault::OfMachine))
+    }
+
     /// The files that can be called, as a text: another text, another library.
     pub fn listing(&mut self) -> String {
         format!("{:?}", self.index())
     }
 
     fn index(&mut self) -> &Numbered {
-        let Self { loader, folders, index } = self;
+        let Self { loader, folders, index, of_machine: _ } = self;
         index.get_or_insert_with(|| loader.numbered(folders, &|| number_files(*loader, folders)))
     }
 

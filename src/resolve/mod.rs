@@ -15,6 +15,7 @@ mod library;
 mod lines;
 mod m_words;
 mod meant;
+mod misnamed;
 mod numbers;
 mod pending;
 mod planes;
@@ -32,6 +33,7 @@ pub use blocks::m_number;
 pub use forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 pub use library::{Library, MacrocycleFault};
 pub use meant::may_have_end;
+pub use misnamed::{is_program, report_misnamed};
 pub use planes::missing_axis;
 pub use points::Points;
 pub use program::{Resolved, Target, Unit, UnitId, UnitKind};
@@ -39,6 +41,7 @@ pub use rings::ring_text;
 pub use roles::{Roles, Taker};
 pub use structure::{ControlWord, control_result, control_word, l_number, resolve_macrocycle, resolve_program};
 pub use targets::{
-    conflicting_g, conflicting_m, jump_target, macrocycle_finding, missing_control_words, subprogram, value_or_word,
+    conflicting_g, conflicting_m, jump_target, macrocycle_finding, missing_control_words, report_of_machine, subprogram,
+    value_or_word,
 };
 pub use window::resolve_window;

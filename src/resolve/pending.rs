@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::MacrocycleFault;
 use super::structure::Context;
-use super::targets::macrocycle_finding;
+use super::targets::{macrocycle_finding, report_of_machine};
 use crate::diag::{Diagnostic, Finding};
 use crate::syntax::{BlockFlags, BlockId};
 use crate::text::Location;
@@ -16,6 +16,8 @@ pub(super) struct Pending {
     pub(super) strays: Vec<Stray>,
     /// Macrocycles that are called and cannot be loaded, by number.
     missing: BTreeMap<u32, Missing>,
+    /// Macrocycles that only the machine has, each at its first call (FLW-12).
+    of_machine: Vec<(u32, Location)>,
 }
 
 /// A run of blocks in no unit (PRG-2).
@@ -77,6 +79,12 @@ impl Pending {
 
     /// Takes note of a call to macrocycle `l`, which cannot be loaded.
     pub(super) fn miss(&mut self, l: u32, fault: MacrocycleFault, subprogram: bool, at: Location) {
+        if fault == MacrocycleFault::OfMachine {
+            if self.of_machine.iter().all(|(known, _)| *known != l) {
+                self.of_machine.push((l, at));
+            }
+            return;
+        }
         self.missing.entry(l).or_insert(Missing { at, fault, subprogram, calls: 0 }).calls += 1;
     }
 }
@@ -84,13 +92,17 @@ impl Pending {
 impl Context<'_, '_> {
     /// Reports what was waiting for the calls.
     pub(super) fn report_pending(&mut self) {
-        let Pending { strays, missing } = std::mem::take(&mut self.pending);
+        let Pending { strays, missing, of_machine } = std::mem::take(&mut self.pending);
         for stray in strays.into_iter().filter(|stray| stray.meant.is_none()) {
             let finding = Finding::BlockAfterProgramEnd { block: stray.block };
             self.findings.add(Diagnostic::new(finding, stray.at));
         }
         for (l, Missing { at, fault, subprogram, calls }) in missing {
             self.findings.add(Diagnostic::new(macrocycle_finding(fault, l, subprogram, calls), at));
+        }
+        for (l, at) in of_machine {
+            let call = Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, false, 1), at);
+            report_of_machine(self.findings, l, call);
         }
     }
 }

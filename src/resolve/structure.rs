@@ -132,7 +132,12 @@ impl Context<'_, '_> {
         let path = self.library.find(l)?;
         let source = self.library.load(&path, &path_name(&path), self.settings.encoding)?;
         let file = self.sources.add(Arc::clone(&source));
-        let parsed = parse(file, &source, Form::Macrocycle, self.findings);
+        let mut findings = Findings::with_levels(*self.findings.levels());
+        let parsed = parse(file, &source, Form::Macrocycle, &mut findings);
+        if Self::is_program(&parsed) {
+            return Ok(self.add_misnamed(resolved, parsed, l));
+        }
+        self.findings.append(findings);
         Ok(self.add_macrocycle(resolved, parsed, l))
     }
 

@@ -1,9 +1,11 @@
 //! Where calls and jumps lead, and what is said when they lead nowhere: the same for numbers that are written and for those
 //! that parameters give.
 
+use std::collections::BTreeSet;
+
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind};
 use crate::config::Machine;
-use crate::diag::{Diagnostic, Finding, LabelText, shown};
+use crate::diag::{Diagnostic, Finding, Findings, LabelText, Unmodelled, shown};
 use crate::dict::GCode;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::Location;
@@ -86,7 +88,7 @@ pub fn subprogram(
         return Ok(unit);
     }
     let near = resolved.nearest_subprogram(l);
-    let macrocycle = library.find(l).is_ok();
+    let macrocycle = library.find(l).is_ok() || library.is_of_machine(l);
     let (without_entry, uncalled, unread) = (None, None, None);
     let finding = Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, uncalled, unread };
     Err(Box::new(Diagnostic::new(finding, at)))
@@ -95,10 +97,37 @@ pub fn subprogram(
 /// The finding at the first of `calls` calls of a macrocycle that cannot be loaded.
 pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool, calls: usize) -> Finding {
     match fault {
+        MacrocycleFault::OfMachine => of_machine(l),
         MacrocycleFault::Missing { searched, near } => {
             Finding::UnknownMacrocycle { l, searched, subprogram, calls, near }
         }
         MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
         MacrocycleFault::Unreadable { file, problem } => Finding::UnreadableFile { problem, file: Some(file) },
+    }
+}
+
+/// W0612 of a macrocycle that only the machine has (FLW-12).
+fn of_machine(l: u32) -> Finding {
+    Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(BTreeSet::from([l])) }
+}
+
+/// Reports a macrocycle that only the machine has, at a call: a program has one such finding, at its first call, which names
+/// all of them (FLW-12).
+pub fn report_of_machine(findings: &mut Findings, l: u32, call: Diagnostic) {
+    let mut known = None;
+    for found in findings.items() {
+        if let Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(numbers) } = &found.finding {
+            known = Some(numbers.contains(&l));
+        }
+    }
+    match known {
+        None => findings.add(call),
+        Some(true) => {}
+        Some(false) => findings.revise(|found| {
+            if let Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(numbers) } = &mut found.finding {
+                numbers.insert(l);
+            }
+            true
+        }),
     }
 }

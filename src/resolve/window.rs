@@ -45,7 +45,7 @@ pub fn resolve_window(
     // Whether lines without a block number are findings follows from all lines of the program, and which axes are too many
     // from all its letters.
     let (_, continuing_lines) = lines::check(&parsed, &resolved.units);
-    if continuing_lines || Letters::limit(&settings.machine).is_some() {
+    if continuing_lines || Letters::are_limited(&settings.machine) {
         return None;
     }
     let mut checker = BlockChecker::new(settings, &parsed, &letters, findings);

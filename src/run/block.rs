@@ -74,6 +74,8 @@ pub(super) struct Block {
     /// Parameters that it wrote, by number; without those whose value is not known.
     pub(super) params: Vec<(u8, Decimal)>,
     pub(super) jump: Option<Jump>,
+    /// The macrocycle that it calls and only the machine has (FLW-12).
+    pub(super) opaque_call: Option<u32>,
     /// Its motion is measured in degrees; of a block of axis words only.
     pub(super) degrees: bool,
     /// It differs from the block before it in place, motion and positions alone.
@@ -88,6 +90,7 @@ impl Block {
         self.centers.clear();
         self.params.clear();
         self.jump = None;
+        self.opaque_call = None;
         self.moves_on = false;
     }
 }

@@ -174,6 +174,24 @@ impl<'r> Executed<'r> {
         self.g(GGroup::G8).is_some_and(unmapped) && self.motion().is_none() && self.data().is_none() && has_axes()
     }
 
+    /// The macrocycle that it calls at its end and that only the machine has (FLW-12).
+    pub const fn opaque_call(&self) -> Option<u32> {
+        self.interpreter.block.opaque_call
+    }
+
+    /// Whether something moves in it, or at its end, that nobody knows (TIM-3): a fixed cycle, a macrocycle of the machine.
+    pub fn is_opaque(&self) -> bool {
+        self.opaque_call().is_some() || self.is_unmapped_cycle()
+    }
+
+    /// The axes that the macrocycle of [`Self::opaque_call`] may move, in machine order.
+    pub fn moved_unseen(&self) -> impl Iterator<Item = AxisLetter> + use<'r> {
+        let machine = &self.settings().machine;
+        let may = self.opaque_call().and_then(|l| machine.macrocycles.get(&l));
+        let moved = machine.axes.iter().map(|axis| axis.letter);
+        moved.filter(move |axis| may.is_some_and(|may| may.moves(*axis)))
+    }
+
     /// The calls that led to it, outermost first.
     pub fn calls(&self) -> impl Iterator<Item = Call> + use<'r> {
         let calls = self.interpreter.frames.iter().filter_map(|frame| frame.call);

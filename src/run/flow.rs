@@ -5,14 +5,14 @@ use super::frames::{CallInfo, Frame};
 use super::motion::Moved;
 use super::parameters::with_origin;
 use super::program::Program;
-use super::site::{Site, report};
+use super::site::{Site, call_sites, report};
 use super::state::State;
 use super::words::BlockWords;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, GGroup, Plane};
 use crate::resolve::{
-    MacrocycleFault, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, ring_text, subprogram,
-    value_or_word,
+    MacrocycleFault, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, report_of_machine, ring_text,
+    subprogram, value_or_word,
 };
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::Location;
@@ -146,6 +146,9 @@ impl Flow<'_, '_> {
         }
         let unit = match self.written_target(word, l.word) {
             Some(Target::Unit(unit)) => unit,
+            _ if function == GCode::G72 && self.program.library.is_of_machine(number) => {
+                return self.call_opaque(number, place, Some(l.word));
+            }
             // Found before execution.
             _ if !word.is_parametric() && !l.word.is_parametric() => return self.lose_missing(number),
             _ if function == GCode::G71 => match self.find_subprogram(number, l.word, place) {
@@ -203,6 +206,9 @@ impl Flow<'_, '_> {
     }
 
     fn no_macrocycle(&mut self, fault: MacrocycleFault, l: u32, place: Location, word: Option<Word>) -> Next {
+        if fault == MacrocycleFault::OfMachine {
+            return self.call_opaque(l, place, word);
+        }
         if self.state.said.no_macrocycle.insert(l) && !self.is_said(l) {
             let known = self.program.resolved.subprogram(l).is_some();
             let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, known, 1), place);
@@ -211,11 +217,32 @@ impl Flow<'_, '_> {
         self.lose_missing(l)
     }
 
+    /// A macrocycle that only the machine has: the axes that it may move are unknown after it (FLW-12).
+    fn call_opaque(&mut self, l: u32, place: Location, word: Option<Word>) -> Next {
+        let machine = &self.program.settings.machine;
+        if let Some(may) = machine.macrocycles.get(&l) {
+            for (place, _) in machine.axes.iter().enumerate().filter(|(_, axis)| may.moves(axis.letter)) {
+                self.state.moved_unseen.insert(place);
+            }
+        }
+        self.block.opaque_call = Some(l);
+        if self.state.said.of_machine.insert(l) {
+            let diagnostic = Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, false, 1), place);
+            let mut diagnostic = self.with_origin_of(diagnostic, word);
+            diagnostic.calls = call_sites(self.frames);
+            report_of_machine(self.findings, l, diagnostic);
+        }
+        Next::Continue
+    }
+
     /// Calls a unit, unless it still runs or too many calls are open (FLW-2). `word`: what names it.
     fn enter(&mut self, unit: UnitId, call: CallInfo, place: Location, word: Option<Word>) -> Next {
         if let Some(ring) = self.ring(unit) {
             let diagnostic = Diagnostic::new(Finding::RecursiveCall { ring }, place);
             self.report(self.with_origin_of(diagnostic, word));
+            return self.lose(Some(call.l));
+        }
+        if self.program.resolved.unit(unit).is_some_and(|unit| unit.first == unit.end) {
             return self.lose(Some(call.l));
         }
         let limit = self.program.settings.machine.limits.nesting;

@@ -6,7 +6,7 @@ use super::site::Site;
 use super::state::{AxisSet, Held, Noted, State};
 use super::unknown::Groups;
 use super::words::BlockWords;
-use crate::diag::{Diagnostic, Finding};
+use crate::diag::{Diagnostic, Finding, Unmodelled};
 use crate::dict::{Decimal, GCode, GGroup, Lasting};
 use crate::resolve::missing_axis;
 use crate::syntax::Word;
@@ -75,7 +75,7 @@ fn change_correction(site: &mut Site<'_>, state: &mut State, code: GCode, word: 
 pub(super) fn report_unmodelled(site: &mut Site<'_>, state: &mut State, function: GCode, at: Location) {
     if !state.said.unmodelled.contains(&function) {
         state.said.unmodelled.push(function);
-        site.found(Finding::FunctionNotModelled { function }, at);
+        site.found(Finding::FunctionNotModelled { what: Unmodelled::Function(function) }, at);
     }
 }
 

@@ -113,6 +113,11 @@ impl State {
         self.set_modal(cycle);
     }
 
+    /// The next block is executed: what a macrocycle of the machine moved before it is not known (FLW-12).
+    pub fn pass_machine_call(&mut self) {
+        self.lose_moved_unseen();
+    }
+
     /// Becomes what is in force after `block`, from what was before it.
     #[inline]
     pub fn follow(&mut self, block: &Executed<'_>) {

@@ -186,6 +186,7 @@ impl Interpreter {
         let mut site =
             Site { resolved: &program.resolved, file, block: block.id, settings: program.settings, frames, findings };
         block.clear();
+        state.lose_moved_unseen();
         if std::mem::take(&mut state.orients) {
             spindle::orient(site.machine(), state);
         }

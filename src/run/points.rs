@@ -55,6 +55,7 @@ impl Run {
     /// Finds out what a block of axis words will do: brings state and block to what a block without words leaves.
     #[inline(never)]
     fn settle(site: &mut Site<'_>, state: &mut State, block: &mut Block) -> Self {
+        state.lose_moved_unseen();
         block.clear();
         block.words.clear();
         functions::apply(site, state, &block.words, &mut block.g);

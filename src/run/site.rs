@@ -48,7 +48,12 @@ impl<'e> Site<'e> {
 
 /// Adds a finding with the calls that led to the block.
 pub(super) fn report(frames: &[Frame], mut diagnostic: Diagnostic, findings: &mut Findings) {
-    let calls = frames.iter().filter_map(|frame| frame.call);
-    diagnostic.calls = calls.map(|call| CallSite { by: call.by, l: call.l, n: call.n, at: call.at }).collect();
+    diagnostic.calls = call_sites(frames);
     findings.add(diagnostic);
+}
+
+/// The calls that led to the block.
+pub(super) fn call_sites(frames: &[Frame]) -> Vec<CallSite> {
+    let calls = frames.iter().filter_map(|frame| frame.call);
+    calls.map(|call| CallSite { by: call.by, l: call.l, n: call.n, at: call.at }).collect()
 }

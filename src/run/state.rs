@@ -177,6 +177,8 @@ pub(super) struct Said {
     pub(super) incremental: [bool; 9],
     /// Macrocycles that execution did not find, by number.
     pub(super) no_macrocycle: BTreeSet<u32>,
+    /// Macrocycles that only the machine has, by number (FLW-12).
+    pub(super) of_machine: BTreeSet<u32>,
     /// Functions that are not modelled (GRP-8).
     pub(super) unmodelled: Vec<GCode>,
     /// Parameters without a value (PAR-5).
@@ -202,6 +204,7 @@ impl Default for Said {
             stray_centers: LastBlock::default(),
             incremental: [false; 9],
             no_macrocycle: BTreeSet::new(),
+            of_machine: BTreeSet::new(),
             unmodelled: Vec::new(),
             unassigned: [false; 96],
             operations: BTreeSet::new(),
@@ -236,6 +239,8 @@ pub struct State {
     pub(super) dynamic_set: Option<u8>,
     /// START orients the spindle before the next block (MFN-10).
     pub(super) orients: bool,
+    /// The axes that a macrocycle of the machine may move before the next block (FLW-12).
+    pub(super) moved_unseen: AxisSet,
     /// The axes whose programmed position is not where the tool stands (MOT-8).
     pub(super) unsettled: AxisSet,
     /// What the F in force was written as; `None` when nobody knows (W0615).
@@ -292,6 +297,7 @@ impl State {
             correction: Held::None,
             dynamic_set: Some(FIRST_DYNAMIC_SET),
             orients: false,
+            moved_unseen: AxisSet::default(),
             unsettled: AxisSet::default(),
             feed_per: None,
             feed_reduced: false,
@@ -335,6 +341,14 @@ impl State {
     pub(super) fn lose_positions(&mut self) {
         self.positions = [Position::Unknown; 9];
         self.said.arc_starts = AxisSet::default();
+    }
+
+    /// Where a macrocycle of the machine left the axes that it may move is not known (FLW-12).
+    pub(super) fn lose_moved_unseen(&mut self) {
+        let moved = std::mem::take(&mut self.moved_unseen);
+        for axis in (0..self.positions.len()).filter(|axis| moved.contains(*axis)) {
+            self.set_position(axis, Position::Undetermined);
+        }
     }
 
     /// A call could not be followed: where the axes are is not known, nor what it may have written first (§13).

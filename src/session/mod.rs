@@ -12,7 +12,9 @@ use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem, StayedUnknown};
-use crate::resolve::{Library, Resolved, resolve_macrocycle, resolve_program, resolve_window};
+use crate::resolve::{
+    Library, Resolved, is_program, report_misnamed, resolve_macrocycle, resolve_program, resolve_window,
+};
 use crate::run::{End, Sink, State};
 use crate::stream;
 use crate::syntax::ParsedFile;
@@ -118,14 +120,15 @@ impl<'a> Session<'a> {
     /// What was found, when there is nothing to execute: the file cannot be read, has no blocks, is for another control, or is a
     /// macrocycle.
     pub fn open(&self, path: &Path, name: &str, purpose: Purpose) -> Result<Execution<'a>, Box<Outcome>> {
-        if purpose != Purpose::Check && Self::is_macrocycle_name(path) {
-            let mut outcome = self.outcome(purpose);
+        let (mut outcome, resolved) = self.resolve_for(path, name, purpose);
+        let is_macrocycle = Self::is_macrocycle_name(path) && resolved.main().is_none();
+        if purpose != Purpose::Check && is_macrocycle && !outcome.unusable {
+            outcome = self.outcome(purpose);
             self.refuse(name, Problem::MacrocycleGiven, &mut outcome);
             return Err(Box::new(outcome));
         }
-        let (mut outcome, resolved) = self.resolve_for(path, name, purpose);
         if !self.can_execute(&resolved, &outcome) {
-            if !Self::is_macrocycle_name(path) && !outcome.unusable {
+            if !is_macrocycle && !outcome.unusable {
                 outcome.not_executed = first_fault(&outcome, name);
             }
             return Err(Box::new(outcome));
@@ -143,10 +146,14 @@ impl<'a> Session<'a> {
         let Some(source) = self.read(path, name, &mut outcome) else { return (outcome, Resolved::default()) };
         let mut library = self.library(path);
         let Outcome { sources, findings, .. } = &mut outcome;
-        let resolved = match Library::number(path) {
+        let number = Library::number(path);
+        let resolved = match number.filter(|_| !is_program(&source)) {
             Some(l) => resolve_macrocycle(&source, l, self.settings, &mut library, sources, findings),
             None => resolve_program(&source, self.settings, &mut library, sources, findings),
         };
+        if let Some(l) = number {
+            report_misnamed(&resolved, l, findings);
+        }
         offers::add(&mut outcome.findings, &resolved);
         (outcome, resolved)
     }
@@ -204,7 +211,8 @@ impl<'a> Session<'a> {
 
     /// The macrocycles that the program at `path` may call.
     pub fn library(&self, path: &Path) -> Library<'a> {
-        Library::new(self.loader, &self.settings.macrocycles, path)
+        let Settings { machine, macrocycles, .. } = self.settings;
+        Library::new(self.loader, macrocycles, path).with_machine(&machine.macrocycles)
     }
 
     /// Whether the name is that of a macrocycle file: `L` and its number, with no extension, `.NC`, `.NCP`, `.MRC` or

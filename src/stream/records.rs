@@ -318,6 +318,9 @@ pub struct BlockRecord {
     pub continuous_mode: bool,
     /// 1–4, once G23 with I chose one (GRP-7).
     pub dynamic_set: Option<u8>,
+    /// The number of the macrocycle that it calls at its end and that only the machine has (FLW-12): the axes that it may
+    /// move are unknown after it.
+    pub opaque_call: Option<u32>,
     /// Words that are data (GRP-4).
     pub data: Option<Data>,
     /// Words as written: I, J, K (GRP-8), axes under a fixed cycle that nothing maps (GRP-6).

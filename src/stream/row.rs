@@ -106,6 +106,7 @@ fn fill_whole(block: &Executed<'_>, row: &mut BlockRecord) {
     row.cond_stop = block.cond_stop();
     row.continuous_mode = block.continuous_mode();
     row.dynamic_set = block.dynamic_set().filter(|_| row.continuous_mode);
+    row.opaque_call = block.opaque_call();
     row.data = block.data().map(|data| Data {
         g: data.g.number(),
         origin: data.origin.map(GCode::number),

@@ -257,6 +257,7 @@ fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], part
         cond_stop,
         continuous_mode,
         dynamic_set,
+        opaque_call,
         data,
         words,
         params,
@@ -332,6 +333,9 @@ fn block<'r>(mut line: Line<'r>, record: &BlockRecord, axes: &[AxisLetter], part
     line = line.flag(key!("continuous_mode"), *continuous_mode);
     if let Some(set) = *dynamic_set {
         line = line.int_field(key!("dynamic_set"), u64::from(set));
+    }
+    if let Some(l) = *opaque_call {
+        line = line.int_field(key!("opaque_call"), u64::from(l));
     }
     if let Some(words) = data {
         line = self::data(line, words);

@@ -119,12 +119,14 @@ impl<'t> Lowering<'t> {
             Item::SignFirst { sign, word } => self.sign_first(sign, word),
             Item::OddValue { target, value } => self.odd_value(target, value),
             Item::Foreign(token) => self.foreign(token),
+            Item::Skip(token) if self.divided(token.span()) => {}
             Item::Skip(token) => {
                 self.flags.set(BlockFlags::SKIP);
                 self.flags.set(BlockFlags::RICH);
                 self.words.push(Word::bare(Address::Skip, token.span()));
             }
             Item::Comment(token) => self.comment(token),
+            Item::Stray { first, last } if self.divided(first.span().to(last.span())) => {}
             Item::Stray { first, last } => {
                 let span = first.span().to(last.span());
                 let text = shown(self.slice(span));

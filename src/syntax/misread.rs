@@ -5,8 +5,8 @@ use super::lower::Lowering;
 use super::missing::{SLIPS, Split};
 use super::number::Number;
 use super::{Kind, Token, Word, tokens};
-use crate::diag::{Diagnostic, Finding, Fix, FixTitle, ValueMeant, shown};
-use crate::dict::{Address, GCode, HIGHEST_BLOCK};
+use crate::diag::{Diagnostic, Finding, Fix, FixTitle, NumberMeant, ValueMeant, shown};
+use crate::dict::{Address, Decimal, GCode, HIGHEST_BLOCK};
 use crate::sure::{Sure, small};
 use crate::text::Span;
 
@@ -39,6 +39,30 @@ struct Behind {
 }
 
 impl Lowering<'_> {
+    /// `Z-24/2`, `R10/2`: nothing is divided (BLK-11). The word before has no value then. `false`: it is no such thing.
+    pub(super) fn divided(&mut self, slash: Span) -> bool {
+        let by = self.slice(slash).strip_prefix('/').filter(|by| by.starts_with(|digit: char| digit.is_ascii_digit()));
+        let behind = slash.start.checked_sub(1).map(|at| self.byte(at));
+        let number = behind.is_some_and(|byte| byte.is_ascii_digit() || byte == b'.');
+        let (Some(by), true, text) = (by, number, self.text) else { return false };
+        let is_before = |word: &&mut Word| word.address != Address::N && word.span(text).end == slash.start;
+        let Some(word) = self.words.last_mut().filter(is_before) else { return false };
+        let before = word.span(text);
+        let of = before.to(slash);
+        let value = word.number().filter(|_| word.address != Address::R);
+        let divisor = Number::parse(by.as_bytes()).map(|by| by.value.thousandths()).filter(|by| *by != 0);
+        let quotient = value.zip(divisor).and_then(|(value, by)| {
+            let product = value.thousandths().checked_mul(1000)?;
+            (product % by == 0).then(|| format!("{}{}", word.address, Decimal::from_thousandths(product / by)))
+        });
+        let void = Word::bare(word.address, of).faulty();
+        *word = if word.address == Address::R { void.assigning(word.target()) } else { void };
+        self.pending.retain(|found| !before.range().contains(&(found.at.span.start as usize)));
+        let meant = quotient.map_or(NumberMeant::Undivided, |written| NumberMeant::Divided { written });
+        self.report(of, Finding::MalformedNumber { text: shown(self.slice(of)), meant });
+        true
+    }
+
     /// `LI00`, `X-Q5`, `R10=l2`: of an address without a value, the letter right behind it that stands in place of a digit.
     /// What the two would have set is not known, but for a number that is no coordinate.
     pub(super) fn letters_for_digits(&mut self, first: usize) {

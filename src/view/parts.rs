@@ -14,7 +14,7 @@ const ELSEWHERE: [&str; 11] =
     ["kind", "seq", "n", "file", "line", "column", "calls", "first_block", "last_block", "position", "feed"];
 
 /// Fields that belong to what the block does, not to what is in force.
-const DOES: [&str; 20] = [
+const DOES: [&str; 21] = [
     "skippable",
     "g_set",
     "m_set",
@@ -32,6 +32,7 @@ const DOES: [&str; 20] = [
     "dwell_s",
     "stop",
     "cond_stop",
+    "opaque_call",
     "data",
     "words",
     "params",

@@ -136,7 +136,9 @@ fn reference_states_every_rule() {
         .filter_map(|line| Some(line.strip_prefix("**")?.split_once(".**")?.0.to_owned()))
         .filter(|name| name.contains('-'))
         .collect();
-    assert_eq!(stated, Vec::from_iter(RULES.lines()));
+    // What `format` and `renumber` do is no part of the language.
+    let rules = RULES.lines().filter(|rule| !rule.starts_with("FMT-") && !rule.starts_with("REN-"));
+    assert_eq!(stated, Vec::from_iter(rules));
 }
 
 /// The reference states the rules that rows of the language cite.

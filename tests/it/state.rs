@@ -105,6 +105,10 @@ fn compare(state: &Value, record: &Value, end: bool, at: &Value, context: &str) 
         if matches!(key, "feed_scale" | "dynamic_set" | "continuous_mode") && end {
             continue;
         }
+        // Before the next block a macrocycle of the machine has moved what it may.
+        if key == "position" && record.get("opaque_call").is_some() && record["seq"] != at["seq"] {
+            continue;
+        }
         assert_eq!(state.get(key), record.get(key), "{key} {context}");
     }
     for group in 0..12 {

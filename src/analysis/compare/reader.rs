@@ -116,6 +116,9 @@ impl StepReader {
         if let Some(dwell) = block.dwell() {
             self.event(block, ChangeKind::Dwell, "G04", Value::Number(dwell.millionths()));
         }
+        if let Some(l) = block.opaque_call() {
+            self.event(block, ChangeKind::Function, "G72", Value::Text(format!("L{l}")));
+        }
         if self.parameters {
             for (index, value) in block.params() {
                 self.event(block, ChangeKind::Parameter, &format!("R{index}"), Value::from(*value));
@@ -130,7 +133,7 @@ impl StepReader {
     fn note_context(&mut self, block: &Executed<'_>) {
         let kind = block.motion().map(|motion| motion.kind());
         let working =
-            kind.is_some_and(|kind| kind.is_working() || kind == MotionType::Thread) || block.is_unmapped_cycle();
+            kind.is_some_and(|kind| kind.is_working() || kind == MotionType::Thread) || block.is_opaque();
         let feed = block.feed().map(|feed| (feed.value, feed.unit, feed.hundredth));
         let radius = block.g(GGroup::G3).filter(|code| *code != GCode::G40);
         let plane = block.g(GGroup::G1).filter(|_| radius.is_some());

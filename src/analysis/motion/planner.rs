@@ -138,7 +138,7 @@ impl Planner {
             function_s: step.function_s,
             settle_s: 0.0,
             gap_s,
-            unknown: step.unmapped_cycle,
+            unknown: step.opaque,
             approach: step.approach,
             tool: step.tool,
             untimed: [
@@ -183,7 +183,7 @@ impl Planner {
                     half_tan: None,
                 };
                 piece.broken = early_break(&self.model, self.before.as_ref(), self.idle, &piece);
-                self.idle = false;
+                self.idle = step.opaque;
                 self.before = Some(piece.clone());
                 self.merge(Some(piece), listener);
             }

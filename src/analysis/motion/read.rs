@@ -110,7 +110,7 @@ impl StepReader {
                 Some(GCode::G98) | None => Mode::Basic,
                 Some(_) => Mode::Other,
             },
-            unmapped_cycle: block.is_unmapped_cycle(),
+            opaque: block.is_opaque(),
             motion,
             dwell_s: dwells.then(|| block.dwell().map_or(0.0, Micro::to_f64)),
             stops: block.stop() || (block.cond_stop() && self.optional_stop),

@@ -114,8 +114,9 @@ pub struct Step {
     pub untimed_change: bool,
     /// It has other functions that nobody gave a time for.
     pub untimed_function: bool,
-    /// Axis words under a fixed cycle that is not mapped: nobody knows what moves (TIM-3).
-    pub unmapped_cycle: bool,
+    /// Axis words under a fixed cycle that is not mapped, or a macrocycle that only the machine has: nobody knows what
+    /// moves (TIM-3).
+    pub opaque: bool,
     /// The length is not known because no position was, up to here.
     pub approach: bool,
     /// The tool in the spindle.

@@ -164,14 +164,14 @@ impl SheetReader {
                     CallKind::Macrocycle | CallKind::Cycle(_) => true,
                 };
                 let units = &mut self.sheet.units;
-                match units.iter_mut().find(|unit| unit.l == call.l && unit.macrocycle == macrocycle) {
-                    Some(unit) => unit.runs += 1,
-                    None => units.push(UnitUse { l: call.l, macrocycle, runs: 1 }),
-                }
+                count_run(units, call.l, macrocycle);
             }
             depth += 1;
         }
         self.open.truncate(depth);
+        if let Some(l) = block.opaque_call() {
+            count_run(&mut self.sheet.units, l, true);
+        }
     }
 
     /// What is written in a block.
@@ -216,14 +216,17 @@ impl SheetReader {
         tools.get_mut(at)
     }
 
-    /// Where a fixed cycle that is not mapped leads, and how far, nobody knows.
-    fn unknown_cycle(&mut self, block: &Executed<'_>) {
-        if !block.is_unmapped_cycle() {
-            return;
-        }
+    /// Where a fixed cycle that is not mapped leads, or a macrocycle of the machine, and how far, nobody knows.
+    fn unknown_motion(&mut self, block: &Executed<'_>) {
         let axes = block.settings().machine.axes.iter().filter(|axis| !axis.rotary).map(|axis| axis.letter);
         let main = |letter: &AxisLetter| matches!(letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z);
-        let letters: Vec<AxisLetter> = axes.filter(main).collect();
+        let cycle = block.is_unmapped_cycle();
+        let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
+        let letters: Vec<AxisLetter> =
+            axes.filter(main).filter(|letter| cycle || unseen.contains(letter)).collect();
+        if letters.is_empty() {
+            return;
+        }
         let lack = |extents: &mut Extents| letters.iter().for_each(|letter| extents.lack(*letter, block.n()));
         lack(&mut self.sheet.working);
         lack(&mut self.sheet.all);
@@ -255,6 +258,14 @@ impl SheetReader {
             }
             MotionType::Reference => {}
         }
+    }
+}
+
+/// Counts one run of a subprogram or macrocycle.
+fn count_run(units: &mut Vec<UnitUse>, l: u32, macrocycle: bool) {
+    match units.iter_mut().find(|unit| unit.l == l && unit.macrocycle == macrocycle) {
+        Some(unit) => unit.runs += 1,
+        None => units.push(UnitUse { l, macrocycle, runs: 1 }),
     }
 }
 
@@ -308,9 +319,9 @@ impl Sink for SheetReader {
                 if block.tool().is_some() {
                     self.tool(block);
                 }
-                self.unknown_cycle(block);
             }
         }
+        self.unknown_motion(block);
         ControlFlow::Continue(())
     }
 

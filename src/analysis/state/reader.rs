@@ -26,6 +26,8 @@ pub enum Unknown {
     MFunction,
     /// A fixed cycle that is not mapped (GRP-6).
     Cycle,
+    /// A macrocycle that only the machine has (FLW-12).
+    Macrocycle,
     /// The spindle turned (MFN-10).
     Spindle,
     /// Moved by G91 from an unknown position (MOT-2).
@@ -42,6 +44,7 @@ impl Unknown {
             Self::Reference => "reference",
             Self::MFunction => "m_function",
             Self::Cycle => "cycle",
+            Self::Macrocycle => "macrocycle",
             Self::Spindle => "spindle",
             Self::Incremental => "incremental",
             Self::Value => "value",
@@ -49,11 +52,12 @@ impl Unknown {
     }
 
     /// Every one.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::NotProgrammed,
         Self::Reference,
         Self::MFunction,
         Self::Cycle,
+        Self::Macrocycle,
         Self::Spindle,
         Self::Incremental,
         Self::Value,
@@ -325,6 +329,7 @@ impl StateReader {
 
     fn note_unknown(&mut self, block: &Executed<'_>) {
         let after = block.state();
+        let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
             let named = block.motion().is_some_and(|motion| motion.moves(axis.letter));
             let cycle =
@@ -334,7 +339,9 @@ impl StateReader {
                 *moved |= cycle || was_known;
             }
             let Some(unknown) = self.unknown.get_mut(axis.letter as usize) else { continue };
-            if after.axis_position(place).is_some() {
+            if unseen.contains(&axis.letter) {
+                *unknown = Unknown::Macrocycle;
+            } else if after.axis_position(place).is_some() {
                 *unknown = Unknown::NotProgrammed;
             } else if was_known || named || cycle {
                 *unknown = why(block, axis.letter, cycle, *unknown);
@@ -375,6 +382,7 @@ impl Sink for &mut StateReader {
         self.executed += 1;
         if !block.moves_on() {
             self.follow_cycle(block);
+            self.before.pass_machine_call();
         }
         let arrives = self.arrives(block);
         let after = self.finder.asked().after;

@@ -42,6 +42,7 @@ bilingual! {
         Reference "it stands at its reference point (G30)", "stojí v referenčním bodě (G30)";
         MFunction "an M function moved the machine", "strojem pohnula M funkce";
         Cycle "a fixed cycle moved it that is not configured", "pohnul jí pevný cyklus, který není nastaven";
+        Macrocycle "a macrocycle moved it that only the machine has", "pohnul jí makrocyklus, který má jen stroj";
         Spindle "it is the spindle, which turned", "je to vřeteno, které se točilo";
         Incremental "moved by G91 from an unknown position", "pohyb v G91 z neznámé polohy";
         Value "a value is not known", "není známa hodnota";
@@ -71,6 +72,7 @@ impl Words {
             Unknown::Reference => Self::Reference,
             Unknown::MFunction => Self::MFunction,
             Unknown::Cycle => Self::Cycle,
+            Unknown::Macrocycle => Self::Macrocycle,
             Unknown::Spindle => Self::Spindle,
             Unknown::Incremental => Self::Incremental,
             Unknown::Value => Self::Value,

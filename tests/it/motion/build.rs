@@ -59,7 +59,7 @@ pub fn idle(seq: u64) -> Step {
         plain: true,
         untimed_change: false,
         untimed_function: false,
-        unmapped_cycle: false,
+        opaque: false,
         approach: false,
         tool: None,
     }

@@ -300,7 +300,7 @@ fn times_of_blocks() {
     steps[3].mode = Mode::Basic;
     steps.push(Step { function_s: 6.5, mode: Mode::Basic, ..idle(4) });
     steps.push(with(line(5, [1.0, 0.0, 0.0], 600.0, dynamics()), |motion| motion.length = None));
-    steps.push(Step { unmapped_cycle: true, ..idle(6) });
+    steps.push(Step { opaque: true, ..idle(6) });
     let planned = plan(&model, &steps);
     let motion = |block: usize| planned.blocks[block].motion.as_ref().and_then(|motion| motion.motion_s).unwrap_or(0.0);
     let extra: Vec<f64> = (0..7).map(|block| planned.blocks[block].duration_s - motion(block)).collect();

@@ -176,6 +176,31 @@ fn cycle_and_flow() {
     assert_eq!(end.errors, ["E0413"]);
 }
 
+/// A macrocycle that only the machine has: the calling block keeps its position, the next one knows what was not moved
+/// (FLW-12).
+#[test]
+fn macrocycles_of_the_machine() {
+    let machine = "[machine-macrocycles]\nL9001 = {}\n[machine-macrocycles.L9002]\naxes = [\"Z\"]\n[cycles]\nG81 = 9002\n";
+    let program = "%1\nN10 G0 X0 Y0 Z5 F100\nN20 G72 L9002 Q3\nN30 G1 X10\nN40 G81 Y1\nN50 G80 X20 G72 L9001\nN60 G91 X5\n\
+                   N70 G90 G71 L5\nN80 M30\nN90 G79 L5\nN100 X1 G72 L9001\nN110 G70";
+    let found = case(program).config(machine).blocks();
+    let calls = column(&found, "opaque_call");
+    assert_eq!(calls, json!([null, 9002, null, 9002, 9001, null, null, null, 9001, null, null]));
+    let positions = column(&found, "position");
+    assert_eq!(positions[1], json!({"X": 0, "Y": 0, "Z": 5}));
+    assert_eq!(positions[2], json!({"X": 10, "Y": 0}));
+    assert_eq!(positions[4], json!({"X": 20, "Y": 1}));
+    assert_eq!(positions[5], Value::Null);
+    assert_eq!((&positions[8], &positions[9]), (&json!({"X": 1}), &Value::Null));
+    assert_eq!(found[4]["motion"]["length_mm"], 10);
+    let stream = case(program).config(machine).run();
+    assert_eq!(stream.codes, ["W0612"]);
+    let undeclared = case("%1\nN10 G72 L9002\nN20 M30").config("[machine-macrocycles]\nL9001 = {}").run();
+    assert_eq!(undeclared.errors, ["E0405"]);
+    let as_subprogram = case("%1\nN10 G71 L9001\nN20 M30").config("[machine-macrocycles]\nL9001 = {}").run();
+    assert_eq!(as_subprogram.errors, ["E0404"]);
+}
+
 /// M19: the spindle is an axis until M03, M04 or M05 (MFN-10, §13 M functions).
 #[test]
 fn oriented_spindle() {
