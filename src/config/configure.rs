@@ -7,7 +7,9 @@ use super::motion_constants::is_digits;
 use super::motion_values::{Layer, assemble};
 use super::project::{Project, letter};
 use super::taken::Setting;
-use super::{Axes, MFunctions, Machine, MayMove, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
+use super::{
+    Axes, MFunctions, Machine, MayMove, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants,
+};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
 use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back};
@@ -93,7 +95,8 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
         values.parameters.iter().map(|r| r.value).chain(overrides.parameters.iter().copied()).collect();
     machine.operations = values.operations.iter().map(|operation| operation.value).collect();
     machine.cycles = values.cycles.iter().map(|cycle| cycle.value).collect();
-    machine.macrocycles = values.machine_macrocycles.iter().map(|(number, axes)| (*number, may_move(axes.as_ref()))).collect();
+    machine.macrocycles =
+        values.machine_macrocycles.iter().map(|(number, axes)| (*number, may_move(axes.as_ref()))).collect();
     machine.gears = values.gears.iter().map(|gear| gear.value).collect();
     machine.gears.sort_by_key(|gear| gear.m);
     let without_plus = |digits: &str| digits.strip_prefix('+').unwrap_or(digits).to_owned();

@@ -35,8 +35,16 @@ bilingual! {
 impl NumberMeant {
     /// What is wrong with `text`.
     pub(super) fn message(&self, text: &str, lang: Lang) -> String {
-        let of_number =
-            matches!(self, Self::Form | Self::Divided { .. } | Self::Undivided | Self::Exponent { .. } | Self::ExponentForm | Self::NotANumber | Self::Fastest);
+        let of_number = matches!(
+            self,
+            Self::Form
+                | Self::Divided { .. }
+                | Self::Undivided
+                | Self::Exponent { .. }
+                | Self::ExponentForm
+                | Self::NotANumber
+                | Self::Fastest
+        );
         match (lang, of_number, matches!(self, Self::NoAddress | Self::BlockNumber { .. })) {
             (Lang::En, _, true) => format!("the number `{text}` has no address"),
             (Lang::Cs, _, true) => format!("číslo {text} nemá adresu"),

@@ -160,7 +160,11 @@ impl Unmodelled {
             Self::Function(function) => UnmodelledText::Function { function: function.to_string() },
             Self::Macrocycles(numbers) => {
                 let list = numbers.iter().map(|l| format!("L{l}")).collect::<Vec<_>>().join(", ");
-                if numbers.len() == 1 { UnmodelledText::Macrocycle { list } } else { UnmodelledText::Macrocycles { list } }
+                if numbers.len() == 1 {
+                    UnmodelledText::Macrocycle { list }
+                } else {
+                    UnmodelledText::Macrocycles { list }
+                }
             }
         };
         words.text(lang)
@@ -169,7 +173,9 @@ impl Unmodelled {
     /// What would make it known; empty when nothing would.
     pub fn help(&self, lang: Lang) -> String {
         match self {
-            Self::Function(cycle) if cycle.is_cycle() => UnmodelledText::NameCycle { cycle: cycle.to_string() }.text(lang),
+            Self::Function(cycle) if cycle.is_cycle() => {
+                UnmodelledText::NameCycle { cycle: cycle.to_string() }.text(lang)
+            }
             Self::Function(_) => String::new(),
             Self::Macrocycles(_) => UnmodelledText::NameAxes.text(lang),
         }

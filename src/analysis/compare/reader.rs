@@ -132,8 +132,7 @@ impl StepReader {
 
     fn note_context(&mut self, block: &Executed<'_>) {
         let kind = block.motion().map(|motion| motion.kind());
-        let working =
-            kind.is_some_and(|kind| kind.is_working() || kind == MotionType::Thread) || block.is_opaque();
+        let working = kind.is_some_and(|kind| kind.is_working() || kind == MotionType::Thread) || block.is_opaque();
         let feed = block.feed().map(|feed| (feed.value, feed.unit, feed.hundredth));
         let radius = block.g(GGroup::G3).filter(|code| *code != GCode::G40);
         let plane = block.g(GGroup::G1).filter(|_| radius.is_some());

@@ -222,8 +222,7 @@ impl SheetReader {
         let main = |letter: &AxisLetter| matches!(letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z);
         let cycle = block.is_unmapped_cycle();
         let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
-        let letters: Vec<AxisLetter> =
-            axes.filter(main).filter(|letter| cycle || unseen.contains(letter)).collect();
+        let letters: Vec<AxisLetter> = axes.filter(main).filter(|letter| cycle || unseen.contains(letter)).collect();
         if letters.is_empty() {
             return;
         }

@@ -180,7 +180,8 @@ fn cycle_and_flow() {
 /// (FLW-12).
 #[test]
 fn macrocycles_of_the_machine() {
-    let machine = "[machine-macrocycles]\nL9001 = {}\n[machine-macrocycles.L9002]\naxes = [\"Z\"]\n[cycles]\nG81 = 9002\n";
+    let machine =
+        "[machine-macrocycles]\nL9001 = {}\n[machine-macrocycles.L9002]\naxes = [\"Z\"]\n[cycles]\nG81 = 9002\n";
     let program = "%1\nN10 G0 X0 Y0 Z5 F100\nN20 G72 L9002 Q3\nN30 G1 X10\nN40 G81 Y1\nN50 G80 X20 G72 L9001\nN60 G91 X5\n\
                    N70 G90 G71 L5\nN80 M30\nN90 G79 L5\nN100 X1 G72 L9001\nN110 G70";
     let found = case(program).config(machine).blocks();
