@@ -5,7 +5,7 @@ use std::path::{Component, Path, PathBuf};
 
 use super::motion_constants::is_digits;
 use super::motion_values::{Layer, assemble};
-use super::project::{Project, letter};
+use super::project::{Project, Texts, letter};
 use super::taken::Setting;
 use super::{
     Axes, MFunctions, Machine, MayMove, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants,
@@ -118,7 +118,7 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
 }
 
 /// The axes that a macrocycle of the machine may move: any, unless they are listed.
-fn may_move(axes: Option<&Setting<Vec<(String, Span)>>>) -> MayMove {
+fn may_move(axes: Option<&Texts>) -> MayMove {
     match axes {
         None => MayMove::All,
         Some(axes) => MayMove::Only(axes.value.iter().filter_map(|(name, _)| letter(name)).collect()),

@@ -61,7 +61,7 @@ pub(super) struct Project {
     /// Macrocycle 1–9999 of cycle 81–89.
     pub cycles: Vec<Setting<(u8, u32)>>,
     /// Macrocycles 1–9999 that only the machine has; their axes, each at its place.
-    pub machine_macrocycles: Vec<(u32, Option<Setting<Vec<(String, Span)>>>)>,
+    pub machine_macrocycles: Vec<(u32, Option<Texts>)>,
     /// The gears, each M once.
     pub gears: Vec<Setting<Gear>>,
     /// The ends of all gears, by key: they may reach `limits.speed`.
@@ -87,6 +87,9 @@ pub(super) struct Project {
     /// How programs are laid out.
     pub format: Style,
 }
+
+/// Texts, each at its place.
+pub(super) type Texts = Setting<Vec<(String, Span)>>;
 
 impl Project {
     /// Reads the text, which is `file` of the run: E0701 when it is no TOML, then nothing is set; E0702 for each value of
