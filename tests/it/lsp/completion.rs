@@ -79,7 +79,7 @@ impl Editor {
         found.as_array().unwrap().iter().map(|found| found["message"].as_str().unwrap().to_owned()).collect()
     }
 
-    /// The text after a line end was typed at `|`, with what the server adds.
+    /// The text after a line end was typed at `|`, with the server's edits.
     fn entered(&mut self, text: &str) -> String {
         let (uri, position) = self.open("", text);
         let params = json!({
@@ -87,11 +87,17 @@ impl Editor {
             "options": { "tabSize": 4, "insertSpaces": true },
         });
         let answer = self.client.request("textDocument/onTypeFormatting", params)["result"].clone();
-        let added = answer.as_array().into_iter().flatten().map(|edit| {
-            assert_eq!(edit["range"], json!({ "start": position, "end": position }));
-            edit["newText"].as_str().unwrap()
-        });
-        text.replacen('|', &added.collect::<String>(), 1)
+        let mut text = text.replacen('|', "", 1);
+        for edit in answer.as_array().into_iter().flatten().rev() {
+            let offset = |at: &Value| {
+                let line = usize::try_from(at["line"].as_u64().unwrap()).unwrap();
+                let before: usize = text.split_inclusive('\n').take(line).map(str::len).sum();
+                before + usize::try_from(at["character"].as_u64().unwrap()).unwrap()
+            };
+            let range = offset(&edit["range"]["start"])..offset(&edit["range"]["end"]);
+            text.replace_range(range, edit["newText"].as_str().unwrap());
+        }
+        text
     }
 }
 
@@ -337,23 +343,24 @@ fn snippets() {
 fn a_line_end_numbers_the_next_block() {
     let mut editor = Editor::english();
     for (before, after) in [
-        ("%1\nN10 G0\n|", "%1\nN10 G0\nN20 "),
+        ("%1\nN10 G00\n|", "%1\nN10 G00\nN20 "),
         ("%1 \"t\"\n|\n", "%1 \"t\"\nN10 \n"),
-        ("%1\nN10 G0\n|\nN20 M30\n", "%1\nN10 G0\nN15 \nN20 M30\n"),
-        ("%1\nN10 G0\n  |\n\nN20 M30\n", "%1\nN10 G0\n  N15 \n\nN20 M30\n"),
+        ("%1\nN10 G00\n|\nN20 M30\n", "%1\nN10 G00\nN15 \nN20 M30\n"),
+        ("%1\nN10 G0\n|", "%1\nN10 G00\nN20 "),
+        ("%1\nN10 G00\n  |\n\nN20 M30\n", "%1\nN10 G00\nN15 \n\nN20 M30\n"),
     ] {
         assert_eq!(editor.entered(before), after);
     }
     for unchanged in [
-        "%1\nN10 G0\n| X1\n",
-        "%1\nN10 G0\n|\nX1\nN20 M30",
-        "%1\nN10 G0\n|\n\nX1\nN20 M30",
-        "%1\nN10 G0\n\n|",
-        "%1\nN10 G0\n\"c\"\n|",
+        "%1\nN10 G00\n| X1\n",
+        "%1\nN10 G00\n|\nX1\nN20 M30",
+        "%1\nN10 G00\n|\n\nX1\nN20 M30",
+        "%1\nN10 G00\n\n|",
+        "%1\nN10 G00\n\"c\"\n|",
         "%1\nN10 M30\n|",
         "%1\nN10 M30\n*\n|",
         "%1\nN10 M30\nN20 G79 L1\nN30 G70\n|",
-        "N10 G0\n|",
+        "N10 G00\n|",
         "abc\n|\n%1\nN10 M30",
         "|%1",
     ] {
