@@ -18,10 +18,10 @@ pub(super) fn run(args: &FormatArgs, locale: Locale) -> Result<Status, Failure> 
 
 fn make(target: &Target, source: &Arc<SourceText>, bytes: &[u8], settings: &Settings) -> Made {
     match format(&target.path, source, bytes, settings) {
-        Ok((bytes, 0)) => Made { bytes: Some(bytes), ..Made::unchanged() },
+        Ok((bytes, 0)) => Made { bytes, ..Made::unchanged() },
         Ok((bytes, lines)) => {
             let said = vec![Words::LinesLeft { file: target.name(), lines }];
-            Made { bytes: Some(bytes), said, ..Made::unchanged() }
+            Made { bytes, said, ..Made::unchanged() }
         }
         Err(outcome) => Made { findings: Some((outcome.sources, outcome.findings)), ..Made::unchanged() },
     }

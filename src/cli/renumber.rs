@@ -50,7 +50,7 @@ fn made(
             if more > 0 {
                 said.push(Words::MoreMentions { file, more });
             }
-            Made { bytes: Some(bytes), said, ..Made::unchanged() }
+            Made { bytes, said, ..Made::unchanged() }
         }
         Err(why) => Made { refused: Some(Words::NotRenumbered { file, why: why.text(lang) }), ..Made::unchanged() },
     }

@@ -20,6 +20,7 @@ use super::words::{Words, reason};
 use crate::config::Settings;
 use crate::diag::{Findings, Format, Report};
 use crate::disk::{DiskLoader, is_stdin};
+use crate::edit::FileBytes;
 use crate::text::{Loader, SourceText, Sources};
 
 /// How many files are made anew before they are written: bounds what is kept of them.
@@ -49,7 +50,7 @@ pub(super) type Make<'a> = dyn Fn(&Target, &Arc<SourceText>, &[u8], &Settings) -
 
 /// A file as it was and as it is to be.
 struct Rewritten {
-    before: Vec<u8>,
+    before: FileBytes,
     made: Made,
 }
 
@@ -102,12 +103,12 @@ fn rewritten(target: &Target, projects: &Projects, loader: &DiskLoader, make: &M
     if let Some(problem) = &target.problem {
         return Err(io::Error::new(problem.kind(), problem.to_string()));
     }
-    let before = loader.read(&target.path)?;
-    let Some(settings) = projects.settings(target) else { return Ok(Rewritten { before, made: Made::unchanged() }) };
-    let source = SourceText::decode(target.name(), before.clone(), settings.encoding);
-    let source = Arc::new(source.map_err(|_| io::ErrorKind::FileTooLarge)?);
-    let mut made = make(target, &source, &before, settings);
-    made.bytes = made.bytes.filter(|bytes| *bytes != before);
+    let settings = projects.settings(target);
+    let encoding = settings.map(|settings| settings.encoding).unwrap_or_default();
+    let before = FileBytes::decode(target.name(), loader.read(&target.path)?, encoding);
+    let before = before.map_err(|_| io::ErrorKind::FileTooLarge)?;
+    let made = settings.map(|settings| make(target, before.source(), before.bytes(), settings));
+    let made = made.unwrap_or_else(Made::unchanged);
     Ok(Rewritten { before, made })
 }
 
@@ -150,7 +151,7 @@ impl Rewriting<'_> {
         }
         let shows = self.args.check || self.args.diff;
         if is_stdin(&target.path) && !shows {
-            return self.out.write_all(made.bytes.as_deref().unwrap_or(&before));
+            return self.out.write_all(made.bytes.as_deref().unwrap_or(before.bytes()));
         }
         let Some(after) = made.bytes else {
             self.same += 1;
@@ -162,12 +163,12 @@ impl Rewriting<'_> {
             let encoding = projects.settings(target).map(|settings| settings.encoding).unwrap_or_default();
             let lines = |bytes| if terminal { diff::safe_lines(bytes, encoding) } else { diff::lines(bytes) };
             let colors = self.locale.colors(terminal);
-            return self.out.write_all(&diff::unified(&name, &lines(&before), &lines(&after), colors));
+            return self.out.write_all(&diff::unified(&name, &lines(before.bytes()), &lines(&after), colors));
         }
         if self.args.check {
             return writeln!(self.out, "{}", crate::diag::terminal_safe(&name));
         }
-        self.replace(target, &before, &after);
+        self.replace(target, before.bytes(), &after);
         Ok(())
     }
 

@@ -31,7 +31,7 @@ pub fn apply_fixes<'a>(
     for (&start, &(end, before)) in &edits {
         splice.write(Written { span: Span::new(start, end), before, copied: None, after: "" });
     }
-    Fixed { bytes: splice.finish(), applied }
+    Fixed { bytes: splice.finish().unwrap_or_else(|| bytes.to_vec()), applied }
 }
 
 /// The edits that [`apply_fixes`] would make, in the order of the text.

@@ -13,3 +13,5 @@ mod splice;
 
 pub use fix::{Fixed, apply_fixes, compatible_edits};
 pub use format::format;
+#[cfg(feature = "cli")]
+pub(crate) use splice::FileBytes;

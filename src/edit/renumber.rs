@@ -85,7 +85,7 @@ pub(crate) fn renumber_evenly(resolved: &Resolved) -> Result<Renumbering, EditTe
     Err(obstacle)
 }
 
-/// The bytes of a renumbered file. `bytes` are those of `source`.
+/// The bytes of a renumbered file; `None` when they stay. `bytes` are those of `source`.
 ///
 /// # Errors
 /// Why that cannot be done.
@@ -95,7 +95,7 @@ pub(crate) fn renumbered(
     bytes: &[u8],
     settings: &Settings,
     numbering: Numbering,
-) -> Result<(Vec<u8>, Renumbering), EditText> {
+) -> Result<(Option<Vec<u8>>, Renumbering), EditText> {
     let (outcome, resolved) = alone::resolve(path, source, settings);
     let unread = outcome.findings.items().iter().filter(|item| item.at.file == FILE && is_unread(item.code()));
     if let Some(first) = unread.min_by_key(|item| item.at) {

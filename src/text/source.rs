@@ -84,6 +84,11 @@ impl SourceText {
         &self.text
     }
 
+    /// The decoded text alone.
+    pub fn into_text(self) -> String {
+        self.text
+    }
+
     /// What the bytes were decoded from.
     pub const fn encoding(&self) -> Encoding {
         self.encoding

@@ -15,7 +15,8 @@ use cnc872c::text::{Encoding, FileId, MemoryLoader, SourceText};
 /// The formatted bytes; `None` when a finding keeps the file as it is.
 pub fn formatted(path: &str, bytes: &[u8], settings: &Settings) -> Option<Vec<u8>> {
     let source = source(path, bytes, settings.encoding);
-    format(Path::new(path), &source, bytes, settings).ok().map(|(bytes, _)| bytes)
+    let (after, _) = format(Path::new(path), &source, bytes, settings).ok()?;
+    Some(after.unwrap_or_else(|| bytes.to_vec()))
 }
 
 /// Formats a file and compares: the same records but for places, the same findings but for those about layout, the same

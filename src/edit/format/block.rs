@@ -99,18 +99,21 @@ impl Part {
         }
     }
 
-    /// How long the formatted lines are, in characters.
-    pub(super) fn lengths(&mut self, file: &ParsedFile, style: Style) -> Vec<usize> {
-        let mut lengths = Vec::new();
+    /// How many of the formatted lines are longer than 80 characters.
+    pub(super) fn long_lines(&mut self, file: &ParsedFile, style: Style) -> usize {
+        let (mut long, mut length) = (0, 0);
         for at in 0..self.pieces.len() {
             let Some(&piece) = self.pieces.get(at).filter(|piece| !piece.moved) else { continue };
             let own = self.width(file, piece, style);
-            match lengths.last_mut().filter(|_| !piece.begins) {
-                Some(line) => *line += 1 + own,
-                None => lengths.push(own + if at > 0 { self.indent(at, style) } else { 0 }),
-            }
+            let before = length;
+            length = match at {
+                0 => own,
+                _ if piece.begins => own + self.indent(at, style),
+                _ => before + 1 + own,
+            };
+            long += usize::from(length > LINE && (before <= LINE || piece.begins));
         }
-        lengths
+        long
     }
 
     /// Breaks the line before a piece that does not fit on it: a word goes to the next line, a comment or `/` takes the word
@@ -147,6 +150,9 @@ impl Part {
     /// How many characters a piece has when it is formatted.
     fn width(&mut self, file: &ParsedFile, piece: Piece, style: Style) -> usize {
         let text = file.source.slice(piece.span);
+        if piece.comment && text.is_ascii() || word::is_tidy(text, style) {
+            return text.len();
+        }
         self.scratch.clear();
         if piece.comment || !word::write(text, style, &mut self.scratch) {
             return text.chars().count();
@@ -165,9 +171,27 @@ pub(super) fn without_trailing_blanks(file: &ParsedFile, comment: Span) -> Span 
     Span::new(comment.start, comment.end - u32::try_from(blanks).unwrap_or(0))
 }
 
+/// The part of a block from its first piece to its last.
+pub(super) fn extent(file: &ParsedFile, block: BlockId) -> Span {
+    let text = file.source.text();
+    let n = file.n_word(block).map_or(Span::empty(file.start), |word| word.span(text));
+    let mut end = file.words(block).last().map_or(n.end, |word| word.span(text).end);
+    for comment in file.comments_behind(block) {
+        if comment.start > end && line_ends(file, end, comment.start) > 0 {
+            break;
+        }
+        end = end.max(comment.end);
+    }
+    Span::new(n.start, end)
+}
+
 /// How many lines end between two places.
 pub(super) fn line_ends(file: &ParsedFile, from: u32, to: u32) -> usize {
-    let text = file.source.slice(Span::new(from.min(to), to)).as_bytes();
+    let text = match file.source.slice(Span::new(from.min(to), to)).as_bytes() {
+        b"" | b" " => return 0,
+        b"\n" | b"\r\n" => return 1,
+        text => text,
+    };
     let feeds = text.iter().filter(|byte| **byte == b'\n').count();
     let returns = text.iter().enumerate().filter(|(at, byte)| **byte == b'\r' && text.get(at + 1) != Some(&b'\n'));
     feeds + returns.count()

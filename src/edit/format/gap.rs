@@ -1,6 +1,6 @@
 //! What stands between words and comments, and each of them as it is written: the edits of a file in the order of its text.
 
-use super::block::{Part, line_ends, without_trailing_blanks};
+use super::block::{Part, extent, line_ends, without_trailing_blanks};
 use super::kept::{BLANK, Kept, lines_of};
 use super::{LINE, Style, word};
 use crate::edit::splice::Written;
@@ -28,6 +28,8 @@ pub(super) struct Layout<'a> {
     line_end: &'static str,
     /// Up to where the text has been laid out.
     at: u32,
+    /// The line of a place shortly before.
+    line: usize,
     part: Part,
     scratch: String,
 }
@@ -35,7 +37,7 @@ pub(super) struct Layout<'a> {
 impl<'a> Layout<'a> {
     pub(super) fn new(file: &'a ParsedFile, kept: &'a Kept, style: Style) -> Self {
         let line_end = usual_line_end(file.source.text());
-        Self { file, kept, style, line_end, at: file.start, part: Part::default(), scratch: String::new() }
+        Self { file, kept, style, line_end, at: file.start, line: 0, part: Part::default(), scratch: String::new() }
     }
 
     /// Writes the edits.
@@ -52,7 +54,8 @@ impl<'a> Layout<'a> {
         let mut first = true;
         for (span, _) in header(self.file) {
             let gap = self.apart(span, first);
-            self.lay(span, gap, None, write);
+            let stays = self.stays(span.start);
+            self.lay(span, gap, stays, None, write);
             first = false;
         }
     }
@@ -61,8 +64,8 @@ impl<'a> Layout<'a> {
     fn block(&mut self, block: BlockId, write: &mut dyn FnMut(Written<'_>)) {
         let mut part = std::mem::take(&mut self.part);
         part.read(self.file, block);
-        let stays = self.kept.has(self.file, part.span().start);
-        if !stays && self.may_be_long(&part) {
+        let stays = self.stays(part.span().start);
+        if !stays && self.may_be_long(part.span(), part.pieces.len()) {
             part.wrap(self.file, block, self.style);
         }
         let mut moved = part.pieces.iter().find(|piece| piece.moved).map(|piece| piece.span);
@@ -80,14 +83,15 @@ impl<'a> Layout<'a> {
                 write(Written { span: Span::new(self.at, piece.span.end), before: "", copied: None, after: "" });
                 self.at = piece.span.end;
             } else {
-                self.lay(piece.span, gap, moved.take(), write);
+                self.lay(piece.span, gap, stays, moved.take(), write);
             }
         }
         let comments = self.file.comments_behind(block);
         for comment in comments.get(part.comments..).sure() {
             let span = without_trailing_blanks(self.file, *comment);
             let gap = self.apart(span, false);
-            self.lay(span, gap, None, write);
+            let stays = self.stays(span.start);
+            self.lay(span, gap, stays, None, write);
         }
         self.part = part;
     }
@@ -114,9 +118,13 @@ impl<'a> Layout<'a> {
 
     /// Whether a line of the block may be longer than 80 characters when it is formatted: each piece grows by a blank and a
     /// digit at most, and by its indentation.
-    fn may_be_long(&self, part: &Part) -> bool {
-        let grown = part.pieces.len() * 2 + usize::from(self.style.indent);
-        part.span().len() as usize + grown > LINE
+    fn may_be_long(&self, span: Span, pieces: usize) -> bool {
+        span.len() as usize + pieces * 2 + usize::from(self.style.indent) > LINE
+    }
+
+    /// Whether the line at a place stays as it is: with one line of a block all of them do.
+    fn stays(&mut self, at: u32) -> bool {
+        self.kept.has(self.file, at, &mut self.line)
     }
 
     /// The end of the text: a blank before `*`, a line end behind all else.
@@ -132,11 +140,12 @@ impl<'a> Layout<'a> {
                 // A blank that would make the line too long is left out.
                 if room || !before.is_empty() {
                     let gap = self.apart(star, false);
-                    self.lay(star, gap, None, write);
+                    let stays = self.stays(star.start);
+                    self.lay(star, gap, stays, None, write);
                 }
             }
         } else if some && text.trim_matches(BLANK).is_empty() && self.file.end == self.file.source.len() {
-            let stays = self.kept.has(self.file, self.at.saturating_sub(1));
+            let stays = self.stays(self.at.saturating_sub(1));
             let trail = if stays { first_line(text) } else { "" };
             let ended = trail.ends_with(['\n', '\r']);
             let (before, after) = (trail.to_owned(), if ended { "" } else { self.line_end });
@@ -147,12 +156,11 @@ impl<'a> Layout<'a> {
     }
 
     /// Lays out one word or comment with the gap before it. A comment that goes to a line of its own before it is `moved`.
-    fn lay(&mut self, span: Span, gap: Gap, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
-        let stays = self.kept.has(self.file, span.start);
+    fn lay(&mut self, span: Span, gap: Gap, stays: bool, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
         self.gap(span.start, gap, stays, moved, write);
         self.at = span.end;
         let text = self.file.source.slice(span);
-        if stays || text.starts_with('"') {
+        if stays || text.starts_with('"') || word::is_tidy(text, self.style) {
             return;
         }
         self.scratch.clear();
@@ -161,17 +169,22 @@ impl<'a> Layout<'a> {
         }
     }
 
-    fn gap(&self, to: u32, gap: Gap, stays: bool, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
+    fn gap(&mut self, to: u32, gap: Gap, stays: bool, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
         let span = Span::new(self.at.min(to), to);
         let text = self.file.source.slice(span);
-        if !text.trim_matches(BLANK).is_empty() {
+        let is_so = match gap {
+            Gap::Blank => text == " ",
+            Gap::Line { indent, .. } => indent == 0 && text == self.line_end,
+            Gap::Nothing => text.is_empty(),
+        };
+        if (is_so && moved.is_none()) || !text.trim_matches(BLANK).is_empty() {
             return;
         }
         let ends = line_ends(self.file, span.start, span.end);
         if stays && ends == 0 {
             return;
         }
-        let before_stays = span.start > self.file.start && self.kept.has(self.file, span.start - 1);
+        let before_stays = span.start > self.file.start && self.stays(span.start - 1);
         let mut new = String::new();
         match gap {
             Gap::Nothing => {}
@@ -203,22 +216,24 @@ impl<'a> Layout<'a> {
             rows.add(self.file, self.style, span, comment, &mut grown);
         }
         for block in self.file.block_ids() {
-            self.part.read(self.file, block);
-            if self.may_be_long(&self.part) && !self.kept.has(self.file, self.part.span().start) {
+            let comments = self.file.comments_behind(block);
+            let span = extent(self.file, block);
+            let pieces = 1 + self.file.words(block).len() + comments.len();
+            if self.may_be_long(span, pieces) && !self.stays(span.start) {
+                self.part.read(self.file, block);
                 self.part.wrap(self.file, block, self.style);
-                let long = self.part.lengths(self.file, self.style).iter().filter(|length| **length > LINE).count();
-                let lines = lines_of(self.file, self.part.span());
-                if long > lines.clone().filter(|line| is_long(self.file, *line)).count() {
+                let long = self.part.long_lines(self.file, self.style);
+                let lines = lines_of(self.file, span);
+                if long > 0 && long > lines.clone().filter(|line| is_long(self.file, *line)).count() {
                     grown.extend(lines);
                 }
             }
-            let comments = self.file.comments_behind(block).get(self.part.comments..).sure();
             rows = Rows::default();
-            for comment in comments {
+            for comment in comments.iter().filter(|comment| comment.start >= span.end) {
                 rows.add(self.file, self.style, without_trailing_blanks(self.file, *comment), true, &mut grown);
             }
         }
-        grown.retain(|line| !self.kept.has(self.file, self.file.source.line_span(*line).start));
+        grown.retain(|line| !self.kept.line(*line));
         grown
     }
 }

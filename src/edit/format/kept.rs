@@ -1,9 +1,8 @@
 //! Which lines stay byte for byte (FMT-6): those that could not be read, and all lines of the blocks that they cut.
 
-use std::collections::BTreeSet;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
-use super::block::{Part, items};
+use super::block::{extent, items};
 use super::word;
 use crate::config::Style;
 use crate::diag::{Code, Findings};
@@ -22,8 +21,8 @@ const fn is_unread(code: Code) -> bool {
 /// The lines that stay as they are.
 #[derive(Debug, Default)]
 pub(super) struct Kept {
-    /// From 0.
-    lines: BTreeSet<usize>,
+    /// By line from 0; empty when no line stays.
+    lines: Vec<bool>,
     /// How many of them because they could not be read.
     unread: usize,
 }
@@ -32,25 +31,40 @@ impl Kept {
     /// The lines that could not be read. Where there are more than findings are kept, none could.
     pub(super) fn of(file: &ParsedFile, findings: &Findings) -> Self {
         let mut kept = Self::default();
+        // What is no word has an error, or one of those warnings.
+        if !findings.has_errors() && findings.items().iter().all(|item| !is_unread(item.code())) {
+            debug_assert!(debris(file).is_empty());
+            return kept;
+        }
+        let lines = file.source.lines().count();
         if findings.beyond().any(|((found_in, code), _)| found_in == FileId(0) && is_unread(code)) {
-            kept.lines.extend(0..file.source.lines().count());
+            kept.add(lines, 0..lines);
         }
         let unread = findings.items().iter().filter(|item| item.at.file == FileId(0) && is_unread(item.code()));
-        kept.lines.extend(unread.flat_map(|item| lines_of(file, item.at.span)));
-        kept.lines.extend(debris(file));
+        kept.add(lines, unread.flat_map(|item| lines_of(file, item.at.span)));
+        kept.add(lines, debris(file));
         kept.close(file);
-        kept.unread = kept.lines.len();
+        kept.unread = kept.lines.iter().filter(|stays| **stays).count();
         kept
     }
 
     /// Keeps more lines.
     pub(super) fn keep(&mut self, file: &ParsedFile, lines: impl IntoIterator<Item = usize>) {
-        self.lines.extend(lines);
+        self.add(file.source.lines().count(), lines);
         self.close(file);
     }
 
+    fn add(&mut self, count: usize, lines: impl IntoIterator<Item = usize>) {
+        for line in lines {
+            self.lines.resize(count, false);
+            if let Some(stays) = self.lines.get_mut(line) {
+                *stays = true;
+            }
+        }
+    }
+
     /// Whether no line stays.
-    pub(super) fn is_empty(&self) -> bool {
+    pub(super) const fn is_empty(&self) -> bool {
         self.lines.is_empty()
     }
 
@@ -59,29 +73,46 @@ impl Kept {
         self.unread
     }
 
-    /// Whether the line at a place stays.
-    pub(super) fn has(&self, file: &ParsedFile, at: u32) -> bool {
-        !self.is_empty() && self.lines.contains(&file.source.lines().line_at(at))
+    /// Whether the line at a place stays. `hint` is the line of a place shortly before, and becomes the one of this place.
+    pub(super) fn has(&self, file: &ParsedFile, at: u32, hint: &mut usize) -> bool {
+        if self.is_empty() {
+            return false;
+        }
+        *hint = file.source.lines().line_near(at, *hint);
+        self.line(*hint)
     }
 
-    /// Takes in all lines of the blocks of which one stays.
+    /// Whether a line stays, from 0.
+    pub(super) fn line(&self, line: usize) -> bool {
+        self.lines.get(line).is_some_and(|stays| *stays)
+    }
+
+    /// Takes in all lines of the blocks of which one stays: blocks that share lines stay together.
     fn close(&mut self, file: &ParsedFile) {
         if self.is_empty() {
             return;
         }
-        let mut part = Part::default();
-        loop {
-            let before = self.lines.len();
-            for block in file.block_ids() {
-                part.read(file, block);
-                let lines = lines_of(file, part.span());
-                if self.lines.range(lines.clone()).next().is_some() {
-                    self.lines.extend(lines);
-                }
+        let index = file.source.lines();
+        let mut line = 0;
+        let mut together = 0..0;
+        for block in file.block_ids() {
+            let span = extent(file, block);
+            let first = index.line_near(span.start, line);
+            line = index.line_near(span.end.saturating_sub(1).max(span.start), first);
+            if first >= together.end {
+                self.close_lines(together);
+                together = first..first;
             }
-            if self.lines.len() == before {
-                return;
-            }
+            together.end = together.end.max(line + 1);
+        }
+        self.close_lines(together);
+    }
+
+    fn close_lines(&mut self, together: Range<usize>) {
+        if let Some(lines) = self.lines.get_mut(together)
+            && lines.contains(&true)
+        {
+            lines.fill(true);
         }
     }
 }
@@ -117,7 +148,8 @@ fn debris(file: &ParsedFile) -> Vec<usize> {
     let mut written = String::new();
     for word in file.all_words().map(|word| word.span(file.source.text())) {
         written.clear();
-        if !word::write(file.source.slice(word), Style::default(), &mut written) {
+        let text = file.source.slice(word);
+        if !word::is_tidy(text, Style::default()) && !word::write(text, Style::default(), &mut written) {
             lines.extend(lines_of(file, word));
         }
     }

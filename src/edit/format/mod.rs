@@ -8,14 +8,13 @@ mod gap;
 mod kept;
 mod word;
 
-use std::borrow::Cow;
 #[cfg(feature = "lsp")]
 use std::ops::RangeInclusive;
 use std::path::Path;
 use std::sync::Arc;
 
 use super::alone;
-use super::splice::{Splice, Written};
+use super::splice::{FileBytes, Splice, Written};
 use crate::config::{Level, Settings, Style};
 use crate::diag::{Code, Findings};
 use crate::session::Outcome;
@@ -116,7 +115,8 @@ impl Formatting {
     }
 }
 
-/// The bytes of a formatted file, and how many lines stayed because they could not be read. `bytes` are those of `source`.
+/// The bytes of a formatted file, and how many lines stayed because they could not be read. `None`: formatting changes
+/// nothing. `bytes` are those of `source`.
 ///
 /// # Errors
 /// The finding that keeps the file as it is.
@@ -125,18 +125,17 @@ pub fn format(
     source: &Arc<SourceText>,
     bytes: &[u8],
     settings: &Settings,
-) -> Result<(Vec<u8>, usize), Box<Outcome>> {
-    let mut bytes = Cow::Borrowed(bytes);
+) -> Result<(Option<Vec<u8>>, usize), Box<Outcome>> {
+    let mut made: Option<FileBytes> = None;
     let left = in_rounds(path, source, settings, &mut |formatting, source| {
-        let mut splice = Splice::new(source, &bytes);
+        let mut splice = Splice::new(source, made.as_ref().map_or(bytes, FileBytes::bytes));
         formatting.edits(&mut |edit| splice.write(edit));
-        let next = splice.finish();
-        let changed = next != *bytes;
-        bytes = Cow::Owned(next);
-        let again = || SourceText::decode(source.name(), bytes.to_vec(), source.encoding()).ok();
-        if changed && !formatting.kept.is_empty() { again() } else { None }
+        let next = FileBytes::decode(source.name(), splice.finish()?, source.encoding()).ok()?;
+        let again = (!formatting.kept.is_empty()).then(|| Arc::clone(next.source()));
+        made = Some(next);
+        again
     })?;
-    Ok((bytes.into_owned(), left))
+    Ok((made.map(FileBytes::into_bytes), left))
 }
 
 /// What formatting changes in a text, or in a part of it.
@@ -164,7 +163,7 @@ pub(crate) fn changes(
             Some(before) => before.then(changes),
             None => changes,
         };
-        let next = again.then(|| SourceText::from_text(source.name(), changes.text()));
+        let next = again.then(|| Arc::new(SourceText::from_text(source.name(), changes.text())));
         all = Some(changes);
         next
     })?;
@@ -193,17 +192,15 @@ fn in_rounds(
     path: &Path,
     source: &Arc<SourceText>,
     settings: &Settings,
-    apply: &mut dyn FnMut(&Formatting, &SourceText) -> Option<SourceText>,
+    apply: &mut dyn FnMut(Formatting, &SourceText) -> Option<Arc<SourceText>>,
 ) -> Result<usize, Box<Outcome>> {
-    let mut source = Arc::clone(source);
-    let mut formatting = Formatting::of(path, &source, settings)?;
+    let formatting = Formatting::of(path, source, settings)?;
     let left = formatting.lines_left();
+    let mut next = apply(formatting, source);
     for _ in 1..MOST_ROUNDS {
-        let Some(next) = apply(&formatting, &source) else { return Ok(left) };
-        source = Arc::new(next);
-        formatting = Formatting::of(path, &source, settings)?;
+        let Some(source) = next else { break };
+        next = apply(Formatting::of(path, &source, settings)?, &source);
     }
-    let _ = apply(&formatting, &source);
     Ok(left)
 }
 

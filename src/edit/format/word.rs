@@ -12,6 +12,26 @@ pub(super) fn write(word: &str, style: Style, out: &mut String) -> bool {
     done
 }
 
+/// Whether a word is written as the style writes it, by a quick look: many that are get `false`.
+pub(super) fn is_tidy(word: &str, style: Style) -> bool {
+    let digits = |bytes: &[u8]| !bytes.is_empty() && bytes.iter().all(u8::is_ascii_digit);
+    match word.as_bytes() {
+        [b'G' | b'M', code @ ..] => match style.codes {
+            Codes::TwoDigits => digits(code) && (code.len() == 2 || (code.len() > 2 && !code.starts_with(b"0"))),
+            Codes::Short => digits(code) && (code.len() == 1 || !code.starts_with(b"0")),
+            Codes::Keep => digits(code),
+        },
+        [b'N', number @ ..] => digits(number),
+        [b'X' | b'Y' | b'Z' | b'I' | b'J' | b'F' | b'S', value @ ..] if style.numbers == Numbers::Keep => {
+            let value = value.strip_prefix(b"-").unwrap_or(value);
+            let mut points = 0;
+            let number = |byte: &u8| byte.is_ascii_digit() || (*byte == b'.' && std::mem::replace(&mut points, 1) == 0);
+            value.first().is_some_and(u8::is_ascii_digit) && value.iter().all(number)
+        }
+        _ => false,
+    }
+}
+
 struct Writer<'a, 'b> {
     rest: &'a str,
     style: Style,
@@ -163,6 +183,20 @@ mod tests {
         ] {
             let expected = (!expected.is_empty()).then(|| expected.to_owned());
             assert_eq!(written(word, Codes::TwoDigits, Numbers::Keep), expected, "{word}");
+        }
+    }
+
+    proptest::proptest! {
+        /// The quick look knows no word that would be written otherwise.
+        #[test]
+        fn tidy_words_stay(word in "[GMNXYSgRT][-+]?[0-9]{0,4}[.]?[0-9]{0,3}[.]?") {
+            for (_, codes) in Codes::NAMED {
+                for (_, numbers) in Numbers::NAMED {
+                    if is_tidy(&word, Style { codes, numbers, ..Style::default() }) {
+                        proptest::prop_assert_eq!(written(&word, codes, numbers), Some(word.clone()));
+                    }
+                }
+            }
         }
     }
 
