@@ -2,6 +2,7 @@
 
 pub mod compare;
 pub mod equidistant;
+pub mod json;
 pub mod motion;
 mod number;
 pub mod plc;
@@ -10,6 +11,6 @@ pub mod sheet;
 pub mod state;
 mod totals;
 
-pub use number::Number;
+pub use number::{Number, push_digits, write_real};
 pub use record_schema::{forbid_null, record_schema};
 pub use totals::Totals;

@@ -156,7 +156,7 @@ impl OneRun<'_> {
         let json = args.format == MotionFormat::Json;
         let profile: Profile = self.settings.machine.motion.profile.value;
         let head = if json { machine(&Basis::of(self.settings), &name) } else { CSV_HEAD.to_owned() };
-        let mut rows = Rows { out, text: String::new(), jerk_free: 0, error: None };
+        let mut rows = Rows { out, text: Vec::new(), row: String::new(), jerk_free: 0, error: None };
         let times = Times { phases: args.phases, time_dist: true };
         let sink = RowSink { rows: &mut rows, head, summary: Summary::new(profile, 0), json };
         let run = self.session(self.settings).run_timed(self.path(), &name, Purpose::Compile, times, sink);
@@ -187,7 +187,9 @@ impl OneRun<'_> {
 /// Text on its way out.
 struct Rows<'o, W> {
     out: &'o mut W,
-    text: String,
+    text: Vec<u8>,
+    /// A row of CSV.
+    row: String,
     /// Blocks whose jerk nothing limits, since P is not known.
     jerk_free: u64,
     error: Option<io::Error>,
@@ -196,7 +198,7 @@ struct Rows<'o, W> {
 impl<W: Write> Rows<'_, W> {
     fn flush(&mut self) {
         if self.error.is_none() {
-            self.error = self.out.write_all(self.text.as_bytes()).and_then(|()| self.out.flush()).err();
+            self.error = self.out.write_all(&self.text).and_then(|()| self.out.flush()).err();
         }
         self.text.clear();
     }
@@ -215,7 +217,7 @@ impl<W: Write> TimedSink for RowSink<'_, '_, W> {
     type Whole = End;
 
     fn begin(&mut self, _: &Program<'_>) {
-        self.rows.text.push_str(&self.head);
+        self.rows.text.extend_from_slice(self.head.as_bytes());
     }
 
     fn block(&mut self, _: &Executed<'_>, times: &BlockTimes, _: &mut Findings) -> ControlFlow<()> {
@@ -225,7 +227,9 @@ impl<W: Write> TimedSink for RowSink<'_, '_, W> {
             summary.add(times);
             write_block(&mut rows.text, times);
         } else {
-            write_csv(&mut rows.text, times);
+            rows.row.clear();
+            write_csv(&mut rows.row, times);
+            rows.text.extend_from_slice(rows.row.as_bytes());
         }
         if rows.text.len() >= BUFFER {
             rows.flush();
@@ -239,7 +243,7 @@ impl<W: Write> TimedSink for RowSink<'_, '_, W> {
 
     fn end(self, end: End, _: &mut Findings) -> End {
         if self.json {
-            self.rows.text.push_str(&total(&self.summary));
+            self.rows.text.extend_from_slice(total(&self.summary).as_bytes());
         }
         end
     }

@@ -224,7 +224,9 @@ impl TimedSink for &mut Lines {
         _: &mut Findings,
     ) -> std::ops::ControlFlow<()> {
         self.1.add(times);
-        write_block(&mut self.0, times);
+        let mut record = Vec::new();
+        write_block(&mut record, times);
+        self.0.push_str(&String::from_utf8(record).unwrap());
         std::ops::ControlFlow::Continue(())
     }
 

@@ -3,8 +3,10 @@
 
 use std::fmt::Write;
 
-use super::json::{PER_MINUTE, push_number};
+use super::json::PER_MINUTE;
 use super::times::BlockTimes;
+use crate::analysis::write_real;
+use crate::dict::Micro;
 
 /// The first line.
 pub const CSV_HEAD: &str = "seq,n,file,line,start_s,duration_s,motion,programmed,cap,cap_by,start,peak,end,time_dist_s,\
@@ -42,6 +44,11 @@ pub fn write_csv(out: &mut String, block: &BlockTimes) {
     text(out, broken.or(joint.and_then(|joint| joint.limited_by).map(super::Limit::name)));
     text(out, joint.and_then(|joint| joint.dot).map(super::Dot::name));
     out.push_str("\r\n");
+}
+
+/// Rounded to six decimals, without exponent and trailing zeros.
+fn push_number(out: &mut String, value: f64) {
+    write_real(Micro::from_f64(value).millionths(), out);
 }
 
 fn text(out: &mut String, value: Option<&str>) {

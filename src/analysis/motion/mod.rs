@@ -36,11 +36,13 @@ pub use basis::{Basis, BasisValue, InForce, Table};
 pub use csv::{CSV_HEAD, write_csv};
 pub use findings::JointFindings;
 #[cfg(feature = "arrow")]
-pub(crate) use json::{PER_MINUTE, twelve_digits};
+pub(crate) use json::PER_MINUTE;
 pub use json::{machine, total, write_block};
 pub use model::Model;
 pub use planner::{Listener, Planner};
 pub use read::StepReader;
+#[cfg(feature = "arrow")]
+pub(crate) use records::twelve_digits;
 pub use records::{SCHEMA, schema};
 pub use step::{Direction, Dynamics, Mode, Move, Step, Unit};
 pub use summary::{Estimate, RedJoint, Summary, Total};

@@ -1,190 +1,252 @@
-//! The records of the motion stream `cnc872c.motion/1`, for its schema. They are written by `json`, one field after the
-//! other; what is `false`, empty or absent is left out.
-
-use std::collections::BTreeMap;
+//! The records of the motion stream `cnc872c.motion/1`, in the order in which their fields are written, and their schema.
+//! `json` fills them. What is `false`, empty or absent is left out.
 
 use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 use super::times::{Break, CapBy, Limit};
 use super::{Profile, Recognition};
-use crate::analysis::record_schema;
+use crate::analysis::json::Pairs;
+use crate::analysis::{Number, record_schema};
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.motion/1";
 
-type Numbers = BTreeMap<String, f64>;
-type Counts = BTreeMap<String, u64>;
+type Numbers = Pairs<String, Number>;
+type Counts = Pairs<&'static str, u64>;
 
 /// A line.
-#[derive(JsonSchema)]
-#[schemars(tag = "kind", rename_all = "lowercase", title = "Record of the motion stream cnc872c.motion/1")]
-#[expect(dead_code, reason = "the schema is all it is for: records are written field by field")]
-enum Record {
-    Machine(Box<MachineRecord>),
-    Block(Box<BlockRecord>),
-    Total(Box<TotalRecord>),
+#[derive(JsonSchema, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[schemars(title = "Record of the motion stream cnc872c.motion/1")]
+pub(super) enum Record<'a> {
+    Machine(&'a MachineRecord<'a>),
+    Block(&'a BlockRecord),
+    Total(&'a TotalRecord),
 }
 
 /// The first record: the machine that the times are of. What is off or absent is left out.
-#[derive(JsonSchema)]
+#[derive(Default, JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct MachineRecord {
+pub(super) struct MachineRecord<'a> {
     /// `cnc872c.motion/1`.
     #[schemars(extend("const" = SCHEMA))]
-    schema: String,
+    pub schema: &'a str,
     /// Name and version of the compiler.
-    generator: String,
+    pub generator: &'a str,
     /// The program, as the user named it.
-    name: String,
+    pub name: &'a str,
     /// Nothing is configured: all is assumed.
-    #[schemars(default)]
-    assumed: bool,
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub assumed: bool,
     /// Course of the velocity.
     #[schemars(extend("enum" = Profile::ALL.map(Profile::name)))]
-    profile: String,
+    pub profile: &'a str,
     /// How joints are recognised.
     #[schemars(extend("enum" = Recognition::ALL.map(Recognition::name)))]
-    recognition: String,
+    pub recognition: &'a str,
     /// Interpolation cycle Ts.
-    cycle_ms: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycle_ms: Option<Number>,
     /// Tolerance angle.
-    angle_deg: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(required)]
+    pub angle_deg: Option<Number>,
     /// Acceleration of working motion outside continuity.
-    accel_mm_s2: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(required)]
+    pub accel_mm_s2: Option<Number>,
     /// Acceleration of working motion within continuity.
-    accel_continuous_mm_s2: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(required)]
+    pub accel_continuous_mm_s2: Option<Number>,
     /// Acceleration of G00; none where `sets.rapid` gives it.
-    accel_rapid_mm_s2: Option<f64>,
-    /// Velocity of G00 along the path.
-    rapid_mm_min: Option<f64>,
-    /// Velocity of G00 by axis.
-    rapid_axes_mm_min: Option<Numbers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accel_rapid_mm_s2: Option<Number>,
     /// Shortest time of a block.
-    shortest_block_ms: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shortest_block_ms: Option<Number>,
     /// A shorter block breaks continuity.
-    break_length_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub break_length_mm: Option<Number>,
     /// A shorter linear block is joined to its neighbour.
-    merge_length_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub merge_length_mm: Option<Number>,
     /// Criterion of accuracy.
-    accuracy_um: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy_um: Option<Number>,
     /// A slower joint has a red dot.
-    red_percent: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub red_percent: Option<Number>,
     /// Dynamic criterion.
-    overload_mm_s2: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overload_mm_s2: Option<Number>,
     /// In a shorter block the velocity does not rise.
-    raise_length_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub raise_length_mm: Option<Number>,
     /// Time criterion for a rise of velocity.
-    raise_ms: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(required)]
+    pub raise_ms: Option<Number>,
     /// Blocks that the control sees.
-    look_ahead: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(required, with = "u64")]
+    pub look_ahead: Option<Number>,
     /// Greatest centripetal acceleration.
-    centripetal_mm_s2: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centripetal_mm_s2: Option<Number>,
     /// Speed to assume where S is a cutting speed.
-    constant_cutting_rpm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub constant_cutting_rpm: Option<Number>,
     /// Wait at the end of a motion that is not continued.
-    settle_ms: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settle_ms: Option<Number>,
     /// Gap before each block in G98.
-    block_gap_ms: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block_gap_ms: Option<Number>,
+    /// Velocity of G00 along the path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rapid_mm_min: Option<Number>,
+    /// Velocity of G00 by axis.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rapid_axes_mm_min: Option<Numbers>,
     /// Dynamic sets: 1 to 4, and that of G00.
-    sets: Option<BTreeMap<String, SetRecord>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sets: Option<Pairs<&'static str, SetRecord>>,
     /// Seconds that functions take.
-    times: Option<Numbers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub times: Option<Numbers>,
     /// Where each value comes from: a key of the project file, a machine constant, `--set`, or `default`.
-    from: BTreeMap<String, String>,
+    pub from: Pairs<String, &'a str>,
 }
 
 /// A dynamic set. A text is the parameter that holds the value.
-#[derive(JsonSchema)]
+#[derive(Default, JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct SetRecord {
+pub(super) struct SetRecord {
     /// Parabolic acceleration P.
-    parabolic: Option<NumberOrParameter>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub parabolic: Option<NumberOrParameter>,
     /// Linear acceleration A.
-    linear_mm_s2: Option<NumberOrParameter>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub linear_mm_s2: Option<NumberOrParameter>,
     /// Criterion of accuracy.
-    accuracy_um: Option<NumberOrParameter>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy_um: Option<NumberOrParameter>,
     /// Dynamic criterion.
-    overload_mm_s2: Option<NumberOrParameter>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub overload_mm_s2: Option<NumberOrParameter>,
     /// Greatest centripetal acceleration.
-    centripetal_mm_s2: Option<NumberOrParameter>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centripetal_mm_s2: Option<NumberOrParameter>,
 }
 
-#[derive(JsonSchema)]
-#[schemars(untagged)]
-#[expect(dead_code, reason = "as above")]
-enum NumberOrParameter {
-    Number(f64),
+#[derive(JsonSchema, Serialize)]
+#[serde(untagged)]
+pub(super) enum NumberOrParameter {
+    Number(Number),
     Parameter(String),
 }
 
 /// An executed block. Velocities in mm/min, or deg/min where only rotary axes move.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct BlockRecord {
+pub(super) struct BlockRecord {
     /// As in the block stream.
-    seq: u64,
+    pub seq: u64,
     /// Block number.
-    n: u32,
+    pub n: u32,
     /// Index of the file, as in the block stream.
-    file: u32,
+    pub file: u32,
     /// Line of the `N`, from 1.
-    line: u32,
+    pub line: u32,
     /// When it starts, from program start.
-    start_s: f64,
+    pub start_s: Number,
     /// How long it takes.
-    duration_s: f64,
+    pub duration_s: Number,
     /// Programmed velocity.
-    programmed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub programmed: Option<Number>,
     /// Greatest velocity in the block.
-    cap: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cap: Option<Number>,
     /// What gives it.
     #[schemars(extend("enum" = CapBy::ALL.map(CapBy::name)))]
-    cap_by: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cap_by: Option<&'static str>,
     /// Velocity at its start.
-    start: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start: Option<Number>,
     /// The greatest velocity that it reaches.
-    peak: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak: Option<Number>,
     /// Velocity at its end.
-    end: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end: Option<Number>,
     /// Motion time from its start to the end of its stretch.
-    time_dist_s: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_dist_s: Option<Number>,
     /// It is part of a piece whose record is another one.
-    merged: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub merged: Option<bool>,
     /// Length of the piece that other blocks are joined to.
-    piece_mm: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub piece_mm: Option<Number>,
     /// The joint with the motion before.
-    joint: Option<JointRecord>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint: Option<JointRecord>,
     /// Duration in s, start velocity in mm/s, acceleration in mm/s², jerk in mm/s³; twelve significant digits. Phases
     /// shorter than 1e-12 s are left out.
-    phases: Option<Vec<[f64; 4]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub phases: Option<Vec<[Digits; 4]>>,
+}
+
+/// A number with twelve significant digits.
+#[derive(Clone, Copy, JsonSchema)]
+#[schemars(inline)]
+pub(super) struct Digits(pub f64);
+
+impl Serialize for Digits {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_f64(twelve_digits(self.0))
+    }
+}
+
+/// With twelve significant digits.
+pub(crate) fn twelve_digits(value: f64) -> f64 {
+    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    // A negative zero is a zero.
+    rounded + 0.0
 }
 
 /// A joint.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct JointRecord {
+pub(super) struct JointRecord {
     /// `seq` of the motion before; none at the first motion.
-    with: Option<u64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub with: Option<u64>,
     /// Angle between the tangents.
-    angle_deg: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<Number>,
     /// It is passed continuously.
-    continuous: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub continuous: Option<bool>,
     /// What breaks it.
     #[schemars(extend("enum" = breaks()))]
-    broken_by: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub broken_by: Option<&'static str>,
     /// Velocity at the joint.
-    feed: f64,
+    pub feed: Number,
     /// What gives this velocity.
-    #[schemars(extend("enum" = limits()))]
-    limited_by: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(required, extend("enum" = limits()))]
+    pub limited_by: Option<&'static str>,
     /// The dot that the control shows.
     #[schemars(extend("enum" = ["yellow", "red"]))]
-    dot: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dot: Option<&'static str>,
 }
 
 /// What breaks joints, as in records.
@@ -198,65 +260,70 @@ fn limits() -> Vec<&'static str> {
 }
 
 /// The last record: the program ended without errors.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct TotalRecord {
+pub(super) struct TotalRecord {
     /// Time of the program.
-    time_s: f64,
+    pub time_s: Number,
     /// Each block at its programmed velocity, no ramps.
-    ideal_s: f64,
+    pub ideal_s: Number,
     /// The same limits with infinite jerk, no time criterion; parabolic only.
-    no_jerk_s: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_jerk_s: Option<Number>,
     /// Some blocks have no known time, or no known limit of jerk: the time is at least this.
-    lower_bound: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lower_bound: Option<bool>,
     /// Blocks without known time.
-    unknown_blocks: Option<u64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unknown_blocks: Option<u64>,
     /// Motion times by type.
-    time_by_type: Option<Numbers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_by_type: Option<Numbers>,
     /// Dwell.
-    dwell_s: f64,
+    pub dwell_s: Number,
     /// Functions.
-    function_s: f64,
+    pub function_s: Number,
     /// Waits at the end of motions.
-    settle_s: f64,
+    pub settle_s: Number,
     /// Gaps before blocks.
-    gap_s: f64,
+    pub gap_s: Number,
     /// Durations by the tool in the spindle.
-    time_by_tool: Option<Numbers>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_by_tool: Option<Numbers>,
     /// Joints.
-    joints: JointsRecord,
+    pub joints: JointsRecord,
     /// Continuous joints by what limits them.
-    limited: Option<Counts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limited: Option<Counts>,
     /// Dots.
-    dots: DotsRecord,
+    pub dots: DotsRecord,
     /// Mean velocity of working motion, mm/min.
-    mean_feed: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_feed: Option<Number>,
 }
 
 /// Joints of a program.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct JointsRecord {
+pub(super) struct JointsRecord {
     /// Those that are passed continuously.
-    continuous: u64,
+    pub continuous: u64,
     /// Others by reason.
-    broken: Option<Counts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub broken: Option<Counts>,
 }
 
 /// Dots of a program.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct DotsRecord {
+pub(super) struct DotsRecord {
     /// Yellow ones.
-    yellow: u64,
+    pub yellow: u64,
     /// Red ones.
-    red: u64,
+    pub red: u64,
 }
 
 /// The schema of a line, JSON Schema 2020-12.
 pub fn schema() -> Value {
-    record_schema::<Record>(SCHEMA)
+    record_schema::<Record<'_>>(SCHEMA)
 }

@@ -4,68 +4,67 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
 
 use super::dictionary::{Form, Signal};
 use super::reader::{Header, Writer};
-use super::steps::Step;
-use super::values::{Value, push_digits, write_real};
-use crate::analysis::record_schema;
+use super::steps::{Place, Step};
+use super::values::Value;
+use crate::analysis::json::{GENERATOR, push, text};
+use crate::analysis::{Number, record_schema};
+use crate::dict::Micro;
 use crate::run::End;
-use crate::text::is_unsafe;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.plc/1";
 
 /// A line.
-#[derive(JsonSchema)]
-#[schemars(tag = "kind", rename_all = "lowercase", title = "Record of the signals cnc872c.plc/1")]
-#[expect(dead_code, reason = "the schema is all it is for: records are written one by one")]
-enum Record {
+#[derive(JsonSchema, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[schemars(title = "Record of the signals cnc872c.plc/1")]
+enum Record<'a> {
     /// The first record.
-    Plc(PlcRecord),
+    Plc(&'a PlcRecord<'a>),
     /// Before the first step that comes from another file.
-    File(FileRecord),
+    File(&'a FileRecord<'a>),
     /// One executed block, or the stop after it.
-    Step(StepRecord),
+    Step(&'a StepRecord<'a>),
     /// The last record: the program ended without errors.
-    End(EndRecord),
+    End(&'a EndRecord<'a>),
 }
 
 /// What the steps are of.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct PlcRecord {
+struct PlcRecord<'a> {
     /// `cnc872c.plc/1`.
     #[schemars(extend("const" = SCHEMA))]
-    schema: String,
+    schema: &'a str,
     /// Name and version of the compiler.
-    generator: String,
+    generator: &'a str,
     /// The program, as the user named it; its index is 0.
-    name: String,
+    name: &'a str,
     /// The control.
     #[schemars(extend("enum" = ["cnc8x6", "cnc8x9", "cnc872"]))]
-    dialect: String,
+    dialect: &'a str,
     /// The chosen signals, in the order of the dictionary.
-    signals: Vec<String>,
+    signals: Vec<&'a str>,
 }
 
 /// Another file.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct FileRecord {
+struct FileRecord<'a> {
     /// 1, 2 …
     index: u32,
     /// The macrocycle's path as found.
-    name: String,
+    name: &'a str,
 }
 
 /// A step.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct StepRecord {
+struct StepRecord<'a> {
     /// `seq` of the block.
     seq: u64,
     /// Block number.
@@ -75,29 +74,70 @@ struct StepRecord {
     /// Line of the `N`, from 1.
     line: u32,
     /// When it starts, in seconds; with `[motion]`.
-    start_s: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    start_s: Option<Number>,
     /// The program stands at the M00 or M01 of this block (PLC-16); else left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
     stop: Option<bool>,
     /// Values by name: of all chosen signals in the first step, after that of those that changed. Absent is `null`; bits are
     /// 0 and 1.
-    signals: BTreeMap<String, Option<f64>>,
+    #[schemars(with = "BTreeMap<String, Option<f64>>")]
+    signals: Values<'a>,
 }
 
 /// The end.
-#[derive(JsonSchema)]
+#[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
-#[expect(dead_code, reason = "as above")]
-struct EndRecord {
+struct EndRecord<'a> {
     /// The function that ends the program.
     #[schemars(extend("enum" = ["M02", "M30"]))]
-    reason: String,
+    reason: &'a str,
     /// Executed blocks of the program, all of them.
     blocks: u64,
 }
 
+/// Values of signals by name.
+struct Values<'a> {
+    signals: &'a [&'static Signal],
+    step: &'a Step<'a>,
+    /// Of all signals, not only of those that changed.
+    all: bool,
+}
+
+impl Serialize for Values<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { signals, step, all } = *self;
+        let value = |index: usize| {
+            let signal = signals.get(index)?;
+            Some((signal.name.as_str(), Shown { value: *step.values.get(index)?, form: signal.form() }))
+        };
+        if all {
+            serializer.collect_map((0..step.values.len()).filter_map(value))
+        } else {
+            serializer.collect_map(step.changed.iter().filter_map(|index| value(*index)))
+        }
+    }
+}
+
+/// A value of a signal.
+struct Shown {
+    value: Value,
+    form: Form,
+}
+
+impl Serialize for Shown {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.value {
+            None => serializer.serialize_none(),
+            Some(number) if self.form == Form::Real => Number(Micro::from_millionths(number)).serialize(serializer),
+            Some(number) => serializer.serialize_u64(number.unsigned_abs()),
+        }
+    }
+}
+
 /// The schema of a line, JSON Schema 2020-12.
 pub fn schema() -> serde_json::Value {
-    record_schema::<Record>(SCHEMA)
+    record_schema::<Record<'_>>(SCHEMA)
 }
 
 /// JSON Lines.
@@ -106,68 +146,36 @@ pub struct Json<W> {
     out: W,
     signals: Vec<&'static Signal>,
     begun: bool,
-    line: String,
+    line: Vec<u8>,
 }
 
 impl<W: Write> Json<W> {
     /// Writes to `out`.
     pub const fn new(out: W) -> Self {
-        Self { out, signals: Vec::new(), begun: false, line: String::new() }
+        Self { out, signals: Vec::new(), begun: false, line: Vec::new() }
     }
-
-    fn push(&mut self, index: usize, value: Value) {
-        let Some(signal) = self.signals.get(index) else { return };
-        if !self.line.ends_with('{') {
-            self.line.push(',');
-        }
-        // Names need no escapes.
-        self.line.push('"');
-        self.line.push_str(&signal.name);
-        self.line.push_str("\":");
-        match value {
-            None => self.line.push_str("null"),
-            Some(number) if signal.form() == Form::Real => write_real(number, &mut self.line),
-            Some(number) => push_digits(number.unsigned_abs(), 1, &mut self.line),
-        }
-    }
-}
-
-/// A text as a string of JSON; what a terminal might act on is escaped.
-fn string(text: &str) -> String {
-    let quoted = serde_json::Value::from(text).to_string();
-    let mut safe = String::with_capacity(quoted.len());
-    for character in quoted.chars() {
-        if is_unsafe(character) {
-            for unit in character.encode_utf16(&mut [0; 2]) {
-                safe.push_str(&format!("\\u{unit:04x}"));
-            }
-        } else {
-            safe.push(character);
-        }
-    }
-    safe
 }
 
 /// The first record.
 pub(crate) fn header_text(header: &Header<'_>) -> String {
-    let signals: Vec<String> = header.signals.iter().map(|signal| format!("\"{}\"", signal.name)).collect();
-    format!(
-        "{{\"kind\":\"plc\",\"schema\":\"{SCHEMA}\",\"generator\":\"{}\",\"name\":{},\"dialect\":\"{}\",\"signals\":[{}]}}",
-        concat!("cnc872c ", env!("CARGO_PKG_VERSION")),
-        string(header.name),
-        header.settings.machine.dialect.name(),
-        signals.join(",")
-    )
+    let record = PlcRecord {
+        schema: SCHEMA,
+        generator: GENERATOR,
+        name: header.name,
+        dialect: header.settings.machine.dialect.name(),
+        signals: header.signals.iter().map(|signal| signal.name.as_str()).collect(),
+    };
+    text(&Record::Plc(&record), true)
 }
 
 /// The record of another file.
 pub(crate) fn file_text(index: u32, name: &str) -> String {
-    format!("{{\"kind\":\"file\",\"index\":{index},\"name\":{}}}", string(name))
+    text(&Record::File(&FileRecord { index, name }), true)
 }
 
 /// The last record.
 pub(crate) fn end_text(end: End) -> String {
-    format!("{{\"kind\":\"end\",\"reason\":\"{}\",\"blocks\":{}}}", end.reason(), end.blocks())
+    text(&Record::End(&EndRecord { reason: &end.reason(), blocks: end.blocks() }), true)
 }
 
 impl<W: Write> Writer for Json<W> {
@@ -181,53 +189,19 @@ impl<W: Write> Writer for Json<W> {
     }
 
     fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
-        let place = step.place;
-        self.line = format!(
-            "{{\"kind\":\"step\",\"seq\":{},\"n\":{},\"file\":{},\"line\":{}",
-            place.seq, place.n, place.file, place.line
-        );
-        if let Some(start) = step.start_s {
-            self.line.push_str(",\"start_s\":");
-            write_real(start.millionths(), &mut self.line);
-        }
-        if place.stop {
-            self.line.push_str(",\"stop\":true");
-        }
-        self.line.push_str(",\"signals\":{");
-        if self.begun {
-            for &index in step.changed {
-                self.push(index, step.values.get(index).copied().flatten());
-            }
-        } else {
-            for (index, value) in step.values.iter().enumerate() {
-                self.push(index, *value);
-            }
-        }
-        self.begun = true;
-        self.line.push_str("}}\n");
-        self.out.write_all(self.line.as_bytes())
+        let Place { seq, n, file, line, column: _, stop } = step.place;
+        let all = !std::mem::replace(&mut self.begun, true);
+        let signals = Values { signals: &self.signals, step, all };
+        let start_s = step.start_s.map(Number);
+        let record = StepRecord { seq, n, file, line, start_s, stop: stop.then_some(true), signals };
+        self.line.clear();
+        push(&mut self.line, &Record::Step(&record), true);
+        self.line.push(b'\n');
+        self.out.write_all(&self.line)
     }
 
     fn end(&mut self, end: End) -> io::Result<()> {
         writeln!(self.out, "{}", end_text(end))?;
         self.out.flush()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn strings_and_numbers() {
-        let text = "a\u{1b}\u{7f}\u{202e}ř\"\\\n";
-        let quoted = string(text);
-        assert!(!quoted.chars().any(is_unsafe));
-        assert_eq!(serde_json::from_str::<String>(&quoted).unwrap(), text);
-        for number in [0, 9, 10, 4_294_967_295, u64::MAX] {
-            let mut digits = String::new();
-            push_digits(number, 1, &mut digits);
-            assert_eq!(digits, number.to_string());
-        }
     }
 }

@@ -44,6 +44,6 @@ pub use list::{list_json, list_table};
 pub use reader::{Header, Range, Reader, Writer};
 pub use steps::{Place, Step, Tracker};
 pub use table::{Csv, Table};
-pub use values::{Value, write_real, write_value};
+pub use values::{Value, write_value};
 pub use wave::Wave;
 pub use words::{SetSignal, WordSets, WordsRead, of_word};

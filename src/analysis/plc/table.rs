@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use super::dictionary::{Form, Signal};
 use super::reader::{Header, Writer};
 use super::steps::Step;
-use super::values::{Value, write_real, write_value};
+use super::values::{Value, write_value};
+use crate::analysis::write_real;
 use crate::diag::terminal_safe;
 use crate::run::End;
 

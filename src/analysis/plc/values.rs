@@ -2,6 +2,7 @@
 
 use super::dictionary::{Cell, Form, Signal, place_of};
 use super::facts::Facts;
+use crate::analysis::{push_digits, write_real};
 use crate::config::{Gear, Machine};
 use crate::dict::{
     COOLANT_12, COOLANT_12_GROUP, COOLANT_34, COOLANT_34_GROUP, Decimal, GEAR_BY_SPEED, GEAR_GROUP, Micro,
@@ -192,47 +193,6 @@ pub fn write_value(signal: &Signal, value: Value, out: &mut String) {
     }
 }
 
-/// A number of millionths without exponent and trailing zeros.
-pub fn write_real(millionths: i64, out: &mut String) {
-    let magnitude = millionths.unsigned_abs();
-    if millionths < 0 {
-        out.push('-');
-    }
-    push_digits(magnitude / 1_000_000, 1, out);
-    let fraction = magnitude % 1_000_000;
-    if fraction > 0 {
-        out.push('.');
-        // Most are whole thousandths.
-        let (thousandths, rest) = (fraction / 1000, fraction % 1000);
-        if rest == 0 {
-            push_fraction(thousandths, out);
-        } else {
-            push_digits(thousandths, 3, out);
-            push_fraction(rest, out);
-        }
-    }
-}
-
-/// Thousandths as up to three digits, without zeros at the end.
-fn push_fraction(thousandths: u64, out: &mut String) {
-    let (hundredths, last) = (thousandths / 10, thousandths % 10);
-    if last > 0 {
-        push_digits(thousandths, 3, out);
-    } else if hundredths % 10 > 0 {
-        push_digits(hundredths, 2, out);
-    } else {
-        push_digits(hundredths / 10, 1, out);
-    }
-}
-
-/// Decimal digits, at least so many.
-pub(super) fn push_digits(number: u64, least: usize, out: &mut String) {
-    let mut digits = itoa::Buffer::new();
-    let digits = digits.format(number);
-    (digits.len()..least).for_each(|_| out.push('0'));
-    out.push_str(digits);
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -268,20 +228,6 @@ mod tests {
         }
         assert_eq!(shown("M03PI", Some(1)), "1");
         assert_eq!(shown("M03PI", None), "");
-    }
-
-    #[test]
-    fn reals_are_written_exactly() {
-        for millionths in
-            (-2_000_003..2_000_003).step_by(977).chain([i64::MAX, i64::MIN, 999_999, 1_000_000, 1_001_001])
-        {
-            let mut text = String::new();
-            write_real(millionths, &mut text);
-            let sign = if millionths < 0 { "-" } else { "" };
-            let (whole, part) = (millionths.unsigned_abs() / 1_000_000, millionths.unsigned_abs() % 1_000_000);
-            let long = format!("{sign}{whole}.{part:06}");
-            assert_eq!(text, long.trim_end_matches('0').trim_end_matches('.'));
-        }
     }
 
     /// PLC-1, PLC-6: T has up to eight decades.

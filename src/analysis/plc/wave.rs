@@ -10,7 +10,8 @@ use vcd::{SimulationCommand, TimescaleUnit, VarType};
 use super::dictionary::{Form, Signal};
 use super::reader::{Header, Writer};
 use super::steps::{Place, Step};
-use super::values::{Value, push_digits, write_real};
+use super::values::Value;
+use crate::analysis::{push_digits, write_real};
 use crate::dict::Micro;
 use crate::run::End;
 
