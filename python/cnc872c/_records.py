@@ -178,6 +178,8 @@ class Block(Record):
     """G23 in force."""
     dynamic_set: int | None = cell()
     """1–4, once G23 with I chose one."""
+    opaque_call: int | None = cell()
+    """The macrocycle that it calls at its end and that only the machine has: the axes that it may move are unknown after it."""
     data: Data | None = group(Data, "data_", "data_g")
     """Words that are data."""
     words: dict[str, float] | None = cell()

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cnc872c::cli::stats_cache::{Cache, fresh};
-use cnc872c::cli::walk::{Target, targets};
+use cnc872c::cli::walk::{Origin, Target, targets};
 use cnc872c::config::EXTENSIONS;
 use cnc872c::session::{Outcome, Session};
 use cnc872c::stats::{Row, kept};
@@ -79,13 +79,6 @@ impl<'o> Many<'o> {
     }
 }
 
-/// Why a program cannot be read, where that is known already.
-fn problem(target: &Target) -> Option<Fault> {
-    let problem = target.problem.as_ref()?;
-    let error = problem.raw_os_error().map_or_else(|| problem.kind().into(), std::io::Error::from_raw_os_error);
-    Some(Fault::Io(target.path.clone(), error))
-}
-
 /// All findings, as JSON.
 #[pyfunction]
 pub fn check(
@@ -100,14 +93,11 @@ pub fn check(
         let mut many = Many::new(paths, text, &options, true)?;
         let mut report = many.setup.report()?;
         let check = |target: &Target, session: &Session<'_>| {
-            if let Some(fault) = problem(target) {
-                return Err(fault);
-            }
             let outcome = session.check(&target.path, &target.name());
-            match session.loader.read(&target.path) {
-                Err(error) if outcome.unusable => Err(Fault::Io(target.path.clone(), error)),
-                _ => Ok(outcome),
+            if outcome.unusable && target.origin == Origin::Named {
+                session.loader.read(&target.path).map_err(|error| Fault::Io(target.path.clone(), error))?;
             }
+            Ok(outcome)
         };
         many.each(goes_on, check, |outcomes| {
             for Outcome { sources, findings, not_executed, stayed_unknown, .. } in outcomes {
@@ -135,28 +125,31 @@ pub fn stats(
     let (paths, text) = (paths(programs)?, text.map(Arc::from));
     let made = work(py, |goes_on| {
         let cache = match cache {
-            Some(folder) => Some(Cache::open(&folder).map_err(|error| Fault::Io(folder, error))?),
+            Some(folder) => match Cache::open(&folder) {
+                Ok(cache) => Some((cache, folder)),
+                Err(error) => return Err(Fault::Io(folder, error)),
+            },
             None => None,
         };
         let mut many = Many::new(paths, text, &options, false)?;
         many.setup.report()?;
         let mut rows = Vec::new();
         let row = |target: &Target, session: &Session<'_>| {
-            if let Some(fault) = problem(target) {
-                return Err(fault);
-            }
-            let bytes = session.loader.read(&target.path).map_err(|error| Fault::Io(target.path.clone(), error))?;
-            let name = target.name();
-            Ok(match &cache {
-                Some(cache) => cache.row(session, target, &name, &bytes),
-                None => fresh(session, &target.path, &name, &bytes).0,
+            let path = target.name();
+            Ok(match (session.loader.read(&target.path), &cache) {
+                (Err(error), _) if target.origin == Origin::Named => return Err(Fault::Io(target.path.clone(), error)),
+                (Err(_), _) => Row { path, findings: [("E0112".to_owned(), 1)].into(), ..Row::default() },
+                (Ok(bytes), Some((cache, _))) => cache.row(session, target, &path, &bytes),
+                (Ok(bytes), None) => fresh(session, &target.path, &path, &bytes).0,
             })
         };
         many.each(goes_on, row, |some: Vec<Row>| {
             rows.extend(some);
-            // A run that was stopped has no rows of whole programs to keep.
-            let written = cache.as_ref().filter(|_| goes_on(0)).map_or(Ok(()), Cache::write);
-            written.map_err(|error| Fault::Io(PathBuf::new(), error))
+            match &cache {
+                // What a run that was stopped made last is not whole.
+                Some((cache, folder)) if goes_on(0) => cache.write().map_err(|error| Fault::Io(folder.clone(), error)),
+                _ => Ok(()),
+            }
         })?;
         kept(&rows).map(Table::from).map_err(|error| Fault::Io(PathBuf::new(), error))
     })?;

@@ -134,8 +134,7 @@ fn names(value: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
 fn parameters(value: &Bound<'_, PyAny>) -> PyResult<Vec<(u8, cnc872c::dict::Decimal)>> {
     let one = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
         let text = format!("{}={}", name.str()?, value.str()?);
-        parse_parameter(&text)
-            .map_err(|fault| wrong(value.py(), format!("param: {text}: {}", fault.text(Lang::En))))
+        parse_parameter(&text).map_err(|fault| wrong(value.py(), format!("param: {text}: {}", fault.text(Lang::En))))
     };
     value.cast::<PyDict>()?.iter().map(one).collect()
 }

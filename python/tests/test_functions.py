@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import sys
 from pathlib import Path
 
 import cnc872c
@@ -34,6 +35,18 @@ def test_several_programs_and_folders(folder: Path) -> None:
     (folder / "empty").mkdir()
     with pytest.raises(FileNotFoundError):
         cnc872c.check("empty")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights")
+def test_an_archive_with_a_file_that_cannot_be_read(folder: Path) -> None:
+    """One that was named raises; one that was found does not keep the others from being read."""
+    (folder / "a.nc").write_text(WHOLE)
+    (folder / "b.nc").symlink_to("missing.nc")
+    archive = cnc872c.stats(".")
+    assert [(facts.path, facts.findings) for facts in archive] == [("a.nc", None), ("b.nc", {"E0112": 1})]
+    assert cnc872c.check(".").by_code == {"E0112": 1}
+    with pytest.raises(OSError):
+        cnc872c.stats(["a.nc", "b.nc"])
 
 
 def test_language_and_levels() -> None:

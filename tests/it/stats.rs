@@ -90,3 +90,25 @@ fn the_cache() {
         assert_eq!(programs(&run.stdout), plain());
     }
 }
+
+/// A run that is killed leaves what it wrote, and the next one goes on from there.
+#[test]
+fn a_killed_run_leaves_a_good_cache() {
+    let place = Place::with(&[]);
+    fs::create_dir(place.path("in")).unwrap();
+    for number in 0..2500 {
+        place.put(&format!("in/{number:04}.nc"), format!("%1\nN10 G90 G0 X{number}\nN20 G1 X0 F100\nN30 M30\n"));
+    }
+    let entries = || fs::read_dir(place.path("cache")).map(Iterator::count).unwrap_or(0);
+    let mut child =
+        place.command(&["stats", "in", "--format", "csv", "-o", "out", "--cache", "cache"]).spawn().unwrap();
+    while entries() == 0 && child.try_wait().unwrap().is_none() {
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    let _ = child.kill();
+    child.wait().unwrap();
+    assert!(entries() > 0);
+    let cached = place.run(&["stats", "in", "--format", "csv", "--cache", "cache"]).ends(0);
+    assert_eq!(cached.stderr, "", "nothing is damaged");
+    assert_eq!(cached.stdout, place.run(&["stats", "in", "--format", "csv"]).ends(0).stdout);
+}
