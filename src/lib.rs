@@ -24,6 +24,7 @@
 //! | [`stream`] | the reader that writes the block stream |
 //! | `columns` | the readers that write columns |
 //! | [`edit`] | text to text: what fixes make of a file |
+//! | [`restart`] | programs that start in the middle of another one |
 //! | [`explain`] | pages about functions, addresses, keys and findings |
 //! | [`parallel`] | threads, where there are any |
 //! | `stats` | one row of facts a program, for archives |
@@ -63,6 +64,7 @@ pub mod parallel;
 #[cfg(feature = "lsp")]
 mod query;
 pub mod resolve;
+pub mod restart;
 pub mod run;
 pub mod session;
 #[cfg(feature = "cli")]

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::builder::PossibleValue;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command as ClapCommand, FromArgMatches, Parser, Subcommand, ValueEnum};
 
-use crate::config::Level;
+use crate::config::{Level, parse_decimal};
 use crate::diag::Format;
-use crate::dict::{Dialect, HIGHEST_BLOCK, HIGHEST_L, Lang};
+use crate::dict::{Decimal, Dialect, HIGHEST_BLOCK, HIGHEST_L, Lang};
 use crate::text::Encoding;
 
 /// The whole command line.
@@ -63,6 +63,7 @@ pub(super) enum Command {
     Plc(PlcArgs),
     Report(ReportArgs),
     State(StateArgs),
+    Restart(RestartArgs),
     Compare(CompareArgs),
     Explain(ExplainArgs),
     Init(InitArgs),
@@ -360,7 +361,7 @@ pub(super) enum ReportFormat {
 #[derive(Debug, Args)]
 #[group(skip)]
 pub(super) struct PlaceArgs {
-    #[arg(long, group = "place", required_unless_present_any = ["line", "seq", "time", "at_tool"], value_name = "N")]
+    #[arg(long, group = "place", required_unless_present = "place", value_name = "N")]
     pub n: Option<String>,
     #[arg(long, group = "place", value_name = "LINE", value_parser = clap::value_parser!(u32).range(1..))]
     pub line: Option<u32>,
@@ -391,6 +392,41 @@ pub(super) struct StateArgs {
     pub all: bool,
     #[command(flatten)]
     pub common: CommonArgs,
+}
+
+/// `restart`.
+#[derive(Debug, Args)]
+pub(super) struct RestartArgs {
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    #[command(flatten)]
+    pub place: PlaceArgs,
+    #[arg(long)]
+    pub after: bool,
+    #[arg(long, group = "place", conflicts_with_all = ["after", "output"])]
+    pub list: bool,
+    #[arg(long, value_name = "MM", allow_hyphen_values = true, value_parser = thousandths)]
+    pub safe: Option<Decimal>,
+    #[arg(long, value_name = "MM", default_value = "2", value_parser = positive_thousandths)]
+    pub clearance: Decimal,
+    #[arg(long)]
+    pub all_m: bool,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[arg(long)]
+    pub all: bool,
+    #[command(flatten)]
+    pub common: CommonArgs,
+}
+
+/// A position in thousandths, as a program can have it.
+fn thousandths(text: &str) -> Result<Decimal, String> {
+    parse_decimal(text).filter(|value| value.abs() <= Decimal::DIMENSION_MAX).ok_or_else(|| "100.5".to_owned())
+}
+
+/// The same, above zero.
+fn positive_thousandths(text: &str) -> Result<Decimal, String> {
+    thousandths(text).and_then(|value| if value > Decimal::ZERO { Ok(value) } else { Err("2".to_owned()) })
 }
 
 /// `stats`.

@@ -38,6 +38,35 @@ před místem chyby, 2 takové místo není nebo jich je více, nebo příkaz ne
         },
     ),
     about(
+        "restart",
+        "Writes a program that starts at a place of another one, with everything that holds there",
+        "Zapíše program, který začíná v daném místě jiného, se vším, co tam platí",
+        Bilingual {
+            en: "\
+Examples:
+  cnc872c restart flange.nc --n 4310 --pass 3 -o rest.nc   from the third execution of N4310
+  cnc872c restart flange.nc --at-tool T5 --safe 100        from the M06 of T5; the tool moves across at Z100
+  cnc872c restart flange.nc --time 0:12:30 --clearance 5   feed begins 5 mm above the place
+  cnc872c restart flange.nc --list                         where it can start: tool changes and rapids
+
+The tool rises, moves across, comes down in rapid to --clearance and goes to the place at F. Without --safe
+it rises to where the program itself stood with this tool. Read the comments of the new program before START.
+Exit status: 0 written, 1 no start is possible there or the program has errors, 2 there is no such place or
+several, --safe is missing, or it could not run.",
+            cs: "\
+Příklady:
+  cnc872c restart priruba.nc --n 4310 --pass 3 -o zbytek.nc   od třetího provedení N4310
+  cnc872c restart priruba.nc --at-tool T5 --safe 100          od M06 nástroje T5; přejezd ve výšce Z100
+  cnc872c restart priruba.nc --time 0:12:30 --clearance 5     posuv začne 5 mm nad místem
+  cnc872c restart priruba.nc --list                           kde lze začít: výměny nástrojů a rychloposuvy
+
+Nástroj vyjede nahoru, přejede, rychloposuvem sjede na --clearance a na místo dojede s F. Bez --safe vyjede
+tam, kde s tímto nástrojem stál sám program. Před stiskem START přečíst komentáře nového programu.
+Návratový kód: 0 zapsáno, 1 v daném místě začít nelze nebo program má chyby, 2 takové místo není nebo jich
+je více, chybí --safe, nebo příkaz nešlo provést.",
+        },
+    ),
+    about(
         "compare",
         "Tells what two programs do differently; how they are written does not matter",
         "Řekne, co dva programy dělají jinak; na způsobu zápisu nezáleží",
@@ -97,6 +126,50 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg("state", "after", Options, "The state behind the block, not before it", "Stav za blokem, ne před ním"),
     arg("state", "format", Options, "The form of the answer", "Tvar odpovědi"),
     arg("state", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
+    arg(
+        "restart",
+        "file",
+        Arguments,
+        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
+        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
+    ),
+    arg("restart", "after", Options, "Start behind the block, not with it", "Začít za blokem, ne tímto blokem"),
+    arg(
+        "restart",
+        "list",
+        Options,
+        "List the tool changes and rapids at which the program can start",
+        "Vypsat výměny nástrojů a rychloposuvy, kterými lze začít",
+    ),
+    arg(
+        "restart",
+        "safe",
+        Options,
+        "Where the tool moves across, on its axis, as the program writes it",
+        "Výška přejezdu v ose nástroje, jak ji zapisuje program",
+    ),
+    arg(
+        "restart",
+        "clearance",
+        Options,
+        "How far above the place rapid ends",
+        "Jak vysoko nad místem končí rychloposuv",
+    ),
+    arg(
+        "restart",
+        "all_m",
+        Options,
+        "Restore M functions of groups 10 to 14 too, in the order of their last writing",
+        "Obnovit i M funkce skupin 10 až 14, v pořadí jejich posledního zápisu",
+    ),
+    arg(
+        "restart",
+        "output",
+        Options,
+        "Write the program to FILE instead of standard output",
+        "Zapsat program do SOUBORU místo na standardní výstup",
+    ),
+    arg("restart", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
     arg("compare", "old", Arguments, "The first program", "První program"),
     arg("compare", "new", Arguments, "The second program", "Druhý program"),
     arg(

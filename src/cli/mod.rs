@@ -24,6 +24,7 @@ mod progress;
 mod renumber;
 mod replace;
 mod report;
+mod restart;
 mod rewrite;
 mod schema;
 mod shell;
@@ -75,6 +76,7 @@ fn run(command: &Command, locale: Locale) -> Result<Status, Failure> {
         Command::View(args) => view::run(args, locale),
         Command::Report(args) => report::run(args, locale),
         Command::Compare(args) => compare::run(args, locale),
+        Command::Restart(args) => restart::run(args, locale),
         Command::State(args) => state::run(args, locale),
         Command::Explain(args) => explain::run(args, locale),
         Command::Init(args) => init::run(args, locale),

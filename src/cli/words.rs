@@ -28,6 +28,9 @@ bilingual! {
         OutputIsRead { file: String }
             "{file} is one of the files that are read: another file belongs after -o",
             "{file} je jeden z čtených souborů: za -o patří jiný soubor";
+        RestartIsProgram { file: String }
+            "{file} is what the new program is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "z {file} nový program vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
         ColumnsOnTerminal
             "Arrow columns are no text for a terminal: name a file after -o, or a program after |",
             "sloupce Arrow nejsou text pro terminál: uvést soubor za -o, nebo program za |";

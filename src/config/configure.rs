@@ -105,6 +105,7 @@ fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
     machine.corrections = values.corrections.iter().map(|correction| correction.value).collect();
     machine.start = values.start.iter().map(|position| position.value).collect();
     machine.oriented_stop = value(values.oriented_stop).unwrap_or(machine.oriented_stop);
+    machine.tool_axis = value(values.tool_axis);
     machine.spindle_axis = value(values.spindle_axis).unwrap_or(machine.spindle_axis);
     machine.oriented_position = value(values.oriented_position).unwrap_or(machine.oriented_position);
     machine.g97 = value(values.g97).unwrap_or(machine.g97);
@@ -143,6 +144,11 @@ fn check_machine(machine: &Machine, values: &Project, file: FileId, findings: &m
         && let Some(needs) = missing(letter)
     {
         misfit(findings, file, "spindle-axis", setting.at, needs);
+    }
+    if let Some(setting) = values.tool_axis
+        && let Some(needs) = missing(setting.value)
+    {
+        misfit(findings, file, "restart.tool-axis", setting.at, needs);
     }
     for setting in &values.start {
         if let Some(needs) = missing(setting.value.0) {

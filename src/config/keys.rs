@@ -17,7 +17,7 @@ fn encodings() -> Vec<&'static str> {
     Encoding::NAMED.iter().map(|(name, _)| *name).collect()
 }
 
-fn letters() -> Vec<&'static str> {
+pub(super) fn letters() -> Vec<&'static str> {
     AxisLetter::ALL.iter().map(|letter| letter.name()).collect()
 }
 

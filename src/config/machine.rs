@@ -210,6 +210,8 @@ pub struct Machine {
     pub spindle_axis: SpindleAxis,
     /// Where M19 puts the spindle, in degrees, ±69999.999 (MFN-10).
     pub oriented_position: Decimal,
+    /// The axis along which the tool leaves the workpiece (RST-2), when it is configured.
+    pub tool_axis: Option<AxisLetter>,
     /// What G97 means (TEC-5).
     pub g97: G97,
     /// Which axes I and J of an arc belong to (MOT-3).
@@ -242,6 +244,7 @@ impl Machine {
             oriented_stop: true,
             spindle_axis: SpindleAxis::default(),
             oriented_position: Decimal::ZERO,
+            tool_axis: None,
             g97: G97::of(dialect),
             arc_centers: ArcCenters::default(),
             constants: BTreeMap::new(),

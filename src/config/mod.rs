@@ -25,6 +25,7 @@ mod project;
 mod ranges;
 mod reader;
 mod reference;
+mod restart;
 mod row;
 mod schema;
 mod sections;

@@ -86,6 +86,8 @@ pub(super) struct Project {
     pub lints: Vec<Setting<(Code, Level)>>,
     /// How programs are laid out.
     pub format: Style,
+    /// The axis along which the tool leaves the workpiece.
+    pub tool_axis: Option<Setting<AxisLetter>>,
 }
 
 /// Texts, each at its place.

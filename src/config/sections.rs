@@ -7,6 +7,7 @@ use super::motion_keys;
 use super::names::Names;
 use super::project::Project;
 use super::reader::Reader;
+use super::restart::RESTART;
 use super::row::Row;
 use super::taken::{Named, Values};
 use crate::dict::Bilingual;
@@ -273,6 +274,12 @@ pub(super) const SECTIONS: &[Section] = &[
         Form::Keys(FORMAT, Project::format),
         ("how `format` lays out programs", "jak `format` upravuje zápis programů"),
         "FMT-5",
+    ),
+    section(
+        "restart",
+        Form::Keys(RESTART, Project::restart),
+        ("how `restart` comes to a place of a program", "jak `restart` najíždí na místo v programu"),
+        "RST-2",
     ),
     section(
         "lints",

@@ -55,6 +55,11 @@ pub const COOLANT_34_GROUP: usize = 6;
 /// Coolant 3 and 4 on, and off.
 pub const COOLANT_34: [u8; 2] = [52, 53];
 
+/// The group of M10 and M11: the workpiece is clamped, released.
+pub const CLAMP_GROUP: u8 = 7;
+/// The groups whose functions have no standard meaning: those of the machine builder.
+pub const BUILDER_GROUPS: std::ops::RangeInclusive<usize> = 10..=14;
+
 /// Tool change.
 pub const TOOL_CHANGE: u8 = 6;
 

@@ -1,9 +1,9 @@
 //! What is in force between two blocks, for readers that ask about a place in a program.
 
-use super::state::State;
+use super::state::{Held, Origin, State};
 use super::{Executed, Feed, FeedUnit};
 use crate::config::Machine;
-use crate::dict::{Decimal, FEED_GROUP, FeedPer, GCode, GGroup, Micro, REDUCED_FEED};
+use crate::dict::{Address, Decimal, FEED_GROUP, FeedPer, GCode, GGroup, Micro, REDUCED_FEED};
 use crate::syntax::BlockId;
 use crate::text::FileId;
 
@@ -101,6 +101,37 @@ impl State {
     /// The dynamic set as records show it (GRP-7).
     pub fn dynamic_set(&self) -> Option<u8> {
         self.dynamic_set.filter(|_| self.modal(GGroup::G2) == Some(GCode::G23))
+    }
+
+    /// The dynamic set that the next G23 without `I` has, 1–4 (GRP-7); `None` when that is not known.
+    pub const fn chosen_dynamic_set(&self) -> Option<u8> {
+        self.dynamic_set
+    }
+
+    /// Whether the programmed position of an axis is not where the tool stands (MOT-8), by place in machine order.
+    pub const fn is_unsettled(&self, axis: usize) -> bool {
+        self.unsettled.contains(axis)
+    }
+
+    /// The addresses that were programmed with values that are not known.
+    pub fn undetermined(&self) -> impl Iterator<Item = Address> {
+        let held = [
+            (Address::F, self.feed),
+            (Address::S, self.speed),
+            (Address::T, self.tool),
+            (Address::T, self.in_spindle),
+            (Address::H, self.h),
+            (Address::P, self.p),
+            (Address::D, self.d),
+            (Address::Correction, self.correction),
+        ];
+        held.into_iter().filter(|(_, held)| *held == Held::Undetermined).map(|(address, _)| address)
+    }
+
+    /// Whether the program gave a parameter a value that is not known.
+    pub fn is_lost(&self, index: u8) -> bool {
+        let parameter = self.parameters.get(usize::from(index));
+        parameter.is_some_and(|parameter| parameter.value.is_none() && parameter.origin != Origin::Machine)
     }
 
     /// What M02 and M30 leave of the G functions: those of power-up (MFN-7).

@@ -34,6 +34,7 @@ mod plc;
 mod plc_cli;
 mod plc_random;
 mod properties;
+mod restart;
 mod rewrites;
 mod rules;
 mod run;

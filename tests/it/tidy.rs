@@ -11,7 +11,7 @@ use crate::samples::root;
 const LONGEST: usize = 800;
 
 /// Which top-level modules each may use.
-const LAYERS: [(&str, &[&str]); 21] = [
+const LAYERS: [(&str, &[&str]); 22] = [
     ("sure", &[]),
     ("text", &[]),
     ("disk", &["text"]),
@@ -29,20 +29,21 @@ const LAYERS: [(&str, &[&str]); 21] = [
     ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
     ("columns", &["text", "dict", "diag", "config", "run", "analysis", "stream", "session"]),
     ("stats", &["text", "dict", "diag", "config", "resolve", "run", "analysis", "session", "columns"]),
+    ("restart", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
     ("query", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
     ("edit", &["text", "dict", "diag", "config", "syntax", "resolve", "session", "query"]),
     (
         "lsp",
         &[
             "text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "view", "session", "explain",
-            "query", "edit",
+            "query", "edit", "restart",
         ],
     ),
     (
         "cli",
         &[
             "text", "disk", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "view",
-            "session", "columns", "stats", "explain", "edit", "lsp", "parallel",
+            "session", "columns", "stats", "explain", "edit", "restart", "lsp", "parallel",
         ],
     ),
 ];

@@ -8,7 +8,8 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::place::CallAt;
-use super::reader::{CounterAt, Found, Unknown};
+use super::reader::{CounterAt, Found};
+use super::unknown::Unknown;
 use super::writers::{Slot, Written, is_momentary};
 use crate::analysis::{Number, forbid_null};
 use crate::config::Settings;

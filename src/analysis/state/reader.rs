@@ -2,67 +2,19 @@
 
 use std::ops::ControlFlow;
 
+use super::before::Before;
 use super::clock::{Clock, Progress, TimedProgress};
 use super::errors::Errors;
 use super::place::{Arrival, Asked, CallAt, Finder, PlaceFault, calls};
+use super::unknown::{Axes, Unknown};
 use super::writers::{Slot, Writers, Written};
 use crate::config::Settings;
-use crate::diag::{CallKind, Findings};
-use crate::dict::{AxisLetter, GCode, GGroup, Micro, SPINDLE_GROUP, TOOL_CHANGE};
+use crate::diag::Findings;
+use crate::dict::{AxisLetter, Micro, TOOL_CHANGE};
 use crate::run::{ArmedCounter, End, Executed, MotionType, Program, Sink, State};
 
 /// Executions of a block that are listed.
 const LISTED: usize = 40;
-
-/// Why the position of an axis is not known.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub enum Unknown {
-    /// Not programmed yet (MOT-2).
-    #[default]
-    NotProgrammed,
-    /// At its reference point (MOT-7).
-    Reference,
-    /// An M function moved the machine (MFN-4).
-    MFunction,
-    /// A fixed cycle that is not mapped (GRP-6).
-    Cycle,
-    /// A macrocycle that only the machine has (FLW-12).
-    Macrocycle,
-    /// The spindle turned (MFN-10).
-    Spindle,
-    /// Moved by G91 from an unknown position (MOT-2).
-    Incremental,
-    /// A value that is not known (PAR-5).
-    Value,
-}
-
-impl Unknown {
-    /// As in JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NotProgrammed => "not_programmed",
-            Self::Reference => "reference",
-            Self::MFunction => "m_function",
-            Self::Cycle => "cycle",
-            Self::Macrocycle => "macrocycle",
-            Self::Spindle => "spindle",
-            Self::Incremental => "incremental",
-            Self::Value => "value",
-        }
-    }
-
-    /// Every one.
-    pub const ALL: [Self; 8] = [
-        Self::NotProgrammed,
-        Self::Reference,
-        Self::MFunction,
-        Self::Cycle,
-        Self::Macrocycle,
-        Self::Spindle,
-        Self::Incremental,
-        Self::Value,
-    ];
-}
 
 /// A counter at a place.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -128,13 +80,9 @@ pub struct StateReader {
     finder: Finder,
     clock: Clock,
     errors: Errors,
-    before: State,
-    /// The fixed cycle that is in force again behind the macrocycle that it calls.
-    suspended: Option<GCode>,
-    counters: Vec<ArmedCounter>,
+    before: Before,
     writers: Writers,
-    unknown: [Unknown; AxisLetter::ALL.len()],
-    moved: [bool; AxisLetter::ALL.len()],
+    axes: Axes,
     arrivals: Vec<Arrival>,
     count: u64,
     executed: u64,
@@ -151,12 +99,9 @@ impl StateReader {
             finder: Finder::new(asked),
             clock: Clock::new(settings),
             errors: Errors::default(),
-            before: State::new(settings),
-            suspended: None,
-            counters: Vec::new(),
+            before: Before::new(settings),
             writers: Writers::default(),
-            unknown: Default::default(),
-            moved: Default::default(),
+            axes: Axes::default(),
             arrivals: Vec::new(),
             count: 0,
             executed: 0,
@@ -182,7 +127,7 @@ impl StateReader {
         if asked.pass.is_none() && self.count > 1 {
             return Err(PlaceFault::Several { arrivals: self.arrivals, count: self.count });
         }
-        found.unknown.retain(|(letter, _)| self.moved.get(*letter as usize).copied().unwrap_or(false));
+        found.unknown.retain(|(letter, _)| self.axes.is_moved(*letter));
         (found.blocks, found.path, found.times) = (self.blocks, self.path, self.clock.finish());
         found.whole = whole;
         Ok(found)
@@ -212,14 +157,13 @@ impl StateReader {
     /// Keeps what holds now, before or behind the block.
     fn keep(&mut self, block: &Executed<'_>, after: bool) {
         let settings = block.settings();
-        let mut state = self.before.clone();
+        let mut state = self.before.state().clone();
         if after && block.last() {
             state.reset_functions(&settings.machine);
         }
         let axes = || settings.machine.axes.iter().enumerate();
         let unknown = axes().filter(|(place, _)| state.axis_position(*place).is_none());
-        let why = |letter: AxisLetter| self.unknown.get(letter as usize).copied().unwrap_or_default();
-        let unknown = unknown.map(|(_, axis)| (axis.letter, why(axis.letter))).collect();
+        let unknown = unknown.map(|(_, axis)| (axis.letter, self.axes.why(axis.letter))).collect();
         let is_known = |slot: &Slot| match slot {
             Slot::Axis(letter) => {
                 axes().any(|(place, axis)| axis.letter == *letter && state.axis_position(place).is_some())
@@ -258,7 +202,7 @@ impl StateReader {
         let (depth, (file, id)) = (block.depth(), block.at());
         let is_own = |counter: &ArmedCounter| counter.depth == depth && counter.file == file && counter.block == id;
         let others = block.counters().filter(|counter| after || !is_own(counter));
-        let own = self.counters.iter().copied().filter(|counter| !after && is_own(counter));
+        let own = self.before.counters().iter().copied().filter(|counter| !after && is_own(counter));
         let mut counters: Vec<ArmedCounter> = others.chain(own).collect();
         counters.sort_by_key(|counter| (counter.depth, counter.block));
         let at = |counter: ArmedCounter| {
@@ -300,73 +244,11 @@ impl StateReader {
         found.next_rapid = found.next_rapid.or(seq.filter(|_| rapid));
     }
 
-    /// What a call of the cycle map, or the return from it, changes before a block (GRP-6).
-    fn follow_cycle(&mut self, block: &Executed<'_>) {
-        let in_cycle = block.calls().any(|call| matches!(call.by, CallKind::Cycle(_)));
-        if in_cycle && self.suspended.is_none() {
-            self.suspended = self.before.g_in_force(GGroup::G8);
-            self.before.set_cycle(GCode::G80);
-        } else if let Some(cycle) = self.suspended.take_if(|_| !in_cycle) {
-            self.before.set_cycle(cycle);
-        }
-    }
-
     /// What is known after a block.
     fn pass(&mut self, block: &Executed<'_>) {
-        self.writers.note(block, &self.before);
-        for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
-            if let Some(moved) = self.moved.get_mut(axis as usize) {
-                *moved = true;
-            }
-        }
-        if !block.moves_on() {
-            self.note_unknown(block);
-            self.counters.clear();
-            self.counters.extend(block.counters());
-        }
-        self.before.follow(block);
-    }
-
-    fn note_unknown(&mut self, block: &Executed<'_>) {
-        let after = block.state();
-        let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
-        for (place, axis) in block.settings().machine.axes.iter().enumerate() {
-            let named = block.motion().is_some_and(|motion| motion.moves(axis.letter));
-            let cycle =
-                block.is_unmapped_cycle() && block.words().iter().any(|(letter, _)| *letter == axis.letter.letter());
-            let was_known = self.before.axis_position(place).is_some();
-            if let Some(moved) = self.moved.get_mut(axis.letter as usize) {
-                *moved |= cycle || was_known;
-            }
-            let Some(unknown) = self.unknown.get_mut(axis.letter as usize) else { continue };
-            if unseen.contains(&axis.letter) {
-                *unknown = Unknown::Macrocycle;
-            } else if after.axis_position(place).is_some() {
-                *unknown = Unknown::NotProgrammed;
-            } else if was_known || named || cycle {
-                *unknown = why(block, axis.letter, cycle, *unknown);
-            }
-        }
-    }
-}
-
-/// Why an axis is not known after a block.
-fn why(block: &Executed<'_>, axis: AxisLetter, cycle: bool, before: Unknown) -> Unknown {
-    let functions = &block.settings().machine.m_functions;
-    let turned = || block.m_written().iter().any(|number| usize::from(functions.group(*number)) == SPINDLE_GROUP);
-    let motion = block.motion();
-    if motion.is_some_and(|motion| motion.kind() == MotionType::Reference && motion.moves(axis)) {
-        Unknown::Reference
-    } else if block.change_pos() {
-        Unknown::MFunction
-    } else if cycle {
-        Unknown::Cycle
-    } else if motion.is_some_and(|motion| motion.delta(axis).is_some()) {
-        if before == Unknown::NotProgrammed { Unknown::Incremental } else { before }
-    } else if turned() {
-        Unknown::Spindle
-    } else {
-        Unknown::Value
+        self.writers.note(block, self.before.state());
+        self.axes.pass(block, self.before.state());
+        self.before.pass(block);
     }
 }
 
@@ -374,16 +256,13 @@ impl Sink for &mut StateReader {
     type Whole = End;
 
     fn begin(&mut self, program: &Program<'_>) {
-        self.before = State::new(program.settings);
+        self.before = Before::new(program.settings);
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
         self.errors.look(block, findings);
         self.executed += 1;
-        if !block.moves_on() {
-            self.follow_cycle(block);
-            self.before.pass_machine_call();
-        }
+        self.before.arrive(block);
         let arrives = self.arrives(block);
         let after = self.finder.asked().after;
         let was_found = self.found.is_some();

@@ -1,7 +1,7 @@
 //! What `state` says to people, in both languages.
 
 use super::place::{Arrival, Asked, CallAt, Place, PlaceFault};
-use super::reader::Unknown;
+use super::unknown::Unknown;
 use crate::analysis::motion::clock;
 use crate::dict::{Lang, bilingual};
 

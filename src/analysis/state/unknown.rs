@@ -1,0 +1,128 @@
+//! Which axes stand where nobody knows, and why.
+
+use crate::dict::{AxisLetter, SPINDLE_GROUP};
+use crate::run::{Executed, MotionType, State};
+
+/// Why the position of an axis is not known.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub enum Unknown {
+    /// Not programmed yet (MOT-2).
+    #[default]
+    NotProgrammed,
+    /// At its reference point (MOT-7).
+    Reference,
+    /// An M function moved the machine (MFN-4).
+    MFunction,
+    /// A fixed cycle that is not mapped (GRP-6).
+    Cycle,
+    /// A macrocycle that only the machine has (FLW-12).
+    Macrocycle,
+    /// The spindle turned (MFN-10).
+    Spindle,
+    /// Moved by G91 from an unknown position (MOT-2).
+    Incremental,
+    /// A value that is not known (PAR-5).
+    Value,
+}
+
+impl Unknown {
+    /// As in JSON.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::NotProgrammed => "not_programmed",
+            Self::Reference => "reference",
+            Self::MFunction => "m_function",
+            Self::Cycle => "cycle",
+            Self::Macrocycle => "macrocycle",
+            Self::Spindle => "spindle",
+            Self::Incremental => "incremental",
+            Self::Value => "value",
+        }
+    }
+
+    /// Every one.
+    pub const ALL: [Self; 8] = [
+        Self::NotProgrammed,
+        Self::Reference,
+        Self::MFunction,
+        Self::Cycle,
+        Self::Macrocycle,
+        Self::Spindle,
+        Self::Incremental,
+        Self::Value,
+    ];
+}
+
+/// What execution does to the axes.
+#[derive(Clone, Debug, Default)]
+pub struct Axes {
+    why: [Unknown; AxisLetter::ALL.len()],
+    moved: [bool; AxisLetter::ALL.len()],
+}
+
+impl Axes {
+    /// Why an axis is not known, if it is not.
+    pub fn why(&self, letter: AxisLetter) -> Unknown {
+        self.why.get(letter as usize).copied().unwrap_or_default()
+    }
+
+    /// Whether the program has moved it.
+    pub fn is_moved(&self, letter: AxisLetter) -> bool {
+        self.moved.get(letter as usize).copied().unwrap_or(false)
+    }
+
+    /// Notes what a block does; `before`: what was in force before it.
+    #[inline]
+    pub fn pass(&mut self, block: &Executed<'_>, before: &State) {
+        for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
+            if let Some(moved) = self.moved.get_mut(axis as usize) {
+                *moved = true;
+            }
+        }
+        if !block.moves_on() {
+            self.note(block, before);
+        }
+    }
+
+    fn note(&mut self, block: &Executed<'_>, before: &State) {
+        let after = block.state();
+        let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
+        for (place, axis) in block.settings().machine.axes.iter().enumerate() {
+            let named = block.motion().is_some_and(|motion| motion.moves(axis.letter));
+            let cycle =
+                block.is_unmapped_cycle() && block.words().iter().any(|(letter, _)| *letter == axis.letter.letter());
+            let was_known = before.axis_position(place).is_some();
+            if let Some(moved) = self.moved.get_mut(axis.letter as usize) {
+                *moved |= cycle || was_known;
+            }
+            let Some(unknown) = self.why.get_mut(axis.letter as usize) else { continue };
+            if unseen.contains(&axis.letter) {
+                *unknown = Unknown::Macrocycle;
+            } else if after.axis_position(place).is_some() {
+                *unknown = Unknown::NotProgrammed;
+            } else if was_known || named || cycle {
+                *unknown = why(block, axis.letter, cycle, *unknown);
+            }
+        }
+    }
+}
+
+/// Why an axis is not known after a block.
+fn why(block: &Executed<'_>, axis: AxisLetter, cycle: bool, before: Unknown) -> Unknown {
+    let functions = &block.settings().machine.m_functions;
+    let turned = || block.m_written().iter().any(|number| usize::from(functions.group(*number)) == SPINDLE_GROUP);
+    let motion = block.motion();
+    if motion.is_some_and(|motion| motion.kind() == MotionType::Reference && motion.moves(axis)) {
+        Unknown::Reference
+    } else if block.change_pos() {
+        Unknown::MFunction
+    } else if cycle {
+        Unknown::Cycle
+    } else if motion.is_some_and(|motion| motion.delta(axis).is_some()) {
+        if before == Unknown::NotProgrammed { Unknown::Incremental } else { before }
+    } else if turned() {
+        Unknown::Spindle
+    } else {
+        Unknown::Value
+    }
+}

@@ -1,0 +1,60 @@
+//! How the tool comes to the place (RST-2).
+
+use super::reason::Reason;
+use crate::dict::{AxisLetter, Decimal, Micro};
+
+/// A place where a program can start, as far as what was executed before tells.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Target {
+    /// Axes that were never programmed, a bit for each place in machine order.
+    pub fresh: u16,
+    /// Axes that stand where nobody knows.
+    pub lost: u16,
+    /// The tool's axis is one of them.
+    pub below: bool,
+    pub approach: Approach,
+}
+
+/// The axes and heights of the approach. Positions in mm or degrees; X as a radius.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Approach {
+    /// Axes at their reference points, which they go to again.
+    pub reference: Vec<AxisLetter>,
+    /// The tool's axis, and where it stands at the place; nothing when that is not known, or nothing was moved.
+    pub tool: Option<(AxisLetter, Micro)>,
+    /// The other axes.
+    pub others: Vec<(AxisLetter, Micro)>,
+    /// Where the other axes move.
+    pub top: Micro,
+    /// The user named it.
+    pub by_user: bool,
+    /// How far above the place rapid ends.
+    pub clearance: Micro,
+    /// X is programmed as a diameter (G74).
+    pub diameters: bool,
+}
+
+impl Approach {
+    /// Whether the words of an axis are diameters.
+    pub fn is_diameter(&self, axis: AxisLetter) -> bool {
+        self.diameters && axis == AxisLetter::X
+    }
+
+    /// Where rapid ends and feed begins; nothing when the tool is there already.
+    pub fn down(&self) -> Option<Micro> {
+        let (_, place) = self.tool?;
+        Some(place.plus(self.clearance)).filter(|down| *down < self.top)
+    }
+
+    /// The position of an axis as the program writes it.
+    ///
+    /// # Errors
+    /// When thousandths are too coarse for it, or the control does not take it.
+    pub fn written(&self, axis: AxisLetter, position: Micro) -> Result<Decimal, Reason> {
+        let position = if self.is_diameter(axis) { position.plus(position) } else { position };
+        let millionths = position.millionths();
+        let value = Decimal::from_thousandths(millionths / 1000);
+        let fits = millionths % 1000 == 0 && value.abs() <= Decimal::DIMENSION_MAX;
+        if fits { Ok(value) } else { Err(Reason::Unwritable { axis: axis.to_string() }) }
+    }
+}

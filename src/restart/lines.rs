@@ -1,0 +1,145 @@
+//! Blocks as lines of a part program, and the numbers that a program leaves free.
+
+use crate::dict::{HIGHEST_BLOCK, HIGHEST_L};
+use crate::sure::small;
+use crate::syntax::ParsedFile;
+
+/// A preamble has fewer blocks.
+const PREAMBLE: u64 = 40;
+
+/// Most characters of a line (LEX-7).
+const WIDTH: usize = 80;
+
+/// Consecutive numbers that no block has.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) struct Run {
+    first: u32,
+    last: u32,
+}
+
+impl Run {
+    const fn count(self) -> u64 {
+        (self.last as u64 + 1).saturating_sub(self.first as u64)
+    }
+
+    /// The first number of so many blocks, and the step between them.
+    fn start(self, blocks: u64) -> (u32, u32) {
+        let tens = self.first.next_multiple_of(10);
+        let fits = blocks > 0 && u64::from(tens) + blocks * 10 <= u64::from(self.last);
+        if fits { (tens, 10) } else { (self.first, 1) }
+    }
+
+    /// The largest run of numbers that a program leaves free up to `highest`.
+    fn largest(used: &[u32], highest: u32) -> Self {
+        let mut best = Self { first: 1, last: 0 };
+        let mut first = 1;
+        for number in used.iter().copied().filter(|number| *number <= highest).chain([highest + 1]) {
+            let run = Self { first, last: number.saturating_sub(1) };
+            if number > first && run.count() > best.count() {
+                best = run;
+            }
+            first = number + 1;
+        }
+        best
+    }
+}
+
+/// The free numbers of a program.
+#[derive(Clone, Debug)]
+pub(super) struct Numbers {
+    /// Below the highest that a jump can name.
+    low: Run,
+    /// Of all.
+    high: Run,
+}
+
+impl Numbers {
+    pub fn of(file: &ParsedFile) -> Self {
+        let mut used: Vec<u32> = file.block_ids().filter_map(|block| file.number(block)).collect();
+        used.sort_unstable();
+        used.dedup();
+        Self { low: Run::largest(&used, HIGHEST_L), high: Run::largest(&used, HIGHEST_BLOCK) }
+    }
+
+    /// Lines for a preamble and for so many blocks behind it: in the run below 9999 what fits there, in steps of ten where
+    /// these fit.
+    pub fn lines(&self, behind: u64, line_end: &'static str) -> [Lines; 2] {
+        let first = self.run(PREAMBLE);
+        let (start, step) = first.start(PREAMBLE);
+        let after = start + step * small(PREAMBLE as usize);
+        let both = Run { first: after, last: first.last };
+        let behind = if behind <= both.count() {
+            (after, 1)
+        } else {
+            Run { first: after.max(self.high.first), ..self.high }.start(0)
+        };
+        [(start, step), behind].map(|(next, step)| Lines { text: String::new(), blocks: 0, next, step, line_end })
+    }
+
+    /// The run that so many blocks fit in.
+    const fn run(&self, blocks: u64) -> Run {
+        if blocks <= self.low.count() { self.low } else { self.high }
+    }
+}
+
+/// Blocks with their numbers, as text.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Lines {
+    pub text: String,
+    /// How many blocks there are.
+    pub blocks: u64,
+    next: u32,
+    step: u32,
+    line_end: &'static str,
+}
+
+impl Lines {
+    /// A block with a comment; it goes on in the next line where one is too short for it.
+    pub fn block(&mut self, words: &[String], comment: &str) {
+        let mut line = format!("N{}", self.next);
+        self.next = self.next.saturating_add(self.step);
+        self.blocks += 1;
+        let comment = format!("\"{}\"", comment.chars().take(WIDTH - 4).collect::<String>());
+        let parts = words.iter().map(String::as_str).chain(Some(comment.as_str()).filter(|comment| comment.len() > 2));
+        for part in parts {
+            if line.len() + 1 + part.len() > WIDTH {
+                self.text.push_str(&line);
+                self.text.push_str(self.line_end);
+                line = " ".to_owned();
+            }
+            line.push(' ');
+            line.push_str(part);
+        }
+        self.text.push_str(&line);
+        self.text.push_str(self.line_end);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn free_numbers() {
+        let run = |used: &[u32], highest| {
+            let Run { first, last } = Run::largest(used, highest);
+            (first, last)
+        };
+        assert_eq!(run(&[], 9), (1, 9));
+        assert_eq!(run(&[1, 2, 7], 9), (3, 6));
+        assert_eq!(run(&[5], 9), (1, 4));
+        assert_eq!(run(&[2, 9], 9), (3, 8));
+        assert_eq!(Run::largest(&[1, 2, 3], 3).count(), 0);
+    }
+
+    /// RST-1: a block that is too long for its line goes on in the next.
+    #[test]
+    fn long_blocks() {
+        let mut lines = Lines { text: String::new(), blocks: 0, next: 10, step: 10, line_end: "\n" };
+        let words: Vec<String> = (0..12).map(|index| format!("R{index}=12345.678")).collect();
+        lines.block(&words, "why");
+        lines.block(&["M08".to_owned()], "");
+        assert!(lines.text.lines().all(|line| line.len() <= WIDTH), "{}", lines.text);
+        assert!(lines.text.ends_with("\"why\"\nN20 M08\n"), "{}", lines.text);
+    }
+}

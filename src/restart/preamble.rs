@@ -1,0 +1,298 @@
+//! The blocks that lead to the state at the place, in the order of RST-1.
+
+use super::approach::Approach;
+use super::lines::Lines;
+use super::reason::{Note, Reason};
+use super::scan::There;
+use super::tracker::Options;
+use crate::analysis::state::{Found, Slot, Written};
+use crate::config::Settings;
+use crate::dict::{
+    AxisLetter, BUILDER_GROUPS, FIRST_DYNAMIC_SET, GCode, GEAR_GROUP, GGroup, Lang, M_GROUPS, MOMENTARY_GROUPS,
+    SPINDLE_GROUP, standard_m_functions,
+};
+
+/// What the preamble is made of.
+#[derive(Clone, Copy)]
+pub(super) struct Sources<'a> {
+    pub settings: &'a Settings,
+    pub found: &'a Found,
+    pub there: &'a There,
+    pub approach: &'a Approach,
+    pub options: Options,
+    pub lang: Lang,
+}
+
+/// Writes the preamble.
+pub(super) struct Preamble<'a> {
+    from: Sources<'a>,
+    lines: Lines,
+    /// The functions in force so far.
+    now: [Option<GCode>; 12],
+}
+
+/// Groups of which the function in force is restored at the end, behind the approach.
+const LATE: [GGroup; 3] = [GGroup::G0, GGroup::G2, GGroup::G9];
+
+impl<'a> Preamble<'a> {
+    pub fn new(from: Sources<'a>, lines: Lines) -> Self {
+        Self { from, lines, now: from.settings.machine.power_up }
+    }
+
+    /// All of it; `parameters`: those that the rest reads.
+    ///
+    /// # Errors
+    /// When a value or a position cannot be written.
+    pub fn write(mut self, parameters: &[u8]) -> Result<Lines, Reason> {
+        self.parameters(parameters);
+        self.functions();
+        self.tool();
+        self.spindle();
+        let state = &self.from.found.state;
+        let auxiliary = [("H", state.h()), ("P", state.p())];
+        let words = auxiliary.into_iter().filter_map(|(letter, value)| Some(format!("{letter}{}", value?)));
+        self.block(words.collect(), &Note::Auxiliary);
+        self.m_functions();
+        self.dynamic_set();
+        self.feed();
+        self.approach()?;
+        self.last();
+        Ok(self.lines)
+    }
+
+    fn block(&mut self, words: Vec<String>, note: &Note) {
+        if !words.is_empty() {
+            self.lines.block(&words, &note.comment(self.from.lang));
+        }
+    }
+
+    /// The block that wrote something last.
+    fn writer(&self, slot: Slot) -> Option<&'a Written> {
+        self.from.found.written.iter().find(|(written, _)| *written == slot).map(|(_, written)| written)
+    }
+
+    fn in_force(&self, group: GGroup) -> Option<GCode> {
+        self.from.found.state.g_in_force(group)
+    }
+
+    /// A word for a function that is not in force yet.
+    fn word(&mut self, function: Option<GCode>) -> Option<String> {
+        let function = function?;
+        let now = self.now.get_mut(function.group().index())?;
+        (now.replace(function) != Some(function)).then(|| function.to_string())
+    }
+
+    fn parameters(&mut self, parameters: &[u8]) {
+        let state = &self.from.found.state;
+        let word = |index: &u8| Some(format!("R{index}={}", state.parameter(*index)?));
+        let words: Vec<String> = parameters.iter().filter_map(word).collect();
+        self.block(words, &Note::Parameters);
+    }
+
+    fn functions(&mut self) {
+        let mut words = Vec::new();
+        for group in GGroup::ALL {
+            let late = LATE.contains(&group) && !self.is_early(group);
+            if !late && group != GGroup::G11 {
+                let function = self.in_force(group);
+                words.extend(self.word(function));
+            }
+        }
+        // The approach is written so.
+        if self.now.get(GGroup::G9.index()) != Some(&Some(GCode::G90)) {
+            words.extend(self.word(Some(GCode::G90)));
+        }
+        self.block(words, &Note::Functions);
+        let conversion = self.in_force(GGroup::G11);
+        let Some(word) = self.word(conversion) else { return };
+        let of_last = self.from.there.conversion.iter().filter(|last| Some(last.function) == conversion);
+        let values = of_last.flat_map(|last| last.values.iter().map(|(letter, value)| format!("{letter}{value}")));
+        let words = [word].into_iter().chain(values).collect();
+        self.block(words, &Note::Functions);
+    }
+
+    /// G24 and the like may be in force before the approach, G23 only behind it.
+    fn is_early(&self, group: GGroup) -> bool {
+        group == GGroup::G2 && self.in_force(group) != Some(GCode::G23)
+    }
+
+    fn tool(&mut self) {
+        let state = &self.from.found.state;
+        let tool = state.tool_in_spindle();
+        let mut words: Vec<String> = tool.or_else(|| state.t()).map(|t| format!("T{t}")).into_iter().collect();
+        words.extend(state.d().map(|d| format!("D{d}")));
+        words.extend(state.length_correction().map(|digits| format!("&{digits:04}")));
+        words.extend(tool.map(|_| "M06".to_owned()));
+        let note = match (tool, self.writer(Slot::value("tool"))) {
+            (Some(_), Some(written)) => Note::ToolChangeOf { n: written.n },
+            (Some(_), None) => Note::ToolChange,
+            (None, _) => Note::Tool,
+        };
+        self.block(words, &note);
+        let next = state.t().filter(|t| tool.is_some_and(|tool| tool != *t));
+        self.block(next.map(|t| format!("T{t}")).into_iter().collect(), &Note::NextTool);
+    }
+
+    /// Whether the function of an M group is not the one of power-up.
+    fn m_to_restore(&self, group: usize) -> Option<u8> {
+        let power_up = self.from.settings.machine.m_power_up.get(group).copied().flatten();
+        self.from.found.state.m_in_force(group).filter(|number| Some(*number) != power_up)
+    }
+
+    fn spindle(&mut self) {
+        let state = &self.from.found.state;
+        let speed = state.s();
+        let mut words = Vec::new();
+        if speed.is_some() {
+            words.extend(self.word(self.from.there.speed_mode));
+        }
+        words.extend(self.m_to_restore(GEAR_GROUP).map(|m| format!("M{m:02}")));
+        words.extend(speed.map(|s| format!("S{s}")));
+        words.extend(self.m_to_restore(SPINDLE_GROUP).map(|m| format!("M{m:02}")));
+        let note = match self.writer(Slot::M(SPINDLE_GROUP)) {
+            Some(written) => Note::SpindleOf { n: written.n },
+            None => Note::Spindle,
+        };
+        self.block(words, &note);
+    }
+
+    /// The other M groups, in the order of their last writing.
+    fn m_functions(&mut self) {
+        let mut functions: Vec<(u64, u32, u8)> = Vec::new();
+        for group in (0..M_GROUPS).filter(|group| ![SPINDLE_GROUP, GEAR_GROUP].contains(group)) {
+            let momentary = MOMENTARY_GROUPS.iter().any(|momentary| usize::from(*momentary) == group);
+            let builder = BUILDER_GROUPS.contains(&group) && !self.from.options.all_m;
+            if let Some(number) = self.m_to_restore(group).filter(|_| !momentary && !builder) {
+                let (seq, n) = self.writer(Slot::M(group)).map_or((0, 0), |written| (written.seq, written.n));
+                functions.push((seq, n, number));
+            }
+        }
+        functions.extend(self.from.there.clamp.map(|(number, n, seq)| (seq, n, number)));
+        functions.sort_unstable();
+        for (_, n, number) in functions {
+            let machine = &self.from.settings.machine;
+            let group = machine.m_functions.group(number);
+            let row = standard_m_functions(machine.dialect).find(|row| row.number == number && row.group == group);
+            let note = match row {
+                Some(row) => Note::Function { meaning: row.meaning.get(self.from.lang).to_owned(), n },
+                None => Note::FunctionOf { n },
+            };
+            self.block(vec![format!("M{number:02}")], &note);
+        }
+    }
+
+    /// The set that the next G23 takes, where G23 is not in force.
+    fn dynamic_set(&mut self) {
+        let set = self.from.found.state.chosen_dynamic_set().filter(|set| *set != FIRST_DYNAMIC_SET);
+        let Some(set) = set.filter(|_| self.in_force(GGroup::G2) != Some(GCode::G23)) else { return };
+        let function = self.in_force(GGroup::G2);
+        let words = self.word(Some(GCode::G23)).into_iter().chain([format!("I{set}")]).collect();
+        self.block(words, &Note::Set);
+        let words = self.word(function).into_iter().collect();
+        self.block(words, &Note::Set);
+    }
+
+    fn feed(&mut self) {
+        let state = &self.from.found.state;
+        if let Some(feed) = state.feed(&self.from.settings.machine) {
+            let mut words: Vec<String> = self.word(self.from.there.feed_mode).into_iter().collect();
+            words.push(format!("F{}", feed.value));
+            let note = match self.writer(Slot::value("feed")) {
+                Some(written) => Note::FeedOf { n: written.n },
+                None => Note::Feed,
+            };
+            self.block(words, &note);
+        }
+        let mode = self.in_force(GGroup::G6);
+        let words = self.word(mode).into_iter().collect();
+        self.block(words, &Note::Mode);
+    }
+
+    /// RST-2.
+    fn approach(&mut self) -> Result<(), Reason> {
+        let approach = self.from.approach;
+        let position = |axis, at| Ok(format!("{axis}{}", approach.written(axis, at)?));
+        let tool_axis = self.from.settings.machine.tool_axis.unwrap_or(AxisLetter::Z);
+        let references = approach.reference.clone();
+        let (tool_first, others): (Vec<AxisLetter>, Vec<AxisLetter>) =
+            references.into_iter().partition(|axis| *axis == tool_axis);
+        for axis in tool_first {
+            self.reference(axis);
+        }
+        if let Some((axis, _)) = approach.tool {
+            let note = if approach.by_user { Note::Safe } else { Note::Highest };
+            let words = vec![self.rapid(), "G90".to_owned(), position(axis, approach.top)?];
+            self.block(words, &note);
+        }
+        for axis in others {
+            self.reference(axis);
+        }
+        let words = approach.others.iter().map(|(axis, at)| position(*axis, *at)).collect::<Result<Vec<_>, _>>()?;
+        if !words.is_empty() {
+            let words = [self.rapid()].into_iter().chain(words).collect();
+            self.block(words, &Note::Across);
+        }
+        let Some((axis, place)) = approach.tool.filter(|(_, place)| *place < approach.top) else { return Ok(()) };
+        if let Some(down) = approach.down() {
+            let clearance = self.from.options.clearance.to_string();
+            let words = vec![self.rapid(), position(axis, down)?];
+            self.block(words, &Note::Down { clearance });
+        }
+        self.word(Some(GCode::G01));
+        self.block(vec![GCode::G01.to_string(), position(axis, place)?], &Note::Place);
+        Ok(())
+    }
+
+    fn rapid(&mut self) -> String {
+        self.word(Some(GCode::G00));
+        GCode::G00.to_string()
+    }
+
+    fn reference(&mut self, axis: AxisLetter) {
+        let words = vec![GCode::G30.to_string(), format!("{axis}0")];
+        self.block(words, &Note::Reference { axis: axis.to_string() });
+    }
+
+    /// What holds at the place and would have disturbed the approach.
+    fn last(&mut self) {
+        let mut words = Vec::new();
+        for group in LATE {
+            let function = self.in_force(group);
+            let word = self.word(function);
+            let continuous = group == GGroup::G2 && function == Some(GCode::G23);
+            words.extend(word);
+            let set = self.from.found.state.chosen_dynamic_set().filter(|set| continuous && *set != FIRST_DYNAMIC_SET);
+            words.extend(set.map(|set| format!("I{set}")));
+        }
+        // Comments before the first block would be those of the program.
+        if words.is_empty() && self.lines.blocks == 0 {
+            words.extend(self.in_force(GGroup::G9).map(|function| function.to_string()));
+        }
+        self.block(words, &Note::AsThere);
+    }
+}
+
+/// What the preamble does not restore, as comments (RST-6).
+pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> Vec<Note> {
+    let state = &from.found.state;
+    let mut notes = Vec::new();
+    if written_out > 0 {
+        notes.push(Note::WrittenOut { blocks: written_out });
+    }
+    for axis in &from.there.unknown {
+        if from.found.unknown.iter().any(|(letter, _)| letter == axis) && !from.approach.reference.contains(axis) {
+            notes.push(Note::Stands { axis: axis.to_string() });
+        }
+    }
+    for group in BUILDER_GROUPS.filter(|_| !from.options.all_m) {
+        let power_up = from.settings.machine.m_power_up.get(group).copied().flatten();
+        if let Some(number) = state.m_in_force(group).filter(|number| Some(*number) != power_up) {
+            notes.push(Note::NotRestored { m: format!("M{number:02}"), group });
+        }
+    }
+    for &r in parameters.iter().filter(|index| state.parameter(**index).is_none()) {
+        notes.push(Note::MachineParameter { r });
+    }
+    notes.extend(from.there.corrections.map(|n| Note::Corrections { n }));
+    notes
+}

@@ -1,0 +1,125 @@
+//! Why a program cannot start at a place, in both languages.
+
+use super::Nearest;
+use super::ascii::ascii;
+use super::scan::Spot;
+use crate::analysis::motion::clock;
+use crate::dict::{Lang, bilingual};
+
+bilingual! {
+    /// Why there is no start at a place (RST-4).
+    Reason {
+        Correction { g: String } "{g} is in force: the tool has to be led to the corrected path by the program", "platí {g}: na korigovanou dráhu musí nástroj navést program";
+        Position { axis: String } "the position of {axis} is not known", "poloha osy {axis} není známa";
+        Stale { axis: String } "{axis} has not moved since the origin or the length correction changed: where it stands is not known", "osa {axis} se od změny počátku nebo délkové korekce nepohnula: kde stojí, není známo";
+        Thread "a thread is being cut (G33)", "řeže se závit (G33)";
+        Cycle { g: String } "the fixed cycle {g} is in force", "platí pevný cyklus {g}";
+        Origin { g: String, n: u32 } "N{n} wrote an origin by {g}", "N{n} zapsal počátek funkcí {g}";
+        Needed { axis: String, n: u32 } "the position of {axis} is not known, and N{n} goes on from it", "poloha osy {axis} není známa a N{n} z ní pokračuje";
+        Below { axis: String, n: u32 } "the position of {axis}, the tool's axis, is not known, and N{n} moves other axes", "poloha osy nástroje {axis} není známa a N{n} pohybuje jinými osami";
+        Oriented "the spindle is an axis (M19)", "vřeteno je osou (M19)";
+        Copying { g: String } "{g} is in force, and what it does is not modelled", "platí {g}, jejíž činnost se nemodeluje";
+        InCycle { l: u32 } "the place is inside of L{l}, which a fixed cycle calls", "místo je uvnitř L{l}, který volá pevný cyklus";
+        Converted { g: String } "{g} is in force: the tool's axis is not where it points to", "platí {g}: osa nástroje nemíří tam, kam její písmeno";
+        Value { name: String } "the value of {name} is not known", "hodnota {name} není známa";
+        Lathe "G74 makes it a lathe: name the axis of the tool, [restart] tool-axis in the project file", "podle G74 jde o soustruh: uvést osu nástroje, [restart] tool-axis v souboru projektu";
+        NoAxis { axis: String } "the machine has no {axis}: name the axis of the tool, [restart] tool-axis in the project file", "stroj nemá osu {axis}: uvést osu nástroje, [restart] tool-axis v souboru projektu";
+        NoFeed "no F is in force for the last part of the approach", "pro poslední část najetí neplatí žádné F";
+        Standing "F counts per revolution, and the spindle stands", "F je na otáčku a vřeteno stojí";
+        Unwritable { axis: String } "the position of {axis} cannot be written in thousandths", "polohu osy {axis} nelze zapsat v tisícinách";
+        TooLong { blocks: u64, limit: u64 } "{blocks} blocks of calls and loops would be written out, --max-blocks allows {limit}", "bylo by rozepsáno bloků volání a smyček: {blocks}, --max-blocks dovoluje {limit}";
+        Fails { code: String } "a program from there has the error {code}", "program odtud má chybu {code}";
+        Differs { what: String, n: u32 } "a program from there would differ at N{n}: {what}", "program odtud by se lišil v N{n}: {what}";
+        NoSafe { axis: String } "--safe is missing: with this tool and origin the program did not stand higher in {axis} before", "chybí --safe: s tímto nástrojem a počátkem program dříve v ose {axis} výš nestál";
+    }
+}
+
+bilingual! {
+    /// What the new program says in its comments; without diacritics there.
+    Note {
+        Title { name: String, n: u32 } "{name} from N{n}", "{name} od N{n}";
+        TitleOfPass { name: String, n: u32, pass: u64 } "{name} from N{n}, pass {pass}", "{name} od N{n}, průchod {pass}";
+        WrittenOut { blocks: u64 } "calls and loops written out: {blocks} blocks", "rozepsaná volání a smyčky: bloků {blocks}";
+        NotRestored { m: String, group: usize } "not restored: {m} of group {group} (--all-m)", "neobnoveno: {m} skupiny {group} (--all-m)";
+        MachineParameter { r: u8 } "R{r} is read from the machine's table", "R{r} se čte z tabulky stroje";
+        Corrections { n: u32 } "corrections that N{n} wrote are not written again", "korekce zapsané v N{n} se znovu nezapisují";
+        Stands { axis: String } "{axis} is not known here: move it clear by hand first", "{axis} zde není známa: nejdřív odjet ručně";
+        Parameters "parameters read later", "parametry čtené dále";
+        Functions "functions in force", "platné funkce";
+        ToolChange "tool change", "výměna nástroje";
+        ToolChangeOf { n: u32 } "tool change, N{n}", "výměna nástroje, N{n}";
+        Tool "tool and corrections", "nástroj a korekce";
+        NextTool "next tool", "další nástroj";
+        Spindle "spindle", "vřeteno";
+        SpindleOf { n: u32 } "spindle, N{n}", "vřeteno, N{n}";
+        Auxiliary "auxiliary functions", "pomocné funkce";
+        Function { meaning: String, n: u32 } "{meaning}, N{n}", "{meaning}, N{n}";
+        FunctionOf { n: u32 } "N{n}", "N{n}";
+        Set "dynamic set of G23", "dynamická sada pro G23";
+        Feed "feed", "posuv";
+        FeedOf { n: u32 } "feed, N{n}", "posuv, N{n}";
+        Mode "unit of feed in force", "platná jednotka posuvu";
+        Reference { axis: String } "{axis} to its reference point", "{axis} do referenčního bodu";
+        Safe "up to --safe", "nahoru na --safe";
+        Highest "up to the program's highest with this tool", "nahoru na nejvyšší polohu programu s tímto nástrojem";
+        Across "across", "přejezd";
+        Down { clearance: String } "down to {clearance} above", "dolů na {clearance} nad místo";
+        Place "to the place at F", "na místo s F";
+        AsThere "as at the place", "jak platí v místě";
+    }
+}
+
+bilingual! {
+    /// What is said of a place beside the reason.
+    Said {
+        Refused { reason: String } "no start there: {reason}", "odtud začít nelze: {reason}";
+        Nearest { n: u32, line: u32, seq: u64, time: String } "nearest earlier place that works: --seq {seq}, N{n} (line {line}), {time} after program start", "nejbližší dřívější místo, odkud lze začít: --seq {seq}, N{n} (řádek {line}), {time} od startu programu";
+        NearestIn { n: u32, file: String, line: u32, seq: u64, time: String } "nearest earlier place that works: --seq {seq}, N{n} of {file} (line {line}), {time} after program start", "nejbližší dřívější místo, odkud lze začít: --seq {seq}, N{n} v {file} (řádek {line}), {time} od startu programu";
+        NoNearest "no earlier place works", "odtud ani z dřívějšího místa začít nelze";
+        Written { written_out: u64 } "blocks of calls and loops written out: {written_out}", "rozepsaných bloků volání a smyček: {written_out}";
+        Row { seq: u64, n: u32, line: u32, pass: u64, tool: String, kind: String } "--seq {seq}  N{n}  line {line}  pass {pass}  {tool}  {kind}", "--seq {seq}  N{n}  řádek {line}  průchod {pass}  {tool}  {kind}";
+        RowIn { seq: u64, n: u32, file: String, line: u32, pass: u64, tool: String, kind: String } "--seq {seq}  N{n} of {file}  line {line}  pass {pass}  {tool}  {kind}", "--seq {seq}  N{n} v {file}  řádek {line}  průchod {pass}  {tool}  {kind}";
+        Change "tool change", "výměna nástroje";
+        Rapid "rapid", "rychloposuv";
+        NoTool "no tool", "bez nástroje";
+        NoPlaces "there is no tool change and no rapid at which the program can start", "není výměna nástroje ani rychloposuv, kterými lze začít";
+        MoreWithSafe { more: u64 } "places that --safe would open: {more}", "míst, která zpřístupní --safe: {more}";
+    }
+}
+
+/// A row of the list of places.
+pub fn spot_text(spot: &Spot, lang: Lang) -> String {
+    let Spot { seq, n, line, pass, .. } = *spot;
+    let tool = spot.tool.map_or_else(|| Said::NoTool.text(lang), |tool| format!("T{tool}"));
+    let kind = if spot.changes { Said::Change } else { Said::Rapid }.text(lang);
+    let row = if spot.file.is_empty() {
+        Said::Row { seq, n, line, pass, tool, kind }
+    } else {
+        Said::RowIn { seq, n, file: spot.file.clone(), line, pass, tool, kind }
+    };
+    row.text(lang)
+}
+
+/// Why there is no start, and where there is one.
+pub fn refusal_text(reason: &Reason, nearest: Option<&Nearest>, lang: Lang) -> String {
+    let said = Said::Refused { reason: reason.text(lang) }.text(lang);
+    if matches!(reason, Reason::NoSafe { .. }) {
+        return said;
+    }
+    let nearest = nearest.map_or(Said::NoNearest, |nearest| {
+        let Nearest { seq, n, line, .. } = *nearest;
+        let time = clock(nearest.time_s);
+        match nearest.file.clone() {
+            Some(file) => Said::NearestIn { n, file, line, seq, time },
+            None => Said::Nearest { n, line, seq, time },
+        }
+    });
+    format!("{said}\n{}", nearest.text(lang))
+}
+
+impl Note {
+    /// As a comment of a part program: ASCII, no quote.
+    pub fn comment(&self, lang: Lang) -> String {
+        ascii(&self.text(lang))
+    }
+}

@@ -1,0 +1,381 @@
+//! One execution that tells whether a program can start at a place, where else it can, and where its text can go on.
+
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+
+use super::approach::Target;
+use super::reason::Reason;
+use super::tracker::{Conversion, Options, Tracker};
+use crate::config::Settings;
+use crate::diag::Findings;
+use crate::dict::{AxisLetter, Decimal, GCode, GGroup, TOOL_CHANGE};
+use crate::resolve::{Target as Leads, UnitKind};
+use crate::run::{ArmedCounter, End, Executed, MotionType, Program, Sink, State};
+use crate::syntax::BlockId;
+use crate::text::FileId;
+
+/// A tool change or a rapid at which a program can start.
+#[derive(Clone, Debug, Eq, PartialEq)]
+pub struct Spot {
+    /// Which executed block.
+    pub seq: u64,
+    /// Its number.
+    pub n: u32,
+    /// The name of its file; empty for the program.
+    pub file: String,
+    /// The line of its `N`.
+    pub line: u32,
+    /// Which execution of it this is, from 1.
+    pub pass: u64,
+    /// T when the block changes the tool, else the tool in the spindle.
+    pub tool: Option<Decimal>,
+    /// It changes the tool.
+    pub changes: bool,
+}
+
+/// A place that was judged, but for what the blocks behind it do.
+#[derive(Debug)]
+struct Pending {
+    seq: u64,
+    target: Target,
+    spot: Option<Spot>,
+}
+
+/// What was in force at the place that is asked for, beside its state.
+#[derive(Clone, Debug)]
+pub(super) struct There {
+    pub target: Result<Target, Reason>,
+    pub feed_mode: Option<GCode>,
+    pub speed_mode: Option<GCode>,
+    pub clamp: Option<(u8, u32, u64)>,
+    pub conversion: Option<Conversion>,
+    pub corrections: Option<u32>,
+    /// Which execution of the block this is, and whether there is another.
+    pub pass: u64,
+    pub several: bool,
+    /// The first block from which the text goes on: no counter counts there, and no jump leads before it.
+    pub text: Option<(u64, BlockId)>,
+    /// The latest earlier place that works.
+    pub nearest: Option<u64>,
+    /// Axes that are not known there.
+    pub unknown: Vec<AxisLetter>,
+}
+
+/// Where the text of the program can go on.
+#[derive(Debug, Default)]
+struct Text {
+    /// Jumps of the main program that are written with digits, by block: the lowest target of each and of all behind it.
+    lowest: Vec<(BlockId, BlockId)>,
+    from: Option<(u64, BlockId)>,
+    /// The jumps that counted there.
+    armed: Vec<BlockId>,
+}
+
+impl Text {
+    fn of(program: &Program<'_>) -> Self {
+        let resolved = &program.resolved;
+        let main = resolved.units().find(|(_, unit)| unit.kind == UnitKind::Main).map(|(_, unit)| *unit);
+        let jumps = resolved.targets(FileId(0)).iter().filter_map(|(block, target)| match target {
+            Leads::Block(target) if main.is_some_and(|main| main.contains(*block)) => Some((*block, *target)),
+            Leads::Block(_) | Leads::Unit(_) => None,
+        });
+        let mut lowest: Vec<_> = jumps.collect();
+        let mut least = BlockId(u32::MAX);
+        for (_, target) in lowest.iter_mut().rev() {
+            least = least.min(*target);
+            *target = least;
+        }
+        Self { lowest, from: None, armed: Vec::new() }
+    }
+
+    /// Looks at a block of the main program; `counters`: what counts before it.
+    fn look(&mut self, seq: u64, id: BlockId, counters: &[ArmedCounter]) {
+        if self.from.is_some_and(|(_, from)| id < from) || self.armed.contains(&id) {
+            self.from = None;
+        }
+        if self.from.is_some() {
+            return;
+        }
+        self.armed.clear();
+        self.armed.extend(counters.iter().filter(|counter| counter.depth == 0).map(|counter| counter.block));
+        let at = self.lowest.partition_point(|(block, _)| *block < id);
+        let stays = self.lowest.get(at).is_none_or(|(_, target)| *target >= id);
+        if stays && !self.armed.contains(&id) {
+            self.from = Some((seq, id));
+        }
+    }
+}
+
+/// The reader.
+#[derive(Debug)]
+pub(super) struct Scan {
+    tracker: Tracker,
+    /// The place; nothing when all are listed.
+    place: Option<u64>,
+    pending: Vec<Pending>,
+    /// The latest earlier place that works whatever comes.
+    nearest: Option<u64>,
+    spots: Vec<Spot>,
+    passes: HashMap<(FileId, BlockId), u64>,
+    /// The block that is asked for, to count its executions.
+    block: Option<(u32, u32)>,
+    pass: u64,
+    count: u64,
+    text: Text,
+    there: Option<There>,
+    /// Places that `--safe` would open.
+    pub lack_safe: u64,
+}
+
+impl Scan {
+    /// `place`: its seq, the index of its file and its number; without one all places are listed.
+    pub fn new(settings: &Settings, options: Options, place: Option<(u64, u32, u32)>) -> Self {
+        Self {
+            tracker: Tracker::new(settings, options),
+            place: place.map(|(seq, _, _)| seq),
+            pending: Vec::new(),
+            nearest: None,
+            spots: Vec::new(),
+            passes: HashMap::new(),
+            block: place.map(|(_, file, n)| (file, n)),
+            pass: 0,
+            count: 0,
+            text: Text::default(),
+            there: None,
+            lack_safe: 0,
+        }
+    }
+
+    /// The place that was asked for.
+    pub fn finish(mut self) -> Option<There> {
+        self.settle_all();
+        let mut there = self.there?;
+        there.nearest = self.nearest;
+        there.text = self.text.from;
+        there.several = self.count > 1;
+        Some(there)
+    }
+
+    /// All tool changes and rapids at which a start is possible, in the order of execution.
+    pub fn into_spots(mut self) -> Vec<Spot> {
+        self.settle_all();
+        self.spots.sort_by_key(|spot| spot.seq);
+        self.spots
+    }
+
+    /// Nothing more comes: what waited for it works.
+    fn settle_all(&mut self) {
+        for pending in std::mem::take(&mut self.pending) {
+            self.works(pending);
+        }
+    }
+
+    fn works(&mut self, pending: Pending) {
+        if self.place != Some(pending.seq) {
+            self.nearest = self.nearest.max(Some(pending.seq));
+        }
+        self.spots.extend(pending.spot);
+    }
+
+    /// Before a block: is it a place to start at?
+    fn arrive(&mut self, block: &Executed<'_>) {
+        let seq = block.seq();
+        if self.block == Some((block.file_index(), block.n())) {
+            self.count += 1;
+        }
+        if self.place.is_some_and(|place| seq > place) {
+            return;
+        }
+        let is_place = self.place == Some(seq);
+        let lists = self.place.is_none();
+        let spot = if lists { self.spot(block) } else { None };
+        if lists && spot.is_none() {
+            return;
+        }
+        let judged = self.tracker.judge(block);
+        if is_place {
+            self.pass = self.count;
+            self.there = Some(self.there(block, judged.clone()));
+        }
+        let target = match judged {
+            Ok(target) => target,
+            Err(reason) => {
+                self.lack_safe += u64::from(matches!(reason, Reason::NoSafe { .. }));
+                return;
+            }
+        };
+        if !is_place && !lists {
+            // Of two places with the same unknown axes what follows is the same: the later one counts.
+            self.pending.retain(|other| {
+                (other.target.fresh, other.target.lost, other.target.below) != (target.fresh, target.lost, target.below)
+            });
+        }
+        let pending = Pending { seq, target, spot };
+        if !is_place && pending.target.fresh | pending.target.lost == 0 {
+            self.works(pending);
+        } else {
+            self.pending.push(pending);
+        }
+    }
+
+    /// The block as a tool change or a rapid.
+    fn spot(&mut self, block: &Executed<'_>) -> Option<Spot> {
+        let pass = self.passes.entry(block.at()).or_default();
+        *pass += 1;
+        let changes = block.m_written().contains(&TOOL_CHANGE);
+        let rapid = block.motion().is_some_and(|motion| motion.kind() == MotionType::Rapid);
+        let file = if block.file_index() == 0 { String::new() } else { block.file_name().to_owned() };
+        (changes || rapid).then(|| Spot {
+            seq: block.seq(),
+            n: block.n(),
+            file,
+            line: block.line(),
+            pass: *pass,
+            tool: block.tool(),
+            changes,
+        })
+    }
+
+    fn there(&self, block: &Executed<'_>, target: Result<Target, Reason>) -> There {
+        let Tracker { feed_mode, speed_mode, clamp, corrections, .. } = self.tracker;
+        let state = self.tracker.state();
+        let axes = block.settings().machine.axes.iter().enumerate();
+        let unknown = axes.filter(|(at, _)| state.axis_position(*at).is_none()).map(|(_, axis)| axis.letter);
+        There {
+            target,
+            feed_mode,
+            speed_mode,
+            clamp,
+            conversion: self.tracker.conversion.clone(),
+            corrections,
+            pass: self.pass,
+            several: false,
+            text: None,
+            nearest: None,
+            unknown: unknown.collect(),
+        }
+    }
+
+    /// What a block does to the places that wait to know how their unknown axes are used.
+    fn use_axes(&mut self, block: &Executed<'_>) {
+        if self.pending.is_empty() {
+            return;
+        }
+        let used = Used::of(block, self.tracker.state(), self.tracker.tool_axis());
+        for mut pending in std::mem::take(&mut self.pending) {
+            let Target { fresh, lost, below, .. } = &mut pending.target;
+            let needed = (*fresh & used.from_there) | (*lost & (used.from_there | used.cut_from));
+            let below_others = *below && used.others_first;
+            if needed != 0 || below_others {
+                if self.place == Some(pending.seq) {
+                    self.refuse(block, needed);
+                }
+                continue;
+            }
+            *fresh &= !used.known;
+            *lost &= !used.known;
+            *below &= !used.tool_known;
+            if *fresh | *lost == 0 && self.place != Some(pending.seq) {
+                self.works(pending);
+            } else {
+                self.pending.push(pending);
+            }
+        }
+    }
+
+    /// The place does not work: the block needs axes that are not known.
+    fn refuse(&mut self, block: &Executed<'_>, needed: u16) {
+        let axes = &block.settings().machine.axes;
+        let at = if needed == 0 { self.tracker.tool_axis() } else { Some(needed.trailing_zeros() as usize) };
+        let axis = at.and_then(|at| axes.get(at)).map_or_else(String::new, |axis| axis.letter.to_string());
+        let n = block.n();
+        let reason = if needed == 0 { Reason::Below { axis, n } } else { Reason::Needed { axis, n } };
+        if let Some(there) = &mut self.there {
+            there.target = Err(reason);
+        }
+    }
+}
+
+/// How a block uses axes, a bit for each place in machine order.
+#[derive(Clone, Copy, Debug, Default)]
+struct Used {
+    /// It goes on from where they stand: G91, an arc, a thread, an origin by G93.
+    from_there: u16,
+    /// It cuts from where they stand to a place of its own.
+    cut_from: u16,
+    /// Where they stand after it does not depend on where they stood.
+    known: u16,
+    tool_known: bool,
+    /// It moves other axes, and not the tool's.
+    others_first: bool,
+}
+
+impl Used {
+    fn of(block: &Executed<'_>, before: &State, tool: Option<usize>) -> Self {
+        let mut used = Self::default();
+        let machine = &block.settings().machine;
+        let incremental = block.g(GGroup::G9) == Some(GCode::G91);
+        let bit = |letter: AxisLetter| machine.axes.index(letter).map_or(0, |at| 1_u16 << at);
+        let mut moved = 0;
+        if let Some(motion) = block.motion() {
+            let kind = motion.kind();
+            for letter in motion.axes() {
+                moved |= bit(letter);
+                if kind == MotionType::Reference {
+                    continue;
+                }
+                if incremental || kind.is_arc() || kind == MotionType::Thread {
+                    used.from_there |= bit(letter);
+                } else if kind.is_working() {
+                    used.cut_from |= bit(letter);
+                }
+            }
+        }
+        let letters = |list: &[(char, Decimal)]| {
+            let axes =
+                machine.axes.iter().filter(|axis| list.iter().any(|(letter, _)| *letter == axis.letter.letter()));
+            axes.fold(0, |all, axis| all | bit(axis.letter))
+        };
+        if block.is_unmapped_cycle() {
+            let named = letters(block.words());
+            moved |= named;
+            used.cut_from |= named;
+            used.from_there |= if incremental { named } else { 0 };
+        }
+        if let Some(data) = block.data().filter(|data| data.g == GCode::G93) {
+            used.from_there |= letters(data.values);
+        }
+        for (at, _) in machine.axes.iter().enumerate() {
+            let found = before.axis_position(at).is_none() && block.state().axis_position(at).is_some();
+            used.known |= if found { 1 << at } else { 0 };
+        }
+        let tool = tool.map_or(0, |at| 1 << at);
+        used.others_first = moved & !tool != 0 && moved & tool == 0;
+        used.known |= if block.change_pos() { u16::MAX } else { moved };
+        used.tool_known = used.known & tool != 0;
+        used
+    }
+}
+
+impl Sink for &mut Scan {
+    type Whole = End;
+
+    fn begin(&mut self, program: &Program<'_>) {
+        self.text = Text::of(program);
+    }
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        self.tracker.arrive(block);
+        self.arrive(block);
+        if self.place.is_some_and(|place| block.seq() >= place) && block.depth() == 0 {
+            self.text.look(block.seq(), block.at().1, self.tracker.before().counters());
+        }
+        self.use_axes(block);
+        self.tracker.pass(block);
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, end: End, _: &mut Findings) -> End {
+        end
+    }
+}

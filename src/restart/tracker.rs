@@ -1,0 +1,310 @@
+//! What a start at the next block would need: kept while the program is executed, judged before each block.
+
+use super::approach::{Approach, Target};
+use super::reason::Reason;
+use crate::analysis::state::{Axes, Before, Unknown};
+use crate::config::Settings;
+use crate::diag::CallKind;
+use crate::dict::{
+    Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, SPINDLE_GROUP,
+    SPINDLE_TURNS, TOOL_CHANGE,
+};
+use crate::run::{Executed, MotionType, State};
+
+/// What the user wants.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Where the tool's axis is clear of everything, as programmed at the place; `None`: where the program itself stood.
+    pub safe: Option<Decimal>,
+    /// Where the approach changes from rapid to feed: so many mm above the place.
+    pub clearance: Decimal,
+    /// Functions of M groups 10 to 14 are restored too.
+    pub all_m: bool,
+}
+
+/// The functions of the project's machine that turn or bend space: the letters of the axes do not say where the tool points.
+const BENDING: [GCode; 3] = [GCode::G31, GCode::G38, GCode::G39];
+
+/// Functions that copy, or drag an axis.
+const COPYING: [GCode; 4] = [GCode::G05, GCode::G06, GCode::G07, GCode::G08];
+
+/// The last function of group G11 that was written with its words.
+#[derive(Clone, Debug)]
+pub(super) struct Conversion {
+    pub function: GCode,
+    pub values: Vec<(char, Decimal)>,
+}
+
+/// Follows an execution: call [`Self::arrive`] at a block, judge, then [`Self::pass`] it.
+#[derive(Debug)]
+pub(super) struct Tracker {
+    pub options: Options,
+    /// The letter of the tool's axis, and its place in machine order.
+    tool_letter: AxisLetter,
+    tool_axis: Option<usize>,
+    /// Whether the project file names it.
+    tool_is_named: bool,
+    before: Before,
+    axes: Axes,
+    /// By place in machine order: a motion or a block of data gave it its position.
+    named: [bool; 9],
+    /// By place in machine order: of what left it unsettled, a length correction is not all.
+    origin_moved: [bool; 9],
+    /// The greatest position of the tool's axis with the tool and the origin in force.
+    highest: Option<Micro>,
+    /// The tool's axis came to where it is in rapid.
+    came_in_rapid: bool,
+    /// The function and the block that wrote an origin.
+    origin: Option<(GCode, u32)>,
+    /// The block that wrote corrections.
+    pub corrections: Option<u32>,
+    /// The G6 function that F and S were written under.
+    pub feed_mode: Option<GCode>,
+    pub speed_mode: Option<GCode>,
+    /// M10 or M11, whichever was written last, its block and its seq.
+    pub clamp: Option<(u8, u32, u64)>,
+    pub conversion: Option<Conversion>,
+}
+
+impl Tracker {
+    pub fn new(settings: &Settings, options: Options) -> Self {
+        let tool_letter = settings.machine.tool_axis.unwrap_or(AxisLetter::Z);
+        Self {
+            options,
+            tool_letter,
+            tool_axis: settings.machine.axes.index(tool_letter),
+            tool_is_named: settings.machine.tool_axis.is_some(),
+            before: Before::new(settings),
+            axes: Axes::default(),
+            named: [false; 9],
+            origin_moved: [false; 9],
+            highest: None,
+            came_in_rapid: true,
+            origin: None,
+            corrections: None,
+            feed_mode: None,
+            speed_mode: None,
+            clamp: None,
+            conversion: None,
+        }
+    }
+
+    /// What is in force.
+    pub const fn state(&self) -> &State {
+        self.before.state()
+    }
+
+    pub const fn before(&self) -> &Before {
+        &self.before
+    }
+
+    pub const fn tool_axis(&self) -> Option<usize> {
+        self.tool_axis
+    }
+
+    /// What a call of the cycle map changes before a block.
+    pub fn arrive(&mut self, block: &Executed<'_>) {
+        self.before.arrive(block);
+    }
+
+    /// Follows a block.
+    pub fn pass(&mut self, block: &Executed<'_>) {
+        self.axes.pass(block, self.before.state());
+        let tool = self.tool_axis.and_then(|at| block.settings().machine.axes.get(at)).map(|axis| axis.letter);
+        if !block.moves_on() {
+            self.note(block);
+        }
+        let before = self.before.state();
+        for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
+            if let Some(named) = block.settings().machine.axes.index(axis).and_then(|at| self.named.get_mut(at)) {
+                *named = true;
+            }
+        }
+        let after = block.state();
+        if let Some(motion) = block.motion().filter(|motion| tool.is_some_and(|tool| motion.moves(tool))) {
+            self.came_in_rapid = motion.kind() == MotionType::Rapid;
+        }
+        let stands = self.tool_axis.and_then(|at| after.axis_position(at).filter(|_| !after.is_unsettled(at)));
+        let changes = block.m_written().contains(&TOOL_CHANGE)
+            || self.tool_axis.is_some_and(|at| after.is_unsettled(at) && !before.is_unsettled(at));
+        self.highest = if changes { stands } else { self.highest.max(stands) };
+        self.before.pass(block);
+    }
+
+    /// The parts that only blocks with more than axis words change.
+    fn note(&mut self, block: &Executed<'_>) {
+        let (before, after) = (self.before.state(), block.state());
+        let mode = block.g(GGroup::G6);
+        if block.written(Address::F) {
+            self.feed_mode = mode;
+        }
+        if block.written(Address::S) {
+            self.speed_mode = mode;
+        }
+        let functions = &block.settings().machine.m_functions;
+        for &number in block.m_written() {
+            if functions.group(number) == CLAMP_GROUP {
+                self.clamp = Some((number, block.n(), block.seq()));
+            }
+        }
+        let data = block.data();
+        if let Some(data) = data {
+            let table = matches!(data.g, GCode::G92 | GCode::G93);
+            if table && data.origin.is_some() {
+                self.origin = self.origin.or(Some((data.g, block.n())));
+            } else if table {
+                self.corrections = Some(block.n());
+            }
+        }
+        if let Some(function) = block.g_written().find(|code| code.group() == GGroup::G11) {
+            let values = data.map(|data| data.values.to_vec()).unwrap_or_default();
+            self.conversion = Some(Conversion { function, values });
+        }
+        let moves_origin = data.is_some()
+            || block.g(GGroup::G5) != before.g_in_force(GGroup::G5)
+            || block.g(GGroup::G11) != before.g_in_force(GGroup::G11)
+            || !(block.written(Address::D) || block.written(Address::Correction));
+        for (at, _) in block.settings().machine.axes.iter().enumerate() {
+            let (was, is) = (before.is_unsettled(at), after.is_unsettled(at));
+            if let Some(moved) = self.origin_moved.get_mut(at) {
+                *moved = is && (*moved || (moves_origin && !was) || data.is_some());
+            }
+            if let Some(named) = self.named.get_mut(at) {
+                *named |= before.axis_position(at) != after.axis_position(at);
+            }
+        }
+    }
+
+    /// Whether the program gave the axis its position.
+    pub fn is_named(&self, at: usize) -> bool {
+        self.named.get(at).copied().unwrap_or(false)
+    }
+
+    /// How a start at the block can be approached, with the axes that are not known there.
+    ///
+    /// # Errors
+    /// Why there is none, whatever the program does later.
+    pub fn judge(&self, block: &Executed<'_>) -> Result<Target, Reason> {
+        self.judge_functions(block)?;
+        let settings = block.settings();
+        let state = self.state();
+        if let Some(address) = state.undetermined().next() {
+            return Err(Reason::Value { name: address.row().letter.to_owned() });
+        }
+        let lathe = state.g_in_force(GGroup::G10) == Some(GCode::G74)
+            || settings.machine.power_up.get(GGroup::G10.index()).copied().flatten() == Some(GCode::G74);
+        if lathe && !self.tool_is_named {
+            return Err(Reason::Lathe);
+        }
+        let Some(tool) = self.tool_axis else { return Err(Reason::NoAxis { axis: self.tool_letter.to_string() }) };
+        let mut target = Target::default();
+        for (at, axis) in settings.machine.axes.iter().enumerate() {
+            if state.axis_position(at).is_some() {
+                let rotary = axis.rotary && !self.origin_moved.get(at).copied().unwrap_or(false);
+                if state.is_unsettled(at) && self.is_named(at) && !rotary {
+                    return Err(Reason::Stale { axis: axis.letter.to_string() });
+                }
+                continue;
+            }
+            match self.axes.why(axis.letter) {
+                Unknown::Reference => {}
+                Unknown::NotProgrammed => target.fresh |= 1 << at,
+                Unknown::MFunction | Unknown::Cycle | Unknown::Macrocycle | Unknown::Spindle | Unknown::Incremental | Unknown::Value => {
+                    target.lost |= 1 << at;
+                }
+            }
+        }
+        target.below = target.lost & 1 << tool != 0;
+        target.approach = self.approach(settings, tool, target.below)?;
+        Ok(target)
+    }
+
+    /// What is in force must be something that a program can begin with.
+    fn judge_functions(&self, block: &Executed<'_>) -> Result<(), Reason> {
+        let state = self.state();
+        let in_force = |group: GGroup, of: &[GCode]| {
+            state.g_in_force(group).filter(|code| of.contains(code)).map(|code| code.to_string())
+        };
+        if let Some(call) = block.calls().find(|call| matches!(call.by, CallKind::Cycle(_))) {
+            return Err(Reason::InCycle { l: call.l });
+        }
+        if let Some(g) = in_force(GGroup::G3, &[GCode::G41, GCode::G42]) {
+            return Err(Reason::Correction { g });
+        }
+        if in_force(GGroup::G0, &[GCode::G33]).is_some() {
+            return Err(Reason::Thread);
+        }
+        if let Some(cycle) = state.g_in_force(GGroup::G8).filter(|code| code.is_cycle()) {
+            return Err(Reason::Cycle { g: cycle.to_string() });
+        }
+        if let Some((g, n)) = self.origin {
+            return Err(Reason::Origin { g: g.to_string(), n });
+        }
+        if state.m_in_force(SPINDLE_GROUP) == Some(ORIENTED_STOP) {
+            return Err(Reason::Oriented);
+        }
+        if let Some(g) = in_force(GGroup::G2, &COPYING) {
+            return Err(Reason::Copying { g });
+        }
+        let conversion = state.g_in_force(GGroup::G11).filter(|code| Some(*code) != GCode::power_up(GGroup::G11));
+        if let Some(function) = conversion {
+            let letter = self.tool_letter.letter();
+            let values = self.conversion.as_ref().map_or(&[][..], |conversion| &conversion.values);
+            if BENDING.contains(&function) || values.iter().any(|(axis, _)| *axis == letter) {
+                return Err(Reason::Converted { g: function.to_string() });
+            }
+        }
+        Ok(())
+    }
+
+    /// The heights of the approach (RST-2); `below`: nobody knows where the tool's axis stands.
+    fn approach(&self, settings: &Settings, tool: usize, below: bool) -> Result<Approach, Reason> {
+        let state = self.state();
+        let machine = &settings.machine;
+        let diameters = state.g_in_force(GGroup::G10) == Some(GCode::G74);
+        let moved = || machine.axes.iter().enumerate().filter(|(at, _)| self.is_named(*at));
+        let mut approach = Approach { diameters, ..Approach::default() };
+        for (at, axis) in moved() {
+            let Some(position) = state.axis_position(at) else {
+                if self.axes.why(axis.letter) == Unknown::Reference {
+                    approach.reference.push(axis.letter);
+                }
+                continue;
+            };
+            approach.written(axis.letter, position)?;
+            if at != tool {
+                approach.others.push((axis.letter, position));
+            }
+        }
+        if below && !approach.others.is_empty() {
+            return Err(Reason::Position { axis: self.tool_letter.to_string() });
+        }
+        let is_needed = !(approach.others.is_empty() && approach.reference.is_empty());
+        let Some(place) = state.axis_position(tool).filter(|_| self.is_named(tool) || is_needed) else {
+            return Ok(approach);
+        };
+        approach.tool = Some((self.tool_letter, place));
+        let safe = self.options.safe.map(|safe| {
+            let safe = Micro::from(safe);
+            if approach.is_diameter(self.tool_letter) { safe.half() } else { safe }
+        });
+        approach.by_user = safe.is_some();
+        let own = self.highest.filter(|highest| *highest > place || (*highest == place && self.came_in_rapid));
+        let Some(top) = safe.or(own) else { return Err(Reason::NoSafe { axis: self.tool_letter.to_string() }) };
+        approach.top = top.max(place);
+        approach.clearance = Micro::from(self.options.clearance);
+        if approach.top > place {
+            if state.feed(machine).is_none() {
+                return Err(Reason::NoFeed);
+            }
+            let per =
+                state.g_in_force(GGroup::G6).and_then(|function| machine.feed_mode(function)).map(|mode| mode.per);
+            let turns = state.m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
+            if per == Some(FeedPer::Revolution) && !turns {
+                return Err(Reason::Standing);
+            }
+        }
+        approach.written(self.tool_letter, approach.top)?;
+        Ok(approach)
+    }
+}

@@ -1,0 +1,292 @@
+//! `restart`: programs that start in the middle.
+
+use std::path::Path;
+
+use cnc872c::analysis::state::{Asked, Place as At};
+use cnc872c::dict::{Decimal, Lang};
+use cnc872c::restart::{Answer, Options, Restart, restart};
+use cnc872c::session::{Part, Session};
+use serde_json::Value;
+
+use crate::cli::{BAD, Place};
+use crate::state::{Sample, samples};
+
+const OPTIONS: Options = Options { safe: None, clearance: Decimal::from_thousandths(2000), all_m: true };
+
+fn at(seq: u64) -> Asked {
+    Asked { place: At::Seq(seq), file: None, pass: None, after: false }
+}
+
+/// The block records of a program that stands in the place of the sample's.
+fn records(sample: &Sample, text: &str) -> Vec<Value> {
+    let loader = Over { sample, text };
+    let session = Session { loader: &loader, settings: &sample.settings, progress: None };
+    let mut out = Vec::new();
+    let run = session.compile(Path::new(&sample.file), &sample.file, Part::default(), &mut out).unwrap();
+    assert!(run.whole.is_some(), "{}\n{text:.2500}\n{:#?}", sample.name, run.outcome.findings.items());
+    let records = std::str::from_utf8(&out).unwrap().lines().map(|line| serde_json::from_str(line).unwrap());
+    records.filter(|record: &Value| record["kind"] == "block").collect()
+}
+
+/// A text over the files of a sample.
+struct Over<'a> {
+    sample: &'a Sample,
+    text: &'a str,
+}
+
+impl cnc872c::text::Loader for Over<'_> {
+    fn read(&self, path: &Path) -> std::io::Result<Vec<u8>> {
+        if path == Path::new(&self.sample.file) {
+            Ok(self.text.as_bytes().to_vec())
+        } else {
+            self.sample.disk.read(path)
+        }
+    }
+
+    fn list(&self, folder: &Path) -> Vec<std::path::PathBuf> {
+        self.sample.disk.list(folder)
+    }
+
+    fn folders(&self, folder: &Path) -> Vec<std::path::PathBuf> {
+        self.sample.disk.folders(folder)
+    }
+
+    fn canonical(&self, path: &Path) -> std::path::PathBuf {
+        self.sample.disk.canonical(path)
+    }
+}
+
+/// Fields that say where a block stands.
+const WHERE: [&str; 7] = ["seq", "n", "file", "line", "column", "calls", "first_block"];
+/// Fields that differ where calls and loops are written out.
+const FLAT: [&str; 4] = ["jump", "g_set", "params", "comments"];
+
+/// The record without what may differ; `flat`: it is of a block of a call or a loop that is written out.
+fn comparable(record: &Value, flat: bool, lacks: bool) -> Value {
+    let mut record = record.clone();
+    let object = record.as_object_mut().unwrap();
+    for key in WHERE.iter().chain(if flat { &FLAT[..] } else { &[] }) {
+        object.remove(*key);
+    }
+    if flat {
+        object["g"][7] = Value::Null;
+    }
+    if lacks && let Some(motion) = object.get_mut("motion").and_then(Value::as_object_mut) {
+        for key in ["length_mm", "length_deg", "length_missing"] {
+            motion.remove(key);
+        }
+    }
+    record
+}
+
+/// Whether a block of the old program does nothing outside of calls and jumps.
+fn does_nothing(record: &Value) -> bool {
+    let flow = |g: &Value| [70, 71, 72, 73, 79].contains(&g.as_u64().unwrap());
+    let g_set = record["g_set"].as_array().is_none_or(|list| list.iter().all(flow));
+    let other = ["m_set", "motion", "data", "params", "words", "opaque_call"];
+    let set = ["t_set", "h_set", "p_set", "d_set", "s_set", "f_set"];
+    g_set && other.iter().chain(&set).all(|key| record.get(key).is_none())
+}
+
+/// RST-5: the stream of the rest is that of the full run.
+fn compare(sample: &Sample, blocks: &[Value], seq: usize, made: &Restart) {
+    let text = made.text();
+    let shown: String = text.chars().take(2500).collect();
+    let new = records(sample, &text);
+    let mut new = new.iter().skip(made.preamble as usize);
+    let from = made.text_from.unwrap_or(u64::MAX) as usize;
+    for (at, old) in blocks.iter().enumerate().skip(seq) {
+        let in_cycle =
+            old["calls"].as_array().is_some_and(|calls| calls.iter().any(|call| call["by"].as_str() > Some("G80")));
+        let flat = at < from && !in_cycle;
+        if flat && does_nothing(old) && old.get("length_correction") == blocks[at.max(1) - 1].get("length_correction") {
+            continue;
+        }
+        let Some(other) = new.next() else { panic!("{} seq {seq}: {at} is missing\n{shown}", sample.name) };
+        let missing = |record: &Value| record["motion"].get("length_missing").cloned();
+        let lacks = missing(old).is_some_and(|why| why == "origin" || missing(other).is_some());
+        let (old, other) = (comparable(old, flat, lacks), comparable(other, flat, lacks));
+        assert_eq!(old, other, "{} seq {seq}, at {at}\n{shown}", sample.name);
+    }
+    assert_eq!(new.next(), None, "{} seq {seq}\n{shown}", sample.name);
+}
+
+/// RST-2: nothing moves in rapid across below the top, and nothing goes down in rapid further than the clearance.
+fn comes_from_above(sample: &Sample, made: &Restart) {
+    let text = made.text();
+    let shown: String = text.chars().take(2500).collect();
+    let new = records(sample, &text);
+    let tool = sample.settings.machine.tool_axis.map_or_else(|| "Z".to_owned(), |axis| axis.to_string());
+    let approach: Vec<&Value> =
+        new.iter().take(made.preamble as usize).filter(|record| record["motion"].is_object()).collect();
+    let heights = approach.iter().filter_map(|record| record["position"][&tool].as_f64());
+    let top = heights.fold(f64::NEG_INFINITY, f64::max);
+    let place = approach.last().and_then(|record| record["position"][&tool].as_f64());
+    for record in approach {
+        let motion = &record["motion"];
+        let axes: Vec<&str> = motion["axes"].as_array().unwrap().iter().map(|axis| axis.as_str().unwrap()).collect();
+        let height = record["position"][&tool].as_f64();
+        let across = axes.iter().any(|axis| *axis != tool);
+        assert!(!(across && axes.contains(&tool.as_str())), "{} moves down and across\n{shown}", sample.name);
+        if motion["type"] == "rapid" {
+            let low = if across { top } else { place.unwrap_or(0.0) + 2.0 };
+            assert!(
+                height.is_none_or(|height| height >= low - 1e-9 || height >= top),
+                "{} {record}\n{shown}",
+                sample.name
+            );
+        } else if motion["type"] != "reference" {
+            assert_eq!((motion["type"].as_str(), height), (Some("linear"), place), "{}\n{shown}", sample.name);
+        }
+    }
+}
+
+/// RST-1, RST-3, RST-4, RST-5: at places all over the samples a program starts as the full run goes on, or it says why not.
+#[test]
+fn starts_all_over_the_samples() {
+    let (mut made, mut refused, mut flat) = (0, std::collections::BTreeMap::<String, u32>::new(), 0);
+    let places: usize = std::env::var("RESTART_PLACES").ok().and_then(|text| text.parse().ok()).unwrap_or(4);
+    for sample in samples() {
+        let blocks = sample.blocks();
+        let step = blocks.len() / places + 1;
+        for seq in (0..blocks.len()).step_by(step) {
+            let made_here =
+                restart(&sample.session(), Path::new(&sample.file), &sample.file, &at(seq as u64), OPTIONS, Lang::En);
+            match made_here.answer {
+                Answer::Program(program) => {
+                    compare(&sample, &blocks, seq, &program);
+                    comes_from_above(&sample, &program);
+                    made += 1;
+                    flat += u32::from(program.written_out > 0);
+                }
+                Answer::Refused { reason, nearest } => {
+                    let text = format!("{reason:?}");
+                    let kind = text.split([' ', '{']).next().unwrap().to_owned();
+                    assert_ne!(kind, "Differs", "{} seq {seq}: {reason:?}", sample.name);
+                    assert!(nearest.is_none_or(|nearest| nearest.seq < seq as u64));
+                    *refused.entry(kind).or_default() += 1;
+                }
+                other => panic!("{} seq {seq}: {other:?}", sample.name),
+            }
+        }
+    }
+    if places > 4 {
+        println!("made {made}, of them written out {flat}, refused {refused:#?}");
+    }
+    assert!(made > 100 && flat > 10 && refused.len() > 8);
+}
+
+const LOOP: &str = "%872 \"FLANGE\"\r\nN10 G90 G54 G0 X0 Y0 Z100\r\nN20 T5 D1 M06\r\nN30 S1200 M41 M03 M08\r\nN40 G0 X10 Y10 Z5\r\n\
+    N50 G1 Z-1 F200 M25\r\nN60 G71 L100 Q3\r\nN70 G0 Z100 M10\r\nN80 G41 X5\r\nN90 G40 X0\r\nN100 M30\r\n\"p\u{f8}\u{ed}ruba\r\nN1000 G79 L100\r\n\
+    N1010 G91 G1 Z-1\r\nN1020 G90 XR10 R10=20\r\nN1030 Y20 G70\r\n";
+
+/// The bytes of [`LOOP`] in Windows-1250: its comment is no UTF-8.
+fn bytes() -> Vec<u8> {
+    LOOP.chars().map(|character| u8::try_from(u32::from(character)).unwrap()).collect()
+}
+
+/// RST-1, RST-2, RST-3, RST-6: what stands in the new program, and in which order.
+#[test]
+fn the_program_that_starts_there() {
+    let place = Place::with(&[("a.nc", &bytes())]);
+    let run = place.run(&["restart", "a.nc", "--n", "1030", "--pass", "2", "--param", "R10=15", "-o", "b.nc"]).ends(0);
+    assert_eq!(run.stderr, "blocks of calls and loops written out: 6\n");
+    let written = place.read("b.nc");
+    // The rest keeps its bytes.
+    assert!(written.ends_with(&bytes()[bytes().len() - 120..]));
+    let text: String = written.iter().map(|byte| char::from(*byte)).collect();
+    let expected = [
+        "%872 \"a.nc from N1030, pass 2\"",
+        "\"calls and loops written out: 6 blocks\"",
+        "\"not restored: M25 of group 14 (--all-m)\"",
+        "N1040 G54 \"functions in force\"",
+        "N1050 T5 D1 M06 \"tool change, N20\"",
+        "N1060 M41 S1200 M03 \"spindle, N30\"",
+        "N1070 M08 \"coolant 2 on, N30\"",
+        "N1080 F200 \"feed, N50\"",
+        "N1090 G00 G90 Z100 \"up to the program's highest with this tool\"",
+        "N1100 G00 X20 Y20 \"across\"",
+        "N1110 G00 Z-1 \"down to 2 above\"",
+        "N1120 G01 Z-3 \"to the place at F\"",
+        "N1440 Y20 \"N1030\"",
+        "N1441 G91 G01 Z-1 \"N1010\"",
+        "N1442 G90 X20 R10=20 \"N1020\"",
+        "N1443 Y20 \"N1030\"",
+        "N70 G0 Z100 M10",
+    ];
+    assert_eq!(text.lines().take(expected.len()).collect::<Vec<_>>(), expected, "{text}");
+    place.run(&["check", "b.nc", "--param", "R10=15"]).ends(0);
+    let all = place.run(&["restart", "a.nc", "--n", "100", "--all-m", "--safe", "150", "--param", "R10=15"]).ends(0);
+    assert!(all.stdout.contains("G00 G90 Z150 \"up to --safe\""), "{}", all.stdout);
+    assert!(
+        all.stdout.contains("M25 \"N50\"") && all.stdout.contains("M10 \"clamp the workpiece, N70\""),
+        "{}",
+        all.stdout
+    );
+    let czech = place.run(&["--lang", "cs", "restart", "a.nc", "--at-tool", "T5", "--param", "R10=15"]).ends(0);
+    assert!(czech.stdout.starts_with("%872 \"a.nc od N20\"") && czech.stdout.is_ascii() || czech.stdout.contains('r'));
+    let list = place.run(&["restart", "a.nc", "--list", "--param", "R10=15"]).ends(0);
+    assert!(list.stdout.contains("--seq 1  N20  line 3  pass 1  T5  tool change\n"), "{}", list.stdout);
+    assert!(!list.stdout.contains("N90"), "{}", list.stdout);
+}
+
+/// RST-4: refusals say why and where a start is possible; places that are none, errors and endless loops write nothing.
+#[test]
+fn what_is_refused() {
+    let endless = "%1\nN10 G0 X1\nN20 G73 L10 Q9999\nN30 G73 L10 Q9999\nN40 M30\n";
+    let lathe = "%1\nN10 G90 G74 G0 X100 Z50\nN20 G1 X40 F100\nN30 Z-10\nN40 M30\n";
+    let flat = "%1\nN10 G90 G1 X0 Z5 F100\nN20 X10\nN30 M30\n";
+    let place = Place::with(&[
+        ("a.nc", &bytes()),
+        ("bad.nc", BAD.as_bytes()),
+        ("endless.nc", endless.as_bytes()),
+        ("lathe.nc", lathe.as_bytes()),
+        ("flat.nc", flat.as_bytes()),
+    ]);
+    for (arguments, status, says) in [
+        (&["a.nc", "--n", "90", "--param", "R10=15"][..], 1, "G41 is in force"),
+        (
+            &["a.nc", "--n", "90", "--param", "R10=15"],
+            1,
+            "nearest earlier place that works: --seq 15, N80 (line 9), 0:0",
+        ),
+        (&["a.nc", "--n", "50"], 1, "no F is in force"),
+        (&["a.nc", "--n", "1030"], 2, "--pass 3  N1030"),
+        (&["a.nc", "--n", "1031"], 2, "the nearest number is N1030"),
+        (&["a.nc", "--seq", "99"], 2, "blocks that the program executes"),
+        (&["a.nc", "--time", "9:00:00"], 2, "the program takes"),
+        (&["a.nc", "--n", "100", "--after"], 2, "blocks that the program executes"),
+        (&["a.nc"], 2, "is missing"),
+        (&["a.nc", "--n", "100", "--list"], 2, "--list"),
+        (&["a.nc", "--n", "20", "-o", "a.nc"], 2, "another file belongs after -o"),
+        (&["a.nc", "--n", "20", "--clearance", "0"], 2, "--clearance"),
+        (&["bad.nc", "--n", "10"], 1, "E0306"),
+        (&["bad.nc", "--list"], 1, "E0306"),
+        (&["endless.nc", "--n", "40", "--max-blocks", "1000"], 1, "E0410"),
+        (&["lathe.nc", "--n", "30"], 1, "[restart] tool-axis"),
+        (&["flat.nc", "--n", "20"], 2, "--safe is missing"),
+        (&["none.nc", "--n", "20"], 2, "E0112"),
+    ] {
+        let before = place.list();
+        let run = place.run(&[&["restart", "--lang", "en"], arguments].concat()).ends(status);
+        assert!(run.stderr.contains(says) && run.stdout.is_empty(), "{arguments:?}: {}", run.stderr);
+        let refused = place.run(&[&["restart"], arguments, &["-o", "new.nc"]].concat());
+        assert!(place.list() == before && refused.stdout.is_empty(), "{arguments:?}");
+    }
+    assert_eq!(place.read("a.nc"), bytes());
+}
+
+/// RST-2: a lathe comes to the place along the axis that its project file names, in diameters.
+#[test]
+fn a_lathe() {
+    let lathe = "%1\nN10 G90 G74 G0 X100 Z50\nN20 T1 M06\nN30 G0 X44 Z2\nN40 G1 X40 F100\nN50 Z-10\nN60 M30\n";
+    let place = Place::with(&[("a.nc", lathe.as_bytes()), ("cnc872c.toml", b"[restart]\ntool-axis = \"X\"\n")]);
+    let run = place.run(&["restart", "a.nc", "--n", "50"]).ends(0);
+    let approach = ["G00 G90 X100 ", "G00 Z2 ", "G00 X44 ", "G01 X40 "];
+    let mut at = 0;
+    for block in approach {
+        at += run.stdout[at..].find(block).unwrap_or_else(|| panic!("{block}: {}", run.stdout));
+    }
+    place.put("cnc872c.toml", "[[axes]]\nletter = \"X\"\n[restart]\ntool-axis = \"Z\"\n");
+    place.run(&["restart", "a.nc", "--n", "50"]).ends(2).says("E0702");
+}
