@@ -190,14 +190,14 @@ fn bytes() -> Vec<u8> {
 fn the_program_that_starts_there() {
     let place = Place::with(&[("a.nc", &bytes())]);
     let run = place.run(&["restart", "a.nc", "--n", "1030", "--pass", "2", "--param", "R10=15", "-o", "b.nc"]).ends(0);
-    assert_eq!(run.stderr, "blocks of calls and loops written out: 6\n");
+    assert_eq!(run.stderr, "blocks of calls and loops written out: 5\n");
     let written = place.read("b.nc");
     // The rest keeps its bytes.
     assert!(written.ends_with(&bytes()[bytes().len() - 120..]));
     let text: String = written.iter().map(|byte| char::from(*byte)).collect();
     let expected = [
         "%872 \"a.nc from N1030, pass 2\"",
-        "\"calls and loops written out: 6 blocks\"",
+        "\"calls and loops written out: 5 blocks\"",
         "\"not restored: M25 of group 14 (--all-m)\"",
         "N1040 G54 \"functions in force\"",
         "N1050 T5 D1 M06 \"tool change, N20\"",
@@ -216,15 +216,16 @@ fn the_program_that_starts_there() {
     ];
     assert_eq!(text.lines().take(expected.len()).collect::<Vec<_>>(), expected, "{text}");
     place.run(&["check", "b.nc", "--param", "R10=15"]).ends(0);
-    let all = place.run(&["restart", "a.nc", "--n", "100", "--all-m", "--safe", "150", "--param", "R10=15"]).ends(0);
-    assert!(all.stdout.contains("G00 G90 Z150 \"up to --safe\""), "{}", all.stdout);
-    assert!(
-        all.stdout.contains("M25 \"N50\"") && all.stdout.contains("M10 \"clamp the workpiece, N70\""),
-        "{}",
-        all.stdout
-    );
-    let czech = place.run(&["--lang", "cs", "restart", "a.nc", "--at-tool", "T5", "--param", "R10=15"]).ends(0);
-    assert!(czech.stdout.starts_with("%872 \"a.nc od N20\"") && czech.stdout.is_ascii() || czech.stdout.contains('r'));
+    let written = |arguments: &[&str]| {
+        let fixed = ["restart", "a.nc", "--param", "R10=15", "-o", "c.nc"];
+        place.run(&[&fixed[..], arguments].concat()).ends(0);
+        place.read("c.nc").into_iter().map(char::from).collect::<String>()
+    };
+    let all = written(&["--n", "100", "--all-m", "--safe", "150"]);
+    assert!(all.contains("G00 G90 Z150 \"up to --safe\""), "{all}");
+    assert!(all.contains("M25 \"N50\"") && all.contains("M10 \"clamp the workpiece, N70\""), "{all}");
+    let czech = written(&["--lang", "cs", "--at-tool", "T5"]);
+    assert!(czech.starts_with("%872 \"a.nc od N20\"") && czech.contains("platne funkce"), "{czech}");
     let list = place.run(&["restart", "a.nc", "--list", "--param", "R10=15"]).ends(0);
     assert!(list.stdout.contains("--seq 1  N20  line 3  pass 1  T5  tool change\n"), "{}", list.stdout);
     assert!(!list.stdout.contains("N90"), "{}", list.stdout);
@@ -248,7 +249,7 @@ fn what_is_refused() {
         (
             &["a.nc", "--n", "90", "--param", "R10=15"],
             1,
-            "nearest earlier place that works: --seq 15, N80 (line 9), 0:0",
+            "nearest earlier place that works: --seq 19, N80 (line 9), 0:0",
         ),
         (&["a.nc", "--n", "50"], 1, "no F is in force"),
         (&["a.nc", "--n", "1030"], 2, "--pass 3  N1030"),
