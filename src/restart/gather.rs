@@ -131,12 +131,14 @@ pub(super) fn is_in_cycle(block: &Executed<'_>) -> bool {
 /// The words of a block, written out: values in place of parameters, no calls and jumps. Empty: it does nothing else.
 pub(super) fn flat_words(block: &Executed<'_>, before: &State) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
-    let functions = block.g_written().filter(|code| code.group() != GGroup::G7);
+    // A macrocycle that only the machine has is called again.
+    let calls = block.opaque_call().is_some();
+    let functions = block.g_written().filter(|code| code.group() != GGroup::G7 || (calls && *code == GCode::G72));
     words.extend(functions.map(|code: GCode| code.to_string()));
     let dwells = block.dwell().is_some();
     let written = block.file().map_or(&[][..], |file| file.words(block.at().1));
     for word in written {
-        let is_flow = matches!(word.address, Address::L) || (word.address == Address::Q && !dwells);
+        let is_flow = !calls && (word.address == Address::L || (word.address == Address::Q && !dwells));
         if is_flow || matches!(word.address, Address::G | Address::M | Address::Skip | Address::N) {
             continue;
         }

@@ -103,6 +103,7 @@ fn difference(old: &Executed<'_>, new: &Executed<'_>, flat: bool, all_m: bool) -
         ("length_correction", old.length_correction() == new.length_correction()),
         ("dynamic_set", old.state().dynamic_set() == new.state().dynamic_set()),
         ("dwell_s", old.dwell() == new.dwell()),
+        ("opaque_call", old.opaque_call() == new.opaque_call()),
         ("words", old.words() == new.words()),
         ("skippable", old.skippable() == new.skippable()),
         ("last_block", old.last() == new.last()),

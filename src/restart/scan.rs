@@ -351,6 +351,7 @@ impl Used {
         }
         let tool = tool.map_or(0, |at| 1 << at);
         used.others_first = moved & !tool != 0 && moved & tool == 0;
+        used.known |= block.moved_unseen().fold(0, |all, axis| all | bit(axis));
         used.known |= if block.change_pos() { u16::MAX } else { moved };
         used.tool_known = used.known & tool != 0;
         used

@@ -209,7 +209,12 @@ impl Tracker {
             match self.axes.why(axis.letter) {
                 Unknown::Reference => {}
                 Unknown::NotProgrammed => target.fresh |= 1 << at,
-                Unknown::MFunction | Unknown::Cycle | Unknown::Macrocycle | Unknown::Spindle | Unknown::Incremental | Unknown::Value => {
+                Unknown::MFunction
+                | Unknown::Cycle
+                | Unknown::Macrocycle
+                | Unknown::Spindle
+                | Unknown::Incremental
+                | Unknown::Value => {
                     target.lost |= 1 << at;
                 }
             }
