@@ -246,6 +246,8 @@ pub(super) enum PlaneName {
     Xz,
     #[value(name = "YZ")]
     Yz,
+    #[value(name = "ZX")]
+    Zx,
     #[value(name = "iso")]
     Iso,
 }

@@ -17,6 +17,7 @@ mod init;
 mod job;
 mod locale;
 mod lsp;
+mod memory;
 mod motion;
 mod place;
 mod plc;

@@ -10,15 +10,16 @@ use super::common::{overrides, print_beside};
 use super::compile::{Stream, cannot_write};
 use super::job::{Job, unusable};
 use super::locale::Locale;
+use super::memory;
 use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, tell};
 use super::threads;
 use super::words::{Words, reason};
-use crate::config::{Overrides, Purpose};
+use crate::config::Overrides;
 use crate::disk::is_stdin;
 use crate::session::Session;
 use crate::text::{FileId, path_name};
-use crate::view::{Collector, LeftOut, Naming, Part, Picture, Plane, Still, page};
+use crate::view::{Collector, Keep, LeftOut, Naming, Part, Picture, Plane, Still, page};
 
 /// How long is waited for what the opener comes to.
 const OPENING: Duration = Duration::from_secs(2);
@@ -42,9 +43,14 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
         true
     };
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
-    let mut collector = Collector::new(settings, Part { from: args.from, blocks: args.blocks });
-    let run = session.run(&job.target().path, &job.target().name(), Purpose::Compile, collector.sink());
+    let keep = if form == Form::Page { Keep::Records } else { Keep::Geometry };
+    let part = Part { from: args.from, blocks: args.blocks };
+    let mut collector = Collector::new(settings, part, keep).within(memory::room());
+    let run = session.draw(&job.target().path, &job.target().name(), collector.sink());
     drop(progress);
+    if collector.is_too_large() {
+        return Err(Words::PictureNeedsMemory.into());
+    }
     let outcome = run.outcome;
     let (lacks_file, unusable, executed) = (outcome.lacks_file(), outcome.unusable, outcome.executed);
     let naming = Naming { program: &job.target().path, loader: &job.loader };
@@ -94,8 +100,11 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
 
 /// What is said of a picture that is written.
 fn remarks(left_out: LeftOut, assumed: bool, output: Option<&Path>) -> Vec<Words> {
-    let LeftOut { yellow, motions } = left_out;
+    let LeftOut { red, yellow, motions } = left_out;
     let mut remarks = Vec::new();
+    if red > 0 {
+        remarks.push(Words::RedLeftOut { count: red });
+    }
     if yellow > 0 {
         remarks.push(Words::YellowLeftOut { count: yellow });
     }
@@ -149,6 +158,7 @@ fn still(args: &ViewArgs) -> Still {
         PlaneName::Xy => Plane::Xy,
         PlaneName::Xz => Plane::Xz,
         PlaneName::Yz => Plane::Yz,
+        PlaneName::Zx => Plane::Zx,
         PlaneName::Iso => Plane::Iso,
     });
     let Still { width, height, .. } = Still::default();

@@ -52,6 +52,14 @@ bilingual! {
         PictureKept { file: String }
             "{file} stays as it was: nothing of the program can be drawn",
             "{file} zůstává beze změny: z programu není co nakreslit";
+        PictureNeedsMemory
+            "the program is too long for one picture: it would take more than 2 GB of memory, or more than there is; \
+             draw a part of it with --blocks and --from",
+            "na jeden obrázek je program příliš dlouhý: potřeboval by přes 2 GB paměti, nebo víc, než jí je; nakreslit jen část \
+             pomocí --blocks a --from";
+        RedLeftOut { count: usize }
+            "{count} red dots are not drawn: others stand at the same places, the page has them all",
+            "nekreslených červených teček: {count}; na jejich místech už jiné stojí, stránka je má všechny";
         YellowLeftOut { count: usize }
             "{count} yellow dots are not drawn: they are too many for a picture, the page has them all",
             "nekreslených žlutých teček: {count}; na obrázek je jich příliš mnoho, stránka je má všechny";

@@ -11,7 +11,7 @@ use crate::query;
 use crate::query::observe::{MOST, executing};
 use crate::session::Session;
 use crate::text::{FileId, Loader};
-use crate::view::{Collector, Naming, Part, base64};
+use crate::view::{Collector, Keep, Naming, Part, base64};
 
 /// A program, or a macrocycle that an open program calls, gives `{ "uri", "files", "blocks", "truncated", "data" }`: the program
 /// that is shown, the URIs of its files by the index that the data give them, how many blocks were executed, whether there are
@@ -43,7 +43,7 @@ pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) 
     let session = Session { loader: files, settings, progress: Some(&goes_on) };
     let root = files.canonical(&snapshot.client.root());
     let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().into_owned();
-    let mut collector = Collector::new(settings, Part { from: 0, blocks: Some(MOST) });
+    let mut collector = Collector::new(settings, Part { from: 0, blocks: Some(MOST) }, Keep::Records);
     let outcome = session.run(path, &name, Purpose::Compile, collector.sink()).outcome;
     if snapshot.cancel.is_cancelled() {
         return Ok(None);

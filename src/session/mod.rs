@@ -101,6 +101,14 @@ impl<'a> Session<'a> {
         }
     }
 
+    /// The same, with the blocks shown despite errors: for a sink that itself ends where it wants no more.
+    pub fn draw<S: Sink>(&self, path: &Path, name: &str, sink: S) -> Run<S::Whole> {
+        match self.open(path, name, Purpose::Compile) {
+            Ok(execution) => show(execution.despite_errors(), sink),
+            Err(outcome) => Run { outcome: *outcome, whole: None },
+        }
+    }
+
     /// Executes the program at `path`, which the user calls `name`, as far as it can be, and shows every executed block to
     /// `sink`, also those after an error.
     pub fn watch(&self, path: &Path, name: &str, purpose: Purpose, sink: &mut impl Sink) -> Run<End> {

@@ -61,6 +61,11 @@ impl Contexts {
         context
     }
 
+    /// The bytes that they take, roughly.
+    pub fn memory(&self) -> usize {
+        self.known.capacity() * 64 + 20 * self.parent.len()
+    }
+
     fn enter(&mut self, parent: Context, key: Key, files: &Files) -> Context {
         if let Some(known) = self.known.get(&(parent, key)) {
             return *known;

@@ -8,9 +8,9 @@ use serde_json::{Map, Value, json};
 use super::files::Files;
 use super::names::Naming;
 use super::pack::{About, pack};
-use super::picture::{Besides, Chain, Picture, Still, as_png, as_svg};
-use super::rows::{Part, Rows};
-use super::times::Times;
+use super::picture::{Besides, Chain, JointDot, Picture, Still, as_png, as_svg};
+use super::rows::{Keep, Part, Rows};
+use super::times::{Dots, Expected, Times};
 use crate::analysis::equidistant::Equidistant;
 use crate::analysis::motion::{Basis, Model, Planner, Step, StepReader, machine};
 use crate::config::Settings;
@@ -21,13 +21,20 @@ use crate::run::{End, Executed, Program, Sink};
 use crate::syntax::{Form, ParsedFile, parse};
 use crate::text::{FileId, SourceText};
 
+/// Blocks between two looks at how much is kept.
+const MEMORY: u64 = 1 << 12;
+
 /// What a program is executed for whose picture is wanted: see [`Self::sink`].
 #[derive(Debug)]
 pub struct Collector {
     rows: Rows,
     reader: StepReader,
-    planned: Fold<Step, (Planner, Times)>,
+    planned: Fold<(Step, bool), (Planner, Times)>,
     equidistant: Equidistant,
+    errors: Errors,
+    /// Bytes that may be kept.
+    most: usize,
+    too_large: bool,
     /// Whether nothing of the machine's motion is configured.
     assumed: bool,
     machine: Value,
@@ -53,18 +60,26 @@ pub struct View {
 
 impl Collector {
     /// Nothing yet, of a program for that machine.
-    pub fn new(settings: &Settings, part: Part) -> Self {
+    pub fn new(settings: &Settings, part: Part, keep: Keep) -> Self {
         let model = Model::of(settings);
-        let times = Times::new(part.from, [model.accel, model.accel_rapid]);
-        let planned = Fold::new("planner", (Planner::new(model, false), times), |(planner, times), step: &Step| {
-            times.expect(step.motion.map_or(0.0, |motion| motion.dynamics.accel));
-            planner.push(step, times);
-        });
+        let times = Times::new(part, keep, [model.accel, model.accel_rapid]);
+        let planned = Fold::new(
+            "planner",
+            (Planner::new(model, false), times),
+            |(planner, times), (step, again): &(Step, bool)| {
+                let accel = step.motion.map_or(0.0, |motion| motion.dynamics.accel);
+                times.expect(Expected { accel, again: *again });
+                planner.push(step, times);
+            },
+        );
         Self {
-            rows: Rows::new(&settings.machine.axes, part),
+            rows: Rows::new(&settings.machine.axes, part, keep),
             reader: StepReader::new(settings),
             planned,
             equidistant: Equidistant::new(settings, true),
+            errors: Errors::default(),
+            most: usize::MAX,
+            too_large: false,
             assumed: !settings.machine.motion.configured,
             machine: machine_of(settings),
             program: program(settings),
@@ -72,7 +87,27 @@ impl Collector {
         }
     }
 
-    /// Collects executed blocks.
+    /// The same; execution is given up when more than so many bytes would have to be kept.
+    #[must_use]
+    pub fn within(self, most: usize) -> Self {
+        Self { most, ..self }
+    }
+
+    /// Whether execution was given up because too much would have to be kept.
+    pub const fn is_too_large(&self) -> bool {
+        self.too_large
+    }
+
+    /// The bytes that the rows take, and what the page of them will take.
+    fn memory(&self) -> usize {
+        /// Of an executed block: its time, its numbers in columns.
+        const EXECUTED: usize = 72;
+        /// What is planned of a motion.
+        const PLANNED: usize = 88;
+        self.rows.memory() + self.rows.count() * EXECUTED + self.rows.block.len() * PLANNED
+    }
+
+    /// Collects executed blocks, up to the first that has an error.
     pub fn sink(&mut self) -> Collect<'_> {
         Collect { collector: self }
     }
@@ -107,11 +142,18 @@ impl View {
     /// The data of the page: a deflated stream.
     pub fn data(&self, report: &Report, naming: Naming<'_>) -> Vec<u8> {
         let findings = self.findings(report, naming);
-        let (time_s, unknown) = self.times.total();
+        let total = self.times.total();
         let about = About {
             program: self.program.clone(),
             names: &self.names,
-            motion: [self.machine.clone(), json!({ "time_s": time_s, "lower_bound": unknown })],
+            motion: [
+                self.machine.clone(),
+                json!({
+                    "time_s": total.time_s,
+                    "at_least": total.lacks_more_than_approach(),
+                    "without_approach": total.approach_blocks > 0,
+                }),
+            ],
             blocks: self.blocks,
             whole: self.whole,
             findings,
@@ -136,16 +178,26 @@ impl View {
             title: [of("name"), of("title")].join(" ").trim_end().to_owned(),
             whole: self.whole && self.rows.count() as u64 == self.blocks,
             assumed: self.assumed,
-            dots: self.times.dots(&self.rows),
+            dots: self.dots(),
+            yellow: self.times.dots().yellow_count,
             equidistant: self.chains().collect(),
         }
     }
 
+    fn dots(&self) -> Vec<JointDot> {
+        let Dots { yellow, red, .. } = self.times.dots();
+        let dot = |index: u32, red: bool| {
+            let row = self.rows.row(index as usize)?;
+            Some(JointDot { seq: self.rows.part.from + u64::from(index), n: self.rows.n(row), row, red })
+        };
+        let yellow = yellow.iter().filter_map(|index| dot(*index, false));
+        yellow.chain(red.iter().filter_map(|index| dot(*index, true))).collect()
+    }
+
     /// The pieces of the equidistant that belong to executed blocks in the picture.
     fn chains(&self) -> impl Iterator<Item = Chain> + '_ {
-        let Part { from, blocks } = self.rows.part;
-        let inside = move |seq: u64| seq >= from && blocks.is_none_or(|blocks| seq < blocks);
-        let pieces = self.equidistant.pieces().iter().filter(move |piece| inside(piece.seq));
+        let part = self.rows.part;
+        let pieces = self.equidistant.pieces().iter().filter(move |piece| part.has(piece.seq));
         pieces.map(|piece| Chain { seq: piece.seq, points: piece.points.clone(), collides: piece.collides })
     }
 
@@ -194,6 +246,40 @@ impl View {
             Value::Object(item)
         };
         report.items().map(one).collect()
+    }
+}
+
+/// Where errors are: the picture ends before the first block that has one.
+#[derive(Debug, Default)]
+struct Errors {
+    /// Those found before execution, ascending; `None` before the first block.
+    written: Option<Vec<(FileId, u32)>>,
+    count: usize,
+    stopped: bool,
+}
+
+impl Errors {
+    /// Whether a block, or one before it, has an error.
+    fn stop(&mut self, block: &Executed<'_>, findings: &Findings) -> bool {
+        let Self { written, count, stopped } = self;
+        let written = written.get_or_insert_with(|| {
+            *count = findings.error_count();
+            let errors =
+                findings.items().iter().filter(|found| findings.levels().of(found.code()) == Some(Severity::Error));
+            let mut places: Vec<(FileId, u32)> = errors.map(|found| (found.at.file, found.at.span.start)).collect();
+            places.sort_unstable();
+            places
+        });
+        if findings.error_count() > *count {
+            *stopped = true;
+        } else if !written.is_empty() && !*stopped {
+            let (id, at) = block.at();
+            let start = block.place().span.start;
+            let end = block.file().and_then(|file| file.n_word(at.next())).map_or(u32::MAX, |word| word.start());
+            let first = written.partition_point(|place| *place < (id, start));
+            *stopped = written.get(first).is_some_and(|place| *place < (id, end));
+        }
+        *stopped
     }
 }
 
@@ -246,10 +332,17 @@ impl Sink for Collect<'_> {
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
-        let Collector { rows, reader, planned, equidistant, .. } = &mut *self.collector;
-        planned.push(reader.read(block));
-        rows.add(block);
+        let Collector { rows, reader, planned, equidistant, errors, .. } = &mut *self.collector;
+        if errors.stop(block, findings) {
+            return ControlFlow::Continue(());
+        }
+        let again = rows.add(block);
+        planned.push((reader.read(block), again));
         equidistant.read(block, findings);
+        if block.seq().is_multiple_of(MEMORY) && self.collector.memory() > self.collector.most {
+            self.collector.too_large = true;
+            return ControlFlow::Break(());
+        }
         ControlFlow::Continue(())
     }
 

@@ -8,6 +8,10 @@
 /// Whole numbers, one a row.
 #[derive(Clone, Debug)]
 pub(super) enum Column {
+    /// So many zeros, and nothing else yet.
+    Zeros(usize),
+    /// While all fit a byte.
+    Tiny(Vec<i8>),
     /// While all fit.
     Narrow(Vec<i32>),
     /// Once one did not.
@@ -31,29 +35,61 @@ pub(super) struct Form {
 
 impl Default for Column {
     fn default() -> Self {
-        Self::Narrow(Vec::new())
+        Self::Zeros(0)
     }
 }
 
 impl Column {
     /// Adds a number.
     pub fn push(&mut self, value: i64) {
+        let fits = match self {
+            Self::Zeros(count) => {
+                *count += usize::from(value == 0);
+                value == 0
+            }
+            Self::Tiny(values) => i8::try_from(value).map(|value| values.push(value)).is_ok(),
+            Self::Narrow(values) => i32::try_from(value).map(|value| values.push(value)).is_ok(),
+            Self::Wide(values) => {
+                values.push(value);
+                true
+            }
+        };
+        if !fits {
+            self.widen(value);
+            self.push(value);
+        }
+    }
+
+    /// Makes room for a number that does not fit.
+    #[cold]
+    fn widen(&mut self, value: i64) {
+        let narrow = i32::try_from(value).is_ok();
+        *self = match std::mem::take(self) {
+            Self::Zeros(count) if i8::try_from(value).is_ok() => Self::Tiny(vec![0; count]),
+            Self::Zeros(count) if narrow => Self::Narrow(vec![0; count]),
+            Self::Zeros(count) => Self::Wide(vec![0; count]),
+            Self::Tiny(values) if narrow => Self::Narrow(values.into_iter().map(i32::from).collect()),
+            Self::Tiny(values) => Self::Wide(values.into_iter().map(i64::from).collect()),
+            Self::Narrow(values) => Self::Wide(values.into_iter().map(i64::from).collect()),
+            wide @ Self::Wide(_) => wide,
+        };
+    }
+
+    /// The bytes that it takes.
+    pub fn memory(&self) -> usize {
         match self {
-            Self::Narrow(values) => match i32::try_from(value) {
-                Ok(value) => values.push(value),
-                Err(_) => {
-                    let mut wide: Vec<i64> = values.iter().copied().map(i64::from).collect();
-                    wide.push(value);
-                    *self = Self::Wide(wide);
-                }
-            },
-            Self::Wide(values) => values.push(value),
+            Self::Zeros(_) => 0,
+            Self::Tiny(values) => values.capacity(),
+            Self::Narrow(values) => 4 * values.capacity(),
+            Self::Wide(values) => 8 * values.capacity(),
         }
     }
 
     /// How many numbers it holds.
     pub fn len(&self) -> usize {
         match self {
+            Self::Zeros(count) => *count,
+            Self::Tiny(values) => values.len(),
             Self::Narrow(values) => values.len(),
             Self::Wide(values) => values.len(),
         }
@@ -62,6 +98,8 @@ impl Column {
     /// The number of a row.
     pub fn get(&self, row: usize) -> Option<i64> {
         match self {
+            Self::Zeros(count) => (row < *count).then_some(0),
+            Self::Tiny(values) => values.get(row).copied().map(i64::from),
             Self::Narrow(values) => values.get(row).copied().map(i64::from),
             Self::Wide(values) => values.get(row).copied(),
         }
@@ -70,6 +108,8 @@ impl Column {
     /// How many bits its numbers have when they are packed: what the shorter of two columns has less of.
     pub fn cost(&self) -> u64 {
         match self {
+            Self::Zeros(_) => 0,
+            Self::Tiny(values) => shortest(values.iter().copied().map(i64::from)).bits,
             Self::Narrow(values) => shortest(values.iter().copied().map(i64::from)).bits,
             Self::Wide(values) => shortest(values.iter().copied()).bits,
         }
@@ -78,6 +118,8 @@ impl Column {
     /// Appends the packed column to `out`.
     pub fn pack(&self, out: &mut Vec<u8>) -> Form {
         match self {
+            Self::Zeros(count) => pack(out, *count, false, || std::iter::repeat_n(0, *count)),
+            Self::Tiny(values) => pack(out, values.len(), false, || values.iter().copied().map(i64::from)),
             Self::Narrow(values) => pack(out, values.len(), false, || values.iter().copied().map(i64::from)),
             Self::Wide(values) => pack(out, values.len(), true, || values.iter().copied()),
         }
@@ -220,6 +262,17 @@ mod tests {
         let (form, bytes) = packed(&[300, -1, 2, 200]);
         assert_eq!((form.order, form.sparse, form.wide), (0, false, false));
         assert_eq!(bytes, [600 % 128 + 128, 1, 4, (400 % 128 + 128), (600 / 128), (400 / 128)].map(|n: i32| n as u8));
+    }
+
+    #[test]
+    fn numbers_stay_when_a_column_widens() {
+        let values = [0, 0, 100, -128, 128, 0, 70_000, -70_000, 1 << 40, 3];
+        let mut column = Column::default();
+        for (row, value) in values.into_iter().enumerate() {
+            column.push(value);
+            let held: Vec<i64> = (0..column.len()).filter_map(|row| column.get(row)).collect();
+            assert_eq!(held, values[..=row]);
+        }
     }
 
     #[test]

@@ -17,6 +17,39 @@ const LEVEL: u32 = 5;
 pub(super) struct Container {
     columns: Vec<(String, Form)>,
     bytes: Vec<u8>,
+    texts: Vec<(&'static str, Long)>,
+}
+
+/// Bytes that are kept deflated only: texts may be as long as the program.
+#[derive(Debug, Default)]
+pub(super) struct Long {
+    count: usize,
+    deflated: Vec<u8>,
+    open: Vec<u8>,
+}
+
+impl Long {
+    /// Adds bytes.
+    pub fn push(&mut self, mut bytes: &[u8]) {
+        self.count += bytes.len();
+        while !bytes.is_empty() {
+            let room = (PIECE - self.open.len()).min(bytes.len());
+            let (now, later) = bytes.split_at_checked(room).unwrap_or((bytes, &[]));
+            self.open.extend_from_slice(now);
+            bytes = later;
+            if self.open.len() == PIECE {
+                self.deflated.extend_from_slice(&deflate(&self.open));
+                self.open.clear();
+            }
+        }
+    }
+
+    fn finish(mut self) -> Vec<u8> {
+        if !self.open.is_empty() {
+            self.deflated.extend_from_slice(&deflate(&self.open));
+        }
+        self.deflated
+    }
 }
 
 impl Container {
@@ -34,20 +67,30 @@ impl Container {
         }
     }
 
-    /// The stream: the length of the header in four bytes, the header (the object of `fields`, with `columns` added),
-    /// the columns; deflated.
+    /// Adds a text under its name.
+    pub fn add_text(&mut self, name: &'static str, text: Long) {
+        self.texts.push((name, text));
+    }
+
+    /// The stream: the length of the header in four bytes, the header (the object of `fields`, with `columns` and `texts`
+    /// added), the columns, the texts; deflated.
     pub fn finish(self, mut fields: serde_json::Map<String, serde_json::Value>) -> Vec<u8> {
         let forms = self.columns.iter().map(|(name, form)| {
             let Form { count, order, sparse, wide, bytes } = *form;
             serde_json::json!([name, count, order, u8::from(sparse), u8::from(wide), bytes])
         });
         fields.insert("columns".into(), forms.collect());
+        let texts = self.texts.iter().map(|(name, text)| serde_json::json!([name, text.count]));
+        fields.insert("texts".into(), texts.collect());
         let header = serde_json::Value::Object(fields).to_string().into_bytes();
         let mut head = small(header.len()).to_le_bytes().to_vec();
         head.extend_from_slice(&header);
         let pieces: Vec<&[u8]> = head.chunks(PIECE).chain(self.bytes.chunks(PIECE)).collect();
         let deflated: Vec<Vec<u8>> = parallel::map(pieces, deflate);
         let mut stream = deflated.concat();
+        for (_, text) in self.texts {
+            stream.extend_from_slice(&text.finish());
+        }
         // The last block: empty.
         stream.extend_from_slice(&[3, 0]);
         stream
@@ -112,6 +155,9 @@ mod tests {
             column.push(row * row % 100_003);
         }
         container.add_all(vec![("test".to_owned(), &column)]);
+        let mut text = Long::default();
+        (0..900).for_each(|_| text.push(&[b'a'; 1000]));
+        container.add_text("long", text);
         let stream = container.finish(serde_json::Map::new());
         let mut inflated = Vec::new();
         flate2::read::DeflateDecoder::new(&stream[..]).read_to_end(&mut inflated).unwrap();
@@ -119,7 +165,9 @@ mod tests {
         let json: serde_json::Value = serde_json::from_slice(&inflated[4..4 + header]).unwrap();
         let form = &json["columns"][0];
         assert_eq!((form[0].as_str(), form[1].as_u64()), (Some("test"), Some(1_500_000)));
-        assert_eq!(inflated.len() as u64, 4 + header as u64 + form[5].as_u64().unwrap());
+        let texts = 4 + header + form[5].as_u64().unwrap() as usize;
+        assert_eq!(json["texts"][0], serde_json::json!(["long", 900_000]));
+        assert_eq!(inflated[texts..], [b'a'; 900_000]);
     }
 
     #[test]

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::column::Column;
 use crate::sure::small;
-use crate::syntax::{BlockId, ParsedFile};
-use crate::text::{FileId, SourceText};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile};
+use crate::text::{FileId, SourceText, Span};
 
 /// One file: its text, and where its blocks begin.
 #[derive(Debug)]
@@ -16,6 +16,8 @@ pub(super) struct PageFile {
     pub first: u32,
     /// Where the `N` of each block stands.
     pub starts: Vec<u32>,
+    /// The comments of its blocks, quotes included.
+    pub comments: Vec<Span>,
 }
 
 /// The blocks of all files: file by file, in the order of the text.
@@ -27,27 +29,50 @@ pub(super) struct Files {
     pub n: Column,
     pub line: Column,
     pub column: Column,
+    /// How many comments belong to each block.
+    pub own: Column,
+    /// Nothing but numbers is kept: for pictures without texts.
+    numbers_only: bool,
 }
 
 impl Files {
+    /// None yet. `numbers_only`: for pictures without texts.
+    pub fn new(numbers_only: bool) -> Self {
+        Self { numbers_only, ..Self::default() }
+    }
+
     /// Takes up a file, unless it is known; files come in the order of their indices.
     pub fn add(&mut self, index: u32, parsed: &ParsedFile) {
         if index as usize >= self.files.len() {
             let first = small(self.n.len());
             let source = Arc::clone(&parsed.source);
-            let mut starts = Vec::with_capacity(parsed.block_count() as usize);
+            let (mut starts, mut comments) = (Vec::new(), Vec::new());
             let mut line = 0;
             for block in parsed.block_ids() {
+                self.n.push(i64::from(parsed.shown_number(block)));
+                if self.numbers_only {
+                    continue;
+                }
                 let start = parsed.n_word(block).map_or(0, |word| word.start());
                 line = source.lines().line_near(start, line);
                 let place = source.column_in(line, start);
-                self.n.push(i64::from(parsed.shown_number(block)));
                 self.line.push(i64::from(place.line));
                 self.column.push(i64::from(place.column));
                 starts.push(start);
+                let own: &[Span] =
+                    if parsed.flags(block).has(BlockFlags::COMMENT) { parsed.comments(block) } else { &[] };
+                comments.extend_from_slice(own);
+                self.own.push(i64::from(small(own.len())));
             }
-            self.files.push(PageFile { id: parsed.file, source, first, starts });
+            self.files.push(PageFile { id: parsed.file, source, first, starts, comments });
         }
+    }
+
+    /// The bytes that they take, without the texts.
+    pub fn memory(&self) -> usize {
+        let columns = [&self.n, &self.line, &self.column, &self.own].map(Column::memory).iter().sum::<usize>();
+        let of = |file: &PageFile| 4 * file.starts.capacity() + 8 * file.comments.capacity();
+        columns + self.files.iter().map(of).sum::<usize>()
     }
 
     pub fn is_empty(&self) -> bool {

@@ -9,7 +9,7 @@ use crate::run::MotionType;
 pub(super) type Point = [f64; 3];
 
 /// How a line is drawn.
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
 pub(super) enum Stroke {
     Rapid,
     Straight,

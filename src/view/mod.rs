@@ -13,6 +13,7 @@
 
 mod arcs;
 mod calls;
+mod chains;
 mod collect;
 mod column;
 mod container;
@@ -43,5 +44,5 @@ pub use pack::SCHEMA;
 pub use page::page;
 pub use picture::{LeftOut, Picture, Still};
 pub use projection::Plane;
-pub use rows::Part;
+pub use rows::{Keep, Part};
 pub use svg::base64;

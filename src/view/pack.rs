@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::container::Container;
 use super::rows::Rows;
-use super::text::Text;
+use super::text::{Head, Text};
 use super::times::Times;
 
 /// Name and version of the form.
@@ -65,7 +65,11 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     for (name, tally) in ["arc.0", "arc.1"].into_iter().zip(&arcs) {
         columns.push(named(name, tally.column()));
     }
+    columns.push(named("row.param", &rows.params));
+    columns.push(named("block.own", &rows.files.own));
     columns.push(named("text.skeleton", &text.skeleton));
+    columns.push(named("skeleton.bytes", &text.skeleton_bytes));
+    columns.push(named("comment.bytes", &text.comment_bytes));
     let mut foretold = Map::new();
     for (letter, column, foretell) in &text.numbers {
         if *foretell {
@@ -75,12 +79,18 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     }
     columns.extend(times.columns.iter().map(|(name, column)| (name.clone(), column)));
     container.add_all(columns);
+    container.add_text("skeletons", text.skeletons);
+    container.add_text("comments", text.comments);
     let files: Vec<Value> = rows
         .files
         .iter()
         .zip(about.names)
         .zip(&text.heads)
-        .map(|((file, name), head)| json!({ "name": name, "blocks": file.starts.len(), "head": head }))
+        .map(|((file, name), head)| {
+            let Head { text, comments } = head;
+            let counts = [file.starts.len(), file.comments.len(), *comments];
+            json!({ "name": name, "blocks": counts[0], "comments": counts[1], "head": text, "head_comments": counts[2] })
+        })
         .collect();
     let mut header = Map::new();
     let mut put = |name: &str, value: Value| drop(header.insert(name.to_owned(), value));
@@ -102,9 +112,10 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     put("codes", Value::Array(times.codes));
     put("accels", json!(times.accels));
     put("start_s", json!(times.start_s));
-    put("skeletons", json!(text.skeletons));
     put("foretold", Value::Object(foretold));
     put("per", Value::Object(per));
+    put("turning", json!(rows.turning.is_lathe()));
+    put("diameter", json!(rows.turning.diameter));
     put("findings", Value::Array(about.findings));
     if let Some(equidistant) = about.equidistant {
         put("equidistant", equidistant);

@@ -67,6 +67,10 @@ impl<K: Clone + Eq + Hash> Interned<K> {
         index
     }
 
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
     pub fn values(&self) -> &[Value] {
         &self.values
     }
@@ -136,7 +140,8 @@ pub(super) fn parts(json: &[u8]) -> Parts {
                 jump.remove("left");
                 parts.does.insert(name, Value::Object(jump));
             }
-            ("comments", value) => drop(parts.does.insert(name, value)),
+            // They stand in the text.
+            ("comments", _) => {}
             (does, value) if DOES.contains(&does) => drop(parts.does.insert(name, value)),
             (_, value) => drop(parts.state.insert(name, value)),
         }

@@ -1,8 +1,9 @@
 //! Lays out a still picture: path, grid with numbers, axes, scale, dots with block numbers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
+use super::chains::chains;
 use super::display::{Class, Display, Item, LETTER, Place, text_width};
 use super::lines::{Line, Lines, Point, Stroke};
 use super::png::{path_png, png};
@@ -14,13 +15,15 @@ use crate::parallel;
 /// With more points than these the path of an SVG is an image.
 const MOST_POINTS: usize = 50_000;
 /// With more yellow dots than these none is drawn, and the picture says so.
-const MOST_YELLOW: usize = 20_000;
+pub(super) const MOST_YELLOW: usize = 20_000;
+/// With more red dots than these those near others are not drawn, and the picture says so.
+const MOST_RED: usize = 20_000;
+/// The side of the squares of which each then has one, in pixels.
+const RED_SQUARE: f64 = 8.0;
 /// With more than these they are small.
 const MANY_YELLOW: usize = 1_000;
 /// Free at the left, top, right and bottom of the path, in pixels.
 const MARGINS: [f64; 4] = [64.0, 36.0, 64.0, 64.0];
-/// Points that are nearer to the one before, in pixels, are left out.
-const SAME: f64 = 0.15;
 
 /// What a still picture is to be.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +67,10 @@ pub(super) struct Besides {
     pub whole: bool,
     /// The dots are those of an assumed machine.
     pub assumed: bool,
+    /// Yellow ones no more than [`MOST_YELLOW`], ascending by colour.
     pub dots: Vec<JointDot>,
+    /// How many yellow ones there are.
+    pub yellow: usize,
     pub equidistant: Vec<Chain>,
 }
 
@@ -80,6 +86,8 @@ pub struct Picture {
 /// What a still picture leaves out, and says so.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LeftOut {
+    /// Red dots, because others stand at the same places.
+    pub red: usize,
     /// Yellow dots, because there are too many.
     pub yellow: usize,
     /// Motions whose start or end is not known, and those that move none of X, Y, Z.
@@ -116,7 +124,8 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
         bounds.join(&part.bounds);
         seen.add(part.seen);
     }
-    let plane = still.plane.unwrap_or_else(|| seen.main_plane());
+    let lathe = rows.turning.is_lathe();
+    let plane = still.plane.unwrap_or_else(|| if lathe { Plane::Zx } else { seen.main_plane() });
     for point in besides.equidistant.iter().flat_map(|chain| &chain.points) {
         bounds.include(*point);
     }
@@ -132,16 +141,19 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
         height: still.height,
         title: besides.title.clone(),
         under: Vec::new(),
-        path: path(&lines, &strokes, &projection),
+        path: chains(&lines, &strokes, &projection, [still.width, still.height]),
         over: Vec::new(),
         fine: false,
         left_out: LeftOut::default(),
     };
     // Passes of a loop may share a row.
     let is_left_out = |index: &usize| rows.row(*index).is_some_and(|row| left_out.binary_search(&row).is_ok());
-    display.left_out.motions = (0..rows.count()).filter(is_left_out).count();
+    if !left_out.is_empty() {
+        display.left_out.motions = (0..rows.count()).filter(is_left_out).count();
+    }
     let mut labels = Labels::default();
-    let grid_labels = grid(&mut display, &bounds, &projection);
+    let diameter = rows.turning.diameter;
+    let grid_labels = if strokes.is_empty() { Vec::new() } else { grid(&mut display, &bounds, &projection, diameter) };
     for chain in &besides.equidistant {
         let class = if chain.collides { Class::Collision } else { Class::Equidistant };
         let places = chain.points.iter().map(|point| projection.at(*point)).collect();
@@ -150,7 +162,7 @@ fn lay_out(rows: &Rows, still: Still, besides: &Besides) -> Display {
     if besides.assumed {
         assumption(&mut display, &mut labels);
     }
-    axes(&mut display, &projection, &mut labels);
+    axes(&mut display, &projection, &mut labels, diameter);
     scale(&mut display, &projection, &mut labels);
     dots(&mut display, besides, &lines, &projection, &mut labels);
     left_out_notes(&mut display, besides);
@@ -237,59 +249,6 @@ impl Seen {
     }
 }
 
-/// The lines, kind by kind in the order of the program, joined while they go on in one kind.
-fn path(lines: &Lines<'_>, strokes: &[(usize, Stroke)], projection: &Projection) -> Vec<Item> {
-    let deviation = 0.1 / projection.scale;
-    let mut items = Vec::new();
-    let mut open: Option<(Stroke, Vec<Place>, Place)> = None;
-    let close = |open: Option<(Stroke, Vec<Place>, Place)>, items: &mut Vec<(Stroke, Vec<Place>)>| {
-        if let Some((stroke, mut places, last)) = open {
-            if places.last() != Some(&last) || places.len() == 1 {
-                places.push(last);
-            }
-            items.push((stroke, places));
-        }
-    };
-    for (row, stroke) in strokes {
-        let mut first = true;
-        lines.points(*row, deviation, |point| {
-            let place = projection.at(point);
-            if first {
-                first = false;
-                let goes_on = open.as_ref().is_some_and(|(kind, _, last)| kind == stroke && near(*last, place, 1e-6));
-                if !goes_on {
-                    close(open.take(), &mut items);
-                    open = Some((*stroke, vec![place], place));
-                    return;
-                }
-            }
-            if let Some((_, places, last)) = &mut open {
-                *last = place;
-                if places.last().is_none_or(|before| !near(*before, place, SAME)) {
-                    places.push(place);
-                }
-            }
-        });
-    }
-    close(open, &mut items);
-    // Rapid motions lie under working ones, and what has one colour is painted at once.
-    items.sort_by_key(|(stroke, _)| *stroke);
-    items.into_iter().map(|(stroke, places)| Item::Lines(class(stroke), places)).collect()
-}
-
-const fn class(stroke: Stroke) -> Class {
-    match stroke {
-        Stroke::Rapid => Class::Rapid,
-        Stroke::Straight => Class::Straight,
-        Stroke::Arc => Class::Arc,
-        Stroke::Thread => Class::Thread,
-    }
-}
-
-fn near([ax, ay]: Place, [bx, by]: Place, reach: f64) -> bool {
-    (ax - bx).abs() <= reach && (ay - by).abs() <= reach
-}
-
 /// 1, 2 or 5 times a power of ten, at least so much.
 fn round_step(least: f64) -> f64 {
     let mut power = 1e-6;
@@ -317,7 +276,7 @@ fn shown(value: f64) -> String {
 }
 
 /// Draws the grid in the plane that is seen most from above, on the far side; gives the numbers along its edges.
-fn grid(display: &mut Display, bounds: &Bounds, projection: &Projection) -> Vec<(Place, String)> {
+fn grid(display: &mut Display, bounds: &Bounds, projection: &Projection, diameter: bool) -> Vec<(Place, String)> {
     let [tx, ty, tz] = projection.towards.map(f64::abs);
     let normal = if tz + 1e-9 >= tx && tz + 1e-9 >= ty {
         2
@@ -364,6 +323,8 @@ fn grid(display: &mut Display, bounds: &Bounds, projection: &Projection) -> Vec<
         let class = if is_zero { Class::GridStrong } else { Class::Grid };
         display.under.push(Item::Lines(class, vec![projection.at(from), projection.at(to)]));
     };
+    // Positions along X are radii.
+    let scale = |axis: usize| if diameter && axis == 0 { 2.0 } else { 1.0 };
     let mut label = |at: Point, inward: Point, value: f64| {
         let ([x, y], [ix, iy]) = (projection.at(at), projection.at(inward));
         let length = ((x - ix) * (x - ix) + (y - iy) * (y - iy)).sqrt().max(1e-9);
@@ -379,14 +340,14 @@ fn grid(display: &mut Display, bounds: &Bounds, projection: &Projection) -> Vec<
     while u <= high_a {
         line(point(u, low_b), point(u, high_b), u == 0.0);
         let inward = if edge_b == low_b { edge_b + 1.0 } else { edge_b - 1.0 };
-        label(point(u, edge_b), point(u, inward), u);
+        label(point(u, edge_b), point(u, inward), u * scale(a));
         u += 1.0;
     }
     let mut v = low_b;
     while v <= high_b {
         line(point(low_a, v), point(high_a, v), v == 0.0);
         let inward = if edge_a == low_a { edge_a + 1.0 } else { edge_a - 1.0 };
-        label(point(edge_a, v), point(inward, v), v);
+        label(point(edge_a, v), point(inward, v), v * scale(b));
         v += 1.0;
     }
     labels
@@ -409,7 +370,7 @@ fn assumption(display: &mut Display, labels: &mut Labels) {
     display.over.push(Item::Text { at: [left, y], class: Class::Faint, text });
 }
 
-fn axes(display: &mut Display, projection: &Projection, labels: &mut Labels) {
+fn axes(display: &mut Display, projection: &Projection, labels: &mut Labels, diameter: bool) {
     let [cx, cy] = [42.0, f64::from(display.height) - 30.0];
     labels.block([0.0, cy - 40.0, cx + 40.0, cy + 26.0]);
     let directions = [0_u8, 1, 2].map(|axis| {
@@ -424,6 +385,7 @@ fn axes(display: &mut Display, projection: &Projection, labels: &mut Labels) {
             continue;
         }
         let letter = match axis {
+            0 if diameter => "ØX",
             0 => "X",
             1 => "Y",
             _ => "Z",
@@ -470,18 +432,28 @@ impl Numbers {
 
 fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection: &Projection, labels: &mut Labels) {
     let place = |dot: &JointDot| projection.at(lines.start(dot.row));
-    let yellow = besides.dots.iter().filter(|dot| !dot.red).count();
-    display.fine = yellow > MANY_YELLOW;
-    if yellow <= MOST_YELLOW {
+    display.fine = besides.yellow > MANY_YELLOW;
+    if besides.yellow <= MOST_YELLOW {
         for dot in besides.dots.iter().filter(|dot| !dot.red) {
             display.over.push(Item::Dot { at: place(dot), red: false, seq: dot.seq });
         }
     } else {
-        display.left_out.yellow = yellow;
+        display.left_out.yellow = besides.yellow;
     }
     let mut numbers: Vec<Numbers> = Vec::new();
-    for dot in besides.dots.iter().filter(|dot| dot.red) {
+    let red = besides.dots.iter().filter(|dot| dot.red);
+    let thin = red.clone().count() > MOST_RED;
+    let mut taken: HashMap<(i64, i64), usize> = HashMap::new();
+    for dot in red {
         let at = place(dot);
+        if thin {
+            let known = *taken.entry(square(at, RED_SQUARE)).or_insert(numbers.len());
+            if let Some(number) = numbers.get_mut(known) {
+                (number.least, number.greatest) = (number.least.min(dot.n), number.greatest.max(dot.n));
+                display.left_out.red += 1;
+                continue;
+            }
+        }
         display.over.push(Item::Dot { at, red: true, seq: dot.seq });
         let [x, y] = at;
         numbers.push(Numbers { at: [x + 8.0, y - 5.0], least: dot.n, greatest: dot.n });
@@ -497,7 +469,7 @@ fn dots(display: &mut Display, besides: &Besides, lines: &Lines<'_>, projection:
 
 /// Says in the upper left corner what is not drawn. The same bytes in every language.
 fn left_out_notes(display: &mut Display, besides: &Besides) {
-    let LeftOut { yellow, motions } = display.left_out;
+    let LeftOut { red, yellow, motions } = display.left_out;
     let mut notes = Vec::new();
     if !besides.whole {
         notes.push("not the whole program".to_owned());
@@ -507,6 +479,9 @@ fn left_out_notes(display: &mut Display, besides: &Besides) {
         1 => notes.push("1 motion not drawn".to_owned()),
         count => notes.push(format!("{count} motions not drawn")),
     }
+    if red > 0 {
+        notes.push(format!("{red} red dots not drawn"));
+    }
     if yellow > 0 {
         notes.push(format!("{yellow} yellow dots not drawn"));
     }
@@ -515,6 +490,12 @@ fn left_out_notes(display: &mut Display, besides: &Besides) {
         display.over.push(Item::Text { at: [20.0, y], class: Class::Faint, text });
         y += LETTER[0] + 4.0;
     }
+}
+
+/// The square of a place.
+#[expect(clippy::cast_possible_truncation, reason = "saturating; places on a picture are small")]
+fn square([x, y]: Place, side: f64) -> (i64, i64) {
+    ((x / side).floor() as i64, (y / side).floor() as i64)
 }
 
 /// Joins numbers whose texts cover each other until none does.

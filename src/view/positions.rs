@@ -71,6 +71,11 @@ impl Positions {
         self.rows += 1;
     }
 
+    /// The bytes that they take.
+    pub fn memory(&self) -> usize {
+        self.axes.iter().map(|tally| tally.column().memory()).sum()
+    }
+
     /// Where an axis stands after a row; 0 where it is not known.
     pub fn get(&self, axis: usize, row: usize) -> Micro {
         self.axes.get(axis).and_then(|tally| tally.get(row)).unwrap_or_default()

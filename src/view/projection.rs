@@ -11,14 +11,16 @@ pub enum Plane {
     Xz,
     /// Y to the right, Z up.
     Yz,
+    /// Z to the right, X up, as a lathe is drawn.
+    Zx,
     /// From X-Y-Z+.
     Iso,
 }
 
 impl Plane {
     /// All, as they are named on the command line.
-    pub const ALL: [(&'static str, Self); 4] =
-        [("XY", Self::Xy), ("XZ", Self::Xz), ("YZ", Self::Yz), ("iso", Self::Iso)];
+    pub const ALL: [(&'static str, Self); 5] =
+        [("XY", Self::Xy), ("XZ", Self::Xz), ("YZ", Self::Yz), ("ZX", Self::Zx), ("iso", Self::Iso)];
 
     /// Directions to the right, up, and towards the eye.
     const fn directions(self) -> [Point; 3] {
@@ -28,6 +30,7 @@ impl Plane {
             Self::Xy => [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             Self::Xz => [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]],
             Self::Yz => [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]],
+            Self::Zx => [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
             Self::Iso => [[S[0], -S[0], 0.0], [S[1], S[1], 2.0 * S[1]], [-S[2], -S[2], S[2]]],
         }
     }

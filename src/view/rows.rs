@@ -14,8 +14,8 @@ use super::positions::{Known, Positions};
 use super::shapes::{ArcAxes, LengthUnit, ShapeKey};
 use super::tally::Tally;
 use crate::config::Axes;
-use crate::dict::{Address, AxisLetter, Micro};
-use crate::run::{Executed, Length, Motion};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::run::{Executed, Length, Motion, MotionType};
 use crate::stream::SingleRecord;
 use crate::sure::small;
 
@@ -31,10 +31,62 @@ pub struct Part {
     pub blocks: Option<u64>,
 }
 
+impl Part {
+    /// Whether it holds an executed block.
+    pub(super) fn has(&self, seq: u64) -> bool {
+        seq >= self.from && self.blocks.is_none_or(|blocks| seq < blocks)
+    }
+}
+
+/// What is kept of executed blocks.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Keep {
+    /// All that the page shows.
+    Records,
+    /// What a still picture draws: where axes move.
+    Geometry,
+}
+
+/// What tells a lathe.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Turning {
+    /// A plane of lathes is in force at power-up, or at the first working motion.
+    plane: bool,
+    worked: bool,
+    /// Axes besides X and Z move.
+    others: bool,
+    moved: bool,
+    /// G74 is in force at a motion: X is a diameter.
+    pub diameter: bool,
+}
+
+impl Turning {
+    /// Whether it is drawn as lathes are.
+    pub const fn is_lathe(self) -> bool {
+        self.diameter || (self.plane && self.moved && !self.others)
+    }
+
+    fn read(&mut self, block: &Executed<'_>, motion: Motion<'_>) {
+        let plane = |code: Option<GCode>| matches!(code, Some(GCode::G18 | GCode::G19));
+        if !self.moved {
+            let [_, power_up, ..] = block.settings().machine.power_up;
+            self.plane = plane(power_up);
+            self.moved = true;
+        }
+        if !self.worked && motion.kind() != MotionType::Rapid {
+            self.worked = true;
+            self.plane |= plane(block.g(GGroup::G1));
+        }
+        self.diameter |= block.g(GGroup::G10) == Some(GCode::G74);
+    }
+}
+
 /// The rows of a program.
 #[derive(Debug)]
 pub(super) struct Rows {
+    pub turning: Turning,
     pub part: Part,
+    keep: Keep,
     pub letters: Vec<AxisLetter>,
     /// Places of the first three linear axes.
     linear: Vec<usize>,
@@ -54,6 +106,8 @@ pub(super) struct Rows {
     pub extra: Column,
     pub shape: Column,
     pub feed: Column,
+    /// In thousandths: the parameters that blocks write, as many a row as its extra names.
+    pub params: Column,
     pub positions: Positions,
     /// From start to centre, of rows whose shape has an arc.
     pub arcs: [Tally; 2],
@@ -77,13 +131,15 @@ pub(super) struct Rows {
 
 impl Rows {
     /// For a machine with these axes.
-    pub fn new(axes: &Axes, part: Part) -> Self {
+    pub fn new(axes: &Axes, part: Part, keep: Keep) -> Self {
         let letters: Vec<AxisLetter> = axes.iter().map(|axis| axis.letter).collect();
         let linear = axes.iter().enumerate().filter(|(_, axis)| !axis.rotary).map(|(place, _)| place).take(3).collect();
         let mut rows = Self {
+            turning: Turning::default(),
             part,
+            keep,
             linear,
-            files: Files::default(),
+            files: Files::new(keep == Keep::Geometry),
             states: Interned::default(),
             states_fed: Vec::new(),
             extras: Interned::default(),
@@ -96,6 +152,7 @@ impl Rows {
             extra: Column::default(),
             shape: Column::default(),
             feed: Column::default(),
+            params: Column::default(),
             positions: Positions::new(letters.len()),
             arcs: Default::default(),
             arc_rows: Vec::new(),
@@ -176,10 +233,25 @@ impl Rows {
         self.row_of.len()
     }
 
-    /// The next executed block of the program.
-    pub fn add(&mut self, block: &Executed<'_>) {
-        let seq = block.seq();
-        let inside = seq >= self.part.from && self.part.blocks.is_none_or(|blocks| seq < blocks);
+    /// The bytes that it takes, roughly.
+    pub fn memory(&self) -> usize {
+        /// Of a part of records, as JSON; of a row that is remembered.
+        const INTERNED: usize = 1000;
+        let columns = [&self.block, &self.before, &self.state, &self.extra, &self.shape, &self.feed, &self.params];
+        let by_seq = [&self.row_of, &self.context_of, &self.left];
+        let interned = self.states.len() + self.extras.len() + self.shapes.len();
+        columns.into_iter().chain(by_seq).map(Column::memory).sum::<usize>()
+            + self.positions.memory()
+            + self.contexts.memory()
+            + self.files.memory()
+            + self.arcs.iter().map(|tally| tally.column().memory()).sum::<usize>()
+            + self.equal.capacity() * 33
+            + interned * INTERNED
+    }
+
+    /// The next executed block of the program; gives whether it is an execution that the rows had.
+    pub fn add(&mut self, block: &Executed<'_>) -> bool {
+        let inside = self.part.has(block.seq());
         if let Some(file) = block.file() {
             self.files.add(block.file_index(), file);
         }
@@ -187,10 +259,9 @@ impl Rows {
             self.begin(block);
         }
         let after = self.known_after(block);
-        if inside {
-            self.add_row(block, &after);
-        }
+        let again = inside && self.add_row(block, &after);
         self.stand = after;
+        again
     }
 
     /// Row 0: what holds before the first block.
@@ -205,7 +276,7 @@ impl Rows {
         let stand = self.stand;
         let key = ShapeKey { known: stand.bits(), coded: stand.bits(), ..ShapeKey::default() };
         let shape = self.shape(key, block);
-        let state = self.state(block);
+        let state = if self.keep == Keep::Records { self.state(block) } else { 0 };
         self.push_row(0, 0, state, 0, shape, 0, &stand);
     }
 
@@ -217,17 +288,34 @@ impl Rows {
         known
     }
 
-    fn add_row(&mut self, block: &Executed<'_>, after: &Known) {
+    fn add_row(&mut self, block: &Executed<'_>, after: &Known) -> bool {
         let (_, id) = block.at();
         let index = self.files.block(block.file_index(), id);
         let moved = block.motion().map(|motion| self.moved(block, motion, after));
         let moved = moved.unwrap_or_default();
+        if let Some(motion) = block.motion() {
+            self.turning.read(block, motion);
+            let letter = |axis: usize| self.letters.get(axis).copied();
+            let is_other = |axis: &usize| !matches!(letter(*axis), Some(AxisLetter::X | AxisLetter::Z));
+            let axes = (0..self.letters.len()).filter(|axis| moved.shape.axes & (1 << axis) != 0);
+            self.turning.others |= axes.clone().any(|axis| is_other(&axis));
+        }
         let key = ShapeKey { known: after.bits(), coded: after.changed_from(&self.stand), ..moved.shape };
         let shape = self.shape(key, block);
-        let Last { state, extra, feed, context } = self.parts(block, moved.special);
-        self.context_of.push(i64::from(context));
-        self.left.push(block.jump().and_then(|jump| jump.left).map_or(0, |left| i64::from(left) + 1));
-        let row = self.equal_row(index, [shape, state, extra], feed, after, moved.to_center).unwrap_or_else(|| {
+        let Last { state, extra, feed, context } = match self.keep {
+            Keep::Records => self.parts(block, moved.special),
+            Keep::Geometry => Last::default(),
+        };
+        let mut params = block.params();
+        if self.keep == Keep::Records {
+            self.context_of.push(i64::from(context));
+            self.left.push(block.jump().and_then(|jump| jump.left).map_or(0, |left| i64::from(left) + 1));
+        } else {
+            params = &[];
+        }
+        let equal = self.equal_row(index, [shape, state, extra], feed, after, moved.to_center, params);
+        let row = equal.unwrap_or_else(|| {
+            params.iter().for_each(|(_, value)| self.params.push(value.thousandths()));
             let row = self.push_row(index, self.last_row, state, extra, shape, feed, after);
             if let Some(to_center) = moved.to_center {
                 self.arc_rows.push(row);
@@ -240,6 +328,7 @@ impl Rows {
         self.plain &= row as usize == self.row_of.len() + 1;
         self.row_of.push(i64::from(row));
         self.last_row = row;
+        equal.is_some()
     }
 
     /// What the block has in common with others. One that only moves on differs in nothing from the block before.
@@ -252,12 +341,7 @@ impl Rows {
             let feed = block.feed().map_or(0, |feed| feed.value.thousandths());
             Last { state, extra: 0, feed, context: self.contexts.find(block, &self.files) }
         };
-        let uncommented = |(_, id)| block.file().is_some_and(|file| file.comments(id).is_empty());
-        let extra = if moves_on && special == Special::default() && uncommented(block.at()) {
-            0
-        } else {
-            self.extra(block, special)
-        };
+        let extra = if moves_on && special == Special::default() { 0 } else { self.extra(block, special) };
         self.last = Last { state, extra, feed, context };
         self.last
     }
@@ -270,6 +354,7 @@ impl Rows {
         feed: i64,
         after: &Known,
         to_center: Option<[Micro; 2]>,
+        params: &[(u8, Decimal)],
     ) -> Option<u32> {
         let place = index as usize;
         if self.visited.len() <= place {
@@ -294,6 +379,10 @@ impl Rows {
         }
         for value in to_center.into_iter().flatten() {
             hash.add(value.millionths().cast_unsigned());
+        }
+        for (index, value) in params {
+            hash.add(u64::from(*index));
+            hash.add(value.thousandths().cast_unsigned());
         }
         let next = small(self.block.len());
         let full = self.equal.len() >= REMEMBERED;
@@ -351,13 +440,26 @@ impl Rows {
     }
 
     fn extra(&mut self, block: &Executed<'_>, special: Special) -> u32 {
+        let params = block.params();
         if special == Special::default() && is_plain(block) {
             let written = block.written(Address::F);
-            let fields =
-                || if written { Map::from_iter([("f_set".to_owned(), Value::Bool(true))]) } else { Map::new() };
-            return self.extras.get(String::from(if written { "f" } else { "" }), || Value::Object(fields()));
+            let mut key = String::from(if written { "f" } else { "" });
+            params.iter().for_each(|(index, _)| key.push(char::from(*index)));
+            return self.extras.get(key, || {
+                let mut fields = Map::new();
+                if written {
+                    fields.insert("f_set".to_owned(), Value::Bool(true));
+                }
+                if !params.is_empty() {
+                    fields.insert("params".to_owned(), params_named(params));
+                }
+                Value::Object(fields)
+            });
         }
         let mut parts = parts(self.records.of(block));
+        if !params.is_empty() {
+            parts.does.insert("params".to_owned(), params_named(params));
+        }
         let mut motion = std::mem::take(&mut parts.motion);
         motion.retain(|name, _| match name.as_str() {
             "start" => special.start,
@@ -453,7 +555,7 @@ impl Rows {
 
     /// The length as the page computes it; `None` when it cannot.
     fn length(&self, shape: &ShapeKey, after: &Known, swept: Option<Swept>) -> Option<Micro> {
-        let is_arc = shape.kind.is_some_and(crate::run::MotionType::is_arc);
+        let is_arc = shape.kind.is_some_and(MotionType::is_arc);
         if is_arc && swept.is_none() {
             return None;
         }
@@ -490,17 +592,21 @@ struct Special {
     delta: bool,
 }
 
-/// Whether a block does nothing but move, perhaps with a new F.
+/// The parameters that a block writes, without their values.
+fn params_named(params: &[(u8, Decimal)]) -> Value {
+    params.iter().map(|(index, _)| Value::from(format!("R{index}"))).collect()
+}
+
+/// Whether a block does nothing but move, perhaps with a new F, and write parameters.
 fn is_plain(block: &Executed<'_>) -> bool {
     let (_, id) = block.at();
     let Some(file) = block.file() else { return false };
     let plain = |address: Address| match address {
         Address::X | Address::Y | Address::Z | Address::A | Address::B | Address::C => true,
-        Address::U | Address::V | Address::W | Address::I | Address::J | Address::K | Address::F => true,
+        Address::U | Address::V | Address::W | Address::I | Address::J | Address::K | Address::F | Address::R => true,
         Address::N
         | Address::G
         | Address::M
-        | Address::R
         | Address::S
         | Address::T
         | Address::H
@@ -513,7 +619,6 @@ fn is_plain(block: &Executed<'_>) -> bool {
         | Address::Program => false,
     };
     file.words(id).iter().all(|word| plain(word.address))
-        && file.comments(id).is_empty()
         && block.words().is_empty()
         && block.data().is_none()
         && !block.skippable()

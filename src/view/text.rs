@@ -2,11 +2,15 @@
 //! the text with marks for numbers, and what cannot be foretold are enough. `web/src/data/text.ts` reads it.
 
 use std::collections::HashMap;
+use std::iter::Peekable;
 
 use super::column::Column;
+use super::container::Long;
+use super::files::PageFile;
 use super::rows::Rows;
 use crate::dict::{AxisLetter, Micro};
 use crate::sure::{Sure, small};
+use crate::text::Span;
 
 /// The first of the characters that stand for a number in a skeleton; they differ by [`STYLES`].
 const FIRST_MARK: u32 = 0xE000;
@@ -93,8 +97,16 @@ impl<'t> Written<'t> {
     }
 }
 
-/// Letters whose numbers may be foretold.
-const LETTERS: [char; 12] = ['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W', 'F', 'I', 'J'];
+/// The character for a comment.
+const COMMENT_MARK: char = '\u{E030}';
+
+/// Letters whose numbers have columns; those of axes, F, I and J may be foretold.
+const LETTERS: [char; 17] = ['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W', 'F', 'I', 'J', 'K', 'R', 'S', 'Q', '='];
+
+/// Skeletons longer than this are not compared with others, and written in pieces.
+const LONG: usize = 1 << 14;
+/// Skeletons that are compared with others have so many bytes at most.
+const COMPARED: usize = 1 << 23;
 
 /// The numbers behind one letter.
 #[derive(Debug, Default)]
@@ -109,47 +121,96 @@ struct Numbers {
 /// The text of the files.
 #[derive(Debug, Default)]
 pub(super) struct Text {
-    pub skeletons: Vec<String>,
+    /// One behind the other, and how many bytes each has.
+    pub skeletons: Long,
+    pub skeleton_bytes: Column,
     /// By block: one more than its skeleton; 0 for the last one that a block of its shape had.
     pub skeleton: Column,
+    /// The comments of blocks, one behind the other, and how many bytes each has.
+    pub comments: Long,
+    pub comment_bytes: Column,
     /// By letter: the numbers, and whether what execution says is to be added.
     pub numbers: Vec<(char, Column, bool)>,
     /// By file: the text before its first block.
-    pub heads: Vec<String>,
+    pub heads: Vec<Head>,
+}
+
+/// What stands before the first block of a file.
+#[derive(Debug)]
+pub(super) struct Head {
+    pub text: String,
+    /// How many comments of blocks are in it.
+    pub comments: usize,
+}
+
+/// Skeletons that were met.
+#[derive(Debug, Default)]
+struct Known {
+    index: HashMap<String, u32>,
+    /// By index; nothing of those that are not compared.
+    texts: Vec<Option<String>>,
+    bytes: usize,
+}
+
+impl Known {
+    fn is(&self, index: u32, text: &str) -> bool {
+        self.texts.get(index as usize).is_some_and(|known| known.as_deref() == Some(text))
+    }
+
+    /// The index of a new one.
+    fn add(&mut self, text: Option<&str>) -> u32 {
+        let index = small(self.texts.len());
+        let compared = text.filter(|text| self.bytes + text.len() <= COMPARED);
+        self.bytes += compared.map_or(0, str::len);
+        self.texts.push(compared.map(str::to_owned));
+        self.index.extend(compared.map(|text| (text.to_owned(), index)));
+        index
+    }
 }
 
 impl Text {
     /// Takes the texts of the files of `rows` apart.
     pub fn of(rows: &Rows) -> Self {
         let mut found = Self::default();
-        let mut known: HashMap<String, u32> = HashMap::new();
+        let mut known = Known::default();
         let mut numbers: [Numbers; LETTERS.len()] = Default::default();
         let first_rows = first_rows(rows);
         // By shape: the skeleton that stood last, 0 at first as for the reader.
         let mut last = vec![0_u32; rows.shape_keys.len().max(1)];
-        let mut skeleton = String::new();
         for file in rows.files.iter() {
+            found.head(file);
             let text = file.source.text();
-            let end = small(text.len());
-            let head = text.get(..file.starts.first().copied().unwrap_or(end) as usize).sure();
-            found.heads.push(with_plain_line_ends(head));
-            let ends = file.starts.iter().skip(1).copied().chain([end]);
+            let ends = file.starts.iter().skip(1).copied().chain([small(text.len())]);
+            let mut comments = file.comments.iter().copied().peekable();
+            let before = file.starts.first().copied().unwrap_or(u32::MAX);
+            while comments.next_if(|comment| comment.start < before).is_some() {}
             for ((start, end), block) in file.starts.iter().zip(ends).zip(file.first as usize..) {
-                let text = text.get(*start as usize..end as usize).sure();
                 let row = first_rows.get(block).copied().unwrap_or_default() as usize;
-                skeleton.clear();
-                let number = rows.files.n.get(block).unwrap_or_default();
-                take_apart(text, &mut skeleton, number, &mut numbers, |letter| foretold(rows, row, letter));
+                let mut apart = Apart {
+                    text: text.get(..end as usize).sure(),
+                    comments: &mut comments,
+                    number: rows.files.n.get(block).unwrap_or_default(),
+                    numbers: &mut numbers,
+                    skeleton: String::new(),
+                    written: 0,
+                    long: &mut found.skeletons,
+                };
+                apart.take(*start as usize, |letter| foretold(rows, row, letter));
+                let Apart { skeleton, written, .. } = apart;
                 let shape = usize::try_from(rows.shape.get(row).unwrap_or_default()).unwrap_or_default();
                 let expected = last.get(shape).copied().unwrap_or_default();
-                if found.skeletons.get(expected as usize) == Some(&skeleton) {
+                if written == 0 && known.is(expected, &skeleton) {
                     found.skeleton.push(0);
                     continue;
                 }
-                let index = *known.entry(skeleton.clone()).or_insert_with(|| {
-                    found.skeletons.push(skeleton.clone());
-                    small(found.skeletons.len() - 1)
-                });
+                let index = match known.index.get(&skeleton).filter(|_| written == 0) {
+                    Some(index) => *index,
+                    None => {
+                        found.skeletons.push(skeleton.as_bytes());
+                        found.skeleton_bytes.push(i64::from(small(written + skeleton.len())));
+                        known.add(Some(skeleton.as_str()).filter(|_| written == 0))
+                    }
+                };
                 found.skeleton.push(i64::from(index) + 1);
                 if let Some(last) = last.get_mut(shape) {
                     *last = index;
@@ -162,6 +223,20 @@ impl Text {
             found.numbers.push((letter, column, foretell));
         }
         found
+    }
+
+    /// Takes up the comments of a file, and what stands before its first block.
+    fn head(&mut self, file: &PageFile) {
+        let text = file.source.text();
+        let end = file.starts.first().copied().unwrap_or(small(text.len()));
+        let comments = file.comments.iter().take_while(|comment| comment.start < end).count();
+        let head = text.get(..end as usize).sure();
+        self.heads.push(Head { text: with_plain_line_ends(head), comments });
+        for comment in &file.comments {
+            let comment = file.source.slice(*comment);
+            self.comments.push(comment.as_bytes());
+            self.comment_bytes.push(i64::from(small(comment.len())));
+        }
     }
 }
 
@@ -196,41 +271,61 @@ fn foretold(rows: &Rows, row: usize, letter: char) -> i64 {
     known.map_or(0, |axis| rounded(rows.positions.get(axis, row)))
 }
 
-/// Writes the skeleton of a block's text, and its numbers to their columns.
-fn take_apart(
-    text: &str,
-    skeleton: &mut String,
+/// The text of one block, being taken apart.
+struct Apart<'a, C: Iterator<Item = Span>> {
+    /// The file's text up to the end of the block.
+    text: &'a str,
+    /// Comments from the block on.
+    comments: &'a mut Peekable<C>,
     number: i64,
-    numbers: &mut [Numbers; LETTERS.len()],
-    foretold: impl Fn(char) -> i64,
-) {
-    let mut rest = text;
-    let mut in_comment = false;
-    while let Some(first) = rest.chars().next() {
-        let length = first.len_utf8();
-        let after = rest.get(length..).sure();
-        if first == '"' {
-            in_comment = !in_comment;
-        }
-        match first {
-            '\r' => {
-                skeleton.push('\n');
-                rest = after.strip_prefix('\n').unwrap_or(after);
+    numbers: &'a mut [Numbers; LETTERS.len()],
+    /// What of the skeleton is not written yet.
+    skeleton: String,
+    /// How many bytes of it are written, because it is long.
+    written: usize,
+    long: &'a mut Long,
+}
+
+impl<C: Iterator<Item = Span>> Apart<'_, C> {
+    /// Makes the skeleton of the block that begins at a place of the text, and puts its numbers into their columns.
+    fn take(&mut self, mut at: usize, foretold: impl Fn(char) -> i64) {
+        let mut in_comment = false;
+        while let Some(first) = self.text.get(at..).and_then(|rest| rest.chars().next()) {
+            if self.skeleton.len() >= LONG {
+                self.written += self.skeleton.len();
+                self.long.push(self.skeleton.as_bytes());
+                self.skeleton.clear();
+            }
+            if let Some(comment) = self.comments.next_if(|comment| comment.start as usize <= at) {
+                self.skeleton.push(COMMENT_MARK);
+                at = (comment.end as usize).max(at);
+                in_comment = false;
                 continue;
             }
-            // The marks themselves are no text.
-            '\u{E000}'..='\u{E03F}' => skeleton.push('\u{FFFD}'),
-            other => skeleton.push(other),
-        }
-        rest = after;
-        if in_comment || !first.is_ascii_uppercase() {
-            continue;
-        }
-        if let Some(written) = Written::read(rest)
-            && let Some(mark) = mark(first, written, number, numbers, &foretold)
-        {
-            skeleton.push(mark);
-            rest = rest.get(written.bytes..).sure();
+            at += first.len_utf8();
+            if first == '"' {
+                in_comment = !in_comment;
+            }
+            let rest = self.text.get(at..).unwrap_or_default();
+            match first {
+                '\r' => {
+                    self.skeleton.push('\n');
+                    at += usize::from(rest.starts_with('\n'));
+                    continue;
+                }
+                // The marks themselves are no text.
+                '\u{E000}'..='\u{E03F}' => self.skeleton.push('\u{FFFD}'),
+                other => self.skeleton.push(other),
+            }
+            if in_comment || !(first.is_ascii_uppercase() || first == '=') {
+                continue;
+            }
+            if let Some(written) = Written::read(rest)
+                && let Some(mark) = mark(first, written, self.number, self.numbers, &foretold)
+            {
+                self.skeleton.push(mark);
+                at += written.bytes;
+            }
         }
     }
 }
@@ -289,9 +384,20 @@ mod tests {
     #[test]
     fn numbers_and_comments() {
         let mut numbers: [Numbers; LETTERS.len()] = Default::default();
-        let mut skeleton = String::new();
-        take_apart("N0010 G1 X-1.500 \"X5\" XR3\r\nF+20\n", &mut skeleton, 10, &mut numbers, |_| 0);
-        assert_eq!(skeleton, "N\u{e014} G1 X\u{e006} \"X5\" XR3\nF+20\n");
+        let text = "N0010 G1 X-1.500 \"X5\" XR3\r\nF+20 R1=2.5\n";
+        let comment = Span::new(17, 21);
+        let mut apart = Apart {
+            text,
+            comments: &mut [comment].into_iter().peekable(),
+            number: 10,
+            numbers: &mut numbers,
+            skeleton: String::new(),
+            written: 0,
+            long: &mut Long::default(),
+        };
+        apart.take(0, |_| 0);
+        let skeleton = "N\u{e014} G1 X\u{e006} \u{e030} XR\u{e000}\nF+20 R\u{e000}=\u{e000}\n";
+        assert_eq!(apart.skeleton, skeleton);
         assert_eq!(numbers[0].plain.get(0), Some(-1500));
     }
 }

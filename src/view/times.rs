@@ -1,30 +1,34 @@
 //! Velocities, joints and times of executed blocks, packed: what the page can foretell costs nothing, only what differs is
 //! kept. `web/src/data/times.ts` foretells the same way.
 
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 use serde_json::{Map, Value, json};
 
 use super::column::Column;
 use super::parts::Interned;
-use super::picture::JointDot;
-use super::rows::Rows;
+use super::picture::MOST_YELLOW;
+use super::rows::{Keep, Part, Rows};
 use super::tangents::angle_deg;
-use crate::analysis::motion::{BlockTimes, Break, Dot, Limit, Listener, MotionTimes};
+use crate::analysis::motion::{BlockTimes, Break, Dot, Limit, Listener, MotionTimes, Total};
 use crate::run::MotionType;
-use crate::sure::Sure;
+use crate::sure::small;
 
 /// Feeds are whole parts of a mm/min.
 const PER_FEED: f64 = 10_000.0;
 /// Angles are whole parts of a degree.
 const PER_DEGREE: f64 = 200.0;
+/// Equal executions of a loop are found among so many at most.
+const REMEMBERED: usize = 1 << 21;
+/// No velocity at a joint.
+const NONE_YET: i64 = i64::MIN;
 /// Microseconds that a time may differ before it is corrected.
 const SLACK_US: i64 = 200;
 
 /// What the planner said of an executed block: feeds in parts of a mm/min or deg/min, 0 where there is none.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Planned {
-    start_s: f64,
     /// What is no motion, in microseconds.
     other_us: i64,
     /// In mm or degrees, of the piece when blocks are joined.
@@ -36,9 +40,9 @@ struct Planned {
     /// At the joint before; 0 where it is broken.
     joint: i64,
     /// At the joint before.
-    angle_deg: f64,
+    angle_deg: f32,
     /// How many blocks before this the motion before the joint is.
-    with: u64,
+    with: u32,
     /// Index in the codes.
     code: u32,
 }
@@ -104,21 +108,40 @@ impl Code {
     }
 }
 
+/// Of an executed block that goes to the planner.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Expected {
+    /// The acceleration of its dynamic set, in mm/s².
+    pub accel: f64,
+    /// Whether it is an execution that the rows have: what is planned of it may be known as well.
+    pub again: bool,
+}
+
 /// Collects what the planner gives.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Times {
-    from: u64,
+    part: Part,
+    /// Dots alone are wanted.
+    dots_only: bool,
+    dots: Dots,
+    /// What was planned, equal executions of a loop once.
     planned: Vec<Planned>,
+    /// By executed block: the index of what was planned.
+    plan_of: Column,
+    /// By executed block, and of the one behind the last: when it starts, in seconds.
+    starts: Vec<f64>,
+    /// Of executions that the rows had: where they are in `planned`, by their hash.
+    equal: HashMap<u64, u32>,
     known: Interned<Code>,
     codes: Vec<Code>,
     /// Accelerations of motions, in mm/s².
     accels: Vec<f64>,
-    /// Of blocks that are not planned yet: the acceleration of their dynamic set.
-    waiting: VecDeque<f64>,
+    /// Of blocks that are not planned yet.
+    waiting: VecDeque<Expected>,
     /// Of motions outside of stretches: working, rapid.
     alone: [f64; 2],
     end_s: f64,
-    unknown: bool,
+    total: Total,
 }
 
 /// The packed times.
@@ -132,14 +155,14 @@ pub(super) struct PackedTimes {
 }
 
 impl Times {
-    /// Of the blocks from seq `from` on. `alone`: accelerations of working motion and of G00 outside of stretches.
-    pub fn new(from: u64, alone: [f64; 2]) -> Self {
-        Self { from, alone, ..Self::default() }
+    /// Of the blocks of a part. `alone`: accelerations of working motion and of G00 outside of stretches.
+    pub fn new(part: Part, keep: Keep, alone: [f64; 2]) -> Self {
+        Self { part, dots_only: keep == Keep::Geometry, alone, ..Self::default() }
     }
 
-    /// A block goes to the planner: the acceleration of its dynamic set.
-    pub fn expect(&mut self, accel: f64) {
-        self.waiting.push_back(accel);
+    /// A block goes to the planner.
+    pub fn expect(&mut self, expected: Expected) {
+        self.waiting.push_back(expected);
     }
 
     /// The index of an acceleration.
@@ -152,19 +175,14 @@ impl Times {
         u8::try_from(index).unwrap_or(u8::MAX)
     }
 
-    /// How long all of the program takes, in seconds, and whether a time is not known.
-    pub fn total(&self) -> (f64, bool) {
-        (self.end_s, self.unknown)
+    /// How long all of the program takes, and what of it is not known.
+    pub const fn total(&self) -> &Total {
+        &self.total
     }
 
-    /// The dots of the executed blocks that `rows` has.
-    pub fn dots(&self, rows: &Rows) -> Vec<JointDot> {
-        let with_dot = |(index, planned): (usize, &Planned)| {
-            let red = matches!(self.codes.get(planned.code as usize)?.dot?, "red");
-            let row = rows.row(index)?;
-            Some(JointDot { seq: self.from + index as u64, n: rows.n(row), row, red })
-        };
-        self.planned.iter().enumerate().filter_map(with_dot).collect()
+    /// The dots of the executed blocks in the picture.
+    pub const fn dots(&self) -> &Dots {
+        &self.dots
     }
 
     /// Packs the times of the executed blocks that `rows` has.
@@ -175,16 +193,24 @@ impl Times {
 
 impl Listener for Times {
     fn block(&mut self, block: &BlockTimes) {
-        let of_set = self.waiting.pop_front().unwrap_or_default();
+        let Some(expected) = self.waiting.pop_front() else { return };
         self.end_s = block.start_s + block.duration_s;
-        self.unknown |= block.unknown || block.motion.as_ref().is_some_and(|motion| motion.jerk_free);
-        if block.seq < self.from {
+        self.total.add(block);
+        if !self.part.has(block.seq) {
+            if block.seq >= self.part.from && self.starts.len() == self.plan_of.len() && !self.dots_only {
+                self.starts.push(block.start_s);
+            }
+            return;
+        }
+        if self.dots_only {
+            let joint = block.motion.as_ref().and_then(|motion| motion.joint.as_ref());
+            self.dots.add(block.seq - self.part.from, joint.and_then(|joint| joint.dot));
             return;
         }
         let [working, rapid] = self.alone;
         let accel = match &block.motion {
             None => 0,
-            Some(motion) if motion.stretch.is_some() => self.accel(of_set),
+            Some(motion) if motion.stretch.is_some() => self.accel(expected.accel),
             Some(motion) if motion.kind == MotionType::Rapid => self.accel(rapid),
             Some(_) => self.accel(working),
         };
@@ -193,7 +219,6 @@ impl Listener for Times {
             code.has |= has::UNKNOWN;
         }
         let mut planned = Planned {
-            start_s: block.start_s,
             other_us: whole((block.dwell_s + block.function_s + block.settle_s + block.gap_s) * 1e6),
             ..Planned::default()
         };
@@ -205,8 +230,9 @@ impl Listener for Times {
             planned.velocities = motion.velocities.map_or([0; 3], |all| [all.start, all.peak, all.end].map(feed));
             if let Some(joint) = &motion.joint {
                 planned.joint = if joint.broken_by.is_none() { feed(joint.velocity) } else { 0 };
-                planned.angle_deg = joint.angle_deg.unwrap_or_default();
-                planned.with = joint.with.map_or(0, |with| block.seq.saturating_sub(with));
+                planned.angle_deg = narrow(joint.angle_deg.unwrap_or_default());
+                planned.with =
+                    joint.with.map_or(0, |with| u32::try_from(block.seq.saturating_sub(with)).unwrap_or(u32::MAX));
             }
         }
         let Self { known, codes, .. } = self;
@@ -214,8 +240,71 @@ impl Listener for Times {
             codes.push(code);
             Value::Null
         });
-        self.planned.push(planned);
+        self.starts.push(block.start_s);
+        let index = self.index(planned, expected.again);
+        self.plan_of.push(i64::from(index));
     }
+}
+
+impl Times {
+    /// Where something planned is among all.
+    fn index(&mut self, planned: Planned, again: bool) -> u32 {
+        let next = small(self.planned.len());
+        if again {
+            let hash = planned.hash();
+            let known = self.equal.get(&hash).copied();
+            let equal = known.filter(|index| self.planned.get(*index as usize) == Some(&planned));
+            if let Some(equal) = equal {
+                return equal;
+            }
+            if self.equal.len() < REMEMBERED {
+                self.equal.insert(hash, next);
+            }
+        }
+        self.planned.push(planned);
+        next
+    }
+}
+
+impl Planned {
+    fn hash(&self) -> u64 {
+        let Self { other_us, length, programmed, cap, velocities, joint, angle_deg, with, code } = self;
+        let mut hash = DefaultHasher::new();
+        (other_us, length.to_bits(), programmed, cap, velocities, joint).hash(&mut hash);
+        (angle_deg.to_bits(), with, code).hash(&mut hash);
+        hash.finish()
+    }
+}
+
+/// The dots of a still picture, as indices of executed blocks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Dots {
+    /// The first ones; those beyond [`MOST_YELLOW`] are counted.
+    pub yellow: Vec<u32>,
+    pub yellow_count: usize,
+    pub red: Vec<u32>,
+}
+
+impl Dots {
+    fn add(&mut self, index: u64, dot: Option<Dot>) {
+        let index = u32::try_from(index).unwrap_or(u32::MAX);
+        match dot {
+            Some(Dot::Red) => self.red.push(index),
+            Some(Dot::Yellow) => {
+                self.yellow_count += 1;
+                if self.yellow.len() < MOST_YELLOW {
+                    self.yellow.push(index);
+                }
+            }
+            None => {}
+        }
+    }
+}
+
+/// Angles have no finer parts than [`PER_DEGREE`] of a degree.
+#[expect(clippy::cast_possible_truncation, reason = "seven digits are more than enough")]
+const fn narrow(angle: f64) -> f32 {
+    angle as f32
 }
 
 /// A velocity in mm/s as a feed in parts of a mm/min.
@@ -251,34 +340,40 @@ fn gained(accel: f64, length: f64) -> f64 {
 struct Packer<'t> {
     times: &'t Times,
     rows: &'t Rows,
-    planned: &'t [Planned],
+    /// How many executed blocks.
+    count: usize,
     /// Of motions with velocities, in order: where they are in `planned`.
-    timed: Vec<usize>,
-    /// By place in `timed`: the velocity at the joint before, as the reader will have it; `None`: none yet.
-    joints: Vec<Option<i64>>,
+    timed: Vec<u32>,
+    /// By place in `timed`: the velocity at the joint before, as the reader will have it; [`NONE_YET`] at first.
+    joints: Vec<i64>,
     modes: Vec<u8>,
 }
 
 impl<'t> Packer<'t> {
     fn new(times: &'t Times, rows: &'t Rows) -> Self {
-        let count = rows.count().min(times.planned.len());
-        let planned = times.planned.get(..count).sure();
-        let mut packer = Self { times, rows, planned, timed: Vec::new(), joints: Vec::new(), modes: Vec::new() };
-        packer.timed = (0..count).filter(|index| packer.code(*index).has(has::VELOCITIES)).collect();
-        packer.joints = vec![None; packer.timed.len()];
+        let count = rows.count().min(times.plan_of.len());
+        let mut packer = Self { times, rows, count, timed: Vec::new(), joints: Vec::new(), modes: Vec::new() };
+        packer.timed = (0..count).filter(|index| packer.code(*index).has(has::VELOCITIES)).map(small).collect();
+        packer.joints = vec![NONE_YET; packer.timed.len()];
         packer.modes = vec![0; packer.timed.len()];
         packer
     }
 
+    /// What was planned of an executed block.
+    fn planned(&self, index: usize) -> Option<&'t Planned> {
+        let plan = self.times.plan_of.get(index).filter(|_| index < self.count)?;
+        self.times.planned.get(usize::try_from(plan).ok()?)
+    }
+
     fn code(&self, index: usize) -> Code {
-        let code = self.planned.get(index).and_then(|planned| self.times.codes.get(planned.code as usize));
+        let code = self.planned(index).and_then(|planned| self.times.codes.get(planned.code as usize));
         code.copied().unwrap_or_default()
     }
 
     /// The motion at a place in `timed`.
-    fn motion(&self, place: usize) -> Option<(&Planned, Code)> {
-        let index = *self.timed.get(place)?;
-        Some((self.planned.get(index)?, self.code(index)))
+    fn motion(&self, place: usize) -> Option<(&'t Planned, Code)> {
+        let index = *self.timed.get(place)? as usize;
+        Some((self.planned(index)?, self.code(index)))
     }
 
     fn accel(&self, code: Code) -> f64 {
@@ -351,7 +446,7 @@ impl<'t> Packer<'t> {
 
     fn set_joint(&mut self, place: usize, mode: u8, velocity: i64) {
         if let Some(slot) = self.joints.get_mut(place) {
-            *slot = Some(velocity);
+            *slot = velocity;
         }
         if let Some(slot) = self.modes.get_mut(place) {
             *slot = mode;
@@ -359,7 +454,7 @@ impl<'t> Packer<'t> {
     }
 
     fn joint(&self, place: usize) -> Option<i64> {
-        self.joints.get(place).copied().flatten()
+        self.joints.get(place).copied().filter(|joint| *joint != NONE_YET)
     }
 
     /// What acceleration over the motion before leads to.
@@ -402,7 +497,8 @@ impl<'t> Packer<'t> {
         let [mut feeds, mut caps, mut other, mut angle, mut with, mut piece] = <[Column; 6]>::default();
         let mut last_motion = None;
         let mut limits = Limits::default();
-        for (index, planned) in self.planned.iter().enumerate() {
+        for index in 0..self.count {
+            let Some(planned) = self.planned(index) else { continue };
             let code = self.code(index);
             other.push(planned.other_us);
             if code.has(has::PROGRAMMED) {
@@ -424,12 +520,12 @@ impl<'t> Packer<'t> {
             }
             if code.has(has::WITH) {
                 let expected = last_motion.map_or(0, |last: usize| index - last);
-                with.push(planned.with.cast_signed() - i64::try_from(expected).unwrap_or_default());
+                with.push(i64::from(planned.with) - i64::try_from(expected).unwrap_or_default());
             }
             if code.has(has::ANGLE) {
-                let before = usize::try_from(planned.with).ok().and_then(|with| index.checked_sub(with));
+                let before = index.checked_sub(planned.with as usize);
                 let foretold = before.map_or(0.0, |before| angle_deg(self.rows, before, index));
-                let wrong = planned.angle_deg - foretold;
+                let wrong = f64::from(planned.angle_deg) - foretold;
                 angle.push(if wrong.abs() < 0.004 { 0 } else { whole(wrong * PER_DEGREE) });
             }
             if code.has(has::MOTION) && !code.has(has::MERGED) {
@@ -452,7 +548,8 @@ impl<'t> Packer<'t> {
         let mut codes: Interned<Code> = Interned::default();
         let [mut code_of, mut peaks, mut durations] = <[Column; 3]>::default();
         let (mut place, mut clock) = (0, 0_i64);
-        for (index, planned) in self.planned.iter().enumerate() {
+        for index in 0..self.count {
+            let Some(planned) = self.planned(index) else { continue };
             let mut code = self.code(index);
             let mut motion_s = 0.0;
             if code.has(has::VELOCITIES) {
@@ -468,7 +565,7 @@ impl<'t> Packer<'t> {
                 motion_s = duration_s(ends, foretold + wrong, self.accel(code), planned.length);
                 place += 1;
             }
-            let end_s = self.planned.get(index + 1).map_or_else(|| self.end_s(index), |next| next.start_s);
+            let end_s = self.times.starts.get(index + 1).copied().unwrap_or(self.times.end_s);
             let foretold = clock + whole(motion_s * 1e6) + planned.other_us;
             let wrong = whole(end_s * 1e6) - whole(self.start_s() * 1e6) - foretold;
             let by = if wrong.abs() <= SLACK_US { 0 } else { wrong };
@@ -482,12 +579,7 @@ impl<'t> Packer<'t> {
 
     /// When the first block of the page starts.
     fn start_s(&self) -> f64 {
-        self.planned.first().map_or(0.0, |planned| planned.start_s)
-    }
-
-    /// When a block ends that no other follows in the page.
-    fn end_s(&self, index: usize) -> f64 {
-        self.times.planned.get(index + 1).map_or(self.times.end_s, |next| next.start_s)
+        self.times.starts.first().copied().unwrap_or_default()
     }
 }
 

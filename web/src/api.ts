@@ -23,7 +23,7 @@ export interface Api {
   language(lang: string): void;
 }
 
-const VIEWS = ['XY', 'XZ', 'YZ', 'iso', 'fit'];
+const VIEWS = ['XY', 'XZ', 'YZ', 'ZX', 'iso', 'fit'];
 
 export function api(app: App, view: View, player: Player, setLanguage: (lang: Lang) => void, ready: Promise<void>): Api {
   const indexOf = (seq: unknown): number | undefined => {
@@ -55,7 +55,7 @@ export function api(app: App, view: View, player: Player, setLanguage: (lang: La
     project: (seq) => {
       const index = indexOf(seq);
       const row = index === undefined ? -1 : app.program.rowOf(index);
-      return row >= 0 && app.path.hasLine(row) ? view.camera.project(app.path.at(row, 0.5)) : null;
+      return row >= 0 && app.path.hasLine(row) && app.path.isKnown(row) ? view.camera.project(app.path.at(row, 0.5)) : null;
     },
     dots: () =>
       Array.from(app.times?.dots() ?? [], (index) => {

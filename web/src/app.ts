@@ -2,13 +2,14 @@
 
 import type { Container } from './data/columns.ts';
 import type { Header } from './data/header.ts';
+import { History } from './data/history.ts';
 import { Program } from './data/program.ts';
 import { Text } from './data/text.ts';
 import { Times } from './data/times.ts';
 import type { Place } from './panel.ts';
 import { Path } from './scene/path.ts';
 
-export const COLOURS = ['motion', 'feed', 'velocity', 'tool', 'set', 'time'] as const;
+export const COLOURS = ['motion', 'feed', 'velocity', 'tool', 'set', 'time', 'depth'] as const;
 export type ColourBy = (typeof COLOURS)[number];
 
 /** What is shown besides the path. */
@@ -60,6 +61,7 @@ export class App {
   filter: Filter = { tools: new Set(), units: new Set(), from: 0, to: 0 };
   /** Units by what led to a block. */
   readonly #units = new Map<number, string>();
+  #history: History | undefined;
   readonly #listeners = new Map<keyof Events, ((value: never) => void)[]>();
 
   constructor(data: Container<Header>) {
@@ -69,6 +71,7 @@ export class App {
   #read(data: Container<Header>): void {
     this.program = new Program(data);
     this.#units.clear();
+    this.#history = undefined;
     this.path = new Path(this.program);
     this.text = new Text(data, this.program);
     this.times = data.has('time.code') ? new Times(data, this.program) : undefined;
@@ -154,6 +157,12 @@ export class App {
     for (const listener of this.#listeners.get(event) ?? []) {
       (listener as (value: Events[E]) => void)(value);
     }
+  }
+
+  /** Who wrote what is in force. */
+  get history(): History {
+    this.#history ??= new History(this.program);
+    return this.#history;
   }
 
   get header(): Header {

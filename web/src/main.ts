@@ -13,8 +13,10 @@ import { followTheme } from './theme.ts';
 import { Chart } from './ui/chart.ts';
 import { Code } from './ui/code.ts';
 import { h, labelled, retell } from './ui/dom.ts';
+import { divider } from './ui/divider.ts';
 import { filter } from './ui/filter.ts';
 import { Help } from './ui/help.ts';
+import { hover } from './ui/hover.ts';
 import { findings, joints } from './ui/lists.ts';
 import { measure } from './ui/measure.ts';
 import { Player } from './ui/player.ts';
@@ -78,18 +80,29 @@ function build(app: App): { view: View; player: Player; say: (lang: Lang) => voi
   stage.before(legend(app, view));
   const player = new Player(app, view);
   const side = labelled(h('aside', {}), 'details');
-  side.append(
-    new Code(app).element,
-    tabs('details', [
+  const details = tabs(
+    'details',
+    [
       ['block', new State(app).element],
       ['joints', joints(app, view)],
       ['findings', findings(app, view)],
       ['measure', measure(app, view)],
       ['filter', filter(app)],
-    ]),
+    ],
+    (key) => (key === 'findings' ? app.header.findings.length : 0),
   );
-  main.append(side);
-  root.append(h('footer', {}, new Chart(app, view).element, player.element));
+  app.on('data', details.tell);
+  app.on('language', details.tell);
+  const opens = (): void => {
+    if (app.header.findings.some((finding) => finding.severity === 'error')) {
+      details.show('findings');
+    }
+  };
+  opens();
+  side.append(new Code(app).element, details.element);
+  main.append(divider(main), side);
+  root.append(h('footer', {}, player.element, new Chart(app, view).element));
+  hover(app, view, stage);
   view.canvas.addEventListener('keydown', (event) => {
     const actions: { [key: string]: () => void } = {
       ',': () => app.step(-1),

@@ -67,7 +67,7 @@ test('half a word takes no picture away', async () => {
   app.follow({ file: 0, line: 8 });
   app.filter.from = 2;
   const { current, program } = app;
-  const broken = await dataOf(...LOOP(3).map((block) => block.replace('Y10', 'Y')));
+  const broken = await dataOf('N5 G0 X0 X1', ...LOOP(3));
   assert.equal(broken.header.count, 0);
   app.replace(broken, { file: 0, line: 8 });
   assert.deepEqual([app.stale, app.program === program, app.current], [true, true, current]);

@@ -151,20 +151,63 @@ function read(bytes: Uint8Array, start: number, form: Form): Int32Array | Float6
   return values;
 }
 
+/** Texts one behind the other, found by their lengths. */
+export class Texts {
+  readonly #bytes: Uint8Array;
+  readonly #lengths: Numbers;
+  #ends: Int32Array | undefined;
+  readonly #decoder = new TextDecoder('utf-8', { ignoreBOM: true });
+
+  constructor(bytes: Uint8Array, lengths: Numbers) {
+    this.#bytes = bytes;
+    this.#lengths = lengths;
+  }
+
+  get count(): number {
+    return this.#lengths.length;
+  }
+
+  bytes(index: number): Uint8Array {
+    if (this.#ends === undefined) {
+      this.#ends = new Int32Array(this.#lengths.length);
+      let end = 0;
+      for (let at = 0; at < this.#lengths.length; at += 1) {
+        end += this.#lengths[at]!;
+        this.#ends[at] = end;
+      }
+    }
+    const end = this.#ends[index] ?? 0;
+    return this.#bytes.subarray(end - (this.#lengths[index] ?? 0), end);
+  }
+
+  get(index: number): string {
+    return this.#decoder.decode(this.bytes(index));
+  }
+}
+
 /** The columns of an inflated stream by name, and its header. Each column is read once, when it is taken. */
 export class Container<H> {
   readonly header: H;
   readonly #bytes: Uint8Array;
   readonly #columns = new Map<string, { form: Form; start: number }>();
+  readonly #texts = new Map<string, Uint8Array>();
 
   constructor(bytes: Uint8Array) {
     const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(0, true);
-    const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as { columns: Form[] };
+    const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))) as {
+      columns: Form[];
+      texts: [string, number][];
+    };
     this.#bytes = bytes;
     let start = 4 + length;
     for (const form of header.columns) {
       this.#columns.set(form[0], { form, start });
       start += form[5];
+    }
+    for (const [name, count] of header.texts) {
+      // A copy: the rest can be forgotten.
+      this.#texts.set(name, bytes.slice(start, start + count));
+      start += count;
     }
     this.header = header as H;
   }
@@ -173,6 +216,11 @@ export class Container<H> {
   take(name: string): Numbers {
     const column = this.#columns.get(name);
     return column === undefined ? new Uint8Array(0) : narrowed(read(this.#bytes, column.start, column.form));
+  }
+
+  /** The bytes of a text. */
+  text(name: string): Uint8Array {
+    return this.#texts.get(name) ?? new Uint8Array(0);
   }
 
   has(name: string): boolean {

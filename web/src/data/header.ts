@@ -72,8 +72,11 @@ export interface Header {
   /** The records `machine` and `total` of the motion stream. */
   machine?: Fields;
   total?: Fields;
-  /** Files in the order of their indices: name, number of blocks, the text before the first of them. */
-  files: { name: string; blocks: number; head: string }[];
+  /**
+   * Files in the order of their indices: name, number of blocks, of their comments, the text before the first of them, how
+   * many of the comments are in it.
+   */
+  files: { name: string; blocks: number; comments: number; head: string; head_comments: number }[];
   /** Blocks of the whole program that were executed. */
   blocks: number;
   /** The first seq in the page, and how many follow. */
@@ -90,11 +93,14 @@ export interface Header {
   accels: number[];
   /** When the first block of the page starts, in seconds. */
   start_s: number;
-  skeletons: string[];
   /** By letter: what the numbers in the text are foretold from. */
   foretold: { [letter: string]: 'row' };
   /** Parts of a millimetre or degree that numbers count, by column. */
   per: { [column: string]: number };
   findings: PageFinding[];
+  /** A lathe: seen in ZX at first. */
+  turning: boolean;
+  /** X is programmed as a diameter; positions are radii. */
+  diameter: boolean;
   equidistant?: { pieces: EquidistantPiece[] };
 }

@@ -1,6 +1,6 @@
 // An executed program: what each executed block was, as the page's data holds it, and its record made again.
 
-import type { Container, Numbers } from './columns.ts';
+import { Texts, type Container, type Numbers } from './columns.ts';
 import type { Fields, Header, Json, Shape } from './header.ts';
 import { micro } from './numbers.ts';
 
@@ -8,6 +8,14 @@ import { micro } from './numbers.ts';
 interface ShapeBits {
   known: number;
   coded: number;
+}
+
+/** The text of a comment: without its quotes, and without blanks at its ends. */
+function unquoted(token: string): string {
+  const inner = token.startsWith('"')
+    ? token.slice(1).replace(/"$/, '')
+    : token.replace(/^[“”„]/, '').replace(/["“”„]$/, '');
+  return inner.replace(/^[ \t]+|[ \t]+$/g, '');
 }
 
 /** An executed program. Executed blocks are counted from the first in the page: `index` is `seq - from`. */
@@ -44,6 +52,13 @@ export class Program {
   /** By file: its first block; one more at the end. */
   readonly firstBlock: number[];
 
+  /** The comments of all files' blocks, as written. */
+  readonly comments: Texts;
+  /** By block: how many comments are its own. */
+  readonly #own: Numbers;
+  #firstComment: Int32Array | undefined;
+  readonly #params: Numbers;
+  #paramAt: Int32Array | undefined;
   readonly #rowOf: Numbers;
   readonly #contextOf: Numbers;
   readonly #left: Numbers;
@@ -90,6 +105,9 @@ export class Program {
     for (const file of header.files) {
       this.firstBlock.push(this.firstBlock[this.firstBlock.length - 1]! + file.blocks);
     }
+    this.comments = new Texts(data.text('comments'), data.take('comment.bytes'));
+    this.#own = data.take('block.own');
+    this.#params = data.take('row.param');
     this.#rowOf = data.take('seq.row');
     this.#contextOf = data.take('seq.context');
     this.#left = data.take('seq.left');
@@ -384,6 +402,13 @@ export class Program {
     const state = this.header.states[this.state[row]!]!;
     const { motion: about, ...extra } = this.header.extras[this.extra[row]!]! as Fields & { motion?: Fields };
     Object.assign(record, structuredClone(state), structuredClone(extra));
+    if (Array.isArray(extra['params'])) {
+      record['params'] = this.paramsOf(row);
+    }
+    const comments = this.commentsOf(block);
+    if (comments.length > 0) {
+      record['comments'] = comments;
+    }
     const left = this.#left[index] ?? 0;
     if (left > 0) {
       (record['jump'] as Fields)['left'] = left - 1;
@@ -405,6 +430,38 @@ export class Program {
       record['motion'] = { ...this.motion(row, shape), ...structuredClone(about) };
     }
     return record;
+  }
+
+  /** The comments of a block, without their quotes; empty ones left out. */
+  commentsOf(block: number): string[] {
+    const own = this.#own[block] ?? 0;
+    if (own === 0) {
+      return [];
+    }
+    if (this.#firstComment === undefined) {
+      this.#firstComment = new Int32Array(this.#own.length);
+      for (let at = 1; at < this.#own.length; at += 1) {
+        this.#firstComment[at] = this.#firstComment[at - 1]! + this.#own[at - 1]!;
+      }
+    }
+    const first = this.#firstComment[block]!;
+    return Array.from({ length: own }, (_, place) => unquoted(this.comments.get(first + place))).filter((text) => text !== '');
+  }
+
+  /** The parameters that a row writes. */
+  paramsOf(row: number): Fields {
+    const names = (this.header.extras[this.extra[row]!]!['params'] ?? []) as string[];
+    if (this.#paramAt === undefined) {
+      const counts = this.header.extras.map((extra) => (Array.isArray(extra['params']) ? extra['params'].length : 0));
+      this.#paramAt = new Int32Array(this.rows);
+      let next = 0;
+      for (let at = 0; at < this.rows; at += 1) {
+        this.#paramAt[at] = next;
+        next += counts[this.extra[at]!]!;
+      }
+    }
+    const first = this.#paramAt[row]!;
+    return Object.fromEntries(names.map((name, place) => [name, this.#params[first + place]! / 1000]));
   }
 
   #values(row: number, letters: string | undefined): Fields {

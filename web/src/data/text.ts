@@ -2,7 +2,7 @@
 // each block, a skeleton (the text with marks for numbers), and only what cannot be foretold. What is read here is written
 // by src/view/text.rs.
 
-import type { Container, Numbers } from './columns.ts';
+import { Texts, type Container, type Numbers } from './columns.ts';
 import type { Header } from './header.ts';
 import type { Program } from './program.ts';
 
@@ -32,6 +32,9 @@ const STYLES: Style[] = [
 /** The mark of a block number, padded with zeros to a width; the marks of wider ones follow. */
 const NUMBER_MARK = FIRST_MARK + 16;
 
+/** The mark of a comment. */
+const COMMENT_MARK = FIRST_MARK + 48;
+
 /** A number of thousandths as its style writes it. */
 export function shown(thousandths: number, style: number): string {
   const { decimals, point, zero } = STYLES[style]!;
@@ -47,19 +50,22 @@ export function shown(thousandths: number, style: number): string {
 /** The text of the files, block by block and line by line. */
 export class Text {
   readonly #program: Program;
-  readonly #skeletons: string[];
+  readonly #skeletons: Texts;
   /** By block: its skeleton. */
   readonly #skeleton: Numbers;
   /** By letter: what the numbers differ from what is foretold, and where the numbers of each block begin. */
   readonly #numbers = new Map<string, { values: Numbers; at: Int32Array; foretold: boolean }>();
   /** By block: the row of its first execution, 0 without one. */
   readonly #firstRow: Int32Array;
+  /** By block: the first comment that stands in its text. */
+  readonly #commentAt: Int32Array | undefined;
   /** By file: how many lines it has. */
   readonly lines: number[];
 
   constructor(data: Container<Header>, program: Program) {
     this.#program = program;
-    const { skeletons, foretold } = data.header;
+    const { foretold } = data.header;
+    const skeletons = new Texts(data.text('skeletons'), data.take('skeleton.bytes'));
     this.#skeletons = skeletons;
     const blocks = program.n.length;
     this.#firstRow = new Int32Array(blocks);
@@ -68,13 +74,14 @@ export class Text {
     }
     this.#skeleton = this.#readSkeletons(data.take('text.skeleton'));
     const counts = new Map<string, Int32Array>();
-    skeletons.forEach((skeleton, index) => {
-      for (const { letter } of marks(skeleton)) {
-        const count = counts.get(letter) ?? new Int32Array(skeletons.length);
+    for (let index = 0; index < skeletons.count; index += 1) {
+      countMarks(skeletons.bytes(index), (letter) => {
+        const count = counts.get(letter) ?? new Int32Array(skeletons.count);
         count[index]! += 1;
         counts.set(letter, count);
-      }
-    });
+      });
+    }
+    this.#commentAt = this.#placeComments(counts.get('"'));
     for (const [letter, count] of counts) {
       if (data.has(`text.${letter}`)) {
         const values = data.take(`text.${letter}`);
@@ -98,7 +105,7 @@ export class Text {
   /** A skeleton is the one that stood last where a block of the same shape was executed, unless another is named. */
   #readSkeletons(column: Numbers): Numbers {
     const last = new Int32Array(this.#program.header.shapes.length);
-    const skeletons = this.#skeletons.length > 0xff ? new Int32Array(column.length) : new Uint8Array(column.length);
+    const skeletons = this.#skeletons.count > 0xff ? new Int32Array(column.length) : new Uint8Array(column.length);
     for (let block = 0; block < column.length; block += 1) {
       const shape = this.#program.shape[this.#firstRow[block]!]!;
       const value = column[block]!;
@@ -109,15 +116,40 @@ export class Text {
     return skeletons;
   }
 
+  /** Where the comments of each block's text begin; nothing without comments. */
+  #placeComments(counts: Int32Array | undefined): Int32Array | undefined {
+    if (counts === undefined) {
+      return undefined;
+    }
+    const { firstBlock, header } = this.#program;
+    const at = new Int32Array(this.#skeleton.length);
+    let first = 0;
+    header.files.forEach((file, index) => {
+      let next = first + file.head_comments;
+      for (let block = firstBlock[index]!; block < firstBlock[index + 1]!; block += 1) {
+        at[block] = next;
+        next += counts[this.#skeleton[block]!]!;
+      }
+      first += file.comments;
+    });
+    return at;
+  }
+
   /** The text of a block, from its N to the next one, with what stands between. Lines end with `\n`. */
   ofBlock(block: number): string {
-    const skeleton = this.#skeletons[this.#skeleton[block]!]!;
+    const skeleton = this.#skeletons.get(this.#skeleton[block]!);
     let text = '';
     let from = 0;
     const seen = new Map<string, number>();
     for (const { at, letter, mark } of marks(skeleton)) {
       text += skeleton.slice(from, at);
       from = at + 1;
+      if (mark === COMMENT_MARK) {
+        const before = seen.get('"') ?? 0;
+        seen.set('"', before + 1);
+        text += this.#program.comments.get(this.#commentAt![block]! + before).replace(/\r\n?/g, '\n');
+        continue;
+      }
       if (mark >= NUMBER_MARK) {
         text += String(this.#program.n[block]!).padStart(mark - NUMBER_MARK, '0');
         continue;
@@ -209,9 +241,28 @@ function marks(skeleton: string): { at: number; letter: string; mark: number }[]
     const code = skeleton.charCodeAt(at);
     if (code >= FIRST_MARK && code < FIRST_MARK + 64) {
       found.push({ at, letter, mark: code });
-    } else if (code >= 65 && code <= 90) {
+    } else if (isLetter(code)) {
       letter = skeleton[at]!;
     }
   }
   return found;
+}
+
+/** The same of a skeleton in UTF-8: the letter before each mark, `"` for comments. */
+function countMarks(skeleton: Uint8Array, each: (letter: string) => void): void {
+  let letter = '';
+  for (let at = 0; at < skeleton.length; at += 1) {
+    const code = skeleton[at]!;
+    // U+E000 to U+E03F begin with these two bytes.
+    if (code === 0xee && skeleton[at + 1] === 0x80) {
+      each(skeleton[at + 2] === 0x80 + 48 ? '"' : letter);
+    } else if (isLetter(code)) {
+      letter = String.fromCharCode(code);
+    }
+  }
+}
+
+/** What numbers may stand behind: a capital, `=`. */
+function isLetter(code: number): boolean {
+  return (code >= 65 && code <= 90) || code === 61;
 }

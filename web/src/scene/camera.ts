@@ -8,7 +8,7 @@ export interface Box {
   max: Vector;
 }
 
-export type Plane = 'XY' | 'XZ' | 'YZ' | 'iso';
+export type Plane = 'XY' | 'XZ' | 'YZ' | 'ZX' | 'iso';
 
 /** Directions to the right and up; the third, towards the eye, follows. */
 const DIRECTIONS: { [plane in Plane]: [Vector, Vector] } = {
@@ -23,6 +23,11 @@ const DIRECTIONS: { [plane in Plane]: [Vector, Vector] } = {
   YZ: [
     [0, 1, 0],
     [0, 0, 1],
+  ],
+  // As a lathe is drawn.
+  ZX: [
+    [0, 0, 1],
+    [1, 0, 0],
   ],
   // From X-Y-Z+.
   iso: [

@@ -280,6 +280,17 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
       });
       return { kind: 'scale', scales: order.map((unit) => ({ from: units.get(unit)!.low, to: units.get(unit)!.high, unit })) };
     }
+    case 'depth': {
+      const box = lines.path.workingBox ?? lines.path.box;
+      const [low, high] = [box.min[2], box.max[2]];
+      const at = (z: number): number => scaled((z + lines.origin[2] - low) / (high > low ? high - low : 1), theme);
+      for (let chord = 0; chord < count; chord += 1) {
+        const rapid = kinds[chord] === 0;
+        colours[2 * chord] = rapid ? theme.kinds[0]! : at(lines.points[6 * chord + 2]!);
+        colours[2 * chord + 1] = rapid ? theme.kinds[0]! : at(lines.points[6 * chord + 5]!);
+      }
+      return { kind: 'scale', scales: [{ from: low, to: high, unit: 'mm' }] };
+    }
     case 'time': {
       const total = times?.total ?? program.count;
       each((row) => {

@@ -25,7 +25,7 @@ export function roundStep(least: number): number {
   return power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
 }
 
-export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underlay; labels: GridLabel[] } {
+export function grid(box: Box, camera: Camera, theme: Theme, diameter = false): { underlay: Underlay; labels: GridLabel[] } {
   const all: [number, number] = [-Infinity, Infinity];
   const towards = camera.towards;
   const normal = [0, 1, 2].reduce((best, axis) => (Math.abs(towards[axis]!) > Math.abs(towards[best]!) + 1e-9 ? axis : best), 2);
@@ -53,7 +53,9 @@ export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underl
   // Labels stand along the edges that are lowest and leftmost on the canvas.
   const lowest = (axis: number): boolean => camera.up[axis]! + camera.right[axis]! * 1e-3 >= 0;
   const leftmost = (axis: number): boolean => camera.right[axis]! + camera.up[axis]! * 1e-3 >= 0;
-  const number = (value: number): string => String(Number((value * step).toPrecision(12)));
+  /** Positions along X are radii. */
+  const number = (value: number, axis: number): string =>
+    String(Number((value * step * (diameter && axis === 0 ? 2 : 1)).toPrecision(12)));
   const over = ([lowA, highA]: [number, number], [lowB, highB]: [number, number]): { underlay: Underlay; labels: GridLabel[] } => {
     const underlay: Underlay = { points: [], colours: [] };
     const labels: GridLabel[] = [];
@@ -69,11 +71,11 @@ export function grid(box: Box, camera: Camera, theme: Theme): { underlay: Underl
     outwardA[a] = edgeA === lowA ? -1 : 1;
     for (let u = lowA; u <= highA; u += 1) {
       line(point(u, lowB), point(u, highB), u === 0);
-      labels.push({ at: point(u, edgeB), far: point(u, lowB + highB - edgeB), outward: outwardB, text: number(u) });
+      labels.push({ at: point(u, edgeB), far: point(u, lowB + highB - edgeB), outward: outwardB, text: number(u, a) });
     }
     for (let v = lowB; v <= highB; v += 1) {
       line(point(lowA, v), point(highA, v), v === 0);
-      labels.push({ at: point(edgeA, v), far: point(lowA + highA - edgeA, v), outward: outwardA, text: number(v) });
+      labels.push({ at: point(edgeA, v), far: point(lowA + highA - edgeA, v), outward: outwardA, text: number(v, b) });
     }
     return { underlay, labels };
   };

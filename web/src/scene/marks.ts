@@ -155,8 +155,10 @@ export function drawMarks(view: View, canvas: HTMLCanvasElement, gridLabels: Gri
     }
   }
   drawMeasured(view, context, labels, background);
-  drawAxes(view, context);
-  drawScale(view, context);
+  if (view.app.path.rows.length > 0) {
+    drawAxes(view, context);
+    drawScale(view, context);
+  }
 }
 
 /** All executions of the block in hand, fainter than the one that is. */
@@ -287,7 +289,7 @@ function drawAxes(view: View, context: CanvasRenderingContext2D): void {
   const { camera, theme } = view;
   const [cx, cy] = [38, camera.height - 34];
   const axes = ['X', 'Y', 'Z'].map((letter, i) => ({
-    letter,
+    letter: i === 0 && view.app.header.diameter ? 'ØX' : letter,
     colour: theme.axes[i]!,
     x: camera.right[i]! * 26,
     y: -camera.up[i]! * 26,

@@ -124,6 +124,15 @@ export class Path {
     return low < this.rows.length && this.rows[low] === row;
   }
 
+  /** Whether all of X, Y, Z that are ever known are known before and after a row. */
+  isKnown(row: number): boolean {
+    const { program } = this;
+    const before = program.before[row]!;
+    const ever = (axis: number): boolean => program.header.shapes.some((shape) => shape.k?.includes(program.letters[axis]!));
+    const known = (axis: number): boolean => axis < 0 || !ever(axis) || (program.isKnown(row, axis) && program.isKnown(before, axis));
+    return this.#axes.every(known);
+  }
+
   /** Where the tool stands after a row, in millimetres; 0 along an axis that the machine has not. */
   point(row: number): Vector {
     return this.#axes.map((axis) => (axis < 0 ? 0 : this.program.positionOf(row, axis))) as Vector;

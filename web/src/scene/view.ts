@@ -3,7 +3,7 @@
 import type { App } from '../app.ts';
 import { t } from '../i18n.ts';
 import { isDark } from '../theme.ts';
-import { Camera, type Plane, type Vector } from './camera.ts';
+import { type Box, Camera, type Plane, type Vector } from './camera.ts';
 import { DARK, LIGHT, type Legend, type Theme, paint, rampCuts } from './colours.ts';
 import { Gl, hardwareContext } from './gl.ts';
 import { grid, type GridLabel } from './grid.ts';
@@ -22,6 +22,8 @@ const MOST_YELLOW = 4000;
 const REST = 120;
 
 export type Standard = Plane | 'fit';
+/** What is to be in sight: the working motions, or all. */
+export type Extent = 'work' | 'all';
 
 /** What a frame draws anew: each includes those before it. */
 const AMOUNTS = ['nothing', 'held', 'marks', 'all'] as const;
@@ -109,13 +111,16 @@ export class View {
     this.#dotsFor = '';
     this.#rebuild();
     if (this.#untouched) {
-      this.look(this.#startPlane());
+      this.look(this.#startPlane(), 'work');
       this.#untouched = true;
     }
   }
 
-  /** A flat program is seen from above, or from where its plane is. */
+  /** A lathe is seen in ZX, a flat program from above, or from where its plane is. */
   #startPlane(): Plane {
+    if (this.app.header.turning) {
+      return 'ZX';
+    }
     const { min, max } = this.app.path.box;
     const size = min.map((low, i) => max[i]! - low);
     const missing = [0, 1, 2].filter((i) => size[i]! < 1e-9);
@@ -176,18 +181,25 @@ export class View {
     this.#marks.width = Math.round(clientWidth * ratio);
     this.#marks.height = Math.round(clientHeight * ratio);
     if (refit) {
-      this.#fit();
+      this.#fit(this.app.path.workingBox ?? this.app.path.box);
     }
     return true;
   }
 
-  /** Shows a plane, or all of the path from where it is seen. */
-  look(standard: Standard): void {
+  /** Shows a plane, or the path from where it is seen: the working motions first, all when asked again. */
+  look(standard: Standard, extent: Extent = 'all'): void {
+    const { app, camera } = this;
+    const shown = camera.matrix().join(' ');
     if (standard !== 'fit') {
-      this.camera.look(standard);
+      camera.look(standard);
       this.#standard = standard;
     }
-    this.#fit();
+    const work = standard === 'fit' || extent === 'work' ? app.path.workingBox : undefined;
+    this.#fit(work ?? app.path.box);
+    // Who asks again for what is shown wants the rest.
+    if (work !== undefined && camera.matrix().join(' ') === shown) {
+      this.#fit(app.path.box);
+    }
     this.#untouched = false;
     this.request();
   }
@@ -207,10 +219,10 @@ export class View {
     return this.#standard;
   }
 
-  #fit(): void {
+  #fit(box: Box): void {
     const { camera } = this;
     const [wide, high] = [Math.min(52, camera.width * 0.12), Math.min(48, camera.height * 0.12)];
-    camera.fit(this.app.path.box, [wide, high, wide, high]);
+    camera.fit(box, [wide, high, wide, high]);
   }
 
   /** The picture, or only what stands over the path, or only the block in hand, is drawn anew before the next frame. */
@@ -262,7 +274,8 @@ export class View {
     const step = this.#moving ? Math.max(Math.ceil((lines.count / FLUENT) * this.#slow), 1) : 1;
     const begun = performance.now();
     const empty = { underlay: { points: [], colours: [] }, labels: [] as GridLabel[] };
-    const { underlay, labels } = app.shown.grid ? grid(app.path.box, camera, theme) : empty;
+    const drawn = app.shown.grid && app.path.rows.length > 0;
+    const { underlay, labels } = drawn ? grid(app.path.box, camera, theme, app.header.diameter) : empty;
     this.#chooseDots();
     this.#withEquidistant(underlay);
     const matrix = camera.matrix();

@@ -7,7 +7,7 @@ import type { App } from '../app.ts';
 import { type Key, t } from '../i18n.ts';
 import { css, type Theme } from '../scene/colours.ts';
 import type { View } from '../scene/view.ts';
-import { clock, h, labelled, said, shown } from './dom.ts';
+import { clock, h, labelled, local, said, shown } from './dom.ts';
 
 /** Above so many blocks in sight, columns of pixels show the least and the greatest of theirs. */
 const POINTS = 3000;
@@ -15,6 +15,21 @@ const POINTS = 3000;
 const CAPS = 400;
 /** Lines between blocks are drawn while there are no more than so many in sight. */
 const LINES = 160;
+
+/** Steps between times on the axis, in seconds, and between blocks. */
+const SECONDS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 36_000, 86_400, 360_000];
+const COUNTS = [1, 2, 5].flatMap((lead) => Array.from({ length: 8 }, (_, power) => lead * 10 ** power)).sort((a, b) => a - b);
+const LABEL = '11px system-ui, sans-serif';
+
+/** A time on the axis: h:mm:ss, with as many decimals as the step has. */
+export function tickTime(seconds: number, step: number): string {
+  const decimals = step >= 1 ? 0 : step >= 0.1 ? 1 : step >= 0.01 ? 2 : 3;
+  const parts = Math.round(seconds * 10 ** decimals);
+  const whole = Math.floor(parts / 10 ** decimals);
+  const two = (value: number): string => String(value).padStart(2, '0');
+  const rest = decimals === 0 ? '' : `.${String(parts % 10 ** decimals).padStart(decimals, '0')}`;
+  return `${Math.floor(whole / 3600)}:${two(Math.floor(whole / 60) % 60)}:${two(whole % 60)}${rest}`;
+}
 
 /** The programmed feed is told from the grid. */
 const PROGRAMMED = (theme: Theme): number => theme.kinds[0]!;
@@ -34,6 +49,12 @@ export class Chart {
   /** What is in sight: seconds or indices. */
   #range: [number, number] = [0, 1];
   #overTime = true;
+  /** Whether the scale has room for rapid motions. */
+  #rapids = false;
+  /** The scale: the fastest in sight that is shown whole, and the fastest of all. */
+  #top = 1;
+  #fastest = 1;
+  readonly #cut = h('span', { class: 'cut', role: 'status' });
 
   constructor(app: App, view: View) {
     this.#app = app;
@@ -50,6 +71,8 @@ export class Chart {
       this.#by,
       said('button', 'wholeChart', { type: 'button', onclick: () => this.#whole() }),
       said('button', 'chartCurrent', { type: 'button', onclick: () => this.#near() }),
+      h('label', {}, this.#box(), said('span', 'showRapids')),
+      this.#cut,
       this.#facts,
       this.#signs,
     );
@@ -63,6 +86,9 @@ export class Chart {
     app.on('language', () => {
       this.#explain();
       this.#tell();
+      if (app.times !== undefined) {
+        this.#zoom(...this.#range);
+      }
     });
     app.on('select', () => this.#tell());
     new ResizeObserver(() => this.#resize()).observe(this.#plotPlace);
@@ -79,6 +105,33 @@ export class Chart {
     }
     this.#explain();
     this.#tell();
+  }
+
+  #box(): HTMLElement {
+    const box = h('input', { type: 'checkbox' });
+    box.addEventListener('change', () => {
+      this.#rapids = box.checked;
+      this.#zoom(...this.#range);
+    });
+    return box;
+  }
+
+  /** The scale is that of working motions in sight, unless rapid ones are wanted or alone. */
+  #scale(first: number, last: number): void {
+    const { path, program, times } = this.#app;
+    let [working, all] = [0, 0];
+    for (let index = first; index <= last; index += 1) {
+      const row = program.rowOf(index);
+      const peak = times!.peakOf(index);
+      all = Math.max(all, peak);
+      if (program.shapeOf(row).m !== undefined && program.shapeOf(row).m!['type'] !== 'rapid') {
+        const programmed = path.hasLine(row) ? (times!.velocities(index)?.programmed ?? 0) : 0;
+        working = Math.max(working, peak, programmed);
+      }
+    }
+    this.#fastest = all;
+    this.#top = this.#rapids || working === 0 ? Math.max(all, working) : working;
+    this.#cut.textContent = this.#fastest > this.#top * 1.06 ? t('cutOff') : '';
   }
 
   /** Says what the lines are. */
@@ -124,8 +177,11 @@ export class Chart {
     const span = Math.min(Math.max(to - from, end * 1e-7, this.#overTime ? 1e-3 : 2), end);
     const low = Math.min(Math.max(from, 0), end - span);
     this.#range = [low, low + span];
-    this.#plot?.setData(this.#data(), false);
-    this.#plot?.setScale('x', { min: low, max: low + span });
+    this.#plot?.batch(() => {
+      this.#plot!.setData(this.#data(), false);
+      this.#plot!.setScale('x', { min: low, max: low + span });
+      this.#plot!.setScale('y', { min: 0, max: Math.max(this.#top, 1) * 1.06 });
+    });
   }
 
   #resize(): void {
@@ -146,10 +202,26 @@ export class Chart {
         height,
         legend: { show: false },
         cursor: { drag: { x: true, y: false, setScale: false }, points: { show: false } },
-        scales: { x: { time: false }, y: { range: (_, __, max) => [0, Math.max(max, 1) * 1.06] } },
+        scales: { x: { time: false }, y: { range: () => [0, Math.max(this.#top, 1) * 1.06] } },
         axes: [
-          { ...axis, size: 26, values: (_, ticks) => ticks.map((tick) => (this.#overTime ? shown(tick) : shown(tick, 0))) },
-          { ...axis, size: 64 },
+          {
+            ...axis,
+            size: 30,
+            label: () => t(this.#overTime ? 'axisTime' : 'axisBlocks'),
+            labelSize: 14,
+            labelGap: 0,
+            labelFont: LABEL,
+            incrs: () => (this.#overTime ? SECONDS : COUNTS),
+            values: (_, ticks, __, ___, step) => ticks.map((tick) => (this.#overTime ? tickTime(tick, step) : local(tick, 0))),
+          },
+          {
+            ...axis,
+            size: 62,
+            label: () => t('axisFeed'),
+            labelSize: 16,
+            labelFont: LABEL,
+            values: (_, ticks) => ticks.map((tick) => local(tick)),
+          },
         ],
         series: [
           {},
@@ -190,6 +262,7 @@ export class Chart {
     const [low, high] = this.#range;
     const first = Math.max(this.#index(low) - 1, 0);
     const last = Math.min(this.#index(high) + 1, program.count - 1);
+    this.#scale(first, last);
     const put = (x: number, programmed: number | null, cap: number | null, velocity: number | null): void => {
       data[0].push(x);
       data[1].push(programmed);

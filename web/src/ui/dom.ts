@@ -1,6 +1,6 @@
 // Elements, with texts that follow the language.
 
-import { type Key, t } from '../i18n.ts';
+import { type Key, language, t } from '../i18n.ts';
 
 type Child = Node | string | null | undefined;
 type Attributes = { [name: string]: string | number | boolean | ((event: never) => void) | undefined };
@@ -86,6 +86,15 @@ export function brief(value: number): string {
 /** A number with at most so many decimals, without trailing zeros. */
 export function shown(value: number, decimals = 3): string {
   return Number.isFinite(value) ? String(Number(value.toFixed(decimals))) : '–';
+}
+
+/**
+ * A number with its digits in groups: by commas in English, by blanks in Czech. The decimal point is that of the control. As many
+ * decimals as the size needs.
+ */
+export function local(value: number, decimals = Math.abs(value) < 1 ? 4 : Math.abs(value) < 100 ? 2 : 1): string {
+  const text = value.toLocaleString('en-GB', { maximumFractionDigits: decimals });
+  return language() === 'cs' ? text.replaceAll(',', '\u00a0') : text;
 }
 
 /** Seconds as h:mm:ss.s, or seconds alone when there are few. */

@@ -3,7 +3,7 @@
 import type { App } from '../app.ts';
 import type { Fields } from '../data/header.ts';
 import { type Key, named, t } from '../i18n.ts';
-import { clock, h, idle, rebuild, shown } from './dom.ts';
+import { clock, h, idle, local, rebuild, shown } from './dom.ts';
 
 /** The record of an executed block with that of its motion: one flat object. */
 export function currentRecord(app: App): Fields | null {
@@ -28,6 +28,8 @@ export class State {
   readonly element = h('div', { class: 'state' });
   readonly #app: App;
   #wanted = false;
+  /** Whether the command of a restart is told. */
+  #starts = false;
 
   constructor(app: App) {
     this.#app = app;
@@ -60,7 +62,9 @@ export class State {
       this.#words(record),
       this.#motion(record),
       this.#velocity(record),
-      this.#parameters(record),
+      this.#parameters(),
+      this.#ahead(),
+      this.#restart(record),
     ];
     rebuild(this.element, ...parts.filter((part) => part !== null));
   }
@@ -115,15 +119,35 @@ export class State {
       .map(({ letter, kind }) => {
         const value = position[letter];
         const text = typeof value === 'number' ? `${value.toFixed(3)}${kind === 'rotary' ? '°' : ''}` : t('unknown');
-        return h('span', { class: moved.has(letter) ? 'cell moved' : 'cell' }, h('b', {}, letter), text);
+        // Positions are radii, also where X is programmed as a diameter.
+        const diameter = letter === 'X' && typeof value === 'number' && list(record, 'g').includes(74);
+        const also = diameter ? h('span', {}, `Ø ${(2 * value).toFixed(3)}`) : null;
+        return h('span', { class: moved.has(letter) ? 'cell moved' : 'cell' }, h('b', {}, letter), text, also);
       });
     return this.#section('position', h('div', { class: 'cells' }, ...cells));
   }
 
+  /** A block by its number, for taking it in hand. */
+  #link(index: number): HTMLElement {
+    const { program } = this.#app;
+    const { seq, file, line, block } = this.#app.place(index);
+    const title = `seq ${seq}, ${this.#app.header.files[file]!.name}:${line}`;
+    return h('button', { type: 'button', class: 'link', title, onclick: () => this.#app.select(index) }, `N${program.n[block]!}`);
+  }
+
   #functions(_: Fields, key: Key, letter: string, values: (number | null)[], written: Set<number>): HTMLElement {
-    const cells = values
-      .filter((value) => value !== null)
-      .map((value) => h('span', { class: written.has(value) ? 'chip written' : 'chip' }, `${letter}${two(value)}`));
+    const inForce = values.filter((value) => value !== null);
+    const names = new Set(inForce.map((value) => `${letter}${value}`));
+    const writers = this.#app.history.writers(this.#app.current!, names);
+    const cells = inForce.map((value) => {
+      const writer = writers.get(`${letter}${value}`);
+      const by = writer === undefined ? t('powerUp') : `${t('writtenBy')} N${this.#app.program.n[this.#app.place(writer).block]!}`;
+      const name = `${letter}${two(value)}`;
+      const attributes = { class: written.has(value) ? 'chip written' : 'chip', title: by };
+      return writer === undefined
+        ? h('span', attributes, name)
+        : h('button', { ...attributes, type: 'button', onclick: () => this.#app.select(writer) }, name);
+    });
     return this.#section(key, h('div', { class: 'chips' }, ...cells));
   }
 
@@ -224,8 +248,47 @@ export class State {
     return section;
   }
 
-  #parameters(record: Fields): HTMLElement | null {
-    const rows = Object.entries(at(record, 'params')).map(([name, value]): [string, string] => [name, String(value)]);
-    return rows.length === 0 ? null : this.#section('changed', this.#rows(rows));
+  /** The parameters that the program has written so far. */
+  #parameters(): HTMLElement | null {
+    const found = this.#app.history.parameters(this.#app.current!);
+    const rows = found.flatMap(([name, value, index]) => [h('dt', {}, name), h('dd', {}, `${value} `, this.#link(index))]);
+    return rows.length === 0 ? null : this.#section('parameters', h('dl', {}, ...rows));
+  }
+
+  /** What is left, and what comes next. */
+  #ahead(): HTMLElement | null {
+    const { history, program, times } = this.#app;
+    const index = this.#app.current!;
+    const rows: [Key, string | HTMLElement][] = [['blocksLeft', local(this.#app.header.blocks - program.from - index - 1, 0)]];
+    if (times !== undefined) {
+      rows.push(['timeLeft', clock(Math.max(times.total - times.startOf(index) - times.durationOf(index), 0))]);
+    }
+    const { tool, stop, rapid } = history.ahead(index);
+    for (const [key, next] of [
+      ['nextTool', tool],
+      ['nextStop', stop],
+      ['nextRapid', rapid],
+    ] as const) {
+      if (next !== undefined) {
+        rows.push([key, this.#link(next)]);
+      }
+    }
+    const items = rows.flatMap(([key, value]) => [h('dt', {}, t(key)), h('dd', {}, value)]);
+    return this.#section('ahead', h('dl', {}, ...items));
+  }
+
+  /** The command that writes a program which starts here. */
+  #restart(record: Fields): HTMLElement {
+    const name = this.#app.header.program.name;
+    const quoted = /^[\w./+-]+$/.test(name) ? name : `"${name}"`;
+    const command = `cnc872c restart ${quoted} --seq ${String(record['seq'])}`;
+    const told = h('div', { class: 'command', hidden: !this.#starts }, h('p', {}, t('restartHow')), h('code', {}, command));
+    const toggle = (): void => {
+      this.#starts = !this.#starts;
+      told.hidden = !this.#starts;
+      button.setAttribute('aria-expanded', String(this.#starts));
+    };
+    const button = h('button', { type: 'button', 'data-focus': 'restart', 'aria-expanded': String(this.#starts), onclick: toggle }, t('restart'));
+    return h('section', { class: 'restart' }, button, told);
   }
 }

@@ -1,11 +1,16 @@
 // Parts of the page of which one is seen at a time.
 
-import type { Key } from '../i18n.ts';
-import { h, labelled, said } from './dom.ts';
+import { type Key, t } from '../i18n.ts';
+import { h, labelled } from './dom.ts';
 
-export function tabs(name: Key, parts: [Key, HTMLElement][]): HTMLElement {
+/** Parts by their names; `count` gives what stands behind a name. */
+export function tabs(
+  name: Key,
+  parts: [Key, HTMLElement][],
+  count: (key: Key) => number = () => 0,
+): { element: HTMLElement; show: (key: Key) => void; tell: () => void } {
   const buttons = parts.map(([key], place) =>
-    said('button', key, {
+    h('button', {
       type: 'button',
       role: 'tab',
       id: `tab-${key}`,
@@ -13,6 +18,11 @@ export function tabs(name: Key, parts: [Key, HTMLElement][]): HTMLElement {
       onclick: () => show(place),
     }),
   );
+  const tell = (): void =>
+    buttons.forEach((button, place) => {
+      const key = parts[place]![0];
+      button.textContent = count(key) > 0 ? `${t(key)} (${count(key)})` : t(key);
+    });
   const panels = parts.map(([key, content]) =>
     h('div', { role: 'tabpanel', id: `panel-${key}`, 'aria-labelledby': `tab-${key}`, tabindex: 0 }, content),
   );
@@ -35,5 +45,7 @@ export function tabs(name: Key, parts: [Key, HTMLElement][]): HTMLElement {
     }
   });
   show(0);
-  return h('section', { class: 'details' }, bar, ...panels);
+  tell();
+  const element = h('section', { class: 'details' }, bar, ...panels);
+  return { element, show: (wanted) => show(parts.findIndex(([key]) => key === wanted)), tell };
 }

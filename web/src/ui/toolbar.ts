@@ -4,7 +4,7 @@ import { type App, COLOURS, type ColourBy, type Shown } from '../app.ts';
 import { type Key, language, t } from '../i18n.ts';
 import { css } from '../scene/colours.ts';
 import type { Standard, View } from '../scene/view.ts';
-import { brief, clock, h, labelled, said } from './dom.ts';
+import { clock, h, labelled, local, said } from './dom.ts';
 
 export function title(app: App): HTMLElement {
   const heading = h('h1');
@@ -15,11 +15,12 @@ export function title(app: App): HTMLElement {
     heading.replaceChildren(title === undefined ? `%${number}` : `%${number} ${title}`);
     document.title = `${heading.textContent} – ${program.name}`;
     const time = total?.['time_s'];
-    const bound = total?.['lower_bound'] === true ? `${t('lowerBound')} ` : '';
+    const least = total?.['at_least'] === true ? `${t('lowerBound')} ` : '';
+    const approach = total?.['without_approach'] === true ? `, ${t('withoutApproach')}` : '';
     facts.title = program.name;
-    const parts = [program.name.split(/[/\\]/).pop() ?? '', `${app.header.blocks.toLocaleString(language())} ${t('blocks')}`];
+    const parts = [program.name.split(/[/\\]/).pop() ?? '', `${local(app.header.blocks)} ${t('blocks')}`];
     if (typeof time === 'number') {
-      parts.push(bound + clock(time));
+      parts.push(least + clock(time) + approach);
     }
     facts.textContent = parts.join(' · ');
   };
@@ -30,8 +31,8 @@ export function title(app: App): HTMLElement {
 }
 
 export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') => void, help: () => void): HTMLElement {
-  const planes = (['XY', 'XZ', 'YZ', 'iso', 'fit'] as Standard[]).map((standard) => {
-    const look = (): void => view.look(standard);
+  const planes = (['XY', 'XZ', 'YZ', 'ZX', 'iso', 'fit'] as Standard[]).map((standard) => {
+    const look = (): void => view.look(standard, 'work');
     return standard === 'iso' || standard === 'fit'
       ? said('button', standard, { type: 'button', onclick: look })
       : h('button', { type: 'button', onclick: look }, standard);
@@ -110,7 +111,7 @@ export function legend(app: App, view: View): HTMLElement {
       }
     } else {
       legend.scales.forEach(({ from, to, unit }, which) => {
-        const ends = unit === 's' ? [clock(from), clock(to)] : [brief(from), `${brief(to)} ${unit}`];
+        const ends = unit === 's' ? [clock(from), clock(to)] : [local(from), `${local(to)} ${unit}`];
         const scale = h('span', { class: which % 2 === 0 ? 'scale' : 'scale other' });
         list.append(h('span', { class: 'item' }, ends[0]!, scale, ends[1]!));
       });
