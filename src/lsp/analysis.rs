@@ -2,14 +2,11 @@
 
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
-use super::baseline::{Baseline, Marker};
 use super::client::Client;
 use super::files::EditorFiles;
-use crate::analysis::equidistant::Equidistant;
-use crate::analysis::motion::JointFindings;
 use crate::config::{PROJECT_FILE, Settings, configure, find_project};
 use crate::diag::{Findings, Report};
 use crate::query;
@@ -46,8 +43,6 @@ pub(super) struct Found {
     pub(super) read: Vec<PathBuf>,
     /// Whether the configuration has errors, so that the program was not judged.
     pub(super) misconfigured: bool,
-    /// For quick looks at later changes, when the program is long and nothing is wrong with it.
-    pub(super) baseline: Option<Baseline>,
 }
 
 /// What a run gives on its way.
@@ -110,7 +105,7 @@ pub(super) fn run(
     let mut read = paths(files, &config_sources);
     read.extend(settings.macrocycles.iter().map(|folder| files.canonical(folder)));
     if is_configuration(path) {
-        return Some(Found { report, read, misconfigured, baseline: None });
+        return Some(Found { report, read, misconfigured });
     }
 
     let begun = Instant::now();
@@ -131,6 +126,7 @@ pub(super) fn run(
     if cancel.is_cancelled() {
         return None;
     }
+    let record = Arc::new(OnceLock::new());
     let mut read_by_program = read.clone();
     read_by_program.extend(paths(files, &outcome.sources));
     progress.analysed(
@@ -143,29 +139,25 @@ pub(super) fn run(
                 resolved: resolved.clone(),
                 executable,
                 certain: executable && !outcome.findings.prevent_execution(),
+                record: Arc::clone(&record),
             },
             files: files.clone(),
         },
         read_by_program,
     );
-    let mut baseline = None;
     if executable {
         if let Ok(mut interim) = interim.lock() {
             let (mut report, findings) = (configured(), outcome.findings.clone());
             report.add_program(&outcome.sources, findings);
-            *interim = Some(Found { report, read: read.clone(), misconfigured, baseline: None });
+            *interim = Some(Found { report, read: read.clone(), misconfigured });
         }
-        let analyses = (JointFindings::new(&settings), Equidistant::new(&settings, false));
-        if analyses.0.is_wanted() || analyses.1.is_wanted() {
-            // What is found at a joint or a corner follows from many blocks around it: there is no baseline.
-            outcome = session.execute(path, resolved.clone(), outcome, analyses).outcome;
-        } else {
-            let mut marker = Marker::new(&resolved);
-            outcome = session.execute(path, resolved.clone(), outcome, &mut marker).outcome;
-            baseline = marker.finish(&resolved, &settings, &outcome);
-        }
+        let recorded;
+        (outcome, recorded) = session.execute_recorded(path, resolved, outcome);
         if cancel.is_cancelled() {
             return None;
+        }
+        if let Some(recorded) = recorded {
+            let _ = record.set(recorded);
         }
     }
     read.extend(paths(files, &outcome.sources));
@@ -173,7 +165,7 @@ pub(super) fn run(
         let Outcome { sources, findings, .. } = outcome;
         report.add_program(&sources, findings);
     }
-    Some(Found { report, read, misconfigured, baseline })
+    Some(Found { report, read, misconfigured })
 }
 
 fn paths(files: &EditorFiles, sources: &Sources) -> Vec<PathBuf> {

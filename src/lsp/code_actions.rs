@@ -14,7 +14,7 @@ use super::edits::document_edit;
 use super::findings::Converter;
 use super::offered;
 use super::places::{Places, span};
-use super::requests::{Answer, Refusal, Snapshot};
+use super::snapshot::{Answer, Refusal, Snapshot};
 use crate::diag::Reported;
 use crate::edit::compatible_edits;
 use crate::edit::edit_texts::EditText;

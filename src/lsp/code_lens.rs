@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::analysis::Analysis;
 use super::places::{Places, location};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::DOCUMENT;
 use crate::query::hover_texts::Said;
 use crate::query::observe::{Observation, observe_motion};

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::analysis::configuration;
 use super::files::EditorFiles;
-use super::requests::{Answer, Refusal, Snapshot};
+use super::snapshot::{Answer, Refusal, Snapshot};
 use crate::diag::{Report, Severity};
 use crate::edit::edit_texts::EditText;
 use crate::session::{Outcome, Part, Run, Session};

@@ -8,7 +8,7 @@ use gen_lsp_types::{
 use super::analysis::Analysis;
 use super::places::{Places, offset};
 use super::references::everywhere;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::DOCUMENT;
 use crate::query::names::{Name, Usage};
 use crate::query::reach::{Reach, block_span};

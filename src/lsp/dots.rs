@@ -7,7 +7,7 @@ use gen_lsp_types::{CodeLensParams, LspRequestMethod, MessageDirection, Request}
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::analysis::motion::{BlockTimes, Dot, Listener, Model, Planner, StepReader};
 use crate::diag::Findings;
 use crate::query::cursor::DOCUMENT;
@@ -38,7 +38,7 @@ pub(super) fn dots(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) 
         planner: Planner::new(Model::of(settings), false),
         lines: Lines::default(),
     };
-    analysis.session().observe(&analysis.path, analysis.resolved.clone(), analysis.sources.clone(), &mut reader);
+    analysis.observe(&mut reader);
     if snapshot.cancel.is_cancelled() {
         return Ok(None);
     }

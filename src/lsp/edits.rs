@@ -7,7 +7,7 @@ use gen_lsp_types::{
 
 use super::analysis::Analysis;
 use super::places::Places;
-use super::requests::Snapshot;
+use super::snapshot::Snapshot;
 use crate::text::{SourceText, Span};
 
 /// From this many changes on one takes their place: editors are slow with more.

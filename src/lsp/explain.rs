@@ -4,7 +4,7 @@ use gen_lsp_types::{TextDocumentContentParams, TextDocumentContentResult};
 use lsp_server::ErrorCode;
 
 use super::findings::SCHEME;
-use super::requests::{Answer, Refusal, Snapshot};
+use super::snapshot::{Answer, Refusal, Snapshot};
 use crate::dict::Lang;
 use crate::explain::Topic;
 

@@ -5,17 +5,14 @@ use std::path::Path;
 
 use gen_lsp_types::{
     Code as LspCode, CodeDescription, Diagnostic as LspDiagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
-    DiagnosticTag, Location as LspLocation, Message, Range, Uri,
+    DiagnosticTag, Location as LspLocation, Message, Uri,
 };
 
-use super::baseline::Seen;
 use super::files::EditorFiles;
 use super::places::{Places, location};
 use super::texts::Text;
 use crate::diag::{Code, Diagnostic, Report, Reported, Severity};
 use crate::dict::Lang;
-use crate::session::Outcome;
-use crate::sure::small;
 use crate::text::{ColumnUnit, FileId};
 
 /// The scheme of the server's own documents: `cnc872c:/explain/cs/E0307.md`.
@@ -54,29 +51,6 @@ pub(super) fn by_file(
             ..LspDiagnostic::default()
         };
         found.insert(0, diagnostic);
-    }
-    found
-}
-
-/// The findings of a quick look, at their places in the whole document.
-pub(super) fn in_piece(
-    seen: &Seen,
-    files: &EditorFiles,
-    unit: ColumnUnit,
-    lang: Lang,
-) -> BTreeMap<Uri, Vec<LspDiagnostic>> {
-    let mut report = Report::new();
-    let Outcome { sources, findings, .. } = &seen.outcome;
-    report.add_program(sources, findings.clone());
-    let mut found = by_file(&report, files, unit, lang);
-    let lines = small(seen.line);
-    let down = |range: &mut Range| {
-        range.start.line = range.start.line.saturating_add(lines);
-        range.end.line = range.end.line.saturating_add(lines);
-    };
-    for diagnostic in found.values_mut().flatten() {
-        down(&mut diagnostic.range);
-        diagnostic.related_information.iter_mut().flatten().for_each(|related| down(&mut related.location.range));
     }
     found
 }

@@ -3,7 +3,7 @@
 use gen_lsp_types::{FoldingRange, FoldingRangeKind, FoldingRangeParams};
 
 use super::analysis::Analysis;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::DOCUMENT;
 use crate::query::extents::{adjoin, content_end, loops, stands_alone, words_span};
 use crate::query::sections::{Section, SectionKind, sections};

@@ -5,7 +5,7 @@ use gen_lsp_types::{DocumentFormattingParams, DocumentRangeFormattingParams, Tex
 use super::analysis::Analysis;
 use super::edits::MANY;
 use super::places::{Places, span};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::edit::format::{Part, changes};
 use crate::query::cursor::DOCUMENT;
 use crate::text::{FileId, Span};

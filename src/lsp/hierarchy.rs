@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use super::analysis::Analysis;
 use super::places::{Places, offset};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::{DOCUMENT, block_at, unit_of};
 use crate::query::names::{Name, Usage};
 use crate::query::navigation_texts::NavigationText;

@@ -4,7 +4,7 @@ use gen_lsp_types::{Contents, Hover, HoverParams, MarkupContent, MarkupKind};
 
 use super::analysis::Analysis;
 use super::places::{Places, offset};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::{DOCUMENT, block_at, word_at};
 use crate::query::meaning::Subject;
 use crate::query::observe::{executing, observe_motion};

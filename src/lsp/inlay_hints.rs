@@ -5,7 +5,7 @@ use gen_lsp_types::{InlayHint, InlayHintParams, Label, Tooltip};
 
 use super::analysis::Analysis;
 use super::places::{Places, span};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::dict::{Address, Decimal, GCode, Lang, Micro, Plane};
 use crate::query::cursor::{DOCUMENT, block_at};
 use crate::query::flow::Flow;

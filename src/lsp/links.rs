@@ -6,7 +6,7 @@ use gen_lsp_types::{DocumentLink, DocumentLinkParams, Uri};
 
 use super::analysis::Analysis;
 use super::places::Places;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::DOCUMENT;
 use crate::query::names::{Name, Usage};
 use crate::query::navigation_texts::NavigationText;

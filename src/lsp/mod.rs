@@ -1,18 +1,19 @@
 //! The language server: findings and answers for editors, over the same stages as the command line.
 //!
-//! One thread listens and keeps the documents (`server`, `roots`). A change starts a run over every open document that
+//! One thread listens and keeps the documents (`server`, `documents`). A change starts a run over every open document that
 //! it concerns (`analysis`), in a thread; a newer change cancels it. Requests wait for the run's first half and are
 //! answered in threads of their own (`requests`); each kind has its file.
 
 mod analysis;
-mod baseline;
 mod capabilities;
+mod checked;
 mod client;
 mod code_actions;
 mod code_lens;
 mod commands;
 mod completion;
 mod definition;
+mod documents;
 mod dots;
 mod edits;
 mod explain;
@@ -42,6 +43,7 @@ mod server;
 mod settings;
 mod signals;
 mod signature;
+mod snapshot;
 mod texts;
 mod transport;
 mod workers;

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::analysis::{Analysis, Found};
 use super::findings::Converter;
 use super::places::Places;
-use super::requests::Snapshot;
+use super::snapshot::Snapshot;
 use crate::config::{PROJECT_FILE, find_project};
 use crate::diag::{Code, Finding, Reported};
 use crate::edit::edit_texts::EditText;

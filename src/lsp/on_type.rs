@@ -6,7 +6,7 @@ use super::analysis::Analysis;
 use super::completion::{next_numbers, written};
 use super::formatting::edits_of;
 use super::places::{Places, offset};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::dict::Address;
 use crate::edit::format::Part;
 use crate::query::cursor::{DOCUMENT, block_at, unit_of};

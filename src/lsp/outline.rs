@@ -7,7 +7,7 @@ use gen_lsp_types::{
 
 use super::analysis::Analysis;
 use super::places::Places;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::sections::{Section, SectionKind, UnitSections, sections};
 
 /// `textDocument/documentSymbol`: the units, and within them the sections.

@@ -4,7 +4,7 @@ use gen_lsp_types::{CodeLensParams, LspRequestMethod, MessageDirection, Request,
 use serde_json::{Value, json};
 
 use super::analysis::{Analysis, configuration};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::config::Purpose;
 use crate::diag::Report;
 use crate::query;

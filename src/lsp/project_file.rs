@@ -7,7 +7,7 @@ use gen_lsp_types::{Position, Range, Uri};
 use serde_json::{Value, json};
 
 use super::places::{Places, offset};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::config::{Key, PROJECT_FILE};
 use crate::diag::Code;
 use crate::dict::Lang;

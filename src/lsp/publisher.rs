@@ -20,13 +20,6 @@ impl Publisher {
         self.update(root, before)
     }
 
-    /// Sets what was found from one open document on in itself; what was found in other files stays.
-    pub(super) fn set_own(&mut self, root: &Path, uri: &Uri, found: Vec<Diagnostic>) {
-        let by_file = self.by_root.entry(root.to_path_buf()).or_default();
-        by_file.insert(uri.clone(), found);
-        self.unite(uri);
-    }
-
     /// Forgets what was found from a document that is closed; the files whose findings changed.
     pub(super) fn remove(&mut self, root: &Path) -> Vec<Uri> {
         let before = self.by_root.remove(root);

@@ -6,7 +6,7 @@ use gen_lsp_types::{DocumentHighlight, DocumentHighlightKind, DocumentHighlightP
 
 use super::analysis::Analysis;
 use super::places::{Places, offset};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use super::workspace;
 use crate::query::cursor::DOCUMENT;
 use crate::query::names::{Name, Usage};

@@ -10,7 +10,7 @@ use gen_lsp_types::{
 
 use super::analysis::Analysis;
 use super::places::{Places, offset};
-use super::requests::{Answer, Refusal, Snapshot};
+use super::snapshot::{Answer, Refusal, Snapshot};
 use super::workspace;
 use crate::dict::{HIGHEST_BLOCK, HIGHEST_L, HIGHEST_PARAMETER};
 use crate::edit::line_length::first_long_line;

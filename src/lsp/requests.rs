@@ -1,84 +1,19 @@
 //! Which request is answered by what, and what it needs to be known first.
 
-use std::sync::Arc;
-
 use gen_lsp_types::Request;
-use lsp_server::{ErrorCode, ResponseError};
+use lsp_server::ErrorCode;
 use serde_json::Value;
 
-use super::analysis::{Analysis, Found};
-use super::client::Client;
-use super::files::EditorFiles;
-use super::workspace_findings::{self, Checked};
+use super::analysis::Analysis;
+use super::snapshot::{Answer, Needs, Refusal, Snapshot};
 use super::{
     code_actions, code_lens, commands, completion, definition, dots, explain, folding, formatting, hierarchy, hover,
     inlay_hints, links, offered, on_type, outline, path, project_file, references, rename, selection, semantic_tokens,
-    signals, signature, workspace, workspace_symbols,
+    signals, signature, workspace, workspace_findings, workspace_symbols,
 };
-use crate::query;
-use crate::query::cancel::Cancel;
-
-/// What the server knows at the moment of a request. Handlers work on it in threads of their own.
-#[derive(Clone, Debug)]
-pub(super) struct Snapshot {
-    pub(super) client: Arc<Client>,
-    pub(super) files: EditorFiles,
-    /// Of the request's document; `None` when it is no program.
-    pub(super) analysis: Option<Arc<Analysis>>,
-    /// Of the request's document, when the request needs it.
-    pub(super) found: Option<Arc<Found>>,
-    /// Of all open documents.
-    pub(super) analyses: Vec<Arc<Analysis>>,
-    /// Programs that are not open.
-    pub(super) checked: Checked,
-    /// Raised when the client wants no answer any more.
-    pub(super) cancel: Cancel,
-}
-
-impl Snapshot {
-    /// The analyses of all open documents.
-    pub(super) fn open(&self) -> impl Iterator<Item = &query::analysis::Analysis> {
-        self.analyses.iter().map(|analysis| &***analysis)
-    }
-}
-
-/// Why a request gets no result.
-#[derive(Debug)]
-pub(super) struct Refusal {
-    pub(super) code: ErrorCode,
-    pub(super) message: String,
-}
-
-impl Refusal {
-    /// What is asked for cannot be done; the client shows `message` to the user.
-    pub(super) fn new(message: impl Into<String>) -> Self {
-        Self { code: ErrorCode::RequestFailed, message: message.into() }
-    }
-}
-
-impl From<Refusal> for ResponseError {
-    fn from(refusal: Refusal) -> Self {
-        Self { code: refusal.code as i32, message: refusal.message, data: None }
-    }
-}
-
-/// What must be known before a request is answered.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub(super) enum Needs {
-    /// Nothing of a document.
-    Nothing,
-    /// Its analysis.
-    Analysis,
-    /// Its findings, too.
-    Findings,
-    /// The analyses of all open documents: the answer also comes from programs that call this one, or that it calls.
-    Everything,
-}
 
 /// Makes the result of a request from its parameters.
 type Run = Box<dyn Fn(&Snapshot, Value) -> Answer<Value> + Send>;
-/// A result, or why there is none.
-pub(super) type Answer<T> = Result<T, Refusal>;
 
 /// How a request is answered.
 pub(super) struct Handler {
@@ -91,14 +26,14 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
         "textDocument/hover" => {
-            or_project_file(document::<lsp::HoverRequest>(Needs::Everything, hover::hover), project_file::hover)
+            or_project_file(document::<lsp::HoverRequest>(Needs::Blocks, hover::hover), project_file::hover)
         }
-        "textDocument/signatureHelp" => untyped(Needs::Everything, signature::signature_help),
-        "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Everything, dots::dots),
-        "cnc872c/path" => document::<path::PathRequest>(Needs::Everything, path::path),
-        "cnc872c/signals" => document::<signals::SignalsRequest>(Needs::Everything, signals::signals),
-        "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Everything, code_lens::code_lens),
-        "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Everything, inlay_hints::inlay_hint),
+        "textDocument/signatureHelp" => untyped(Needs::Blocks, signature::signature_help),
+        "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Run, dots::dots),
+        "cnc872c/path" => document::<path::PathRequest>(Needs::Run, path::path),
+        "cnc872c/signals" => document::<signals::SignalsRequest>(Needs::Run, signals::signals),
+        "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Run, code_lens::code_lens),
+        "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Blocks, inlay_hints::inlay_hint),
         "textDocument/completion" => or_project_file(
             document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
             project_file::completion,

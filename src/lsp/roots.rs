@@ -1,27 +1,14 @@
-//! Open documents: their changes, their analyses, what is found in them.
+//! Open documents with what is known of them, and the runs over them.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use gen_lsp_types::{
-    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, TextDocumentContentChangeEvent,
-    Uri,
-};
-use lsp_server::{ErrorCode, RequestId, ResponseError};
-use serde_json::{Value, json};
+use lsp_server::{RequestId, ResponseError};
+use serde_json::Value;
 
-use super::analysis::{self, Analysis, Found, Progress, is_configuration};
-use super::baseline::Baseline;
-use super::files::Document;
-use super::findings::{by_file, in_piece};
-use super::places::span;
-use super::requests::Needs;
-use super::server::{Server, Waiting};
-use super::texts::Text;
-use super::workers::guarded;
+use super::analysis::{Analysis, Found, Progress};
+use super::snapshot::Needs;
 use crate::query::cancel::Cancel;
-use crate::session::Session;
-use crate::text::{SourceText, Span};
 
 /// What threads report.
 #[derive(Debug)]
@@ -72,78 +59,111 @@ impl Run {
     }
 }
 
+/// A request that is not answered yet.
+#[derive(Debug)]
+pub(super) struct Waiting {
+    pub(super) id: RequestId,
+    pub(super) method: String,
+    pub(super) params: Value,
+    pub(super) needs: Needs,
+}
+
+/// What is known of the newest text of a document.
+#[derive(Debug, Default)]
+enum Known {
+    /// Nothing; a run over it is to begin.
+    #[default]
+    Nothing,
+    /// Nothing; a run is under way.
+    Running,
+    /// It is resolved; its findings are still to come.
+    Resolved(Arc<Analysis>),
+    /// Its findings; what is no program is not resolved.
+    Judged(Option<Arc<Analysis>>, Arc<Found>),
+    /// No more than this: the run failed.
+    Failed(Option<Arc<Analysis>>),
+}
+
 /// An open document with what is known of it.
 #[derive(Debug, Default)]
 pub(super) struct Root {
     /// Grows with every change that may change what is found.
     generation: u64,
-    /// A change was not looked at yet.
-    dirty: bool,
-    /// The client did not make the change in this document itself, and so does not know that findings may change.
-    unasked: bool,
+    known: Known,
     running: Cancel,
-    /// Of the newest generation.
-    pub(super) analysis: Option<Arc<Analysis>>,
-    /// Of the newest generation.
-    pub(super) found: Option<Arc<Found>>,
-    /// The run of the newest generation failed.
-    failed: bool,
-    /// For quick looks at changes of a long program.
-    baseline: Option<Baseline>,
-    /// A quick look gave the findings; the run over the whole waits for a rest, or for a request.
-    looked: bool,
-    /// The files of the last run.
-    read: Vec<PathBuf>,
+    /// The files of the last run: a change of one of them makes what is known old.
+    pub(super) read: Vec<PathBuf>,
     pub(super) waiting: Vec<Waiting>,
 }
 
 impl Root {
-    fn touch(&mut self, unasked: bool) {
-        if unasked {
-            self.baseline = None;
-        }
-        self.looked = false;
+    /// What is known is old.
+    pub(super) fn touch(&mut self) {
         self.generation += 1;
-        self.dirty = true;
-        self.unasked |= unasked;
         self.running.cancel();
-        self.analysis = None;
-        self.found = None;
-        self.failed = false;
+        self.known = Known::Nothing;
     }
 
-    /// The findings of a quick look are shown: the run over the whole can wait.
-    fn rest(&mut self) {
-        self.looked = true;
-        self.dirty = false;
+    /// Begins a run, when one is to begin.
+    pub(super) fn begin(&mut self, path: &Path) -> Option<(Run, Cancel)> {
+        if !matches!(self.known, Known::Nothing) {
+            return None;
+        }
+        self.known = Known::Running;
+        self.running = Cancel::default();
+        Some((Run { path: path.to_path_buf(), generation: self.generation }, self.running.clone()))
     }
 
-    /// Whether a run over the whole waits for a rest.
-    pub(super) const fn rests(&self) -> bool {
-        self.looked && self.analysis.is_none() && !self.dirty
+    /// Nobody wants what a run would find.
+    pub(super) fn cancel(&self) {
+        self.running.cancel();
     }
 
-    /// Ends the rest.
-    pub(super) fn rouse(&mut self) {
-        if self.rests() {
-            self.dirty = true;
-            self.looked = false;
+    /// Whether nothing changed since a run began.
+    pub(super) const fn is_newest(&self, run: &Run) -> bool {
+        self.generation == run.generation
+    }
+
+    /// It is resolved.
+    pub(super) fn resolved(&mut self, analysis: Arc<Analysis>) {
+        self.known = Known::Resolved(analysis);
+    }
+
+    /// Its findings are known.
+    pub(super) fn judged(&mut self, found: Arc<Found>) {
+        self.known = Known::Judged(self.analysis().cloned(), found);
+    }
+
+    /// Its run failed.
+    pub(super) fn failed(&mut self) {
+        self.known = Known::Failed(self.analysis().cloned());
+    }
+
+    /// The program, once it is resolved.
+    pub(super) const fn analysis(&self) -> Option<&Arc<Analysis>> {
+        match &self.known {
+            Known::Nothing | Known::Running => None,
+            Known::Resolved(analysis) => Some(analysis),
+            Known::Judged(analysis, _) | Known::Failed(analysis) => analysis.as_ref(),
+        }
+    }
+
+    /// Its findings, once they are known.
+    pub(super) const fn found(&self) -> Option<&Arc<Found>> {
+        match &self.known {
+            Known::Judged(_, found) => Some(found),
+            Known::Nothing | Known::Running | Known::Resolved(_) | Known::Failed(_) => None,
         }
     }
 
     /// Whether the newest text is resolved, or cannot be.
     pub(super) const fn is_known(&self) -> bool {
-        self.analysis.is_some() || self.found.is_some() || self.failed
+        !matches!(self.known, Known::Nothing | Known::Running)
     }
 
-    /// Whether a request waits for other documents to be resolved.
-    pub(super) fn waits_for_everything(&self) -> bool {
-        self.waiting.iter().any(|waiting| waiting.needs == Needs::Everything)
-    }
-
-    /// Whether its findings are those of the newest texts.
-    const fn is_judged(&self) -> bool {
-        self.found.is_some() || self.failed || self.looked
+    /// Whether its findings are known, or cannot be.
+    pub(super) const fn is_judged(&self) -> bool {
+        matches!(self.known, Known::Judged(..) | Known::Failed(_))
     }
 
     /// Takes the requests that have what they need. `everything`: all open documents are known; `judged`: those that lead
@@ -152,18 +172,18 @@ impl Root {
         let (ready, waiting) = std::mem::take(&mut self.waiting).into_iter().partition(|waiting| match waiting.needs {
             Needs::Nothing => true,
             Needs::Analysis => self.is_known(),
-            Needs::Everything => everything,
-            Needs::Findings if waiting.method == "textDocument/diagnostic" => self.is_judged() && judged,
-            Needs::Findings => self.found.is_some() || self.failed,
+            Needs::Everything | Needs::Blocks | Needs::Run => everything,
+            Needs::Findings => self.is_judged() && (judged || waiting.method != "textDocument/diagnostic"),
         });
         self.waiting = waiting;
         ready
     }
 }
 
-struct Reporter {
-    run: Run,
-    events: crossbeam_channel::Sender<Event>,
+/// Reports what a run gives on its way.
+pub(super) struct Reporter {
+    pub(super) run: Run,
+    pub(super) events: crossbeam_channel::Sender<Event>,
 }
 
 impl Progress for Reporter {
@@ -174,299 +194,5 @@ impl Progress for Reporter {
 
     fn found_so_far(&self, found: Found) {
         let _ = self.events.send(Event::FoundSoFar { run: self.run.clone(), found });
-    }
-}
-
-impl Server {
-    pub(super) fn did_open(&mut self, params: Value) -> Result<(), String> {
-        let params: DidOpenTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
-        let document = params.text_document;
-        self.files.forget();
-        let path = self.files.path_of(&document.uri);
-        let source = SourceText::from_text(path.to_string_lossy(), document.text);
-        // Findings in this file that other documents led to were sent; from now on the client fetches them.
-        if self.client.pulls()
-            && let Some(uri) = self.files.uri_of(&path)
-            && !self.publisher.get(&uri).1.is_empty()
-        {
-            self.notify("textDocument/publishDiagnostics", json!({ "uri": uri, "diagnostics": [] }));
-        }
-        self.checked.changed(false);
-        let opened = Document { uri: document.uri, version: document.version, source: Arc::new(source) };
-        self.files.open_mut().insert(path.clone(), opened);
-        let root = self.roots.entry(path.clone()).or_default();
-        root.touch(true);
-        // Whoever opens a document asks about it.
-        root.unasked = false;
-        self.changed(&path, true);
-        Ok(())
-    }
-
-    pub(super) fn did_change(&mut self, mut params: Value) -> Result<(), String> {
-        // A client that counts no versions: what it sends is the newest text all the same.
-        let counts = params.pointer("/textDocument/version").is_some_and(Value::is_i64);
-        if let (false, Some(document)) = (counts, params.pointer_mut("/textDocument").and_then(Value::as_object_mut)) {
-            let uri = document.get("uri").and_then(Value::as_str).and_then(|uri| Uri::parse(uri).ok());
-            let path = uri.map(|uri| self.files.path_of(&uri));
-            let version = path.and_then(|path| self.files.buffer(&path)).map_or(0, |document| document.version);
-            document.insert("version".to_owned(), version.into());
-        }
-        let params: DidChangeTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
-        let path = self.files.path_of(&params.text_document.text_document_identifier.uri);
-        let unit = self.client.unit;
-        if self.files.buffer(&path).is_none() {
-            return Err("not open".to_owned());
-        }
-        // What is known of the old text goes before the text is changed: nobody else has it then, and it is not copied.
-        if let Some(root) = self.roots.get_mut(&path) {
-            root.touch(false);
-            let outdated = std::mem::take(&mut root.waiting);
-            for waiting in outdated {
-                self.outdated(waiting);
-            }
-        }
-        let Some(document) = self.files.open_mut().get_mut(&path) else { return Err("not open".to_owned()) };
-        let version = params.text_document.version;
-        let goes_back = (version < document.version).then(|| format!("version {version} after {}", document.version));
-        document.version = version;
-        let source = Arc::make_mut(&mut document.source);
-        let mut changes = Vec::new();
-        for change in params.content_changes {
-            let (replaced, text) = match change {
-                TextDocumentContentChangeEvent::TextDocumentContentChangePartial(change) => {
-                    (span(source, change.range, unit), change.text)
-                }
-                TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(change) => {
-                    (Span::new(0, source.len()), change.text)
-                }
-            };
-            if source.replace(replaced, &text) {
-                changes.push((replaced, text.len()));
-            }
-        }
-        self.changed(&path, false);
-        self.look(&path, &changes);
-        // The text is taken: without it nothing would be right from here on.
-        goes_back.map_or(Ok(()), Err)
-    }
-
-    /// Looks at changes of a long program alone, when that tells all.
-    fn look(&mut self, path: &Path, changes: &[(Span, usize)]) {
-        let (Some(root), Some(document)) = (self.roots.get_mut(path), self.files.open().get(path)) else { return };
-        let Some(mut baseline) = root.baseline.take() else { return };
-        let Some(seen) = baseline.look(changes, &document.source, &self.files) else { return };
-        root.baseline = Some(baseline);
-        root.rest();
-        let uri = document.uri.clone();
-        let found = in_piece(&seen, &self.files, self.client.unit, self.client.lang()).remove(&uri);
-        self.publisher.set_own(path, &uri, found.unwrap_or_default());
-        self.publish(vec![uri]);
-    }
-
-    /// Answers a request whose positions are those of a text that is no more.
-    fn outdated(&mut self, waiting: Waiting) {
-        if waiting.method == "textDocument/diagnostic" {
-            let data = Some(json!({ "retriggerRequest": true }));
-            let message = "the document has changed".to_owned();
-            let code = ErrorCode::ServerCancelled as i32;
-            self.answer(waiting.id, Err(ResponseError { code, message, data }));
-        } else {
-            self.refuse(waiting.id, ErrorCode::ContentModified, "the document has changed");
-        }
-    }
-
-    pub(super) fn did_close(&mut self, params: Value) -> Result<(), String> {
-        let params: DidCloseTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
-        let uri = params.text_document.uri;
-        let path = self.files.path_of(&uri);
-        self.files.forget();
-        if self.files.open_mut().remove(&path).is_none() {
-            return Err("not open".to_owned());
-        }
-        self.checked.changed(false);
-        if let Some(root) = self.roots.remove(&path) {
-            root.running.cancel();
-            for waiting in root.waiting {
-                self.refuse(waiting.id, ErrorCode::ContentModified, "the document is closed");
-            }
-        }
-        let touched = self.publisher.remove(&path);
-        self.publish(touched);
-        // What other documents found in it stays, but is sent from now on.
-        self.publish(vec![uri]);
-        self.changed(&path, true);
-        self.serve_others(&path);
-        Ok(())
-    }
-
-    /// A document at `path` changed, came or went: what was found by way of it is old.
-    fn changed(&mut self, path: &Path, listed: bool) {
-        let everywhere = is_configuration(path) || (listed && Session::is_macrocycle_name(path));
-        for (root_path, root) in &mut self.roots {
-            if root_path != path && (everywhere || root.read.iter().any(|read| read == path)) {
-                root.touch(true);
-            }
-        }
-    }
-
-    /// Files of the disk, or settings, changed.
-    pub(super) fn files_changed(&mut self) {
-        self.files.forget();
-        for root in self.roots.values_mut() {
-            root.touch(true);
-        }
-    }
-
-    /// Starts the runs that changes ask for.
-    pub(super) fn start_analyses(&mut self) {
-        for (path, root) in &mut self.roots {
-            if !std::mem::take(&mut root.dirty) {
-                continue;
-            }
-            root.running = Cancel::default();
-            let run = Run { path: path.clone(), generation: root.generation };
-            let (files, client, cancel) = (self.files.clone(), Arc::clone(&self.client), root.running.clone());
-            let events = self.events.clone();
-            self.analysts.run(move || {
-                let reporter = Reporter { run: run.clone(), events: events.clone() };
-                let found = guarded(|| analysis::run(&run.path, &files, &client, &cancel, &reporter));
-                let _ = events.send(Event::Finished { run, found });
-            });
-        }
-    }
-
-    /// Takes what a thread reports.
-    pub(super) fn finish(&mut self, event: Event) {
-        match event {
-            Event::Answered { id, result } => self.answered(id, result),
-            Event::Analysed { run, analysis, read } => {
-                // Open macrocycles show how this program executes them.
-                let concerns = read.iter().any(|file| *file != run.path && self.roots.contains_key(file));
-                if self.newest(&run).is_some() {
-                    self.watch_outside(&read);
-                }
-                if let Some(root) = self.newest(&run) {
-                    root.analysis = Some(analysis);
-                    root.read = read;
-                    let changed_by_others = root.unasked && root.generation > 1;
-                    self.serve_waiting(&run.path);
-                    self.serve_others(&run.path);
-                    if changed_by_others || concerns {
-                        self.ask_to_refresh();
-                    }
-                }
-            }
-            Event::FoundSoFar { run, found } => {
-                if self.newest(&run).is_some() {
-                    self.show(&run.path, &found);
-                    self.begin_progress(&run);
-                }
-            }
-            Event::Finished { run, found } => {
-                self.end_progress(&run);
-                self.finished(&run, found);
-            }
-        }
-    }
-
-    /// The document of a run, when nothing changed since that began.
-    fn newest(&mut self, run: &Run) -> Option<&mut Root> {
-        self.roots.get_mut(&run.path).filter(|root| root.generation == run.generation)
-    }
-
-    fn finished(&mut self, run: &Run, found: Result<Option<Found>, String>) {
-        let Some(root) = self.newest(run) else { return };
-        match found {
-            Ok(None) => {}
-            Ok(Some(mut found)) => {
-                // With findings there is no new one; the one before still tells what a change of the same piece makes.
-                root.baseline = found.baseline.take().or(root.baseline.take());
-                let found = Arc::new(found);
-                root.read.clone_from(&found.read);
-                root.found = Some(Arc::clone(&found));
-                self.show(&run.path, &found);
-                self.tell_misconfigured(&run.path, found.misconfigured);
-                self.serve_waiting(&run.path);
-                self.serve_others(&run.path);
-            }
-            Err(panic) => {
-                root.failed = true;
-                self.log(&format!("analysis: {panic}"));
-                self.serve_waiting(&run.path);
-                self.serve_others(&run.path);
-            }
-        }
-    }
-
-    /// Answers the requests of other documents that waited for this one.
-    fn serve_others(&mut self, path: &Path) {
-        let waiting =
-            |(other, root): (&PathBuf, &Root)| (other != path && !root.waiting.is_empty()).then(|| other.clone());
-        let others: Vec<PathBuf> = self.roots.iter().filter_map(waiting).collect();
-        for other in others {
-            self.serve_waiting(&other);
-        }
-    }
-
-    /// Whether all other open documents that lead to `path` have their findings.
-    pub(super) fn others_judged(&self, path: &Path) -> bool {
-        let leads_here = |root: &Root| root.read.iter().any(|read| read == path);
-        self.roots.iter().all(|(other, root)| other == path || root.is_judged() || !leads_here(root))
-    }
-
-    /// Whether all open documents are resolved.
-    pub(super) fn everything_known(&self) -> bool {
-        self.roots.values().all(Root::is_known)
-    }
-
-    /// Says once that programs are not judged because of their configuration; not while somebody edits that.
-    fn tell_misconfigured(&mut self, path: &Path, misconfigured: bool) {
-        let misconfigured = misconfigured && !is_configuration(path);
-        let edited = self.roots.keys().any(|open| is_configuration(open));
-        if misconfigured && !self.told_misconfigured && !edited {
-            self.show_warning(&Text::Misconfigured.text(self.client.lang()));
-        }
-        self.told_misconfigured = misconfigured;
-    }
-
-    /// Shows what was found from one document on.
-    fn show(&mut self, path: &Path, found: &Found) {
-        let diagnostics = by_file(&found.report, &self.files, self.client.unit, self.client.lang());
-        let own = self.files.uri_of(path);
-        let mut touched = self.publisher.set(path, diagnostics);
-        // The document's own findings are sent after every change, also when they are the same.
-        touched.retain(|uri| Some(uri) != own.as_ref());
-        touched.extend(own);
-        self.publish(touched);
-        let unasked = self.roots.get_mut(path).is_some_and(|root| std::mem::take(&mut root.unasked));
-        if unasked && self.client.pulls() {
-            self.ask_to_pull();
-        }
-    }
-
-    /// Sends the findings of files; those of open documents are fetched by clients that can.
-    fn publish(&mut self, uris: Vec<Uri>) {
-        for uri in uris {
-            let open = self.files.open().values().find(|document| document.uri == uri);
-            if open.is_some() && self.client.pulls() {
-                continue;
-            }
-            let mut params = json!({ "uri": uri, "diagnostics": self.publisher.get(&uri).1 });
-            if let (Some(document), Some(params)) = (open, params.as_object_mut()) {
-                params.insert("version".to_owned(), document.version.into());
-            }
-            self.notify("textDocument/publishDiagnostics", params);
-        }
-    }
-
-    /// The answer to `textDocument/diagnostic`.
-    pub(super) fn pulled(&self, path: &Path, params: &Value) -> Value {
-        let Some(document) = self.files.buffer(path) else { return json!({ "kind": "full", "items": [] }) };
-        let (revision, found) = self.publisher.get(&document.uri);
-        let revision = revision.to_string();
-        match params.get("previousResultId").and_then(Value::as_str) {
-            Some(previous) if previous == revision => json!({ "kind": "unchanged", "resultId": revision }),
-            _ => json!({ "kind": "full", "resultId": revision, "items": found }),
-        }
     }
 }

@@ -4,7 +4,7 @@ use gen_lsp_types::{SelectionRange, SelectionRangeParams};
 
 use super::analysis::Analysis;
 use super::places::{Places, offset};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::{DOCUMENT, block_at, unit_of, word_at};
 use crate::query::extents::{block_span, loops, unit_span, words_span};
 use crate::sure::small;

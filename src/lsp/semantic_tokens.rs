@@ -30,7 +30,7 @@ use gen_lsp_types::{
 
 use super::analysis::Analysis;
 use super::places::{Places, span};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::dict::{Address, GCode, GGroup, OPTIONAL_STOP, PROGRAM_ENDS, PROGRAM_STOP};
 use crate::query::cursor::{DOCUMENT, block_at};
 use crate::sure::small;

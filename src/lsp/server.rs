@@ -2,26 +2,26 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, BufRead, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
-use std::time::Duration;
 
-use crossbeam_channel::{Receiver, Sender, after, bounded, never, select, unbounded};
+use crossbeam_channel::{Receiver, Sender, bounded, select, unbounded};
 use gen_lsp_types::Uri;
 use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response, ResponseError};
 use serde_json::{Value, json};
 
 use super::analysis::is_configuration;
+use super::checked::Checked;
 use super::client::Client;
 use super::files::{Disk, EditorFiles};
 use super::publisher::Publisher;
-use super::requests::{Needs, Snapshot, handler};
-use super::roots::{Event, Root, Run};
+use super::requests::handler;
+use super::roots::{Event, Root, Run, Waiting};
+use super::snapshot::{Needs, Snapshot};
 use super::texts::Text;
 use super::transport::{self, Incoming, Outgoing};
 use super::workers::{Workers, guarded};
-use super::workspace_findings::Checked;
 use super::{capabilities, settings};
 use crate::dict::Lang;
 use crate::query::cancel::Cancel;
@@ -31,9 +31,6 @@ use crate::session::Session;
 const QUEUE: usize = 64;
 /// Threads for analyses, and as many for requests: a long analysis keeps no request waiting.
 const THREADS: usize = 2;
-
-/// A long program is looked at as a whole when nothing came for so long.
-const REST: Duration = Duration::from_millis(500);
 
 /// How the server ended.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -96,13 +93,33 @@ enum Asked {
     Nothing,
 }
 
-/// A request that is not answered yet.
-#[derive(Debug)]
-pub(super) struct Waiting {
-    pub(super) id: RequestId,
-    pub(super) method: String,
-    pub(super) params: Value,
-    pub(super) needs: Needs,
+/// What the client is to be asked to ask for again, once all that a change concerns is known.
+#[derive(Debug, Default)]
+pub(super) struct Refreshes {
+    views: bool,
+    findings: bool,
+}
+
+impl Refreshes {
+    /// A document is old by a change elsewhere.
+    pub(super) const fn want(&mut self) {
+        (self.views, self.findings) = (true, true);
+    }
+
+    /// What is shown between the lines of a document is old.
+    pub(super) const fn want_views(&mut self) {
+        self.views = true;
+    }
+
+    /// Whether hints and lenses are old; then no more.
+    pub(super) const fn take_views(&mut self) -> bool {
+        std::mem::replace(&mut self.views, false)
+    }
+
+    /// Whether findings are old; then no more.
+    pub(super) const fn take_findings(&mut self) -> bool {
+        std::mem::replace(&mut self.findings, false)
+    }
 }
 
 /// Whether files changed that programs depend on, and not only programs.
@@ -122,6 +139,7 @@ pub(super) struct Server {
     /// By the canonical path of the open document.
     pub(super) roots: BTreeMap<PathBuf, Root>,
     pub(super) publisher: Publisher,
+    pub(super) refreshes: Refreshes,
     /// Programs that are not open.
     pub(super) checked: Checked,
     /// Requests not answered yet: the client may cancel them.
@@ -152,6 +170,7 @@ impl Server {
             files: EditorFiles::new(disk),
             roots: BTreeMap::new(),
             publisher: Publisher::default(),
+            refreshes: Refreshes::default(),
             checked: Checked::default(),
             pending: BTreeMap::new(),
             asked: BTreeMap::new(),
@@ -160,8 +179,8 @@ impl Server {
             events,
             finished,
             analysts: Workers::new("analysis", THREADS)?,
-            // One more: checking all programs of the workspace keeps no other request waiting.
-            helpers: Workers::new("request", THREADS + 1)?,
+            // More: neither checking all programs of the workspace nor executing one keeps other requests waiting.
+            helpers: Workers::new("request", THREADS + 2)?,
             in_progress: Vec::new(),
             progress_count: 0,
             watched: BTreeSet::new(),
@@ -172,7 +191,6 @@ impl Server {
     fn run(mut self, incoming: &Receiver<Incoming>) -> Ended {
         let finished = self.finished.clone();
         loop {
-            let rest = if self.roots.values().any(Root::rests) { after(REST) } else { never() };
             let step = select! {
                 recv(incoming) -> message => match message {
                     Ok(Incoming::Message(Message::Notification(note))) if note.method == "exit" => {
@@ -185,10 +203,6 @@ impl Server {
                     Ok(event) => guarded(|| self.finish(event)),
                     Err(_) => return Ended::Abruptly,
                 },
-                recv(rest) -> _ => {
-                    self.roots.values_mut().for_each(Root::rouse);
-                    Ok(())
-                }
             };
             if let Err(panic) = step {
                 self.log(&panic);
@@ -373,16 +387,10 @@ impl Server {
     }
 
     /// Answers the requests of a document that have what they need.
-    pub(super) fn serve_waiting(&mut self, path: &PathBuf) {
+    pub(super) fn serve_waiting(&mut self, path: &Path) {
         let (everything, judged) = (self.everything_known(), self.others_judged(path));
         let Some(root) = self.roots.get_mut(path) else { return };
         let ready = root.take_ready(everything, judged);
-        if !root.waiting.is_empty() {
-            root.rouse();
-        }
-        if root.waits_for_everything() {
-            self.roots.values_mut().for_each(Root::rouse);
-        }
         for waiting in ready {
             if waiting.method == "textDocument/diagnostic" {
                 let result = self.pulled(path, &waiting.params);
@@ -394,21 +402,24 @@ impl Server {
     }
 
     /// Runs the handler of a request in a thread.
-    fn start(&mut self, waiting: Waiting, path: Option<&PathBuf>) {
-        let Waiting { id, method, params, .. } = waiting;
+    fn start(&mut self, waiting: Waiting, path: Option<&Path>) {
+        let Waiting { id, method, params, needs } = waiting;
         let (Some(handler), Some(cancel)) = (handler(&method), self.pending.get(&id).cloned()) else { return };
         let root = path.and_then(|path| self.roots.get(path));
         let snapshot = Snapshot {
             client: Arc::clone(&self.client),
             files: self.files.clone(),
-            analysis: root.and_then(|root| root.analysis.clone()),
-            found: root.and_then(|root| root.found.clone()),
-            analyses: self.roots.values().filter_map(|root| root.analysis.clone()).collect(),
+            analysis: root.and_then(Root::analysis).cloned(),
+            found: root.and_then(Root::found).cloned(),
+            analyses: self.roots.values().filter_map(Root::analysis).cloned().collect(),
             checked: self.checked.clone(),
             cancel,
         };
         let events = self.events.clone();
-        self.helpers.run(move || {
+        // However many requests ask for the execution of one program, they keep those of others waiting no longer than two do.
+        let executes = matches!(needs, Needs::Blocks | Needs::Run);
+        let lane = path.filter(|_| executes).map(|path| (path.to_path_buf(), needs));
+        self.helpers.run(lane, move || {
             if snapshot.cancel.is_cancelled() {
                 return;
             }

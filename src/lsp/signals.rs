@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::analysis::Analysis;
 use super::places::offset;
-use super::requests::{Answer, Refusal, Snapshot};
+use super::snapshot::{Answer, Refusal, Snapshot};
 use crate::analysis::plc::{self, Form, Header, Place, Range, Reader, Signal, Step, Writer};
 use crate::config::Purpose;
 use crate::dict::Lang;
@@ -79,7 +79,7 @@ pub(super) fn signals(
         failed = None;
         let signals = plc::default(machine.dialect, true, false);
         let reader = Reader::new(signals, machine, Range::default(), &mut sheet, &mut failed).unreported();
-        program.session().observe(&program.path, program.resolved.clone(), program.sources.clone(), reader);
+        program.observe(reader);
     }
     if snapshot.cancel.is_cancelled() {
         return Ok(None);

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use super::analysis::Analysis;
 use super::places::offset;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::dict::{Address, GCode};
 use crate::query::callee::{about, inputs};
 use crate::query::cursor::{DOCUMENT, block_at, word_at};

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::analysis::configuration;
 use super::places::Places;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use super::workspace_symbols::files;
 use crate::config::Settings;
 use crate::diag::Findings;

@@ -4,14 +4,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::PoisonError;
 
 use gen_lsp_types::Uri;
 use serde_json::{Value, json};
 
 use super::analysis::configuration;
+use super::checked::{Known, Program};
 use super::findings::by_file;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use super::workspace_symbols::files;
 use crate::config::Settings;
 use crate::diag::Report;
@@ -23,42 +24,6 @@ const PROGRAMS: usize = 2_000;
 const LONGEST: u64 = 1 << 24;
 /// Most blocks of a program that are executed.
 const BLOCKS: u64 = 200_000;
-
-/// What is known of programs that are not open; copies share it.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Checked {
-    known: Arc<Mutex<Known>>,
-    /// Grows with every change of configuration and macrocycles.
-    environment: u64,
-    /// Grows with every change of files, and with documents that are opened and closed.
-    files: u64,
-}
-
-#[derive(Debug, Default)]
-struct Known {
-    /// The changes of files that were seen.
-    seen: Option<u64>,
-    /// Grows with every program that is checked.
-    revision: u64,
-    programs: BTreeMap<PathBuf, Program>,
-}
-
-#[derive(Debug)]
-struct Program {
-    environment: u64,
-    text: u64,
-    uri: Uri,
-    id: String,
-    items: Value,
-}
-
-impl Checked {
-    /// Files changed; `environment`: among them what programs depend on.
-    pub(super) const fn changed(&mut self, environment: bool) {
-        self.files += 1;
-        self.environment += environment as u64;
-    }
-}
 
 fn hash(value: impl Hash) -> u64 {
     let mut hasher = DefaultHasher::new();

@@ -9,7 +9,7 @@ use gen_lsp_types::{BaseSymbolInformation, Location, WorkspaceSymbol, WorkspaceS
 use super::analysis::configuration;
 use super::outline::symbol_kind;
 use super::places::Places;
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::diag::Findings;
 use crate::query::cursor::DOCUMENT;
 use crate::query::sections::{Section, head, units};

@@ -2,11 +2,12 @@
 
 use std::fmt;
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::config::Settings;
 use crate::resolve::Resolved;
-use crate::session::Session;
+use crate::run::Sink;
+use crate::session::{Record, Session};
 use crate::text::{Loader, Sources};
 
 /// A document and what it leads to, resolved. The document itself is file 0.
@@ -25,12 +26,19 @@ pub(crate) struct Analysis {
     pub(crate) executable: bool,
     /// Whether structure and flow have no errors, so that everything that is executed is known.
     pub(crate) certain: bool,
+    /// What its execution left behind, once it is over.
+    pub(crate) record: Arc<OnceLock<Record>>,
 }
 
 impl Analysis {
     /// A session over the same files.
     pub(crate) fn session(&self) -> Session<'_> {
         Session { loader: self.loader.as_ref(), settings: &self.settings, progress: None }
+    }
+
+    /// Executes the program and shows every block to a sink.
+    pub(crate) fn observe(&self, sink: impl Sink) {
+        self.session().observe(&self.path, self.resolved.clone(), self.sources.clone(), sink);
     }
 }
 

@@ -1,6 +1,6 @@
 //! What execution makes of some blocks: how often they run, and what holds after them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -15,7 +15,8 @@ use crate::diag::Findings;
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro, PROGRAM_GROUP};
 use crate::resolve::{ControlWord, Library, control_word};
 use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Sink};
-use crate::session::Session;
+use crate::session::{Record, Session};
+use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::FileId;
 
@@ -178,8 +179,13 @@ pub(crate) fn observe_motion(
     run(cancel, program, observer)
 }
 
+/// What is asked of some blocks, their execution tells; what is asked of the whole program, and how it moves, all of it.
 fn run(cancel: &Cancel, program: &Analysis, mut observer: Observer<'_>) -> Option<Observation> {
-    program.session().observe(&program.path, program.resolved.clone(), program.sources.clone(), &mut observer);
+    let whole = observer.moves.is_some() || observer.observation.blocks.is_empty();
+    match program.record.get().filter(|_| !whole) {
+        Some(record) => observer.look_from(record),
+        None => program.observe(&mut observer),
+    }
     if cancel.is_cancelled() {
         return None;
     }
@@ -207,6 +213,8 @@ struct Observer<'a> {
     before: Vec<(u8, Option<Decimal>)>,
     /// Whether a file of the program is the document, as far as asked.
     files: Vec<Option<bool>>,
+    /// After so many executed blocks there is nothing more to be seen.
+    until: u64,
 }
 
 impl<'a> Observer<'a> {
@@ -251,7 +259,37 @@ impl<'a> Observer<'a> {
             units: Vec::new(),
             before,
             files: Vec::new(),
+            until: MOST,
         }
+    }
+
+    /// Looks at the blocks from the checkpoints before them, at most at so many executed blocks.
+    fn look_from(&mut self, record: &Record) {
+        let blocks: BTreeSet<BlockId> = self.observation.blocks.keys().copied().collect();
+        let mut left = MOST;
+        let mut all = true;
+        for (index, (_, source)) in record.sources().iter().enumerate() {
+            let file = FileId(small(index));
+            if !is(self.program, source.name(), self.document) {
+                continue;
+            }
+            for (checkpoint, until) in record.visits(file, &blocks) {
+                self.until = until.min(checkpoint.executed() + left);
+                all &= self.until == until;
+                left -= self.until - checkpoint.executed();
+                if self.until == checkpoint.executed() {
+                    break;
+                }
+                for (index, value) in &mut self.before {
+                    *value = checkpoint.parameter(*index);
+                }
+                self.program.session().observe_from(&self.program.path, record, checkpoint, &mut *self);
+            }
+        }
+        self.observation.last = record.last();
+        // What was not looked at is as if it had not been executed.
+        self.observation.executed = if all { record.executed() } else { MOST };
+        self.observation.end = record.end().filter(|_| all);
     }
 
     /// Looks at the values of those parameters after each block, too.
@@ -321,7 +359,7 @@ impl Sink for &mut Observer<'_> {
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
         self.look(block);
         let executed = self.observation.executed;
-        if executed >= MOST || (executed.is_multiple_of(PERIOD) && self.cancel.is_cancelled()) {
+        if executed >= self.until || (executed.is_multiple_of(PERIOD) && self.cancel.is_cancelled()) {
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
@@ -438,7 +476,12 @@ fn control_words<'a>(
 
 #[cfg(test)]
 mod tests {
+    use std::path::PathBuf;
+    use std::sync::{Arc, OnceLock};
+
     use super::*;
+    use crate::config::Settings;
+    use crate::text::MemoryLoader;
 
     fn taken(arrivals: &[Option<u32>]) -> String {
         let mut observed = Observed::default();
@@ -447,6 +490,57 @@ mod tests {
         }
         observed.disarm();
         observed.taken.list(|value| value)
+    }
+
+    /// A program whose execution has more blocks than stand between checkpoints, with a part that is executed often, one that is
+    /// seldom, and a macrocycle that only execution finds.
+    fn analysis() -> Analysis {
+        let mut text = "%1\nN1 G01 F100 X0 R1=0 R2=1 R20=9001\nN2 G71 L100 Q300\nN3 X5 R3=7\n".to_owned();
+        (10..9000).for_each(|n| text += &format!("N{n} X{}.5 Y{}\n", n % 90, n % 7));
+        text += "N9000 G26 R10=R1 R11=R2 R15=1112\nN9001 G73 L8990 Q700\nN9002 XR1 G72 LR20\nN9003 M30\n";
+        text += "N9100 G79 L100\nN9101 G91 X1\nN9102 G26 R10=R1 R11=R2 R15=1112\n";
+        (9110..9150).for_each(|n| text += &format!("N{n} G90 Y{}\n", n % 9));
+        text += "N9200 G70\n";
+        let path = PathBuf::from("part.nc");
+        let loader = MemoryLoader::new().with("part.nc", text).with("L9001", "N1 G79 L9001\nN2 X9\nN3 G70\n");
+        let (loader, settings) = (Arc::new(loader), Settings::default());
+        let session = Session { loader: &*loader, settings: &settings, progress: None };
+        let (outcome, resolved) = session.resolve(&path, "part.nc");
+        let sources = outcome.sources.clone();
+        let (_, record) = session.execute_recorded(&path, resolved.clone(), outcome);
+        let record = Arc::new(OnceLock::from(record.unwrap()));
+        Analysis { path, loader, settings, sources, resolved, executable: true, certain: true, record }
+    }
+
+    /// What execution makes of blocks is the same from checkpoints as from the beginning.
+    #[test]
+    fn from_checkpoints() {
+        let analysis = analysis();
+        assert!(analysis.record.get().unwrap().executed() > 3 << 13);
+        let blind = from_beginning(&analysis);
+        let file = analysis.resolved.file(DOCUMENT).unwrap();
+        let cancel = Cancel::default();
+        for n in [1, 2, 3, 10, 8191, 8193, 8990, 8995, 9000, 9001, 9002, 9003, 9101, 9102, 9130, 9200] {
+            let block = file.block_ids().find(|block| file.number(*block) == Some(n)).unwrap();
+            let seen = |program: &Analysis| {
+                let seen = observe_inputs(&cancel, program, program, block, &[1, 3]).unwrap();
+                format!("{:?} {} {:?} {}", seen.blocks, seen.executed, seen.end, seen.last)
+            };
+            assert_eq!(seen(&analysis), seen(&blind), "N{n}");
+        }
+    }
+
+    fn from_beginning(analysis: &Analysis) -> Analysis {
+        Analysis {
+            path: analysis.path.clone(),
+            loader: Arc::clone(&analysis.loader),
+            settings: analysis.settings.clone(),
+            sources: analysis.sources.clone(),
+            resolved: analysis.resolved.clone(),
+            executable: true,
+            certain: true,
+            record: Arc::default(),
+        }
     }
 
     /// FLW-4: one row of jumps for each time that the counter is armed.

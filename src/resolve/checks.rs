@@ -25,8 +25,6 @@ pub(super) struct Checked {
     pub(super) reachable: Vec<(u32, BlockId)>,
     /// The blocks that are two: a line of each lacks its block number.
     pub(super) merged: Vec<BlockId>,
-    /// Some line continues a block with another word than `N`.
-    pub(super) continuing_lines: bool,
 }
 
 impl Checked {
@@ -49,13 +47,12 @@ pub(super) fn look_at_blocks(
     let check = || check_blocks(settings, parsed, units, letters, excused);
     let layout = || (number_blocks(parsed), lines::check(parsed, units));
     let long = parsed.block_count() > SIDE_BY_SIDE;
-    let (mut checked, (numbered, (mut findings, continuing_lines))) =
+    let (mut checked, (numbered, mut findings)) =
         if long { parallel::join(check, layout) } else { (check(), layout()) };
     checked.merged = lines::join_conflicts(parsed, excused, &mut findings, &mut checked.findings);
     checked.findings.append(numbered.findings);
     checked.findings.append(findings);
     checked.reachable = numbered.reachable;
-    checked.continuing_lines = continuing_lines;
     checked
 }
 

@@ -15,13 +15,11 @@ const LEAST: usize = 5;
 const FEW: usize = 20;
 
 /// Warns of lines that begin with another word than `N` and continue a block, in units where eight of ten lines with words
-/// begin with `N`. Gives whether there is any such line, warned of or not.
-pub(super) fn check(parsed: &ParsedFile, units: &[Unit]) -> (Findings, bool) {
+/// begin with `N`.
+pub(super) fn check(parsed: &ParsedFile, units: &[Unit]) -> Findings {
     let mut findings = Findings::new();
-    let mut any = false;
     for unit in units {
         let lines = Lines::of(parsed, unit);
-        any |= !lines.continuing.is_empty();
         if lines.numbered < LEAST || lines.numbered * 10 < lines.with_words * 8 {
             continue;
         }
@@ -30,7 +28,7 @@ pub(super) fn check(parsed: &ParsedFile, units: &[Unit]) -> (Findings, bool) {
             findings.add(Diagnostic::new(finding, parsed.word_place(word)));
         }
     }
-    (findings, any)
+    findings
 }
 
 /// Makes one finding of a line that was warned of and the conflicts of its words with those above it, which follow from the

@@ -27,7 +27,6 @@ mod spelling;
 mod structure;
 mod targets;
 mod unused;
-mod window;
 
 pub use blocks::m_number;
 pub use forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
@@ -44,4 +43,3 @@ pub use targets::{
     conflicting_g, conflicting_m, jump_target, macrocycle_finding, missing_control_words, report_of_machine,
     subprogram, value_or_word,
 };
-pub use window::resolve_window;

@@ -104,8 +104,6 @@ pub struct Resolved {
     pub(super) unknown_operations: BTreeSet<i64>,
     /// The axis letters used, when the configuration does not list any (ADR-4).
     pub(super) letters: Letters,
-    /// Some line continues a block with another word than `N` (BLK-1).
-    pub(super) continuing_lines: bool,
     /// The `*` that cuts off the end of the program, and where that is said.
     pub(super) cut_off: Option<CutOff>,
     /// How many units have had their calls followed.
@@ -153,12 +151,6 @@ impl Resolved {
     /// The main program; `None` when a macrocycle was resolved, or the file has no `%`.
     pub fn main(&self) -> Option<UnitId> {
         self.units().find(|(_, unit)| unit.kind == UnitKind::Main).map(|(id, _)| id)
-    }
-
-    /// Whether some line continues a block with another word than `N`: how many of them there are decides whether each is
-    /// a finding (W0221).
-    pub const fn has_continuing_lines(&self) -> bool {
-        self.continuing_lines
     }
 
     /// Whether no call of a subprogram from a subprogram was reported before; it counts as reported now (FLW-2).

@@ -349,7 +349,6 @@ impl Context<'_, '_> {
                 self.findings.add(diagnostic);
             }
         }
-        resolved.continuing_lines |= checked.continuing_lines;
         parsed.refuse(&checked.judged.refused);
         parsed.mark_merged(&checked.merged);
         resolved.add_file(parsed, checked.reachable, checked.judged.points);

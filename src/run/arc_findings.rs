@@ -26,7 +26,7 @@ pub(super) fn center_axes(machine: &Machine, named: [usize; 2]) -> [usize; 2] {
 /// Shows what makes the block an arc when it does not say so itself.
 pub(super) fn because_of(state: &State, words: &BlockWords, g: &InForce, diagnostic: Diagnostic) -> Diagnostic {
     let function = g.of(GGroup::G0).filter(|_| words.written(GGroup::G0).is_none());
-    let (Some(function), Some((n, place))) = (function, state.origins.motion.0) else { return diagnostic };
+    let (Some(function), Some((n, place))) = (function, state.origins.motion) else { return diagnostic };
     let function = if n == 0 { function.to_string() } else { format!("{function} (N{n})") };
     diagnostic.with_label(place, LabelText::MakesArc { function })
 }
@@ -73,7 +73,7 @@ pub(super) fn missing_center(site: &mut Site<'_>, state: &mut State, words: &Blo
         return;
     }
     let function = g.of(GGroup::G0).map_or_else(String::new, |code| code.to_string());
-    let origin = state.origins.motion.0.filter(|_| modal);
+    let origin = state.origins.motion.filter(|_| modal);
     let by = origin.map(|(n, _)| format!("{function} (N{n})"));
     let finding = Finding::MissingArcCenter { radius_word: !words.r.is_empty(), by };
     let mut diagnostic = Diagnostic::new(finding, at);
@@ -103,7 +103,7 @@ pub(super) fn unknown_start(
         return;
     }
     let mut diagnostic = Diagnostic::new(Finding::ArcFromUnknown { axes: letters.join(", ") }, at);
-    if let Some((m, place)) = state.origins.moved.0 {
+    if let Some((m, place)) = state.origins.moved {
         diagnostic = diagnostic.with_label(place, LabelText::PositionLost { m });
     }
     site.report(because_of(state, words, g, diagnostic));

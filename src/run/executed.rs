@@ -444,7 +444,7 @@ impl<'r> Executed<'r> {
 
     /// What a parameter holds after it; `None` when that is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
-        self.interpreter.state.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
+        self.interpreter.parameter(index)
     }
 
     /// The configuration that it was executed with.
@@ -457,7 +457,12 @@ impl<'r> Executed<'r> {
         self.interpreter.shown_files.get(file.0 as usize).copied().flatten().unwrap_or(0)
     }
 
-    /// What is in force after it: execution can go on from a copy, see [`Interpreter::from_state`].
+    /// An interpreter that stands behind it, from which execution can go on.
+    pub fn checkpoint(&self) -> Interpreter {
+        self.interpreter.clone()
+    }
+
+    /// What is in force after it.
     pub const fn state(&self) -> &'r State {
         &self.interpreter.state
     }

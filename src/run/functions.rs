@@ -3,7 +3,7 @@
 use super::block::InForce;
 use super::parameters::with_origin;
 use super::site::Site;
-use super::state::{AxisSet, Held, Noted, State};
+use super::state::{AxisSet, Held, State};
 use super::unknown::Groups;
 use super::words::BlockWords;
 use crate::diag::{Diagnostic, Finding, Unmodelled};
@@ -27,7 +27,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
                     state.said.other_axes = None;
                 }
                 if code.group() == GGroup::G0 {
-                    state.origins.motion = Noted(Some((site.file.shown_number(site.block), site.word_place(word))));
+                    state.origins.motion = Some((site.file.shown_number(site.block), site.word_place(word)));
                 }
             }
             Lasting::Block => {}

@@ -8,11 +8,11 @@ use super::points::Run;
 use super::program::Program;
 use super::repeats::Repeats;
 use super::site::{Site, report};
-use super::state::{Origins, State};
+use super::state::State;
 use super::{functions, m_functions, motion, parameters, reading, spindle, technology, warnings};
 use crate::diag::{Diagnostic, Finding, Findings};
-use crate::dict::{GCode, GGroup};
-use crate::resolve::{Target, Unit, UnitKind, may_have_end};
+use crate::dict::{Decimal, GCode, GGroup};
+use crate::resolve::{Resolved, Target, Unit, UnitKind, may_have_end};
 use crate::syntax::{BlockFlags, BlockId};
 use crate::text::FileId;
 
@@ -23,6 +23,24 @@ pub enum Stop {
     End(u8),
     /// A finding, or something unknown, ends the flattening.
     Halted,
+}
+
+/// Blocks of a file, one behind the other.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Stretch {
+    /// In which file.
+    pub file: FileId,
+    /// The first.
+    pub first: BlockId,
+    /// One past the last.
+    pub end: BlockId,
+}
+
+impl Stretch {
+    /// Whether another stretch begins in this one, or right behind it.
+    pub fn goes_on_with(&self, next: Self) -> bool {
+        self.file == next.file && self.first <= next.first && next.first <= self.end
+    }
 }
 
 /// What is done between a block and the next: what a call or a jump leads to.
@@ -75,13 +93,6 @@ impl Interpreter {
         }
     }
 
-    /// The same, with `state` in place of what holds after power-up.
-    pub fn from_state(program: &Program<'_>, mut state: State) -> Self {
-        // The places were those of another text.
-        state.origins = Origins::default();
-        Self { state, ..Self::new(program) }
-    }
-
     /// Executes the next block. `None` at the end of the program, or where it cannot go on; [`Self::end`] gives which.
     #[inline]
     pub fn step<'r>(&'r mut self, program: &'r mut Program<'_>, findings: &mut Findings) -> Option<Executed<'r>> {
@@ -101,12 +112,16 @@ impl Interpreter {
     }
 
     /// Executes at once what comes next of a run of blocks that only move axes straight, at most `most` of them and all but the
-    /// last of the run, when nothing is to be found in them. For a program that nobody looks at block by block.
+    /// last of the run, when nothing is to be found in them. For a program that nobody looks at block by block. Gives which
+    /// blocks these were.
     #[inline]
-    pub fn pass_over(&mut self, program: &Program<'_>, most: u64) {
-        let (None, None, Some(frame)) = (self.stop, &self.pending, self.frames.last_mut()) else { return };
+    pub fn pass_over(&mut self, program: &Program<'_>, most: u64) -> Option<Stretch> {
+        let (None, None, Some(frame)) = (self.stop, &self.pending, self.frames.last_mut()) else { return None };
         let most = most.min(program.settings.machine.limits.records.saturating_sub(self.executed + 1));
-        self.executed += self.run.pass_over(program, frame, &mut self.state, most);
+        let (file, first) = (frame.unit.file, frame.next);
+        let passed = self.run.pass_over(program, frame, &mut self.state, most);
+        self.executed += passed;
+        (passed > 0).then_some(Stretch { file, first, end: frame.next })
     }
 
     /// How the program ended; `None` while it runs.
@@ -122,6 +137,17 @@ impl Interpreter {
     /// Blocks executed so far.
     pub const fn executed(&self) -> u64 {
         self.executed
+    }
+
+    /// What a parameter holds after the last step; `None` when that is not known (PAR-5).
+    pub fn parameter(&self, index: u8) -> Option<Decimal> {
+        self.state.parameter(index)
+    }
+
+    /// The number of the block of the last step; 0 before the first.
+    pub fn last_number(&self, resolved: &Resolved) -> u32 {
+        let file = resolved.file(self.block.file).filter(|_| self.executed > 0);
+        file.map_or(0, |file| file.shown_number(self.block.id))
     }
 
     /// What is in force after the last step.

@@ -2,7 +2,7 @@
 
 use super::block::InForce;
 use super::site::Site;
-use super::state::{Noted, State};
+use super::state::State;
 use super::words::BlockWords;
 use super::{gears, spindle};
 use crate::config::{Machine, Settings};
@@ -80,7 +80,7 @@ pub(super) fn apply(
             // At its end by its own attributes, else before the block's motion (MFN-4).
             let at_end = function.break_cont_end && !function.break_cont;
             *(if at_end { &mut m.moves_after } else { &mut m.moves_before }) = true;
-            state.origins.moved = Noted(Some((number, site.word_place(word))));
+            state.origins.moved = Some((number, site.word_place(word)));
         }
         m.break_cont |= function.break_cont;
         m.break_cont_end |= function.break_cont_end;

@@ -41,7 +41,7 @@ pub use end::End;
 pub use executed::{Call, Data, Executed, Feed, FeedUnit};
 pub use flow::LostCall;
 pub use held::ArmedCounter;
-pub use interpreter::{Interpreter, Stop};
+pub use interpreter::{Interpreter, Stop, Stretch};
 pub use m_functions::MStop;
 pub use moved::{ArcPath, Length, Missing, Motion, MotionType};
 pub use program::Program;

@@ -73,26 +73,15 @@ impl Held {
     }
 }
 
-/// Where something in force came from, for the texts of findings. It decides nothing: two states that differ in it only lead
-/// to the same.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Noted<T>(pub(super) Option<T>);
-
-impl<T> PartialEq for Noted<T> {
-    fn eq(&self, _: &Self) -> bool {
-        true
-    }
-}
-
 /// Places that texts of findings name.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Origins {
     /// The F in force.
-    pub(super) feed: Noted<Location>,
+    pub(super) feed: Option<Location>,
     /// The number of the block that wrote the G0 function in force, and its word.
-    pub(super) motion: Noted<(u32, Location)>,
+    pub(super) motion: Option<(u32, Location)>,
     /// The M function that moved the machine last (MFN-4), and its word.
-    pub(super) moved: Noted<(u8, Location)>,
+    pub(super) moved: Option<(u8, Location)>,
 }
 
 /// Axes, a bit for each place in machine order.
@@ -134,7 +123,7 @@ pub(super) struct SpindleWords {
 }
 
 /// The block that something was said of last. Where the next one has it for the same reason, it is not said again.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LastBlock(Option<(FileId, BlockId)>);
 
 impl LastBlock {
@@ -146,7 +135,7 @@ impl LastBlock {
 }
 
 /// What was said already, of what is said once.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(super) struct Said {
     /// A working motion without F (TEC-2).
     pub(super) feed: bool,
@@ -212,9 +201,8 @@ impl Default for Said {
     }
 }
 
-/// What is in force between two blocks. Two states that are equal lead to the same in all that follows outside of calls and
-/// jumps: execution can go on from a copy of one.
-#[derive(Clone, Debug, PartialEq)]
+/// What is in force between two blocks.
+#[derive(Clone, Debug)]
 pub struct State {
     /// Lasting G functions, by group.
     pub(super) g: [Option<GCode>; 12],

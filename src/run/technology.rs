@@ -2,7 +2,7 @@
 
 use super::parameters::report_unusable;
 use super::site::Site;
-use super::state::{Held, Noted, State};
+use super::state::{Held, State};
 use super::words::{BlockWords, Valued};
 use crate::diag::{Finding, ParameterNeed};
 use crate::dict::{Address, DYNAMIC_SETS, GCode, GGroup, Lang, Micro};
@@ -24,7 +24,7 @@ pub(super) fn hold(site: &Site<'_>, state: &mut State, words: &BlockWords) {
         let mode = mode.filter(|_| !words.unknown_g).and_then(|mode| site.machine().feed_mode(mode));
         state.feed_per = mode.map(|mode| mode.per);
         state.said.feed_unit = false;
-        state.origins.feed = Noted(Some(site.word_place(feed.word)));
+        state.origins.feed = Some(site.word_place(feed.word));
     }
 }
 

@@ -70,7 +70,7 @@ fn check_feed_unit(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g
     state.said.feed_unit = true;
     let finding = Finding::FeedUnitChanged { feed: feed.to_string(), function, written, now };
     let mut diagnostic = Diagnostic::new(finding, words.place_of_motion(site));
-    if let Some(place) = state.origins.feed.0 {
+    if let Some(place) = state.origins.feed {
         let written = match written {
             FeedPer::Minute => LabelText::FeedPerMinute,
             FeedPer::Revolution => LabelText::FeedPerRevolution,

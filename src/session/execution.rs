@@ -4,11 +4,12 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use super::checks::Checks;
+use super::record::{Record, Recorder};
 use super::{Outcome, Run, Session, is_stopped, offers};
 use crate::config::Purpose;
 use crate::diag::{Findings, StayedUnknown};
 use crate::resolve::Resolved;
-use crate::run::{End, Executed, Interpreter, LostCall, Program, Sink, State};
+use crate::run::{End, Executed, Interpreter, LostCall, Program, Sink};
 use crate::text::FileId;
 
 /// Blocks between two reports of progress.
@@ -31,8 +32,8 @@ pub struct Execution<'a> {
     despite_errors: bool,
     /// Somebody wants the findings no more.
     given_up: bool,
-    /// Most blocks that are executed.
-    most: u64,
+    /// Keeps from where execution can go on.
+    recorder: Option<Box<Recorder>>,
 }
 
 impl<'a> Execution<'a> {
@@ -59,14 +60,18 @@ impl<'a> Execution<'a> {
             checks: None,
             despite_errors: false,
             given_up: false,
-            most: u64::MAX,
+            recorder: None,
         }
     }
 
-    /// The same for so many blocks of a piece of a program, before which `state` is in force.
-    pub(super) fn of_piece(self, state: State, most: u64) -> Self {
-        let interpreter = Interpreter::from_state(&self.program, state);
-        Self { interpreter, most, ..self }
+    /// The same, from where an interpreter of the program stands.
+    pub(super) fn from(self, interpreter: Interpreter) -> Self {
+        Self { interpreter, ..self }
+    }
+
+    /// The same, with a record: [`Self::finish_with_record`] gives it.
+    pub(super) fn recorded(self) -> Self {
+        Self { recorder: Some(Box::new(Recorder::new(self.interpreter.clone()))), ..self }
     }
 
     /// The same, with what else its run looks for in executed blocks.
@@ -110,6 +115,9 @@ impl<'a> Execution<'a> {
             return None;
         }
         let block = self.interpreter.step(&mut self.program, &mut self.outcome.findings)?;
+        if let Some(recorder) = &mut self.recorder {
+            recorder.block(&block);
+        }
         let findings = &mut self.outcome.findings;
         if let Some(checks) = &mut self.checks {
             checks.block(&block, findings);
@@ -169,10 +177,12 @@ impl<'a> Execution<'a> {
     pub(super) fn end(&mut self) -> Option<End> {
         while !self.is_over(self.interpreter.executed()) {
             let executed = self.interpreter.executed();
-            let most = (self.most - executed).min(PROGRESS - executed % PROGRESS) - 1;
-            self.interpreter.pass_over(&self.program, most);
-            if self.interpreter.step(&mut self.program, &mut self.outcome.findings).is_none() {
-                break;
+            let room = self.recorder.as_ref().map_or(u64::MAX, |recorder| recorder.room(executed));
+            let passed = self.interpreter.pass_over(&self.program, room.min(PROGRESS - executed % PROGRESS) - 1);
+            let Some(block) = self.interpreter.step(&mut self.program, &mut self.outcome.findings) else { break };
+            if let Some(recorder) = &mut self.recorder {
+                passed.into_iter().for_each(|stretch| recorder.visit(stretch));
+                recorder.block(&block);
             }
         }
         self.outcome.executed = self.interpreter.executed();
@@ -194,6 +204,14 @@ impl<'a> Execution<'a> {
         Run { whole, outcome: self.into_outcome() }
     }
 
+    /// What the run found, and its record, when it has one.
+    pub(super) fn finish_with_record(mut self) -> (Outcome, Option<Record>) {
+        self.end();
+        let Self { recorder, interpreter, program: Program { resolved, sources, .. }, .. } = &mut self;
+        let record = recorder.take().map(|recorder| recorder.finish(interpreter, resolved, sources));
+        (self.into_outcome(), record)
+    }
+
     /// The same, with what a sink made of the program.
     pub(super) fn finish_with<S: Sink>(self, sink: S) -> Run<S::Whole> {
         self.finish_by(|end, findings| sink.end(end, findings))
@@ -207,16 +225,8 @@ impl<'a> Execution<'a> {
         Run { whole, outcome: self.into_outcome() }
     }
 
-    /// Whether so many blocks were executed as wanted, and that leads to `state`.
-    pub(super) fn leads_to(&self, state: &State) -> bool {
-        self.interpreter.executed() == self.most && self.interpreter.state() == state
-    }
-
     fn into_outcome(mut self) -> Outcome {
-        // A piece of a program does not tell which numbers are free.
-        if self.most == u64::MAX {
-            offers::add(&mut self.outcome.findings, &self.program.resolved);
-        }
+        offers::add(&mut self.outcome.findings, &self.program.resolved);
         Outcome { sources: self.program.sources, ..self.outcome }
     }
 
@@ -225,6 +235,6 @@ impl<'a> Execution<'a> {
         if executed.is_multiple_of(PROGRESS) && executed > 0 && !self.session.goes_on(executed) {
             self.give_up();
         }
-        self.given_up || executed == self.most
+        self.given_up
     }
 }

@@ -3,6 +3,7 @@
 mod checks;
 mod execution;
 mod offers;
+mod record;
 mod signals;
 mod timed;
 
@@ -12,14 +13,12 @@ use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem, StayedUnknown};
-use crate::resolve::{
-    Library, Resolved, is_program, report_misnamed, resolve_macrocycle, resolve_program, resolve_window,
-};
-use crate::run::{End, Sink, State};
+use crate::resolve::{Library, Resolved, is_program, report_misnamed, resolve_macrocycle, resolve_program};
+use crate::run::{End, Interpreter, Sink};
 use crate::stream;
-use crate::syntax::ParsedFile;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 pub use execution::Execution;
+pub use record::Record;
 pub use signals::TimedSignals;
 pub use timed::{TimedSink, Times};
 
@@ -185,6 +184,15 @@ impl<'a> Session<'a> {
         show(Execution::new(*self, path, resolved, outcome, Purpose::Check), sink)
     }
 
+    /// The second half of [`Self::check`] with a record of the execution, from which questions about it are answered.
+    pub fn execute_recorded(&self, path: &Path, resolved: Resolved, outcome: Outcome) -> (Outcome, Option<Record>) {
+        let mut execution = Execution::new(*self, path, resolved, outcome, Purpose::Check).with_checks().recorded();
+        if execution.has_checks() {
+            execution.show(&mut ());
+        }
+        execution.finish_with_record()
+    }
+
     /// Executes once more a resolved program that has no written errors, and shows every executed block to `sink`, also those
     /// after an error. What execution finds is known already.
     pub fn observe(&self, path: &Path, resolved: Resolved, sources: Sources, mut sink: impl Sink) {
@@ -192,29 +200,11 @@ impl<'a> Session<'a> {
         Execution::new(*self, path, resolved, outcome, Purpose::Check).despite_errors().show(&mut sink);
     }
 
-    /// Checks a piece of a long straight program alone: `source` is the text from one block up to another, whose numbers
-    /// `between` stand around it, `from` is in force before it and `to` after it. The findings, with places in the piece, are
-    /// those of the whole program, when that has none outside of the piece. `None` when the piece cannot be judged alone, or
-    /// leads to something else than `to`.
-    pub fn check_window(
-        &self,
-        source: &Arc<SourceText>,
-        between: (u32, u32),
-        from: &State,
-        to: &State,
-    ) -> Option<Outcome> {
-        let mut outcome = self.outcome(Purpose::Check);
-        let Outcome { sources, findings, .. } = &mut outcome;
-        let resolved = resolve_window(source, between, self.settings, sources, findings)?;
-        if !self.can_execute(&resolved, &outcome) {
-            return Some(outcome);
-        }
-        let blocks = resolved.file(FileId(0)).map_or(0, ParsedFile::block_count);
-        let execution = Execution::new(*self, Path::new(source.name()), resolved, outcome, Purpose::Check);
-        let mut execution = execution.of_piece(from.clone(), u64::from(blocks));
-        execution.show(&mut ());
-        let converged = execution.leads_to(to);
-        converged.then(|| execution.finish().outcome)
+    /// The same for the blocks that execution comes by from a checkpoint of a record on.
+    pub fn observe_from(&self, path: &Path, record: &Record, checkpoint: &Interpreter, mut sink: impl Sink) {
+        let outcome = Outcome { sources: record.sources().clone(), ..self.outcome(Purpose::Check) };
+        let execution = Execution::new(*self, path, record.resolved().clone(), outcome, Purpose::Check);
+        execution.from(checkpoint.clone()).despite_errors().show(&mut sink);
     }
 
     /// The macrocycles that the program at `path` may call.

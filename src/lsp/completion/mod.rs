@@ -19,7 +19,7 @@ pub(super) use self::numbering::{next_numbers, written};
 use self::texts::ItemText;
 use super::analysis::Analysis;
 use super::places::{Places, offset};
-use super::requests::{Answer, Snapshot};
+use super::snapshot::{Answer, Snapshot};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::{Address, GCode, Lang};

@@ -104,6 +104,16 @@ impl Client {
         self.wait(method, |message| message["method"] == method)
     }
 
+    /// The methods of all messages so far that end so; they are forgotten.
+    #[allow(dead_code, reason = "the benchmark needs less")]
+    pub fn said_so_far(&mut self, end: &str) -> Vec<String> {
+        let method =
+            |message: &Value| message["method"].as_str().filter(|method| method.ends_with(end)).map(str::to_owned);
+        let said = self.kept.iter().filter_map(method).collect();
+        self.kept.retain(|message| method(message).is_none());
+        said
+    }
+
     /// The findings of a document of that version (of a file that is not open: `None`), all older ones passed over.
     pub fn findings(&mut self, uri: &str, version: Option<i64>) -> Value {
         let message = self.wait(&format!("findings of {uri} {version:?}"), |message| {

@@ -161,3 +161,45 @@ fn versions_of_a_file_are_documents_of_their_own() {
         assert_eq!(client.end(), 0);
     }
 }
+
+/// One change of a macrocycle makes the views and findings of all its callers old: the client is asked once.
+#[test]
+fn one_refresh_for_a_change() {
+    let workspace = json!({
+        "inlayHint": { "refreshSupport": true }, "codeLens": { "refreshSupport": true },
+        "diagnostics": { "refreshSupport": true },
+    });
+    let capabilities = json!({ "workspace": workspace, "textDocument": { "diagnostic": {} } });
+    let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
+    let open = |client: &mut Client, name: &str, text: &str| {
+        let document =
+            json!({ "uri": format!("file:///refresh/{name}"), "languageId": "cnc872", "version": 1, "text": text });
+        client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+    };
+    let pull = |client: &mut Client, name: &str| {
+        let uri = format!("file:///refresh/{name}");
+        client.request("textDocument/diagnostic", json!({ "textDocument": { "uri": uri } }))
+    };
+    open(&mut client, "L9001", "N1 G79 L9001\nN2 X1\nN3 G70\n");
+    for number in 0..8 {
+        open(&mut client, &format!("{number}.nc"), "%1\nN1 G00 X0\nN2 G72 L9001\nN3 M30\n");
+    }
+    for number in 0..8 {
+        pull(&mut client, &format!("{number}.nc"));
+    }
+    let hover =
+        || json!({ "textDocument": { "uri": "file:///refresh/L9001" }, "position": { "line": 1, "character": 3 } });
+    client.request("textDocument/hover", hover());
+    client.said_so_far("refresh");
+    let at = json!({ "line": 1, "character": 4 });
+    let change = json!({ "range": { "start": at, "end": at }, "text": "2" });
+    let document = json!({ "uri": "file:///refresh/L9001", "version": 2 });
+    client.notify("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [change] }));
+    for number in 0..8 {
+        pull(&mut client, &format!("{number}.nc"));
+    }
+    client.request("textDocument/hover", hover());
+    let mut said = client.said_so_far("refresh");
+    said.sort();
+    assert_eq!(said, ["codeLens", "diagnostic", "inlayHint"].map(|what| format!("workspace/{what}/refresh")));
+}

@@ -3,12 +3,12 @@
 mod changes;
 mod client;
 mod completion;
+mod edits;
 mod formatting;
 mod life;
 mod rename;
 mod scenario;
 mod typing;
-mod windows;
 
 use client::Client;
 

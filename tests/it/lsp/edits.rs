@@ -1,4 +1,4 @@
-//! Quick looks at changes of a long program find what a fresh check finds.
+//! After any change of a long program the server finds what a fresh check finds.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::Client;
 
-const URI: &str = "file:///window.nc";
+const URI: &str = "file:///long.nc";
 const BLOCKS: usize = 22_000;
 
 /// Milling with a few functions among it.
@@ -61,9 +61,10 @@ const TYPED: [&str; 22] = [
 
 /// Findings as code and place, from 1.
 fn checked(text: &str) -> Vec<(String, [u64; 4])> {
-    let loader = MemoryLoader::new().with("window.nc", text);
+    let loader = MemoryLoader::new().with("long.nc", text);
     let settings = Settings::default();
-    let outcome = Session { loader: &loader, settings: &settings, progress: None }.check(Path::new("window.nc"), "w");
+    let outcome =
+        Session { loader: &loader, settings: &settings, progress: None }.check(Path::new("long.nc"), "long.nc");
     let source = outcome.sources.get(cnc872c::text::FileId(0)).unwrap().clone();
     let findings = outcome.findings.into_sorted().into_iter();
     let at = |offset: u32| {
