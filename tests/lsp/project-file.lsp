@@ -359,6 +359,30 @@ empty-‹lint›block = "allow"
       }
     },
     {
+      "detail": "makrocykly, které má jen stroj; soubor téhož čísla na cestě hledání má přednost",
+      "documentation": {
+        "kind": "markdown",
+        "value": "# machine-macrocycles: makrocykly, které má jen stroj; soubor téhož čísla na cestě hledání má přednost\n\n- Kde: `cnc872c.toml`, `[machine-macrocycles.L9001]`\n- Klíče: `L1` až `L9999`\n- `axes`: osy, kterými smí pohnout, „[]“ žádnou; jejich polohy pak po volání nejsou známy\n- Pravidlo: FLW-12\n\n## Příklad\n\n```toml\n[machine-macrocycles.L9001]\naxes = [\"Z\"]\n```\n"
+      },
+      "filterText": "[machine-macrocycles.L9001]",
+      "kind": 9,
+      "label": "[machine-macrocycles.L9001]",
+      "sortText": "0011",
+      "textEdit": {
+        "newText": "[machine-macrocycles.L9001]",
+        "range": {
+          "end": {
+            "character": 0,
+            "line": 4
+          },
+          "start": {
+            "character": 0,
+            "line": 4
+          }
+        }
+      }
+    },
+    {
       "detail": "rozsahy otáček vřetena",
       "documentation": {
         "kind": "markdown",
@@ -367,7 +391,7 @@ empty-‹lint›block = "allow"
       "filterText": "[[gears]]",
       "kind": 9,
       "label": "[[gears]]",
-      "sortText": "0011",
+      "sortText": "0012",
       "textEdit": {
         "newText": "[[gears]]",
         "range": {
@@ -391,7 +415,7 @@ empty-‹lint›block = "allow"
       "filterText": "[machine-constants]",
       "kind": 9,
       "label": "[machine-constants]",
-      "sortText": "0012",
+      "sortText": "0013",
       "textEdit": {
         "newText": "[machine-constants]",
         "range": {
@@ -415,7 +439,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion]",
       "kind": 9,
       "label": "[motion]",
-      "sortText": "0013",
+      "sortText": "0014",
       "textEdit": {
         "newText": "[motion]",
         "range": {
@@ -439,7 +463,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion.times]",
       "kind": 9,
       "label": "[motion.times]",
-      "sortText": "0014",
+      "sortText": "0015",
       "textEdit": {
         "newText": "[motion.times]",
         "range": {
@@ -463,7 +487,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion.sets]",
       "kind": 9,
       "label": "[motion.sets]",
-      "sortText": "0015",
+      "sortText": "0016",
       "textEdit": {
         "newText": "[motion.sets]",
         "range": {
@@ -487,7 +511,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion.sets.1]",
       "kind": 9,
       "label": "[motion.sets.1]",
-      "sortText": "0016",
+      "sortText": "0017",
       "textEdit": {
         "newText": "[motion.sets.1]",
         "range": {
@@ -511,7 +535,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion.sets.2]",
       "kind": 9,
       "label": "[motion.sets.2]",
-      "sortText": "0017",
+      "sortText": "0018",
       "textEdit": {
         "newText": "[motion.sets.2]",
         "range": {
@@ -535,7 +559,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion.sets.3]",
       "kind": 9,
       "label": "[motion.sets.3]",
-      "sortText": "0018",
+      "sortText": "0019",
       "textEdit": {
         "newText": "[motion.sets.3]",
         "range": {
@@ -559,7 +583,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion.sets.4]",
       "kind": 9,
       "label": "[motion.sets.4]",
-      "sortText": "0019",
+      "sortText": "0020",
       "textEdit": {
         "newText": "[motion.sets.4]",
         "range": {
@@ -583,7 +607,7 @@ empty-‹lint›block = "allow"
       "filterText": "[motion.sets.rapid]",
       "kind": 9,
       "label": "[motion.sets.rapid]",
-      "sortText": "0020",
+      "sortText": "0021",
       "textEdit": {
         "newText": "[motion.sets.rapid]",
         "range": {
@@ -607,7 +631,7 @@ empty-‹lint›block = "allow"
       "filterText": "[corrections.7]",
       "kind": 9,
       "label": "[corrections.7]",
-      "sortText": "0021",
+      "sortText": "0022",
       "textEdit": {
         "newText": "[corrections.7]",
         "range": {
@@ -631,7 +655,7 @@ empty-‹lint›block = "allow"
       "filterText": "[format]",
       "kind": 9,
       "label": "[format]",
-      "sortText": "0022",
+      "sortText": "0023",
       "textEdit": {
         "newText": "[format]",
         "range": {
