@@ -12,9 +12,8 @@ N50 R12 25. 5
 N60 S8 00 M0 3
 "   ^^^^^ E0102
 "         ^^^^ E0102
-N70 G0 1 G0 "the word keeps the value of its fix: G1"
+N70 G0 1 G0 "what is only offered is not known"
 "   ^^^^ E0102
-"        ^^ E0307
 N80 X36,12 X5
 "   ^^^^^^ E0104
 "          ^^ E0306

@@ -1,6 +1,6 @@
 //! What a malformed word may have been meant as. It has its finding; what follows from not knowing it has none (§13).
 
-use super::{Unit, UnitKind};
+use super::{Unit, UnitKind, spelling};
 use crate::dict::{Address, GCode, PROGRAM_ENDS};
 use crate::syntax::{BlockId, ParsedFile, Word};
 
@@ -41,6 +41,10 @@ pub(super) fn may_have_block(parsed: &ParsedFile, unread: &[BlockId], unit: &Uni
 fn may_mean(file: &ParsedFile, word: Word, number: u32) -> bool {
     let text = file.source.slice(word.span(file.source.text()));
     let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+    // One digit was replaced, inserted or lost, or none can be read.
+    if digits.is_empty() || digits.parse().is_ok_and(|read| spelling::distance(read, number).0 <= 1) {
+        return true;
+    }
     // `END` is the end of a program on other controls.
     let end = text.get(..3).is_some_and(|name| name.eq_ignore_ascii_case("END"));
     end || text.contains(['R', 'r']) || digits.trim_start_matches('0').starts_with(&number.to_string())

@@ -163,6 +163,11 @@ impl Resolved {
         &self.unknown_operations
     }
 
+    /// Whether a `*` cuts off the end of a unit: what stands behind it is not executed.
+    pub const fn is_cut_off(&self) -> bool {
+        self.cut_off.is_some()
+    }
+
     /// Whether some subprogram has no number that could be read: a call to one that is not there may mean it.
     pub const fn has_nameless_subprogram(&self) -> bool {
         self.nameless_subprogram

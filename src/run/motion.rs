@@ -260,11 +260,13 @@ fn find_arc(
     travels: &mut Vec<Travel>,
 ) -> Option<ArcFacts> {
     let machine = site.machine();
+    // A word that cannot be read may have been meant as another axis.
+    let unclear = words.axis_words().any(|(_, valued)| valued.word.is_void());
     let plane = planes::in_force(g);
     let Some((pair, helix)) = planes::of_arc(planes::axes_of(&machine.axes, plane), travels) else {
         let centered = words.i.is_some() || words.j.is_some();
         let goes_on = !centered && state.said.no_center.goes_on(site.file.file, site.block);
-        if goes_on && words.written(GGroup::G0).is_none() {
+        if unclear || goes_on && words.written(GGroup::G0).is_none() {
             return None;
         }
         let plane = format!("{} ({})", plane.name, plane.function);
@@ -275,10 +277,13 @@ fn find_arc(
     let zero = |word: Option<Valued>| word.is_none_or(|valued| valued.value == Some(Decimal::ZERO));
     let centered = !(zero(words.i) && zero(words.j));
     let helical = g.of(GGroup::G2) == Some(GCode::G09) || g.unknown.has(GGroup::G2);
-    if helix.is_some() && centered && !helical {
+    let off_plane = helix.is_some() && centered && !helical && !unclear;
+    if off_plane {
         arc_findings::found(site, state, (words, g), Finding::HelixWithoutG09 {}, words.place_of_motion(site));
     }
-    arc_findings::check_plane(site, state, words, g, pair);
+    if !unclear {
+        arc_findings::check_plane(site, state, words, g, pair);
+    }
     stay(machine, state, pair, travels);
     let named = planes::named(&machine.axes, pair);
     let [first, second] = named.map(|axis| machine.axes.get(axis).map(|axis| axis.letter));
@@ -296,7 +301,8 @@ fn find_arc(
         // The mode in force was meant.
         state.said.arc_mode = false;
     }
-    if moving.stale {
+    // Of an axis that the arc does not have one finding is enough.
+    if moving.stale && !unclear && !off_plane {
         arc_findings::found(site, state, (words, g), Finding::ArcAfterOriginChange {}, words.place_of_motion(site));
     }
     arc.computed = Some(computed);

@@ -176,8 +176,12 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) {
     let mut anything = nameless || clash || (words.malformed_g && controlled);
     if let Some((function, g_word)) = function {
         for parameter in (FIRST_CONTROL..).take(function.operations()) {
-            if let Some((word, value)) = control(parameter) {
-                anything |= operate(site, state, params, word, value) == Told::Nothing;
+            if let Some((word, value)) = control(parameter)
+                && operate(site, state, params, word, value) == Told::Nothing
+            {
+                anything = true;
+                // The next operation reads what this one may have assigned.
+                forget_others(state, params, &values, site.block_place());
             }
         }
         if let Some(finding) = missing_control_words(function, |parameter| control(parameter).is_some()) {
@@ -225,6 +229,9 @@ enum Told {
     Nothing,
 }
 
+/// The least control word: an operation, and two digits for each parameter.
+const SHORTEST: i64 = 1_000_000;
+
 /// One operation of G26–G29.
 fn operate(
     site: &mut Site<'_>,
@@ -247,7 +254,9 @@ fn operate(
             if word.is_parametric() && new {
                 site.report(with_origin(state, Diagnostic::new(finding, place), word));
             }
-            let Some(result) = control_result(value) else { return Told::Nothing };
+            // Less than seven digits have no operation: the others may be anything.
+            let short = value.abs() < Decimal::whole(SHORTEST);
+            let Some(result) = control_result(value).filter(|_| !short) else { return Told::Nothing };
             assign(state, params, result, None, site.word_place(word));
             return Told::Result;
         }

@@ -133,7 +133,8 @@ pub(super) fn check_tool(site: &mut Site<'_>, state: &mut State, words: &BlockWo
     let cycle = g.of(GGroup::G8).filter(|code| code.is_cycle());
     for &(m, word) in &words.m {
         let at = site.word_place(word);
-        if let Some(function) = corrects.filter(|_| m == TOOL_CHANGE || PROGRAM_ENDS.contains(&m)) {
+        let ends = (m == TOOL_CHANGE || PROGRAM_ENDS.contains(&m)) && !site.resolved.is_cut_off();
+        if let Some(function) = corrects.filter(|_| ends) {
             site.found(Finding::CorrectionLeftOn { function, m }, at);
         }
         if m != TOOL_CHANGE {

@@ -161,7 +161,8 @@ impl Lowering<'_> {
     /// What the words would set is not known.
     fn void_words(&mut self, words: impl IntoIterator<Item = Token>) {
         for word in words {
-            if let Some(address) = Address::from_byte(self.byte(word.start)).filter(|address| *address != Address::N) {
+            let address = Address::from_byte(self.byte(word.start)).filter(|address| *address != Address::N);
+            if let Some(address) = address {
                 self.push_void(address, word.span());
             }
         }
@@ -217,7 +218,8 @@ impl Lowering<'_> {
             let certain = certain.then_some(Certain::Comment);
             Diagnostic::new(finding(Meant::Comment), place).with_edits(certain, FixTitle::Comment, quotes())
         } else {
-            // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment.
+            // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment. `G7; L100`: a slip.
+            self.junk(Span::new(span.start, span.start + opening));
             let apart = kept.replace(';', " ").trim_end().to_owned();
             let meant = Meant::CommentOrWords { words: shown(&apart), comment: shown(&kept.replace('"', "")) };
             let diagnostic = Diagnostic::new(finding(meant), place);
@@ -257,7 +259,8 @@ pub(super) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
         return Some(token.start + small(length));
     }
     let begins = rest.first()?.is_ascii_alphabetic();
-    if !(if begins { is_statement(rest) } else { is_remark(bytes, token) }) {
+    let is_text = if begins { is_statement(rest) } else { is_remark(bytes, token) };
+    if !is_text && !is_sentence(bytes, token) {
         return None;
     }
     let line = rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r' | b'"')).count();
@@ -269,7 +272,16 @@ pub(super) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
 fn before_lone_quote(rest: &[u8], kind: Kind) -> Option<usize> {
     let begins = matches!(
         kind,
-        Kind::Text | Kind::Letter | Kind::BareR | Kind::Sign | Kind::Number | Kind::LooseNumber | Kind::Unknown
+        Kind::Text
+            | Kind::Letter
+            | Kind::SignedLetter
+            | Kind::ManySigns
+            | Kind::Equals
+            | Kind::BareR
+            | Kind::Sign
+            | Kind::Number
+            | Kind::LooseNumber
+            | Kind::Unknown
     );
     // The first `%` begins the program, wherever it stands: a quote before it is not read.
     if !begins || rest.starts_with(b"%") {
@@ -311,6 +323,30 @@ fn is_statement(rest: &[u8]) -> bool {
     !value && STATEMENTS.iter().any(|statement| statement.as_bytes().eq_ignore_ascii_case(name))
 }
 
+/// So many words of a language make a sentence, whatever else is in it.
+const SENTENCE: usize = 3;
+
+/// Whether a sentence begins there, with a line or behind a quote: at least three words of more than two letters.
+fn is_sentence(bytes: &[u8], token: Token) -> bool {
+    let before = bytes.get(..token.start as usize).sure();
+    let before = before.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
+    let begins = match before {
+        None | Some(b'\n' | b'\r') => matches!(token.kind, Kind::Text | Kind::Letter),
+        Some(b'"') => matches!(token.kind, Kind::Text | Kind::Letter | Kind::Parameter | Kind::Number),
+        Some(_) => false,
+    };
+    if !begins {
+        return false;
+    }
+    let rest = bytes.get(token.start as usize..).sure();
+    let line = rest.iter().take(COMMENT).take_while(|byte| !matches!(byte, b'\n' | b'\r' | b'"')).count();
+    let is_word = |word: &&[u8]| {
+        let letters = word.iter().take_while(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii()).count();
+        letters >= REMARK && word.get(letters).is_none_or(|byte| b",.:;!?".contains(byte))
+    };
+    rest.get(..line).sure().split(|byte| matches!(byte, b' ' | b'\t')).filter(is_word).count() >= SENTENCE
+}
+
 /// Whether a line that begins with signs or a number is text: its first letters are a word of some length.
 fn is_remark(bytes: &[u8], token: Token) -> bool {
     let plain = matches!(
@@ -324,7 +360,7 @@ fn is_remark(bytes: &[u8], token: Token) -> bool {
     }
     let rest = bytes.get(token.start as usize..).sure();
     let signs =
-        rest.iter().take_while(|byte| byte.is_ascii_digit() || blank(byte) || b"-+=.)>:!#~_".contains(byte)).count();
+        rest.iter().take_while(|byte| byte.is_ascii_digit() || blank(byte) || b"-+=.,)>:!#~_".contains(byte)).count();
     let head = rest.get(..signs).sure();
     let words = rest.get(signs..).sure();
     let letters = words.iter().take_while(|byte| byte.is_ascii_alphabetic()).count();

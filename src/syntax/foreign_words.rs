@@ -84,6 +84,7 @@ impl Lowering<'_> {
             (Kind::ForeignStart, Self::foreign_start),
             (Kind::JumpTarget, Self::jump_target),
             (Kind::MixedNumber, Self::mixed_number),
+            (Kind::LostNumber, Self::lost_number),
             (Kind::Unit, Self::unit),
         ];
         if let Some((_, handle)) = handle.into_iter().find(|(kind, _)| *kind == token.kind) {
@@ -156,6 +157,10 @@ impl Lowering<'_> {
         let span = token.span();
         let Some(address) = self.address(token.start, span) else { return };
         let text = self.slice(span);
+        if token.start.checked_sub(1).is_some_and(|before| self.byte(before).is_ascii_alphanumeric()) {
+            // `R5v=1`, `RW5=1`
+            self.junk(span);
+        }
         let (name, value) = text.split_once('=').unwrap_or((text, ""));
         let value = value.trim_matches([' ', '\t']);
         let plain = name.trim_end_matches([' ', '\t']).len() == 1;
@@ -209,6 +214,9 @@ impl Lowering<'_> {
         if radius {
             // The centre of the arc was given, in a way that is none here.
             self.push_void(Address::I, span);
+        } else if name.starts_with(['R', 'r']) {
+            // `RL=5`: a parameter, nobody knows which.
+            self.push_void(Address::R, span);
         }
     }
 
@@ -325,6 +333,7 @@ impl Lowering<'_> {
         };
         let finding = Finding::MissingValue { address: name, meant };
         let Some(address) = self.address(address.start, span) else { return };
+        self.junk(span);
         self.report(span, finding);
         let word = Word::bare(address, span).faulty();
         self.push(target.map_or(word, |target| word.assigning(target)), span);
@@ -577,15 +586,10 @@ impl Lowering<'_> {
             self.push_void(address, span);
             return;
         }
-        let letter = text.chars().next().filter(|first| first.is_alphabetic() && !first.is_ascii());
-        let number = letter.and_then(|letter| Number::parse(text.get(letter.len_utf8()..)?.as_bytes()));
-        if number.is_some() {
-            // The address that it was meant as is not known.
-            self.push_void(Address::X, span);
-            self.push_void(Address::Y, span);
-            if !self.arc_in_force(span.start) {
-                self.push_void(Address::Z, span);
-            }
+        let certain = text.chars().all(is_blank) || text.chars().all(|sign| MINUS.contains(&sign));
+        if !(certain || text == ";" && line_ends) {
+            self.junk(span);
+            self.lost_address(span);
         }
         self.pending.push(if text == ";" && line_ends {
             let title = FixTitle::Delete { text: ";".to_owned() };

@@ -188,6 +188,7 @@ pub(super) fn block<'t, 'x: 'l, 'l>() -> impl Parser<'t, &'t [Token], (), Extra<
                     | Kind::ForeignStart
                     | Kind::JumpTarget
                     | Kind::MixedNumber
+                    | Kind::LostNumber
                     | Kind::Unit
             )
         })

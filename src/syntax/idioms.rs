@@ -42,8 +42,13 @@ impl Lowering<'_> {
         self.radius_in_arc(first);
         self.line_elsewhere(first);
         self.height_of_cycle(first);
+        self.poison(first);
+        let parts = std::mem::take(&mut self.parts);
         for diagnostic in self.pending.drain(..) {
-            self.findings.add(diagnostic);
+            let is_junk = matches!(diagnostic.code(), Code::E0101 | Code::E0103 | Code::E0106 | Code::E0301);
+            if !(is_junk && parts.contains(&diagnostic.at.span.start)) {
+                self.findings.add(diagnostic);
+            }
         }
     }
 

@@ -21,6 +21,9 @@ pub(super) struct Lowering<'t> {
     pub(super) findings: Findings,
     /// Findings of the block in hand: what is around them may say what was meant.
     pub(super) pending: Vec<Diagnostic>,
+    /// What makes no word in the block in hand, and where junk begins that is part of other junk.
+    pub(super) junk: Vec<Span>,
+    pub(super) parts: Vec<u32>,
     /// Where addresses in lower case stand, in words without a finding (LEX-11).
     pub(super) lowercase: Vec<u32>,
     /// Where the first word stands.
@@ -79,6 +82,8 @@ impl<'t> Lowering<'t> {
             flags: BlockFlags::default(),
             findings: Findings::new(),
             pending: Vec::new(),
+            junk: Vec::new(),
+            parts: Vec::new(),
             lowercase: Vec::new(),
             first_word: None,
             candidate: false,
@@ -141,6 +146,11 @@ impl<'t> Lowering<'t> {
                     None if text.contains('=') => NumberMeant::EqualsForm,
                     None => NumberMeant::Form,
                 };
+                self.junk(span);
+                if text.contains('=') {
+                    // The parameter is not known.
+                    self.push_void(Address::R, span);
+                }
                 self.debris(span, Finding::MalformedNumber { text, meant });
             }
             Item::Text { first, last } => self.stray_text(first.span().to(last.span())),
@@ -216,6 +226,7 @@ impl<'t> Lowering<'t> {
         let byte = self.byte(start);
         let address = Address::from_byte(byte);
         if address.is_none() {
+            self.junk(word);
             self.debris(word, Finding::unknown_address(char::from(byte)));
         }
         address
@@ -362,8 +373,8 @@ impl<'t> Lowering<'t> {
         } else {
             diagnostic
         });
-        // What a coordinate was meant as is not known; of other words later checks take what is offered.
-        number.filter(|_| corrected && (certain.is_some() || !address.is_dimensional()))
+        // What is only offered is not known.
+        number.filter(|_| corrected && certain.is_some())
     }
 
     /// A number with a comma: a decimal one, where its address takes a point, or one that parts it from the next word.
@@ -406,7 +417,7 @@ impl<'t> Lowering<'t> {
             }
             None => diagnostic,
         });
-        value.filter(|_| certain.is_some() || !address.is_dimensional())
+        value.filter(|_| certain.is_some())
     }
 
     /// The number of a parameter, 0–95, and whether it has a finding already.

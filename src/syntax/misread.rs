@@ -5,7 +5,7 @@ use super::lower::Lowering;
 use super::missing::{SLIPS, Split};
 use super::number::Number;
 use super::{Kind, Token, Word, tokens};
-use crate::diag::{Diagnostic, Finding, Fix, FixTitle, NumberMeant, ValueMeant, shown};
+use crate::diag::{Diagnostic, Finding, Fix, FixTitle, Meant, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_BLOCK};
 use crate::sure::{Sure, small};
 use crate::text::Span;
@@ -218,6 +218,24 @@ impl Lowering<'_> {
         }
     }
 
+    /// `110 G02 X70`, `(10 G02`: the letter of a block number is missing, or is another sign.
+    pub(super) fn lost_number(&mut self, token: Token) {
+        let span = token.span();
+        let text = self.slice(span);
+        let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+        let written = format!("N{digits}");
+        let finding = if text.starts_with(|first: char| first.is_ascii_digit() || "+-.,".contains(first)) {
+            let meant = NumberMeant::BlockNumber { written: written.clone() };
+            Finding::MalformedNumber { text: shown(text), meant }
+        } else {
+            Finding::UnknownCharacter { text: shown(text), meant: Meant::of(text) }
+        };
+        let place = self.at(span);
+        let title = FixTitle::Write { text: written.clone() };
+        self.pending.push(Diagnostic::new(finding, place).with_offer(title, place, written));
+        self.push_void(Address::N, span);
+    }
+
     /// `8N0`: the letter of a block number is inside it.
     pub(super) fn mixed_number(&mut self, token: Token) {
         let span = token.span();
@@ -231,11 +249,7 @@ impl Lowering<'_> {
         let start =
             text.find(['N', 'n']).and_then(|at| u32::try_from(at).ok()).map_or(span.start, |at| span.start + at);
         let of_letter = Span::new(start, span.end);
-        let word = Number::parse(digits.as_bytes()).map_or_else(
-            || Word::bare(Address::N, of_letter),
-            |number| Word::with_number(Address::N, of_letter, number),
-        );
-        self.push(word.faulty(), of_letter);
+        self.push_void(Address::N, of_letter);
     }
 }
 

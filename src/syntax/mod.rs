@@ -18,6 +18,7 @@ mod missing;
 mod number;
 mod parse;
 mod plain;
+mod poison;
 mod swallowed;
 mod token;
 mod word;

@@ -9,7 +9,7 @@ use super::comments::statement_end;
 use super::file::Block;
 use super::lower::Lowering;
 use super::misread::is_mixed_number;
-use super::{BlockFlags, BlockId, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, tokens};
+use super::{BlockFlags, BlockId, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, poison, tokens};
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle, ValueMeant};
 use crate::dict::Address;
 use crate::parallel;
@@ -419,6 +419,16 @@ impl<'t> Reader<'t> {
             if token.kind == Kind::End {
                 self.end = Some(token.end);
                 break;
+            }
+            if (self.program_seen || self.form == Form::Macrocycle)
+                && !(self.first && self.before_blocks(&cuts))
+                && poison::is_lost_number(bytes, &batch, token)
+            {
+                token.kind = Kind::LostNumber;
+                cuts.push(batch.len());
+                has_l = false;
+                batch.push(token);
+                continue;
             }
             let with_address = matches!(
                 token.kind,

@@ -34,7 +34,7 @@ pub(super) fn only_words(text: &str, span: Span) -> Option<Vec<Token>> {
     let mut words: Vec<Token> = tokens(text, span.start, span.end).collect();
     words.retain(|token| token.kind != Kind::Comment);
     Run { text, tokens: &words }.whole(1, words.first().map(|first| first.start))?;
-    words.retain(|token| matches!(token.kind, Kind::Word | Kind::Letter | Kind::SignedLetter));
+    words.retain(|token| matches!(token.kind, Kind::Word | Kind::Letter | Kind::SignedLetter | Kind::Parameter));
     Some(words)
 }
 

@@ -90,6 +90,8 @@ pub enum Kind {
     JumpTarget,
     /// A block number with its letter inside: `8N0`. The lexer reads it as a number and a word; its place tells.
     MixedNumber,
+    /// A block number without its letter: `110 G02 X70`. The lexer reads it as a number; its place tells.
+    LostNumber,
     /// `%` alone, and on the next line a program number as other controls write it: `O2107`.
     #[regex(r"%[ \t]*(\r\n|\n|\r)[ \t]*[Oo][0-9]+", priority = 45)]
     ForeignStart,
@@ -243,6 +245,7 @@ impl Tokens<'_> {
             | Kind::NamedValue
             | Kind::JumpTarget
             | Kind::MixedNumber
+            | Kind::LostNumber
             | Kind::ForeignStart
             | Kind::TypographicComment
             | Kind::GarbledWord
@@ -368,6 +371,14 @@ impl Tokens<'_> {
     /// `;` between words and a block number may be the border of two blocks: what follows it stays in the program.
     fn comment_token(&mut self, token: Token) -> Token {
         let text = self.text.get(token.span().range()).sure();
+        let glued = self.last.is_some_and(|last| last.end == token.start && last.kind != Kind::Comment);
+        if glued && text.starts_with(['(', '{']) && !text.ends_with([')', '}']) {
+            // A slip in a word, no comment.
+            let digits = text.bytes().skip(1).take_while(u8::is_ascii_digit).count();
+            let end = token.start + 1 + small(digits);
+            self.restart(end);
+            return Token { kind: Kind::Unknown, end, ..token };
+        }
         let inner = text.strip_prefix(';').map(|inner| inner.trim_start_matches([' ', '\t']).as_bytes());
         if !matches!(inner, Some([b'N' | b'n', b'0'..=b'9', ..])) || self.begins_line(token.start) {
             return token;

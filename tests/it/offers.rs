@@ -197,7 +197,8 @@ fn words_with_a_comment_between_brackets() {
 }
 
 /// What a change brings to light in samples of more than one slip.
-const BROUGHT_TO_LIGHT: [(&str, &[Code]); 5] = [
+const BROUGHT_TO_LIGHT: [(&str, &[Code]); 6] = [
+    ("lex-numbers.nc", &[Code::E0307]),
     ("blk-skip-on.nc", &[Code::W0601]),
     ("lex-one-finding.nc", &[Code::E0203, Code::E0302, Code::E0305, Code::W0402, Code::W0403]),
     ("E0101-semicolons.nc", &[Code::E0306]),

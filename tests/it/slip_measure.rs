@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use cnc872c::config::{Overrides, Settings, configure, find_project};
-use cnc872c::diag::{Diagnostic, Findings, Fix};
+use cnc872c::diag::{Code, Diagnostic, Findings, Fix};
 use cnc872c::edit::apply_fixes;
 use cnc872c::session::Session;
 use cnc872c::stream::Part;
@@ -129,9 +129,9 @@ impl Slip {
 /// What came of a slip.
 pub enum Outcome {
     /// No fix is certain.
-    Untouched { findings: usize },
-    /// Something was fixed, and so many findings are left.
-    Left { findings: usize },
+    Untouched { found: Vec<Code> },
+    /// Something was fixed, and there are findings left. These were there before.
+    Left { found: Vec<Code> },
     /// Fixed, and the program that was meant.
     Meant,
     /// Fixed, clean, and another program.
@@ -141,13 +141,13 @@ pub enum Outcome {
 /// Makes a slip in a program and fixes what is certain.
 pub fn measure(program: &Program, slip: &Slip) -> Outcome {
     let slipped = slip.applied(program.text);
-    let (findings, fixed) = fix(program, slipped.clone());
+    let (found, fixed) = fix(program, slipped.clone());
     if fixed == slipped {
-        return Outcome::Untouched { findings };
+        return Outcome::Untouched { found };
     }
     let (left, _) = check(program, &fixed);
     if !left.is_empty() {
-        return Outcome::Left { findings };
+        return Outcome::Left { found };
     }
     let same = slip.is_taken_for_another(&slipped)
         || fixed.eq_ignore_ascii_case(&slipped)
@@ -156,16 +156,16 @@ pub fn measure(program: &Program, slip: &Slip) -> Outcome {
 }
 
 /// The findings of a text before any fix, and the text after all that is certain.
-fn fix(program: &Program, mut text: String) -> (usize, String) {
+fn fix(program: &Program, mut text: String) -> (Vec<Code>, String) {
     let mut first = None;
     loop {
         let (found, sources) = check(program, &text);
-        first.get_or_insert(found.len());
+        first.get_or_insert_with(|| found.iter().map(Diagnostic::code).collect());
         let fixes = found.iter().filter(|item| item.file() == FileId(0)).filter_map(Diagnostic::certain_fix);
         let source = sources.get(FileId(0)).expect("the program");
         let fixed = apply_fixes(source, FileId(0), text.as_bytes(), fixes.collect::<Vec<&Fix>>());
         if fixed.applied.is_empty() {
-            return (first.unwrap_or(0), text);
+            return (first.unwrap_or_default(), text);
         }
         text = String::from_utf8(fixed.bytes).expect("UTF-8");
     }

@@ -36,10 +36,10 @@ fn a_slip_is_never_fixed_into_another_program() {
         let outcome = measure(program, &slip);
         fixed += usize::from(!matches!(outcome, Outcome::Untouched { .. }));
         match outcome {
-            Outcome::Untouched { findings: 0 } => silent += 1,
-            Outcome::Untouched { findings } | Outcome::Left { findings } => {
-                if findings > 2 {
-                    many.push(format!("{}: {before:?} → {after:?}: {findings} findings", program.name));
+            Outcome::Untouched { found } if found.is_empty() => silent += 1,
+            Outcome::Untouched { found } | Outcome::Left { found } => {
+                if found.len() > 2 {
+                    many.push(format!("{}: {before:?} → {after:?}: {found:?}", program.name));
                 }
             }
             Outcome::Meant => meant += 1,
@@ -51,5 +51,5 @@ fn a_slip_is_never_fixed_into_another_program() {
     println!("{slips} slips: {fixed} with a fix, {meant} of them as meant; {silent} without a finding");
     println!("{} with more than two findings:\n{}", many.len(), many.join("\n"));
     assert!(different.is_empty(), "clean and different:\n{different}");
-    assert!(many.len() * 75 <= usize::try_from(slips).unwrap(), "more than two findings:\n{}", many.join("\n"));
+    assert!(many.len() * 200 <= usize::try_from(slips).unwrap(), "more than two findings:\n{}", many.join("\n"));
 }

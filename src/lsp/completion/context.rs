@@ -162,6 +162,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::Variable
         | Kind::JumpTarget
         | Kind::MixedNumber
+        | Kind::LostNumber
         | Kind::ForeignStart
         | Kind::GarbledWord
         | Kind::ForeignComment
@@ -191,6 +192,7 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
         | Kind::Variable
         | Kind::JumpTarget
         | Kind::MixedNumber
+        | Kind::LostNumber
         | Kind::ForeignStart
         | Kind::GarbledWord
         | Kind::ForeignComment
@@ -234,6 +236,7 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
         | Kind::Variable
         | Kind::JumpTarget
         | Kind::MixedNumber
+        | Kind::LostNumber
         | Kind::ForeignStart
         | Kind::TypographicComment
         | Kind::GarbledWord
