@@ -30,7 +30,7 @@ Příklady:
   cnc872c format --diff priruba.nc     ukáže změny
   cnc872c format - < a.nc > b.nc       ze standardního vstupu na standardní výstup
 
-Jak se píšou kódy G a M a čísla, určuje [format] v souboru projektu. Řádky, které nelze přečíst,
+Jak se píšou kódy G a M a čísla, určuje [format] v projektovém souboru. Řádky, které nelze přečíst,
 zůstanou, jak jsou. Návratový kód: 0 hotovo, i když programy mají chyby; 1 --check nebo --diff
 našly, co změnit; 2 soubor nelze přečíst či zapsat, nebo se žádný program nenašel.",
         },

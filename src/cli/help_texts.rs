@@ -249,7 +249,7 @@ chyby, 2 příkaz nešlo provést; SOUBOR pak zůstane, jak byl.",
     about(
         "explain",
         "Explains findings, functions, addresses and keys of the project file",
-        "Vysvětlí hlášení, funkce, adresy a klíče souboru projektu",
+        "Vysvětlí hlášení, funkce, adresy a klíče projektového souboru",
         Bilingual {
             en: "\
 Examples:
@@ -276,7 +276,7 @@ Příklady:
     about(
         "init",
         "Writes a commented project file cnc872c.toml, never over an existing one",
-        "Zapíše soubor projektu cnc872c.toml s poznámkami, existující nikdy nepřepíše",
+        "Zapíše projektový soubor cnc872c.toml s poznámkami, existující nikdy nepřepíše",
         Bilingual {
             en: "\
 Examples:

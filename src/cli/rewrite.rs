@@ -105,8 +105,7 @@ fn rewritten(target: &Target, projects: &Projects, loader: &DiskLoader, make: &M
     }
     let settings = projects.settings(target);
     let encoding = settings.map(|settings| settings.encoding).unwrap_or_default();
-    let before = FileBytes::decode(target.name(), loader.read(&target.path)?, encoding);
-    let before = before.map_err(|_| io::ErrorKind::FileTooLarge)?;
+    let before = FileBytes::decode(target.name(), loader.read(&target.path)?, encoding)?;
     let made = settings.map(|settings| make(target, before.source(), before.bytes(), settings));
     let made = made.unwrap_or_else(Made::unchanged);
     Ok(Rewritten { before, made })

@@ -77,7 +77,7 @@ bilingual! {
             "stroj pro odhad je předpokládaný: v [motion] není nastaveno nic";
         NeedMotion { names: String }
             "{names}: no value without [motion] in the project file",
-            "{names}: bez [motion] v souboru projektu nemá hodnotu";
+            "{names}: bez [motion] v projektovém souboru nemá hodnotu";
         CannotOpen { file: String, opener: String, reason: String }
             "{file} is written, but {opener} did not open it: {reason}",
             "{file} je zapsán, ale {opener} ho neotevřel: {reason}";

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
-use crate::text::{BrokenLink, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back};
+use crate::text::{BrokenLink, DecodeError, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back};
 
 /// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
 /// command line says, value by value (§11, §13 Configuration).
@@ -331,7 +331,10 @@ impl Files<'_> {
             return Err(ConfigProblem::Utf16);
         }
         let encoding = declared_encoding(&bytes).unwrap_or(fallback);
-        SourceText::decode(name, bytes, encoding).map_err(|_| ConfigProblem::TooLarge)
+        SourceText::decode(name, bytes, encoding).map_err(|error| match error {
+            DecodeError::TooLarge => ConfigProblem::TooLarge,
+            DecodeError::NotUtf8(_) => ConfigProblem::NotUtf8,
+        })
     }
 }
 

@@ -58,8 +58,8 @@ pub(super) const ENCODING: Row = row(
     Takes::OneOf(encodings),
     Default::Text("cp852"),
     (
-        "the code page of programs that are not in UTF-8; UTF-8 is recognised by itself",
-        "kódová stránka programů, které nejsou v UTF-8; UTF-8 se pozná samo",
+        "the code page of programs that are not in UTF-8, which is recognised by itself; `utf-8`: all others are an error",
+        "kódová stránka programů, které nejsou v UTF-8; to se pozná samo; `utf-8`: jiné jsou chyba",
     ),
     "LEX-13",
 )

@@ -11,8 +11,8 @@ use crate::dict::{Bilingual, Dialect, GCode, Lang};
 const INTRODUCTION: Bilingual = Bilingual {
     en: "\
 The project file says which machine the programs are for. It is TOML, found in the program's folder or the nearest
-folder above it; `--config FILE` names one. Paths in it are relative to its folder. Every key may be left out. What the
-command line says wins, value by value.
+folder above it; `--config FILE` names one. Paths in it are relative to its folder. Every key may be left out. Options of
+the command line take precedence, value by value.
 
 A key that is not known is a warning (W0705); a value of the wrong type or outside its range is an error at its place
 (E0702), and then no program is read. Numbers are taken by their digits, without binary fractions; one that is finer

@@ -1,6 +1,6 @@
 //! What the texts of some diagnostics advise, in both languages: closed sets of what was probably meant.
 
-use crate::dict::{Address, GCode, Lang, bilingual};
+use crate::dict::{HIGHEST_L, Address, GCode, Lang, bilingual};
 use crate::sure::Sure;
 
 bilingual! {
@@ -72,7 +72,7 @@ bilingual! {
     CommaMeant {
         Point { written: String } "the control knows the decimal point only: write `{written}`", "systém zná jen desetinnou tečku: napsat „{written}“";
         Apart { written: String } "write `{written}`, or give the second number an address of its own", "napsat „{written}“, nebo druhému číslu doplnit adresu";
-        Border { written: String } "words are parted by nothing or by blanks: write `{written}`", "slova se oddělují jen mezerami: napsat „{written}“";
+        Border { written: String } "separate words with blanks, never with commas: write `{written}`", "slova se oddělují mezerami, nikdy čárkami: napsat „{written}“";
         Whole { address: Address } "{address} takes whole numbers only", "{address} má jen celá čísla";
         WholeWritten { written: String } "the number is whole: write `{written}`", "je to celé číslo: napsat „{written}“";
         Dwell { written: String } "the dwell takes whole units of 10 ms; if seconds are meant, write `{written}`", "prodleva se zadává v celých jednotkách po 10 ms; jsou-li míněny sekundy, napsat „{written}“";
@@ -199,7 +199,7 @@ bilingual! {
         Rounding "corners are not rounded or chamfered by a word: write the arc or the line as a block of its own", "zaoblení ani zkosení rohu se slovem nezadává: napsat oblouk nebo úsečku jako samostatný blok";
         Polar "polar coordinates do not exist here: write those of the axes", "polární souřadnice zde nejsou: napsat souřadnice os";
         Spindle "M19 orients the spindle; its angle is the word of the spindle axis: `C90`", "vřeteno polohuje M19; úhel udává slovo osy vřetena: „C90“";
-        SpeedLimit "the program cannot limit the speed; `S` is the speed itself", "omezit otáčky program neumí; S jsou přímo otáčky";
+        SpeedLimit "the program cannot limit the speed; `S` is the speed itself", "otáčky zde omezit nelze; S jsou přímo otáčky";
         Named "an address is one letter; values with names are parameters: `R10=5`", "adresa je jediné písmeno; pojmenované hodnoty jsou zde parametry: „R10=5“";
     }
 }
@@ -249,7 +249,8 @@ bilingual! {
         Definition "values have no names here; parameters are R0 to R95: `R10=5`", "hodnoty zde nemají jména; parametry jsou R0 až R95: „R10=5“";
         Return "there is no such statement; a subprogram ends with G70", "takový příkaz zde není; podprogram končí funkcí G70";
         End "there is no such statement; a program ends with M30, a subprogram with G70", "takový příkaz zde není; program končí funkcí M30, podprogram G70";
-        Condition "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`, twice `G73 L190 Q2`", "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“, má-li proběhnout dvakrát, „G73 L190 Q2“";
+        Condition "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`; `G73 L190 Q2` jumps twice, the stretch runs three times", "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“; „G73 L190 Q2“ skočí dvakrát, úsek proběhne třikrát";
+        ConditionTo { l: u32 } "there are no conditions and loops; a jump to block N{l} is `G73 L{l}`; `G73 L{l} Q2` jumps twice, the stretch runs three times", "podmínky ani cykly zde nejsou; skok na blok N{l} se píše „G73 L{l}“; „G73 L{l} Q2“ skočí dvakrát, úsek proběhne třikrát";
         Message "a message to the operator is a comment here: write the text alone, between quotes", "hlášení pro obsluhu je zde komentář: napsat jen text v uvozovkách";
     }
 }
@@ -277,10 +278,21 @@ impl TextMeant {
             "RET" => Self::Return,
             "END" if !loop_end => Self::End,
             "IF" | "ELSE" | "ELSEIF" | "ENDIF" | "WHILE" | "ENDWHILE" | "FOR" | "ENDFOR" | "LOOP" | "ENDLOOP"
-            | "REPEAT" | "REPEATB" | "UNTIL" | "CASE" | "END" => Self::Condition,
+            | "REPEAT" | "REPEATB" | "UNTIL" | "CASE" | "END" => {
+                jump_in(text).map_or(Self::Condition, |l| Self::ConditionTo { l })
+            }
             _ => return None,
         })
     }
+}
+
+/// The block that a condition of other controls jumps to: `IF R20<100 GOTO 60`.
+fn jump_in(text: &str) -> Option<u32> {
+    let upper = text.to_ascii_uppercase();
+    let (_, behind) = upper.split_once("GOTO")?;
+    let number = behind.trim_start_matches(['F', 'B', 'C', 'S', ' ', '\t', 'N']);
+    let digits: String = number.chars().take_while(char::is_ascii_digit).collect();
+    digits.parse().ok().filter(|l| (1..=HIGHEST_L).contains(l))
 }
 
 bilingual! {
@@ -500,7 +512,8 @@ bilingual! {
         Call { written: String } "M98 calls nothing here; a subprogram is called by `{written}`", "M98 zde nevolá podprogram; volá ho „{written}“";
         Exchanged { written: String } "if a call or jump is meant, write `{written}`", "mělo-li to být volání nebo skok, napsat „{written}“";
         Alone { written: String } "a subprogram is called by `{written}`; a jump is written with G73, the call of a macrocycle with G72", "podprogram volá „{written}“; skok se píše s G73, volání makrocyklu s G72";
-        Tables "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59", "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59";
+        Macrocycle { written: String } "a macrocycle is called by `{written}`", "makrocyklus volá „{written}“";
+        Tables "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59; X, Y and Z in this block move", "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59; X, Y a Z v tomto bloku jsou pohyb";
     }
 }
 
@@ -538,7 +551,7 @@ impl OtherMeaning {
                 "the program cannot limit the speed: delete both; `S` would be the speed itself".to_owned()
             }
             (Self::SpeedLimit, Lang::Cs) => {
-                "omezit otáčky program neumí: vymazat obojí; S by znamenalo přímo otáčky".to_owned()
+                "otáčky zde omezit nelze: vymazat obojí; S by byly přímo otáčky".to_owned()
             }
         }
     }
@@ -580,7 +593,7 @@ pub(super) fn control_digits(digits: i64) -> String {
 }
 
 /// What was probably meant by a value that the address does not take.
-pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static str {
+pub(super) fn other_range(address: Address, range: &str, mode: Option<GCode>, lang: Lang) -> &'static str {
     let (en, cs) = match address {
         Address::P => (
             "P is an auxiliary function here; a call takes `L`, the dwell of G04 is `Q`",
@@ -593,6 +606,14 @@ pub(super) fn other_range(address: Address, range: &str, lang: Lang) -> &'static
         Address::F if range.ends_with("/rev") => (
             "the feed is in mm per revolution here: a quarter of a millimetre is `F0.25`; under G94 it is in mm per minute",
             "posuv je zde v mm na otáčku: čtvrt milimetru je „F0.25“; při G94 je v mm za minutu",
+        ),
+        Address::F if mode == Some(GCode::G96) => (
+            "the feed is in mm per minute here; with constant cutting speed it is in mm per revolution under G97 (key `g97`)",
+            "posuv je zde v mm za minutu; v mm na otáčku je při konstantní řezné rychlosti s G97 (klíč g97)",
+        ),
+        Address::F if mode == Some(GCode::G97) => (
+            "the feed is in mm per minute here, as the key `g97` says; under G95 it is 0.001–99.999 mm/rev",
+            "posuv je zde v mm za minutu, jak určuje klíč g97; při G95 má rozsah 0.001–99.999 mm/ot",
         ),
         Address::F => (
             "the feed is in mm per minute here; under G95 it is 0.001–99.999 mm/rev",
@@ -677,7 +698,7 @@ pub(super) fn foreign_g(number: u32, lang: Lang) -> &'static str {
         43 | 44 | 49 => ("length corrections are chosen by `&` and `D`", "délkové korekce se volí adresami & a D"),
         50 => (
             "conversions are cancelled by G34; the program cannot limit the speed, and `S` beside it is the speed itself",
-            "přepočty ruší G34; omezit otáčky program neumí a S u něj jsou přímo otáčky",
+            "přepočty ruší G34; otáčky zde omezit nelze: vymazat G50 i S",
         ),
         51 => ("coordinates are scaled by G36", "měřítko se zadává funkcí G36"),
         52 => ("origins are shifted by G54–G59, G92 and G93", "počátky se posouvají funkcemi G54–G59, G92 a G93"),

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::dict::{Address, GCode, Lang, bilingual};
-use crate::text::BrokenLink;
+use crate::text::{BrokenLink, NotUtf8};
 
 bilingual! {
     /// Why a file cannot be read.
@@ -17,6 +17,7 @@ bilingual! {
         NotAFile "it is not a regular file", "není to obyčejný soubor";
         Link "it is a link that leads to no file", "je to odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
+        NotUtf8 { line: usize, byte: String } "it is not in UTF-8, as `encoding` says: byte {byte} in line {line}", "není v UTF-8, jak určuje encoding: bajt {byte} na řádku {line}";
         Changing "it is being written to", "právě se do něj zapisuje";
         MacrocycleGiven "it is a macrocycle; name the program that calls it", "je to makrocyklus; uvést program, který ho volá";
         Other { reason: String } "{reason}", "{reason}";
@@ -28,6 +29,9 @@ impl Problem {
     pub fn from_io(error: &std::io::Error) -> Self {
         if BrokenLink::is(error) {
             return Self::Link;
+        }
+        if let Some(NotUtf8 { line, byte }) = NotUtf8::of(error) {
+            return Self::NotUtf8 { line, byte: format!("{byte:02X}h") };
         }
         [
             (std::io::ErrorKind::NotFound, Self::NotFound),
@@ -143,6 +147,15 @@ pub fn is_blank(character: char) -> bool {
     !character.is_ascii() && character.is_whitespace()
 }
 
+/// The end of a main program that has another one behind it (E0206).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct EarlyEnd {
+    /// M02 or M30, by number.
+    pub function: u8,
+    /// The number of its block.
+    pub block: u32,
+}
+
 /// What is known by its name alone (W0612).
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub enum Unmodelled {
@@ -221,8 +234,8 @@ impl OtherControl {
 bilingual! {
     /// Why a word I, J or K has no use in its block (MOT-3, GRP-4, GRP-7, GRP-8).
     CenterPlace {
-        ThirdInArc "an arc has its centre in I and J", "střed oblouku udávají I a J";
-        OtherLetters "an arc has its centre in I and J, in the order of its axes", "střed oblouku udávají I a J v pořadí jeho os";
+        ThirdInArc "I and J give the centre", "střed oblouku udávají I a J";
+        OtherLetters "I and J give the centre, in the order of the axes of the arc", "střed oblouku udávají I a J v pořadí jeho os";
         InTableBlock "a G92 or G93 block takes axis words", "blok s G92 nebo G93 má slova os";
         NoUse "it is no arc, and no function that takes it is in force", "není to oblouk a neplatí funkce, která by ho použila";
     }

@@ -7,6 +7,7 @@ bilingual! {
     LabelText {
         First { what: String } "`{what}` is the first one", "první je {what}";
         FirstBlock { block: u32 } "N{block} is used here first", "N{block} je poprvé zde";
+        EndsHere { function: u8 } "M{function:02} ends the program here", "M{function:02} končí program už zde";
         EndHere { function: u8 } "M{function:02} is here, after subprograms", "M{function:02} je až zde, za podprogramy";
         FileEnds "the file ends here", "zde soubor končí";
         InPlaceOfG70 { function: u8 } "M{function:02} is here in place of G70", "místo G70 je zde M{function:02}";

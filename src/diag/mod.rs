@@ -21,7 +21,7 @@ pub use advice::{
     TextMeant, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
 pub use details::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, JointBreak, JointLimit, KnownNames,
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, EarlyEnd, JointBreak, JointLimit, KnownNames,
     MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, Unmodelled, UnusedConstant, is_blank,
 };
 pub use details::{ConditionProblem, RunTimeReason, SignalProblem};

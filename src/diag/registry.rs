@@ -10,7 +10,7 @@ use super::advice::{
 };
 use super::{
     AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, CommaMeant, ConfigNeed,
-    ConfigProblem, ConstantProblem, DwellMeant, JointBreak, JointLimit, KnownNames, Meant, NameKind, NotUsed,
+    ConfigProblem, ConstantProblem, DwellMeant, EarlyEnd, JointBreak, JointLimit, KnownNames, Meant, NameKind, NotUsed,
     NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant,
     TextMeant, Unmodelled, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
@@ -307,11 +307,11 @@ diagnostics! {
         cs (match (late, skipped) { _ if unread.is_some() => unread.map(|end| end.message(Lang::Cs)).unwrap_or_default(), (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"), (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(), (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned() })
         help (match (late, instead) { _ if unread.is_some() => unread.map(|end| end.unread.help(Lang::En).to_owned()).unwrap_or_default(), (Some(m), _) => format!("move the subprograms behind the block with M{m:02}"), (None, Some(m)) => format!("write M30 in place of M{m:02}, which does not end the program here"), (None, None) => "end the main program with a block of its own: `N… M30`".to_owned() })
            | (match (late, instead) { _ if unread.is_some() => unread.map(|end| end.unread.help(Lang::Cs).to_owned()).unwrap_or_default(), (Some(m), _) => format!("podprogramy přesunout za blok s M{m:02}"), (None, Some(m)) => format!("místo M{m:02}, které zde program neukončí, napsat M30"), (None, None) => "ukončit hlavní program samostatným blokem: „N… M30“".to_owned() })
-    [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32 }
+    [E0206] BlockAfterProgramEnd "block-after-program-end" Error { block: u32, early: Option<EarlyEnd> }
         en "N{block} comes after the end of the program and belongs to no subprogram"
         cs "blok N{block} stojí za koncem programu a nepatří do žádného podprogramu"
-        help "only subprograms (`G79 L…` to `G70`) may follow M02 or M30; move it before the end, or into a subprogram"
-           | "za M02 nebo M30 smějí následovat jen podprogramy (od „G79 L…“ po „G70“); blok přesunout před konec, nebo do podprogramu"
+        help (match early { Some(EarlyEnd { function, block }) => format!("the program ends in N{block} with M{function:02}: correct that function if another one is meant (`M03`?), or move the blocks before it"), None => "only subprograms (`G79 L…` to `G70`) may follow M02 or M30; move it before the end, or into a subprogram".to_owned() })
+           | (match early { Some(EarlyEnd { function, block }) => format!("program končí už blokem N{block} s M{function:02}: je-li míněna jiná funkce („M03“?), opravit ji, jinak bloky přesunout před něj"), None => "za M02 nebo M30 smějí následovat jen podprogramy (od „G79 L…“ po „G70“); blok přesunout před konec, nebo do podprogramu".to_owned() })
     [E0207] UnterminatedSubprogram "unterminated-subprogram" Error { macrocycle: bool, skipped: bool, last: bool, instead: Option<u8>, unread: Option<Unread> }
         en ({ if let Some(Unread { line, .. }) = unread { let unit = if *macrocycle { "macrocycle" } else { "subprogram" }; format!("the {unit} has no end: G70 in line {line} is after `*`, which ends the file") } else { match (macrocycle, skipped, last) { (_, true, _) => "with block skip on, the G70 that ends this unit is left out", (true, false, _) => "the macrocycle has no end: no block holds G70", (false, false, true) => "the subprogram has no end: no block up to the end of the file holds G70", (false, false, false) => "the subprogram has no end: no block up to the next subprogram holds G70" }.to_owned() } })
         cs ({ if let Some(Unread { line, .. }) = unread { let unit = if *macrocycle { "makrocyklus" } else { "podprogram" }; format!("{unit} nemá konec: G70 na řádku {line} je až za hvězdičkou, která ukončuje soubor") } else { match (macrocycle, skipped, last) { (_, true, _) => "při zapnutém vynechávání bloků se vynechá i G70, které tento celek ukončuje", (true, false, _) => "makrocyklus nemá konec: v žádném bloku není G70", (false, false, true) => "podprogram nemá konec: až do konce souboru v žádném bloku není G70", (false, false, false) => "podprogram nemá konec: až po další podprogram v žádném bloku není G70" }.to_owned() } })
@@ -390,8 +390,8 @@ diagnostics! {
     [E0302] ValueOutOfRange "value-out-of-range" Error { address: Address, range: String, mode: Option<GCode>, call: Option<String> }
         en ({ let under = mode.map_or_else(String::new, |mode| format!(" under {mode}")); format!("{address} takes {range}{under}") })
         cs ({ let range = range_cs(range); let under = mode.map_or_else(String::new, |mode| format!(" při {mode}")); format!("{address} má{under} rozsah {range}") })
-        help (match call { Some(call) => format!("if a call is meant, write `{call}`"), None => other_range(*address, range, Lang::En).to_owned() })
-           | (match call { Some(call) => format!("mělo-li to být volání, napsat „{call}“"), None => other_range(*address, range, Lang::Cs).to_owned() })
+        help (match call { Some(call) => format!("if a call is meant, write `{call}`"), None => other_range(*address, range, *mode, Lang::En).to_owned() })
+           | (match call { Some(call) => format!("mělo-li to být volání, napsat „{call}“"), None => other_range(*address, range, *mode, Lang::Cs).to_owned() })
     [W0303] FinerThanResolution "finer-than-resolution" Warning { rounded: String }
         en "more than three decimals: the control takes {rounded}"
         cs "víc než tři desetinná místa: systém vezme {rounded}"
@@ -415,8 +415,8 @@ diagnostics! {
         help (if *unnumbered { unnumbered_line(Lang::En) } else { "one function of a group per block: delete one, or give it a block of its own" })
            | (if *unnumbered { unnumbered_line(Lang::Cs) } else { "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok" })
     [E0308] ConflictingM "conflicting-m-functions" Error { first: u8, second: u8, group: u8, dialect: Dialect, unnumbered: bool }
-        en "M{first:02} and M{second:02} are both of M group {group}"
-        cs ({ let of = of_group(*group); format!("M{first:02} a M{second:02} jsou obě {of} skupiny M funkcí") })
+        en (if first == second { format!("M{first:02} is written twice in this block") } else { format!("M{first:02} and M{second:02} are both of M group {group}") })
+        cs (if first == second { format!("M{first:02} je v bloku dvakrát") } else { let of = of_group(*group); format!("M{first:02} a M{second:02} jsou obě {of} skupiny M funkcí") })
         help (if *unnumbered { unnumbered_line(Lang::En) } else { "one function of a group per block: delete one, or give it a block of its own" })
            | (if *unnumbered { unnumbered_line(Lang::Cs) } else { "z jedné skupiny smí být v bloku jediná funkce: jednu vymazat, nebo jí dát vlastní blok" })
         note (match (*group >= 10, dialect.has_channel_config()) { (true, true) => "functions that the machine builder added are in the groups that `channel-config` gives", (true, false) => "functions that the machine builder added are in the groups that R56–R59 of `machine-constants` give", (false, _) => "" })
@@ -452,22 +452,22 @@ diagnostics! {
         en "`Q` has no use in this block"
         cs "Q zde nemá význam"
         help "`Q` goes with G71, G72, G73 or, as the dwell time, with G04" | "Q patří ke G71, G72, G73 nebo jako délka prodlevy ke G04"
-    [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool, without_entry: Option<u32>, uncalled: Option<u32>, unread: Option<Unread> }
+    [E0404] UnknownSubprogram "unknown-subprogram" Error { l: u32, near: Option<u32>, macrocycle: bool, from_macrocycle: bool, without_entry: Option<u32>, uncalled: Option<u32>, unread: Option<Unread>, block: bool }
         en (if let Some(Unread { line, .. }) = unread { format!("subprogram L{l} in line {line} is after `*`, which ends the file") } else if *from_macrocycle { format!("a macrocycle cannot call subprogram L{l}: subprograms belong to the program's file") } else { format!("there is no subprogram L{l} in this file") })
         cs (if let Some(Unread { line, .. }) = unread { format!("podprogram L{l} na řádku {line} je až za hvězdičkou, která ukončuje soubor") } else if *from_macrocycle { format!("makrocyklus nemůže volat podprogram L{l}: podprogramy patří k souboru programu") } else { format!("podprogram L{l} v souboru není") })
-        help (match without_entry { _ if let Some(unread) = unread => unread.help(Lang::En).to_owned(), Some(block) => format!("if it begins with N{block}, put a block before it: `N… G79 L{l}`"), None if let Some(other) = uncalled => format!("nothing calls L{other}: if it is meant, write `G79 L{l}` where it begins, or `G71 L{other}` in the calls"), None if *macrocycle => format!("L{l} is a macrocycle: call it with `G72 L{l}`"), None if *from_macrocycle => "call a macrocycle with G72".to_owned(), None => nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
-           | (match without_entry { _ if let Some(unread) = unread => unread.help(Lang::Cs).to_owned(), Some(block) => format!("začíná-li blokem N{block}, doplnit před něj blok „N… G79 L{l}“"), None if let Some(other) = uncalled => format!("L{other} nic nevolá: je-li míněn, napsat na jeho začátku „G79 L{l}“, nebo ve voláních „G71 L{other}“"), None if *macrocycle => format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“"), None if *from_macrocycle => "volat makrocyklus pomocí G72".to_owned(), None => nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
-    [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool, calls: usize, near: Option<u32> }
+        help (match without_entry { _ if let Some(unread) = unread => unread.help(Lang::En).to_owned(), Some(block) => format!("if it begins with N{block}, put a block before it: `N… G79 L{l}`"), None if let Some(other) = uncalled => format!("nothing calls L{other}: if it is meant, write `G79 L{l}` where it begins, or `G71 L{other}` in the calls"), None if *macrocycle => format!("L{l} is a macrocycle: call it with `G72 L{l}`"), None if *block => format!("N{l} is a block here: jump to it with `G73 L{l}`"), None if *from_macrocycle => "call a macrocycle with G72".to_owned(), None => nearest(near.as_ref(), "the nearest one is `G71 L", "`") })
+           | (match without_entry { _ if let Some(unread) = unread => unread.help(Lang::Cs).to_owned(), Some(block) => format!("začíná-li blokem N{block}, doplnit před něj blok „N… G79 L{l}“"), None if let Some(other) = uncalled => format!("L{other} nic nevolá: je-li míněn, napsat na jeho začátku „G79 L{l}“, nebo ve voláních „G71 L{other}“"), None if *macrocycle => format!("L{l} je makrocyklus: zavolat ho pomocí „G72 L{l}“"), None if *block => format!("N{l} je zde blok: skok na něj je „G73 L{l}“"), None if *from_macrocycle => "volat makrocyklus pomocí G72".to_owned(), None => nearest(near.as_ref(), "nejbližší je „G71 L", "“") })
+    [E0405] UnknownMacrocycle "unknown-macrocycle" Error { l: u32, searched: String, subprogram: bool, calls: usize, near: Option<u32>, block: bool }
         en (if *calls > 1 { format!("macrocycle L{l} is not on the search path; {calls} blocks call it") } else { format!("macrocycle L{l} is not on the search path") })
-        cs (if *calls > 1 { format!("makrocyklus L{l} na cestě hledání není; program ho volá {calls}×") } else { format!("makrocyklus L{l} na cestě hledání není") })
-        help (match (subprogram, near) { (true, _) => format!("L{l} is a subprogram of this file: call it with `G71 L{l}`"), (false, Some(near)) => format!("the nearest one is `G72 L{near}`; if L{l} is meant, name its folder with `-L` or under `macrocycles` in cnc872c.toml"), (false, None) => format!("name its folder with `-L` or under `macrocycles` in cnc872c.toml; if only the machine has it, `L{l} = {{}}` under `[machine-macrocycles]` there") })
-           | (match (subprogram, near) { (true, _) => format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“"), (false, Some(near)) => format!("nejbližší je „G72 L{near}“; je-li míněno L{l}, uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml"), (false, None) => format!("uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml; má-li ho jen stroj, zapsat tam v [machine-macrocycles] L{l} = {{}}") })
+        cs (if *calls > 1 { format!("makrocyklus L{l} se nenašel; program ho volá {calls}×") } else { format!("makrocyklus L{l} se nenašel") })
+        help (match (subprogram, near) { (true, _) => format!("L{l} is a subprogram of this file: call it with `G71 L{l}`"), _ if *block => format!("N{l} is a block here: jump to it with `G73 L{l}`"), (false, Some(near)) => format!("the nearest one is `G72 L{near}`; if L{l} is meant, name its folder with `-L` or under `macrocycles` in cnc872c.toml"), (false, None) => format!("name its folder with `-L` or under `macrocycles` in cnc872c.toml; if only the machine has it, `L{l} = {{}}` under `[machine-macrocycles]` there") })
+           | (match (subprogram, near) { (true, _) => format!("L{l} je podprogram tohoto souboru: zavolat ho pomocí „G71 L{l}“"), _ if *block => format!("N{l} je zde blok: skok na něj je „G73 L{l}“"), (false, Some(near)) => format!("nejbližší je „G72 L{near}“; je-li míněno L{l}, uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml"), (false, None) => format!("uvést jeho složku volbou -L nebo v macrocycles v souboru cnc872c.toml; má-li ho jen stroj, zapsat tam v [machine-macrocycles] L{l} = {{}}") })
         note ({ let searched = crate::diag::terminal_safe(searched); format!("searched: {searched}") }) | ({ let searched = crate::diag::terminal_safe(searched); format!("hledalo se v: {searched}") })
-    [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32>, line: Option<u32> }
+    [E0406] UnknownJumpTarget "unknown-jump-target" Error { l: u32, near: Option<u32>, line: Option<u32>, subprogram: bool }
         en "there is no block N{l} to jump to"
         cs "blok N{l}, na který se má skočit, neexistuje"
-        help (match (line, near) { (Some(line), _) => format!("line {line} begins with {l}, but not with `N`: write `N{l}` there"), (None, Some(n)) => format!("the nearest block of this unit is N{n}: `G73 L{n}`"), (None, None) => String::new() })
-           | (match (line, near) { (Some(line), _) => format!("řádek {line} začíná číslem {l} bez N: napsat tam „N{l}“"), (None, Some(n)) => format!("nejbližší blok tohoto celku je N{n}: „G73 L{n}“"), (None, None) => String::new() })
+        help (match (line, near) { (Some(line), _) => format!("line {line} begins with {l}, but not with `N`: write `N{l}` there"), (None, Some(n)) => format!("the nearest block of this unit is N{n}: `G73 L{n}`"), (None, None) if *subprogram => format!("L{l} is a subprogram here: call it with `G71 L{l}`"), (None, None) => String::new() })
+           | (match (line, near) { (Some(line), _) => format!("řádek {line} začíná číslem {l} bez N: napsat tam „N{l}“"), (None, Some(n)) => format!("nejbližší blok tohoto celku je N{n}: „G73 L{n}“"), (None, None) if *subprogram => format!("L{l} je zde podprogram: zavolat ho pomocí „G71 L{l}“"), (None, None) => String::new() })
     [E0407] JumpOutOfUnit "jump-out-of-unit" Error { l: u32 }
         en "block N{l} is in another unit of the program"
         cs "blok N{l} je v jiném programovém celku"
@@ -519,7 +519,7 @@ diagnostics! {
         help "assign it first: `R{parameter}=…`, or give the machine's value with `--param R{parameter}=…`"
            | "nejdřív přiřadit: „R{parameter}=…“, nebo zadat hodnotu ze stroje volbou --param R{parameter}=…"
         note "its value comes from the machine's parameter table: `check` leaves out what depends on it, `compile` ends here"
-           | "hodnota pochází z tabulky parametrů stroje: check to, co na ní závisí, nekontroluje, compile zde skončí"
+           | "hodnota pochází z tabulky parametrů stroje: co na ní závisí, se nezkontroluje; compile zde skončí"
     [W0504] AssignedAndRead "assigned-and-read" Warning { parameter: u8 }
         en "R{parameter} is read here and assigned in the same block: the old value counts"
         cs "R{parameter} se v témže bloku čte i přiřazuje: platí stará hodnota"
@@ -593,17 +593,17 @@ diagnostics! {
         en "the arc starts from a position that is not known ({axes})"
         cs "oblouk začíná v poloze, kterou program nezná ({axes})"
         help "program {axes} absolutely (G90) before the arc" | "před obloukem najet absolutně (G90) osami: {axes}"
-    [E0607] SpeedOutsideGear "speed-outside-gear" Error { s: u32, m: u8, min: u32, max: u32 }
+    [E0607] SpeedOutsideGear "speed-outside-gear" Error { s: u32, m: u8, min: u32, max: u32, g97: bool }
         en "S{s} is outside range M{m}, which is {min}–{max} rev/min"
         cs "S{s} je mimo rozsah M{m}, tedy {min}–{max} ot/min"
-        help "change the speed, program another range, or let M40 choose it"
-           | "změnit otáčky, zadat jiný rozsah, nebo ho nechat vybrat funkcí M40"
+        help (if *g97 { "change the speed, program another range, or let M40 choose it; if S is a cutting speed under G97, set `g97 = \"per-revolution\"`" } else { "change the speed, program another range, or let M40 choose it" })
+           | (if *g97 { "změnit otáčky, zadat jiný rozsah, nebo ho nechat vybrat funkcí M40; je-li S při G97 řezná rychlost, nastavit g97 = \"per-revolution\"" } else { "změnit otáčky, zadat jiný rozsah, nebo ho nechat vybrat funkcí M40" })
     [E0608] OrientedStopUnavailable "oriented-stop-unavailable" Error {}
         en "this machine is configured without the oriented stop M19"
         cs "stroj nemá podle konfigurace orientovaný stop M19"
         help "use M05; when the machine has it, set `oriented-stop = true`" | "použít M05; má-li ho stroj, nastavit oriented-stop = true"
     [E0609] CenterWordNotUsable "center-word-not-usable" Error { letter: char, place: CenterPlace, written: String }
-        en ({ let why = place.text(Lang::En); format!("`{letter}` has no use in this block: {why}") })
+        en ({ let why = place.text(Lang::En); format!("`{letter}` means nothing here: {why}") })
         cs ({ let why = place.text(Lang::Cs); format!("{letter} zde nemá význam: {why}") })
         help (center_help(written, Lang::En)) | (center_help(written, Lang::Cs))
     [W0610] ArcAfterOriginChange "arc-after-origin-change" Warning {}
@@ -706,7 +706,7 @@ diagnostics! {
         en ({ let kind = kind.text(Lang::En); format!("unknown {kind} `{key}`") })
         cs ({ let kind = kind.text(Lang::Cs); format!("neznámý {kind} „{key}“") })
         help (nearest(near.as_ref(), "perhaps `", "` is meant")) | (nearest(near.as_ref(), "možná mělo být „", "“"))
-        note (known_names(known.as_ref(), Lang::En)) | (known_names(known.as_ref(), Lang::Cs))
+        note (known_names(known.as_ref(), near.as_deref(), Lang::En)) | (known_names(known.as_ref(), near.as_deref(), Lang::Cs))
     [E0706] MachineConstant "machine-constant" Error { constant: String, problem: ConstantProblem }
         en ({ let what = problem.text(Lang::En); format!("machine constant {constant} {what}") })
         cs ({ let what = problem.text(Lang::Cs); format!("strojní konstanta {constant} {what}") })
@@ -767,8 +767,13 @@ diagnostics! {
 }
 
 /// The names that the table knows, where they can be said in a line.
-fn known_names(known: Option<&KnownNames>, lang: Lang) -> String {
-    known.map_or_else(String::new, |known| known.text(lang))
+fn known_names(known: Option<&KnownNames>, near: Option<&str>, lang: Lang) -> String {
+    match (known, near, lang) {
+        (Some(known), _, _) => known.text(lang),
+        (None, Some("dialect"), Lang::En) => "the run goes on for cnc872, unless --dialect says otherwise".to_owned(),
+        (None, Some("dialect"), Lang::Cs) => "kontroluje se pro cnc872, neurčí-li --dialect jinak".to_owned(),
+        (None, _, _) => String::new(),
+    }
 }
 
 /// How often a joint is passed, when more than once.

@@ -17,7 +17,7 @@ const SPINDLE: &[Bilingual] = &[
 const GEAR: &[Bilingual] = &[note(
     "M40: the range follows from S, by `[[gears]]` of the project file; M41 to M44 choose one, and an S outside it is \
          E0607",
-    "M40: rozsah se volí podle S z `[[gears]]` v souboru projektu; M41 až M44 ho určí a S mimo něj je E0607",
+    "M40: rozsah se volí podle S z `[[gears]]` v projektovém souboru; M41 až M44 ho určí a S mimo něj je E0607",
 )];
 
 const STOP: &[Bilingual] = &[

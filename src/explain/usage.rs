@@ -88,7 +88,7 @@ const ARITHMETIC: &[Bilingual] = &[
     note("With `-` before it, it computes in whole numbers", "Se znaménkem - se počítá v celých číslech"),
     note(
         "Which number is which operation the project file says, under `[operations]`; without it nothing is guessed (E0508)",
-        "Která operace má které číslo, určuje soubor projektu v části `[operations]`; bez ní se nic nehádá (E0508)",
+        "Která operace má které číslo, určuje projektový soubor v části `[operations]`; bez ní se nic nehádá (E0508)",
     ),
     note(
         "Words of the block read the parameters from before it: what it computes is used by the next block",
@@ -104,7 +104,7 @@ const CYCLE: &[Bilingual] = &[
     note(
         "What it does is not in the manuals but for \"by the ISO standard\". So the project file says which macrocycle it \
          is: `[cycles]`, `G81 = 8100`",
-        "Co dělá, příručky neříkají, jen „podle normy ISO“. Makrocyklus proto určuje soubor projektu: `[cycles]`, \
+        "Co dělá, příručky neříkají, jen „podle normy ISO“. Makrocyklus proto určuje projektový soubor: `[cycles]`, \
          `G81 = 8100`",
     ),
     note(
@@ -322,7 +322,7 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
     usage(&[G94], "G94 F…", "N10 G94 G90 G01 X10 F300", FEED_MODE),
     usage(&[G95], "G95 S… F…", "N10 G95 S800 M03\nN20 G90 G01 X10 F0.2", FEED_MODE),
     usage(&[G96], "G96 S… F…", "N10 G96 S120 M03\nN20 G90 G01 X10 F200", FEED_MODE),
-    usage(&[G97], "G97 S… F…", "N10 G97 S800 M03\nN20 G90 G01 X10 F200", FEED_MODE),
+    usage(&[G97], "G97 S… F…", "N10 G97 S800 M03\nN20 G90 G00 X10", FEED_MODE),
     usage(
         &[G70, G79],
         "G79 L… … G70",

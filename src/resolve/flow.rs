@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::structure::{Context, l_number};
 use super::{Resolved, Roles, Target, Unit, UnitId, UnitKind, spelling, targets};
-use crate::diag::{Diagnostic, Finding, Findings, Label, LabelText};
+use crate::diag::{Diagnostic, Finding, Findings, Label, LabelText, UnusedMeant};
 use crate::dict::{Address, CALL_ELSEWHERE, Decimal, GCode};
 use crate::syntax::{BlockFlags, BlockId, Word};
 use crate::text::{FileId, Location};
@@ -88,7 +88,7 @@ fn call_subprogram(
     l: u32,
 ) -> Option<Target> {
     let at = resolved.file(unit.file).map(|parsed| parsed.value_place(written.l)).unwrap_or_default();
-    let mut diagnostic = match targets::subprogram(resolved, context.library, unit.kind, l, at) {
+    let mut diagnostic = match targets::subprogram(resolved, context.library, &unit, l, at) {
         Ok(id) => return Some(Target::Unit(id)),
         Err(diagnostic) => *diagnostic,
     };
@@ -126,8 +126,9 @@ fn call_macrocycle(
         Ok(id) => Some(Target::Unit(id)),
         Err(fault) => {
             let subprogram = resolved.subprogram(l).is_some();
+            let namesake = targets::Namesake { subprogram, block: targets::has_block(resolved, &unit, l) };
             if let Some(parsed) = resolved.file(unit.file) {
-                context.pending.miss(l, fault, subprogram, parsed.value_place(written.l));
+                context.pending.miss(l, fault, namesake, parsed.value_place(written.l));
             }
             None
         }
@@ -180,6 +181,13 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
             let known =
                 |l: u32| if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l) };
             named.extend(l.and_then(known));
+        }
+        // A jump to the number of a subprogram has its finding: it was to call it.
+        if let Some(l) = l.and_then(l_number)
+            && words.iter().any(|word| word.g_code() == Some(GCode::G73))
+            && resolved.numbered(FileId(0), l).is_none()
+        {
+            named.insert(l);
         }
         // A G72 that finds no macrocycle, and a G17 with the number of a subprogram, have their findings: they were to call it.
         let written = |code: GCode| words.iter().any(|word| word.g_code() == Some(code));
@@ -262,4 +270,27 @@ fn has_parametric_call(words: &[Word]) -> bool {
     let roles = Roles::written(words);
     roles.taker.may_be(GCode::G71)
         && words.iter().any(|word| word.address == Address::L && (word.is_parametric() || word.is_void()))
+}
+
+/// An L without its function that has the number of a macrocycle: it was to be called.
+pub(super) fn name_macrocycles(context: &mut Context<'_, '_>, resolved: &Resolved) {
+    let is_open = |found: &Diagnostic| matches!(found.finding, Finding::UnusedTarget { meant: UnusedMeant::Target });
+    if !context.findings.items().iter().any(is_open) {
+        return;
+    }
+    let library = &mut *context.library;
+    context.findings.revise(|found| {
+        let number = resolved.file(found.at.file).filter(|_| is_open(found)).and_then(|file| {
+            let block = file.block_at(found.at.span.start)?;
+            let words = file.words(block);
+            let l = words.iter().find(|word| word.address == Address::L).copied()?;
+            let alone = words.iter().all(|word| matches!(word.address, Address::L | Address::Q | Address::Skip));
+            l_number(l).filter(|_| alone)
+        });
+        if let Some(l) = number.filter(|l| library.find(*l).is_ok() || library.is_of_machine(*l)) {
+            let meant = UnusedMeant::Macrocycle { written: format!("G72 L{l}") };
+            found.finding = Finding::UnusedTarget { meant };
+        }
+        true
+    });
 }

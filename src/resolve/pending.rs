@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use super::MacrocycleFault;
 use super::structure::Context;
-use super::targets::{macrocycle_finding, report_of_machine};
-use crate::diag::{Diagnostic, Finding};
+use super::targets::{Namesake, macrocycle_finding, report_of_machine};
+use crate::diag::{Diagnostic, EarlyEnd, Finding, LabelText};
 use crate::syntax::{BlockFlags, BlockId};
 use crate::text::Location;
 
@@ -16,6 +16,8 @@ pub(super) struct Pending {
     pub(super) strays: Vec<Stray>,
     /// Macrocycles that are called and cannot be loaded, by number.
     missing: BTreeMap<u32, Missing>,
+    /// The end of the main program, where blocks that follow it hold another one.
+    early: Option<(EarlyEnd, Location)>,
     /// Macrocycles that only the machine has, each at its first call (FLW-12).
     of_machine: Vec<(u32, Location)>,
 }
@@ -46,7 +48,7 @@ struct Missing {
     /// At the number of the first call.
     at: Location,
     fault: MacrocycleFault,
-    subprogram: bool,
+    namesake: Namesake,
     calls: usize,
 }
 
@@ -77,31 +79,44 @@ impl Pending {
         Some((stray, known.is_some()))
     }
 
+    /// The main program ends at `at`: too early, where the blocks behind it hold an end of their own.
+    pub(super) fn ends_early(&mut self, end: EarlyEnd, at: Location) {
+        if self.strays.first().is_some_and(|stray| stray.end.is_some() && !stray.returns) {
+            self.early = Some((end, at));
+        }
+    }
+
     /// Takes note of a call to macrocycle `l`, which cannot be loaded.
-    pub(super) fn miss(&mut self, l: u32, fault: MacrocycleFault, subprogram: bool, at: Location) {
+    pub(super) fn miss(&mut self, l: u32, fault: MacrocycleFault, namesake: Namesake, at: Location) {
         if fault == MacrocycleFault::OfMachine {
             if self.of_machine.iter().all(|(known, _)| *known != l) {
                 self.of_machine.push((l, at));
             }
             return;
         }
-        self.missing.entry(l).or_insert(Missing { at, fault, subprogram, calls: 0 }).calls += 1;
+        self.missing.entry(l).or_insert(Missing { at, fault, namesake, calls: 0 }).calls += 1;
     }
 }
 
 impl Context<'_, '_> {
     /// Reports what was waiting for the calls.
     pub(super) fn report_pending(&mut self) {
-        let Pending { strays, missing, of_machine } = std::mem::take(&mut self.pending);
+        let Pending { strays, missing, mut early, of_machine } = std::mem::take(&mut self.pending);
         for stray in strays.into_iter().filter(|stray| stray.meant.is_none()) {
-            let finding = Finding::BlockAfterProgramEnd { block: stray.block };
-            self.findings.add(Diagnostic::new(finding, stray.at));
+            let (early, place) = early.take().unzip();
+            let diagnostic = Diagnostic::new(Finding::BlockAfterProgramEnd { block: stray.block, early }, stray.at);
+            self.findings.add(match (early, place) {
+                (Some(EarlyEnd { function, .. }), Some(place)) => {
+                    diagnostic.with_label(place, LabelText::EndsHere { function })
+                }
+                _ => diagnostic,
+            });
         }
-        for (l, Missing { at, fault, subprogram, calls }) in missing {
-            self.findings.add(Diagnostic::new(macrocycle_finding(fault, l, subprogram, calls), at));
+        for (l, Missing { at, fault, namesake, calls }) in missing {
+            self.findings.add(Diagnostic::new(macrocycle_finding(fault, l, namesake, calls), at));
         }
         for (l, at) in of_machine {
-            let call = Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, false, 1), at);
+            let call = Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, Namesake::default(), 1), at);
             report_of_machine(self.findings, l, call);
         }
     }

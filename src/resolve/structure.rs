@@ -12,7 +12,7 @@ use super::meant::{may_have_end, may_hold};
 use super::pending::{Pending, Stray};
 use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, flow, lines, rings};
 use crate::config::{Machine, Settings};
-use crate::diag::{Diagnostic, Finding, Findings, LabelText};
+use crate::diag::{Diagnostic, EarlyEnd, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_L, HIGHEST_PARAMETER, PROGRAM_ENDS};
 use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Word, parse};
@@ -51,6 +51,7 @@ pub fn resolve_program(
         context.add_program(&mut resolved, parsed);
         flow::follow_calls(&mut context, &mut resolved);
         flow::check_unused(&mut context, &resolved);
+        flow::name_macrocycles(&mut context, &resolved);
         cut::join(&resolved, context.findings);
         flow::join_calls(&resolved, context.findings);
         if let Some(parsed) = resolved.file(file) {
@@ -175,6 +176,12 @@ impl Context<'_, '_> {
                 diagnostic = diagnostic.with_label(parsed.word_place(word), LabelText::EndHere { function });
             }
             self.findings.add(diagnostic);
+        }
+        if let Some(last) = end.0.checked_sub(1).map(BlockId).filter(|_| ended)
+            && let Some((function, word)) = end_word(self.settings, &parsed, last)
+        {
+            let early = EarlyEnd { function, block: parsed.shown_number(last) };
+            self.pending.ends_early(early, parsed.word_place(word));
         }
         self.check_ends_in_main(&parsed, first, end);
         self.add_checked(resolved, parsed, 0, &excused);

@@ -67,39 +67,58 @@ pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Re
         None if resolved.may_have_block(unit, l) => Err(None),
         None => {
             let near = resolved.nearest_block(unit, l);
-            Err(Some(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near, line: None }, at))))
+            let subprogram = resolved.subprogram(l).is_some() && !matches!(unit.kind, UnitKind::Macrocycle(_));
+            let near = near.filter(|_| !subprogram);
+            Err(Some(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near, line: None, subprogram }, at))))
         }
     }
 }
 
-/// The subprogram that a G71 of a unit of that kind calls (FLW-1).
+/// The subprogram that a G71 of a unit calls (FLW-1).
 ///
 /// # Errors
 /// Why there is none, at `at`.
 pub fn subprogram(
     resolved: &Resolved,
     library: &mut Library<'_>,
-    from: UnitKind,
+    from: &Unit,
     l: u32,
     at: Location,
 ) -> Result<UnitId, Box<Diagnostic>> {
-    let from_macrocycle = matches!(from, UnitKind::Macrocycle(_));
+    let from_macrocycle = matches!(from.kind, UnitKind::Macrocycle(_));
     if let (Some(unit), false) = (resolved.subprogram(l), from_macrocycle) {
         return Ok(unit);
     }
     let near = resolved.nearest_subprogram(l);
     let macrocycle = library.find(l).is_ok() || library.is_of_machine(l);
     let (without_entry, uncalled, unread) = (None, None, None);
-    let finding = Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, uncalled, unread };
+    let block = has_block(resolved, from, l);
+    let finding =
+        Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, uncalled, unread, block };
     Err(Box::new(Diagnostic::new(finding, at)))
 }
 
+/// Whether a block of the unit has that number: a jump was meant, perhaps.
+pub fn has_block(resolved: &Resolved, unit: &Unit, l: u32) -> bool {
+    resolved.numbered(unit.file, l).is_some_and(|block| unit.contains(block))
+}
+
+/// What else has the number of a macrocycle that is missing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Namesake {
+    /// A subprogram of the program.
+    pub subprogram: bool,
+    /// A block of the calling unit.
+    pub block: bool,
+}
+
 /// The finding at the first of `calls` calls of a macrocycle that cannot be loaded.
-pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, subprogram: bool, calls: usize) -> Finding {
+pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, namesake: Namesake, calls: usize) -> Finding {
+    let Namesake { subprogram, block } = namesake;
     match fault {
         MacrocycleFault::OfMachine => of_machine(l),
         MacrocycleFault::Missing { searched, near } => {
-            Finding::UnknownMacrocycle { l, searched, subprogram, calls, near }
+            Finding::UnknownMacrocycle { l, searched, subprogram, calls, near, block }
         }
         MacrocycleFault::Ambiguous { first, second } => Finding::DuplicateMacrocycle { l, first, second },
         MacrocycleFault::Unreadable { file, problem } => Finding::UnreadableFile { problem, file: Some(file) },

@@ -11,7 +11,7 @@ use super::words::BlockWords;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, GGroup, Plane};
 use crate::resolve::{
-    MacrocycleFault, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, report_of_machine, ring_text,
+    MacrocycleFault, Namesake, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, report_of_machine, ring_text,
     subprogram, value_or_word,
 };
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
@@ -188,9 +188,10 @@ impl Flow<'_, '_> {
     }
 
     fn find_subprogram(&mut self, l: u32, word: Word, place: Location) -> Option<UnitId> {
-        let from = self.frames.last()?.unit.kind;
+        let unit = self.frames.last()?.unit;
+        let from = unit.kind;
         let Program { resolved, library, .. } = self.program;
-        match subprogram(resolved, library, from, l, place) {
+        match subprogram(resolved, library, &unit, l, place) {
             Ok(unit) => Some(unit),
             // It may be the one whose L is missing or malformed: that has its finding.
             Err(_) if resolved.has_nameless_subprogram() && !matches!(from, UnitKind::Macrocycle(_)) => None,
@@ -210,8 +211,9 @@ impl Flow<'_, '_> {
             return self.call_opaque(l, place, word);
         }
         if self.state.said.no_macrocycle.insert(l) && !self.is_said(l) {
-            let known = self.program.resolved.subprogram(l).is_some();
-            let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, known, 1), place);
+            let subprogram = self.program.resolved.subprogram(l).is_some();
+            let namesake = Namesake { subprogram, block: false };
+            let diagnostic = Diagnostic::new(macrocycle_finding(fault, l, namesake, 1), place);
             self.report(self.with_origin_of(diagnostic, word));
         }
         self.lose_missing(l)
@@ -227,7 +229,7 @@ impl Flow<'_, '_> {
         }
         self.block.opaque_call = Some(l);
         if self.state.said.of_machine.insert(l) {
-            let diagnostic = Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, false, 1), place);
+            let diagnostic = Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, Namesake::default(), 1), place);
             let mut diagnostic = self.with_origin_of(diagnostic, word);
             diagnostic.calls = call_sites(self.frames);
             report_of_machine(self.findings, l, diagnostic);

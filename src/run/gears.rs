@@ -7,7 +7,7 @@ use super::state::State;
 use super::words::BlockWords;
 use crate::config::Machine;
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{Decimal, GEAR_BY_SPEED, GEAR_GROUP, GEARS, GGroup};
+use crate::dict::{GCode, Decimal, GEAR_BY_SPEED, GEAR_GROUP, GEARS, GGroup};
 use crate::syntax::Word;
 
 /// The gear in a block with these functions. Under M40 it stays as it was while S is no speed of the spindle.
@@ -62,7 +62,8 @@ pub(super) fn check(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &
     } else {
         match machine.gears.iter().find(|gear| gear.m == m) {
             Some(gear) if s < gear.min || gear.max < s => {
-                Finding::SpeedOutsideGear { s, m, min: gear.min, max: gear.max }
+                let g97 = g.of(GGroup::G6) == Some(GCode::G97);
+                Finding::SpeedOutsideGear { s, m, min: gear.min, max: gear.max, g97 }
             }
             Some(_) | None => return,
         }

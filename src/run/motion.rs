@@ -134,19 +134,23 @@ fn apply_unmapped_cycle(site: &mut Site<'_>, state: &mut State, block: &mut Bloc
     }
 }
 
-/// Whether the motion's programmed start is not where the tool stands (MOT-8): of one of its axes is enough. `plane`: the
-/// axes of the plane in force, which an arc moves too. The motion of an axis ends that state for it.
+/// The axes of the motion whose programmed start is not where the tool stands (MOT-8). `plane`: the axes of the plane in
+/// force, which an arc moves too. The motion of an axis ends that state for it.
 #[inline]
-pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option<[usize; 2]>) -> bool {
+pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option<[usize; 2]>) -> AxisSet {
+    let mut stale = AxisSet::default();
     if state.unsettled.is_empty() {
-        return false;
+        return stale;
     }
     let unsettled = state.unsettled;
     let by_plane = plane.filter(|_| travels.len() < 2).into_iter().flatten();
-    travels.iter().map(|travel| travel.axis).chain(by_plane).fold(false, |stale, axis| {
+    for axis in travels.iter().map(|travel| travel.axis).chain(by_plane) {
         state.unsettled.remove(axis);
-        stale || unsettled.contains(axis)
-    })
+        if unsettled.contains(axis) {
+            stale.insert(axis);
+        }
+    }
+    stale
 }
 
 /// Whether what the block does depends on a group whose function nobody knows. Two axis words are the plane of their arc
@@ -302,7 +306,7 @@ fn find_arc(
         state.said.arc_mode = false;
     }
     // Of an axis that the arc does not have one finding is enough.
-    if moving.stale && !unclear && !off_plane {
+    if !moving.stale.is_empty() && !unclear && !off_plane {
         arc_findings::found(site, state, (words, g), Finding::ArcAfterOriginChange {}, words.place_of_motion(site));
     }
     arc.computed = Some(computed);

@@ -1,6 +1,7 @@
 //! The motion of an executed block: which axes, from where, to where, along what, how long.
 
 use super::arc::Computed;
+use super::state::AxisSet;
 use super::travel::Travel;
 use crate::dict::{AxisLetter, GCode, Micro};
 
@@ -81,8 +82,8 @@ impl MotionType {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moving {
     pub(super) kind: MotionType,
-    /// The programmed start is not where the tool stands (MOT-8).
-    pub(super) stale: bool,
+    /// The axes whose programmed start is not where the tool stands (MOT-8).
+    pub(super) stale: AxisSet,
     /// The axis that is the spindle at the moment (MFN-10), by place in machine order.
     pub(super) spindle: Option<usize>,
     pub(super) arc: Option<ArcFacts>,
@@ -242,7 +243,12 @@ impl<'r> Motion<'r> {
 
     /// Whether the programmed start is not where the tool stands, after a change of origin or correction (MOT-8).
     pub const fn is_stale(&self) -> bool {
-        self.moving.stale
+        !self.moving.stale.is_empty()
+    }
+
+    /// The same of one axis.
+    pub fn is_stale_along(&self, axis: AxisLetter) -> bool {
+        self.travel(axis).is_some_and(|travel| self.moving.stale.contains(travel.axis))
     }
 
     /// How long it is.
@@ -250,7 +256,7 @@ impl<'r> Motion<'r> {
         if !self.goes_as_written() {
             return Length::Missing(Missing::Reference);
         }
-        if self.moving.stale {
+        if self.is_stale() {
             return Length::Missing(Missing::Origin);
         }
         let length = match &self.moving.arc {

@@ -8,7 +8,7 @@ use super::motion::{kind_in_force, settle_origin};
 use super::moved::{MotionType, Moving};
 use super::program::Program;
 use super::site::Site;
-use super::state::State;
+use super::state::{AxisSet, State};
 use super::travel::{Reading, Travel};
 use super::warnings::may_lack;
 use super::words::Valued;
@@ -74,7 +74,7 @@ impl Run {
         if !straight || cycle || unknown || axis.is_some() || spindle::turns(site.machine(), state) {
             return Self::Involved;
         }
-        let moving = Moving { kind, stale: false, spindle: axis, arc: None };
+        let moving = Moving { kind, stale: AxisSet::default(), spindle: axis, arc: None };
         Self::Straight(moving, Reading::of(site.machine(), state, &block.g))
     }
 

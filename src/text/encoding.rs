@@ -4,8 +4,8 @@
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Encoding {
-    /// UTF-8: tried first on every file.
-    #[cfg_attr(feature = "cli", value(skip))]
+    /// UTF-8: tried first on every file; as the configured one it takes no other.
+    #[cfg_attr(feature = "cli", value(name = "utf-8"))]
     Utf8,
     /// DOS Latin 2, the default of what is not UTF-8.
     #[default]
@@ -88,11 +88,12 @@ impl Encoding {
     }
 
     /// The encodings that the project file and `--encoding` name, each with its name there.
-    pub const NAMED: [(&'static str, Self); 4] = [
+    pub const NAMED: [(&'static str, Self); 5] = [
         ("cp852", Self::Cp852),
         ("windows-1250", Self::Windows1250),
         ("iso-8859-2", Self::Iso88592),
         ("kamenicky", Self::Kamenicky),
+        ("utf-8", Self::Utf8),
     ];
 
     /// Whether each byte of the file is one character.

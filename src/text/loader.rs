@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{Encoding, SourceText};
+use super::{DecodeError, Encoding, SourceText};
 
 /// What a loader's error holds when a path is a link that leads to no file: it is something else than a file that is not
 /// there.
@@ -33,6 +33,46 @@ impl BrokenLink {
     }
 }
 
+/// What a loader's error holds when a file must be in UTF-8 and is not: its first byte that is not, and the line of that.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct NotUtf8 {
+    /// The line, from 1.
+    pub line: usize,
+    /// The byte.
+    pub byte: u8,
+}
+
+impl NotUtf8 {
+    /// Of the byte at `at`.
+    pub(super) fn at(bytes: &[u8], at: usize) -> Self {
+        let before = bytes.get(..at).unwrap_or_default();
+        let line = 1 + before.iter().filter(|byte| **byte == b'\n').count();
+        Self { line, byte: bytes.get(at).copied().unwrap_or_default() }
+    }
+
+    /// What the error says of this.
+    pub fn of(error: &io::Error) -> Option<Self> {
+        error.get_ref()?.downcast_ref().copied()
+    }
+}
+
+impl fmt::Display for NotUtf8 {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "byte {:02X}h in line {} is not UTF-8", self.byte, self.line)
+    }
+}
+
+impl std::error::Error for NotUtf8 {}
+
+impl From<DecodeError> for io::Error {
+    fn from(error: DecodeError) -> Self {
+        match error {
+            DecodeError::TooLarge => io::ErrorKind::FileTooLarge.into(),
+            DecodeError::NotUtf8(byte) => Self::new(io::ErrorKind::InvalidData, byte),
+        }
+    }
+}
+
 /// Files of some folders by the number that their names say.
 pub type Numbered = BTreeMap<u32, Vec<PathBuf>>;
 
@@ -49,10 +89,10 @@ pub trait Loader: Sync {
     /// has the text decoded already, as an editor's buffer is, gives that.
     ///
     /// # Errors
-    /// Those of [`Self::read`], and [`io::ErrorKind::FileTooLarge`] from 4 GiB on.
+    /// Those of [`Self::read`], [`io::ErrorKind::FileTooLarge`] from 4 GiB on, and [`NotUtf8`] where `fallback` is UTF-8.
     fn load(&self, path: &Path, name: &str, fallback: Encoding) -> io::Result<Arc<SourceText>> {
         let bytes = self.read(path)?;
-        let source = SourceText::decode(name, bytes, fallback).map_err(|_| io::ErrorKind::FileTooLarge)?;
+        let source = SourceText::decode(name, bytes, fallback)?;
         Ok(Arc::new(source))
     }
 

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::{ColumnUnit, Encoding, LineColumn, LineIndex, Span};
+use super::{ColumnUnit, Encoding, LineColumn, LineIndex, NotUtf8, Span};
 use crate::sure::{Sure, small};
 
 /// Index of a file among the sources of one run; the program is 0.
@@ -23,6 +23,8 @@ pub struct Location {
 pub enum DecodeError {
     /// Spans hold 32 bits.
     TooLarge,
+    /// Only UTF-8 is taken, and it is none.
+    NotUtf8(NotUtf8),
 }
 
 /// The text of one file, decoded, with the way back to its bytes.
@@ -44,7 +46,8 @@ impl SourceText {
     /// byte-order mark is kept in the text, and skipped by [`Self::first_offset`] (LEX-8).
     ///
     /// # Errors
-    /// [`DecodeError::TooLarge`] when the text has 4 GiB or more.
+    /// [`DecodeError::TooLarge`] when the text has 4 GiB or more, [`DecodeError::NotUtf8`] when `fallback` is UTF-8 and the
+    /// bytes are not.
     pub fn decode(name: impl Into<String>, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
         let size = bytes.len();
         let mut exact = true;
@@ -55,6 +58,9 @@ impl SourceText {
             }
             None => match String::from_utf8(bytes) {
                 Ok(text) => (text, Encoding::Utf8),
+                Err(error) if fallback == Encoding::Utf8 => {
+                    return Err(DecodeError::NotUtf8(NotUtf8::at(error.as_bytes(), error.utf8_error().valid_up_to())));
+                }
                 Err(error) => (fallback.decode(error.as_bytes()), fallback),
             },
         };

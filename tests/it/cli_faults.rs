@@ -510,3 +510,18 @@ fn a_closed_standard_output() {
     }
     run(">&-", &["compile", "a.nc", "-o", "out"]).ends(0);
 }
+
+/// project-file.md: with `encoding = "utf-8"` other files are E0112, which names the byte.
+#[test]
+fn only_utf_8() {
+    let program = b"%1\nN10 G0 X0 \"p\xf8iruba\"\nN20 M30\n";
+    let place = Place::with(&[("a.nc", program), ("cnc872c.toml", b"encoding = \"utf-8\"\n")]);
+    let run = place.run(&["check", "a.nc"]).ends(2);
+    assert!(run.stdout.contains("byte F8h in line 2"), "{}", run.stdout);
+    place.put("a.nc", "%1\nN10 G0 X0 \"příruba\"\nN20 M30\n");
+    place.run(&["check", "a.nc"]).ends(0);
+    place.put("a.nc", program);
+    place.put("cnc872c.toml", "");
+    place.run(&["check", "a.nc"]).ends(0);
+    place.run(&["check", "a.nc", "--encoding", "utf-8"]).ends(2);
+}

@@ -395,6 +395,13 @@ fn requests_to_move() {
     assert_eq!(table(&program, names), cells);
 }
 
+/// PLC-5: after a change of origin each axis has its direction again with its own next motion.
+#[test]
+fn directions_by_axis() {
+    let program = "%1\nN10 G54 G90 G0 X0 Y0\nN20 G55\nN30 X10\nN40 X0 Y-5\nN50 Y-9\nN60 M30";
+    assert_eq!(table(&case(program), "SM_POXPI SM_POYPI"), ["- -", "- -", "- -", "1 -", "- 1", "- -"]);
+}
+
 /// PLC-4, PLC-5: places are those of the machine, `PO_OS` and `SM_PO` say X, Y, Z of these letters: on a lathe with X, Z and C
 /// Z is the second place and `PO_OSZPI`, C is `PO_OS4PI`.
 #[test]

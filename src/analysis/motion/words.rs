@@ -18,10 +18,10 @@ bilingual! {
     Words {
         Whole { time: String } "{time}", "{time}";
         AtLeast { time: String, blocks: u64 } "at least {time}; blocks of unknown time: {blocks}", "nejméně {time}; bloků s neznámým časem: {blocks}";
-        WithoutApproach { time: String } "{time} without the approach", "{time} bez příjezdu";
+        WithoutApproach { time: String } "{time} without the approach", "{time} bez prvního nájezdu";
         Least "at least", "nejméně";
         AtLeastSo { time: String } "at least {time}", "nejméně {time}";
-        AtLeastWithoutApproach { time: String } "at least {time}, without the approach", "nejméně {time}, bez příjezdu";
+        AtLeastWithoutApproach { time: String } "at least {time}, without the approach", "nejméně {time}, bez prvního nájezdu";
         JerkFree { blocks: u64 } "P is not known where it counts: the jerk is not limited there; such blocks: {blocks}", "P tam, kde platí, není známo: ryv tam není omezen; takových bloků: {blocks}";
         LacksCycle "The interpolation cycle Ts (cycle-ms) is not known: the criteria of accuracy and overload limit nothing, the time is a lower bound", "Takt interpolace Ts (cycle-ms) není znám: kritéria přesnosti a přetížení nic neomezují, čas je dolní mez";
         CountAsZero { what: String } "Count as 0, because no time is given: {what}", "Počítá se 0, protože čas není zadán: {what}";
@@ -47,7 +47,7 @@ bilingual! {
         NoTool "before the first M06", "před prvním M06";
         Joints "Joints", "Napojení";
         Continuous "continuous", "plynulých";
-        BrokenBy { reason: String } "broken: {reason}", "porušených: {reason}";
+        BrokenBy { reason: String } "broken: {reason}", "přerušených: {reason}";
         Limits "Continuous joints are limited by", "Plynulá napojení omezuje";
         Dots "Dots", "Tečky";
         Yellow "yellow", "žlutých";
@@ -71,7 +71,7 @@ bilingual! {
         Start "first motion", "první pohyb";
         Mode "not in G23", "není G23";
         Rapid "G00", "G00";
-        NoMotion "blocks without motion between", "bloky bez pohybu mezi";
+        NoMotion "blocks without motion between", "bloky bez pohybu";
         OtherMotion "thread or reference point", "závit nebo nájezd do reference";
         Dwell "dwell", "prodleva";
         Stop "M00 or M01", "M00 nebo M01";

@@ -137,7 +137,7 @@ impl Blocks {
             Length::Mm(length) | Length::Deg(length) => Some(length),
             Length::Missing(_) => None,
         };
-        let directed = self.directions && keeps_directions(block, motion);
+        let directed = self.directions && keeps_directions(block);
         // PLC-4: an axis moves that is written, or that is one of the two of an arc.
         let of_arc = motion.arc().into_iter().flat_map(|arc| arc.plane);
         for letter in motion.axes().chain(of_arc) {
@@ -169,15 +169,16 @@ impl Blocks {
     }
 }
 
-/// Whether the servo moves as the programmed coordinates do: after a change of origin (MOT-8) and beside a function that moves
-/// the machine (ChangePos) the way is another one, and under mirror, scale and rotation so is the direction (S0 8.1.8).
-fn keeps_directions(block: &Executed<'_>, motion: &Motion<'_>) -> bool {
-    !motion.is_stale() && !block.change_pos() && matches!(block.g(GGroup::G11), None | Some(GCode::G34 | GCode::G37))
+/// Whether the servo moves as the programmed coordinates do: beside a function that moves the machine (ChangePos) the way is
+/// another one, and under mirror, scale and rotation so is the direction (S0 8.1.8).
+fn keeps_directions(block: &Executed<'_>) -> bool {
+    !block.change_pos() && matches!(block.g(GGroup::G11), None | Some(GCode::G34 | GCode::G37))
 }
 
 /// PLC-5: whether an axis that moves does so in the negative direction; `None` when it does neither.
 fn direction(block: &Executed<'_>, motion: &Motion<'_>, axis: AxisLetter) -> Option<bool> {
-    if motion.kind() == MotionType::Reference {
+    // After a change of origin the way of an axis is another one (MOT-8).
+    if motion.kind() == MotionType::Reference || motion.is_stale_along(axis) {
         return None;
     }
     let distance = motion.distance(axis).filter(|distance| *distance != Micro::ZERO)?;

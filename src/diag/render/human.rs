@@ -105,10 +105,14 @@ impl Human<'_> {
             calls(&self.places, diagnostic, self.lang).into_iter().map(|call| (words::note(self.lang), call)).collect();
         remarks.extend(diagnostic.finding.note(self.lang).map(|note| (words::note(self.lang), note)));
         let help = diagnostic.finding.help(self.lang);
+        let message = diagnostic.finding.message(self.lang);
         // A help says already what the fix does, unless it cannot name what the fix writes.
         let unsaid = diagnostic.fixes.iter().filter(|fix| match (&help, &fix.title) {
             (None, _) => true,
-            (Some(help), crate::diag::FixTitle::Write { text }) => !help.contains(text.as_str()),
+            (Some(help), crate::diag::FixTitle::Write { text }) => {
+                let said = |word: &str| help.contains(word) || message.contains(word);
+                !help.contains(text.as_str()) && !text.split_whitespace().all(said)
+            }
             (Some(_), _) => false,
         });
         let unsaid = unsaid.map(|fix| fix.title.text(self.lang));

@@ -214,6 +214,18 @@ fn profiles_that_do_not_hold() {
     assert_eq!(settings.machine.motion.number(MotionKey::AccelContinuous), Decimal::whole(300));
 }
 
+/// S3 A6.2: R236 at least 100 below R52, where both are given as constants; it counts as written.
+#[test]
+fn close_accelerations() {
+    for (continuous, codes) in [("300", &[][..]), ("301", &["W0707"]), ("400", &["W0707"]), ("0", &[])] {
+        let (settings, found) = with(&format!("R52 = \"400\"\nR236 = \"{continuous}\"\n"));
+        assert_eq!(found, codes, "{continuous}");
+        let value = settings.machine.motion.number(MotionKey::AccelContinuous);
+        assert_eq!(value.to_string(), continuous);
+    }
+    assert_eq!(with("R236 = \"399\"\n").1, Vec::<String>::new());
+}
+
 /// Each page of a constant shows it in a project file that can be taken as it is.
 #[test]
 fn examples_of_pages() {
