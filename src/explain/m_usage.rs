@@ -44,6 +44,11 @@ const END: &[Bilingual] = &[
     ),
 ];
 
+const CLAMP: &[Bilingual] = &[note(
+    "It holds in its block only: the machine keeps what was done",
+    "Platí jen ve svém bloku: stroj udělané drží dál",
+)];
+
 const COOLANT: &[Bilingual] = &[
     note(
         "M07 and M08 are exchanged between the controls: coolant 2 and 1 on CNC8x6 and CNC8x9, 1 and 2 on CNC872. M09 ends \
@@ -61,7 +66,16 @@ const COOLANT: &[Bilingual] = &[
 pub(super) const USAGES: &[Usage<u8>] = &[
     usage(&[0, 1], "M00", "N10 G90 G00 Z100\nN20 M00 \"turn the part\"\nN30 Z2", STOP),
     usage(&[2, 30], "M30", "N10 G90 G00 Z100\nN20 M30", END),
-    usage(&[3, 4, 5], "S… M03", "N10 S1200 M03\nN20 G90 G00 Z2\nN30 M05", SPINDLE),
+    usage(&[3, 4], "S… M03", "N10 S1200 M03\nN20 G90 G00 Z2\nN30 M05", SPINDLE),
+    usage(
+        &[5],
+        "M05",
+        "N10 S1200 M03\nN20 G90 G00 Z2\nN30 M05",
+        &[note(
+            "It also ends the oriented stop M19, while which the spindle is an axis",
+            "Ukončí také orientovaný stop M19, při kterém je vřeteno osou",
+        )],
+    ),
     usage(
         &[6],
         "T… M06",
@@ -111,19 +125,17 @@ pub(super) const USAGES: &[Usage<u8>] = &[
         "M49",
         "N10 M49\nN20 G90 G01 X10 F200\nN30 M48",
         &[note(
-            "M49: the feed override of the panel has no effect, as for a thread; M48: it has",
-            "M49: ruční ovládání posuvu na panelu neúčinkuje, např. pro závit; M48: účinkuje",
+            "M49: the feed override of the panel has no effect; M48: it has",
+            "M49: ruční ovládání posuvu na panelu neúčinkuje; M48: účinkuje",
         )],
     ),
     usage(
-        &[10, 11, 60],
+        &[10, 11],
         "M10",
         "N10 M10\nN20 G90 G00 X0\nN30 M11",
-        &[note(
-            "It holds in its block only: the machine keeps what was done",
-            "Platí jen ve svém bloku: stroj udělané drží dál",
-        )],
+        CLAMP,
     ),
+    usage(&[60], "M60", "N10 G90 G00 Z100\nN20 M60\nN30 X0 Y0", CLAMP),
 ];
 
 /// What the page of a function says beyond the tables.

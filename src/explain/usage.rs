@@ -290,7 +290,16 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         )],
     ),
     usage(
-        &[G40, G41, G42],
+        &[G40],
+        "G40",
+        "N10 T1 M06\nN20 S1000 M03\nN30 G90 G17 G00 X-20 Y0 D1\nN40 G41 G01 X0 Y0 F200\nN50 X50\nN60 G40 X70",
+        &[note(
+            "Begin and end the correction on a straight motion (W0624); end it before M06 and the end of the program (W0625)",
+            "Korekci začít a ukončit na přímkovém pohybu (W0624); před M06 a koncem programu ji ukončit (W0625)",
+        )],
+    ),
+    usage(
+        &[G41, G42],
         "G41 D…",
         "N10 T1 M06\nN20 S1000 M03\nN30 G90 G17 G00 X-20 Y0 D1\nN40 G41 G01 X0 Y0 F200\nN50 X50\nN60 G40 X70",
         &[
@@ -472,12 +481,12 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         ],
     ),
     usage(&[G34], "G34", "N10 G34 G90 G00 X0", &[note("Ends G31 and G35 to G39", "Zruší G31 a G35 až G39")]),
-    usage(
-        &[G31, G35, G36, G37, G38, G39],
-        "G35 X…",
-        "N10 G90 G00 X0 Y0\nN20 G35 X1\nN30 G00 X10\nN40 G34\nN50 G00 X0",
-        TRANSFORMATION,
-    ),
+    usage(&[G35], "G35 X…", "N10 G90 G00 X0 Y0\nN20 G35 X1\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
+    usage(&[G36], "G36 X…", "N10 G90 G00 X0 Y0\nN20 G36 X2\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
+    usage(&[G37], "G37 X… Y…", "N10 G90 G00 X0 Y0\nN20 G37 X5 Y5\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
+    usage(&[G38], "G38 X…", "N10 G90 G00 X0 Y0\nN20 G38 X30\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
+    usage(&[G39], "G39 X…", "N10 G90 G00 X0 Y0\nN20 G39 X30\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
+    usage(&[G31], "G31 X… Y… Z…", "N10 G90 G00 X0 Y0\nN20 G31 X30 Y0 Z0\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
 ];
 
 /// What the page of a function says beyond the tables.
