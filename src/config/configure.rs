@@ -12,7 +12,9 @@ use super::{
 };
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
-use crate::text::{BrokenLink, DecodeError, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back};
+use crate::text::{
+    BrokenLink, DecodeError, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back,
+};
 
 /// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
 /// command line says, value by value (§11, §13 Configuration).

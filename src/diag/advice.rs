@@ -1,6 +1,6 @@
 //! What the texts of some diagnostics advise, in both languages: closed sets of what was probably meant.
 
-use crate::dict::{HIGHEST_L, Address, GCode, Lang, bilingual};
+use crate::dict::{Address, GCode, HIGHEST_L, Lang, bilingual};
 use crate::sure::Sure;
 
 bilingual! {
@@ -550,9 +550,7 @@ impl OtherMeaning {
             (Self::SpeedLimit, Lang::En) => {
                 "the program cannot limit the speed: delete both; `S` would be the speed itself".to_owned()
             }
-            (Self::SpeedLimit, Lang::Cs) => {
-                "otáčky zde omezit nelze: vymazat obojí; S by byly přímo otáčky".to_owned()
-            }
+            (Self::SpeedLimit, Lang::Cs) => "otáčky zde omezit nelze: vymazat obojí; S by byly přímo otáčky".to_owned(),
         }
     }
 }

@@ -21,8 +21,9 @@ pub use advice::{
     TextMeant, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
 pub use details::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, EarlyEnd, JointBreak, JointLimit, KnownNames,
-    MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, Unmodelled, UnusedConstant, is_blank,
+    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, EarlyEnd, JointBreak, JointLimit,
+    KnownNames, MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, Unmodelled, UnusedConstant,
+    is_blank,
 };
 pub use details::{ConditionProblem, RunTimeReason, SignalProblem};
 pub use diagnostic::{CallKind, CallSite, Certain, Diagnostic, Edit, Fix, Label};

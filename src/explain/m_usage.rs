@@ -129,12 +129,7 @@ pub(super) const USAGES: &[Usage<u8>] = &[
             "M49: ruční ovládání posuvu na panelu neúčinkuje; M48: účinkuje",
         )],
     ),
-    usage(
-        &[10, 11],
-        "M10",
-        "N10 M10\nN20 G90 G00 X0\nN30 M11",
-        CLAMP,
-    ),
+    usage(&[10, 11], "M10", "N10 M10\nN20 G90 G00 X0\nN30 M11", CLAMP),
     usage(&[60], "M60", "N10 G90 G00 Z100\nN20 M60\nN30 X0 Y0", CLAMP),
 ];
 

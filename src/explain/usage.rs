@@ -486,7 +486,12 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
     usage(&[G37], "G37 X… Y…", "N10 G90 G00 X0 Y0\nN20 G37 X5 Y5\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
     usage(&[G38], "G38 X…", "N10 G90 G00 X0 Y0\nN20 G38 X30\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
     usage(&[G39], "G39 X…", "N10 G90 G00 X0 Y0\nN20 G39 X30\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
-    usage(&[G31], "G31 X… Y… Z…", "N10 G90 G00 X0 Y0\nN20 G31 X30 Y0 Z0\nN30 G00 X10\nN40 G34\nN50 G00 X0", TRANSFORMATION),
+    usage(
+        &[G31],
+        "G31 X… Y… Z…",
+        "N10 G90 G00 X0 Y0\nN20 G31 X30 Y0 Z0\nN30 G00 X10\nN40 G34\nN50 G00 X0",
+        TRANSFORMATION,
+    ),
 ];
 
 /// What the page of a function says beyond the tables.

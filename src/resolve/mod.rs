@@ -40,6 +40,6 @@ pub use rings::ring_text;
 pub use roles::{Roles, Taker};
 pub use structure::{ControlWord, control_result, control_word, l_number, resolve_macrocycle, resolve_program};
 pub use targets::{
-    Namesake, conflicting_g, conflicting_m, has_block, jump_target, macrocycle_finding, missing_control_words, report_of_machine,
-    subprogram, value_or_word,
+    Namesake, conflicting_g, conflicting_m, has_block, jump_target, macrocycle_finding, missing_control_words,
+    report_of_machine, subprogram, value_or_word,
 };

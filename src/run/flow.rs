@@ -11,8 +11,8 @@ use super::words::BlockWords;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, GGroup, Plane};
 use crate::resolve::{
-    MacrocycleFault, Namesake, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, report_of_machine, ring_text,
-    subprogram, value_or_word,
+    MacrocycleFault, Namesake, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, report_of_machine,
+    ring_text, subprogram, value_or_word,
 };
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::Location;
@@ -229,7 +229,8 @@ impl Flow<'_, '_> {
         }
         self.block.opaque_call = Some(l);
         if self.state.said.of_machine.insert(l) {
-            let diagnostic = Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, Namesake::default(), 1), place);
+            let diagnostic =
+                Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, Namesake::default(), 1), place);
             let mut diagnostic = self.with_origin_of(diagnostic, word);
             diagnostic.calls = call_sites(self.frames);
             report_of_machine(self.findings, l, diagnostic);

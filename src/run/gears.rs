@@ -7,7 +7,7 @@ use super::state::State;
 use super::words::BlockWords;
 use crate::config::Machine;
 use crate::diag::{Diagnostic, Finding, LabelText};
-use crate::dict::{GCode, Decimal, GEAR_BY_SPEED, GEAR_GROUP, GEARS, GGroup};
+use crate::dict::{Decimal, GCode, GEAR_BY_SPEED, GEAR_GROUP, GEARS, GGroup};
 use crate::syntax::Word;
 
 /// The gear in a block with these functions. Under M40 it stays as it was while S is no speed of the spindle.
