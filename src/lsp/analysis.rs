@@ -41,7 +41,7 @@ pub(super) struct Found {
     pub(super) report: Report,
     /// Every file that was read: a change of one of them makes the findings old.
     pub(super) read: Vec<PathBuf>,
-    /// Whether the configuration has errors, so that the program was not judged.
+    /// Whether the configuration has errors, and always had: the program was judged by what can be read of it.
     pub(super) misconfigured: bool,
 }
 
@@ -69,12 +69,10 @@ pub(super) fn configuration(path: &Path, files: &EditorFiles, client: &Client) -
     (settings, sources, findings)
 }
 
-/// What programs in the folder of `path` are judged by while somebody edits their project file, and it has errors: the last
-/// configuration that had none.
+/// What programs in the folder of `path` are judged by while their project file has errors: the last configuration that had
+/// none.
 fn last_good(path: &Path, files: &EditorFiles, client: &Client) -> Option<Settings> {
-    let project = find_project(path.parent().unwrap_or(Path::new("")), files)?;
-    files.buffer(&project)?;
-    client.last_good(&project)
+    client.last_good(&find_project(path.parent().unwrap_or(Path::new("")), files)?)
 }
 
 /// Runs over the document at `path`. `None` when that was cancelled.
@@ -98,7 +96,8 @@ pub(super) fn run(
     let has_errors = report.errors() > 0;
     let good = if has_errors { last_good(path, files, client) } else { None };
     let misconfigured = has_errors && good.is_none();
-    let settings = good.unwrap_or_else(|| current.clone());
+    // Without one, what can be read of it.
+    let settings = good.unwrap_or(current);
     if !has_errors && let Some(project) = find_project(path.parent().unwrap_or(Path::new("")), files) {
         client.keep_good(&project, &settings);
     }
@@ -122,7 +121,7 @@ pub(super) fn run(
     };
     let session = Session { loader: files, settings: &settings, progress: Some(&goes_on) };
     let (mut outcome, resolved) = session.resolve(path, &name);
-    let executable = !misconfigured && session.can_execute(&resolved, &outcome);
+    let executable = session.can_execute(&resolved, &outcome);
     if cancel.is_cancelled() {
         return None;
     }
@@ -161,10 +160,8 @@ pub(super) fn run(
         }
     }
     read.extend(paths(files, &outcome.sources));
-    if !misconfigured {
-        let Outcome { sources, findings, .. } = outcome;
-        report.add_program(&sources, findings);
-    }
+    let Outcome { sources, findings, .. } = outcome;
+    report.add_program(&sources, findings);
     Some(Found { report, read, misconfigured })
 }
 

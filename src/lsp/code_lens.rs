@@ -10,9 +10,10 @@ use super::analysis::Analysis;
 use super::places::{Places, location};
 use super::snapshot::{Answer, Snapshot};
 use crate::query::cursor::DOCUMENT;
+use crate::query::executed::path;
 use crate::query::hover_texts::Said;
 use crate::query::observe::{Observation, observe_motion};
-use crate::query::shown::{count, rounded};
+use crate::query::shown::count;
 use crate::resolve::{Target, Unit, UnitId, UnitKind};
 use crate::session::Session;
 use crate::syntax::BlockFlags;
@@ -86,7 +87,7 @@ fn observed(snapshot: &Snapshot, analysis: &Analysis, units: &[(UnitId, Unit)]) 
 /// Blocks executed, the path, and the time where motion is configured.
 fn totals(snapshot: &Snapshot, observation: &Observation) -> String {
     let lang = snapshot.client.lang();
-    let (blocks, path) = (count(observation.executed), rounded(observation.path));
+    let (blocks, path) = (count(observation.executed), path(observation, lang));
     let text = Said::Totals { blocks, path }.text(lang);
     match &observation.moves {
         Some(seen) => Said::WithTime { text, time: seen.total.text(lang) }.text(lang),

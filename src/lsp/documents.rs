@@ -248,7 +248,7 @@ impl Server {
         self.roots.values().all(Root::is_known)
     }
 
-    /// Says once that programs are not judged because of their configuration; not while somebody edits that.
+    /// Says once that the configuration of programs has errors; not while somebody edits it.
     fn tell_misconfigured(&mut self, path: &Path, misconfigured: bool) {
         let misconfigured = misconfigured && !is_configuration(path);
         let edited = self.roots.keys().any(|open| is_configuration(open));

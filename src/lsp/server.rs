@@ -381,7 +381,7 @@ impl Server {
                 self.serve_waiting(&path);
             }
             // A macrocycle that is not open, reached from a program that is: call hierarchies go there.
-            None if waiting.params.pointer("/item").is_some() => self.start(waiting, None),
+            None if waiting.method.starts_with("callHierarchy/") => self.start(waiting, None),
             None => self.refuse(waiting.id, ErrorCode::InvalidParams, "this document is not open"),
         }
     }

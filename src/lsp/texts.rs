@@ -10,7 +10,7 @@ bilingual! {
         CalledBy { n: u32, by: &'static str, l: u32 } "called by N{n} {by} L{l}", "voláno z bloku N{n} {by} L{l}";
         NotShown { shown: usize, all: usize } "{shown} of {all} findings are shown", "zobrazeno je {shown} z {all} hlášení";
         Checking "checking", "kontroluje se";
-        Misconfigured "the configuration has errors; programs are checked when they are fixed", "konfigurace obsahuje chyby; programy se zkontrolují, až budou opraveny";
+        Misconfigured "the configuration has errors; programs are checked with what can be read of it", "konfigurace obsahuje chyby; programy se kontrolují podle toho, co z ní lze přečíst";
         Settings { wrong: String } "these settings cannot be used: {wrong}", "tato nastavení nelze použít: {wrong}";
     }
 }

@@ -9,6 +9,9 @@ use serde_json::{Value, json};
 /// Longest content of one message, in bytes: a program of 4 GiB is refused as too large anyway.
 const LONGEST: usize = 1 << 31;
 
+/// What stands before the length of the content.
+const LENGTH: &str = "content-length:";
+
 /// What comes in.
 #[derive(Debug)]
 pub(super) enum Incoming {
@@ -47,10 +50,9 @@ pub(super) fn read(input: &mut impl BufRead) -> io::Result<Option<Incoming>> {
             }
         }
         begun = true;
-        if let Some((name, value)) = line.split_once(':')
-            && name.trim().eq_ignore_ascii_case("content-length")
-        {
-            length = value.trim().parse::<usize>().ok();
+        // Of a frame without a length the content has no line end, and stands before the next header.
+        if let Some(at) = line.to_ascii_lowercase().rfind(LENGTH) {
+            length = line.get(at + LENGTH.len()..).and_then(|value| value.trim().parse::<usize>().ok());
         }
     }
 }
@@ -166,6 +168,7 @@ mod tests {
             (frame("\u{fffd}"), "ParseError null"),
             ("Nonsense: 1\r\n\r\n".to_owned(), "ParseError null"),
             ("Content-Length: -4\r\n\r\n".to_owned(), "ParseError null"),
+            ("Content-Length: x\r\n\r\n{\"id\":1,\"method\":\"a\"}".to_owned(), "ParseError null"),
         ] {
             assert_eq!(all(format!("{bad}{good}").as_bytes()), [expected, "note initialized"], "{bad}");
         }

@@ -13,7 +13,7 @@ use super::workspace_symbols::files;
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::edit::line_length::first_long_line;
-use crate::query::names::{Name, Names, Naming};
+use crate::query::names::{Name, Names, Naming, Usage};
 use crate::query::navigation_texts::NavigationText;
 use crate::resolve::{Library, Roles, Taker};
 use crate::session::Session;
@@ -75,7 +75,9 @@ fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, l: u32, target: 
     let file = parse(FileId(0), &source, form, &mut Findings::new());
     let names = Names { machine: &settings.machine, file: &file, macrocycle: own };
     let wanted = |name| name == Name::Macrocycle(l);
-    let namings: Vec<Naming> = file.block_ids().flat_map(|block| names.of_block(block, wanted)).collect();
+    // Another file of that number names itself in its first block.
+    let is_meant = |naming: &Naming| path == target || naming.usage != Usage::Definition;
+    let namings = file.block_ids().flat_map(|block| names.of_block(block, wanted)).filter(is_meant).collect();
     let parametric = file.block_ids().find_map(|block| {
         let roles = Roles::written(file.words(block));
         let calls = matches!(roles.taker, Taker::One(code, _) if code == crate::dict::GCode::G72);

@@ -9,7 +9,7 @@ use super::page::Page;
 use super::shown::{count, exact, feed_unit, rounded, speed_unit};
 use super::values::Values;
 use crate::analysis::motion::{break_name, limit_name};
-use crate::dict::{Address, AxisLetter, Decimal, Micro};
+use crate::dict::{Address, AxisLetter, Decimal, Lang, Micro};
 use crate::session::Session;
 use crate::syntax::{BlockId, Value, Word};
 
@@ -72,7 +72,7 @@ impl Subject<'_> {
             return;
         };
         page.item(&Said::Executed.text(self.lang), &self.qualified(count(observation.executed), observation));
-        page.item(&Said::Path.text(self.lang), &format!("{} mm", rounded(observation.path)));
+        page.item(&Said::Path.text(self.lang), &path(observation, self.lang));
         if let Some(seen) = &observation.moves {
             page.item(&Said::BlockTime.text(self.lang), &seen.total.text(self.lang));
         }
@@ -195,6 +195,14 @@ impl Subject<'_> {
         }
         shown
     }
+}
+
+/// The path of a program: `12.5 mm`, or that nothing is known of it.
+pub(crate) fn path(observation: &Observation, lang: Lang) -> String {
+    if observation.partly_unknown && observation.path == Micro::ZERO {
+        return Said::Unknown.text(lang);
+    }
+    format!("{} mm", rounded(observation.path))
 }
 
 /// `G01 G17 G90/G91 …`: one of each group, those of different passes behind one another.

@@ -78,6 +78,6 @@ bilingual! {
         JointStops { reason: String } "stop: {reason}", "zastavení: {reason}";
         JointLimited { limit: String } "limited by: {limit}", "omezuje: {limit}";
         WithTime { text: String, time: String } "{text}, time {time}", "{text}, čas {time}";
-        Totals { blocks: String, path: String } "executed blocks: {blocks}, path {path} mm", "provedené bloky: {blocks}, dráha {path} mm";
+        Totals { blocks: String, path: String } "executed blocks: {blocks}, path {path}", "provedené bloky: {blocks}, dráha {path}";
     }
 }

@@ -76,8 +76,10 @@ pub(crate) struct Observation {
     blocks: BTreeMap<BlockId, Observed>,
     /// Blocks executed.
     pub(crate) executed: u64,
-    /// The sum of the lengths.
+    /// The sum of the lengths that are known.
     pub(crate) path: Micro,
+    /// There are motions whose length is not known.
+    pub(crate) partly_unknown: bool,
     /// M02 or M30, when that was reached.
     pub(crate) end: Option<u8>,
     /// The number of the last executed block.
@@ -305,8 +307,10 @@ impl<'a> Observer<'a> {
         if executed.last() {
             self.observation.end = executed.m(PROGRAM_GROUP);
         }
-        if let Some(length) = executed.motion().and_then(|motion| motion.length().mm()) {
-            self.observation.path = self.observation.path.plus(length);
+        match executed.motion().map(|motion| motion.length()) {
+            Some(Length::Mm(length)) => self.observation.path = self.observation.path.plus(length),
+            Some(Length::Missing(Missing::Start | Missing::Origin)) => self.observation.partly_unknown = true,
+            Some(Length::Deg(_) | Length::Missing(Missing::Reference)) | None => {}
         }
         let (file, block) = executed.at();
         let document = self.is_document(file, executed);

@@ -179,26 +179,6 @@ N120 G70
   "isIncomplete": false,
   "items": [
     {
-      "detail": "G73 L",
-      "filterText": "L30",
-      "kind": 18,
-      "label": "L30",
-      "sortText": "00000000000",
-      "textEdit": {
-        "newText": "L30",
-        "range": {
-          "end": {
-            "character": 9,
-            "line": 3
-          },
-          "start": {
-            "character": 8,
-            "line": 3
-          }
-        }
-      }
-    },
-    {
       "detail": "G71 L",
       "filterText": "L20",
       "kind": 18,

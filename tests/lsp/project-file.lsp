@@ -669,6 +669,30 @@ empty-‹lint›block = "allow"
           }
         }
       }
+    },
+    {
+      "detail": "jak `restart` najíždí na místo v programu",
+      "documentation": {
+        "kind": "markdown",
+        "value": "# restart: jak `restart` najíždí na místo v programu\n\n- Kde: `cnc872c.toml`, `[restart]`\n- `tool-axis`: osa, po které nástroj opouští obrobek a vrací se k němu, nahoru k větším hodnotám\n- Pravidlo: RST-2\n\n## Příklad\n\n```toml\n[restart]\ntool-axis = \"Z\"\n```\n"
+      },
+      "filterText": "[restart]",
+      "kind": 9,
+      "label": "[restart]",
+      "sortText": "0024",
+      "textEdit": {
+        "newText": "[restart]",
+        "range": {
+          "end": {
+            "character": 0,
+            "line": 4
+          },
+          "start": {
+            "character": 0,
+            "line": 4
+          }
+        }
+      }
     }
   ]
 }

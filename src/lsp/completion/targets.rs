@@ -143,7 +143,8 @@ impl Offer<'_, '_, '_, '_> {
         };
         let nearest = first.max(here.0.saturating_sub(NEAR));
         let farthest = end.min(here.0.saturating_add(NEAR));
-        let mut before = (nearest..=here.0).rev().map(BlockId).filter(is_fitting);
+        // A jump to its own block is hardly ever meant.
+        let mut before = (nearest..here.0).rev().map(BlockId).filter(is_fitting);
         let mut behind = (here.next().0..farthest).map(BlockId).filter(is_fitting);
         let found: Vec<(Section, BlockId)> = before
             .by_ref()

@@ -67,6 +67,17 @@ fn nonsense() {
 }
 
 /// Ranges that no text has change what is nearest, or nothing.
+/// Whatever the parameters are, there is an answer.
+#[test]
+fn requests_without_a_document() {
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    for params in [json!(null), json!({}), json!({ "item": {} }), json!({ "item": 1, "textDocument": {} })] {
+        for method in ["textDocument/diagnostic", "textDocument/hover", "callHierarchy/incomingCalls"] {
+            assert!(client.request(method, params.clone())["error"].is_object(), "{method} {params}");
+        }
+    }
+}
+
 #[test]
 fn changes_out_of_range() {
     let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
