@@ -59,6 +59,14 @@ pub fn beside<'scope, T: Send + 'scope>(
     Builder::new().name(name.to_owned()).spawn_scoped(scope, work).ok()
 }
 
+/// Does `work` in a thread of that name, which ends by itself; `None`, and the work is dropped, without a thread to do it.
+pub fn apart<T: Send + 'static>(name: &str, work: impl FnOnce() -> T + Send + 'static) -> Option<JoinHandle<T>> {
+    if !cfg!(feature = "parallel") {
+        return None;
+    }
+    Builder::new().name(name.to_owned()).spawn(work).ok()
+}
+
 /// Adds items to a state, in their order: in a thread of its own once there are more than a few, while the caller finds the
 /// next ones.
 #[derive(Debug)]
@@ -129,17 +137,13 @@ impl<T: Send + 'static, S: Clone + Send + 'static> Fold<T, S> {
     }
 
     fn start(&self) -> Thread<T, S> {
-        if !cfg!(feature = "parallel") {
-            return Thread::Never;
-        }
         let (full, batches) = sync_channel::<Vec<T>>(BATCHES);
         let (add, mut state) = (self.add, self.state.clone());
         let work = move || {
             batches.iter().flatten().for_each(|item| add(&mut state, &item));
             state
         };
-        let thread = Builder::new().name(self.name.to_owned()).spawn(work);
-        thread.map_or(Thread::Never, |thread| Thread::There(full, thread))
+        apart(self.name, work).map_or(Thread::Never, |thread| Thread::There(full, thread))
     }
 }
 

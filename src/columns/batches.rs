@@ -101,9 +101,26 @@ impl<'o> Rows<'o> {
     }
 
     fn hand_on(&mut self) {
-        let batch = self.table.batch(&self.schema).map_err(io_error);
-        let taken = batch.and_then(|batch| self.out.batch(batch));
-        self.keep(taken);
+        let batch = self.table.batch(&self.schema);
+        self.take(batch);
+    }
+
+    /// Gives on a batch that was made elsewhere.
+    pub fn take(&mut self, batch: Result<RecordBatch, ArrowError>) {
+        if self.goes_on() {
+            let taken = batch.map_err(io_error).and_then(|batch| self.out.batch(batch));
+            self.keep(taken);
+        }
+    }
+
+    /// What fails elsewhere ends the run too.
+    pub fn fail(&mut self, error: io::Error) {
+        self.keep(Err(error));
+    }
+
+    /// The columns, for rows that are made elsewhere.
+    pub fn columns(&mut self) -> (Table, SchemaRef) {
+        (self.table.another(), SchemaRef::clone(&self.schema))
     }
 
     /// The program is whole.

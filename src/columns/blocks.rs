@@ -5,6 +5,7 @@ use std::io;
 use std::ops::ControlFlow;
 
 use super::batches::{Batches, End as LastBatch, Rows};
+use super::beside::Records;
 use super::table::Table;
 use crate::analysis::Totals;
 use crate::config::Axis;
@@ -12,7 +13,7 @@ use crate::diag::Findings;
 use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{End, Executed, FeedUnit, Jump, MStop, Missing, MotionType, Program, Sink};
 use crate::stream::{
-    AxisMap, Before, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Part, Record, Rows as Records,
+    AxisMap, Before, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Part, Record, Rows as Filler,
     program_record, record_text,
 };
 
@@ -25,10 +26,9 @@ const DEG: &str = "deg";
 pub struct BlockTable<'o> {
     rows: Rows<'o>,
     part: Part,
-    axes: Vec<Axis>,
     totals: Totals,
+    filler: Filler,
     records: Records,
-    row: Box<BlockRecord>,
     files: Vec<String>,
 }
 
@@ -44,10 +44,9 @@ impl<'o> BlockTable<'o> {
         Self {
             rows: Rows::new(out, failed),
             part,
-            axes: Vec::new(),
             totals: Totals::new(),
-            records: Records::default(),
-            row: Box::default(),
+            filler: Filler::default(),
+            records: Records::new(Vec::new()),
             files: Vec::new(),
         }
     }
@@ -57,8 +56,9 @@ impl Sink for BlockTable<'_> {
     type Whole = End;
 
     fn begin(&mut self, program: &Program<'_>) {
-        self.axes = program.settings.machine.axes.iter().collect();
-        put(&mut self.rows.table, &BlockRecord::default(), &self.axes);
+        let axes: Vec<Axis> = program.settings.machine.axes.iter().collect();
+        put(&mut self.rows.table, &BlockRecord::default(), &axes);
+        self.records = Records::new(axes);
         self.rows.begin(&record_text(&Record::Program(Box::new(program_record(program)))));
     }
 
@@ -71,11 +71,12 @@ impl Sink for BlockTable<'_> {
             self.totals.add(block);
             return ControlFlow::Continue(());
         }
-        self.records.fill(block, &mut self.row, Before::InPlace);
-        let motion = self.row.motion.as_ref();
-        self.totals.add_motion(motion.and_then(|motion| Some((motion.kind, motion.length_mm?))));
-        put(&mut self.rows.table, &self.row, &self.axes);
-        self.rows.row();
+        if let (before, Some(record)) = self.records.next() {
+            self.filler.fill(block, record, before.map_or(Before::Nowhere, Before::Beside));
+            let motion = record.motion.as_ref();
+            self.totals.add_motion(motion.and_then(|motion| Some((motion.kind, motion.length_mm?))));
+        }
+        self.records.end_record(&mut self.rows);
         if self.rows.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 
@@ -86,6 +87,7 @@ impl Sink for BlockTable<'_> {
             path_mm: self.totals.path(),
             path_mm_by_type: self.totals.by_type().collect(),
         };
+        self.records.finish(&mut self.rows);
         self.rows.end(&LastBatch::new(&record_text(&Record::End(record)), &self.files));
         end
     }
@@ -118,7 +120,7 @@ fn letters(values: &[(char, Decimal)]) -> impl Iterator<Item = (String, f64)> {
 }
 
 /// Puts a record into the next row. Each field is named, so that a new one does not compile until it has its column.
-fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
+pub(super) fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
     let BlockRecord {
         seq,
         n,

@@ -2,7 +2,7 @@
 //!
 //! | stage | by |
 //! |---|---|
-//! | a record, or what one is made of, as cells of a row | `blocks`, `motion`, `plc` |
+//! | a record, or what one is made of, as cells of a row | `blocks`, `motion`, `plc`; blocks in a thread `beside` execution |
 //! | rows to record batches | `table` |
 //! | record batches on their way: as an Arrow IPC stream, or kept in memory | [`Batches`]: `ipc`, `kept` |
 //!
@@ -11,6 +11,7 @@
 //! `cnc872c.end`, and those about other files, `cnc872c.files`, are metadata of a last batch without rows.
 
 mod batches;
+mod beside;
 mod blocks;
 mod cells;
 mod ipc;

@@ -219,6 +219,15 @@ impl Table {
         Arc::new(Schema::new_with_metadata(fields, metadata))
     }
 
+    /// A table with the same columns, and without rows.
+    pub fn another(&self) -> Self {
+        let column = |column: &Column| {
+            let (field, kind) = (column.field.clone(), column.kind.clone());
+            Column { field, kind, absent: 0, cells: None }
+        };
+        Self { columns: self.columns.iter().map(column).collect(), declared: true, ..Self::default() }
+    }
+
     /// After the last field of a row. `true`: the batch is full.
     #[inline]
     pub fn end_row(&mut self) -> bool {

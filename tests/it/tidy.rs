@@ -27,7 +27,7 @@ const LAYERS: [(&str, &[&str]); 22] = [
     ("stream", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "parallel"]),
     ("view", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream", "parallel"]),
     ("session", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "stream"]),
-    ("columns", &["text", "dict", "diag", "config", "run", "analysis", "stream", "session"]),
+    ("columns", &["text", "dict", "diag", "config", "run", "analysis", "stream", "session", "parallel"]),
     ("stats", &["text", "dict", "diag", "config", "resolve", "run", "analysis", "session", "columns"]),
     ("restart", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
     ("query", &["text", "dict", "diag", "syntax", "config", "resolve", "run", "analysis", "session"]),
