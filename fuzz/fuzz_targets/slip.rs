@@ -3,6 +3,7 @@
 #![no_main]
 
 #[path = "../../tests/it/slip_measure.rs"]
+#[allow(dead_code, reason = "the test counts findings, too")]
 mod slip_measure;
 
 use libfuzzer_sys::fuzz_target;

@@ -42,15 +42,6 @@ pub(super) fn join_conflicts(
     findings: &mut Findings,
 ) -> Vec<BlockId> {
     let lines = parsed.source.lines();
-    // `110 G02 X70`: the number has a finding of its own.
-    let letterless = |found: &Diagnostic| {
-        let line = parsed.source.line_span(lines.line_at(found.at.span.start));
-        let text = parsed.source.slice(line).trim_start_matches([' ', '\t']);
-        text.starts_with(|first: char| first.is_ascii_digit()) && conflicts_above(found, line.start)
-    };
-    if findings.items().iter().any(letterless) {
-        findings.revise(|found| !letterless(found));
-    }
     let starts = unnumbered(parsed, warned, findings);
     if starts.is_empty() {
         return Vec::new();

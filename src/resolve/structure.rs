@@ -42,7 +42,8 @@ pub fn resolve_program(
     findings: &mut Findings,
 ) -> Resolved {
     let file = sources.add(Arc::clone(source));
-    let parsed = parse(file, source, Form::Program, findings);
+    let mut parsed = parse(file, source, Form::Program, findings);
+    let case = parsed.take_case();
     let origin = Origin::of(&parsed);
     let mut resolved = Resolved::default();
     let mut context = Context { settings, library, sources, findings, pending: Pending::default() };
@@ -60,22 +61,23 @@ pub fn resolve_program(
         rings::check(&mut context, &resolved);
     }
     resolved.written_files = resolved.files.len();
-    join_case(file, findings);
+    add_case(case, findings);
     origin.point_out(settings, findings);
     resolved
 }
 
-/// A single address in lower case has no warning when its word has another finding: the word is to be looked at anyway.
-fn join_case(file: FileId, findings: &mut Findings) {
-    let single =
-        |found: &Diagnostic| found.at.file == file && matches!(found.finding, Finding::LowercaseAddress { count: 1 });
-    let Some(letter) = findings.items().iter().find(|found| single(found)).map(|found| found.at.span) else { return };
+/// Gives the finding of addresses in lower case; of a single one none when its word has another finding, because the word
+/// is to be looked at anyway (LEX-11).
+fn add_case(case: Option<Diagnostic>, findings: &mut Findings) {
+    let Some(case) = case else { return };
     let of_word = |found: &Diagnostic| {
         // Its letter, or its number.
-        found.at.file == file && matches!(found.at.span.start.checked_sub(letter.start), Some(0 | 1))
+        let behind = found.at.span.start.checked_sub(case.at.span.start);
+        found.at.file == case.at.file && matches!(behind, Some(0 | 1))
     };
-    if findings.items().iter().any(|found| !single(found) && of_word(found)) {
-        findings.revise(|found| !single(found));
+    let single = matches!(case.finding, Finding::LowercaseAddress { count: 1 });
+    if !(single && findings.items().iter().any(of_word)) {
+        findings.add(case);
     }
 }
 
@@ -89,7 +91,8 @@ pub fn resolve_macrocycle(
     findings: &mut Findings,
 ) -> Resolved {
     let file = sources.add(Arc::clone(source));
-    let parsed = parse(file, source, Form::Macrocycle, findings);
+    let mut parsed = parse(file, source, Form::Macrocycle, findings);
+    add_case(parsed.take_case(), findings);
     let origin = Origin::of(&parsed);
     let mut resolved = Resolved::default();
     let mut context = Context { settings, library, sources, findings, pending: Pending::default() };
@@ -134,7 +137,8 @@ impl Context<'_, '_> {
         let source = self.library.load(&path, &path_name(&path), self.settings.encoding)?;
         let file = self.sources.add(Arc::clone(&source));
         let mut findings = Findings::with_levels(*self.findings.levels());
-        let parsed = parse(file, &source, Form::Macrocycle, &mut findings);
+        let mut parsed = parse(file, &source, Form::Macrocycle, &mut findings);
+        add_case(parsed.take_case(), &mut findings);
         if Self::is_program(&parsed) {
             return Ok(self.add_misnamed(resolved, parsed, l));
         }
@@ -377,7 +381,7 @@ impl Context<'_, '_> {
         for &word in parsed.words(block) {
             // A function of the same group, or a second L, is a finding of its own already.
             let of_group = word.g_code().is_some_and(|code| code.group() == GCode::G79.group());
-            if !of_group && word.address != Address::L && !word.is_faulty() && !is_letterless(parsed, word) {
+            if !of_group && word.address != Address::L && !word.is_faulty() {
                 let place = parsed.word_place(word);
                 let shown = crate::diag::shown(parsed.source.slice(place.span));
                 self.report(place, Finding::CrowdedSubprogramStart { word: shown, unnumbered });
@@ -385,14 +389,6 @@ impl Context<'_, '_> {
             }
         }
     }
-}
-
-/// Whether the line of a word begins with a number: a block number without its letter, which has its finding.
-fn is_letterless(parsed: &ParsedFile, word: Word) -> bool {
-    let line = parsed.source.line_span(parsed.source.lines().line_at(word.start()));
-    let text = parsed.source.slice(line).trim_start_matches([' ', '\t']);
-    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-    digits > 0 && text.as_bytes().get(digits).is_some_and(|byte| matches!(byte, b' ' | b'\t'))
 }
 
 /// Where the main program ends: behind its first M02 or M30 that is not skippable, or before G79; and whether it has an

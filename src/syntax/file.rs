@@ -4,6 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::{Form, Word};
+use crate::diag::Diagnostic;
 use crate::dict::HIGHEST_BLOCK;
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
@@ -111,9 +112,16 @@ pub struct ParsedFile {
     pub(super) words: Vec<Word>,
     pub(super) comments: Vec<Span>,
     pub(super) blocks: Vec<Block>,
+    /// The finding of addresses in lower case, which is given when all that is written has been looked at.
+    pub(super) case: Option<Box<Diagnostic>>,
 }
 
 impl ParsedFile {
+    /// The finding of addresses in lower case (LEX-11).
+    pub fn take_case(&mut self) -> Option<Diagnostic> {
+        self.case.take().map(|case| *case)
+    }
+
     /// Number of blocks.
     pub fn block_count(&self) -> u32 {
         small(self.blocks.len())

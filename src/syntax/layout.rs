@@ -80,18 +80,17 @@ pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, fi
 /// So many tokens behind `*` are looked at for a second program.
 const FAR: usize = 1 << 12;
 
-/// Reports lower-case addresses, once (LEX-11): `places` are theirs, `addresses` counts those of the file. Changing them all
+/// The finding of lower-case addresses, one for all of them (LEX-11): `places` are theirs, `addresses` counts those of the file. Changing them all
 /// is certain where they are the rule; a few of them may stand for something else, as in `X18y.924`.
-pub(super) fn check_case(file: FileId, text: &str, places: &[u32], addresses: usize, findings: &mut Findings) {
+pub(super) fn case_finding(file: FileId, text: &str, places: &[u32], addresses: usize) -> Option<Diagnostic> {
     let edit = |&place: &u32| {
         let letter = text.as_bytes().get(place as usize).copied().unwrap_or(b'?');
         let at = Location { file, span: Span::new(place, place + 1) };
         Edit { at, text: char::from(letter.to_ascii_uppercase()).to_string() }
     };
     let edits: Vec<Edit> = places.iter().map(edit).collect();
-    if let Some(first) = edits.first().map(|edit| edit.at) {
-        let finding = Finding::LowercaseAddress { count: edits.len() };
-        let certain = (edits.len() * 2 > addresses).then_some(Certain::LowerCase);
-        findings.add(Diagnostic::new(finding, first).with_edits(certain, FixTitle::UpperCase, edits));
-    }
+    let first = edits.first().map(|edit| edit.at)?;
+    let finding = Finding::LowercaseAddress { count: edits.len() };
+    let certain = (edits.len() * 2 > addresses).then_some(Certain::LowerCase);
+    Some(Diagnostic::new(finding, first).with_edits(certain, FixTitle::UpperCase, edits))
 }

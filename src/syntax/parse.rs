@@ -97,6 +97,7 @@ pub(super) fn parse_in(
         words: Vec::new(),
         comments: Vec::new(),
         blocks: Vec::new(),
+        case: None,
     };
     let mut whole = Whole { parsed, findings, lowercase: Vec::new(), outside: None, ended: false };
     if pieces < 2 {
@@ -121,7 +122,7 @@ pub(super) fn parse_in(
     parsed.mark_commented();
     let parametric = || parsed.words.iter().filter(|word| word.is_parametric()).count();
     let addresses = if lowercase.is_empty() { 0 } else { parsed.words.len() + parametric() };
-    layout::check_case(file, text, &lowercase, addresses, findings);
+    parsed.case = layout::case_finding(file, text, &lowercase, addresses).map(Box::new);
     layout::check_lines(file, source, parsed.start, parsed.end, findings);
     parsed
 }
