@@ -74,6 +74,7 @@ je více, chybí --safe, nebo příkaz nešlo provést.",
             en: "\
 Examples:
   cnc872c compare old.nc new.nc                     what is cut differently
+  cnc872c compare archive/ new/                     two folders: a line for each program
   cnc872c compare old.nc new.nc --tolerance 0.01    positions up to 0.01 mm apart are the same
   cnc872c compare old.nc new.nc --format json | jq '.changes[].kind'
 
@@ -81,6 +82,7 @@ Exit status: 0 the same, 1 different, 2 it could not run, or a program has error
             cs: "\
 Příklady:
   cnc872c compare stary.nc novy.nc                    co se obrobí jinak
+  cnc872c compare archiv/ nove/                       dvě složky: řádek na program
   cnc872c compare stary.nc novy.nc --tolerance 0.01   polohy do 0.01 mm od sebe jsou stejné
   cnc872c compare stary.nc novy.nc --format json | jq '.changes[].kind'
 
@@ -170,8 +172,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Zapsat program do SOUBORU místo na standardní výstup",
     ),
     arg("restart", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
-    arg("compare", "old", Arguments, "The first program", "První program"),
-    arg("compare", "new", Arguments, "The second program", "Druhý program"),
+    arg("compare", "old", Arguments, "The first program, or folder", "První program nebo složka"),
+    arg("compare", "new", Arguments, "The second program, or folder", "Druhý program nebo složka"),
     arg(
         "compare",
         "tolerance",

@@ -227,8 +227,11 @@ bilingual! {
             "{text}",
             "{text}";
         CompareFolder { folder: String }
-            "{folder} is a folder: compare takes two programs",
-            "{folder} je složka: compare porovnává dva programy";
+            "{folder} is a folder: compare takes two programs or two folders",
+            "{folder} je složka: compare porovnává dva programy nebo dvě složky";
+        CompareFoldersJson
+            "two folders are compared as a table only: --format json takes two programs",
+            "dvě složky se porovnávají jen do tabulky: --format json patří ke dvěma programům";
         NForm { text: String }
             "--n {text}: a block number belongs here, as in --n 120",
             "--n {text}: patří sem číslo bloku, například --n 120";

@@ -1,15 +1,18 @@
 //! `compare`: what two programs do differently (CMP).
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use cnc872c::analysis::compare::{Comparison, StepReader, Steps, Tolerances, compare, schema};
 use cnc872c::config::{Purpose, Settings};
 use cnc872c::dict::Micro;
 use cnc872c::session::Session;
-use cnc872c::text::MemoryLoader;
+use cnc872c::text::{Loader, MemoryLoader};
 use serde_json::{Value, json};
 
 use crate::cli::{BAD, Place};
+use crate::disk::TestDisk;
+use crate::same_program::formatted;
 use crate::state::{Sample, samples};
 
 const TOLERANCES: Tolerances = Tolerances { position: Micro::from_millionths(1000), percent: 0.0 };
@@ -67,6 +70,133 @@ fn the_same_and_the_mirror() {
         compared += 1;
     }
     assert!(compared > 100);
+}
+
+/// CMP-6: formatted and renumbered programs do what they did.
+#[test]
+fn formatted_and_renumbered() {
+    let mut compared = [0; 2];
+    for sample in samples() {
+        let bytes = fs::read(sample.disk.root.join(&sample.file)).unwrap();
+        let Some(steps) = of_sample(&sample) else { continue };
+        let again = |text: Vec<u8>, what: &str| {
+            let loader = Over { disk: &sample.disk, file: &sample.file, text };
+            let session = Session { loader: &loader, settings: &sample.settings, progress: None };
+            let Some(other) = self::steps(&session, &sample.file) else { panic!("{} {what}", sample.name) };
+            assert_eq!(compare(&steps, &other, TOLERANCES), Comparison::default(), "{} {what}", sample.name);
+        };
+        if let Some(text) = formatted(&sample.file, &bytes, &sample.settings) {
+            again(text, "formatted");
+            compared[0] += 1;
+        }
+        // Each is a process.
+        if compared[0] % 8 == 0 && std::str::from_utf8(&bytes).is_ok() {
+            let mut command =
+                Place::with(&[]).command(&["renumber", "--dialect", sample.settings.machine.dialect.name(), "-"]);
+            let input = fs::File::open(sample.disk.root.join(&sample.file)).unwrap();
+            let output = command.current_dir(&sample.disk.root).stdin(input).output().unwrap();
+            if output.status.success() {
+                again(output.stdout, "renumbered");
+                compared[1] += 1;
+            }
+        }
+    }
+    assert!(compared[0] > 100 && compared[1] > 10, "{compared:?}");
+}
+
+/// The files of a sample, with another text of its program.
+struct Over<'a> {
+    disk: &'a TestDisk,
+    file: &'a str,
+    text: Vec<u8>,
+}
+
+impl Loader for Over<'_> {
+    fn read(&self, path: &Path) -> std::io::Result<Vec<u8>> {
+        if path == Path::new(self.file) { Ok(self.text.clone()) } else { self.disk.read(path) }
+    }
+
+    fn list(&self, folder: &Path) -> Vec<PathBuf> {
+        self.disk.list(folder)
+    }
+
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        self.disk.folders(folder)
+    }
+
+    fn canonical(&self, path: &Path) -> PathBuf {
+        self.disk.canonical(path)
+    }
+}
+
+/// A surface of so many blocks; `z`: the depth of each.
+fn surface(blocks: u32, z: impl Fn(u32) -> f64, more: impl Fn(u32) -> String) -> String {
+    let block = |at: u32| format!("N{} X{} Y{} Z{:.3}\n{}", at * 10 + 50, at % 37, at % 23, z(at), more(at));
+    let body: String = (0..blocks).map(block).collect();
+    format!("%1\nN10 G90 G0 X0 Y0 Z50 T5 M06\nN20 S1000 M3 F200\nN30 G1 X1 Z-1\n{body}N9000000 M30\n")
+}
+
+/// CMP-2: one shift of thousands of blocks is one change with its count, also where blocks come between; what is added between
+/// motions of its kind is what is far from them; tolerances.
+#[test]
+fn shifts_and_what_is_near() {
+    let plain = |at: u32| -2.0 - f64::from(at % 7) / 10.0;
+    let none = |_: u32| String::new();
+    let old = of_text(&surface(10_000, plain, none));
+    let differs = |new: &str, tolerances: Tolerances| {
+        let changes = compare(&old, &of_text(new), tolerances).changes;
+        changes.into_iter().map(|change| (change.kind.name(), change.count(), change.what)).collect::<Vec<_>>()
+    };
+    let z = || Some("Z".to_owned());
+    let shifted = surface(10_000, |at| plain(at) - 0.2, none);
+    assert_eq!(differs(&shifted, TOLERANCES), [("position", 10_000, z())]);
+    let wide = Tolerances { position: Micro::from_millionths(200_000), percent: 0.0 };
+    assert_eq!(differs(&shifted, wide), []);
+    let between =
+        surface(10_000, |at| plain(at) - 0.2, |at| if at == 5000 { "N51 X90 Y90\n".to_owned() } else { String::new() });
+    let mut found = differs(&between, TOLERANCES);
+    found.sort();
+    assert_eq!(found, [("added", 1, None), ("position", 10_000, z())]);
+    // A few blocks, each moved a little, and one far away between them.
+    let few = of_text("%1\nN10 G90 G1 X0 Y0 F100\nN20 X10 Y1\nN30 X20 Y2\nN40 X30 Y3\nN50 M30\n");
+    let new = of_text("%1\nN10 G90 G1 X0 Y0 F100\nN20 X10 Y1.5\nN25 X90 Y90\nN30 X20 Y2.6\nN40 X30 Y3.7\nN50 M30\n");
+    let changes = compare(&few, &new, TOLERANCES).changes;
+    assert!(
+        changes.iter().any(|change| change.kind.name() == "added" && change.new_blocks.n == Some((25, 25))),
+        "{changes:#?}"
+    );
+    assert!(
+        changes.iter().all(|change| change.kind.name() == "added" || change.what.as_deref() == Some("Y")),
+        "{changes:#?}"
+    );
+}
+
+/// CMP-3, CMP-7: a summary by tool; folders as a table, a line for each program.
+#[test]
+fn summaries() {
+    let other = OLD.replace("F200", "F250").replace("Y5\n", "Y6\n");
+    let place = Place::with(&[
+        ("old/a.nc", OLD.as_bytes()),
+        ("old/sub/b.nc", OLD.as_bytes()),
+        ("old/gone.nc", OLD.as_bytes()),
+        ("new/a.nc", OLD.as_bytes()),
+        ("new/sub/b.nc", other.as_bytes()),
+        ("new/more.nc", OLD.as_bytes()),
+    ]);
+    let run = place.run(&["compare", "old/sub/b.nc", "new/sub/b.nc"]).ends(1);
+    assert!(run.stdout.contains("\nT5: changes 2, in blocks "), "{}", run.stdout);
+    let run = place.run(&["compare", "old", "new"]).ends(1);
+    let lines: Vec<&str> = run.stdout.lines().collect();
+    assert_eq!(lines[0], "a.nc      the same");
+    assert_eq!((lines[1], lines[2]), ("gone.nc   removed", "more.nc   added"));
+    assert!(lines[3].starts_with("sub/b.nc  changes: 2, time −"), "{}", run.stdout);
+    assert_eq!(lines[4], "programs 4: same 1, different 1, added 1, removed 1, with errors 0");
+    place.run(&["compare", "old", "old"]).ends(0);
+    place.run(&["compare", "old", "new", "--format", "json"]).ends(2).says("--format json");
+    place.run(&["compare", "old", "new/a.nc"]).ends(2).says("two folders");
+    place.put("new/a.nc", BAD);
+    let run = place.run(&["--lang", "cs", "compare", "old", "new"]).ends(2);
+    assert!(run.stdout.starts_with("a.nc      chyby\n") && run.stderr.contains("E0306"), "{run:?}");
 }
 
 const OLD: &str = "%1\nN10 G90 G0 X0 Y0 Z50 T5 M06\nN20 S1000 M3 F200\nN30 G1 X10 Z-5\nN35 Y5\nN40 G2 X20 Y15 I10 J0\nN50 M08\n\

@@ -1,11 +1,13 @@
-//! Which step of one program is which of the other: the same ones first, then those of one kind between them (CMP-2).
+//! Which step of one program is which of the other: the same ones first, between them those that move by the same increments,
+//! then those of one kind that are near each other (CMP-2).
 
 use std::collections::HashMap;
 use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, Token};
 
-use super::steps::Steps;
+use super::near::by_nearness;
+use super::steps::{Steps, increments};
 
 /// A step of one program or both, by index.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -33,21 +35,39 @@ pub(super) fn align(old: &Steps, new: &Steps, mut give: impl FnMut(Aligned)) {
             before.zip(after).for_each(|(a, b)| give(turned(Aligned::Both(a, b))));
             return;
         }
-        let kinds = |steps: &Steps, range: &Range<usize>| {
-            let steps_in = steps.list.get(range.clone()).unwrap_or_default();
-            steps_in.iter().map(|step| steps.kind(step)).collect::<Vec<_>>()
-        };
-        let (a, b) = (kinds(first, &before), kinds(second, &after));
+        // A shifted run moves by the same increments.
+        let (a, b) = (increments(first, &before), increments(second, &after));
         each(&a, &b, |same, from, to| {
             let from = from.start + before.start..from.end + before.start;
             let to = to.start + after.start..to.end + after.start;
             if same {
                 from.zip(to).for_each(|(a, b)| give(turned(Aligned::Both(a, b))));
             } else {
-                from.for_each(|at| give(turned(Aligned::Old(at))));
-                to.for_each(|at| give(turned(Aligned::New(at))));
+                pair((first, from), (second, to), &mut |aligned| give(turned(aligned)));
             }
         });
+    });
+}
+
+/// Pairs steps of one kind: in short runs the nearest ones, in long ones in their order.
+fn pair((first, from): (&Steps, Range<usize>), (second, to): (&Steps, Range<usize>), give: &mut dyn FnMut(Aligned)) {
+    if by_nearness((first, from.clone()), (second, to.clone()), give) {
+        return;
+    }
+    let kinds = |steps: &Steps, range: &Range<usize>| {
+        let steps_in = steps.list.get(range.clone()).unwrap_or_default();
+        steps_in.iter().map(|step| steps.kind(step)).collect::<Vec<_>>()
+    };
+    let (a, b) = (kinds(first, &from), kinds(second, &to));
+    each(&a, &b, |same, before, after| {
+        let before = before.start + from.start..before.end + from.start;
+        let after = after.start + to.start..after.end + to.start;
+        if same {
+            before.zip(after).for_each(|(a, b)| give(Aligned::Both(a, b)));
+        } else {
+            before.for_each(|at| give(Aligned::Old(at)));
+            after.for_each(|at| give(Aligned::New(at)));
+        }
     });
 }
 

@@ -10,8 +10,10 @@
 mod align;
 mod changes;
 mod json;
+mod near;
 mod reader;
 mod steps;
+mod table;
 mod text;
 mod words;
 
@@ -19,4 +21,5 @@ pub use changes::{Blocks, Change, ChangeKind, Comparison, Tolerances, compare};
 pub use json::{SCHEMA, Side, json, schema};
 pub use reader::StepReader;
 pub use steps::{Context, Event, Steps, Value};
+pub use table::{Row, Verdict, table};
 pub use text::text;

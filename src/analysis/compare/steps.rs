@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Range;
 
 use super::ChangeKind;
 use crate::dict::{AxisLetter, Decimal, GCode, Micro};
@@ -257,4 +258,30 @@ impl Steps {
         }
         hasher.finish()
     }
+}
+
+/// What steps move by, from the motion before each in their range: the same in runs that are shifted.
+pub(super) fn increments(steps: &Steps, range: &Range<usize>) -> Vec<u64> {
+    let mut last: [Option<i64>; AxisLetter::ALL.len()] = Default::default();
+    let list = steps.list.get(range.clone()).unwrap_or_default();
+    let increment = |step: &Step| {
+        let Some(Does::Motion(motion)) = steps.does(step) else { return step.token };
+        let mut hasher = DefaultHasher::new();
+        motion.kind_key().hash(&mut hasher);
+        for (letter, value) in motion.letters().zip(motion.values) {
+            let Some(last) = last.get_mut(letter as usize) else { continue };
+            let before = last.replace(value);
+            if motion.moves(letter) {
+                // Where an axis comes from is not known at the first motion: it is like no other.
+                before.map_or(value, |before| value.saturating_sub(before)).hash(&mut hasher);
+            }
+        }
+        if let (Some(plane), Some(center)) = (motion.plane, motion.center()) {
+            for (letter, center) in plane.into_iter().zip(center) {
+                motion.value(letter).map(|end| center.saturating_sub(end)).hash(&mut hasher);
+            }
+        }
+        hasher.finish()
+    };
+    list.iter().map(increment).collect()
 }

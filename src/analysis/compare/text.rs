@@ -6,7 +6,7 @@ use super::steps::Value;
 use super::words::Words;
 use crate::analysis::motion::{clock, trimmed};
 use crate::diag::terminal_safe;
-use crate::dict::{Lang, Micro};
+use crate::dict::{Decimal, Lang, Micro};
 
 /// Lines without `--all`.
 const MOST: usize = 40;
@@ -22,12 +22,31 @@ pub fn text(old: &Side, new: &Side, changes: &[Change], all: bool, lang: Lang) -
     if changes.is_empty() {
         lines.push(Words::Same.text(lang));
     }
-    let room = if all { usize::MAX } else { MOST - lines.len() - 1 };
+    lines.extend(by_tool(changes, lang));
+    let room = if all { usize::MAX } else { MOST.saturating_sub(lines.len() + 1) };
     lines.extend(changes.iter().take(room).map(|change| line(change, lang)));
     if changes.len() > room {
         lines.push(Words::More { count: changes.len() - room }.text(lang));
     }
     lines.iter().map(|line| format!("{}\n", terminal_safe(line))).collect()
+}
+
+/// How much differs with each tool, when that is more than one change can say.
+fn by_tool(changes: &[Change], lang: Lang) -> Vec<String> {
+    let mut tools: Vec<(Option<Decimal>, usize, u64)> = Vec::new();
+    for change in changes {
+        match tools.iter_mut().find(|(tool, ..)| *tool == change.tool) {
+            Some((_, count, blocks)) => (*count, *blocks) = (*count + 1, *blocks + change.count()),
+            None => tools.push((change.tool, 1, change.count())),
+        }
+    }
+    if changes.len() < 2 {
+        tools.clear();
+    }
+    tools.sort_unstable();
+    let named = |tool: Option<Decimal>| tool.map_or_else(|| Words::NoTool.text(lang), |tool| format!("T{tool}"));
+    let line = |(tool, changes, blocks)| Words::Tool { tool: named(tool), changes, blocks }.text(lang);
+    tools.into_iter().take(MOST / 4).map(line).collect()
 }
 
 fn line(change: &Change, lang: Lang) -> String {

@@ -18,6 +18,15 @@ bilingual! {
         Dwell "dwell", "prodleva";
         None "none", "není";
         Was { places: String } "was {places}", "bylo {places}";
+        Tool { tool: String, changes: usize, blocks: u64 } "{tool}: changes {changes}, in blocks {blocks}", "{tool}: změn {changes}, v blocích {blocks}";
+        NoTool "no tool", "bez nástroje";
+        RowSame "the same", "totéž";
+        RowAdded "added", "přidán";
+        RowRemoved "removed", "odebrán";
+        RowBroken "errors", "chyby";
+        RowChanges { changes: usize } "changes: {changes}", "změn: {changes}";
+        RowChangesAndTime { changes: usize, delta: String } "changes: {changes}, time {delta} s", "změn: {changes}, čas {delta} s";
+        Programs { count: usize, same: usize, different: usize, added: usize, removed: usize, broken: usize } "programs {count}: same {same}, different {different}, added {added}, removed {removed}, with errors {broken}", "programů {count}: stejných {same}, různých {different}, přidaných {added}, odebraných {removed}, s chybami {broken}";
         More { count: usize } "and {count} more changes; --all lists them", "a dalších změn: {count}; vypíše je --all";
     }
 }

@@ -1,0 +1,110 @@
+//! Steps of short runs paired with the nearest of their kind (CMP-2).
+
+use std::ops::Range;
+
+use super::align::Aligned;
+use super::steps::{Does, Steps};
+
+/// Longest runs are paired so while the product of their lengths is no more.
+const MOST: usize = 250_000;
+
+/// What a step without a counterpart costs; two of them cost more than any pair of one kind.
+const ALONE: f64 = 0.6;
+
+/// Distance in mm at which a pair costs half of the most that it can cost.
+const HALF_MM: f64 = 5.0;
+
+/// Pairs the steps of two runs so that the sum of distances is least. `false`: the runs are too long, nothing was given.
+pub(super) fn by_nearness(
+    (first, from): (&Steps, Range<usize>),
+    (second, to): (&Steps, Range<usize>),
+    give: &mut dyn FnMut(Aligned),
+) -> bool {
+    let (rows, columns) = (from.len(), to.len());
+    if rows == 0 || columns == 0 {
+        from.for_each(|at| give(Aligned::Old(at)));
+        to.for_each(|at| give(Aligned::New(at)));
+        return true;
+    }
+    if rows.saturating_mul(columns) > MOST {
+        return false;
+    }
+    // From the ends, so that the way is read from the beginning.
+    let width = columns + 1;
+    let mut ways = vec![Way::Old; (rows + 1) * width];
+    let mut below: Vec<f64> = Vec::with_capacity(width);
+    for left in (0..=columns).rev() {
+        below.push(cost_of(left));
+        if let Some(way) = ways.get_mut(rows * width + columns - left) {
+            *way = Way::New;
+        }
+    }
+    for row in (0..rows).rev() {
+        let mut right = cost_of(rows - row);
+        let mut costs = vec![right; width];
+        for column in (0..columns).rev() {
+            let near = distance((first, from.start + row), (second, to.start + column));
+            let cost = |list: &[f64], at: usize| list.get(at).copied().unwrap_or(f64::INFINITY);
+            let both = near.map_or(f64::INFINITY, |near| near + cost(&below, column + 1));
+            let (old, new) = (ALONE + cost(&below, column), ALONE + right);
+            let (least, way) = if both <= old && both <= new {
+                (both, Way::Both)
+            } else if old <= new {
+                (old, Way::Old)
+            } else {
+                (new, Way::New)
+            };
+            right = least;
+            if let (Some(slot), Some(step)) = (costs.get_mut(column), ways.get_mut(row * width + column)) {
+                (*slot, *step) = (least, way);
+            }
+        }
+        below = costs;
+    }
+    follow(&ways, (from, to), give);
+    true
+}
+
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+enum Way {
+    Both,
+    Old,
+    New,
+}
+
+/// So many steps alone.
+fn cost_of(steps: usize) -> f64 {
+    (0..steps).map(|_| ALONE).sum()
+}
+
+fn follow(ways: &[Way], (from, to): (Range<usize>, Range<usize>), give: &mut dyn FnMut(Aligned)) {
+    let width = to.len() + 1;
+    let (mut row, mut column) = (0, 0);
+    while row < from.len() || column < to.len() {
+        let way = ways.get(row * width + column).copied().unwrap_or(Way::Old);
+        match way {
+            Way::Both => give(Aligned::Both(from.start + row, to.start + column)),
+            Way::Old => give(Aligned::Old(from.start + row)),
+            Way::New => give(Aligned::New(to.start + column)),
+        }
+        row += usize::from(way != Way::New);
+        column += usize::from(way != Way::Old);
+    }
+}
+
+/// How far two steps of one kind are from each other, 0 to 1; nothing of two kinds.
+fn distance((first, a): (&Steps, usize), (second, b): (&Steps, usize)) -> Option<f64> {
+    let (a, b) = (first.step(a)?, second.step(b)?);
+    if first.kind(a) != second.kind(b) {
+        return None;
+    }
+    match (first.does(a)?, second.does(b)?) {
+        (Does::Motion(a), Does::Motion(b)) => {
+            let apart = |(a, b): (&i64, &i64)| crate::dict::Micro::from_millionths(a.saturating_sub(*b)).abs().to_f64();
+            let mm: f64 = a.values().iter().zip(b.values()).map(apart).sum();
+            Some(mm / (mm + HALF_MM))
+        }
+        (Does::Event(a), Does::Event(b)) => Some(if a.value == b.value { 0.0 } else { 0.5 }),
+        (Does::Motion(_), Does::Event(_)) | (Does::Event(_), Does::Motion(_)) => None,
+    }
+}
