@@ -124,8 +124,10 @@ impl StepReader {
                 self.event(block, ChangeKind::Parameter, &format!("R{index}"), Value::from(*value));
             }
             if let Some(jump) = block.jump() {
-                let to = Value::Text(format!("N{}", jump.to));
-                self.event(block, ChangeKind::Parameter, "G73", to);
+                // Numbers of blocks do not matter, how often it jumps does.
+                let left = jump.left.map(|left| Value::from(Decimal::whole(i64::from(left))));
+                let left = left.unwrap_or_else(|| Value::Text(String::new()));
+                self.event(block, ChangeKind::Parameter, "G73", left);
             }
         }
     }
