@@ -6,8 +6,12 @@
 //! | plan | executed blocks | velocities, joints, times | `analysis::motion`, read by `times` |
 //! | take apart | texts | skeletons and what cannot be foretold | `text` |
 //! | pack | rows | columns of whole numbers, deflated | `pack`, with `column`, `tally`, `container`; `page` puts them into HTML |
-//! | lay out | rows | a still picture: lines, dots, texts | `picture`, with `lines`, `projection`, `display` |
+//! | lay out | rows | a still picture: lines, dots, texts | `picture`, with `lines`, `chains`, `projection`, `display` |
 //! | write | a still picture | SVG, PNG | `svg`; `png` with `scan` and `glyphs` |
+//!
+//! What is kept is bounded by what is drawn: a still picture has no records, equal executions share rows and plans, texts are
+//! deflated as they come (`container::Long`), and [`Collector::within`] gives up before memory runs out. `names` keeps folders out of
+//! the page.
 //!
 //! `web/src/data` reads what is packed here; `docs/reference/page-data.md` describes it.
 

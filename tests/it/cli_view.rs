@@ -141,6 +141,99 @@ fn a_page_holds_no_folders_of_its_author() {
     assert!(header["findings"][0]["message"]["en"].as_str().unwrap().contains("macros/L9001"), "{header}");
 }
 
+/// Up to the first block with an error, be it written or found by execution.
+#[test]
+fn a_program_is_drawn_up_to_its_first_error() {
+    for (error, drawn) in [("N40 X0 X5", 3), ("N40 G2 X20 Y20 I15 J0", 3), ("N40 G71 L5", 3), ("N40 X0", 6)] {
+        let program = format!("%1\nN10 G90 G0 X0 Y0 Z0\nN20 G1 X50 F100\nN30 Y30\n{error}\nN50 Y0\nN60 M30\n");
+        let place = Place::with(&[("a.nc", program.as_bytes())]);
+        let status = i32::from(drawn < 6);
+        place.run(&["view", "a.nc"]).ends(status);
+        let header = header(&place.read("a.nc.html"));
+        assert_eq!((&header["count"], &header["whole"]), (&drawn.into(), &(drawn == 6).into()), "{error}");
+    }
+}
+
+/// Lathes: X and Z alone in a plane of lathes, or G74.
+#[test]
+fn a_lathe_is_drawn_in_zx() {
+    let mill = "%1\nN10 G90 G0 X0 Y0 Z0\nN20 G1 X50 F100\nN30 M30\n";
+    let turning = "%1\nN10 G19 G90 G0 X10 Z0\nN20 G1 X50 F100\nN30 Z-20\nN40 M30\n";
+    let files = [
+        ("mill.nc", mill.to_owned(), [false, false]),
+        ("turn.nc", turning.to_owned(), [true, false]),
+        ("diameters.nc", turning.replace("G19", "G17 G74"), [true, true]),
+        ("side.nc", turning.replace("G19 G90 G0", "G19 G90 G0 Y5"), [false, false]),
+    ];
+    for (name, text, [lathe, diameter]) in files {
+        let place = Place::with(&[(name, text.as_bytes())]);
+        place.run(&["view", name]).ends(0);
+        let header = header(&place.read(&format!("{name}.html")));
+        assert_eq!((&header["turning"], &header["diameter"]), (&lathe.into(), &diameter.into()), "{name}");
+        let svg = |plane: &[&str]| {
+            place.run(&[&["view", name, "-o", "a.svg"], plane].concat()).ends(0);
+            String::from_utf8(place.read("a.svg")).unwrap()
+        };
+        assert_eq!(svg(&[]) == svg(&["--plane", "ZX"]), lathe, "{name}");
+        assert_eq!(svg(&[]).contains(">ØX</text>"), diameter, "{name}");
+    }
+}
+
+/// Comments and texts are no part of the records, and passes of a loop share what was planned of them.
+#[test]
+fn texts_cost_the_page_their_compressed_bytes() {
+    let blocks = |block: &dyn Fn(u32) -> String| {
+        let body: String = (3..4000).map(|n| format!("N{n} {}\n", block(n))).collect();
+        format!("%1\nN1 G90 G0 X0 Y0 Z0\nN2 G1 X1 F1000\n{body}N4000 M30\n")
+    };
+    let place = Place::with(&[
+        ("comments.nc", blocks(&|n| format!("X{} \"comment number {n}\"", n % 100)).as_bytes()),
+        ("parameters.nc", blocks(&|n| format!("R{}={}.5 X{}", 10 + n % 50, n, n % 100)).as_bytes()),
+    ]);
+    for name in ["comments", "parameters"] {
+        place.run(&["view", &format!("{name}.nc")]).ends(0);
+        let header = header(&place.read(&format!("{name}.nc.html")));
+        assert!(header.to_string().len() < 20_000, "{name}");
+        assert!(!header.to_string().contains("comment number"));
+    }
+}
+
+/// What would take too much memory is given up, and nothing else is done with it.
+#[test]
+fn a_picture_gives_up_before_memory_runs_out() {
+    use cnc872c::session::Session;
+    use cnc872c::view::{Collector, Keep, Part};
+    let body: String = (3..9000).map(|n| format!("N{n} X{}\n", n % 100)).collect();
+    let program = format!("%1\nN1 G90 G0 X0 Y0 Z0\nN2 G1 X1 F1000\n{body}N9000 M30\n");
+    let loader = cnc872c::text::MemoryLoader::new().with("a.nc", program);
+    let settings = cnc872c::config::Settings::default();
+    let too_large = |keep: Keep, part: Part, most: usize| {
+        let mut collector = Collector::new(&settings, part, keep).within(most);
+        let session = Session { loader: &loader, settings: &settings, progress: None };
+        let run = session.draw(std::path::Path::new("a.nc"), "a.nc", collector.sink());
+        (collector.is_too_large(), run.whole.is_some())
+    };
+    let all = Part { from: 0, blocks: None };
+    assert_eq!(too_large(Keep::Records, all, 100_000), (true, false));
+    assert_eq!(too_large(Keep::Records, all, 100_000_000), (false, true));
+    // Blocks that are not drawn cost nothing but their places in the text.
+    assert_eq!(too_large(Keep::Records, Part { from: 0, blocks: Some(10) }, 500_000), (false, true));
+}
+
+/// Lines that others cover, and red dots at one place, are drawn once; the picture says how many dots that leaves out.
+#[test]
+fn a_zigzag_is_thinned() {
+    let body: String =
+        (3..30_000).map(|n| format!("N{n} X{} Y0.{:03}\n", if n % 2 == 0 { 0 } else { 100 }, n / 40)).collect();
+    let program = format!("%1\nN1 G23 G17 G90 G0 X0 Y0 Z0\nN2 G1 X1 F1000\n{body}N30000 M30\n");
+    let place = Place::with(&[("zigzag.nc", program.as_bytes())]);
+    place.run(&["view", "zigzag.nc", "-o", "a.svg"]).ends(0).says("red dots are not drawn");
+    let svg = String::from_utf8(place.read("a.svg")).unwrap();
+    assert!(svg.len() < 300_000, "{}", svg.len());
+    assert!(svg.contains("red dots not drawn</text>") && !dots(&svg, "dot red").is_empty());
+    assert!(!svg.contains("<image"), "few lines are left");
+}
+
 /// R387: the first N executed blocks; and from a later one on.
 #[test]
 fn a_part_of_the_program() {
