@@ -1,34 +1,23 @@
-//! The velocity curve of a part of a stretch with the parabolic profile (VEL-11…VEL-13): places where the acceleration is
-//! 0, with humps between them.
+//! The velocity curve of a part of a stretch with the parabolic profile (VEL-11…VEL-13): *places*, which are passed without
+//! acceleration, and between two neighbouring places one rise and one fall.
 //!
-//! 1. Joints become such places, the slowest first, when a ramp from and to those beside them fits. The others lie within
-//!    a ramp: a ramp may span any number of blocks.
-//! 2. Where a ramp passes a joint faster than it may, a place is put before it: the latest from which the rise meets the
-//!    joint's cap exactly (after it for a fall). What can then no longer be reached is left out.
-//! 3. Where places were put in between two lowest ones, a rise that ends at the cap of one of the blocks may be faster than
-//!    one that meets the joints: it is tried.
-//! 4. A place that was put in costs time. Without it, up to other velocities, or with a ramp of less acceleration that meets
-//!    the joint, the way may be faster: `better` tries that.
-//! 5. Where limits change, beside places that were put in, and in small stretches, velocities at joints are tried:
-//!    `searched`; then ways that rise to the cap of a joint and no higher.
-//! 6. A rise between two lowest places that saves too little time is taken back (VEL-12).
+//! 1. A joint becomes a place, passed at its cap, when a climb from the place before it comes up to that, and so does a climb
+//!    backwards from the place behind it: seen backwards, a fall is a climb. The other joints lie within a climb.
+//! 2. Between two places the climb from the one and the backward climb from the other are cut at the highest velocity at
+//!    which they leave room for each other; what is left between them is passed at that velocity.
+//! 3. A rise between two lowest places that saves too little time is taken back (VEL-12).
 
-#![expect(clippy::indexing_slicing, reason = "ids and places are made here and index the lists they were made for")]
+#![expect(clippy::indexing_slicing, reason = "places are made here and index the list they were made for")]
 
-#[path = "curve_again.rs"]
-mod again;
-#[path = "curve_better.rs"]
-mod better;
-#[path = "curve_joints.rs"]
-mod joints;
-#[path = "curve_searched.rs"]
-mod searched;
-
+use super::climb::{Road, State, last_below};
 use super::ramp::{Hump, Limits};
-use crate::sure::small;
+use super::times::Phase;
 
-/// Nobody: end of a list.
+/// No place: the end of the list.
 const NONE: usize = usize::MAX;
+
+/// What rounding may do to a place, mm.
+pub(super) const ROUNDING: f64 = 1e-9;
 
 /// One motion of a stretch.
 #[derive(Clone, Copy, Debug)]
@@ -43,64 +32,42 @@ pub(super) struct Link {
     pub limits: Limits,
 }
 
-/// A place on the way where the acceleration is 0.
+/// A place on the way where the acceleration is 0, with the way up to the next one.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     /// Where, from the start of the first link.
     s: f64,
     /// Velocity there.
     v: f64,
-    /// The first joint beyond it.
-    after: usize,
-    /// The last joint before it.
-    before: usize,
+    /// The link behind it.
+    link: usize,
     next: usize,
     prev: usize,
-    /// Greatest velocity up to the next place.
+    /// No velocity up to the next place may be above this one.
     cap: f64,
-    /// Greatest accelerations of the rise and of the fall up to the next place, where they are kept below the limits.
-    soft: [f64; 2],
-    /// The way to the next place.
-    hump: Option<Hump>,
-}
-
-/// No acceleration is kept below the limits.
-const HARD: [f64; 2] = [f64::INFINITY; 2];
-
-/// Links with the same limits, one after another.
-#[derive(Clone, Copy, Debug)]
-struct Run {
-    end: f64,
-    limits: Limits,
+    /// The greatest velocity up to the next place.
+    peak: f64,
+    /// Time up to the next place.
+    time: f64,
+    /// Its phases: from one place in the list of all to another. None: it is not planned.
+    phases: Option<(usize, usize)>,
 }
 
 /// Plans one part at a time; its room is used again.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Curve {
-    /// Where the joints are: of link k from `s[k]` to `s[k + 1]`.
-    s: Vec<f64>,
-    /// Caps at the joints, look-ahead included.
-    caps: Vec<f64>,
+    ahead: Road,
+    /// The same way backwards.
+    back: Road,
     /// Block caps.
     blocks: Vec<f64>,
-    /// How far is seen from each joint; without limit where nothing follows.
-    seen: Vec<f64>,
-    runs: Vec<Run>,
     places: Vec<Place>,
-    /// Joints in the order of their caps.
-    order: Vec<(f64, u32)>,
-    /// A bit for each joint that is a place.
-    taken: Vec<u64>,
+    phases: Vec<Phase>,
     highest: f64,
-    lowest_block: f64,
-    /// What rounding may do to a place.
-    tolerance: f64,
-    /// Whether look-ahead ends before the stretch somewhere.
+    /// Whether look-ahead may bind somewhere.
     blind: bool,
-    /// A first plan is there: ways are planned again, where joints may be left out.
-    again: bool,
-    /// Rises were taken back.
-    taken_back: bool,
+    /// The greatest limits of all links.
+    fastest: Option<Limits>,
 }
 
 impl Curve {
@@ -108,364 +75,353 @@ impl Curve {
     /// at its end. The control sees `look_ahead` blocks from each joint. A rise that does not save `raise_s` is left out.
     pub(super) fn plan(&mut self, links: &[Link], offset: f64, entry: f64, look_ahead: usize, raise_s: f64) {
         self.measure(links, look_ahead);
-        // What differs by rounding alone is the same: a ramp between both would be all rounding.
-        for cap in &mut self.caps {
-            if (*cap - entry).abs() <= 1e-11 * entry {
-                *cap = entry;
-            }
+        self.choose_places(offset, entry);
+        let mut at = 0;
+        while self.places[at].next != NONE {
+            self.join(at);
+            at = self.places[at].next;
         }
-        self.begin(offset, entry);
-        self.take_joints();
-        if !self.settle_all() {
-            self.crawl(links, offset, entry);
-        } else {
-            self.again = true;
-            self.better();
-            self.search_joints();
-            self.up_to_joints();
-        }
-        self.again = true;
         if raise_s > 0.0 {
             self.take_back_rises(raise_s);
         }
     }
 
-    /// The humps of the plan: place of the start, place of the end, hump.
-    pub(super) fn humps(&self) -> impl Iterator<Item = (f64, f64, Hump)> + '_ {
-        let mut at = 0;
-        std::iter::from_fn(move || {
-            let place = self.places[at];
-            let next = self.places.get(place.next)?;
-            at = place.next;
-            Some((place.s, next.s, place.hump?))
+    /// The phases of the plan in their order, each with the place where it begins.
+    pub(super) fn phases(&self) -> impl Iterator<Item = (f64, Phase)> + '_ {
+        let places = std::iter::successors(self.places.first(), |place| self.places.get(place.next));
+        places.flat_map(|place| self.phases_behind(place))
+    }
+
+    fn phases_behind(&self, place: &Place) -> impl Iterator<Item = (f64, Phase)> + '_ {
+        let (from, to) = place.phases.unwrap_or_default();
+        self.phases[from..to].iter().scan(place.s, |s, phase| {
+            let start = *s;
+            *s += phase.way_at(phase.duration_s);
+            Some((start, *phase))
         })
     }
 
-    /// Whether the plan was looked for: places were put in, limits change, or rises were taken back, so that the way backwards
-    /// may give another one.
-    pub(super) fn is_searched(&self) -> bool {
-        !self.blind && (self.places.len() > self.s.len() || self.runs.len() > 1 || self.taken_back)
-    }
-
-    /// The time of the plan.
-    pub(super) fn seconds(&self) -> f64 {
-        self.humps().map(|(.., hump)| hump.time()).sum()
-    }
-
-    /// Takes over the plan of the way backwards.
-    pub(super) fn turn(&mut self, back: &Self) {
-        let way = self.s.last().copied().unwrap_or(0.0);
-        let humps: Vec<(f64, f64, Hump)> = back.humps().collect();
-        let empty =
-            Place { s: way, v: 0.0, after: 0, before: 0, next: NONE, prev: NONE, cap: 0.0, soft: HARD, hump: None };
-        self.places.clear();
-        for (at, (_, end, hump)) in humps.iter().rev().enumerate() {
-            self.places.push(Place { s: way - end, v: hump.to, next: at + 1, hump: Some(hump.turned()), ..empty });
-        }
-        self.places.push(empty);
+    /// Where the plan goes on from when more is known: the last place up to `until`, or `until` itself where the velocity is
+    /// held there; with the velocity.
+    pub(super) fn last_rest(&self, until: f64) -> Option<(f64, f64)> {
+        let places = std::iter::successors(self.places.first(), |place| self.places.get(place.next));
+        let place = places.take_while(|place| place.s <= until).last()?;
+        let held =
+            |(s, phase): &(f64, Phase)| phase.is_held() && *s <= until && until <= s + phase.way_at(phase.duration_s);
+        let held = self.phases_behind(place).find(held).map(|(_, phase)| (until, phase.velocity));
+        Some(held.unwrap_or((place.s, place.v)))
     }
 
     /// Where link `k` begins; the end of the last when `k` is their count.
     pub(super) fn joint(&self, k: usize) -> f64 {
-        self.s[k]
+        self.ahead.s[k]
     }
 
     /// The velocity from which the machine stops within what is seen from the start of link `k`, where more follows.
     pub(super) fn stoppable(&self, k: usize, limits: Limits) -> f64 {
-        if self.seen[k].is_finite() { limits.stopping(self.seen[k]) } else { f64::INFINITY }
+        let sight = self.ahead.sight.get(k).copied().unwrap_or(f64::INFINITY);
+        if sight.is_finite() { limits.stopping(sight) } else { f64::INFINITY }
     }
 
     fn measure(&mut self, links: &[Link], look_ahead: usize) {
-        let Self { s, caps, blocks, seen, runs, .. } = self;
-        s.clear();
-        caps.clear();
-        blocks.clear();
-        runs.clear();
-        let mut way = 0.0;
+        let Self { ahead, back, blocks, .. } = self;
+        ahead.clear();
+        back.clear();
+        let highest = links.iter().map(|link| link.cap).fold(0.0, f64::max);
         for link in links {
-            s.push(way);
-            caps.push(link.joint);
-            blocks.push(link.cap);
-            way += link.length;
-            match runs.last_mut() {
-                Some(run) if run.limits == link.limits => run.end = way,
-                Some(_) | None => runs.push(Run { end: way, limits: link.limits }),
+            ahead.push(link.joint, link.length, link.limits);
+        }
+        for (k, Link { limits, .. }) in links.iter().enumerate().take(links.len().saturating_sub(look_ahead)) {
+            let sight = ahead.s[k + look_ahead] - ahead.s[k];
+            // Hardly ever does it bind: no velocity is above the highest, no acceleration above that of the link.
+            if limits.stopping_way(highest, limits.accel) <= sight {
+                ahead.sight.push(f64::INFINITY);
+            } else {
+                ahead.sight.push(sight);
+                ahead.caps[k] = ahead.caps[k].min(limits.stopping(sight));
             }
         }
-        s.push(way);
-        caps.push(0.0);
-        seen.clear();
-        seen.resize(links.len() + 1, f64::INFINITY);
-        for k in 0..links.len().saturating_sub(look_ahead) {
-            let way = s[k + look_ahead] - s[k];
-            seen[k] = way;
-            // A quick look first: hardly ever does it bind.
-            let cap = caps[k];
-            if links[k].limits.distance(0.0, cap) > way {
-                caps[k] = cap.min(links[k].limits.stopping(way));
-            }
+        ahead.close(0.0);
+        let caps = ahead.caps.iter().rev();
+        for (link, cap) in links.iter().rev().zip(caps) {
+            back.push(*cap, link.length, link.limits);
         }
-        self.tolerance = 1e-12 + 1e-14 * way;
-        self.blind = links.len() > look_ahead;
-        (self.again, self.taken_back) = (false, false);
-        self.highest = blocks.iter().copied().fold(0.0, f64::max);
-        self.lowest_block = blocks.iter().copied().fold(f64::INFINITY, f64::min);
+        back.close(ahead.caps[0]);
+        blocks.clear();
+        blocks.extend(links.iter().map(|link| link.cap));
+        self.highest = highest;
+        self.blind = self.ahead.sight.iter().any(|sight| sight.is_finite());
+        self.fastest = links.iter().map(|link| link.limits).reduce(Limits::max);
     }
 
-    /// The first and the last place. Ids up to the count of links are those of the joints.
-    fn begin(&mut self, offset: f64, entry: f64) {
-        let last = self.s.len() - 1;
-        let empty = Place {
-            s: 0.0,
-            v: 0.0,
-            after: 0,
-            before: 0,
+    /// Makes places of joints, the slowest first: what is slower than a joint decides whether it is a place. Only the first
+    /// place, which is settled, may be faster.
+    fn choose_places(&mut self, offset: f64, entry: f64) {
+        self.places.clear();
+        self.phases.clear();
+        let place = Place {
+            s: offset,
+            v: entry,
+            link: self.ahead.s.partition_point(|s| *s <= offset).saturating_sub(1),
             next: NONE,
             prev: NONE,
             cap: self.highest,
-            soft: HARD,
-            hump: None,
+            peak: 0.0,
+            time: 0.0,
+            phases: None,
         };
-        self.places.clear();
-        self.places.extend(self.s.iter().zip(&self.caps).enumerate().map(|(k, (&s, &v))| Place {
-            s,
-            v,
-            after: k + 1,
-            before: k.saturating_sub(1),
-            ..empty
-        }));
-        let first = &mut self.places[0];
-        (first.s, first.v, first.next) = (offset, entry, last);
-        self.places[last].prev = 0;
+        let count = self.blocks.len();
+        let at = |k: usize| match k {
+            _ if k == place.link => place,
+            _ => Place { s: self.ahead.s[k], v: self.ahead.caps[k], link: k, ..place },
+        };
+        let (mut places, mut others) = (Marks::new(count), Marks::new(count));
+        places.mark(place.link);
+        places.mark(count);
+        let mut joints: Vec<(f64, usize)> = (place.link + 1..count).map(|k| (self.ahead.caps[k], k)).collect();
+        joints.sort_unstable_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
+        for (_, k) in joints {
+            let fits = |left: usize, right: usize| self.fits(&at(left), &at(right), &others);
+            let (left, right) = (places.before(k), places.behind(k));
+            let is_place = match at(left).v > at(k).v {
+                true => self.slows_down(&place, &at(k)),
+                false => fits(left, k),
+            } && fits(k, right);
+            if is_place {
+                places.mark(k)
+            } else {
+                others.mark(k)
+            };
+        }
+        let marked = std::iter::successors(Some(place.link), |k| Some(places.behind(*k)).filter(|k| *k <= count));
+        self.places.extend(marked.map(at));
+        let count = self.places.len();
+        for (at, place) in self.places.iter_mut().enumerate() {
+            place.prev = at.checked_sub(1).unwrap_or(NONE);
+            place.next = if at + 1 < count { at + 1 } else { NONE };
+        }
     }
 
-    /// The limits that hold everywhere between two places.
-    fn limits(&self, from: f64, to: f64) -> Limits {
-        if let [run] = self.runs.as_slice() {
-            return run.limits;
+    /// Whether a climb from the slower one of two places comes to the velocity of the other on the way between them; joints
+    /// that are no places, `others`, may be in its way.
+    fn fits(&self, left: &Place, right: &Place, others: &Marks) -> bool {
+        let way = (right.s - left.s) * (1.0 + 1e-12) + ROUNDING;
+        let same = self.limits(left, right);
+        let is_free = || others.behind(left.link) >= right.link;
+        let least = same.or(self.fastest).map_or(0.0, |limits| limits.distance(left.v, right.v));
+        if least > way || least == 0.0 || same.is_some() && !self.blind && is_free() {
+            return least <= way;
         }
-        let first = self.runs.partition_point(|run| run.end <= from).min(self.runs.len() - 1);
-        let mut limits = self.runs[first].limits;
-        for (at, run) in self.runs.iter().enumerate().skip(first + 1) {
-            if self.runs[at - 1].end >= to {
-                break;
+        let (road, from) =
+            if left.v < right.v { (&self.ahead, left.ahead()) } else { (&self.back, self.backwards(right)) };
+        let level = left.v.max(right.v);
+        let climb = road.climb(from, level, from.s + way, true);
+        climb.top >= level * (1.0 - 1e-9) && road.cut(&climb, level, |_| {}) <= from.s + way
+    }
+
+    /// Whether the first place, which is settled, leaves room to slow down to a joint.
+    fn slows_down(&self, first: &Place, joint: &Place) -> bool {
+        let from = self.backwards(joint);
+        let end = from.s + joint.s - first.s + ROUNDING;
+        let climb = self.back.climb(from, first.v, end, false);
+        climb.top >= first.v * (1.0 - 1e-9) && self.back.cut(&climb, first.v, |_| {}) <= end
+    }
+
+    /// The limits between two places, where they are the same everywhere.
+    fn limits(&self, left: &Place, right: &Place) -> Option<Limits> {
+        (self.ahead.until[left.link] >= right.link).then(|| self.ahead.limits[left.link])
+    }
+
+    fn backwards(&self, place: &Place) -> State {
+        let (links, way) = (self.blocks.len(), self.ahead.s[self.blocks.len()]);
+        State { s: way - place.s, v: place.v, a: 0.0, link: links - place.link }
+    }
+
+    /// Plans the way from a place to the next one.
+    fn join(&mut self, left: usize) {
+        let (l, r) = (self.places[left], self.places[self.places[left].next]);
+        let first = self.phases.len();
+        let least = l.v.max(r.v);
+        let peak = match self.limits(&l, &r).filter(|_| l.link + 1 == r.link) {
+            Some(limits) if limits.distance(l.v, r.v) <= r.s - l.s => {
+                let cap = l.cap.min(self.blocks[l.link]).max(least);
+                let hump = Hump::new(l.v, r.v, limits, r.s - l.s, cap);
+                self.phases.extend(hump.phases().into_iter().filter(|phase| phase.duration_s > 0.0));
+                hump.peak
             }
-            limits = limits.min(run.limits);
-        }
-        limits
+            Some(_) | None => self.join_climbs(&l, &r, least),
+        };
+        let time = self.phases[first..].iter().map(|phase| phase.duration_s).sum();
+        let phases = Some((first, self.phases.len()));
+        self.places[left] = Place { peak, time, phases, ..l };
     }
 
-    /// Whether a ramp between two places fits.
-    fn fits(&self, left: usize, right: usize) -> bool {
-        let (left, right) = (&self.places[left], &self.places[right]);
-        left.v == right.v || self.ramp_limits(left, right).is_some()
-    }
-
-    /// The limits of a ramp between two places that begins or ends at the lower one: of all links that it covers. `None`: it
-    /// does not fit.
-    fn ramp_limits(&self, left: &Place, right: &Place) -> Option<Limits> {
-        let way = right.s - left.s;
-        let room = way * (1.0 + 1e-12) + self.tolerance;
-        let low = if left.v < right.v { left.s } else { right.s };
-        let mut limits = self.limits(low, low);
-        loop {
-            let ramp = limits.distance(left.v, right.v);
-            if ramp > room {
-                return None;
-            }
-            let ramp = ramp.min(way);
-            let covered = if left.v < right.v { self.limits(low, low + ramp) } else { self.limits(low - ramp, low) };
-            if limits.min(covered) == limits {
-                return Some(limits);
-            }
-            limits = limits.min(covered);
-        }
-    }
-
-    /// Makes places of joints, the slowest first.
-    fn take_joints(&mut self) {
-        let count = self.s.len() - 1;
-        self.order.clear();
-        self.order.extend((1..count).zip(&self.caps[1..count]).map(|(k, &cap)| (cap, small(k))));
-        self.order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        self.taken.clear();
-        self.taken.resize(count / 64 + 1, 0);
-        self.take(0);
-        self.take(count);
-        for at in 0..self.order.len() {
-            let k = self.order[at].1 as usize;
-            let (left, right) = (self.taken_before(k), self.taken_after(k));
-            if self.fits(left, k) && self.fits(k, right) {
-                self.take(k);
-                self.link(left, k, right);
-            }
-        }
-    }
-
-    fn take(&mut self, joint: usize) {
-        self.taken[joint / 64] |= 1 << (joint % 64);
-    }
-
-    /// The nearest joint before `joint` that is a place; there is one.
-    fn taken_before(&self, joint: usize) -> usize {
-        let mut at = joint / 64;
-        let mut word = self.taken[at] & ((1 << (joint % 64)) - 1);
-        while word == 0 {
-            at -= 1;
-            word = self.taken[at];
-        }
-        at * 64 + 63 - word.leading_zeros() as usize
-    }
-
-    /// The nearest joint beyond `joint` that is a place; there is one.
-    fn taken_after(&self, joint: usize) -> usize {
-        let mut at = (joint + 1) / 64;
-        let mut word = self.taken[at] & (!0 << ((joint + 1) % 64));
-        while word == 0 {
-            at += 1;
-            word = self.taken[at];
-        }
-        at * 64 + word.trailing_zeros() as usize
-    }
-
-    fn link(&mut self, left: usize, id: usize, right: usize) {
-        (self.places[id].prev, self.places[id].next) = (left, right);
-        self.places[id].cap = self.places[left].cap;
-        self.places[left].next = id;
-        self.places[right].prev = id;
-        self.places[left].hump = None;
-    }
-
-    /// Takes a place out; the first and the last stay. Whether it is out.
-    fn drop(&mut self, id: usize) -> bool {
-        let Place { prev, next, cap, .. } = self.places[id];
-        if prev == NONE || next == NONE {
-            return false;
-        }
-        self.places[prev].next = next;
-        self.places[next].prev = prev;
-        self.places[prev].cap = self.places[prev].cap.max(cap);
-        self.places[prev].hump = None;
-        true
-    }
-
-    /// Puts a place in behind `left`.
-    fn insert(&mut self, left: usize, s: f64, v: f64) -> usize {
-        let id = self.places.len();
-        let after = self.s.partition_point(|&joint| joint <= s);
-        let before = self.s.partition_point(|&joint| joint < s).saturating_sub(1);
-        let right = self.places[left].next;
-        self.places.push(Place { s, v, after, before, next: NONE, prev: NONE, cap: 0.0, soft: HARD, hump: None });
-        self.link(left, id, right);
-        id
-    }
-
-    /// Finds the humps between all places. Whether that came to an end.
-    fn settle_all(&mut self) -> bool {
-        let mut left = 0;
-        for _ in 0..self.s.len() * 64 + 1024 {
-            if self.places[left].next == NONE {
-                return true;
-            }
-            left = self.settle(left);
-        }
-        false
-    }
-
-    /// Finds the hump behind `left`, or changes the places around it. Gives the place to go on from.
-    fn settle(&mut self, left: usize) -> usize {
-        let right = self.places[left].next;
-        if !self.fits(left, right) && !self.level(left, right) {
-            let higher = if self.places[right].v >= self.places[left].v { right } else { left };
-            let back = self.places[left].prev;
-            if self.drop(higher) {
-                return if higher == right { left } else { back };
-            }
-        }
-        let hump = self.hump(left, right);
-        let mut changed = self.find_places(left, right, &hump);
-        if let Some(back) = changed.back {
-            return back;
-        }
-        if !changed.any {
-            changed.any = self.lower_to_block(left, right, &hump);
-        }
-        if changed.any {
-            return left;
-        }
-        self.places[left].hump = Some(hump);
-        right
-    }
-
-    /// Makes velocities equal that differ by rounding alone; that of the first place is settled already. Whether they were
-    /// such.
-    fn level(&mut self, left: usize, right: usize) -> bool {
-        let (l, r) = (self.places[left], self.places[right]);
-        if l.prev != NONE || r.next == NONE || (l.v - r.v).abs() > 1e-9 * l.v.max(r.v) {
-            return false;
-        }
-        self.places[right].v = l.v;
-        true
-    }
-
-    /// The fastest way between two places, with the limits of the blocks that its ramps cover.
-    fn hump(&self, left: usize, right: usize) -> Hump {
-        let (l, r) = (self.places[left], self.places[right]);
+    /// Plans the way between two places by the climbs from both; gives the greatest velocity, which is at least `least`.
+    fn join_climbs(&mut self, l: &Place, r: &Place, least: f64) -> f64 {
+        let Self { ahead, back, phases, .. } = self;
         let way = r.s - l.s;
-        let cap = l.cap.max(l.v).max(r.v);
-        if let [run] = self.runs.as_slice() {
-            if l.soft == HARD {
-                return Hump::new(l.v, r.v, run.limits, run.limits, way, cap);
-            }
-            let [rise, fall] = l.soft.map(|accel| Limits { accel: run.limits.accel.min(accel), ..run.limits });
-            let whole = if l.v <= r.v { rise } else { fall };
-            if whole.distance(l.v, r.v) <= way {
-                return Hump::new(l.v, r.v, rise, fall, way, cap);
-            }
-            return Hump::new(l.v, r.v, run.limits, run.limits, way, cap);
+        let total = ahead.s[self.blocks.len()];
+        let from_right = State { s: total - r.s, v: r.v, a: 0.0, link: self.blocks.len() - r.link };
+        let rise = ahead.climb(l.ahead(), l.cap.max(least), r.s, true);
+        let fall = back.climb(from_right, l.cap.max(least), total - l.s, true);
+        let ways = |level: f64| {
+            let rise = ahead.cut(&rise, level, |_| {}) - l.s;
+            let fall = back.cut(&fall, level, |_| {}) - from_right.s;
+            (rise, fall)
+        };
+        let beyond = |level: f64| {
+            let (rise, fall) = ways(level);
+            (rise + fall) / way - 1.0
+        };
+        let most = l.cap.min(rise.top).min(fall.top).max(least);
+        let mut peak = if beyond(most) <= 0.0 { most } else { last_below(least, most, beyond) };
+        let (rising, falling) = ways(peak);
+        // Where it is highest within a block, the cap of that block holds.
+        let spot = f64::midpoint(l.s + rising, r.s - falling);
+        let block = ahead.s.partition_point(|s| *s <= spot).saturating_sub(1).min(self.blocks.len() - 1);
+        peak = peak.min(self.blocks[block]).max(least);
+        let (rising, falling) = ways(peak);
+        let first = phases.len();
+        ahead.cut(&rise, peak, |phase| phases.push(phase));
+        let hold = way - rising - falling;
+        if hold > 0.0 {
+            phases.push(Phase { duration_s: hold / peak, velocity: peak, acceleration: 0.0, jerk: 0.0 });
         }
-        // A place at a change of limits belongs to both sides.
-        let (mut rise, mut fall) = (self.limits(l.s, l.s), self.limits(r.s, r.s));
-        loop {
-            let hump = Hump::new(l.v, r.v, rise, fall, way, cap);
-            if hump.rise_way() + hump.fall_way() > way * (1.0 + 1e-9) {
-                break;
+        let behind = phases.len();
+        back.cut(&fall, peak, |phase| phases.push(phase.turned()));
+        phases[behind..].reverse();
+        if hold < 0.0 {
+            // What rounding left: a little faster than the limits.
+            let part = way / (rising + falling);
+            for phase in &mut phases[first..] {
+                let Phase { duration_s, acceleration, jerk, .. } = *phase;
+                phase.duration_s = duration_s * part;
+                (phase.acceleration, phase.jerk) = (acceleration / part, jerk / (part * part));
             }
-            let rising = rise.min(self.limits(l.s, (l.s + hump.rise_way()).min(r.s)));
-            let falling = fall.min(self.limits((r.s - hump.fall_way()).max(l.s), r.s));
-            if rising == rise && falling == fall {
-                return hump;
-            }
-            (rise, fall) = (rising, falling);
         }
-        // Higher than both, it would cover links that leave no room for it: only the ramp between both is left.
-        let limits = self.ramp_limits(&l, &r).unwrap_or_else(|| self.limits(l.s, r.s));
-        Hump::new(l.v, r.v, limits, limits, way, l.v.max(r.v))
+        peak
     }
 
-    /// What surely holds everything: acceleration 0 at every joint.
-    fn crawl(&mut self, links: &[Link], offset: f64, entry: f64) {
-        self.begin(offset, entry);
-        let count = links.len();
-        for k in 1..=count {
-            let way = self.s[k] - self.places[k - 1].s;
-            let reached = links[k - 1].limits.reach(self.places[k - 1].v, way);
-            self.places[k].v = self.places[k].v.min(reached);
+    /// Takes back rises between two lowest places that save too little against holding the higher of them (VEL-12).
+    fn take_back_rises(&mut self, raise_s: f64) {
+        let mut left = 0;
+        while let Some((right, time)) = self.next_lowest(left) {
+            let (l, r) = (self.places[left], self.places[right]);
+            let higher = l.v.max(r.v);
+            let rises = self.between(left, right).any(|id| self.places[id].peak > higher * (1.0 + 1e-12));
+            if higher > 0.0 && rises {
+                let phases = self.phases.len();
+                let saved: Vec<_> = self.between(left, right).map(|id| (id, self.places[id])).collect();
+                if self.hold(left, right, higher) - time < raise_s {
+                    // The higher one is no lowest place any more.
+                    if l.v >= r.v {
+                        left = self.lowest_before(left);
+                    } else if r.next == NONE {
+                        return;
+                    }
+                    continue;
+                }
+                for (id, place) in saved {
+                    self.places[id] = place;
+                }
+                self.places[right].prev = r.prev;
+                self.phases.truncate(phases);
+            }
+            left = right;
         }
-        for k in (1..count).rev() {
-            let reached = links[k].limits.reach(self.places[k + 1].v, links[k].length);
-            self.places[k].v = self.places[k].v.min(reached);
+    }
+
+    /// The places from one on up to another, which does not count.
+    fn between(&self, left: usize, right: usize) -> impl Iterator<Item = usize> + '_ {
+        std::iter::successors(Some(left), |&id| Some(self.places[id].next)).take_while(move |&id| id != right)
+    }
+
+    /// The next place behind `left` that is lower than what is around it, or the last one; with the time up to there.
+    fn next_lowest(&self, left: usize) -> Option<(usize, f64)> {
+        let (mut at, mut time, mut fallen) = (left, 0.0, false);
+        loop {
+            let place = self.places[at];
+            let Some(next) = self.places.get(place.next) else { return (at != left).then_some((at, time)) };
+            if fallen && place.peak > place.v {
+                return Some((at, time));
+            }
+            time += place.time;
+            fallen = next.v < place.peak || fallen && place.peak == place.v;
+            at = place.next;
         }
-        for (k, link) in links.iter().enumerate() {
-            let (l, r) = (self.places[k], self.places[k + 1]);
-            let limits = link.limits;
-            let cap = link.cap.max(l.v).max(r.v);
-            self.places[k].hump = Some(Hump::new(l.v, r.v, limits, limits, r.s - l.s, cap));
-            (self.places[k].next, self.places[k + 1].prev) = (k + 1, k);
+    }
+
+    /// The lowest place before `id`, or the first one.
+    fn lowest_before(&self, id: usize) -> usize {
+        let (mut at, mut risen) = (id, false);
+        while let Some(before) = self.places.get(self.places[at].prev) {
+            let next = self.places[at];
+            if risen && next.v < before.peak {
+                return at;
+            }
+            risen = before.peak > before.v || risen;
+            at = next.prev;
         }
+        at
+    }
+
+    /// Plans the way between two places again, not above `level`; gives its time.
+    fn hold(&mut self, left: usize, right: usize, level: f64) -> f64 {
+        let mut at = left;
+        let mut time = 0.0;
+        while at != right {
+            let cap = self.places[at].cap.min(level).max(self.places[at].v);
+            let mut next = self.places[at].next;
+            let near = next;
+            while next != right && self.places[next].v > level {
+                next = self.places[next].next;
+            }
+            let replanned = next != near || self.places[at].peak > level;
+            self.places[at] = Place { next, cap, ..self.places[at] };
+            self.places[next].prev = at;
+            if replanned {
+                self.join(at);
+            }
+            time += self.places[at].time;
+            at = next;
+        }
+        time
     }
 }
 
-#[cfg(test)]
-#[path = "curve_tests.rs"]
-mod tests;
+/// Marked joints: a bit for each.
+#[derive(Clone, Debug)]
+struct Marks(Vec<u64>);
+
+impl Marks {
+    /// For joints up to `last`.
+    fn new(last: usize) -> Self {
+        Self(vec![0; last / 64 + 1])
+    }
+
+    fn mark(&mut self, k: usize) {
+        self.0[k / 64] |= 1 << (k % 64);
+    }
+
+    /// The nearest marked joint before `k`; 0 without any.
+    fn before(&self, k: usize) -> usize {
+        let first = self.0[k / 64] & ((1 << (k % 64)) - 1);
+        let words = std::iter::once(first).chain(self.0[..k / 64].iter().rev().copied());
+        let (back, word) = words.enumerate().find(|(_, word)| *word != 0).unwrap_or((k / 64, 1));
+        (k / 64 - back) * 64 + 63 - word.leading_zeros() as usize
+    }
+
+    /// The nearest marked joint behind `k`; beyond all of them without any.
+    fn behind(&self, k: usize) -> usize {
+        let first = self.0[k / 64] & (!1 << (k % 64));
+        let words = std::iter::once(first).chain(self.0[k / 64 + 1..].iter().copied());
+        let found = words.enumerate().find(|(_, word)| *word != 0);
+        found.map_or(self.0.len() * 64, |(on, word)| (k / 64 + on) * 64 + word.trailing_zeros() as usize)
+    }
+}
+
+impl Place {
+    fn ahead(&self) -> State {
+        State { s: self.s, v: self.v, a: 0.0, link: self.link }
+    }
+}

@@ -5,11 +5,12 @@
 //! | read | an executed block | [`Step`] | the adapter |
 //! | merge | steps with motion | pieces | `merge` |
 //! | joints | pieces | which are passed continuously, caps | `joint` |
-//! | plan | a stretch of pieces, in parts | velocities, times, phases | `envelope` (linear), `parabola` with `curve` (parabolic) |
+//! | plan | a stretch of pieces, in parts | velocities, times, phases | `envelope` (linear), `parabola` with `curve` and `climb` (parabolic) |
 //! | give | times of pieces | [`BlockTimes`] in the order of execution | [`Planner`] |
 
 mod account;
 mod basis;
+mod climb;
 mod csv;
 mod curve;
 mod envelope;

@@ -1,14 +1,10 @@
 //! A stretch with the parabolic profile, planned in parts: constant memory, whatever its length.
 
-use super::curve::{Curve, Link};
-use super::ramp::Hump;
+use super::curve::{Curve, Link, ROUNDING};
 use super::times::{Phase, Velocities};
 
 /// Blocks that are planned at once beyond those that are looked ahead over.
 const PART: usize = 2048;
-
-/// Stretches of so many blocks are planned backwards too, where places had to be looked for: the faster plan counts.
-const BOTH_WAYS: usize = 256;
 
 /// What a motion becomes.
 #[derive(Clone, Debug, Default)]
@@ -31,8 +27,6 @@ pub(super) struct Parabola {
     wants_phases: bool,
     links: Vec<Link>,
     curve: Curve,
-    /// The way backwards.
-    back: Curve,
     /// How much of the first link is settled, and the velocity there; the acceleration is 0.
     offset: f64,
     entry: f64,
@@ -52,7 +46,6 @@ impl Parabola {
             wants_phases,
             links: Vec::new(),
             curve: Curve::default(),
-            back: Curve::default(),
             offset: 0.0,
             entry: 0.0,
             part: Curved::default(),
@@ -88,33 +81,28 @@ impl Parabola {
         }
         let count = self.links.len();
         self.curve.plan(&self.links, self.offset, self.entry, self.look_ahead, self.raise_s);
-        if closed && count <= BOTH_WAYS && self.offset == 0.0 && self.entry == 0.0 && self.curve.is_searched() {
-            self.plan_back();
-        }
         // What the end of what is known by now bears on is not settled yet.
         let until = if closed { f64::INFINITY } else { self.curve.joint(count - 2 * self.look_ahead - 1) };
-        let Some((end, velocity)) = self.settled_end(until).filter(|(end, _)| closed || *end > self.offset) else {
+        let Some((end, velocity)) = self.curve.last_rest(until).filter(|(end, _)| closed || *end > self.offset) else {
             return;
         };
         let mut walk = Walk { k: 0, s: self.offset, finished: 0 };
-        let humps: Vec<(f64, f64, Hump)> = self.curve.humps().take_while(|(start, ..)| *start < end).collect();
-        for (start, stop, hump) in humps {
-            walk.s = start;
-            let cut = end < stop;
-            for (at, phase) in hump.phases().into_iter().enumerate() {
-                if phase.duration_s <= 0.0 {
-                    continue;
-                }
-                if cut && at == 3 {
-                    let hold = Phase { duration_s: (end - walk.s).max(0.0) / hump.peak, ..phase };
-                    self.walk(&mut walk, hold, &mut done);
-                    break;
-                }
-                self.walk(&mut walk, phase, &mut done);
+        let phases: Vec<(f64, Phase)> = self.curve.phases().collect();
+        for (s, phase) in phases {
+            let rest = end - s;
+            if rest <= 0.0 {
+                break;
             }
-            walk.s = stop.min(end);
-            self.finish_up_to(&mut walk, stop.min(end), closed && stop >= end, &mut done);
+            walk.s = s;
+            let cut = phase.is_held() && phase.way_at(phase.duration_s) > rest;
+            self.walk(
+                &mut walk,
+                if cut { Phase { duration_s: rest / phase.velocity, ..phase } } else { phase },
+                &mut done,
+            );
         }
+        walk.s = end;
+        self.finish_up_to(&mut walk, end, closed, &mut done);
         if closed {
             // What rounding left.
             while walk.finished < self.links.len() {
@@ -125,38 +113,6 @@ impl Parabola {
         self.links.drain(..walk.finished);
     }
 
-    /// Plans a whole stretch backwards, and takes that when it is faster.
-    fn plan_back(&mut self) {
-        let joints = self.links.iter().skip(1).map(|link| link.joint).chain([0.0]);
-        let mut links: Vec<Link> = self.links.iter().zip(joints).map(|(link, joint)| Link { joint, ..*link }).collect();
-        links.reverse();
-        self.back.plan(&links, 0.0, 0.0, self.look_ahead, self.raise_s);
-        if self.back.seconds() < self.curve.seconds() * (1.0 - 1e-9) {
-            self.curve.turn(&self.back);
-        }
-    }
-
-    /// The last place without acceleration up to `until`, with the velocity there.
-    fn settled_end(&self, until: f64) -> Option<(f64, f64)> {
-        let mut found = None;
-        for (start, stop, hump) in self.curve.humps() {
-            if start > until {
-                break;
-            }
-            found = Some((start, hump.from));
-            if stop <= until {
-                found = Some((stop, hump.to));
-                continue;
-            }
-            let held = start + hump.rise_way();
-            if hump.hold > 0.0 && held <= until {
-                found = Some((until.min(held + hump.hold), hump.peak));
-            }
-            break;
-        }
-        found
-    }
-
     /// Goes through a phase; finishes the links whose ends lie in it.
     fn walk(&mut self, walk: &mut Walk, phase: Phase, done: &mut impl FnMut(&Link, Curved)) {
         let mut rest = phase;
@@ -165,10 +121,11 @@ impl Parabola {
         let mut passed = 0.0;
         while walk.k + 1 < self.links.len() {
             let joint = self.curve.joint(walk.k + 1) - from;
-            if joint >= way {
+            // What rounding leaves of a phase on the other side of a joint belongs to neither.
+            if joint >= way - ROUNDING {
                 break;
             }
-            let time = phase.time_at(joint.max(0.0)).max(passed);
+            let time = if joint <= ROUNDING { 0.0 } else { phase.time_at(joint).max(passed) };
             let first = Phase { duration_s: time - passed, ..rest };
             let after = phase.after(time);
             self.add(first, after.velocity);
@@ -184,8 +141,7 @@ impl Parabola {
 
     /// Finishes the links that end at or before a place where the acceleration is 0.
     fn finish_up_to(&mut self, walk: &mut Walk, s: f64, all: bool, done: &mut impl FnMut(&Link, Curved)) {
-        let tolerance = 1e-9_f64.min(1e-12 * s.max(1.0));
-        while walk.k < self.links.len() && (all || self.curve.joint(walk.k + 1) <= s + tolerance) {
+        while walk.k < self.links.len() && (all || self.curve.joint(walk.k + 1) <= s + ROUNDING) {
             self.finish(walk, done);
         }
     }

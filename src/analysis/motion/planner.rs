@@ -388,12 +388,13 @@ impl Planner {
         let settled = if self.parabola.is_some() {
             let Dynamics { accel, jerk, .. } = piece.dynamics;
             let limits = Limits { accel, jerk };
-            let hump = Hump::new(0.0, 0.0, limits, limits, length, cap);
+            let hump = Hump::new(0.0, 0.0, limits, length, cap);
             listener.no_jerk(trapezoid(length, 0.0, 0.0, cap, accel, true).0);
+            let time_s = hump.phases().iter().map(|phase| phase.duration_s).sum();
             let phases =
                 if self.wants_phases { hump.phases().into_iter().filter(Phase::lasts).collect() } else { Vec::new() };
             let velocities = Velocities { start: 0.0, peak: hump.peak, end: 0.0 };
-            Settled { time_s: hump.time(), velocities, seen: f64::INFINITY, phases }
+            Settled { time_s, velocities, seen: f64::INFINITY, phases }
         } else {
             let accel = self.accel_alone(&piece);
             let link = envelope::Link { length, cap, joint: 0.0, accel };

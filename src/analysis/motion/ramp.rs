@@ -1,5 +1,6 @@
 //! The parabolic ramp (S3 A7.1): a change of velocity with limited acceleration and jerk, acceleration 0 at both ends.
 
+use super::climb::last_below;
 use super::times::Phase;
 
 /// What a ramp keeps within.
@@ -12,9 +13,9 @@ pub(super) struct Limits {
 }
 
 impl Limits {
-    /// The smaller values of both.
-    pub(super) fn min(self, other: Self) -> Self {
-        Self { accel: self.accel.min(other.accel), jerk: self.jerk.min(other.jerk) }
+    /// The greater values of both.
+    pub(super) fn max(self, other: Self) -> Self {
+        Self { accel: self.accel.max(other.accel), jerk: self.jerk.max(other.jerk) }
     }
 
     /// Seconds for a change of velocity by `change` ≥ 0: 2·√(Δv/J), or A/J + Δv/A beyond A²/J.
@@ -28,14 +29,6 @@ impl Limits {
     #[inline]
     pub(super) fn distance(self, one: f64, other: f64) -> f64 {
         (one + other) / 2.0 * self.time((other - one).abs())
-    }
-
-    /// How the way grows with the higher velocity of the ramp.
-    fn slope(self, low: f64, high: f64) -> f64 {
-        let Self { accel, jerk } = self;
-        let change = high - low;
-        let rate = if change * jerk <= accel * accel { 1.0 / (change * jerk).sqrt() } else { 1.0 / accel };
-        self.time(change) / 2.0 + (low + high) / 2.0 * rate
     }
 
     /// The velocity that a ramp from `low` upwards reaches within `way`.
@@ -65,19 +58,6 @@ impl Limits {
             x = next;
         }
         low + x * x
-    }
-
-    /// The way of the beginning of a rise: from `low` with acceleration 0 up to `high`, the acceleration growing as long
-    /// as it may.
-    pub(super) fn climb(self, low: f64, high: f64) -> f64 {
-        let Self { accel, jerk } = self;
-        let change = high - low;
-        let turn = accel * accel / (2.0 * jerk);
-        if change <= turn {
-            return (2.0 * change / jerk).sqrt() * (low + change / 3.0);
-        }
-        let top = low + turn;
-        accel / jerk * (low + turn / 3.0) + (high * high - top * top) / (2.0 * accel)
     }
 
     /// The velocity from which a ramp comes to rest within `way`.
@@ -150,6 +130,17 @@ impl Phase {
         }
     }
 
+    /// Whether the velocity stays the same.
+    pub(super) fn is_held(&self) -> bool {
+        self.acceleration == 0.0 && self.jerk == 0.0
+    }
+
+    /// The same backwards.
+    pub(super) fn turned(&self) -> Self {
+        let Self { duration_s, acceleration, jerk, .. } = *self;
+        Self { velocity: self.velocity_at(duration_s), acceleration: -acceleration - duration_s * jerk, ..*self }
+    }
+
     /// The time after which its way is `way`, between 0 and its own.
     pub(super) fn time_at(&self, way: f64) -> f64 {
         if self.acceleration == 0.0 && self.jerk == 0.0 {
@@ -180,109 +171,38 @@ impl Phase {
     }
 }
 
-/// A rise from one velocity to a peak, a stretch at the peak, and the fall to another velocity.
+/// A rise from one velocity to a peak, a stretch at the peak, and the fall to another velocity, with the same limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Hump {
-    /// Velocity at its start; the acceleration is 0.
-    pub from: f64,
+    from: f64,
     /// Greatest velocity.
     pub peak: f64,
-    /// Velocity at its end; the acceleration is 0.
-    pub to: f64,
-    /// Limits of the rise.
-    pub rise: Limits,
-    /// Limits of the fall.
-    pub fall: Limits,
+    to: f64,
+    limits: Limits,
     /// Way between rise and fall, mm.
-    pub hold: f64,
+    hold: f64,
 }
 
 impl Hump {
-    /// The fastest way over `way` between two velocities, up to `cap`, which is not below them. The ways of the ramps
-    /// between them fit.
-    pub(super) fn new(from: f64, to: f64, rise: Limits, fall: Limits, way: f64, cap: f64) -> Self {
-        let ways = |peak: f64| rise.distance(from, peak) + fall.distance(peak, to);
-        let at_cap = way - ways(cap);
-        if at_cap >= 0.0 {
-            return Self { from, peak: cap, to, rise, fall, hold: at_cap };
-        }
-        let least = from.max(to);
-        let peak = if from == to && rise == fall {
-            rise.reach(from, way / 2.0).clamp(least, cap)
+    /// The fastest way over `way` between two velocities, up to `cap`, which is not below them. A ramp between them fits.
+    pub(super) fn new(from: f64, to: f64, limits: Limits, way: f64, cap: f64) -> Self {
+        let rest = |peak: f64| way - limits.distance(from, peak) - limits.distance(peak, to);
+        let peak = if rest(cap) >= 0.0 {
+            cap
+        } else if from == to {
+            limits.reach(from, way / 2.0).clamp(from, cap)
         } else {
-            // Newton's steps, kept between what is too low and what is too high.
-            let (mut low, mut high) = (least, cap);
-            let mut peak = f64::midpoint(low, high);
-            for _ in 0..80 {
-                let beyond = ways(peak) - way;
-                if beyond > 0.0 {
-                    high = peak;
-                } else {
-                    low = peak;
-                }
-                let next = peak - beyond / (rise.slope(from, peak) + fall.slope(to, peak));
-                let next = if next > low && next < high { next } else { f64::midpoint(low, high) };
-                if (next - peak).abs() <= 1e-16 * high {
-                    break;
-                }
-                peak = next;
-            }
-            // Close to both ends the way grows by leaps of rounding: the lower side always fits.
-            if ways(peak) > way { low } else { peak }
+            last_below(from.max(to), cap, |peak| -rest(peak) / way)
         };
-        Self { from, peak, to, rise, fall, hold: (way - ways(peak)).max(0.0) }
-    }
-
-    /// The same backwards.
-    pub(super) const fn turned(self) -> Self {
-        Self { from: self.to, to: self.from, rise: self.fall, fall: self.rise, ..self }
-    }
-
-    /// Way of the rise.
-    pub(super) fn rise_way(&self) -> f64 {
-        self.rise.distance(self.from, self.peak)
-    }
-
-    /// Way of the fall.
-    pub(super) fn fall_way(&self) -> f64 {
-        self.fall.distance(self.peak, self.to)
-    }
-
-    /// Seconds; without end when it stands still on its way.
-    pub(super) fn time(&self) -> f64 {
-        let hold = if self.hold > 0.0 { self.hold / self.peak } else { 0.0 };
-        self.rise.time(self.peak - self.from) + hold + self.fall.time(self.peak - self.to)
+        Self { from, peak, to, limits, hold: rest(peak).max(0.0) }
     }
 
     /// Its phases; those not needed last 0 s.
     pub(super) fn phases(&self) -> [Phase; 7] {
-        let [a, b, c] = self.rise.phases(self.from, self.peak);
-        let [e, f, g] = self.fall.phases(self.peak, self.to);
+        let [a, b, c] = self.limits.phases(self.from, self.peak);
+        let [e, f, g] = self.limits.phases(self.peak, self.to);
         let duration_s = if self.hold > 0.0 { self.hold / self.peak } else { 0.0 };
         let d = Phase { duration_s, velocity: self.peak, acceleration: 0.0, jerk: 0.0 };
         [a, b, c, d, e, f, g]
     }
-
-    /// Where the rise reaches `velocity` (between its start and its peak), from the start.
-    pub(super) fn rises_to(&self, velocity: f64) -> f64 {
-        place(self.rise, self.from, self.peak, velocity)
-    }
-
-    /// Where the fall comes to `velocity`, from the end backwards.
-    pub(super) fn falls_to(&self, velocity: f64) -> f64 {
-        place(self.fall, self.to, self.peak, velocity)
-    }
-}
-
-/// Where a ramp from `low` to `high` has `velocity`, from its lower end.
-fn place(limits: Limits, low: f64, high: f64, velocity: f64) -> f64 {
-    let change = high - low;
-    let turn = (limits.accel * limits.accel / (2.0 * limits.jerk)).min(change / 2.0);
-    if velocity <= high - turn {
-        return limits.climb(low, velocity);
-    }
-    // The last part is the first one backwards in time: its way is what a fall from the top covers.
-    let rest = high - velocity;
-    let time = (2.0 * rest / limits.jerk).sqrt();
-    limits.distance(low, high) - time * (high - rest / 3.0)
 }

@@ -111,20 +111,17 @@ fn turned_paths() {
 fn reversed_paths() {
     for profile in [Profile::Linear, Profile::Parabolic] {
         for (model, path, _) in paths(profile) {
-            close(path.turned().time(&model), path.time(&model), if profile == Profile::Linear { 1e-9 } else { 1e-4 });
+            close(path.turned().time(&model), path.time(&model), 1e-9);
         }
     }
 }
 
-/// Also with changes of sets, and with a time criterion.
+/// Also with changes of sets. The time criterion looks from left to right, so that the way back may differ.
 #[test]
 fn reversed_paths_with_sets() {
-    for raise_s in [1e-6, 0.325] {
-        for (model, mut path, mut random) in paths(Profile::Parabolic).take(20) {
-            let model = Model { raise_s, ..model };
-            path.slow.iter_mut().for_each(|slow| *slow = random.unit() < 0.3);
-            close(path.turned().time(&model), path.time(&model), 1e-4);
-        }
+    for (model, mut path, mut random) in paths(Profile::Parabolic) {
+        path.slow.iter_mut().for_each(|slow| *slow = random.unit() < 0.3);
+        close(path.turned().time(&model), path.time(&model), 1e-9);
     }
 }
 

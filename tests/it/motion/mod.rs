@@ -9,4 +9,5 @@ mod joints;
 mod merging;
 mod optimal;
 mod random;
+mod sets;
 mod verify;

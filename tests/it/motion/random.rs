@@ -71,3 +71,24 @@ fn constraints_hold_on_long_programs() {
         }
     }
 }
+
+/// Programs in which the dynamic set changes now and then: other accelerations, jerks up to twenty times smaller or larger.
+#[test]
+fn constraints_hold_where_sets_change() {
+    for seed in 0..300 {
+        let mut random = Random::new(3000 + seed);
+        let count = if seed < 3 { 4000 } else { 2 + random.below(60) };
+        let mut steps = walk(&mut random, count);
+        let mut set = (1.0, 1.0);
+        for dynamics in steps.iter_mut().filter_map(|step| step.motion.as_mut()).map(|motion| &mut motion.dynamics) {
+            if random.unit() < 0.3 {
+                set = (random.scaled(0.2, 5.0), random.scaled(0.05, 20.0));
+            }
+            dynamics.accel *= set.0;
+            dynamics.jerk *= set.1;
+        }
+        let model = any_model(&mut random, Profile::Parabolic);
+        let planned = plan(&model, &steps);
+        verify(&model, &steps, &planned.blocks);
+    }
+}
