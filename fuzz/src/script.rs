@@ -135,7 +135,7 @@ impl Bytes<'_> {
     }
 }
 
-/// A program as quick looks at changes are for: straight, and without findings.
+/// A straight program without findings.
 fn straight(kind: u8) -> String {
     let mut text = "%1\nN1 G00 X0 Y0 Z5\nN2 G01 F2000 Z0\n".to_owned();
     let (blocks, kind) = (usize::from(kind % 32) + 4, usize::from(kind / 32));

@@ -198,7 +198,7 @@ N70 G70
         "codeDescription": {
           "href": "cnc872c:/explain/en/W0705.md"
         },
-        "message": "unknown key `dialec`\nhelp: perhaps `dialect` is meant",
+        "message": "unknown key `dialec`\nnote: the run goes on for cnc872, unless --dialect says otherwise\nhelp: perhaps `dialect` is meant",
         "range": {
           "end": {
             "character": 6,
