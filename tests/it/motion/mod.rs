@@ -10,4 +10,5 @@ mod merging;
 mod optimal;
 mod random;
 mod sets;
+mod trying;
 mod verify;
