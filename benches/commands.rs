@@ -61,7 +61,7 @@ fn main() {
         program(&mut out).and_then(|()| out.flush()).unwrap();
         out.into_inner().unwrap()
     };
-    // What the system still writes to the disk would be timed with the programs.
+    // Pending writes of the system would be timed with the programs.
     let write_through = |name: &str, program: &dyn Fn(&mut BufWriter<File>) -> io::Result<()>| {
         write(name, program).sync_all().unwrap();
     };

@@ -1,4 +1,4 @@
-//! How time grows with what is given: a table for each kind of input, with the time of one unit of it at each size. What
+//! How time grows with the input: a table for each kind of input, with the time of one unit of it at each size. Work that
 //! grows as its input does has the same time in a whole row.
 //!
 //! ```text
@@ -37,7 +37,7 @@ const SPENT: Duration = Duration::from_millis(1500);
 const LEAST_RUNS: usize = 2;
 const MOST_RUNS: usize = 40;
 
-/// What is measured, and where.
+/// A measured thing, and its place.
 struct Bench {
     folder: tempfile::TempDir,
     /// Leaves the largest sizes out.

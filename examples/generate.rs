@@ -15,7 +15,7 @@ use std::fmt;
 use std::io::{self, BufWriter, Write};
 use std::process::ExitCode;
 
-/// What the program prints when it is called wrongly, or asked for help.
+/// The text for wrong calls, and for those that ask for help.
 const USAGE: &str = "\
 Writes part programs for the CNC8x6, CNC8x9 and CNC872 controls to standard output.
 

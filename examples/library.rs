@@ -1,4 +1,4 @@
-//! What is wrong with a program, what the control makes of its blocks, and its block stream.
+//! The mistakes of a program, the blocks that the control executes, and its block stream.
 //! `cargo run --no-default-features --example library`
 
 use std::io;

@@ -18,7 +18,7 @@ const LIMIT: u64 = u32::MAX as u64;
 
 /// Reads regular files, and of other kinds of files only those that the user named as programs: standard input and pipes
 /// (`check <(generate)`). What it refuses comes as these kinds of error: [`io::ErrorKind::IsADirectory`], `Unsupported`
-/// for what is no regular file, `FileTooLarge` for 4 GiB and more, `ResourceBusy` for what is written to all the time, and
+/// for all but regular files, `FileTooLarge` for 4 GiB and more, `ResourceBusy` for a file that changes all the time, and
 /// [`BrokenLink`].
 #[derive(Debug, Default)]
 pub struct DiskLoader {
@@ -124,7 +124,7 @@ pub fn is_stdin(path: &Path) -> bool {
 pub struct Entry {
     /// Its path, through the folder.
     pub path: PathBuf,
-    /// What the folder says it is; `None` where only a look behind a link tells.
+    /// Its kind, as the folder has it; `None` where only a look behind a link tells.
     kind: Option<FileType>,
 }
 
@@ -155,7 +155,7 @@ impl Entry {
     }
 }
 
-/// What a folder holds, sorted.
+/// The entries of a folder, sorted.
 ///
 /// # Errors
 /// When it cannot be read.
@@ -204,7 +204,7 @@ pub fn begins_program(path: &Path) -> io::Result<bool> {
     }
 }
 
-/// Why there is no file: a link that leads nowhere, or round in a circle, is told as such.
+/// Why there is no file: names a link that leads nowhere, or round in a circle.
 fn behind_link(path: &Path, error: io::Error) -> io::Error {
     let denied = error.kind() == io::ErrorKind::PermissionDenied;
     let is_link = !denied && fs::symlink_metadata(path).is_ok_and(|data| data.is_symlink());
@@ -233,7 +233,7 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
 /// How often a file is read anew that changes meanwhile.
 const ATTEMPTS: usize = 5;
 
-/// What is waited before a file is read anew.
+/// Wait before a file is read again.
 const PAUSE: Duration = Duration::from_millis(20);
 /// A file written to so short a time ago may be written to again without another time: clocks of files tick every few
 /// milliseconds, and a writer pauses between its pieces.

@@ -1,7 +1,7 @@
 //! Compiler toolchain for part programs of the CNC8x6, CNC8x9 and CNC872 controls: it finds what is wrong with a program,
 //! and executes it block by block as the control does.
 //!
-//! A [`session::Session`] runs one program: it loads the files, checks what is written, executes the blocks, and shows each
+//! A [`session::Session`] runs one program: it loads the files, checks the text, executes the blocks, and shows each
 //! to a [`run::Sink`]. The program `cnc872c` is a command line over it; this example does the same from memory:
 //!
 //! ```
@@ -18,7 +18,7 @@
 //! | [`diag`] | every finding there is, its texts in English and Czech, the forms that findings are written in |
 //! | [`syntax`] | tokens, the grammar of a block, the tree of a file |
 //! | [`config`] | the machine: project file, ChannelConfig, machine constants |
-//! | [`resolve`] | units, call and jump targets, the checks of what is written |
+//! | [`resolve`] | units, call and jump targets, the checks of the text |
 //! | [`run`] | execution: [`run::Executed`] blocks and the [`run::Sink`]s that read them |
 //! | [`analysis`] | such readers: totals, motion and time, the PLC, the set-up sheet, the equidistant |
 //! | [`stream`] | the reader that writes the block stream |
@@ -41,7 +41,7 @@
 //! | `lsp` | the language server |
 //! | `cli` (default) | the command line, findings in the form for people, and all of the above |
 //!
-//! # What is stable
+//! # Stability
 //!
 //! What programs read keeps its meaning: exit statuses, the codes of findings, the project file, and the forms whose names
 //! have a version, as `cnc872c.blocks/2`. The Rust interface has version 0: what the example above uses changes only with an

@@ -33,7 +33,7 @@ pub fn files() -> BTreeMap<String, String> {
     files
 }
 
-/// What a function looks like to a reader; the order is that of the files.
+/// The appearance of a function to a reader; the order is that of the files.
 #[derive(Clone, Copy, Eq, Ord, PartialEq, PartialOrd)]
 enum Look {
     Motion,

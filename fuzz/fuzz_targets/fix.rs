@@ -46,7 +46,7 @@ fuzz_target!(|data: &[u8]| {
     }
 });
 
-/// What stands between the places of the fixes stands in the result too, in the same order.
+/// The text between the places of the fixes is in the result too, in the same order.
 fn assert_untouched(source: &SourceText, before: &[u8], after: &[u8], fixes: &[&Fix]) {
     let mut spans: Vec<(usize, usize)> = fixes
         .iter()

@@ -4,7 +4,7 @@ use cnc872c::dict::Lang;
 use cnc872c::text::ColumnUnit;
 use serde_json::{Value, json};
 
-/// What a script chooses of a client.
+/// The client that a script chooses.
 #[derive(Clone, Copy)]
 pub struct Kind {
     pub client: u8,

@@ -97,7 +97,7 @@ pub struct Editor {
 }
 
 impl Editor {
-    /// Does what the script says with a server of its own.
+    /// Runs the script with a fresh server.
     pub fn run(script: &Script) {
         let kind = Kind { client: script.client, way: script.way };
         let mut editor = Self::start(kind, Arc::new(Disk::new()), script.settings);
@@ -257,7 +257,7 @@ impl Editor {
 
     /// Everything that was sent is done; then the client has the findings of the files as they are.
     fn settle(&mut self) {
-        // What the server asks is answered between these two; the answers change what it knows.
+        // The server's own requests are answered between these two; the answers change its knowledge.
         for _ in 0..2 {
             self.ask("nonsense", 0, Value::Null);
             self.wait_for_all();
@@ -522,7 +522,7 @@ impl Editor {
         }
     }
 
-    /// What a server that sees the documents for the first time answers to the same requests.
+    /// Compares with the answers of a server that sees the documents for the first time.
     fn assert_as_fresh(&mut self) {
         let mut fresh = Self::start(self.kind, Arc::clone(&self.disk), self.taken);
         for (file, document) in &self.open {
@@ -553,7 +553,7 @@ impl Editor {
         let (first, mut second) = (about_all(text), about_all(programs));
         second.extend_from_slice(requests);
         let mut views = Vec::new();
-        // The second need what is known of all documents.
+        // The second kind depends on all documents.
         for requests in [first, second] {
             let asked: Vec<usize> =
                 requests.into_iter().map(|(method, file, params)| self.ask(method, file, params)).collect();

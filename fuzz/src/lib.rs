@@ -1,4 +1,4 @@
-//! What the fuzz targets share: settings out of the first bytes, and what must hold of every outcome.
+//! Common parts of the fuzz targets: settings out of the first bytes, and invariants of every outcome.
 
 pub mod answers;
 pub mod client;
@@ -42,7 +42,7 @@ R3 = 3
 R60 = 9001
 "#;
 
-/// What a run is asked for.
+/// The request for a run.
 #[derive(Clone, Debug)]
 pub struct Mode {
     pub overrides: Overrides,

@@ -13,7 +13,7 @@ pub type Place = (u64, u64);
 #[derive(Clone, Debug)]
 pub enum Step {
     Open(usize, String),
-    /// The changes of one notification: a range and what stands there then, or the whole text.
+    /// The changes of one notification: a range and its new text, or the whole text.
     Change(usize, Vec<(Option<(Place, Place)>, String)>),
     Close(usize),
     Save(usize),
@@ -31,7 +31,7 @@ pub enum Step {
     },
     /// Cancels the request so many before.
     Cancel(u8),
-    /// Waits for what is there to come.
+    /// Waits for pending messages.
     Settle,
     /// Does the edit of the last answer.
     Apply(u8),

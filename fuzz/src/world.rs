@@ -83,7 +83,7 @@ impl Loader for Disk {
     }
 }
 
-/// The settings that a byte stands for: as the client sends them, as the library takes them, and their language.
+/// The settings that a byte encodes: as the client sends them, as the library takes them, and their language.
 pub fn settings(bits: u8) -> (Value, Overrides, Option<Lang>) {
     let mut value = json!({ "limits": { "records": 300 } });
     let mut overrides = Overrides { max_blocks: Some(300), ..Overrides::default() };
@@ -161,7 +161,7 @@ pub fn is_configuration_faulty(disk: &Disk, open: &BTreeMap<PathBuf, String>, ov
     })
 }
 
-/// What is found in every file from the open documents on, each checked anew. More than one document may lead to the
+/// The findings in every file from the open documents on, each checked alone. More than one document may lead to the
 /// same file.
 pub fn expected(
     disk: &Disk,

@@ -1,4 +1,4 @@
-//! The command line as a structure. What its help says stands in [`help`](super::help), in both languages.
+//! The command line as a structure. [`help`](super::help) has its texts, in both languages.
 
 use std::path::PathBuf;
 
@@ -237,7 +237,7 @@ pub(super) struct ViewArgs {
     pub common: CommonArgs,
 }
 
-/// What a still picture looks at.
+/// The plane of a still picture.
 #[derive(Clone, Copy, Debug, Eq, PartialEq, ValueEnum)]
 pub(super) enum PlaneName {
     #[value(name = "XY")]
@@ -503,7 +503,7 @@ pub(super) struct FindingsArgs {
     pub all: bool,
 }
 
-/// What the commands that execute programs have in common: how to read and execute one, and what to say of it.
+/// Options that the commands which execute programs have in common: how to read and execute one, and which findings to show.
 #[derive(Debug, Args)]
 pub(super) struct CommonArgs {
     #[arg(long, value_name = "DIALECT")]

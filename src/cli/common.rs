@@ -16,10 +16,10 @@ use crate::disk::{DiskLoader, canonical, is_same_file, is_stdin};
 use crate::explain::nearest;
 use crate::text::{Loader, Sources};
 
-/// What the command line says over the project files.
+/// The options that override the project files.
 ///
 /// # Errors
-/// What is wrong with `--param`, `-D`, `-W` or `-A`.
+/// Mistakes in `--param`, `-D`, `-W` or `-A`.
 pub(super) fn overrides(args: &CommonArgs, lang: Lang) -> Result<Overrides, Failure> {
     Ok(Overrides {
         dialect: args.dialect,
@@ -74,7 +74,7 @@ struct Configured {
 pub(super) struct Origins<'a> {
     /// The project file that the user named.
     pub named: Option<&'a Path>,
-    /// What the command line says.
+    /// The options of the command line.
     pub overrides: &'a Overrides,
     pub loader: &'a dyn Loader,
 }
@@ -143,7 +143,7 @@ impl Projects {
         self.configured.get(*index).map(|configured| &configured.settings)
     }
 
-    /// What is wrong with the project files.
+    /// Mistakes in the project files.
     pub fn report(&mut self) -> Report {
         let mut report = Report::new();
         let mut in_order: Vec<&mut Configured> = self.configured.iter_mut().collect();

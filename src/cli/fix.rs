@@ -42,7 +42,7 @@ pub(super) fn fix_all(targets: &[Target], projects: &Projects, loader: &DiskLoad
         {
             attempt.written = write(&target.path, loader, before, after).map(|done| !done);
         }
-        // What is written is not needed again, and there may be many files.
+        // The written text is not used again, and there may be many files.
         if let Some(fixable) = &mut attempt.fixable {
             (fixable.before, fixable.after) = (Vec::new(), Vec::new());
         }

@@ -84,7 +84,7 @@ fn localized_argument(argument: Arg, command: &str, lang: Lang) -> Arg {
 
 fn row(command: &str, id: &str) -> Option<&'static ArgumentText> {
     let is_it = |text: &&ArgumentText| text.id == id && (text.command.is_empty() || text.command == command);
-    // What a command says of its own comes before what all say.
+    // The text of a command comes before the one that all share.
     arguments().filter(is_it).max_by_key(|text| !text.command.is_empty())
 }
 

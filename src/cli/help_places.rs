@@ -206,7 +206,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     ),
 ];
 
-/// What stands for a value, in both languages.
+/// The names of values, in both languages.
 pub(super) const VALUES: &[Bilingual] = &[
     Bilingual { en: "OLD", cs: "STARÝ" },
     Bilingual { en: "NEW", cs: "NOVÝ" },

@@ -25,7 +25,7 @@ impl Heading {
     }
 }
 
-/// What the help of a command says.
+/// The help of a command.
 pub(super) struct CommandText {
     pub name: &'static str,
     pub about: Bilingual,
@@ -399,7 +399,7 @@ Příklady:
     ),
 ];
 
-/// What the help says of an argument or option.
+/// The help of an argument or option.
 pub(super) struct ArgumentText {
     /// Empty: of every command that has it.
     pub command: &'static str,
@@ -776,7 +776,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg("", "version", Everywhere, "Print the version", "Vypsat verzi"),
 ];
 
-/// What stands for a value, in both languages. Those not listed are the same in both.
+/// The names of values, in both languages. Those not listed are the same in both.
 pub(super) const VALUES: &[Bilingual] = &[
     Bilingual { en: "PATH", cs: "CESTA" },
     Bilingual { en: "FILE", cs: "SOUBOR" },

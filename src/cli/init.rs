@@ -28,7 +28,7 @@ const DEPTH: usize = 3;
 /// Bytes of an XML file that are looked at.
 const HEAD: usize = 1 << 16;
 
-/// What is in the folder for a project file to name.
+/// The files in the folder that a project file may name.
 fn surroundings(folder: &Path) -> Surroundings {
     let mut macrocycles = Vec::new();
     search(folder, "", DEPTH, &mut macrocycles);
@@ -71,7 +71,7 @@ fn write(path: &Path, text: &str, lang: Lang) -> Result<(), Words> {
     let opened = OpenOptions::new().write(true).create_new(true).open(path);
     let written = opened.and_then(|mut new| {
         let written = new.write_all(text.as_bytes()).and_then(|()| new.sync_all());
-        // A part of a file would stand in the way of the next attempt.
+        // A part of a file would prevent the next attempt.
         written.inspect_err(|_| drop(fs::remove_file(path)))
     });
     written.map_err(|error| match (error.kind(), path.parent()) {

@@ -24,7 +24,7 @@ pub(super) struct Job {
     pub loader: DiskLoader,
     /// `None`: standard output.
     output: Option<PathBuf>,
-    /// What is said when the output is one of the files that are read.
+    /// Message when the output is one of the files that are read.
     refusal: fn(String) -> Words,
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Ends {
     pub whole: Status,
     /// When not.
     pub broken: Status,
-    /// What is said when not, and no finding says why.
+    /// Message when not, and no finding says why.
     pub reason: Words,
 }
 

@@ -48,7 +48,7 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
         return Ok(unusable(report, &shown, locale));
     };
     let before = if args.set.is_empty() { Projects::default() } else { job.configure(&args.common, &configured)? };
-    // What is wrong with the project file alone is found with the other values as well.
+    // Mistakes in the project file alone are found with the other values as well.
     let before = before.settings(job.target());
     #[cfg(feature = "arrow")]
     if args.format == MotionFormat::Arrow {

@@ -178,7 +178,7 @@ fn add_condition(report: &mut Report, text: &str, found: Vec<Diagnostic>) {
     report.add(&sources, findings);
 }
 
-/// What is said of a name of `--signals` that matches nothing.
+/// Message about a name of `--signals` that matches nothing.
 fn no_signal(none: &NoSignal, dialect: Dialect, lang: Lang) -> Words {
     let finding = Finding::UnknownSignal { name: none.name.clone(), why: signal_problem(&none.why, dialect) };
     let parts = [Some(finding.message(lang)), finding.note(lang), finding.help(lang)];

@@ -17,7 +17,7 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// How often the bar moves.
 const STEP: Duration = Duration::from_millis(100);
 
-/// What is counted.
+/// The counted things.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Counted {
     /// Files, of so many.

@@ -16,7 +16,7 @@ use crate::dict::Lang;
 #[cfg(not(unix))]
 const INTERRUPTED: i32 = 130;
 
-/// The unfinished files of this run. The lock is held while one appears or gets its final name, so that whoever holds it
+/// The unfinished files of this run. The lock is held while one appears or gets its final name, so that its holder
 /// sees them all.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
@@ -29,7 +29,7 @@ fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 pub fn clean_up_when_interrupted(lang: Lang) {
     static INSTALLED: Once = Once::new();
     INSTALLED.call_once(|| {
-        // Without a handler the worst is an unfinished file left behind, under a name of its own.
+        // Without a handler the worst is an unfinished file left behind, under a temporary name.
         #[cfg(unix)]
         handle_signals(lang);
         #[cfg(not(unix))]
@@ -54,7 +54,7 @@ fn handle_signals(lang: Lang) {
         std::thread::spawn(move || {
             if let Some(signal) = signals.forever().next() {
                 let _files = clean_up(lang);
-                // What the signal does when nobody handles it: it ends the run.
+                // The signal's default effect: it ends the run.
                 let _ = signal_hook::low_level::emulate_default_handler(signal);
             }
         });
@@ -73,7 +73,7 @@ fn clean_up(lang: Lang) -> MutexGuard<'static, BTreeSet<PathBuf>> {
     for file in files.iter() {
         let _ = fs::remove_file(file);
     }
-    // A progress bar may stand in the line.
+    // The line may have a progress bar.
     let clear = if io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
     let _ = writeln!(io::stderr(), "{clear}{}: {}", error_prefix(lang), Words::Interrupted.text(lang));
     files
@@ -89,7 +89,7 @@ pub struct Replacement {
 }
 
 impl Replacement {
-    /// Begins a file that will stand at `target`, behind links. An existing one is kept until [`Self::commit`].
+    /// Begins the file that replaces `target`, behind links. An existing one is kept until [`Self::commit`].
     ///
     /// # Errors
     /// When the folder cannot be written to, when the existing file is read-only, or is no regular file.

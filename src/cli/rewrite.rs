@@ -26,7 +26,7 @@ use crate::text::{Loader, SourceText, Sources};
 /// How many files are made anew before they are written: bounds what is kept of them.
 const AT_ONCE: usize = 64;
 
-/// What a command makes of one file.
+/// A command's result for one file.
 pub(super) struct Made {
     /// Its bytes; `None` when they stay.
     pub bytes: Option<Vec<u8>>,

@@ -49,7 +49,7 @@ pub struct Cache {
     damaged: usize,
     /// Lines that are in no file yet.
     new: Mutex<Vec<String>>,
-    /// What the rows of a folder rest on besides their programs: version, configuration, which macrocycles there are.
+    /// The inputs of a folder's rows besides their programs: version, configuration, list of macrocycles.
     contexts: Mutex<HashMap<PathBuf, String>>,
     /// Hashes of the texts of macrocycles.
     texts: Mutex<HashMap<PathBuf, Option<String>>>,
@@ -206,7 +206,7 @@ impl Cache {
         })
     }
 
-    /// Writes what is new as a file of its own.
+    /// Writes the new rows to a new file.
     ///
     /// # Errors
     /// What writing gives.

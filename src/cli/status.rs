@@ -41,7 +41,7 @@ impl From<Words> for Failure {
 /// Standard output, for data.
 ///
 /// # Errors
-/// When it was closed before the program started: what is written to it would be lost in silence.
+/// When it was closed before the program started: output to it would be lost in silence.
 pub(super) fn stdout() -> Result<StdoutLock<'static>, Failure> {
     #[cfg(target_os = "linux")]
     if cnc872c_start::stdout_was_closed() {

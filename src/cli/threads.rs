@@ -1,4 +1,4 @@
-//! Threads, also where the system gives none.
+//! Threads, also where the system gives few or no threads.
 
 use std::sync::Once;
 use std::thread::{Builder, available_parallelism};
@@ -17,7 +17,7 @@ pub(super) fn prepare() {
     });
 }
 
-/// How many threads the pool has, and one for what goes on beside it.
+/// The size of the pool, and one for the work besides it.
 #[expect(clippy::disallowed_methods, reason = "the pool reads the same variable")]
 fn wanted() -> usize {
     let said =

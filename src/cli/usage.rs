@@ -44,7 +44,7 @@ pub(super) fn message(error: &clap::Error, lang: Lang, colors: bool) -> String {
     text
 }
 
-/// Whether a file stands where the command belongs.
+/// Whether the command line has a file in the place of the command.
 fn is_program(name: &str) -> bool {
     let path = Path::new(name);
     let named_so = |extension: &str| EXTENSIONS.iter().any(|own| own.eq_ignore_ascii_case(extension));

@@ -98,7 +98,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     })
 }
 
-/// What is said of a picture that is written.
+/// Remarks on a written picture.
 fn remarks(left_out: LeftOut, assumed: bool, output: Option<&Path>) -> Vec<Words> {
     let LeftOut { red, yellow, motions } = left_out;
     let mut remarks = Vec::new();
@@ -118,7 +118,7 @@ fn remarks(left_out: LeftOut, assumed: bool, output: Option<&Path>) -> Vec<Words
     remarks
 }
 
-/// What is written.
+/// The form of the output.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 enum Form {
     Page,
@@ -139,7 +139,7 @@ impl Form {
     }
 }
 
-/// Refuses options that say nothing about what is written.
+/// Refuses options that do not concern the output.
 fn check_usage(args: &ViewArgs, form: Form, has_file: bool) -> Result<(), Words> {
     let option = match (args.plane, args.size) {
         (Some(_), _) => Some("--plane"),

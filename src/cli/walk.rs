@@ -47,7 +47,7 @@ impl Target {
     }
 }
 
-/// What the user means.
+/// The files that the user means.
 #[derive(Debug, Default)]
 pub struct Found {
     /// The programs, each file once: in the order named, those of a folder sorted.
@@ -68,7 +68,7 @@ pub fn targets(paths: &[PathBuf], extensions: &mut dyn FnMut(&Path) -> Vec<Strin
     for path in paths {
         let before = search.found.targets.len();
         if !is_stdin(path) && path.is_dir() {
-            // What is found in the working folder is named as it is there.
+            // Files in the working folder have the names that they have there.
             search.folder(if path.as_os_str() == "." { Path::new("") } else { path }, extensions);
             if search.found.targets.len() == before && !search.met_again {
                 search.found.barren.push(path.clone());

@@ -1,4 +1,4 @@
-//! What the command line says in its own name, on stderr, in both languages.
+//! The messages of the command line on stderr, in both languages.
 
 use std::io;
 use std::path::Path;

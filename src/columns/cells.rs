@@ -11,7 +11,7 @@ use arrow_array::{ArrayRef, DictionaryArray, Int8Array, ListArray, StringArray, 
 use arrow_buffer::{NullBufferBuilder, OffsetBufferBuilder};
 use arrow_schema::{ArrowError, DataType, Field, Fields};
 
-/// What a column holds.
+/// The type of a column's values.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Kind {
     Byte,

@@ -66,7 +66,7 @@ impl<W: Write> Batches for Ipc<W> {
     }
 }
 
-/// A batch without rows, with metadata of its own: the writer of batches has no place for them.
+/// A batch without rows that carries metadata: the writer of batches has no place for them.
 fn last_batch(schema: &Schema, end: &End, options: &IpcWriteOptions) -> Result<EncodedData, ArrowError> {
     let generator = IpcDataGenerator::default();
     let mut tracker = DictionaryTracker::new(false);

@@ -1,7 +1,7 @@
 //! Rows under way to record batches.
 //!
 //! A row is given field by field, always in the same order: the first row of all declares the columns by it, the others
-//! fill them. So what a column is called, what it holds and what is put into it stand in one place.
+//! others fill them. So one line has the name of a column, its type and its value.
 
 use std::fmt::Display;
 use std::sync::Arc;

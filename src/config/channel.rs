@@ -186,7 +186,7 @@ mod tests {
         (functions, findings.into_sorted(), source)
     }
 
-    /// The codes with the text they stand at.
+    /// The codes with the text at their places.
     fn found(text: &str) -> Vec<(Code, String)> {
         let (_, findings, source) = read_text(text);
         findings.iter().map(|found| (found.code(), source.slice(found.at.span).to_owned())).collect()

@@ -15,7 +15,7 @@ use crate::text::{FileId, SourceText};
 /// Letters that a misspelt name may have wrong.
 const SLIPS: usize = 2;
 
-/// What the settings of an editor say over the project files, folders and files in them relative to `folder`; and the
+/// The editor's settings that override the project files, folders and files in them relative to `folder`; and the
 /// keys whose values cannot be used, as `limits.records: -1`. Keys that have no option on the command line are those of
 /// others, and left alone; so is what is `null`.
 pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overrides, Vec<String>) {

@@ -1,5 +1,5 @@
 //! A commented project file, made of the table of keys: what `cnc872c init` writes. In force is what was asked for or found;
-//! all else stands behind `#`, so that another control gets its own values.
+//! the rest is commented out with `#`, so that another control gets its own values.
 
 use std::fmt::Write;
 
@@ -24,10 +24,10 @@ const INTRODUCTION: Bilingual = Bilingual {
 ",
 };
 
-/// What is there for a project file to name, in its folder.
+/// The files that a project file may name, in its folder.
 #[derive(Clone, Debug, Default)]
 pub struct Surroundings {
-    /// Folders with macrocycles, relative, with `/`; none when there are none but in the folder of the programs.
+    /// Folders with macrocycles, relative, with `/`; none when only the folder of the programs has them.
     pub macrocycles: Vec<String>,
     /// The ChannelConfig, relative.
     pub channel_config: Option<String>,
@@ -41,7 +41,7 @@ pub fn initial(dialect: Dialect, found: &Surroundings, lang: Lang) -> String {
             Form::Keys(rows, _) if section.name.is_empty() => root(&mut text, rows, (dialect, found), lang),
             // Lists stand before the tables, each in one line.
             Form::List(..) => {}
-            // The outer table of others, without keys of its own; and sets that are like the first.
+            // The outer table of others, without keys; and sets that are like the first.
             Form::Keys([], _) => {}
             Form::Keys(..) if is_like_the_first(section) => {}
             Form::Keys(rows, _) => {

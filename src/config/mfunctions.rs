@@ -41,7 +41,7 @@ pub(super) enum ChannelList {
 pub struct MFunctions {
     functions: Vec<MFunction>,
     defaults: [Option<u8>; M_GROUPS],
-    /// What a ChannelConfig says.
+    /// The list of a ChannelConfig.
     channel: ChannelList,
 }
 

@@ -189,7 +189,7 @@ impl SetKey {
 pub enum SetValue {
     /// This number.
     Number(Decimal),
-    /// What the parameter of that number holds at the time.
+    /// The value of the parameter of that number at the time.
     Parameter(u8),
 }
 

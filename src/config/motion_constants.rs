@@ -20,7 +20,7 @@ pub(super) struct Decades {
     negative: bool,
 }
 
-/// What is wrong with the writing of a constant.
+/// A mistake in the writing of a constant.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(super) enum Miswritten {
     /// More than eight digits, or in a text something else than digits behind a sign.
@@ -147,12 +147,12 @@ pub(super) const CONSTANTS: &[(u16, &[Holds])] = &[
     (432, &[Holds::Set(0, SetKey::Linear)]),
 ];
 
-/// What the constant of that number holds; `None`: nothing about motion.
+/// The contents of the constant of that number; `None`: nothing about motion.
 pub(super) fn holds(number: u16) -> Option<&'static [Holds]> {
     CONSTANTS.iter().find(|(constant, _)| *constant == number).map(|(_, holds)| *holds)
 }
 
-/// What a single decade means.
+/// The meaning of a single decade.
 pub(super) const fn recognition(digit: u32) -> Option<Recognition> {
     match digit {
         1 => Some(Recognition::Manual),
@@ -161,7 +161,7 @@ pub(super) const fn recognition(digit: u32) -> Option<Recognition> {
     }
 }
 
-/// What a single decade means, or which digits it takes.
+/// The meaning of a single decade, or the digits that it takes.
 pub(super) fn profile(digit: u32) -> Result<Profile, &'static str> {
     match digit {
         0 => Ok(Profile::Ramps),

@@ -15,7 +15,7 @@ const BELIEVED: u32 = 50_000;
 /// Highest number of a parameter that a control word may name.
 const HIGHEST_PARAMETER: u32 = 94;
 
-/// What the tables of `[motion]` say.
+/// The values in the tables of `[motion]`.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MotionValues {
     /// Whether there is such a table.
@@ -80,7 +80,7 @@ impl MotionValues {
 /// A file with its values.
 #[derive(Clone, Copy)]
 pub(super) struct Layer<'a> {
-    /// What it says.
+    /// The file's values.
     pub values: &'a Project,
     /// Which file it is.
     pub file: FileId,
@@ -88,7 +88,7 @@ pub(super) struct Layer<'a> {
     pub text: &'a str,
 }
 
-/// What is given, for finding what is given twice.
+/// The quantities that may be given twice.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 enum Quantity {
     Number(MotionKey),
@@ -290,7 +290,7 @@ impl Assembly<'_> {
         };
         let controls: Vec<Option<Decades>> = (0..5).map(control).collect();
         let control = |set: u8| controls.get(usize::from(set)).copied().flatten();
-        // What the sets replace depends on the profile, and that on P in set 1.
+        // The keys that sets replace depend on the profile, which depends on P in set 1.
         let all = || {
             read.iter().flat_map(|one| {
                 constants::holds(one.number).unwrap_or_default().iter().map(move |holds| (*one, *holds))
@@ -499,7 +499,7 @@ impl Assembly<'_> {
         true
     }
 
-    /// Whether a value has a finding of its own: nobody knows then what it is.
+    /// Whether a value has another finding: then it is unknown.
     fn is_wrong(&self, names: &[&str]) -> bool {
         let is_one = |finding: &Finding| {
             if let Finding::ConfigurationValue { key, .. } = finding {

@@ -10,7 +10,7 @@ use crate::dict::{AxisLetter, Decimal, Dialect, GGroup, HIGHEST_L, Lang, M_GROUP
 
 /// Highest number of a machine constant.
 const HIGHEST_CONSTANT: u16 = 999;
-/// What the number of an address is more than its place, among functions that take time.
+/// Offset of the numbers of addresses among functions that take time.
 pub(super) const TIMED_ADDRESS: u16 = 1000;
 /// Highest operation code (PAR-8: two digits).
 const HIGHEST_OPERATION: u16 = 99;
@@ -46,7 +46,7 @@ pub(super) enum Names {
 }
 
 impl Names {
-    /// The number that the name stands for; `None` when the name is not known. For [`Self::Lints`] the place in
+    /// The number of the name; `None` when the name is not known. For [`Self::Lints`] the place in
     /// [`Code::ALL`], errors included; for [`Self::Axes`] the place in [`AxisLetter::ALL`]; for an M group
     /// [`M_GROUP`] more than its number.
     pub(super) fn number(self, name: &str) -> Option<u16> {
@@ -76,7 +76,7 @@ impl Names {
         }
     }
 
-    /// What the value of the name with that number must be.
+    /// The values that the name with that number takes.
     pub(super) fn takes(self, number: u16) -> Takes {
         match self {
             Self::Groups => group(number).map_or(Takes::MFunction, Takes::GFunction),
@@ -310,7 +310,7 @@ mod tests {
         }
     }
 
-    /// What is listed or fits the pattern is what is known.
+    /// Listed names, and those that fit the pattern, are the known ones.
     #[test]
     fn lists_agree_with_numbers() {
         for names in [Names::Groups, Names::Axes, Names::Cycles, Names::Lints] {

@@ -15,7 +15,7 @@ pub fn parse_decimal(text: &str) -> Option<Decimal> {
     parse_rounding(text).map(|(number, _)| number)
 }
 
-/// As [`parse_decimal`], and whether the number is exactly what is written.
+/// As [`parse_decimal`], and whether the number is exactly the written one.
 pub(super) fn parse_rounding(text: &str) -> Option<(Decimal, bool)> {
     let (negative, unsigned) = match text.strip_prefix(['+', '-']) {
         Some(rest) => (text.starts_with('-'), rest),
@@ -81,7 +81,7 @@ pub enum ParameterFault {
 }
 
 impl ParameterFault {
-    /// What is wrong, in `lang`, without the text that was given.
+    /// The mistake, in `lang`, without the given text.
     pub const fn text(self, lang: Lang) -> &'static str {
         let text = match self {
             Self::Form => Bilingual {

@@ -1,4 +1,4 @@
-//! What the command line or the editor's settings say over the project file.
+//! The options of the command line or of the editor that override the project file.
 
 use std::path::PathBuf;
 

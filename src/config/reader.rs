@@ -22,7 +22,7 @@ pub(super) struct Entry<'t> {
     pub key: Span,
     /// Where the value stands; for a table the key in its header.
     pub at: Span,
-    /// What it holds.
+    /// Its value.
     pub item: &'t Item,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Table<'t> {
     pub path: &'t str,
     /// Its header.
     pub at: Span,
-    /// What it holds.
+    /// Its entries.
     pub table: &'t dyn TableLike,
 }
 
@@ -258,7 +258,7 @@ fn extension(text: &str) -> Option<&str> {
     if !text.is_empty() && text.bytes().all(good) { Some(text) } else { None }
 }
 
-/// A number as it stands in the text, without `_`.
+/// A number as the text has it, without `_`.
 fn written(text: &str, value: &Value) -> Option<String> {
     text.get(value.span()?).map(|digits| digits.replace('_', ""))
 }

@@ -9,11 +9,11 @@ use crate::dict::{Bilingual, Decimal, Dialect};
 pub(super) struct Row {
     /// The key, in its table.
     pub name: &'static str,
-    /// What it takes.
+    /// The type and range of its value.
     pub takes: Takes,
     /// What holds without it.
     pub default: Default,
-    /// What it sets.
+    /// Its effect.
     pub meaning: Bilingual,
     /// The rule.
     pub rule: &'static str,

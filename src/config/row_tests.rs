@@ -150,7 +150,7 @@ fn examples_are_taken() {
     }
 }
 
-/// What the command line can say over the file is a key that editors can set too, and the other way round.
+/// Every option that overrides the file is a key that editors can set too, and the other way round.
 #[test]
 fn options_are_unique() {
     let mut options = options();

@@ -114,7 +114,7 @@ const PARTS: &[&str] = &[
 ];
 
 proptest::proptest! {
-    /// Whatever the files hold: no panic, and every finding stands in its text.
+    /// Any file is read without a panic, and every finding has a place in its text.
     #[test]
     fn any_text_is_read(
         parts in proptest::collection::vec(proptest::sample::select(PARTS), 0..40),

@@ -1,4 +1,4 @@
-//! What the project file says under the keys of one table, each value already checked by its row.
+//! The values of the keys in one table of the project file, each already checked by its row.
 
 use super::row::Row;
 use crate::dict::{AxisLetter, Decimal};
@@ -16,7 +16,7 @@ pub(super) struct Setting<T> {
 }
 
 impl<T> Setting<T> {
-    /// With another value at the same places; `None` when `f` gives none.
+    /// With another value at the same places; `None` when `f` returns `None`.
     pub(super) fn and_then<U>(self, f: impl FnOnce(T) -> Option<U>) -> Option<Setting<U>> {
         let (key, at) = (self.key, self.at);
         f(self.value).map(|value| Setting { value, key, at })
@@ -95,7 +95,7 @@ impl Values {
         self.get(row)?.and_then(|taken| if let Taken::Texts(texts) = taken { Some(texts.clone()) } else { None })
     }
 
-    /// What the text means.
+    /// The meaning of the text.
     pub(super) fn choice<T>(&self, row: &Row, meaning: impl FnOnce(&str) -> Option<T>) -> Option<Setting<T>> {
         self.get(row)?.and_then(|taken| taken.text().and_then(meaning))
     }
@@ -114,7 +114,7 @@ impl Values {
 /// A name of a table whose keys are names of the control, with its value.
 #[derive(Clone, Debug)]
 pub(super) struct Named {
-    /// What the name stands for: the number that [`Names::number`](super::names::Names::number) gives.
+    /// The number of the name, from [`Names::number`](super::names::Names::number).
     pub number: u16,
     /// Its value.
     pub value: Taken,
@@ -125,7 +125,7 @@ pub(super) struct Named {
 }
 
 impl Named {
-    /// With a value of another type; `None` when `f` gives none.
+    /// With a value of another type; `None` when `f` returns `None`.
     pub(super) fn setting<T>(&self, f: impl FnOnce(&Taken) -> Option<T>) -> Option<Setting<T>> {
         f(&self.value).map(|value| Setting { value, key: self.key, at: self.at })
     }

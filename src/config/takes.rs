@@ -1,4 +1,4 @@
-//! What a key of the project file takes: the one description that the reader, the schema and the reference page share.
+//! The type and range of a key in the project file: one description for the reader, the schema and the reference page.
 
 use serde_json::{Value, json};
 
@@ -37,7 +37,7 @@ pub enum Takes {
         /// Greatest.
         max: Decimal,
     },
-    /// What a parameter can hold: ±69999.999, or a whole number of up to eight digits.
+    /// A value that fits a parameter: ±69999.999, or a whole number of up to eight digits.
     ParameterValue,
     /// The number of a G function of that group that lasts beyond its block.
     GFunction(GGroup),
@@ -52,7 +52,7 @@ pub enum Takes {
 }
 
 impl Takes {
-    /// What a message says of a value that is not taken.
+    /// The description of the range in a message about a wrong value.
     pub(super) fn need(self) -> ConfigNeed {
         match self {
             Self::Flag => ConfigNeed::Flag,

@@ -94,7 +94,7 @@ impl Run {
         Self::with(Some("m/cnc872c.toml"), overrides, &loader)
     }
 
-    /// Codes and the texts they stand at.
+    /// Codes and the texts at their places.
     fn found(&self) -> Vec<(Code, &str)> {
         self.findings.iter().map(|found| (found.code(), self.sources.slice(found.at))).collect()
     }
@@ -388,7 +388,7 @@ fn the_axis_of_the_spindle() {
     }
 }
 
-/// ADR-2: numbers finer than the control resolves are said to be rounded.
+/// ADR-2: numbers finer than the control resolves have a finding that they are rounded.
 #[test]
 fn numbers_finer_than_the_resolution() {
     for (text, at) in [
@@ -520,7 +520,7 @@ fn encodings_of_the_files() {
         xml.push(letter);
         xml.extend(b"'/></MFunctions></C>");
         let loader = MemoryLoader::new().with("c.toml", b"channel-config = 'C.xml'".to_vec()).with("C.xml", xml);
-        // What is declared wins.
+        // The declared encoding wins.
         let other = if letter == 0x9f { Encoding::Windows1250 } else { Encoding::Cp852 };
         let overrides = Overrides { encoding: Some(other), ..Overrides::default() };
         let run = Run::with(Some("c.toml"), &overrides, &loader);
@@ -561,7 +561,7 @@ fn constants_as_the_control_shows_them() {
     }
 }
 
-/// §13 Configuration: an error leaves the defaults; all faults of a file are told in one run.
+/// §13 Configuration: an error leaves the defaults; one run reports all faults of a file.
 #[test]
 fn faults_do_not_hide_each_other() {
     let text = "dialect = 'x'\nblock-skip = 1\n[limits]\nnesting = 0\nrecrods = 1\n[lints]\nno-such = 'warn'\n";
@@ -609,7 +609,7 @@ fn messages() {
     }
 }
 
-/// What a message repeats is short and has no control characters.
+/// Names in messages are short and have no control characters.
 #[test]
 fn hostile_names_are_shown_harmless() {
     let text = format!("\"\\u001b[2J{}\" = 1", "x".repeat(1000));

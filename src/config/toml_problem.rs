@@ -1,4 +1,4 @@
-//! What the TOML parser complains of, in our own words (E0701).
+//! The errors of the TOML parser in our own words (E0701).
 
 use toml_edit::{Document, TomlError};
 
@@ -46,7 +46,7 @@ const PROBLEMS: &[(&str, ConfigProblem)] = &[
     ("recursion limit", ConfigProblem::TooDeep),
 ];
 
-/// What is wrong with `text`, of which the parser says `error`, and where reading broke off.
+/// The mistake in `text`, of which the parser says `error`, and where reading broke off.
 pub(super) fn toml_problem(text: &str, error: &TomlError) -> (ConfigProblem, Span) {
     match earlier(text, error) {
         Some(first) => problem(text, &first),
@@ -108,7 +108,7 @@ mod tests {
         toml_problem(text, &Document::parse(text).expect_err(text))
     }
 
-    /// §11: malformed TOML is told in words of our own; when a new parser changes its messages, this test shows it.
+    /// §11: our own words report malformed TOML; when a new parser changes its messages, this test shows it.
     #[test]
     fn the_parsers_messages_in_our_words() {
         for (text, expected) in [
@@ -159,7 +159,7 @@ mod tests {
         assert!(found.text(Lang::Cs).contains("dvakrát"));
     }
 
-    /// The first fault of the text is told, in whatever order the parser meets them.
+    /// The first fault of the text is reported, in whatever order the parser meets them.
     #[test]
     fn the_first_fault() {
         assert_eq!(told("a = \"x\nb 5\n"), (ConfigProblem::TextOpen, Span::empty(6)));

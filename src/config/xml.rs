@@ -18,7 +18,7 @@ const MOST_NAMESPACES: usize = 10_000_000;
 /// The document that `source` holds, in time and memory that grow with its length, however deep its elements are nested.
 ///
 /// # Errors
-/// What is wrong and where, when it is not well-formed or asks for more than is read.
+/// The mistake and its place, when it is not well-formed or asks for more than is read.
 pub(super) fn parse(source: &SourceText) -> Result<Document<'_>, (ConfigProblem, Span)> {
     let text = source.text();
     if let Some(entity) = declared_entity(text) {

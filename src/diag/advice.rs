@@ -1,4 +1,4 @@
-//! What the texts of some diagnostics advise, in both languages: closed sets of what was probably meant.
+//! Advice in the texts of some diagnostics, in both languages: closed sets of probable meanings.
 
 use crate::dict::{Address, GCode, HIGHEST_L, Lang, bilingual};
 use crate::sure::Sure;
@@ -33,7 +33,7 @@ bilingual! {
 }
 
 impl NumberMeant {
-    /// What is wrong with `text`.
+    /// The mistake in `text`.
     pub(super) fn message(&self, text: &str, lang: Lang) -> String {
         let of_number = matches!(
             self,
@@ -80,7 +80,7 @@ bilingual! {
 }
 
 impl CommaMeant {
-    /// What is wrong.
+    /// The mistake.
     pub(super) const fn message(&self, lang: Lang) -> &'static str {
         match (self, lang) {
             (Self::Border { .. }, Lang::En) => "a comma behind a word",
@@ -91,13 +91,13 @@ impl CommaMeant {
     }
 }
 
-/// Whether the number that stands apart holds the letter that belongs before it: `4Y0`.
+/// Whether the separate number holds the letter that belongs before it: `4Y0`.
 pub(super) fn is_exchanged(loose: &str) -> bool {
     let number = loose.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));
     number && loose.contains(|c: char| c.is_ascii_alphabetic()) && !loose.contains('=')
 }
 
-/// The end of a program that stands behind `*` (E0205).
+/// The end of a program behind `*` (E0205).
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct UnreadEnd {
     /// M02 or M30.
@@ -106,23 +106,23 @@ pub struct UnreadEnd {
     pub unread: Unread,
 }
 
-/// Something that stands behind `*`, where the control reads nothing.
+/// Text behind `*`, which the control does not read.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Unread {
     /// Its line.
     pub line: u32,
-    /// What is around the `*`.
+    /// The surroundings of the `*`.
     pub star: Star,
 }
 
-/// What a `*` was probably meant as.
+/// The probable meaning of a `*`.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Star {
     /// It begins a line.
     Line,
     /// It begins a line, before a block number without its N: `*120 X5`.
     Number {
-        /// What is not read stands in that line.
+        /// That line has the unread text.
         own: bool,
     },
     /// It begins a line, before a block: `*N120 X5`.
@@ -134,7 +134,7 @@ pub enum Star {
 }
 
 impl UnreadEnd {
-    /// What is wrong.
+    /// The mistake.
     pub(super) fn message(self, lang: Lang) -> String {
         let Self { function: m, unread: Unread { line, .. } } = self;
         match lang {
@@ -177,7 +177,7 @@ bilingual! {
 }
 
 impl AfterEndMeant {
-    /// What is wrong.
+    /// The mistake.
     pub(super) const fn message(&self, lang: Lang) -> &'static str {
         match (self, lang) {
             (Self::Program, Lang::En) => "a second program after `*`: the control never reads it",
@@ -214,7 +214,7 @@ impl super::Finding {
 }
 
 impl AddressMeant {
-    /// What a name with a value suggests.
+    /// Advice for a name with a value.
     pub fn by_name(name: &str) -> Self {
         match name.to_ascii_uppercase().as_str() {
             "CR" | "AR" => Self::Radius,
@@ -256,7 +256,7 @@ bilingual! {
 }
 
 impl TextMeant {
-    /// What a statement of other controls does here, where `text` begins with one.
+    /// The advice for a statement of other controls, where `text` begins with one.
     pub fn statement(text: &str) -> Option<Self> {
         let name: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
         let cycle = text.get(name.len()..).is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
@@ -322,7 +322,7 @@ impl TargetMeant {
         }
     }
 
-    /// What the function does here, where it is taken for something else.
+    /// The function's effect here, where people take it for another one.
     pub(super) fn note(&self, function: GCode, lang: Lang) -> String {
         if !matches!(self, Self::Turning | Self::Drilling) {
             return String::new();
@@ -351,7 +351,7 @@ bilingual! {
     }
 }
 
-/// What is known of an address without a value (E0103).
+/// Facts about an address without a value (E0103).
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub enum ValueMeant {
     /// Its number is missing, or the value of a parameter.
@@ -377,7 +377,7 @@ pub enum ValueMeant {
         /// The word.
         written: String,
     },
-    /// A letter behind it may stand for a digit: `LI00`.
+    /// A letter behind it may be a digit: `LI00`.
     LetterForDigit {
         /// The letter.
         letter: String,
@@ -687,7 +687,7 @@ pub(super) fn other_range(address: Address, range: &str, mode: Option<GCode>, la
     }
 }
 
-/// What a G number of other controls is called here, as far as it can be told.
+/// The name of a G number of other controls in this language, where that is clear.
 pub(super) fn foreign_g(number: u32, lang: Lang) -> &'static str {
     let (en, cs) = match number {
         20 | 21 => ("lengths are always in millimetres here", "délky jsou zde vždy v milimetrech"),

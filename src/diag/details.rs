@@ -37,7 +37,7 @@ impl Problem {
             (std::io::ErrorKind::NotFound, Self::NotFound),
             (std::io::ErrorKind::PermissionDenied, Self::Denied),
             (std::io::ErrorKind::IsADirectory, Self::Directory),
-            // What the disk loader says of pipes and devices.
+            // The disk loader's error for pipes and devices.
             (std::io::ErrorKind::Unsupported, Self::NotAFile),
             (std::io::ErrorKind::FileTooLarge, Self::TooLarge),
             (std::io::ErrorKind::ResourceBusy, Self::Changing),
@@ -124,7 +124,7 @@ impl Meant {
         }
     }
 
-    /// What they suggest between an address and its number.
+    /// The characters' meaning between an address and its number.
     pub fn inside(text: &str) -> Self {
         let meant = Self::of(text);
         if meant != Self::Nothing {
@@ -166,7 +166,7 @@ pub enum Unmodelled {
 }
 
 impl Unmodelled {
-    /// What is not known of it.
+    /// The unknown part of it.
     pub fn message(&self, lang: Lang) -> String {
         let words = match self {
             Self::Function(cycle) if cycle.is_cycle() => UnmodelledText::Cycle { cycle: cycle.to_string() },
@@ -290,7 +290,7 @@ bilingual! {
 }
 
 bilingual! {
-    /// What a configured value must be.
+    /// The values that a configured key takes.
     ConfigNeed {
         Text "takes a text", "musí být text";
         Flag "takes true or false", "musí být true nebo false";
@@ -331,7 +331,7 @@ bilingual! {
 }
 
 bilingual! {
-    /// What a name in a configuration file names.
+    /// The kind of thing that a name in a configuration file refers to.
     NameKind {
         Key "key", "klíč";
         Attribute "attribute", "atribut";
@@ -399,14 +399,14 @@ bilingual! {
 /// Why W0707 is raised.
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub enum NotUsed {
-    /// What the value asks for is not computed.
+    /// The program does not compute the effect of the value.
     Why(UnusedConstant),
     /// The value cannot be; commands that compute motion refuse it with E0702.
     Needs(ConfigNeed),
 }
 
 impl NotUsed {
-    /// What is not used of a constant (`R384`) or a key (`motion.profile`).
+    /// The unused part of a constant (`R384`) or a key (`motion.profile`).
     pub(super) fn message(&self, name: &str, lang: Lang) -> String {
         let constant = !name.contains('.');
         let what = match lang {
@@ -440,7 +440,7 @@ impl NotUsed {
 }
 
 bilingual! {
-    /// What is wrong with one of R56–R59 (MFN-5).
+    /// A mistake in one of R56–R59 (MFN-5).
     ConstantProblem {
         Digits "takes at most eight digits, without sign and point: four functions of two digits", "má nejvýše osm číslic bez znaménka a tečky: čtyři funkce po dvou číslicích";
         Standard { m: u8, group: u8 } "names M{m:02}, which is fixed in M group {group}", "uvádí M{m:02}, která pevně patří do {group}. skupiny";
@@ -502,7 +502,7 @@ impl SignalProblem {
 }
 
 bilingual! {
-    /// What is wrong with a condition of `plc --find`.
+    /// A mistake in a condition of `plc --find`.
     ConditionProblem {
         Empty "the condition is empty", "podmínka je prázdná";
         Character { written: String } "`{written}` has no meaning in a condition", "„{written}“ nemá v podmínce význam";

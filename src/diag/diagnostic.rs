@@ -6,7 +6,7 @@ use crate::text::{FileId, Location};
 /// A finding, where it is, what else belongs to it, and how it may be fixed.
 #[derive(Clone, Debug)]
 pub struct Diagnostic {
-    /// What is wrong.
+    /// The mistake.
     pub finding: Finding,
     /// Where.
     pub at: Location,
@@ -23,7 +23,7 @@ pub struct Diagnostic {
 pub struct Label {
     /// The place.
     pub at: Location,
-    /// What it shows.
+    /// Its text.
     pub text: LabelText,
 }
 
@@ -73,7 +73,7 @@ pub struct CallSite {
 /// A change that fixes what a finding reports.
 #[derive(Clone, Debug)]
 pub struct Fix {
-    /// What it does.
+    /// Its effect.
     pub title: FixTitle,
     /// Replacements that do not overlap.
     pub edits: Vec<Edit>,
@@ -108,7 +108,7 @@ pub enum Certain {
 /// One replacement.
 #[derive(Clone, Debug)]
 pub struct Edit {
-    /// What is replaced.
+    /// The place that it replaces.
     pub at: Location,
     /// By what; ASCII, so that it is the same in every code page, but for the whole text of a file in UTF-16.
     pub text: String,

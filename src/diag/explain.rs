@@ -17,12 +17,12 @@ pub struct Example<'a> {
 }
 
 impl<'a> Example<'a> {
-    /// What the word `name=…` behind the fence says.
+    /// The value of the word `name=…` behind the fence.
     pub fn option(&self, name: &str) -> Option<&'a str> {
         self.info.iter().find_map(|word| word.strip_prefix(name)?.strip_prefix('='))
     }
 
-    /// Whether the word stands behind the fence.
+    /// Whether the fence has the word.
     pub fn has(&self, word: &str) -> bool {
         self.info.contains(&word)
     }

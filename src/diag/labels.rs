@@ -3,7 +3,7 @@
 use crate::dict::bilingual;
 
 bilingual! {
-    /// What a secondary place shows.
+    /// The text of a secondary place.
     LabelText {
         First { what: String } "`{what}` is the first one", "první je {what}";
         FirstBlock { block: u32 } "N{block} is used here first", "N{block} je poprvé zde";
@@ -29,7 +29,7 @@ bilingual! {
 }
 
 bilingual! {
-    /// What a fix does.
+    /// The effect of a fix.
     FixTitle {
         Write { text: String } "write `{text}`", "napsat „{text}“";
         PlainQuotes "write plain quotes `\"`", "napsat obyčejné uvozovky \"";

@@ -114,7 +114,7 @@ macro_rules! diagnostics {
                 match self { $(Self::$variant { .. } => Code::$code,)* }
             }
 
-            /// What is wrong, in one sentence.
+            /// The mistake, in one sentence.
             pub fn message(&self, lang: Lang) -> String {
                 match (self, lang) {
                     $(

@@ -38,7 +38,7 @@ pub struct StayedUnknown {
     pub file: String,
     /// The number of the calling block.
     pub n: u32,
-    /// What it calls, where that is known.
+    /// The number that it calls, where that is known.
     pub l: Option<u32>,
     /// That does not exist.
     pub missing: bool,

@@ -105,7 +105,7 @@ macro_rules! addresses {
                 }
             }
 
-            /// What the dictionary says of it.
+            /// Its row in the dictionary.
             pub const fn row(self) -> &'static AddressRow {
                 match self {
                     $(Self::$variant => &AddressRow {
@@ -149,7 +149,7 @@ pub enum ValueForm {
 }
 
 impl ValueForm {
-    /// Whether a decimal point may stand in the value (ADR-1).
+    /// Whether the value may have a decimal point (ADR-1).
     pub const fn takes_point(self, dialect: Dialect) -> bool {
         match self {
             Self::Dimension | Self::Parameter | Self::Feed => true,
@@ -172,7 +172,7 @@ pub struct AddressRow {
     pub lasts_until_changed: bool,
     /// The rule of the language that says most of it, such as `ADR-2`.
     pub rule: &'static str,
-    /// What it is.
+    /// Its meaning.
     pub meaning: Bilingual,
 }
 

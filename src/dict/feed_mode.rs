@@ -21,7 +21,7 @@ impl FeedPer {
     }
 }
 
-/// What a function of group G6 means.
+/// The meaning of a function of group G6.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct FeedMode {
     /// What F counts.

@@ -133,7 +133,7 @@ macro_rules! g_functions {
                 match self { $(Self::$variant => $rule,)* }
             }
 
-            /// What it does.
+            /// Its effect.
             pub const fn meaning(self) -> Bilingual {
                 match self { $(Self::$variant => Bilingual { en: $en, cs: $cs },)* }
             }

@@ -28,7 +28,7 @@ pub const SPINDLE_GROUP: usize = 2;
 pub const SPINDLE_TURNS: [u8; 2] = [3, 4];
 /// The spindle stands.
 pub const SPINDLE_STOP: u8 = 5;
-/// The spindle stands where it is oriented (MFN-10).
+/// The spindle stops in an oriented position (MFN-10).
 pub const ORIENTED_STOP: u8 = 19;
 
 /// The group of spindle ranges.
@@ -82,7 +82,7 @@ pub struct MRow {
     pub lasting: Lasting,
     /// The rule of the language that says most of it, such as `MFN-8`.
     pub rule: &'static str,
-    /// What it does.
+    /// Its effect.
     pub meaning: Bilingual,
 }
 

@@ -1,8 +1,8 @@
-//! Which values an address takes (§2), by control and by the functions beside it.
+//! Which values an address takes (§2), by control and by the other functions of the block.
 
 use super::{Address, Decimal, Dialect, FEED_PER_REVOLUTION, FeedPer, FeedRow, GCode, HIGHEST_Q, Lang, ValueForm};
 
-/// What a value counts.
+/// The unit of a value.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum ValueUnit {
     /// Nothing: it is a number or a name.
@@ -43,7 +43,7 @@ impl ValueUnit {
 /// In which blocks a range holds.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum When {
-    /// Where nothing else is said.
+    /// Without another condition.
     Always,
     /// In a block with that function.
     With(GCode),
@@ -90,7 +90,7 @@ pub struct ValueRange {
     pub min: Decimal,
     /// Greatest.
     pub max: Decimal,
-    /// What it counts.
+    /// Its unit.
     pub unit: ValueUnit,
     /// Where it holds.
     pub when: When,

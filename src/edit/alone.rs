@@ -10,7 +10,7 @@ use crate::resolve::Resolved;
 use crate::session::{Outcome, Session};
 use crate::text::{Encoding, Loader, SourceText};
 
-/// What is found in a file, and what is in it. `path` says whether it is a program or a macrocycle.
+/// The findings in a file, and its parts. `path` says whether it is a program or a macrocycle.
 pub(super) fn resolve(path: &Path, source: &Arc<SourceText>, settings: &Settings) -> (Outcome, Resolved) {
     let mut settings = settings.clone();
     settings.macrocycles.clear();

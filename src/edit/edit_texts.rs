@@ -1,4 +1,4 @@
-//! What the server says about changes of a program, in both languages.
+//! Texts of the server about changes of a program, in both languages.
 
 use crate::diag::Code;
 use crate::dict::bilingual;

@@ -96,7 +96,7 @@ impl<'a> Taken<'a> {
     }
 }
 
-/// What the edit writes, and where; `None` when it writes letters that are not ASCII.
+/// The text of the edit, and its place; `None` when it has letters that are not ASCII.
 fn writable<'a>(source: &SourceText, edit: &'a Edit) -> Option<(Span, &'a str)> {
     if source.encoding().is_utf16() {
         // A file in UTF-16 is only written anew as a whole, in UTF-8.
@@ -106,12 +106,12 @@ fn writable<'a>(source: &SourceText, edit: &'a Edit) -> Option<(Span, &'a str)> 
     if edit.text.is_ascii() {
         return Some((edit.at.span, &edit.text));
     }
-    // A part of a line written again without its bracket: the letters that stand there already keep their bytes.
+    // A part of a line written again without its bracket: the letters that both have keep their bytes.
     let (span, text) = without_common_ends(source.slice(edit.at.span), edit);
     text.is_ascii().then_some((span, text))
 }
 
-/// The edit without the characters that stand at both its ends already.
+/// The edit without the characters that both its ends have already.
 fn without_common_ends<'a>(before: &str, edit: &'a Edit) -> (Span, &'a str) {
     let same = |pairs: &mut dyn Iterator<Item = (char, char)>| -> usize {
         pairs.take_while(|(old, new)| old == new).map(|(same, _)| same.len_utf8()).sum()

@@ -52,7 +52,7 @@ pub(crate) enum Part {
 #[derive(Debug)]
 pub(crate) struct Renumbering {
     pub(crate) step: u32,
-    /// What is replaced, in the order of the text.
+    /// The replaced places, in the order of the text.
     pub(crate) edits: Vec<(Span, String)>,
     /// Numbers in comments that look like those of blocks: where, the number, and the new one of that block (REN-4).
     pub(crate) mentions: Vec<(u32, u32, u32)>,

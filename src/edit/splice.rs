@@ -8,7 +8,7 @@ use crate::text::{DecodeError, Encoding, SourceText, Span};
 /// An edit: `before`, the bytes of `copied`, and `after` take the place of `span`.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Written<'a> {
-    /// What is replaced.
+    /// The replaced place.
     pub span: Span,
     /// ASCII, or in UTF-8 any text.
     pub before: &'a str,
@@ -67,7 +67,7 @@ pub struct Splice<'a> {
     /// Empty before the first edit.
     result: Vec<u8>,
     edited: bool,
-    /// What is done, in the text and in the bytes: [`SourceText::byte_offset`] begins at the start of the file each time.
+    /// The end of the finished part, in the text and in the bytes: [`SourceText::byte_offset`] counts from the start.
     text_at: u32,
     byte_at: usize,
 }

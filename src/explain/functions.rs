@@ -1,4 +1,4 @@
-//! Pages about functions and addresses, made from the dictionary and from what is said of their use.
+//! Pages about functions and addresses, made from the dictionary and from notes on their use.
 
 use std::fmt::Write as _;
 

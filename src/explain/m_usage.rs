@@ -1,4 +1,4 @@
-//! What the pages of standard M functions say beyond the tables, by number; an example for each, executed by a test.
+//! Notes on standard M functions beyond the tables, by number; an example for each, executed by a test.
 
 use super::usage::{Usage, note, usage};
 use crate::dict::Bilingual;
@@ -133,7 +133,7 @@ pub(super) const USAGES: &[Usage<u8>] = &[
     usage(&[60], "M60", "N10 G90 G00 Z100\nN20 M60\nN30 X0 Y0", CLAMP),
 ];
 
-/// What the page of a function says beyond the tables.
+/// The notes on a function beyond the tables.
 pub(super) fn of(number: u8) -> Option<&'static Usage<u8>> {
     USAGES.iter().find(|usage| usage.codes.contains(&number))
 }

@@ -6,7 +6,7 @@ use crate::dict::Lang;
 /// A page that has the words.
 #[derive(Clone, Debug)]
 pub struct Hit {
-    /// What it is about.
+    /// The topic.
     pub topic: Topic,
     /// Whether its title has the words, not only its text.
     pub in_title: bool,

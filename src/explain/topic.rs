@@ -31,7 +31,7 @@ pub enum Topic {
     RunTime(&'static str),
 }
 
-/// What a name that means nothing may be told.
+/// Advice for a name without meaning.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unknown {
     /// A word of another control: the finding that it would give.
@@ -43,10 +43,10 @@ pub enum Unknown {
 }
 
 impl Topic {
-    /// What a name means: `limits.feed`, and what `find_word` finds. `g97` is a function and a key.
+    /// The topics of a name: `limits.feed`, and those that `find_word` finds. `g97` is a function and a key.
     ///
     /// # Errors
-    /// What a name that means nothing may be told.
+    /// Advice for a name without meaning.
     pub fn find(name: &str) -> Result<Vec<Self>, Unknown> {
         let signals = Self::signals(name);
         if !signals.is_empty() {
@@ -111,7 +111,7 @@ impl Topic {
         if plain.contains('-') { Key::all().filter(has_name).map(Self::Key).collect() } else { Vec::new() }
     }
 
-    /// What a pattern with `*` means: signals of the PLC, and when there are none, names that a part program does not
+    /// The topics of a pattern with `*`: signals of the PLC, and when there are none, names that a part program does not
     /// determine.
     fn signals(name: &str) -> Vec<Self> {
         let pattern = plc::run_time::plain(name.trim());
@@ -178,7 +178,7 @@ impl Topic {
         }
     }
 
-    /// What it is, in a line.
+    /// Its description, in a line.
     pub fn title(self, lang: Lang) -> String {
         match self {
             Self::Finding(code) => explain::first_sentence(code, lang),

@@ -5,16 +5,16 @@ use crate::dict::{Bilingual, GCode};
 
 use GCode::*;
 
-/// What the pages of some functions have in common.
+/// The common parts of the pages of functions.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Usage<C: 'static> {
     /// The functions.
     pub(super) codes: &'static [C],
-    /// How a block with it is written; `…` stands for a value.
+    /// How a block with it is written; `…` marks a value.
     pub(super) syntax: &'static str,
     /// Blocks of a program. Where no block ends it, M30 is added to execute it.
     pub(super) example: &'static str,
-    /// What the project file must say for the example.
+    /// The project file of the example.
     pub(super) project: &'static str,
     /// What else there is to know.
     pub(super) notes: &'static [Bilingual],
@@ -494,7 +494,7 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
     ),
 ];
 
-/// What the page of a function says beyond the tables.
+/// The notes on a function beyond the tables.
 pub(super) fn of(code: GCode) -> Option<&'static Usage<GCode>> {
     USAGES.iter().find(|usage| usage.codes.contains(&code))
 }

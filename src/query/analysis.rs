@@ -1,4 +1,4 @@
-//! What is known of a program or macrocycle before it is executed.
+//! Facts about a program or macrocycle before it is executed.
 
 use std::fmt;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! What a call leads to: what its comments say, and the parameters that it takes.
+//! The target of a call: its comments, and the parameters that it takes.
 
 use super::extents::comments_above;
 use super::names::{Name, Names, Usage};
@@ -12,7 +12,7 @@ const LINES: usize = 12;
 /// Blocks behind that of T in which its M06 is looked for.
 const CHANGE: u32 = 4;
 
-/// What the comments of a unit say of it: those at the head of a macrocycle's file, those above the first block of a
+/// The comments that describe a unit: those at the head of a macrocycle's file, those above the first block of a
 /// subprogram, beside and below it.
 pub(crate) fn about<'f>(file: &'f ParsedFile, unit: &Unit) -> Vec<&'f str> {
     let above = match unit.kind {
@@ -46,7 +46,7 @@ pub(crate) fn inputs(names: &Names<'_>, unit: &Unit) -> Vec<u8> {
     inputs
 }
 
-/// What the program says of a tool: the comment in the line of its T, or of the M06 behind it.
+/// The program's name of a tool: the comment in the line of its T, or of the M06 behind it.
 pub(crate) fn tool(file: &ParsedFile, number: i64) -> Option<&str> {
     let chooses = |block: &BlockId| {
         file.words(*block).iter().any(|word| word.address == Address::T && word.whole() == Some(number))

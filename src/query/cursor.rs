@@ -1,4 +1,4 @@
-//! What stands at a place of the text.
+//! The word, comment or block at a place of the text.
 
 use super::analysis::Analysis;
 use crate::resolve::{Unit, UnitId};

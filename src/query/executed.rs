@@ -57,7 +57,7 @@ impl Subject<'_> {
         page.line(&said.text(self.lang));
     }
 
-    /// Adds what there is to say of the whole program.
+    /// Adds the notes on the whole program.
     pub(crate) fn program(&self, page: &mut Page, word: Word, observation: Option<&Observation>) {
         let title = self.file.title.map(|title| self.file.comment_text(title)).unwrap_or_default();
         let meaning = Address::Program.row().meaning.get(self.lang);

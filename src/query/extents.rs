@@ -22,7 +22,7 @@ pub(crate) fn block_span(file: &ParsedFile, block: BlockId) -> Span {
     Span::new(words.start, words.end.max(comments))
 }
 
-/// Whether nothing else stands in the lines of a comment.
+/// Whether a comment has its lines to itself.
 pub(crate) fn stands_alone(text: &str, comment: Span) -> bool {
     let blank = [' ', '\t', '\u{feff}'];
     let before = text.get(..comment.start as usize).sure().trim_end_matches(blank);

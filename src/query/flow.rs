@@ -1,4 +1,4 @@
-//! What a block calls, enters or jumps to, as it is written.
+//! The unit or block that a block calls, enters or jumps to, as written.
 
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;

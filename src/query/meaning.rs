@@ -1,4 +1,4 @@
-//! What the dictionary and the configuration say of a word.
+//! The meaning of a word in the dictionary and the configuration.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ use crate::text::Span;
 /// Longest text of a block that is shown, in characters.
 const EXCERPT: usize = 60;
 
-/// What a hover is about.
+/// The subject of a hover.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Subject<'a> {
     pub(crate) analysis: &'a Analysis,
@@ -71,7 +71,7 @@ impl Subject<'_> {
         unit.and_then(|unit| Some(inputs(&reach.names(unit.file)?, &unit))).unwrap_or_default()
     }
 
-    /// What the comments of the called unit say, and the values that it takes.
+    /// Adds the comments of the called unit, and the values that it takes.
     fn called(&self, page: &mut Page, flow: &Flow, observed: Option<&Observed>) {
         let Some(Target::Unit(id)) = flow.target else { return };
         let Some(unit) = self.analysis.resolved.unit(id) else { return };
@@ -90,7 +90,7 @@ impl Subject<'_> {
         }
     }
 
-    /// What the word sets in the interface to the PLC.
+    /// Adds the signals that the word sets in the interface to the PLC.
     fn signals(&self, page: &mut Page, word: Word, observed: Option<&Observed>) {
         let Some(number) = word.number() else { return };
         let seen = observed.map(|observed| observed.plc.as_slice()).unwrap_or_default();
@@ -157,7 +157,7 @@ impl Subject<'_> {
         self.lines(page, said);
     }
 
-    /// What a parameter is for.
+    /// Adds the purpose of a parameter.
     fn parameter(&self, page: &Page, block: BlockId, word: Word, said: &mut Vec<Said>) {
         match (word.target(), control_of(&self.analysis.settings.machine, self.file, block, word)) {
             (_, Some(control)) => {
@@ -206,7 +206,7 @@ impl Subject<'_> {
         axes.index_of(word.address).and_then(|axis| axes.get(axis)).map(|axis| axis.rotary)
     }
 
-    /// What a block calls, enters or jumps to.
+    /// Adds the unit or block that a block calls, enters or jumps to.
     fn flow(&self, page: &mut Page, block: BlockId, flow: &Flow) {
         let file = self.file;
         let number = |block| file.shown_number(block);
@@ -259,7 +259,7 @@ impl Subject<'_> {
     }
 }
 
-/// `PB06=03h`; values of different passes behind one another. What is not known without execution, its name alone.
+/// `PB06=03h`; values of different passes behind one another. Without execution only the names of signals that depend on it.
 fn set_signal((signal, values): &plc::SetSignal, executed: bool, more: bool) -> String {
     let mut text = signal.name.clone();
     if !executed && values.iter().all(Option::is_none) {

@@ -1,5 +1,5 @@
-//! Answers about a program as plain data: what stands at a place, what names what, from where to where things reach, what
-//! execution makes of a block. Nothing here knows of editors; `lsp` turns the answers into those of its protocol.
+//! Answers about a program as plain data: the word at a place, the names in it, the reach of things, the
+//! results of execution at a block. Nothing here knows of editors; `lsp` turns the answers into those of its protocol.
 
 pub(crate) mod analysis;
 pub(crate) mod callee;

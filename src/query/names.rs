@@ -1,4 +1,4 @@
-//! What the words of a block name: blocks, subprograms, macrocycles, parameters.
+//! The names in the words of a block: blocks, subprograms, macrocycles, parameters.
 
 use crate::config::Machine;
 use crate::dict::{Address, FIRST_CONTROL, GCode, GGroup};
@@ -7,7 +7,7 @@ use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 use crate::text::Span;
 
-/// What a number names.
+/// The thing that a number refers to.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub(crate) enum Name {
     /// A block of the file; its number stands once there (BLK-7).
@@ -38,7 +38,7 @@ pub(crate) enum Usage {
 pub(crate) struct Naming {
     pub(crate) name: Name,
     pub(crate) usage: Usage,
-    /// The number; where none is written, the word that stands for it.
+    /// The number; where none is written, the word in its place.
     pub(crate) number: Span,
     /// Whether another number can be written in place of `number`.
     pub(crate) written: bool,

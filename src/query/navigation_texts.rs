@@ -1,4 +1,4 @@
-//! What the server says about numbers, and why one cannot be changed, in both languages.
+//! Texts of the server about numbers, and why one cannot be changed, in both languages.
 
 use crate::dict::bilingual;
 

@@ -58,13 +58,13 @@ pub(crate) struct Observed {
     pub(crate) d: Values<Decimal>,
     pub(crate) correction: Values<u16>,
     pub(crate) dwell_s: Values<Micro>,
-    /// What the block reads of parameters: the values from before it.
+    /// Parameters that the block reads: their values before it.
     pub(crate) reads: BTreeMap<u8, Values<Decimal>>,
-    /// What it writes: the values after it.
+    /// Parameters that it writes: their values after it.
     pub(crate) writes: BTreeMap<u8, Values<Decimal>>,
-    /// What the unit that it calls takes: the values with which that begins.
+    /// Parameters that the called unit takes: their values when it begins.
     pub(crate) inputs: BTreeMap<u8, Values<Decimal>>,
-    /// What the PLC reads of its M, H, T and S words: the first few different ones, where that is asked for.
+    /// The PLC's reading of its M, H, T and S words: the first few different ones, on request.
     pub(crate) plc: Vec<WordsRead>,
     /// There are more.
     pub(crate) more_plc: bool,
@@ -207,7 +207,7 @@ struct Observer<'a> {
     machine: &'a Machine,
     observation: Observation,
     moves: Option<Moves>,
-    /// What the PLC reads is wanted.
+    /// Include the PLC's reading.
     plc: bool,
     /// From which block up to which units reach whose times are wanted.
     units: Vec<(BlockId, BlockId)>,

@@ -19,7 +19,7 @@ impl Page {
         Self { markdown, text: String::new(), in_list: false }
     }
 
-    /// Something as it stands in programs: `G01`.
+    /// Part of a program: `G01`.
     pub(crate) fn code(&self, text: &str) -> String {
         if !self.markdown || text.is_empty() {
             text.to_owned()

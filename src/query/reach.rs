@@ -113,7 +113,7 @@ impl<'a> Reach<'a> {
         self.files().find(|file| self.path(*file).as_deref() == Some(path))
     }
 
-    /// What the word of the document at `offset` names.
+    /// The names in the word of the document at `offset`.
     pub(crate) fn naming_at(&self, offset: u32) -> Option<Naming> {
         let names = self.names(DOCUMENT)?;
         let at = word_at(names.file, offset)?;

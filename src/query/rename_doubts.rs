@@ -136,7 +136,7 @@ impl Doubts<'_> {
         self.special(r).or_else(|| self.hidden_uses()).or_else(|| self.uses(r))
     }
 
-    /// What the program does with the parameter: only what it assigns and reads itself is its own.
+    /// The program's use of the parameter: only one that it assigns and reads itself is local.
     fn uses(&self, r: u8) -> Option<NavigationText> {
         let (mut assigned, mut read) = (false, false);
         for file in self.reach.files() {

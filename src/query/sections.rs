@@ -1,4 +1,4 @@
-//! What a machinist looks for in a program: its units, and in them the tool changes and the headings.
+//! The landmarks of a program for machinists: its units, and in them the tool changes and the headings.
 //!
 //! A heading is a comment alone in its line after the first block, the first of several such lines, without the dashes
 //! around it; or the comment of a block that has nothing but its number. No heading is a comment that holds a block which
@@ -21,7 +21,7 @@ const MOST: usize = 10_000;
 /// Names are cut after this many characters.
 const LONGEST_NAME: usize = 120;
 
-/// What a section is.
+/// The kind of a section.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(crate) enum SectionKind {
     /// A program.
@@ -41,7 +41,7 @@ pub(crate) struct Section {
     pub(crate) kind: SectionKind,
     /// All of it.
     pub(crate) span: Span,
-    /// What it is named after.
+    /// The text that names it.
     pub(crate) head: Span,
 }
 
@@ -190,7 +190,7 @@ fn tool_change(file: &ParsedFile, block: BlockId, tool: Option<Word>) -> Section
     Section { name: cut(&name.join(" ")), kind: SectionKind::Tool, span: head, head }
 }
 
-/// What a comment says, without dashes around it; `None` when that is nothing, or a block that was taken out.
+/// The text of a comment, without dashes around it; `None` when it is empty, or a block that was taken out.
 pub(crate) fn heading(file: &ParsedFile, comment: Span) -> Option<&str> {
     let said = file.comment_text(comment).trim_matches(['-', '=', '*', '_', '#', '~', '+', '.', ' ', '\t']);
     let mut characters = said.trim_start_matches(['/', ' ']).chars();

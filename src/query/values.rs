@@ -1,4 +1,4 @@
-//! What a value was at each execution of a block: the first few different ones, and the limits of all.
+//! The values at each execution of a block: the first few different ones, and the limits of all.
 
 use std::fmt::Display;
 
@@ -80,7 +80,7 @@ impl<T: Copy + Ord> Values<T> {
         }
     }
 
-    /// `10, 20, 30, 40, … (min 10, max 200)`; `?` stands for what was not known.
+    /// `10, 20, 30, 40, … (min 10, max 200)`; `?` marks unknown ones.
     pub(crate) fn list<D: Display>(&self, shown: impl Fn(T) -> D) -> String {
         let mut text = self.brief(KEPT, &shown);
         if self.more

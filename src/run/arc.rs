@@ -15,7 +15,7 @@ pub(super) struct Arc {
     pub(super) counter_clockwise: bool,
 }
 
-/// What is computed of an arc.
+/// The computed values of an arc.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Computed {
     pub(super) center: [Micro; 2],

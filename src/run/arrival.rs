@@ -1,4 +1,4 @@
-//! What is asked of every axis that a motion brings somewhere, whatever moves it.
+//! Checks of every axis that a motion brings somewhere, by whatever means it moves.
 
 use super::site::Site;
 use super::state::State;
@@ -47,7 +47,7 @@ pub(super) fn arrive(site: &mut Site<'_>, state: &mut State, travels: &[Travel])
     }
 }
 
-/// Puts the positions after an arc into force that begins nobody knows where: that has a finding of its own.
+/// Takes over the positions after an arc with an unknown start: that has another finding.
 pub(super) fn arrive_from_unknown(site: &mut Site<'_>, state: &mut State, travels: &[Travel]) {
     for travel in travels {
         for rule in Rule::ALL.into_iter().filter(|rule| !matches!(rule, Rule::FromUnknown)) {

@@ -1,4 +1,4 @@
-//! The block in hand: what is written in it, what holds in it, and what it does. [`super::Executed`] shows it.
+//! The current block: its words, the modal state in it, and its effect. [`super::Executed`] shows it.
 
 use super::m_functions::MFunctionsOfBlock;
 use super::moved::Moving;
@@ -18,7 +18,7 @@ pub struct Jump {
     pub left: Option<u32>,
 }
 
-/// What a block does besides changing what is in force.
+/// The effect of a block besides changes of the modal state.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) enum Effect {
     /// Nothing moves.
@@ -30,7 +30,7 @@ pub(super) enum Effect {
     Data(DataFacts),
 }
 
-/// What the words of a block with data are.
+/// The meaning of the words in a block with data.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DataFacts {
     pub(super) g: GCode,

@@ -1,4 +1,4 @@
-//! What a block calls and where it jumps, at its end (§6).
+//! The calls and jumps at the end of a block (§6).
 
 use super::block::{Block, Jump};
 use super::frames::{CallInfo, Frame};
@@ -22,13 +22,13 @@ use crate::text::Location;
 pub struct LostCall {
     /// The number of the calling block.
     pub n: u32,
-    /// What it calls, where that is known.
+    /// The called unit, where that is known.
     pub l: Option<u32>,
     /// That does not exist.
     pub missing: bool,
 }
 
-/// What a block does at its end.
+/// The effect of a block at its end.
 #[derive(Clone, Debug)]
 pub(super) enum Next {
     /// The next block.
@@ -52,7 +52,7 @@ pub(super) fn check_late_words(site: &mut Site<'_>, state: &State, words: &Block
     });
 }
 
-/// What the rules of calls and jumps look at: one block, after all else in it.
+/// Input of the rules of calls and jumps: one block, after all else in it.
 pub(super) struct Flow<'e, 'p> {
     pub(super) program: &'e mut Program<'p>,
     pub(super) findings: &'e mut Findings,
@@ -64,7 +64,7 @@ pub(super) struct Flow<'e, 'p> {
 }
 
 impl Flow<'_, '_> {
-    /// What the block does at its end. `ends`: it holds M02 or M30.
+    /// Decides the continuation after the block. `ends`: it holds M02 or M30.
     pub(super) fn next(&mut self, moved: Moved, ends: bool) -> Next {
         let words = &self.block.words;
         // Nobody knows what is called, or whether something is.
@@ -344,7 +344,7 @@ impl Flow<'_, '_> {
         self.findings.items().iter().any(of)
     }
 
-    /// The block of the unit in hand with that number, which a parameter gave.
+    /// The block of the current unit with that number, which a parameter gave.
     fn find_block(&mut self, number: u32, word: Word) -> Option<BlockId> {
         let unit = self.frames.last()?.unit;
         let place = self.file().map(|file| value_or_word(file, word)).unwrap_or_default();

@@ -50,7 +50,7 @@ impl Frame {
         Self { id, unit, next: unit.first, call, counters: BTreeMap::new(), suspended_cycle: None, returns: false }
     }
 
-    /// Begins the next pass of the call, if there is one: an execution of its own, with counters of its own.
+    /// Begins the next pass of the call, if there is one: a fresh execution, with fresh counters.
     pub(super) fn next_pass(&mut self) -> bool {
         match &mut self.call {
             Some(call) if call.pass < call.of => {

@@ -168,7 +168,7 @@ impl Length {
 pub enum Missing {
     /// A distance is not known: the start of an axis (MOT-2), or a value that only the machine has (PAR-5).
     Start,
-    /// After a change of origin or correction the tool does not stand where the program says (MOT-8).
+    /// After a change of origin or correction the tool is not where the program says (MOT-8).
     Origin,
     /// A motion to the reference point (MOT-7).
     Reference,

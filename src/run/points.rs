@@ -43,7 +43,7 @@ impl Run {
         }
         let stale = settle_origin(state, &block.travels, None);
         block.effect = Effect::Motion(Moving { stale, ..moving });
-        // What the feed counts may differ from the point before.
+        // The unit of the feed may differ from the point before.
         let degrees = moving.is_in_degrees(&block.travels);
         block.moves_on = settled && degrees == block.degrees;
         block.degrees = degrees;
@@ -115,7 +115,7 @@ impl Run {
         u64::from(passed)
     }
 
-    /// What is known of the blocks of axis words after a block that did more.
+    /// Forgets the facts about blocks of axis words after a block that did more.
     #[inline]
     pub(super) fn unsettle(&mut self, flags: BlockFlags, block: &Block) {
         // A block that is not rich has no G, M or other word that changes what is in force.
@@ -166,7 +166,7 @@ mod tests {
     use crate::run::{Interpreter, Program};
     use crate::text::{MemoryLoader, SourceText, Sources};
 
-    /// What is known after each block of a program, how each moves, and the findings.
+    /// The state after each block of a program, how each moves, and the findings.
     fn run(body: &str, by_all_rules: bool) -> (Vec<String>, Vec<String>) {
         let settings = Settings::default();
         with_program(body, &settings, |program, findings| {
@@ -186,7 +186,7 @@ mod tests {
         })
     }
 
-    /// What is known at the end of a program, after how many blocks, and the findings: with points passed over, at most so
+    /// The state at the end of a program, after how many blocks, and the findings: with points passed over, at most so
     /// many at a time, or without.
     fn end(body: &str, settings: &Settings, most: Option<u64>) -> (String, u64, Vec<String>) {
         let ((state, executed), findings) = with_program(body, settings, |program, findings| {
@@ -296,7 +296,7 @@ mod tests {
             prop_assert_eq!(quick, full, "{}", body);
         }
 
-        /// What is passed over has left behind what it leaves block by block.
+        /// Points that are passed over leave the same state as block by block.
         #[test]
         fn passing_over_leaves_the_same(
             mut blocks in proptest::collection::vec(proptest::sample::select(&BLOCKS), 0..12),

@@ -1,4 +1,4 @@
-//! What is executed: a resolved program, and where macrocycles come from that only execution asks for.
+//! The executed program: a resolved program, and the source of macrocycles that only execution asks for.
 
 use crate::config::Settings;
 use crate::diag::Findings;

@@ -11,7 +11,7 @@ use crate::diag::Findings;
 /// makes of a whole program it gives in [`Self::end`], which is called only when the program ended with M02 or M30 and
 /// nothing in it is an error: half a program cannot be taken for a whole one.
 pub trait Sink {
-    /// What the sink makes of a whole program.
+    /// The sink's result for a whole program.
     type Whole;
 
     /// Execution begins.

@@ -7,7 +7,7 @@ use crate::resolve::Resolved;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::Location;
 
-/// The block in hand in its file, on its machine; its findings carry the calls that led to it.
+/// The current block in its file, on its machine; its findings carry the calls that led to it.
 pub(super) struct Site<'e> {
     pub(super) resolved: &'e Resolved,
     pub(super) file: &'e ParsedFile,

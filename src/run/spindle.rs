@@ -29,7 +29,7 @@ pub(super) fn apply(machine: &Machine, state: &mut State, words: &BlockWords, be
     }
 }
 
-/// The spindle stands at its oriented position: after M19, and after START when M19 was in force at a stop (MFN-8).
+/// Brings the spindle to its oriented position: after M19, and after START when M19 was in force at a stop (MFN-8).
 pub(super) fn orient(machine: &Machine, state: &mut State) {
     if machine.oriented_stop
         && let Some(axis) = machine.spindle()

@@ -1,4 +1,4 @@
-//! What is not known after a fault (§13): the functions of some G groups.
+//! The unknown after a fault (§13): the functions of some G groups.
 
 use crate::dict::GGroup;
 

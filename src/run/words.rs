@@ -14,7 +14,7 @@ pub(super) struct Valued {
     pub(super) value: Option<Decimal>,
 }
 
-/// The words of the block in hand. One is reused for all blocks.
+/// The words of the current block. One is reused for all blocks.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BlockWords {
     /// By place in machine order.

@@ -1,4 +1,4 @@
-//! What is looked for in executed blocks beyond the rules of execution: joints (W0801 to W0803) and corrections (W0811,
+//! Checks of executed blocks beyond the rules of execution: joints (W0801 to W0803) and corrections (W0811,
 //! W0812).
 
 use std::ops::ControlFlow;

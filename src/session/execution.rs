@@ -15,8 +15,8 @@ use crate::text::FileId;
 /// Blocks between two reports of progress.
 const PROGRESS: u64 = 1 << 16;
 
-/// An execution under way. [`Session::run`] shows its blocks to a sink; who needs more asks for them with [`Self::step`],
-/// and who must know later blocks before an earlier one follows with a second interpreter: see [`Self::follow`].
+/// A running execution. [`Session::run`] shows its blocks to a sink; other callers ask for them with [`Self::step`],
+/// and callers that need later blocks before an earlier one follow with a second interpreter: see [`Self::follow`].
 #[derive(Debug)]
 pub struct Execution<'a> {
     session: Session<'a>,
@@ -85,7 +85,7 @@ impl<'a> Execution<'a> {
         self.checks.is_some()
     }
 
-    /// The same, with blocks after an error shown as well: for what is known of a program that is not right yet.
+    /// The same, with blocks after an error shown as well: for facts about a program with mistakes.
     #[must_use]
     pub fn despite_errors(self) -> Self {
         Self { despite_errors: true, ..self }
@@ -107,7 +107,7 @@ impl<'a> Execution<'a> {
     }
 
     /// The next block of what is a whole program so far, and where findings about it go. `None` at its end, where it cannot
-    /// go on, when a block has an error, and when the run is cancelled: [`Self::finish`] gives which.
+    /// go on, when a block has an error, and when the run is cancelled: [`Self::finish`] tells them apart.
     #[inline]
     pub fn step(&mut self) -> Option<(Executed<'_>, &mut Findings)> {
         let executed = self.interpreter.executed();

@@ -24,7 +24,7 @@ pub use timed::{TimedSink, Times};
 
 pub use crate::stream::Part;
 
-/// What a run found, with the texts that the places are in.
+/// The findings of a run, with the texts that they refer to.
 #[derive(Debug, Default)]
 pub struct Outcome {
     /// The files read; the program is file 0.
@@ -54,7 +54,7 @@ impl Outcome {
 pub struct Run<T> {
     /// The findings, with the texts that they are in.
     pub outcome: Outcome,
-    /// What the sink made of the whole program. `None`: the program has errors, or was not executed to its end.
+    /// The sink's result for the whole program. `None`: the program has errors, or was not executed to its end.
     pub whole: Option<T>,
 }
 
@@ -92,7 +92,7 @@ impl<'a> Session<'a> {
     }
 
     /// Executes the program at `path`, which the user calls `name`, and shows each executed block to `sink`. Of a
-    /// macrocycle only what is written is checked.
+    /// macrocycle it checks only the text.
     pub fn run<S: Sink>(&self, path: &Path, name: &str, purpose: Purpose, sink: S) -> Run<S::Whole> {
         match self.open(path, name, purpose) {
             Ok(execution) => show(execution, sink),
@@ -249,7 +249,7 @@ impl<'a> Session<'a> {
 fn first_fault(outcome: &Outcome, name: &str) -> Option<NotExecuted> {
     let findings = &outcome.findings;
     let faults = findings.items().iter().filter(|found| found.code().prevents_execution());
-    // That a program is for another control is told of programs with errors, and those come first.
+    // The warning that a program is for another control concerns programs with errors, and those come first.
     let first = faults.min_by_key(|found| (found.code() == Code::W0113, found.at, found.code()))?;
     let source = outcome.sources.get(first.at.file)?;
     Some(NotExecuted {

@@ -13,7 +13,7 @@ use crate::run::{End, Executed, Interpreter, Program};
 
 /// A reader of executed blocks that wants their times. What [`crate::run::Sink`] says holds for it too.
 pub trait TimedSink {
-    /// What the sink makes of a whole program.
+    /// The sink's result for a whole program.
     type Whole;
 
     /// Execution begins.
@@ -22,7 +22,7 @@ pub trait TimedSink {
     /// The next executed block with its times. `Break`: no more blocks are wanted, and the program is not taken for whole.
     fn block(&mut self, block: &Executed<'_>, times: &BlockTimes, findings: &mut Findings) -> ControlFlow<()>;
 
-    /// What the motion of a block would take without limited jerk and time criterion, in order of the motions.
+    /// Receives the time of a block's motion without limited jerk and time criterion, in order of the motions.
     fn no_jerk(&mut self, _motion_s: f64) {}
 
     /// The program ended, and has no errors.
@@ -34,7 +34,7 @@ pub trait TimedSink {
 pub struct Times {
     /// The phases of each motion.
     pub phases: bool,
-    /// TIME_DIST (TIM-2): the end of each stretch is looked for before its first block is given, by a planner of its own.
+    /// TIME_DIST (TIM-2): a second planner finds the end of each stretch before its first block is given.
     pub time_dist: bool,
 }
 
@@ -110,7 +110,7 @@ impl Listener for Stretches {
 }
 
 impl Stretches {
-    /// What a stretch takes; none while its end is not planned. Those before it are forgotten.
+    /// The time of a stretch; none while its end is not planned. Forgets those before it.
     fn of(&mut self, index: u64) -> Option<f64> {
         while self.first < index && self.seconds.pop_front().is_some() {
             self.first += 1;

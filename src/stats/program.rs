@@ -21,13 +21,13 @@ use crate::run::{End, Executed, Sink};
 use crate::session::{Outcome, Session};
 use crate::text::{FileId, Loader, Numbered, Sources};
 
-/// A program whose bytes are read already, and the files beside it.
+/// A program whose bytes are read already, and the files that belong to it.
 pub struct Known<'a> {
     /// Where other files come from.
     pub inner: &'a dyn Loader,
     /// The program.
     pub path: &'a Path,
-    /// What is in it.
+    /// Its bytes.
     pub bytes: &'a [u8],
 }
 
@@ -102,7 +102,7 @@ impl Sink for Used {
     }
 }
 
-/// What is known of the program at `path`, called `name`, whose bytes have this hash; and the texts that were read.
+/// The facts of the program at `path`, called `name`, whose bytes have this hash; and the texts that were read.
 pub fn row(session: &Session<'_>, path: &Path, name: &str, hash: String) -> (Row, Sources) {
     let (outcome, resolved) = session.resolve(path, name);
     let file = resolved.file(FileId(0));

@@ -20,7 +20,7 @@ pub fn json_row(row: &Row, first: bool) -> String {
     format!("{}\n    {}", if first { "" } else { "," }, escaped(&text))
 }
 
-/// What a terminal might act on is escaped.
+/// Escapes the characters on which a terminal might act.
 fn escaped(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {

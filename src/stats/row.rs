@@ -1,4 +1,4 @@
-//! What is known of a program.
+//! The facts of a program.
 
 use std::collections::BTreeMap;
 use std::fmt;

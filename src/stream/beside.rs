@@ -1,4 +1,4 @@
-//! The stream on its way out, beside execution: a thread of its own makes text of records and writes it. When that thread
+//! The stream on its way out: a second thread makes text of records and writes it beside execution. When that thread
 //! is behind, the one that executes makes the text itself, so that neither waits while there is work.
 
 use std::io::{self, Write};
@@ -155,7 +155,7 @@ impl<'o> Records<'o> {
     }
 }
 
-/// Runs `execute`, and beside it writes to `out` the records that it gives, for a machine with these axes. Without
+/// Runs `execute`, and writes to `out` the records that it gives, for a machine with these axes, at the same time. Without
 /// a thread they are written in between.
 ///
 /// # Errors

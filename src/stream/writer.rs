@@ -463,7 +463,7 @@ impl<'r> Line<'r> {
         Self { room, at: 0 }
     }
 
-    /// What is written so far.
+    /// The text written up to now.
     fn text(&self) -> &[u8] {
         self.room.get(..self.at).sure()
     }

@@ -2,7 +2,7 @@
 
 use crate::sure::small;
 
-/// What the columns of an editor count.
+/// The unit of an editor's columns.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub enum ColumnUnit {
     /// Bytes of UTF-8.

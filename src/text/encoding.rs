@@ -57,7 +57,7 @@ impl Encoding {
         }
     }
 
-    /// Whether the bytes have no unit of UTF-16 that stands for nothing: half a pair, or half a unit at the end.
+    /// Whether every unit of UTF-16 in the bytes belongs to a character: no half pairs, no half unit at the end.
     pub(super) fn is_exact(self, bytes: &[u8]) -> bool {
         let unit: fn(&[u8; 2]) -> u16 = match self {
             Self::Utf16Le => |pair| u16::from_le_bytes(*pair),
@@ -142,7 +142,7 @@ impl Encoding {
 mod tests {
     use super::*;
 
-    /// LEX-13: in every code page each of the 256 bytes is one character of its own, so positions and bytes agree.
+    /// LEX-13: in every code page each of the 256 bytes is a different character, so positions and bytes agree.
     #[test]
     fn every_byte_is_one_character_of_its_own() {
         let bytes: Vec<u8> = (0..=255).collect();
@@ -157,7 +157,7 @@ mod tests {
         }
     }
 
-    /// LEX-13: UTF-16 is told by its mark, or by the zeros of its first lines.
+    /// LEX-13: UTF-16 is recognised by its mark, or by the zeros of its first lines.
     #[test]
     fn utf16() {
         let units = |text: &str, swap: fn(u16) -> [u8; 2]| text.encode_utf16().flat_map(swap).collect::<Vec<u8>>();

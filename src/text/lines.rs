@@ -31,7 +31,7 @@ impl LineIndex {
         Self { starts }
     }
 
-    /// Follows a change: of `text`, the bytes from `from` to `inserted_end` stand where before stood those from `from` to
+    /// Follows a change: the bytes of `text` from `from` to `inserted_end` replace those that were between `from` and
     /// `removed_end`.
     pub(super) fn replaced(&mut self, text: &str, from: u32, removed_end: u32, inserted_end: u32) {
         // The byte before the change may be the CR of a CR LF that comes to be or is no more, and so may the one behind.

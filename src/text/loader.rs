@@ -8,8 +8,7 @@ use std::sync::Arc;
 
 use super::{DecodeError, Encoding, SourceText};
 
-/// What a loader's error holds when a path is a link that leads to no file: it is something else than a file that is not
-/// there.
+/// The error of a loader when a path is a link that leads to no file, in contrast to a file that does not exist.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct BrokenLink;
 
@@ -81,7 +80,7 @@ pub trait Loader: Sync {
     /// The bytes of a file.
     ///
     /// # Errors
-    /// What the operating system says; [`io::ErrorKind::NotFound`] when there is no such file, [`BrokenLink::error`] when
+    /// The operating system's error; [`io::ErrorKind::NotFound`] when there is no such file, [`BrokenLink::error`] when
     /// there is a link that leads to none.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 

@@ -3,7 +3,7 @@
 use std::path::{Component, Path, PathBuf};
 
 /// The path for messages, and as the name of its text: bytes that are no UTF-8, as shares of old systems have them, come as
-/// `\\xff`. Two files have two names, so that their findings are told apart.
+/// `\\xff`. Two files have two names, so that their findings stay apart.
 pub fn path_name(path: &Path) -> String {
     if let Some(name) = path.to_str() {
         return name.to_owned();

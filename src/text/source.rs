@@ -95,7 +95,7 @@ impl SourceText {
         self.text
     }
 
-    /// What the bytes were decoded from.
+    /// The encoding of the bytes.
     pub const fn encoding(&self) -> Encoding {
         self.encoding
     }
@@ -166,7 +166,7 @@ impl SourceText {
         if !grown || self.text.get(span.range()).is_none() {
             return false;
         }
-        // At the end the half character goes, or stands there no more.
+        // At the end the half character goes, or it is at the end no more.
         self.half &= span.end < self.len();
         self.text.replace_range(span.range(), with);
         let bom = self.text.starts_with('\u{feff}');

@@ -81,7 +81,7 @@ impl Contexts {
         next
     }
 
-    /// What is called, by what.
+    /// The called units, with their callers.
     pub fn called(&self) -> &[Value] {
         self.called.values()
     }

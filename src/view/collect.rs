@@ -42,7 +42,7 @@ pub struct Collector {
     whole: bool,
 }
 
-/// The picture of a program, as far as it was executed.
+/// The picture of a program, up to where it was executed.
 #[derive(Debug)]
 pub struct View {
     rows: Rows,
@@ -52,7 +52,7 @@ pub struct View {
     assumed: bool,
     machine: Value,
     program: Map<String, Value>,
-    /// What the page calls its files.
+    /// The names of its files on the page.
     names: Vec<String>,
     blocks: u64,
     whole: bool,
@@ -112,7 +112,7 @@ impl Collector {
         Collect { collector: self }
     }
 
-    /// What the run came to: the text of the program, which may not have been executed, and how many blocks were.
+    /// The result of the run: the text of the program, which may not have been executed, and how many blocks were.
     pub fn finish(self, text: Option<&Arc<SourceText>>, naming: Naming<'_>, executed: u64) -> View {
         let Self { mut rows, planned, equidistant, assumed, machine, mut program, whole, .. } = self;
         // A program that cannot be executed is shown all the same.
@@ -293,7 +293,7 @@ fn introduce(file: &ParsedFile, files: &mut Files, program: &mut Map<String, Val
     }
 }
 
-/// What the header says of the program before it is executed.
+/// The part of the header that is known before execution.
 fn program(settings: &Settings) -> Map<String, Value> {
     let axes = settings.machine.axes.iter().map(
         |axis| json!({ "letter": axis.letter.to_string(), "kind": if axis.rotary { "rotary" } else { "linear" } }),

@@ -1,4 +1,4 @@
-//! What a still picture consists of, in the order of drawing, whatever it is written as.
+//! A still picture as shapes in the order of drawing, for every file format.
 
 use super::picture::LeftOut;
 use crate::sure::small;
@@ -38,7 +38,7 @@ pub(super) enum Item {
 pub(super) struct Display {
     pub width: u32,
     pub height: u32,
-    /// What it shows, for those who do not see it.
+    /// A description of it, for those who do not see it.
     pub title: String,
     /// Under the path.
     pub under: Vec<Item>,

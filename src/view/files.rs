@@ -88,7 +88,7 @@ impl Files {
         self.files.get(file as usize).map_or(0, |known| known.first.saturating_add(block.0))
     }
 
-    /// The index of the block whose `N` stands at an offset of a file.
+    /// The index of the block whose `N` is at an offset of a file.
     pub fn block_at(&self, file: FileId, offset: u32) -> u32 {
         let file = self.files.iter().find(|known| known.id == file);
         file.map_or(0, |file| {

@@ -17,7 +17,7 @@ pub(super) enum Stroke {
     Thread,
 }
 
-/// What is drawn of a row.
+/// The line of a row.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(super) enum Line {
     /// Nothing moves.
@@ -38,8 +38,8 @@ impl Stroke {
     }
 }
 
-/// Where the tool stands after each row: X, Y and Z in millimetres. A coordinate that is not known stands where the axis is
-/// first known to stand after it, behind the last known one there, and at 0 when it never is.
+/// The position of the tool after each row: X, Y and Z in millimetres. In place of an unknown coordinate it has the next
+/// known one of the axis, or else the last known one, or 0 when none is known.
 #[derive(Debug)]
 pub(super) struct Lines<'r> {
     rows: &'r Rows,
@@ -70,7 +70,7 @@ impl<'r> Lines<'r> {
         self.point(self.rows.row_before(row))
     }
 
-    /// What is drawn of a row.
+    /// The line of a row.
     pub fn line(&self, row: usize) -> Line {
         let Some((shape, kind)) = self.rows.shape_of(row).and_then(|shape| Some((shape, shape.kind?))) else {
             return Line::Nothing;

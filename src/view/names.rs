@@ -1,4 +1,4 @@
-//! What a page calls files: nothing in it is a folder of the computer that made it, and the same program gives the same
+//! The names of files on a page: none is a folder of the computer that made it, and the same program gives the same
 //! bytes from every working folder.
 
 use std::path::{Path, PathBuf};

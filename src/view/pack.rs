@@ -10,14 +10,14 @@ use super::times::Times;
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.path/1";
 
-/// What the header of a page says besides its rows.
+/// The part of a page's header besides its rows.
 #[derive(Debug)]
 pub(super) struct About<'v> {
     /// The program record of the stream.
     pub program: Map<String, Value>,
-    /// What the page calls its files.
+    /// The names of its files on the page.
     pub names: &'v [String],
-    /// What the page shows of the records `machine` and `total` of the motion stream.
+    /// The fields of the records `machine` and `total` of the motion stream that the page shows.
     pub motion: [Value; 2],
     /// Blocks executed of the whole program.
     pub blocks: u64,

@@ -120,9 +120,9 @@ impl StateKey {
 
 /// The parts of a record.
 pub(super) struct Parts {
-    /// What is in force.
+    /// The modal state.
     pub state: Map<String, Value>,
-    /// What the block does, but for its motion.
+    /// The effect of the block, apart from its motion.
     pub does: Map<String, Value>,
     /// Its motion, without what the page works out.
     pub motion: Map<String, Value>,

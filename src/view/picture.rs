@@ -25,10 +25,10 @@ const MANY_YELLOW: usize = 1_000;
 /// Free at the left, top, right and bottom of the path, in pixels.
 const MARGINS: [f64; 4] = [64.0, 36.0, 64.0, 64.0];
 
-/// What a still picture is to be.
+/// The request for a still picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Still {
-    /// What is looked at; `None`: the plane that shows most of the working motions.
+    /// The plane of projection; `None`: the plane that shows most of the working motions.
     pub plane: Option<Plane>,
     /// In pixels.
     pub width: u32,
@@ -59,7 +59,7 @@ pub(super) struct Chain {
     pub collides: bool,
 }
 
-/// What is drawn besides the rows.
+/// The parts of a picture besides the rows.
 #[derive(Debug, Default)]
 pub(super) struct Besides {
     pub title: String,
@@ -79,11 +79,11 @@ pub(super) struct Besides {
 pub struct Picture {
     /// The file.
     pub bytes: Vec<u8>,
-    /// What it leaves out.
+    /// The omitted parts.
     pub left_out: LeftOut,
 }
 
-/// What a still picture leaves out, and says so.
+/// The parts that a still picture omits, and names in its caption.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LeftOut {
     /// Red dots, because others stand at the same places.

@@ -2,7 +2,7 @@
 
 use super::lines::Point;
 
-/// What is looked at.
+/// The plane of projection.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Plane {
     /// X to the right, Y up.

@@ -117,7 +117,7 @@ pub(super) struct Rows {
     pub row_of: Column,
     pub context_of: Column,
     pub left: Column,
-    /// Whether each executed block has a row of its own.
+    /// Whether each executed block has a separate row.
     pub plain: bool,
     /// By block of the text: whether it was executed.
     visited: Vec<bool>,
@@ -331,7 +331,7 @@ impl Rows {
         equal.is_some()
     }
 
-    /// What the block has in common with others. One that only moves on differs in nothing from the block before.
+    /// The part of the block that it shares with others. One that only moves on differs in nothing from the block before.
     fn parts(&mut self, block: &Executed<'_>, special: Special) -> Last {
         let moves_on = block.moves_on() && self.count() > 0;
         let Last { state, feed, context, .. } = if moves_on {
@@ -475,7 +475,7 @@ impl Rows {
         self.extras.get(value.to_string(), || value)
     }
 
-    /// What the page works out of a motion, and where it would be wrong.
+    /// The values that the page computes of a motion, and those where it would be wrong.
     fn moved(&self, block: &Executed<'_>, motion: Motion<'_>, after: &Known) -> Moved {
         let mut found = Moved::default();
         let shape = &mut found.shape;
@@ -575,7 +575,7 @@ impl Rows {
     }
 }
 
-/// What a block's motion gives its row.
+/// The part of a row that comes from a block's motion.
 #[derive(Clone, Copy, Debug, Default)]
 struct Moved {
     shape: ShapeKey,
@@ -624,7 +624,7 @@ fn is_plain(block: &Executed<'_>) -> bool {
         && !block.skippable()
 }
 
-/// What a row has in common with others.
+/// The part of a row that it shares with others.
 #[derive(Clone, Copy, Debug, Default)]
 struct Last {
     state: u32,

@@ -5,7 +5,7 @@ use serde_json::{Map, Value};
 use crate::dict::AxisLetter;
 use crate::run::{Missing, MotionType};
 
-/// What the length of a motion counts.
+/// The unit of a motion's length.
 #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
 pub(super) enum LengthUnit {
     Mm,

@@ -36,7 +36,7 @@ impl Tally {
 
     /// So many millionths as parts; `None`: finer ones are needed.
     fn parts(&self, value: i64) -> Option<i64> {
-        // Dividing by what is known while compiling is ten times as fast, and most columns count thousandths.
+        // Dividing by a constant is ten times as fast, and most columns count thousandths.
         if self.part == 0 {
             return (value % 1000 == 0).then_some(value / 1000);
         }

@@ -12,7 +12,7 @@ use crate::dict::{AxisLetter, Micro};
 use crate::sure::{Sure, small};
 use crate::text::Span;
 
-/// The first of the characters that stand for a number in a skeleton; they differ by [`STYLES`].
+/// The first of the characters that replace a number in a skeleton; they differ by [`STYLES`].
 const FIRST_MARK: u32 = 0xE000;
 /// The character for the block number, as written or padded with zeros to as many digits as the characters after it say.
 const NUMBER_MARK: u32 = FIRST_MARK + 16;
@@ -42,7 +42,7 @@ const STYLES: [Style; 10] = [
     Style { decimals: Some(3), point: true, zero: false },
 ];
 
-/// A number as it stands in the text.
+/// A number as the text has it.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 struct Written<'t> {
     negative: bool,
@@ -252,7 +252,7 @@ fn first_rows(rows: &Rows) -> Vec<u32> {
     first
 }
 
-/// What the row of a block says of the number behind a letter, in thousandths; 0 when it says nothing.
+/// The row's value of the number behind a letter, in thousandths; 0 when it has none.
 fn foretold(rows: &Rows, row: usize, letter: char) -> i64 {
     let rounded = |value: Micro| (value.millionths() + 500).div_euclid(1000);
     if letter == 'F' {

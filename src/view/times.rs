@@ -72,9 +72,9 @@ struct Code {
     limited_by: Option<&'static str>,
     dot: Option<&'static str>,
     accel: u8,
-    /// What the velocity at the joint is foretold from: the caps of both blocks (0), the joint before (1), behind (2).
+    /// The base of the foretold velocity at the joint: the caps of both blocks (0), the joint before (1), behind (2).
     joint: u8,
-    /// What the greatest velocity is foretold from: cap and acceleration (0), the velocities at both ends (1).
+    /// The base of the foretold greatest velocity: cap and acceleration (0), the velocities at both ends (1).
     peak: u8,
 }
 
@@ -322,12 +322,12 @@ fn float(value: i64) -> f64 {
     value as f64
 }
 
-/// Whether a feed may stand for another: within 0.0004 mm/min, or 4e-7 of it.
+/// Whether a feed may replace another: within 0.0004 mm/min, or 4e-7 of it.
 fn is_near(feed: i64, other: i64) -> bool {
     feed.abs_diff(other) <= 4 + feed.unsigned_abs() / 2_500_000
 }
 
-/// What it takes to correct a foretold feed.
+/// The correction of a foretold feed.
 fn correction(feed: i64, foretold: i64) -> i64 {
     if is_near(feed, foretold) { 0 } else { feed - foretold }
 }

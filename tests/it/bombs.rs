@@ -193,7 +193,7 @@ fn a_million_words_in_a_block() {
     }
 }
 
-/// A million findings: ten thousand are shown, and how many more there are is said, in every form and both languages.
+/// A million findings: the output shows ten thousand, and counts the others, in every form and both languages.
 #[test]
 fn a_million_findings() {
     let place = Place::with(&[]);
@@ -225,7 +225,7 @@ fn a_million_findings() {
                 "human" => (run.stdout.matches("[E0306]").count(), run.stdout.contains(&said)),
                 // One line each.
                 "short" => (run.stdout.lines().count() - 1, run.stdout.ends_with(&said)),
-                // Words to people stand beside them.
+                // Words for people surround them.
                 "github" => {
                     let told = format!("{more} more findings are counted, but not shown\n");
                     (run.stdout.lines().count(), run.stderr == told)

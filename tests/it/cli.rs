@@ -43,7 +43,7 @@ impl Place {
         fs::read(self.path(name)).unwrap()
     }
 
-    /// What is in the folder, sorted.
+    /// The names in the folder, sorted.
     pub fn list(&self) -> Vec<String> {
         let entries = fs::read_dir(self.folder.path()).unwrap();
         let mut names: Vec<String> =

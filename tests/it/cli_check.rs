@@ -259,7 +259,7 @@ fn json_names_the_program_and_the_files() {
     assert_eq!(sarif["runs"][0]["tool"]["driver"]["version"], "0.2.0");
 }
 
-/// What is only offered is told apart from what `--fix` applies; the certain one comes first.
+/// Offers and fixes that `--fix` applies are marked; the certain one comes first.
 #[test]
 fn json_says_which_fixes_are_certain() {
     let place = Place::with(&[("a.nc", b"%1\nN10 G00 G90 X7 0\nN20 Y36,12\nN30 M30\n")]);

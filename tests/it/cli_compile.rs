@@ -180,7 +180,7 @@ fn what_was_read_is_not_overwritten() {
     place.run(&["compile", "a.nc", "-o", "other.toml"]).ends(0);
 }
 
-/// Files are told apart as files: names may be in an old code page.
+/// Files are compared as files: names may be in an old code page.
 #[cfg(unix)]
 #[test]
 fn names_that_are_not_utf8() {

@@ -366,7 +366,7 @@ fn readers_that_go_away_in_the_middle() {
     }
 }
 
-/// Every signal that ends a run leaves the old file and nothing beside it.
+/// Every signal that ends a run leaves the old file and nothing else.
 #[test]
 fn signals_in_the_middle_of_an_output() {
     for (name, number) in [("INT", 2), ("TERM", 15), ("HUP", 1)] {
@@ -384,7 +384,7 @@ fn signals_in_the_middle_of_an_output() {
     }
 }
 
-/// Interrupted among many files: each is as before or fixed, whole, and nothing is left beside them.
+/// Interrupted among many files: each is as before or fixed, whole, and no other file is left.
 #[test]
 fn an_interruption_while_many_programs_are_fixed() {
     let after = format!("%1\nN10 G0 G90 X0\n{}N20 M30\n", "\"COMMENT\n".repeat(500));
@@ -478,7 +478,7 @@ fn a_program_is_never_read_as_halves_of_two() {
     });
 }
 
-/// Data that would be lost is told, in each command that writes to standard output.
+/// Each command that writes to standard output reports data that would be lost.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_closed_standard_output() {

@@ -178,7 +178,7 @@ fn an_interruption_leaves_the_file_as_it_was() {
     let place = Place::with(&[("a.nc", program)]);
     let mut command = place.interruptible(&["check", "--fix", "a.nc", "--max-blocks", "1000000000"]);
     let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    // Wait until the signal is caught: bit 1 stands for SIGINT.
+    // Wait until the signal is caught: bit 1 is SIGINT.
     let catches = || {
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
         let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap().trim().to_owned();

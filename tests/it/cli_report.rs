@@ -177,7 +177,7 @@ fn faults() {
     assert!(run.stderr.starts_with("error[W0503]") && !run.stderr.contains("no set-up sheet"), "{run:?}");
 }
 
-/// A macrocycle has no sheet of its own, as it has no stream.
+/// A macrocycle has no sheet, as it has no stream.
 #[test]
 fn of_a_macrocycle() {
     let run = place().run(&["report", "L9"]).ends(2);

@@ -320,7 +320,7 @@ fn a_still_picture_has_the_dots_of_the_motion_stream() {
     place.run(&["view", "joints.nc", "-o", "p.svg", "--plane", "YX"]).ends(2);
 }
 
-/// motion.md: every output says that the machine is assumed; a picture, and words beside it.
+/// motion.md: every output says that the machine is assumed, a picture too.
 #[test]
 fn a_still_picture_says_what_its_dots_rest_on() {
     let place = Place::with(&[("joints.nc", JOINTS.as_bytes())]);
@@ -402,7 +402,7 @@ fn the_equidistant_is_in_the_picture() {
     assert_eq!(pieces[0]["points"].as_array().unwrap().len(), 6);
 }
 
-/// What a picture leaves out is said in it and by the command.
+/// The command and the picture name the parts that the picture omits.
 #[test]
 fn too_many_yellow_dots_are_left_out_and_that_is_said() {
     let mut program = String::from("%1\nN1 G23 G17 G90 G0 X0 Y0 Z0\nN2 G1 X1 F3000\n");
@@ -421,7 +421,7 @@ fn too_many_yellow_dots_are_left_out_and_that_is_said() {
     assert_eq!(dots(&String::from_utf8(place.read("a.svg")).unwrap(), "dot yellow").len(), 898);
 }
 
-/// A device is written to, as `compile` does; an opener that fails is told.
+/// A device is written to, as `compile` does; a failing opener is reported.
 #[cfg(target_os = "linux")]
 #[test]
 fn devices_and_openers() {

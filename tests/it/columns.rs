@@ -78,7 +78,7 @@ fn plain(value: &Value) -> Value {
     }
 }
 
-/// Where the value of a column stands in a record: `motion_start_x` is `motion`, `start`, `X`.
+/// The path of a column's value in a record: `motion_start_x` is `motion`, `start`, `X`.
 fn path(name: &str) -> Vec<String> {
     let axis = |name: &str| name.len() == 1 && "xyzabcuvw".contains(name);
     if axis(name) {

@@ -33,7 +33,7 @@ fn of_text(text: &str) -> Steps {
     steps(&Session { loader: &loader, settings: &settings, progress: None }, "a.nc").unwrap()
 }
 
-/// What a comparison is from the other side.
+/// A comparison from the other side.
 fn mirrored(comparison: &Comparison) -> Vec<String> {
     let mut shown: Vec<String> = comparison
         .changes
@@ -205,7 +205,7 @@ fn summaries() {
 const OLD: &str = "%1\nN10 G90 G0 X0 Y0 Z50 T5 M06\nN20 S1000 M3 F200\nN30 G1 X10 Z-5\nN35 Y5\nN40 G2 X20 Y15 I10 J0\nN50 M08\n\
                    N60 G1 X30\nN65 G71 L9 Q2\nN70 M30\nN100 G79 L9\nN110 G1 Z-1\nN120 G0 Z5 G70\n";
 
-/// What a planted change is: kind, what, old, new, count.
+/// A planted change: kind, name, old, new, count.
 fn planted(from: &str, to: &str) -> Vec<(String, u64, Option<String>)> {
     assert!(OLD.contains(from));
     let comparison = compare(&of_text(OLD), &of_text(&OLD.replace(from, to)), TOLERANCES);

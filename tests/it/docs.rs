@@ -203,8 +203,8 @@ fn markdown() -> Vec<PathBuf> {
     found
 }
 
-/// What the documents show on a terminal is what the program says: each `$ cnc872c …` in a fence `console`, run in a folder
-/// with the samples and the examples of the guide. A line `…` stands for any lines. `DOCS=write cargo test` writes the
+/// Terminal sessions in the documents show the program's output: each `$ cnc872c …` in a fence `console`, run in a folder
+/// with the samples and the examples of the guide. A line `…` matches any lines. `DOCS=write cargo test` writes the
 /// output anew.
 #[test]
 fn terminal_sessions() {
@@ -287,7 +287,7 @@ fn arguments(line: &str) -> Vec<String> {
     all
 }
 
-/// Whether `output` is what is shown, where a line `…` stands for any lines.
+/// Whether `output` matches the shown text, where a line `…` matches any lines.
 fn matches(shown: &str, output: &str) -> bool {
     let mut rest = output;
     let mut parts = shown.split("…\n");

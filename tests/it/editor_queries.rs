@@ -8,7 +8,7 @@ use crate::samples::root;
 #[path = "../../examples/highlighting/files.rs"]
 mod highlighting;
 
-/// Generated files are those that the program makes now, and nothing else lies beside them.
+/// Generated files are those that the program makes now, and their folder has no others.
 #[test]
 fn generated_files() {
     let made = highlighting::files();
@@ -28,7 +28,7 @@ fn generated_files() {
     assert!(stale.is_empty(), "out of date: {stale:?}; write them anew with `cargo run --example highlighting`");
 }
 
-/// The piece of Helix's configuration is TOML, and names what there is.
+/// The piece of Helix's configuration is TOML, and all that it names exists.
 #[test]
 fn helix() {
     let text = fs::read_to_string(root().join("editors/helix/languages.toml")).unwrap();

@@ -1,4 +1,4 @@
-//! What is shipped for editors keeps to the program: the grammar that colours programs, the settings, the snippets.
+//! Files for editors match the program: the grammar that colours programs, the settings, the snippets.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -87,7 +87,7 @@ fn fill(body: &str) -> String {
     filled + rest
 }
 
-/// The findings of a file, others beside it.
+/// The findings of a file, with a macrocycle in its folder.
 fn findings(name: &str, text: &str, macrocycle: &str) -> Vec<String> {
     let loader = MemoryLoader::new().with(name, text).with("L9001", macrocycle);
     let settings = Settings::default();

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::cli::{Place, Run};
 
-/// A program with the files beside it, and what is to come of it.
+/// A program with its other files, and the expected outcome.
 struct Way {
     what: &'static str,
     files: Vec<(&'static str, String)>,

@@ -13,7 +13,7 @@ use crate::run::run;
 
 const LANGS: [(Lang, &str, &str); 2] = [(Lang::En, "en", "Rule: "), (Lang::Cs, "cs", "Pravidlo: ")];
 
-/// What a fence of a page is.
+/// The kind of a fence on a page.
 enum Fence<'a> {
     /// A file that the next programs use.
     File(&'a str),
@@ -70,7 +70,7 @@ fn differences(page: &str) -> Vec<String> {
     differences
 }
 
-/// diagnostics.md: every finding has a page. Its examples give exactly the codes that stand behind their fences.
+/// diagnostics.md: every finding has a page. Its examples give exactly the codes behind their fences.
 #[test]
 fn examples_of_all_pages() {
     let mut wrong = Vec::new();

@@ -19,7 +19,7 @@ enum Where {
 }
 use Where::{Any, Main};
 
-/// A block with one fault, its code, and the text that it stands at.
+/// A block with one fault, its code, and the text at its place.
 const BLOCKS: &[(&str, &str, &str, Where)] = &[
     ("N9 G0 X1 é Y2", "E0101", "é", Any),
     ("N9 G0 X1 ;:; Y2", "E0101", ";:;", Any),
@@ -90,7 +90,7 @@ const BLOCKS: &[(&str, &str, &str, Where)] = &[
     ("N9 G91 G3 X0 Y0 Z-5 I5", "W0613", "G3", Main),
 ];
 
-/// Faulty words that may stand in any block, behind its other words.
+/// Faulty words that any block may have, behind its other words.
 const WORDS: &[(&str, &str, &str)] = &[
     ("E5", "E0301", "E5"),
     ("é", "E0101", "é"),
@@ -161,7 +161,7 @@ fn append(program: &Program, index: usize, word: &str) -> Option<String> {
     let count = steps.len();
     let step = steps.get_mut(index % count.max(1))?;
     let content = step.split('"').next().unwrap().trim_end().to_owned();
-    // A comment on a line of its own belongs to the next block (BLK-9).
+    // A comment on a separate line belongs to the next block (BLK-9).
     let between = if word == "“" { ' ' } else { '\n' };
     **step = format!("{content}{between}{word}\n");
     Some(joined(&blocks))

@@ -15,7 +15,7 @@ use crate::disk::TestDisk;
 /// A finding as a test compares it: file, start, end, code.
 type Place = (String, (u32, u32), (u32, u32), String);
 
-/// What a sample asks of the run.
+/// A sample's request for the run.
 #[derive(Debug, Default)]
 pub struct Request {
     pub overrides: Overrides,

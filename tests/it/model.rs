@@ -162,7 +162,7 @@ impl Block {
         let gap = [" ", "", "\t", "\n  "][usize::from(self.style >> 2) % 4];
         let mut text = format!("N{zeros}{} {}", number(unit, index), self.words(unit).join(gap));
         if self.comment || (self.words(unit).is_empty()) {
-            // On a line of its own where the other would be too long (LEX-7).
+            // On a separate line where the other would be too long (LEX-7).
             let line = text.lines().last().map_or(0, str::len);
             text += if line > 70 { "\n\"poznamka" } else { " \"poznamka" };
         }
@@ -213,7 +213,7 @@ impl Program {
         joined(&self.blocks())
     }
 
-    /// What the program does; `None` when it is too long.
+    /// The effect of the program; `None` when it is too long.
     pub fn execute(&self) -> Option<Vec<Executed>> {
         let mut interpreter = Interpreter {
             program: self,
@@ -351,7 +351,7 @@ fn motion() -> impl Strategy<Value = Motion> {
     prop_oneof![2 => Just(Motion::None), 4 => straight, 3 => arc]
 }
 
-/// A block whose flow is not yet tied to what there is: a kind, where to, how often.
+/// A block whose target is still open: a kind, where to, how often.
 fn block() -> impl Strategy<Value = (Block, u8, u32, Option<u32>)> {
     let spindle = prop::option::weighted(0.2, prop::sample::select(&[3_u8, 4, 5][..]));
     let speed = prop::option::weighted(0.2, 1..5000_u32);

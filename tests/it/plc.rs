@@ -1,4 +1,4 @@
-//! What the PLC reads, against the tables of S0 chapter 8: small programs, and the cells that the manual gives for them.
+//! The PLC's reading, against the tables of S0 chapter 8: small programs, and the cells that the manual gives for them.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -35,7 +35,7 @@ fn run(session: &Session<'_>, file: &str, signals: &str, range: Range, writer: &
     outcome
 }
 
-/// A program with the files beside it.
+/// A program with its other files.
 #[derive(Clone, Debug, Default)]
 pub struct Case {
     program: String,
@@ -471,7 +471,7 @@ fn directions_beside_change_pos() {
     }
 }
 
-/// PLC-16, S1 8.4: the program stands at M00: an own step, after which groups 2, 5 and 6 are marked.
+/// PLC-16, S1 8.4: the program waits at M00: a separate step, after which groups 2, 5 and 6 are marked.
 #[test]
 fn a_stop() {
     let program =

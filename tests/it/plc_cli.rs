@@ -76,7 +76,7 @@ fn json() {
     assert!(part.stdout.ends_with("\"blocks\":8}\n"));
 }
 
-/// Another file is named before its first step, and lines of the table are told apart by it.
+/// Another file is named before its first step, which separates its lines from others in the table.
 #[test]
 fn macrocycles() {
     let place = Place::with(&[("a.nc", b"%1\nN10 G72 L5 Q2\nN20 M30\n"), ("L5", b"N1 G79 L5\nN2 M92 G70\n")]);
@@ -118,7 +118,7 @@ fn conditions() {
     assert_eq!(place.read("found.txt"), b"");
 }
 
-/// W0901 stands at its place, once, and not with a condition.
+/// W0901 marks its place, once, and not with a condition.
 #[test]
 fn what_does_not_fit() {
     let place = Place::with(&[("a.nc", b"%1\nN10 M100\nN20 G73 L10 Q3\nN30 M30\n")]);
@@ -296,7 +296,7 @@ fn joined_blocks() {
     assert_eq!(cells, ["0 ", "1 1239", "1 623", "1 623", "1 623", "1 0", "0 "]);
 }
 
-/// Without `[motion]` a condition that asks for what only motion gives is told so, and a choice of nothing else.
+/// Without `[motion]` a condition on motion is refused with that reason, and so is a choice of nothing else.
 #[test]
 fn what_needs_motion_says_so() {
     let place = place();
@@ -311,7 +311,7 @@ fn what_needs_motion_says_so() {
     assert!(place.run(&["plc", "a.nc", "--find", "TIME_DIST > 5"]).ends(1).stderr.is_empty());
 }
 
-/// W0901 as an error: every place, and no end of what is written.
+/// W0901 as an error: every place, and no end of the output.
 #[test]
 fn denied_bytes() {
     let place = Place::with(&[("a.nc", b"%1\nN1 G0 X0 H100\nN2 H-1\nN3 G73 L1 Q3\nN9 M30\n")]);

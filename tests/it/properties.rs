@@ -1,7 +1,7 @@
 //! Properties of whatever bytes come: no panic, no hang, places inside the files, bounded findings, the same output again.
 //!
 //! The seed is fixed, so that a run is the same everywhere; `PROPTEST_CASES=10000 cargo test --test it properties::` looks
-//! further, with seeds of its own.
+//! further, with other seeds.
 
 use std::path::{Path, PathBuf};
 

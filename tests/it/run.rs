@@ -10,7 +10,7 @@ use cnc872c::text::{Loader, Sources};
 
 use crate::markers::Request;
 
-/// What a run gave.
+/// The results of a run.
 #[derive(Debug, Default)]
 pub struct Run {
     /// The findings of the configuration and of the program.

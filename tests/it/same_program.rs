@@ -54,7 +54,7 @@ fn source(path: &str, bytes: &[u8], encoding: Encoding) -> Arc<SourceText> {
     Arc::new(SourceText::decode(path, bytes.to_vec(), encoding).expect("a short text"))
 }
 
-/// What the control executes: the records without the places in the text, and what was found, without places.
+/// The executed program: the records without the places in the text, and the findings, without places.
 struct Meaning {
     records: Vec<serde_json::Value>,
     findings: BTreeMap<Code, usize>,

@@ -185,7 +185,7 @@ fn findings_of_erroneous_samples() {
         let source = SourceText::decode("", bytes, Encoding::Cp852).unwrap();
         let mut text = String::new();
         if source.text().lines().count() <= LONGEST_SOURCE {
-            // What a terminal would not show as it is stands escaped.
+            // Characters that a terminal would not show are escaped.
             let lines = source.text().trim_end_matches('\n').split('\n');
             for line in lines {
                 writeln!(text, "| {}", cnc872c::diag::terminal_safe(line)).unwrap();

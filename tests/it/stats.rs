@@ -52,7 +52,7 @@ fn rows() {
     assert_eq!(serde_json::from_str::<Value>(&schema).unwrap(), cnc872c::stats::schema());
 }
 
-/// What is known comes from the cache, and only as long as it holds.
+/// Known rows come from the cache, and only while it holds.
 #[test]
 fn the_cache() {
     let place = place();

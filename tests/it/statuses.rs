@@ -51,7 +51,7 @@ fn one_status_in_all_commands() {
     ] {
         let place = Place::with(&[("a.nc", program.as_bytes()), ("cnc872c.toml", MACHINE.as_bytes())]);
         for (at, levels) in LEVELS.iter().enumerate() {
-            // What is wrong by itself is so at all levels.
+            // These are errors at all levels.
             if at > 0 && matches!(name, "bad" | "missing macrocycle" | "endless") {
                 break;
             }

@@ -22,7 +22,7 @@ mod generate;
 /// The name of the program in memory.
 const NAME: &str = "cam.nc";
 
-/// What is timed: its name, and what gives the number of things it read.
+/// A timed reader: its name, and a function that gives the number of things it read.
 type Timed<'a> = (&'static str, Box<dyn Fn() -> usize + 'a>);
 
 fn main() -> ExitCode {

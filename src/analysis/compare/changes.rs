@@ -72,7 +72,7 @@ impl ChangeKind {
     }
 }
 
-/// What is taken for the same.
+/// Differences up to these count as none.
 #[derive(Clone, Copy, Debug)]
 pub struct Tolerances {
     /// Positions, mm and degrees.
@@ -205,7 +205,7 @@ impl Grouping<'_> {
         if side == 0 { self.old } else { self.new }
     }
 
-    /// A run without counterpart is blocks added or removed when it moves; else what is written in it counts by itself.
+    /// A run without counterpart is blocks added or removed when it moves; else each of its words counts by itself.
     fn end_runs(&mut self) {
         for side in 0..2 {
             let run = self.alone.get_mut(side).map(std::mem::take).unwrap_or_default();
@@ -226,7 +226,7 @@ impl Grouping<'_> {
         }
     }
 
-    /// What is written in one program alone: the same of the other program at another place is one change (CMP-4).
+    /// Words in one program alone: the same ones elsewhere in the other program are one change (CMP-4).
     fn end_events(&mut self) {
         let [old, new] = std::mem::take(&mut self.events);
         let mut waiting: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
@@ -362,7 +362,7 @@ impl Grouping<'_> {
         }
     }
 
-    /// Adds a difference to its group; `run`: one of its own, when not 0.
+    /// Adds a difference to its group; a `run` other than 0 has its own group.
     fn note(&mut self, difference: Difference, old: Option<usize>, new: Option<usize>, run: u64) {
         let Difference { kind, what, old: old_value, new: new_value } = difference;
         let old = old.and_then(|at| self.old.step(at));

@@ -2,7 +2,7 @@
 //!
 //! | stage | from | to | by |
 //! |---|---|---|---|
-//! | read | executed blocks | [`Steps`]: motions, and what is written between them | [`StepReader`] |
+//! | read | executed blocks | [`Steps`]: motions, and the words between them | [`StepReader`] |
 //! | align | steps of both | pairs, and what is without one | `align` |
 //! | group | pairs | [`Change`]s with counts and places | `changes` |
 //! | show | changes | text, JSON | `text`, `json` |

@@ -55,7 +55,7 @@ impl StepReader {
         self.steps.add_event(block.seq(), block.n(), self.context, event);
     }
 
-    /// What is written before the motion of a block.
+    /// Reads the words that act before the motion of a block.
     fn read_before(&mut self, block: &Executed<'_>, before: &Written) {
         let after = Written::of(block.state());
         let number = |value: Option<Decimal>| value.map(Value::from);

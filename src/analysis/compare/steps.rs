@@ -1,4 +1,4 @@
-//! What a program does, step by step: a motion, or something written beside motions. A million blocks fit in some 80 MB.
+//! A program step by step: motions, and the words beside them. A million blocks fit in some 80 MB.
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -26,7 +26,7 @@ impl From<Decimal> for Value {
 /// Something that is written beside motions.
 #[derive(Clone, Debug, Eq, Hash, PartialEq)]
 pub struct Event {
-    /// What a change of it is.
+    /// The kind of a change in it.
     pub kind: ChangeKind,
     /// What holds one value at a time: `T`, `m5`, `G04`.
     pub slot: String,
@@ -34,7 +34,7 @@ pub struct Event {
     pub value: Value,
 }
 
-/// What is in force at a step, as far as it matters to what is cut.
+/// The modal state at a step, as far as cutting depends on it.
 #[derive(Clone, Debug, Default, Eq, Hash, PartialEq)]
 pub struct Context {
     /// The tool in the spindle.
@@ -105,7 +105,7 @@ impl Motion {
         self.plane.and_then(|_| Some([*self.values.get(at)?, *self.values.get(at + 1)?]))
     }
 
-    /// What it does: axes that stay are left out.
+    /// Hash of its effect: axes that stay are left out.
     fn hash(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
         self.kind_key().hash(&mut hasher);
@@ -132,7 +132,7 @@ pub(super) struct Step {
     pub seq: u32,
     pub n: u32,
     context: u32,
-    /// What it is the same as.
+    /// Equal for steps with the same effect.
     pub token: u64,
     what: What,
 }
@@ -155,14 +155,14 @@ struct Head {
     at: u32,
 }
 
-/// What a step does.
+/// The effect of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Does<'s> {
     Motion(Motion),
     Event(&'s Event),
 }
 
-/// What a program does.
+/// A program as steps.
 #[derive(Debug, Default)]
 pub struct Steps {
     pub(super) list: Vec<Step>,

@@ -84,7 +84,7 @@ impl Curve {
         }
     }
 
-    /// The curve beside it, to the left by `by`, or to the right when that is negative (EQU-1). `None` when an arc has
+    /// The parallel curve, to the left by `by`, or to the right when that is negative (EQU-1). `None` when an arc has
     /// nothing left on its inner side (EQU-3).
     pub fn offset(&self, by: f64) -> Option<Self> {
         match *self {

@@ -30,7 +30,7 @@ pub struct EquidistantPiece {
     pub collides: bool,
 }
 
-/// What is to be said of a block when nothing is left of it.
+/// A finding about a block, raised when nothing is left of it.
 #[derive(Debug)]
 struct Pending {
     at: Location,
@@ -130,7 +130,7 @@ impl Equidistant {
         self.corrected.follow(mark, leg, side * float(radius));
     }
 
-    /// D in force with its radius. One that is not configured is said once.
+    /// D in force with its radius. Reports a missing one once.
     fn radius(&mut self, block: &Executed<'_>, findings: &mut Findings) -> Option<(u32, Decimal)> {
         let number = block.d()?.as_whole()?;
         let d = u8::try_from(number).ok();
@@ -156,7 +156,7 @@ impl Equidistant {
         let start = |axis: AxisLetter| {
             if motion.moves(axis) { motion.start(axis).map(Micro::to_f64) } else { self.stand_of(axis) }
         };
-        // An axis that nothing is known of, and that does not move, stands at 0.
+        // An axis at an unknown position that does not move counts as 0.
         let known =
             |axis: AxisLetter, value: Option<f64>| if motion.moves(axis) { value } else { Some(value.unwrap_or(0.0)) };
         let end = |axis: AxisLetter| block.position(axis).map(Micro::to_f64);

@@ -18,7 +18,7 @@ pub(super) struct Leg {
     pub heights: [f64; 2],
 }
 
-/// What an element stands for.
+/// The block that an element comes from.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(super) struct Mark {
     pub seq: u64,
@@ -104,7 +104,7 @@ fn points(curve: &Curve, start: f64, end: f64, height: impl Fn(f64) -> f64) -> V
 #[derive(Debug, Default)]
 pub(super) struct Corrected {
     state: State,
-    /// Motions of the third axis behind the element in hand, with their heights: where they stand is known at the corner.
+    /// Motions of the third axis behind the current element, with their heights: the corner gives their place.
     verticals: Vec<(Mark, [f64; 2])>,
     pieces: Vec<Piece>,
 }

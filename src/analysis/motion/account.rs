@@ -36,14 +36,14 @@ impl Total {
     }
 }
 
-/// What a program's motion is told from.
+/// The data of a program's account.
 #[derive(Clone, Copy, Debug)]
 pub struct Account<'a> {
     /// The program, as the user named it.
     pub name: &'a str,
-    /// What the estimate rests on.
+    /// The values that the estimate rests on.
     pub basis: &'a Basis,
-    /// What the program takes.
+    /// Times and joints of the program.
     pub summary: &'a Summary,
     /// The configured machine, and what the program takes there, when other values are tried.
     pub configured: Option<(&'a Basis, Option<&'a Summary>)>,
@@ -294,7 +294,7 @@ mod tests {
     use super::*;
     use crate::analysis::motion::{Break, Limit};
 
-    /// Counts stand in one column, whatever breaks joints.
+    /// Counts form one column, whatever breaks joints.
     #[test]
     fn names_fit() {
         for lang in [Lang::En, Lang::Cs] {

@@ -12,7 +12,7 @@ pub enum BasisValue {
     Name(&'static str),
     /// A number by axis.
     Axes(Vec<(AxisLetter, Decimal)>),
-    /// What a parameter holds at the time.
+    /// The value of a parameter at the time.
     Parameter(u8),
 }
 
@@ -172,7 +172,7 @@ fn of_set(value: SetValue) -> Option<BasisValue> {
     }
 }
 
-/// What G00 goes by with a set of its own, and the path of the key that gives it: what the set lacks is that of set 1, then
+/// The values for G00 with its own set, and the path of the key that gives them: those of the set, else those of set 1, else
 /// that of the keys.
 fn of_rapid(motion: &Motion, key: SetKey) -> Option<(BasisValue, (GivenBy, String))> {
     let own = [0, 1].into_iter().find_map(|set| {
@@ -189,7 +189,7 @@ fn of_rapid(motion: &Motion, key: SetKey) -> Option<(BasisValue, (GivenBy, Strin
 fn number(motion: &Motion, key: MotionKey) -> Option<(Decimal, (GivenBy, &'static str))> {
     let value = motion.number(key);
     let given = motion.given(key);
-    // 0 stands for the other acceleration.
+    // 0 means the other acceleration.
     let other = key == MotionKey::AccelContinuous && given.value.is_none_or(|own| own == Decimal::ZERO);
     let from =
         if other { (motion.given(MotionKey::Accel).from, MotionKey::Accel.name()) } else { (given.from, key.name()) };

@@ -17,7 +17,7 @@ pub(super) struct Link {
     pub accel: f64,
 }
 
-/// What a motion becomes.
+/// A planned motion.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Linked {
     /// Velocity at its start.
@@ -64,7 +64,7 @@ impl Envelope {
     fn plan(&mut self, closed: bool, mut done: impl FnMut(&Link, Linked)) {
         let Self { look_ahead, links, entry, squares, seen } = self;
         let count = links.len();
-        // What is settled looks only at what is here.
+        // The planner settles motions with a full look-ahead behind them.
         let settled = if closed { count } else { count - *look_ahead - 1 };
         caps_by_look_ahead(links, *look_ahead, seen);
         squares.clear();

@@ -41,7 +41,7 @@ pub(super) struct Piece {
     pub half_tan: Option<f64>,
 }
 
-/// What the joint before a piece needs of the piece before it.
+/// The part of a piece that the joint behind it depends on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct With {
     pub seq: u64,

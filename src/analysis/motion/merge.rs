@@ -24,7 +24,7 @@ pub(super) struct Merger {
 pub(super) enum Merged {
     /// A piece.
     Piece(Box<Piece>),
-    /// The block of `slot` is part of the piece whose record stands at slot `of`; it comes before that piece.
+    /// The block of `slot` is part of the piece recorded at slot `of`; it comes before that piece.
     Joined { slot: u64, of: u64 },
 }
 
@@ -126,7 +126,7 @@ impl Merger {
         self.stand_alone(out);
     }
 
-    /// What is open is a piece of its own; out and back, it stays the blocks that it is.
+    /// Ends the open piece by itself; out and back, its blocks stay apart.
     fn stand_alone(&mut self, out: &mut impl FnMut(Merged)) {
         if norm(self.vector) > 0.0 {
             self.complete(out);

@@ -23,7 +23,7 @@ pub trait Listener {
     fn stretch(&mut self, index: u64, motion_s: f64) {
         let _ = (index, motion_s);
     }
-    /// What the motion of a block would take without limited jerk and time criterion, in order of the motions.
+    /// Receives the time of a block's motion without limited jerk and time criterion, in order of the motions.
     fn no_jerk(&mut self, motion_s: f64) {
         let _ = motion_s;
     }
@@ -65,11 +65,11 @@ pub struct Planner {
     idle: bool,
     /// A piece that may begin a stretch.
     first: Option<Piece>,
-    /// Pieces of the stretch in hand, those that are not planned yet.
+    /// Pieces of the current stretch that are not planned yet.
     stretch: VecDeque<Linking>,
-    /// Whether a stretch of several pieces is in hand.
+    /// Whether a stretch of several pieces is open.
     open: bool,
-    /// The last piece of the stretch in hand, for the joint behind it.
+    /// The last piece of the current stretch, for the joint behind it.
     last: Option<(Piece, BlockCaps)>,
     stretches: u64,
     stretch_s: f64,
@@ -78,7 +78,7 @@ pub struct Planner {
     settled: VecDeque<Settled>,
 }
 
-/// What a piece of a stretch becomes.
+/// A planned piece of a stretch.
 #[derive(Clone, Debug)]
 struct Settled {
     time_s: f64,
@@ -277,7 +277,7 @@ impl Planner {
         }
     }
 
-    /// Takes the next piece: it goes on with the stretch in hand, or begins another.
+    /// Takes the next piece: it continues the current stretch, or begins another.
     fn join(&mut self, mut piece: Piece, listener: &mut impl Listener) {
         let earlier = self.last.as_ref().map(|(last, _)| last);
         if let Some(earlier) = earlier {
@@ -307,7 +307,7 @@ impl Planner {
         self.link(piece, caps, joint, listener);
     }
 
-    /// Adds a piece to the stretch in hand.
+    /// Adds a piece to the current stretch.
     fn link(&mut self, piece: Piece, caps: BlockCaps, joint: Option<JointCaps>, listener: &mut impl Listener) {
         let (length, cap) = (piece.length.unwrap_or(0.0), caps.least());
         let joint_cap = joint.as_ref().map_or(0.0, JointCaps::least);
@@ -329,7 +329,7 @@ impl Planner {
         self.settle(listener);
     }
 
-    /// Ends the stretch in hand, or what a single piece is.
+    /// Ends the current stretch, or a single piece.
     fn end_stretch(&mut self, listener: &mut impl Listener) {
         if self.open {
             self.close(listener);
@@ -366,7 +366,7 @@ impl Planner {
         self.stretch_s = 0.0;
     }
 
-    /// Gives the settled pieces of the stretch in hand their times.
+    /// Gives the settled pieces of the current stretch their times.
     fn settle(&mut self, listener: &mut impl Listener) {
         while let Some(settled) = self.settled.pop_front() {
             let Some(linking) = self.stretch.pop_front() else { break };

@@ -3,7 +3,7 @@
 use super::climb::last_below;
 use super::times::Phase;
 
-/// What a ramp keeps within.
+/// Bounds of a ramp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Limits {
     /// Greatest acceleration, mm/s².
@@ -120,7 +120,7 @@ impl Phase {
         time * (self.velocity + time * (self.acceleration / 2.0 + time * self.jerk / 6.0))
     }
 
-    /// What is left of it after `time`.
+    /// The rest of it after `time`.
     pub(super) fn after(&self, time: f64) -> Self {
         Self {
             duration_s: self.duration_s - time,

@@ -144,7 +144,7 @@ impl StepReader {
         approaches
     }
 
-    /// What is written in the block.
+    /// Reads the words of the block.
     fn words(&mut self, block: &Executed<'_>) -> Words {
         let mut found = Words { plain: true, ..Words::default() };
         let (file, (_, id)) = (block.file(), block.at());
@@ -381,7 +381,7 @@ const TOOL_CHANGE: u8 = 6;
 /// M functions that stop or end the program: they take no time of the machine.
 const STOPS: [u8; 4] = [0, 1, 2, 30];
 
-/// What is written in a block.
+/// The words of a block.
 #[derive(Clone, Copy, Debug, Default)]
 struct Words {
     /// Nothing that keeps the block from being joined to its neighbours.

@@ -1,10 +1,10 @@
-//! What the planner reads of an executed block. One adapter makes it of the interpreter's blocks.
+//! The facts of an executed block that the planner reads. One adapter makes them of the interpreter's blocks.
 
 use crate::dict::Decimal;
 use crate::run::MotionType;
 use crate::text::Location;
 
-/// The function of group G2, as far as it decides how blocks join (CNT-1, CNT-2).
+/// The function of group G2, in as much as it decides how blocks join (CNT-1, CNT-2).
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub enum Mode {
     /// G23.
@@ -18,7 +18,7 @@ pub enum Mode {
     Other,
 }
 
-/// What a length is measured in (MOT-6).
+/// The unit of a length (MOT-6).
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub enum Unit {
     /// mm; velocities are mm/s.
@@ -64,7 +64,7 @@ pub struct Move {
     pub kind: MotionType,
     /// Its length; `None`: not known.
     pub length: Option<f64>,
-    /// What the length is measured in.
+    /// The unit of the length.
     pub unit: Unit,
     /// Direction at the start.
     pub from: Direction,

@@ -97,7 +97,7 @@ impl Total {
     }
 }
 
-/// What a program takes, in seconds.
+/// Times of a program, in seconds.
 #[derive(Clone, Debug)]
 pub struct Summary {
     /// All of it.
@@ -128,7 +128,7 @@ pub struct Summary {
     pub dots: [u64; 2],
     /// Path of working motion in mm.
     pub working_mm: f64,
-    /// What it takes.
+    /// Time of working motion, seconds.
     pub working_s: f64,
     /// What takes time and counts as 0 because nobody gave it, by place in [`Untimed::ALL`].
     pub untimed: [bool; Untimed::ALL.len()],

@@ -1,4 +1,4 @@
-//! What the planner says of each block: its time, its velocities, the joint before it.
+//! Results of the planner for each block: its time, its velocities, the joint before it.
 
 use super::step::Unit;
 use crate::dict::Decimal;
@@ -188,7 +188,7 @@ pub struct Joint {
     pub dot: Option<Dot>,
     /// Whether both blocks are working motion in G23 (W0801).
     pub within_g23: bool,
-    /// What it costs about, seconds: against passing it at the programmed velocities.
+    /// Its approximate cost in seconds, against passing it at the programmed velocities.
     pub cost_s: f64,
     /// The least of both programmed velocities, mm/s; 0 where the joint is broken.
     pub feed_cap: f64,
@@ -259,7 +259,7 @@ pub struct InStretch {
     pub time_dist_s: Option<f64>,
 }
 
-/// What a motion takes.
+/// Times and velocities of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionTimes {
     /// Its kind.
@@ -276,7 +276,7 @@ pub struct MotionTimes {
     pub cap: Option<(f64, CapBy)>,
     /// Velocities, where the time is known.
     pub velocities: Option<Velocities>,
-    /// Part of a piece whose record stands at another block (CNT-4).
+    /// Part of a piece that another block records (CNT-4).
     pub merged: bool,
     /// Whether other blocks are joined to it: `length` is that of the piece.
     pub is_piece: bool,
@@ -294,7 +294,7 @@ pub struct MotionTimes {
     pub phases: Vec<Phase>,
 }
 
-/// What a block takes.
+/// Times of a block.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BlockTimes {
     /// The block, as the stream counts.

@@ -1,4 +1,4 @@
-//! What the account of a program's motion says, in both languages.
+//! Texts of the account of a program's motion, in both languages.
 
 use super::times::{Break, Limit, Untimed};
 use crate::dict::{Lang, bilingual};

@@ -1,4 +1,4 @@
-//! Steps on their way to a writer beside execution: a thread of its own makes text of them.
+//! Steps on their way to a writer: a second thread makes text of them while execution continues.
 
 use std::io;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
@@ -18,7 +18,7 @@ const CHANGES: usize = 1 << 16;
 /// Batches under way at most: what writes slowly makes execution wait, not grow.
 const QUEUE: usize = 2;
 
-/// Lets `run` have a writer whose steps go to `writer` in a thread beside it; without a thread, `writer`
+/// Lets `run` have a writer whose steps go to `writer` in a parallel thread; without a thread, `writer`
 /// itself. The second result is the first error of `writer` in its thread.
 pub fn beside<T>(writer: &mut (dyn Writer + Send), run: impl FnOnce(&mut dyn Writer) -> T) -> (T, io::Result<()>) {
     let (full, messages) = sync_channel(QUEUE);
@@ -124,7 +124,7 @@ impl Writer for Beside<'_> {
     }
 }
 
-/// What is known in the thread of the step written last.
+/// The writing thread's copy of the step written last.
 #[derive(Default)]
 struct Written {
     values: Vec<Value>,

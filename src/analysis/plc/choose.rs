@@ -145,7 +145,7 @@ pub fn nearest(name: &str, dialect: Dialect) -> Option<String> {
     best.filter(|(_, likeness)| *likeness >= 0.6).map(|(signal, _)| signal.name.clone())
 }
 
-/// Whether the pattern, in which `*` stands for any characters, matches the whole name.
+/// Whether the pattern, in which `*` matches any characters, matches the whole name.
 pub fn matches(pattern: &str, name: &str) -> bool {
     let mut parts = pattern.split('*');
     let first = parts.next().unwrap_or_default();

@@ -55,7 +55,7 @@ impl Condition {
     /// The condition that `text` is, for signals of the control of a machine.
     ///
     /// # Errors
-    /// What is wrong with it, at its place; `text` is file 0.
+    /// The mistakes in it, each at its place; `text` is file 0.
     pub fn read(text: &str, machine: &Machine) -> Result<Self, Vec<Diagnostic>> {
         let mut reader = Reader { text, machine, signals: Vec::new(), found: Vec::new() };
         let tokens = tokens(text);
@@ -211,7 +211,7 @@ impl Reader<'_> {
         self.add(Finding::MalformedCondition { problem }, span, written);
     }
 
-    /// What a token is wrong by itself.
+    /// Reports a token that is malformed by itself.
     fn look_at(&mut self, token: Token) {
         let written = self.slice(token.span).to_owned();
         if let Some(right) = token.kind.meant() {
@@ -233,7 +233,7 @@ impl Reader<'_> {
         let before = index.checked_sub(1).and_then(|index| tokens.get(index)).copied();
         let here = tokens.get(index).copied();
         let span = here.map_or_else(|| Span::empty(before.map_or(end, |token| token.span.end)), |token| token.span);
-        // What is wrong by itself was reported as such.
+        // A malformed token has its finding already.
         if here.is_some_and(|token| matches!(token.kind, Kind::Malformed | Kind::Unknown)) {
             return;
         }
@@ -422,7 +422,7 @@ impl Reader<'_> {
     }
 }
 
-/// What a finding says of a name that is no signal.
+/// The problem with a name that is no signal.
 pub fn signal_problem(why: &Why, dialect: Dialect) -> SignalProblem {
     match why {
         Why::RunTime { name } => match run_time::find(name) {
@@ -503,7 +503,7 @@ mod tests {
         }
     }
 
-    /// What is absent is neither true nor false.
+    /// An absent value is neither true nor false.
     #[test]
     fn three_values() {
         let absent = [("M03PI", Some(1)), ("M04PI", Some(0)), ("M41PI", None), ("BLK.H", None)];
@@ -552,7 +552,7 @@ mod tests {
         }
     }
 
-    /// What is wrong: code, the text that it stands at, the fix.
+    /// Mistakes: code, the text at their place, the fix.
     fn wrong(text: &str) -> Vec<String> {
         let found = Condition::read(text, &Machine::new(Dialect::Cnc872)).expect_err(text);
         let shown = |diagnostic: &Diagnostic| {

@@ -12,7 +12,7 @@ pub const GROUPS: u8 = 14;
 /// Places of axes in the command block.
 pub const AXES: u8 = 16;
 
-/// What a signal's value is taken from.
+/// The source of a signal's value.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Cell {
     /// Value of an M group, in BCD.
@@ -56,7 +56,7 @@ pub enum Cell {
         /// The high one.
         high: bool,
     },
-    /// Whether this M function stands in the block.
+    /// Whether the block has this M function.
     Written(OneBlock),
     /// Whether this function of group 2 is in force.
     Spindle(u8),
@@ -104,7 +104,7 @@ pub enum Flag {
     Automatic,
     /// A dwell above 0.
     Dwell,
-    /// The program stands at M00 or M01.
+    /// The program waits at M00 or M01.
     Standing,
     /// G30 written.
     Reference,
@@ -190,7 +190,7 @@ pub struct Row {
     pub names: Names,
     /// Its type.
     pub form: Form,
-    /// What it is; `{x}` stands for the number of the group or the place of the axis.
+    /// Its meaning; `{x}` is the number of the group or the place of the axis.
     pub meaning: Bilingual,
     /// Where S0 describes it: the section.
     pub section: &'static str,
@@ -664,7 +664,7 @@ impl Row {
 }
 
 impl Signal {
-    /// What it is.
+    /// Its meaning.
     pub fn meaning(&self, lang: Lang) -> String {
         let member = match self.row.names {
             Axes(..) => AXIS_NAMES.get(usize::from(self.member)).map_or_else(String::new, |name| (*name).to_owned()),

@@ -1,4 +1,4 @@
-//! What the PLC reads of one step, before it is put into cells: all that follows from the executed block.
+//! The facts of one step that cells are computed from: they all follow from the executed block.
 
 use super::dictionary::{AXES, Flag, OneBlock};
 use crate::dict::{Decimal, HELD_AT_STOP, M_GROUPS, MOMENTARY_GROUPS, Micro};
@@ -91,7 +91,7 @@ impl MotionFacts {
 }
 
 impl Facts {
-    /// What a block may leave as it is, as before any block; all else is set by each.
+    /// Values that a block may leave unchanged, as before any block; each block sets the others.
     pub(super) fn reset(&mut self) {
         (self.marks, self.flags, self.written) = (0, 0, 0);
         (self.moves, self.directed, self.negative) = (0, 0, 0);
@@ -141,17 +141,17 @@ impl Facts {
         self.flags
     }
 
-    /// Whether the function stands in the block.
+    /// Whether the block has the function.
     pub const fn is_written(&self, function: OneBlock) -> bool {
         self.written & (1 << function as u8) != 0
     }
 
-    /// The function stands in the block.
+    /// Notes that the block has the function.
     pub const fn write(&mut self, function: OneBlock) {
         self.written |= 1 << function as u8;
     }
 
-    /// All of [`OneBlock`] that stand in the block.
+    /// All of [`OneBlock`] that the block has.
     pub const fn written(&self) -> u8 {
         self.written
     }

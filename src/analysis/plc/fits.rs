@@ -52,7 +52,7 @@ impl Fits {
             byte: (*byte).to_owned(),
             cell: format!("BLK.M[{group}]"),
         };
-        // The words stand in the order of what they mean, whether written out or taken from a parameter.
+        // The words follow the order of their meanings, whether written out or taken from a parameter.
         let which = block.m_written().iter().position(|number| *number == THREE_DIGITS).unwrap_or(0);
         report(block, Address::M, which, finding, findings);
     }

@@ -87,7 +87,7 @@ pub(super) fn too_deep(tokens: &[Token]) -> Option<Token> {
         } else if token.kind == Kind::Close {
             depth = outside.pop().unwrap_or(0);
         } else {
-            // The next operand stands beside, not within.
+            // The next operand is outside the parentheses again.
             depth = outside.last().map_or(0, |depth| depth + 1);
         }
         depth > DEEPEST

@@ -33,7 +33,7 @@ enum Record<'a> {
     End(&'a EndRecord<'a>),
 }
 
-/// What the steps are of.
+/// The program and signals of the steps.
 #[derive(JsonSchema, Serialize)]
 #[schemars(deny_unknown_fields)]
 struct PlcRecord<'a> {
@@ -76,7 +76,7 @@ struct StepRecord<'a> {
     /// When it starts, in seconds; with `[motion]`.
     #[serde(skip_serializing_if = "Option::is_none")]
     start_s: Option<Number>,
-    /// The program stands at the M00 or M01 of this block (PLC-16); else left out.
+    /// The program waits at the M00 or M01 of this block (PLC-16); else left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     stop: Option<bool>,
     /// Values by name: of all chosen signals in the first step, after that of those that changed. Absent is `null`; bits are

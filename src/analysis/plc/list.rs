@@ -6,7 +6,7 @@ use super::dictionary::{Signal, signals};
 use crate::config::Machine;
 use crate::dict::{Dialect, Lang};
 
-/// The signals of a control, one a line: name, type, section of S0, meaning; for an axis the letter that stands at its place
+/// The signals of a control, one a line: name, type, section of S0, meaning; for an axis the letter that has its place
 /// on this machine.
 pub fn list_table(machine: &Machine, lang: Lang) -> String {
     let width = of(machine.dialect).map(|signal| signal.name.len()).max().unwrap_or(0);
@@ -50,7 +50,7 @@ fn of(dialect: Dialect) -> impl Iterator<Item = &'static Signal> {
 }
 
 impl Signal {
-    /// What it is; of an axis with the letter at its place on this machine.
+    /// Its meaning; of an axis with the letter at its place on this machine.
     pub fn meaning_on(&self, machine: &Machine, lang: Lang) -> String {
         match letter(self, machine) {
             Some(letter) => format!("{}: {letter}", self.meaning(lang)),

@@ -13,7 +13,7 @@ use crate::diag::{Code, Findings, Severity};
 use crate::run::{End, Executed, Program, Sink};
 use crate::text::LineColumn;
 
-/// What is told of a program before its first step.
+/// Facts about a program before its first step.
 #[derive(Clone, Copy, Debug)]
 pub struct Header<'a> {
     /// The program, as the user named it.

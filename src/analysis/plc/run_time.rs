@@ -6,7 +6,7 @@ use super::dictionary::{AXIS_NAMES, signals};
 use crate::diag::RunTimeReason::{self as Reason, Bits, Bytes, Configuration, Inputs, NoGroup, Plc, Running, Unsaid};
 use crate::dict::Dialect;
 
-/// What the `x` of a name stands for.
+/// The values of the `x` in a name.
 #[derive(Clone, Copy, Debug)]
 enum Members {
     /// Nothing: it is one name.
@@ -30,7 +30,7 @@ struct Row {
     section: &'static str,
     members: Members,
     reason: Reason,
-    /// Separated by blanks; `~` stands for the member.
+    /// Separated by blanks; `~` is the place of the member.
     names: &'static str,
 }
 

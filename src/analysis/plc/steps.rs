@@ -19,7 +19,7 @@ pub struct Place {
     pub line: u32,
     /// Column of its `N` in characters, from 1; 0 likewise.
     pub column: u32,
-    /// Whether the program stands at its M00 or M01 (PLC-16).
+    /// Whether the program waits at M00 or M01 (PLC-16).
     pub stop: bool,
 }
 
@@ -40,7 +40,7 @@ pub struct Step<'a> {
     pub changed: &'a [usize],
 }
 
-/// What is another in a step that only moves on.
+/// The parts that change in a step that only moves.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Onward {
     /// A bit for each [`Part`].
@@ -165,7 +165,7 @@ impl Tracker {
         self.changed.clear();
     }
 
-    /// What changes in nearly every block: the positions at these places, of the next step or of the one in hand.
+    /// Takes over what nearly every block changes: the positions at these places, of the next step or of the current one.
     #[inline]
     fn take_positions(&mut self, mut moved: u16, next: bool) {
         let facts = if next { &self.next } else { &self.facts };

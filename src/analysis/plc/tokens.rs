@@ -5,7 +5,7 @@ use logos::Logos;
 use crate::sure::small;
 use crate::text::Span;
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, Copy, Debug, Eq, Hash, Logos, PartialEq)]
 #[logos(skip r"[ \t\r\n]+")]
 pub(super) enum Kind {
@@ -117,7 +117,7 @@ pub(super) fn tokens(text: &str) -> Vec<Token> {
 }
 
 impl Kind {
-    /// What is written here for an operator of other languages.
+    /// The operator of this language for one of another language.
     pub(super) const fn meant(self) -> Option<&'static str> {
         match self {
             Self::DoubleAnd | Self::WordAnd => Some("&"),

@@ -31,7 +31,7 @@ pub struct Wave<W: Write> {
     before: Option<(u64, Place)>,
     /// When its block ends, µs, where that is known.
     end: Option<u64>,
-    /// What is not written yet.
+    /// Text that waits for the next write.
     text: String,
 }
 

@@ -1,4 +1,4 @@
-//! What one word of a block changes in the interface: for whoever reads the text.
+//! Changes of the interface by one word of a block, for readers of the program text.
 
 use super::blocks::Blocks;
 use super::dictionary::{Cell, Flag, OneBlock, Signal, signals};
@@ -11,7 +11,7 @@ use crate::dict::{
 };
 use crate::run::Executed;
 
-/// What the PLC reads of the M, H, T and S words of an executed block.
+/// The PLC's reading of the M, H, T and S words of an executed block.
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub struct WordsRead {
     step: Facts,
@@ -31,7 +31,7 @@ impl WordsRead {
 /// A signal with its different values, in the order in which they came.
 pub type SetSignal = (&'static Signal, Vec<Value>);
 
-/// What a word sets.
+/// The signals that a word sets.
 #[derive(Debug, Default)]
 pub struct WordSets {
     /// In its block.
@@ -157,7 +157,7 @@ impl Word<'_> {
         default.is_some() && facts.is_marked(group)
     }
 
-    /// Whether a cell is another one while the program stands at M00 or M01 because it does.
+    /// Whether a cell changes while the program waits at M00 or M01, because of the wait.
     fn sets_at_stop(self, cell: Cell) -> bool {
         let Some((function @ (PROGRAM_STOP | OPTIONAL_STOP), _)) = self.function else { return false };
         let of_group = group_of(cell);

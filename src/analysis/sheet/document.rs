@@ -12,7 +12,7 @@ use crate::run::FeedUnit;
 pub struct Section {
     /// The heading.
     pub heading: String,
-    /// What the columns are.
+    /// The titles of the columns.
     pub head: Vec<String>,
     /// Its rows; what a program does not have is a sentence.
     pub rows: Vec<Vec<String>>,

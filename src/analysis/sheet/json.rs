@@ -133,7 +133,7 @@ struct ToolRecord {
 #[derive(Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 struct FeedRecord {
-    /// What it counts.
+    /// The unit of F.
     #[schemars(extend("enum" = ["mm/min", "mm/rev", "deg/min", "deg/rev"]))]
     unit: String,
     /// The least.
@@ -160,7 +160,7 @@ struct MRecord {
 struct ParameterRecord {
     /// Its number.
     r: u8,
-    /// What it is taken to hold.
+    /// The value that it holds at the start.
     #[serde(skip_serializing_if = "Option::is_none")]
     value: Option<Number>,
     /// The first block that reads it.
@@ -173,7 +173,7 @@ struct ParameterRecord {
 struct UnitRecord {
     /// Its number.
     l: u32,
-    /// What it is.
+    /// Subprogram or macrocycle.
     #[schemars(extend("enum" = ["subprogram", "macrocycle"]))]
     kind: String,
     /// How often it runs: passes.

@@ -35,12 +35,12 @@ pub struct Path {
 }
 
 impl Path {
-    /// What is known of it; `None`: nothing.
+    /// The known part of it; `None`: nothing is known.
     pub fn known(self) -> Option<Micro> {
         (!self.lacks || self.length > Micro::ZERO).then_some(self.length)
     }
 
-    /// Whether it is longer than what is known of it.
+    /// Whether it is longer than its known part.
     pub fn is_lower_bound(self) -> bool {
         self.lacks && self.known().is_some()
     }
@@ -51,7 +51,7 @@ impl Path {
     }
 }
 
-/// What a tool does.
+/// The use of a tool.
 #[derive(Clone, Debug, Default)]
 pub struct ToolUse {
     /// The tool in the spindle; none before the first M06.
@@ -88,7 +88,7 @@ pub struct MUse {
 /// A parameter that the program reads before it gives it a value.
 #[derive(Clone, Copy, Debug)]
 pub struct ParameterUse {
-    /// What it is taken to hold: a value that was given.
+    /// The value that it holds at the start, if one was given.
     pub value: Option<Decimal>,
     /// The first block that reads it.
     pub n: u32,
@@ -131,7 +131,7 @@ type Pass = (Location, u32, u32);
 #[derive(Debug)]
 pub struct SheetReader {
     sheet: Sheet,
-    /// The tool in hand, by place in the sheet.
+    /// The tool in the spindle, by place in the sheet.
     tool: Option<usize>,
     /// Passes that are open.
     open: Vec<Pass>,
@@ -174,7 +174,7 @@ impl SheetReader {
         }
     }
 
-    /// What is written in a block.
+    /// Reads the words of a block.
     fn words(&mut self, block: &Executed<'_>) {
         for number in block.m_written() {
             let known = self.sheet.m_functions.entry(*number).or_insert(MUse { count: 0, n: block.n() });

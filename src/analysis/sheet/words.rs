@@ -1,4 +1,4 @@
-//! What the set-up sheet says, in both languages.
+//! Texts of the set-up sheet, in both languages.
 
 use crate::dict::bilingual;
 

@@ -47,7 +47,7 @@ mod tests {
     use crate::diag::render::samples;
     use crate::text::{FileId, Location};
 
-    /// What the edits make of a text.
+    /// A text after the edits.
     fn applied(text: &str, edits: &[Edit]) -> String {
         let mut text = text.to_owned();
         for edit in edits.iter().rev() {

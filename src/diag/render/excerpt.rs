@@ -1,7 +1,7 @@
 //! The lines of a program that a finding shows, made fit for a terminal.
 //!
-//! An excerpt is a small text of its own: only the lines that have marks, each character that a terminal might act on
-//! replaced by one visible character, endless lines cut around the marks. Characters stand for characters one to one, so
+//! An excerpt is a small text: only the lines that have marks, each character on which a terminal might act
+//! replaced by one visible character, endless lines cut around the marks. Characters match one to one, so
 //! that a column of the excerpt leads back to the column of the program.
 
 use std::ops::Range;
@@ -21,7 +21,7 @@ const LONGEST_MARK: usize = 60;
 pub(super) struct Excerpt {
     /// The lines, each with its line end.
     pub text: String,
-    /// Their numbers in the file, from 1; `None` for an empty line that stands for lines left out.
+    /// Their numbers in the file, from 1; `None` for an empty line in place of omitted lines.
     pub numbers: Vec<Option<u32>>,
     /// Where each mark is in [`Self::text`], in characters; never empty, never across a line end.
     pub marks: Vec<Range<usize>>,
@@ -100,7 +100,7 @@ impl Excerpt {
         if at < whole.end {
             shown.push('…');
         }
-        // A mark may stand behind the last character.
+        // A mark may be behind the last character.
         shown.push(' ');
         shown.push('\n');
         let added = shown.written - written;

@@ -28,7 +28,7 @@ pub(super) struct More {
 }
 
 /// The findings in the order of output, of each code and file the first, or `all` that are kept. What is left out of a
-/// file is told behind its findings.
+/// file is counted behind its findings.
 pub(super) fn parts(report: &Report, all: bool) -> Vec<Part<'_>> {
     let limit = if all { usize::MAX } else { SHOWN };
     let mut parts = Vec::new();

@@ -18,7 +18,7 @@ pub(super) struct Mark {
     pub excerpt: usize,
     /// Index of the mark in it.
     pub mark: usize,
-    /// What is said of it, on one line.
+    /// Its text, on one line.
     pub text: Option<String>,
     /// Whether it is the place of the finding.
     pub primary: bool,

@@ -99,7 +99,7 @@ impl Human<'_> {
         frame::draw(&excerpts, &names, &marks, style, self.colour)
     }
 
-    /// What is said below the program: the calls, why, what to write.
+    /// The remarks below the program: the calls, why, what to write.
     fn remarks(&self, diagnostic: &Diagnostic) -> Vec<(&'static str, String)> {
         let mut remarks: Vec<(&'static str, String)> =
             calls(&self.places, diagnostic, self.lang).into_iter().map(|call| (words::note(self.lang), call)).collect();
@@ -129,7 +129,7 @@ impl Human<'_> {
         };
         writeln!(out, "{}", paint(&words::summary(report, self.lang), style, self.colour))?;
         let by_code = report.by_code();
-        // A code alone, and codes that are found once each, are told by the lines around.
+        // The lines around show a code alone, and codes that are found once each.
         let several = by_code.len() > 1 && by_code.values().any(|&count| count > 1);
         if several || by_code.len() > MOST_CODES {
             let counts: Vec<String> = by_code.iter().map(|(code, count)| format!("{code} ×{count}")).collect();

@@ -70,7 +70,7 @@ struct Item<'a> {
     name: &'static str,
     /// Its severity in this run.
     severity: Level,
-    /// What is wrong.
+    /// The mistake, in one sentence.
     message: String,
     /// What to write instead.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -128,14 +128,14 @@ struct Label<'a> {
     file: &'a str,
     /// Where.
     span: Range,
-    /// What it shows.
+    /// Its text.
     message: String,
 }
 
 /// A call on the way to a finding.
 #[derive(Serialize, JsonSchema)]
 struct Call<'a> {
-    /// `G71`, `G72`, or the cycle function that stands for a macrocycle.
+    /// `G71`, `G72`, or the cycle function that calls a macrocycle.
     #[schemars(regex(pattern = "^G(71|72|8[1-9])$"))]
     by: &'static str,
     /// What was called.
@@ -152,7 +152,7 @@ struct Call<'a> {
 /// A change that fixes what a finding reports.
 #[derive(Serialize, JsonSchema)]
 struct Fix<'a> {
-    /// What it does.
+    /// Its effect.
     title: String,
     /// Whether it is what was meant beyond doubt, so that `check --fix` applies it; else it is offered.
     certain: bool,
@@ -190,7 +190,7 @@ impl Serialize for Edits<'_> {
 struct Edit<'a, 't> {
     /// The file that is changed.
     file: &'a str,
-    /// What is replaced.
+    /// The replaced range.
     span: Range,
     /// By what.
     text: &'t str,

@@ -48,7 +48,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// Whether people read it: other words may stand beside it.
+    /// Whether people read it: other text may surround it.
     pub const fn is_for_people(self) -> bool {
         match self {
             #[cfg(feature = "cli")]

@@ -29,7 +29,7 @@ pub(super) fn report(sources: &Sources, items: impl IntoIterator<Item = Diagnost
     report
 }
 
-/// Where `what` stands in a file, the `nth` time from 0.
+/// The place of `what` in a file, the `nth` one from 0.
 pub(super) fn find(sources: &Sources, file: u32, what: &str, nth: usize) -> Location {
     let text = sources.get(FileId(file)).unwrap().text();
     let (start, _) = text.match_indices(what).nth(nth).unwrap();

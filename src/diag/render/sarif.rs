@@ -80,7 +80,7 @@ impl Serialize for Results<'_> {
     }
 }
 
-/// One finding: what is said of it, and its fixes.
+/// One finding with its fixes.
 #[derive(Serialize)]
 struct Outcome<'a> {
     #[serde(flatten)]
@@ -119,7 +119,7 @@ impl Serialize for Replacements<'_> {
     }
 }
 
-/// What the results share.
+/// Data that the results share.
 struct Log<'a> {
     places: Places<'a>,
     lang: Lang,

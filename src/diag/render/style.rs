@@ -1,6 +1,6 @@
 //! Colours of a terminal, and none.
 
-/// What a piece of text is painted as.
+/// How a piece of text is painted.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(in crate::diag) enum Style {
     /// Bold and red.

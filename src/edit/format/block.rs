@@ -26,7 +26,7 @@ pub(super) struct Piece {
     pub comment: bool,
     /// It begins a line of the formatted block.
     pub begins: bool,
-    /// It is a comment that goes to a line of its own before its block.
+    /// A comment that moves to a separate line before its block.
     pub moved: bool,
 }
 

@@ -133,7 +133,7 @@ impl<'a> Collector<'a> {
         self.take(Change { old: edit.span, new: Span::new(start, small(self.changes.text.len())) });
     }
 
-    /// What is before the first line end of a change, behind the last one, and between them changes by itself: a line whose
+    /// Splits a change at its first and last line end: a line whose
     /// neighbours change stays untouched, and no edit ends within a line end of two characters.
     fn take(&mut self, change: Change) {
         let Change { old, new } = change;

@@ -155,7 +155,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Lays out one word or comment with the gap before it. A comment that goes to a line of its own before it is `moved`.
+    /// Lays out one word or comment with the gap before it. A comment that moves to the line before it is `moved`.
     fn lay(&mut self, span: Span, gap: Gap, stays: bool, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
         self.gap(span.start, gap, stays, moved, write);
         self.at = span.end;

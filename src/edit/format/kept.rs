@@ -31,7 +31,7 @@ impl Kept {
     /// The lines that could not be read. Where there are more than findings are kept, none could.
     pub(super) fn of(file: &ParsedFile, findings: &Findings) -> Self {
         let mut kept = Self::default();
-        // What is no word has an error, or one of those warnings.
+        // Characters that are no word have an error, or one of those warnings.
         if !findings.has_errors() && findings.items().iter().all(|item| !is_unread(item.code())) {
             debug_assert!(debris(file).is_empty());
             return kept;

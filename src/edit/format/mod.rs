@@ -174,7 +174,7 @@ pub(crate) fn changes(
     Ok(changes)
 }
 
-/// What is to be formatted of a text.
+/// The part of a text to format.
 #[cfg(feature = "lsp")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Part {

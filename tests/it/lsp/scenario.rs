@@ -32,7 +32,7 @@ use tempfile::TempDir;
 use super::Client;
 use crate::samples::root;
 
-/// Runs every scenario; all failures are told together.
+/// Runs every scenario; reports all failures together.
 pub fn run_all() {
     let mut paths: Vec<_> =
         fs::read_dir(root().join("tests/lsp")).unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -201,7 +201,7 @@ impl Scenario {
         serde_json::from_str(&body.replace("DIR/", &self.dir())).unwrap_or_else(|error| panic!("{error}: {body}"))
     }
 
-    /// What the server said, pretty, with the folder left out.
+    /// The server's message, pretty, with the folder left out.
     fn shown(&self, value: &Value) -> String {
         let mut value = value.clone();
         if let Some(data) = value.get_mut("data").filter(|data| data.as_str().is_some_and(|data| data.len() > 200)) {

@@ -90,7 +90,7 @@ pub fn lines(vectors: &[[f64; 3]], feed: f64, dynamics: Dynamics) -> Vec<Step> {
     (0..).zip(vectors).map(|(seq, vector)| line(seq, *vector, feed, dynamics)).collect()
 }
 
-/// What a program becomes.
+/// The plan of a program.
 #[derive(Debug, Default)]
 pub struct Planned {
     pub blocks: Vec<BlockTimes>,

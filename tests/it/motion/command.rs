@@ -125,7 +125,7 @@ fn check_counts(blocks: &[Value], total: &Value) {
     assert_eq!(limited, continuous.len() as u64);
 }
 
-/// What is in force, and where it comes from.
+/// The values in force, and their sources.
 #[test]
 fn machine() {
     let place = place();
@@ -245,7 +245,7 @@ fn approaches() {
     }
 }
 
-/// A set of its own for G00 is in force with what it takes from set 1, and the key is not.
+/// A separate set for G00 is in force, with values from set 1 where it has none, and the key is not.
 #[test]
 fn rapid_set_in_force() {
     let place = place();
@@ -267,7 +267,7 @@ fn rapid_set_in_force() {
         assert!(machine.get("accel_rapid_mm_s2").is_none(), "{machine}");
         assert!(machine["from"].get("accel_rapid_mm_s2").is_none(), "{machine}");
     }
-    // What is by parameter stays so; A of the keys.
+    // Values by parameter stay so; A of the keys.
     let by_parameter = "R338 = \"20\"\nR406 = \"11\"\nR407 = \"10\"\nR430 = \"1\"\n";
     let machine = of(&format!("[machine-constants]\nR52 = \"700\"\n{by_parameter}"));
     assert_eq!(machine["sets"]["rapid"], json!({ "parabolic": "R10", "linear_mm_s2": 700 }));
@@ -290,7 +290,7 @@ fn details() {
     assert!(run.stdout.contains(advice), "{}", run.stdout);
 }
 
-/// A P that nobody knows: the jerk is not limited, the time is a lower bound, and that is said.
+/// An unknown P: the jerk is not limited, the time is a lower bound, and the output says so.
 #[test]
 fn unknown_p() {
     let place = Place::with(&[]);

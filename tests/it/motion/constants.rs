@@ -36,7 +36,7 @@ fn digit_in(decade: u32) -> (u32, String) {
     (decade % 9 + 1, format!("{:08}", (decade % 9 + 1) * 10_u32.pow(decade - 1)))
 }
 
-/// What a decade of a whole number adds.
+/// The value of a decade in a whole number.
 const fn whole(decade: u32, first: u32, last: u32) -> i64 {
     if decade < first || decade > last { 0 } else { ((decade % 9 + 1) * 10_u32.pow(decade - first)) as i64 * 1000 }
 }
@@ -159,7 +159,7 @@ fn smaller_parabolic_accelerations() {
     }
 }
 
-/// What is wrong is said once: nothing is missing that is there.
+/// Each mistake has one finding: no key counts as missing that is there.
 #[test]
 fn one_finding_for_one_mistake() {
     let sets = |constants: &str| with(&format!("R338 = \"20\"\n{constants}")).1;
@@ -194,7 +194,7 @@ fn constants_never_stop_check() {
     }
 }
 
-/// What a profile or criterion lacks is said, and another one holds.
+/// A profile or criterion that lacks something has a finding, and another one holds.
 #[test]
 fn profiles_that_do_not_hold() {
     let of = |text: &str| {

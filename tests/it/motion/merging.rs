@@ -48,7 +48,7 @@ fn pieces_from_left_to_right() {
     about(&pieces(&of(&[5.0, 1.0, 5.0], &model)), &[Some(5.0), Some(1.0), Some(5.0)]);
 }
 
-/// What is merged has no times, joint or phases of its own; pieces are straight between their ends.
+/// A merged block has no times, joint or phases; pieces are straight between their ends.
 #[test]
 fn records_of_pieces() {
     let vectors = [[5.0, 0.0, 0.0], [0.3, 0.0, 0.0], [0.0, 0.4, 0.0], [5.0, 0.0, 0.0]];

@@ -1,4 +1,4 @@
-//! The motion planner: closed forms, invariances, constraints checked by a verifier of its own.
+//! The motion planner: closed forms, invariances, constraints that a separate verifier checks.
 
 mod build;
 mod closed;

@@ -119,7 +119,7 @@ fn counter_of_a_loop_that_was_left() {
     assert_eq!(found[4]["jump"], json!({"to": 10, "left": 2}));
 }
 
-/// What a parameter gives obeys the rules of forms and groups (PAR-3, BLK-10).
+/// A parameter's value obeys the rules of forms and groups (PAR-3, BLK-10).
 #[test]
 fn unusable_parameters() {
     let errors = |line: &str| {
