@@ -201,7 +201,9 @@ fn check_dialect(values: &Project, file: FileId, dialect: Dialect, findings: &mu
         let letter = sixth.value.letter.to_string();
         misfit(findings, file, "axes.letter", sixth.at, ConfigNeed::SixthAxis { letter });
     }
-    if let Some(fourth) = extra.get(3).filter(|_| dialect.axes() < AxisLetter::ALL.len()) {
+    // Of more axes than the control has, the finding above is enough.
+    let has_room = values.axes.len() <= dialect.axes() && dialect.axes() < AxisLetter::ALL.len();
+    if let Some(fourth) = extra.get(3).filter(|_| has_room) {
         let letter = fourth.value.letter.to_string();
         misfit(findings, file, "axes.letter", fourth.at, ConfigNeed::FourthBeside { letter });
     }

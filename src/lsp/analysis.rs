@@ -41,7 +41,7 @@ pub(super) struct Found {
     pub(super) report: Report,
     /// Every file that was read: a change of one of them makes the findings old.
     pub(super) read: Vec<PathBuf>,
-    /// Whether the configuration has errors, and always had: the program was judged by what can be read of it.
+    /// Whether the configuration has errors, and always had: the program was judged by the client's settings alone.
     pub(super) misconfigured: bool,
 }
 
@@ -75,6 +75,11 @@ fn last_good(path: &Path, files: &EditorFiles, client: &Client) -> Option<Settin
     client.last_good(&find_project(path.parent().unwrap_or(Path::new("")), files)?)
 }
 
+/// What they are judged by when it never was without errors: the client's settings alone.
+fn defaults(path: &Path, files: &EditorFiles, client: &Client) -> Settings {
+    configure(None, client.overrides(path, files), files, &mut Sources::new(), &mut Findings::new())
+}
+
 /// Runs over the document at `path`. `None` when that was cancelled.
 pub(super) fn run(
     path: &Path,
@@ -96,8 +101,11 @@ pub(super) fn run(
     let has_errors = report.errors() > 0;
     let good = if has_errors { last_good(path, files, client) } else { None };
     let misconfigured = has_errors && good.is_none();
-    // Without one, what can be read of it.
-    let settings = good.unwrap_or(current);
+    let settings = match good {
+        Some(good) => good,
+        None if has_errors => defaults(path, files, client),
+        None => current,
+    };
     if !has_errors && let Some(project) = find_project(path.parent().unwrap_or(Path::new("")), files) {
         client.keep_good(&project, &settings);
     }

@@ -10,7 +10,7 @@ bilingual! {
         CalledBy { n: u32, by: &'static str, l: u32 } "called by N{n} {by} L{l}", "voláno z bloku N{n} {by} L{l}";
         NotShown { shown: usize, all: usize } "{shown} of {all} findings are shown", "zobrazeno je {shown} z {all} hlášení";
         Checking "checking", "kontroluje se";
-        Misconfigured "the configuration has errors; programs are checked with what can be read of it", "konfigurace obsahuje chyby; programy se kontrolují podle toho, co z ní lze přečíst";
+        Misconfigured "the configuration has errors; programs are checked with the default settings", "konfigurace obsahuje chyby; programy se kontrolují s výchozím nastavením";
         Settings { wrong: String } "these settings cannot be used: {wrong}", "tato nastavení nelze použít: {wrong}";
     }
 }

@@ -14,6 +14,6 @@ N30 M30
 2:8-2:14 E0106 `X1.5.2` is not a valid number | help: a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own address
 === said window/showMessage
 {
-  "message": "the configuration has errors; programs are checked with what can be read of it",
+  "message": "the configuration has errors; programs are checked with the default settings",
   "type": 2
 }

@@ -79,7 +79,7 @@ bilingual! {
         Unknown "motion is not known", "pohyb není znám";
         Axes "other axes", "jiné osy";
         ShortLength "block shorter than break-length-mm", "blok kratší než break-length-mm";
-        ShortTime "block shorter than shortest-block-ms", "blok kratší než shortest-block-ms";
+        ShortTime "block below shortest-block-ms", "blok pod shortest-block-ms";
         Angle "angle", "úhel návaznosti";
     }
 }

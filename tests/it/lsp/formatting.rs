@@ -45,6 +45,7 @@ fn samples_as_on_the_command_line() {
                 Ok((None, _)) | Err(_) => text.clone(),
             };
             changed += usize::from(expected != text);
+            assert!(answer["error"].is_null(), "{}: {answer}", path.display());
             assert_eq!(edited(&text, &answer["result"]), expected, "{}", path.display());
             client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
         }
