@@ -264,7 +264,7 @@ fn what_is_refused() {
         (&["bad.nc", "--n", "10"], 1, "E0306"),
         (&["bad.nc", "--list"], 1, "E0306"),
         (&["endless.nc", "--n", "40", "--max-blocks", "1000"], 1, "E0410"),
-        (&["lathe.nc", "--n", "30"], 1, "[restart] tool-axis"),
+        (&["lathe.nc", "--n", "30"], 1, "`tool-axis` of `[restart]`"),
         (&["flat.nc", "--n", "20"], 2, "--safe is missing"),
         (&["none.nc", "--n", "20"], 2, "E0112"),
     ] {
