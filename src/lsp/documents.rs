@@ -38,7 +38,8 @@ impl Server {
         self.checked.changed(false);
         let opened = Document { uri: document.uri, version: document.version, source: Arc::new(source) };
         self.files.open_mut().insert(path.clone(), opened);
-        self.roots.entry(path.clone()).or_default().touch();
+        self.openings += 1;
+        self.roots.entry(path.clone()).or_default().open(self.openings);
         self.changed(&path, true);
         Ok(())
     }

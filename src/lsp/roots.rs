@@ -49,6 +49,7 @@ pub(super) enum Event {
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub(super) struct Run {
     path: PathBuf,
+    opening: u64,
     generation: u64,
 }
 
@@ -87,6 +88,8 @@ enum Known {
 /// An open document with what is known of it.
 #[derive(Debug, Default)]
 pub(super) struct Root {
+    /// Which opening of a document this is: one that is closed and opened again is another one.
+    opening: u64,
     /// Grows with every change that may change what is found.
     generation: u64,
     known: Known,
@@ -97,6 +100,12 @@ pub(super) struct Root {
 }
 
 impl Root {
+    /// The document is opened with a new text; `opening` differs from all others of the server.
+    pub(super) fn open(&mut self, opening: u64) {
+        self.opening = opening;
+        self.touch();
+    }
+
     /// What is known is old.
     pub(super) fn touch(&mut self) {
         self.generation += 1;
@@ -111,7 +120,8 @@ impl Root {
         }
         self.known = Known::Running;
         self.running = Cancel::default();
-        Some((Run { path: path.to_path_buf(), generation: self.generation }, self.running.clone()))
+        let run = Run { path: path.to_path_buf(), opening: self.opening, generation: self.generation };
+        Some((run, self.running.clone()))
     }
 
     /// Nobody wants what a run would find.
@@ -121,7 +131,7 @@ impl Root {
 
     /// Whether nothing changed since a run began.
     pub(super) const fn is_newest(&self, run: &Run) -> bool {
-        self.generation == run.generation
+        self.opening == run.opening && self.generation == run.generation
     }
 
     /// It is resolved.
@@ -194,5 +204,22 @@ impl Progress for Reporter {
 
     fn found_so_far(&self, found: Found) {
         let _ = self.events.send(Event::FoundSoFar { run: self.run.clone(), found });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_document_opened_again_is_another_one() {
+        let (mut first, mut second) = (Root::default(), Root::default());
+        first.open(1);
+        let (run, _) = first.begin(Path::new("a.nc")).unwrap();
+        assert!(first.is_newest(&run));
+        second.open(2);
+        assert!(!second.is_newest(&run));
+        first.touch();
+        assert!(!first.is_newest(&run));
     }
 }

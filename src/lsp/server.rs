@@ -138,6 +138,8 @@ pub(super) struct Server {
     pub(super) files: EditorFiles,
     /// By the canonical path of the open document.
     pub(super) roots: BTreeMap<PathBuf, Root>,
+    /// How many documents were opened.
+    pub(super) openings: u64,
     pub(super) publisher: Publisher,
     pub(super) refreshes: Refreshes,
     /// Programs that are not open.
@@ -169,6 +171,7 @@ impl Server {
             lang,
             files: EditorFiles::new(disk),
             roots: BTreeMap::new(),
+            openings: 0,
             publisher: Publisher::default(),
             refreshes: Refreshes::default(),
             checked: Checked::default(),

@@ -4,7 +4,7 @@
 use super::lower::Lowering;
 use super::missing::{SLIPS, Split};
 use super::number::Number;
-use super::{Kind, Token, Word, tokens};
+use super::{Kind, Token, Word, poison, tokens};
 use crate::diag::{Diagnostic, Finding, Fix, FixTitle, Meant, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, Decimal, GCode, HIGHEST_BLOCK};
 use crate::sure::{Sure, small};
@@ -221,6 +221,11 @@ impl Lowering<'_> {
     /// `110 G02 X70`, `(10 G02`: the letter of a block number is missing, or is another sign.
     pub(super) fn lost_number(&mut self, token: Token) {
         let span = token.span();
+        self.push_void(Address::N, span);
+        // The finding of that `N` says it.
+        if poison::follows_n(self.text.as_bytes(), span.start) {
+            return;
+        }
         let text = self.slice(span);
         let digits: String = text.chars().filter(char::is_ascii_digit).collect();
         let written = format!("N{digits}");
@@ -233,7 +238,6 @@ impl Lowering<'_> {
         let place = self.at(span);
         let title = FixTitle::Write { text: written.clone() };
         self.pending.push(Diagnostic::new(finding, place).with_offer(title, place, written));
-        self.push_void(Address::N, span);
     }
 
     /// `8N0`: the letter of a block number is inside it.

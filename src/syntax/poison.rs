@@ -102,5 +102,10 @@ pub(super) fn is_lost_number(bytes: &[u8], before: &[Token], token: Token) -> bo
     let lacking = lacking.is_some_and(|last| {
         !matches!(last.kind, Kind::Word | Kind::Number | Kind::Skip | Kind::Text | Kind::Unknown | Kind::LooseWord)
     });
-    line && number && blanks > 0 && words && !lacking
+    line && number && blanks > 0 && words && (!lacking || follows_n(bytes, token.start))
+}
+
+/// Whether an `N` without a number stands right before `at`, on the same line or one above: `F140N`, and below it `150 X1`.
+pub(super) fn follows_n(bytes: &[u8], at: u32) -> bool {
+    matches!(bytes.get(..at as usize).sure().trim_ascii_end().last(), Some(b'N' | b'n'))
 }
