@@ -15,8 +15,8 @@ use serde::{Deserialize, Serialize};
 use super::replace::Replacement;
 use super::walk::Target;
 use crate::session::Session;
-use crate::stats::{Known, Row, hash, row};
-use crate::text::{FileId, Sources};
+use crate::stats::{Row, hash, row};
+use crate::text::{FileId, Overlay, Sources};
 
 /// How the files of the cache end.
 const EXTENSION: &str = "stats1";
@@ -67,7 +67,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 /// The row of a program, made anew, with the texts that were read.
 pub fn fresh(session: &Session<'_>, path: &Path, name: &str, bytes: &[u8]) -> (Row, Sources) {
-    let loader = Known { inner: session.loader, path, bytes };
+    let loader = Overlay { below: session.loader, path, bytes };
     row(&Session { loader: &loader, ..*session }, path, name, hash(bytes))
 }
 

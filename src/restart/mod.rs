@@ -8,7 +8,6 @@ mod approach;
 mod ascii;
 mod gather;
 mod lines;
-mod overlay;
 mod preamble;
 mod prove;
 mod reason;
@@ -20,7 +19,6 @@ use std::sync::Arc;
 
 use approach::Approach;
 use gather::Gather;
-use overlay::Overlay;
 use preamble::{Preamble, Sources, notes};
 use prove::{Proof, prove};
 use scan::{Scan, There};
@@ -29,7 +27,7 @@ use crate::analysis::state::{Asked, Found, Place, PlaceFault, StateReader};
 use crate::config::Purpose;
 use crate::dict::Lang;
 use crate::session::{Outcome, Session};
-use crate::text::{FileId, SourceText};
+use crate::text::{FileId, Overlay, SourceText};
 pub use reason::{Note, Reason, Said, refusal_text, spot_text};
 pub use scan::Spot;
 pub use tracker::Options;
@@ -223,7 +221,8 @@ impl Making<'_> {
 
     /// RST-5, before anything is given away.
     fn prove(&self, restart: &Restart, place: u64) -> Result<(), Reason> {
-        let overlay = Overlay::new(self.session.loader, self.path, restart.text());
+        let text = restart.text();
+        let overlay = Overlay { below: self.session.loader, path: self.path, bytes: text.as_bytes() };
         let session = Session { loader: &overlay, progress: None, ..*self.session };
         let old = self.session.open(self.path, self.name, Purpose::Report);
         let new = session.open(self.path, self.name, Purpose::Report);

@@ -2,10 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
-use std::io;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 
 use sha2::{Digest, Sha256};
 
@@ -19,53 +17,7 @@ use crate::diag::{Finding, Findings};
 use crate::dict::{Address, Decimal, Dialect, GCode, Micro};
 use crate::run::{End, Executed, Sink};
 use crate::session::{Outcome, Session};
-use crate::text::{FileId, Loader, Numbered, Sources};
-
-/// A program whose bytes are read already, and the files that belong to it.
-pub struct Known<'a> {
-    /// Where other files come from.
-    pub inner: &'a dyn Loader,
-    /// The program.
-    pub path: &'a Path,
-    /// Its bytes.
-    pub bytes: &'a [u8],
-}
-
-impl std::fmt::Debug for Known<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Known").field("path", &self.path).finish_non_exhaustive()
-    }
-}
-
-impl Loader for Known<'_> {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        if path == self.path { Ok(self.bytes.to_vec()) } else { self.inner.read(path) }
-    }
-
-    fn size(&self, path: &Path) -> Option<u64> {
-        if path == self.path { Some(self.bytes.len() as u64) } else { self.inner.size(path) }
-    }
-
-    fn list(&self, folder: &Path) -> Vec<PathBuf> {
-        self.inner.list(folder)
-    }
-
-    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
-        self.inner.folders(folder)
-    }
-
-    fn is_folder(&self, path: &Path) -> bool {
-        self.inner.is_folder(path)
-    }
-
-    fn numbered(&self, folders: &[PathBuf], number: &dyn Fn() -> Numbered) -> Arc<Numbered> {
-        self.inner.numbered(folders, number)
-    }
-
-    fn canonical(&self, path: &Path) -> PathBuf {
-        self.inner.canonical(path)
-    }
-}
+use crate::text::{FileId, Sources};
 
 /// SHA-256, hexadecimal.
 pub fn hash(bytes: &[u8]) -> String {

@@ -176,6 +176,59 @@ impl Loader for MemoryLoader {
     }
 }
 
+/// The files of another loader, with these bytes for one of them.
+pub struct Overlay<'a> {
+    /// Where other files come from.
+    pub below: &'a dyn Loader,
+    /// The file.
+    pub path: &'a Path,
+    /// Its bytes.
+    pub bytes: &'a [u8],
+}
+
+impl fmt::Debug for Overlay<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Overlay").field("path", &self.path).finish_non_exhaustive()
+    }
+}
+
+impl Loader for Overlay<'_> {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if path == self.path { Ok(self.bytes.to_vec()) } else { self.below.read(path) }
+    }
+
+    fn load(&self, path: &Path, name: &str, fallback: Encoding) -> io::Result<Arc<SourceText>> {
+        if path == self.path {
+            return Ok(Arc::new(SourceText::decode(name, self.bytes.to_vec(), fallback)?));
+        }
+        self.below.load(path, name, fallback)
+    }
+
+    fn size(&self, path: &Path) -> Option<u64> {
+        if path == self.path { Some(self.bytes.len() as u64) } else { self.below.size(path) }
+    }
+
+    fn list(&self, folder: &Path) -> Vec<PathBuf> {
+        self.below.list(folder)
+    }
+
+    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
+        self.below.folders(folder)
+    }
+
+    fn is_folder(&self, path: &Path) -> bool {
+        self.below.is_folder(path)
+    }
+
+    fn numbered(&self, folders: &[PathBuf], number: &dyn Fn() -> Numbered) -> Arc<Numbered> {
+        self.below.numbered(folders, number)
+    }
+
+    fn canonical(&self, path: &Path) -> PathBuf {
+        self.below.canonical(path)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

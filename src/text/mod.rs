@@ -16,7 +16,7 @@ mod terminal;
 pub use columns::ColumnUnit;
 pub use encoding::Encoding;
 pub use lines::{LineColumn, LineIndex};
-pub use loader::{BrokenLink, Loader, MemoryLoader, NotUtf8, Numbered};
+pub use loader::{BrokenLink, Loader, MemoryLoader, NotUtf8, Numbered, Overlay};
 pub use path::{has_way_back, path_name, way_back, without_ways_back};
 pub use source::{DecodeError, FileId, Location, SourceText};
 pub use sources::Sources;
