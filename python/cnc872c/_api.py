@@ -11,23 +11,21 @@ from . import _native
 from ._findings import Finding, Report
 from ._options import Options, Path, plain, program
 from ._records import Block, Facts, Move, Step
-from ._tables import Table
+from ._tables import R, Table
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
-class Blocks(Table[Block]):
-    """The executed blocks of a program: records :class:`Block`, and its columns."""
-
-    _record = Block
+class _Executed(Table[R]):
+    """Records of an executed program, between its first record and its last one."""
 
     program: dict[str, Any]
-    """The first record of the stream: what it was made from and for."""
+    """The first record: what the others were made from and for; of steps also the names of the signals."""
     files: list[str]
     """The files that blocks come from, by index."""
     end: dict[str, Any]
-    """The last record: how the program ended, the number of its blocks, and its path."""
+    """The last record: how the program ended; of blocks also their number, and the path."""
     findings: list[Finding]
     """Warnings."""
 
@@ -37,6 +35,12 @@ class Blocks(Table[Block]):
         self.files = [self.program["name"], *(record["name"] for record in json.loads(table.files()))]
         self.end = json.loads(table.last())
         self.findings = findings
+
+
+class Blocks(_Executed[Block]):
+    """The executed blocks of a program: records :class:`Block`, and its columns."""
+
+    _record = Block
 
 
 class Moves(Table[Move]):
@@ -45,26 +49,10 @@ class Moves(Table[Move]):
     _record = Move
 
 
-class Steps(Table[Step]):
+class Steps(_Executed[Step]):
     """Steps of a program as the PLC sees them: records :class:`Step`, and its columns, one a signal."""
 
     _record = Step
-
-    program: dict[str, Any]
-    """The first record: what the steps were made from, and the names of the signals."""
-    files: list[str]
-    """The files that blocks come from, by index."""
-    end: dict[str, Any]
-    """The last record: how the program ended."""
-    findings: list[Finding]
-    """Warnings."""
-
-    def __init__(self, table: _native.Table, findings: list[Finding]) -> None:
-        super().__init__(table)
-        self.program = json.loads(table.first())
-        self.files = [self.program["name"], *(record["name"] for record in json.loads(table.files()))]
-        self.end = json.loads(table.last())
-        self.findings = findings
 
 
 class Archive(Table[Facts]):
