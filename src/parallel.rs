@@ -67,7 +67,7 @@ pub fn apart<T: Send + 'static>(name: &str, work: impl FnOnce() -> T + Send + 's
     Builder::new().name(name.to_owned()).spawn(work).ok()
 }
 
-/// Adds items to a state, in their order: in a thread of its own once there are more than a few, while the caller finds the
+/// Adds items to a state, in their order: in a separate thread once there are more than a few, while the caller finds the
 /// next ones.
 #[derive(Debug)]
 pub struct Fold<T, S> {

@@ -32,7 +32,7 @@ impl BrokenLink {
     }
 }
 
-/// What a loader's error holds when a file must be in UTF-8 and is not: its first byte that is not, and the line of that.
+/// The error of a file that must be in UTF-8 and is not: the first byte that is not valid, and its line.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct NotUtf8 {
     /// The line, from 1.
@@ -49,7 +49,7 @@ impl NotUtf8 {
         Self { line, byte: bytes.get(at).copied().unwrap_or_default() }
     }
 
-    /// What the error says of this.
+    /// Reads these details back from a loader's error.
     pub fn of(error: &io::Error) -> Option<Self> {
         error.get_ref()?.downcast_ref().copied()
     }

@@ -282,7 +282,7 @@ fn ten_thousand_macrocycles() {
         }
     };
     let calls: String = (1..=ALL).map(|l| format!("N{l} G72 L{l}\n")).collect();
-    // The last number is taken by the calls: the end stands in the block of the last one's neighbour.
+    // The last number is taken by the calls: the neighbour of the last block holds the end.
     place.put("a.nc", format!("%1\n{}N9999 M30\n", calls.strip_suffix("N9999 G72 L9999\n").unwrap()));
     write(&|l| format!("N2 G0 G90 X{}\n", l % 100));
     bounded(&place, &["check", "a.nc", "-L", "m"]).ends(0);

@@ -48,7 +48,7 @@ fn changed(text: &str, fix: &Fix) -> String {
     String::from_utf8(fixed.bytes).unwrap()
 }
 
-/// What is offered for the only finding of that code, and the program after it.
+/// The offers for the only finding of that code, and the program after each.
 fn offered(program: &str, code: Code) -> (String, String) {
     let found = check_text(program);
     let item = found.iter().find(|item| item.code() == code);
@@ -187,7 +187,7 @@ fn what_a_fix_would_guess() {
     }
 }
 
-/// What is offered is written, also with letters of a code page in it: only what is not ASCII already stays.
+/// An offer is applied also where the text holds letters of a code page: letters outside ASCII keep their bytes.
 #[test]
 fn words_with_a_comment_between_brackets() {
     let program = "%1\n(N10 G0 X5 \"díra\" Y0)\nN20 M30\n";
@@ -196,14 +196,14 @@ fn words_with_a_comment_between_brackets() {
     assert_eq!(now, "%1\nN10 G0 X5 \"díra\" Y0\nN20 M30\n");
 }
 
-/// What a change brings to light in samples of more than one slip.
+/// Findings that appear after a change, in samples with more than one slip.
 const BROUGHT_TO_LIGHT: [(&str, &[Code]); 6] = [
     ("lex-numbers.nc", &[Code::E0307]),
     ("blk-skip-on.nc", &[Code::W0601]),
     ("lex-one-finding.nc", &[Code::E0203, Code::E0302, Code::E0305, Code::W0402, Code::W0403]),
     ("E0101-semicolons.nc", &[Code::E0306]),
     ("W0113-other-control.nc", &[Code::E0101, Code::E0203]),
-    // The comma may stand in a number that other blocks write without it.
+    // The comma may be in a number that other blocks write without it.
     ("entry-number-malformed.nc", &[Code::E0404]),
 ];
 

@@ -17,7 +17,7 @@ fn at(seq: u64) -> Asked {
     Asked { place: At::Seq(seq), file: None, pass: None, after: false }
 }
 
-/// The block records of a program that stands in the place of the sample's.
+/// The block records of a program that replaces the sample's.
 fn records(sample: &Sample, text: &str) -> Vec<Value> {
     let loader = Over { sample, text };
     let session = Session { loader: &loader, settings: &sample.settings, progress: None };
@@ -185,7 +185,7 @@ fn bytes() -> Vec<u8> {
     LOOP.chars().map(|character| u8::try_from(u32::from(character)).unwrap()).collect()
 }
 
-/// RST-1, RST-2, RST-3, RST-6: what stands in the new program, and in which order.
+/// RST-1, RST-2, RST-3, RST-6: the contents of the new program, in their order.
 #[test]
 fn the_program_that_starts_there() {
     let place = Place::with(&[("a.nc", &bytes())]);

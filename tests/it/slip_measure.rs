@@ -68,7 +68,7 @@ pub const PROGRAMS: [Program; 10] = [
     },
 ];
 
-/// What the keys of a keyboard write.
+/// The characters that a keyboard writes.
 const KEYS: &[u8] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz+-.,;:=/*%&\"'()[]{}<>#$@!?_ \t\n";
 
 /// One slip.

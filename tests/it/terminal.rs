@@ -1,5 +1,5 @@
-//! Terminal safety: whatever stands in a program, a name, the configuration or on the command line, a terminal gets no
-//! character that it would act on. Every place against every such character, in every form of output.
+//! Terminal safety: a terminal gets no control character that it would act on from a program, a name, the configuration or
+//! the command line. Every place against every such character, in every form of output.
 
 use std::path::Path;
 
@@ -49,7 +49,7 @@ const HOSTILE: [&str; 33] = [
     "\u{e0041}",
 ];
 
-/// What a terminal acts on, or what hides or reorders text, line ends aside: written anew here, from the standards.
+/// Characters that a terminal acts on, or that hide or reorder text, line ends aside: listed here from the standards.
 fn is_raw(character: char) -> bool {
     match character {
         '\n' => false,
@@ -210,7 +210,7 @@ fn nothing_raw_in_findings() {
     }
 }
 
-/// What is escaped for terminals is the same to programs: names come back as they are.
+/// Programs get names as they are, also those that are escaped for terminals.
 #[test]
 fn names_in_json_are_exact() {
     let program = PLACES.iter().find(|(place, _)| *place == "name of a program").unwrap().1;
@@ -333,7 +333,7 @@ fn nothing_raw_of_names_on_disk() {
         assert_told(&place, &["check", "-L", &name, &name, "--format", format]);
         assert_told(&place, &["compile", "-L", &macros, &name, "--format", format]);
     }
-    // What was fixed is said once, so each run has a file of its own.
+    // Fixes are listed once, so each run has its own file.
     for lang in ["en", "cs"] {
         fresh();
         let run = place.run(&["check", "--fix", "-L", &macros, &name, "--lang", lang]);

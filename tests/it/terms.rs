@@ -15,7 +15,7 @@ fn wrong_words() -> Vec<String> {
     rows.flat_map(|(_, not)| not.split('`').skip(1).step_by(2)).map(str::to_lowercase).collect()
 }
 
-/// Whether the word stands in the line, not as part of another.
+/// Whether the line has the word, not as part of another one.
 fn has(line: &str, word: &str) -> bool {
     let borders = |at: usize| {
         let before = line[..at].chars().next_back();
@@ -25,7 +25,7 @@ fn has(line: &str, word: &str) -> bool {
     line.match_indices(word).any(|(at, _)| borders(at))
 }
 
-/// Messages, pages, guides, and what is said in the sources.
+/// Messages, pages, guides, and comments in the sources.
 fn texts() -> Vec<PathBuf> {
     let mut texts: Vec<PathBuf> = [
         "README.md",

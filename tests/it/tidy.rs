@@ -143,7 +143,7 @@ fn layers() {
 /// Limits of the language, without separators.
 const LIMITS: [&str; 7] = ["9999", "99999", "24000", "69999", "69999999", "9999999", "99999999"];
 
-/// What is wrong with a line of code outside the rows of the language: a limit, or the number of an M function or group.
+/// The fault of a line of code outside the rows of the language: it holds a limit, or the number of an M function or group.
 fn number_of_the_language(line: &str) -> Option<&str> {
     let code = line.trim_start();
     if code.starts_with("//") {
@@ -164,7 +164,7 @@ fn number_of_the_language(line: &str) -> Option<&str> {
     limit.or(m_group).or(m_function).or(of_m).or(of_stop).or(of_cell)
 }
 
-/// Limits and M numbers stand in rows: of `dict`, and of the keys of the project file.
+/// Limits and M numbers are in rows only: of `dict`, and of the keys of the project file.
 #[test]
 fn the_language_is_data() {
     let mut wrong = Vec::new();

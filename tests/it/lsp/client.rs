@@ -20,12 +20,12 @@ pub struct Client {
     /// Messages that were passed over while another was waited for.
     kept: VecDeque<Value>,
     requests: i64,
-    /// What it said that it answers.
+    /// The capabilities that it declared.
     capabilities: Option<Value>,
 }
 
 impl Client {
-    /// Starts a server; nothing is said yet.
+    /// Starts a server and sends nothing yet.
     pub fn start() -> Self {
         let mut process = Command::new(env!("CARGO_BIN_EXE_cnc872c"))
             .args(["lsp", "--stdio"])
@@ -167,7 +167,7 @@ impl Drop for Client {
     }
 }
 
-/// What a server says that it answers requests of that method; `None` for those that need nothing said.
+/// The capability that a server declares for requests of that method; `None` for those that need none.
 ///
 /// # Panics
 /// Of a method that is not in the list.

@@ -1,4 +1,4 @@
-//! What is offered at each kind of place, and what comes of taking it.
+//! The completions at each kind of place, and the text after accepting one.
 
 use std::fs;
 
@@ -7,7 +7,7 @@ use tempfile::TempDir;
 
 use super::Client;
 
-/// A server in a folder of its own, with documents one after the other.
+/// A server in a fresh folder, with one document after the other.
 struct Editor {
     folder: TempDir,
     client: Client,
@@ -163,7 +163,7 @@ fn g_functions() {
     assert_eq!(editor.labels("G|\n%1\nN10 M30\n"), Vec::<String>::new());
 }
 
-/// What the block has no room for comes last and says why.
+/// Words that do not fit into the block come last and give the reason.
 #[test]
 fn clashes() {
     let mut editor = Editor::english();

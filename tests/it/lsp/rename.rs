@@ -54,7 +54,7 @@ impl Loader for Edited<'_> {
     }
 }
 
-/// What is found (code and line), and the stream.
+/// The findings (code and line), and the stream.
 fn outcome(settings: &Settings, path: &Path, text: &str) -> (Vec<(String, u32)>, Vec<Value>) {
     let loader = Edited { path, text };
     let session = Session { loader: &loader, settings, progress: None };
@@ -114,7 +114,7 @@ fn position(text: &str, at: usize) -> Value {
     json!({ "line": line, "character": text[start..at].encode_utf16().count() })
 }
 
-/// The record with `old` in place of `new`, where it stands for what was renamed.
+/// The record with `old` in place of `new` in the fields that hold the renamed number.
 fn renamed_back(record: &mut Value, letter: char, new: u64, old: u64) {
     fn change(value: Option<&mut Value>, new: u64, old: u64) {
         if let Some(value) = value.filter(|value| value.as_u64() == Some(new)) {

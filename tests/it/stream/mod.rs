@@ -24,7 +24,7 @@ use crate::markers::options;
 static SCHEMA: LazyLock<jsonschema::Validator> =
     LazyLock::new(|| jsonschema::validator_for(&cnc872c::stream::schema()).expect("a schema"));
 
-/// A program with the files beside it, ready to be compiled.
+/// A program with the other files of its folder, ready to be compiled.
 #[derive(Clone, Debug, Default)]
 struct Case {
     program: Vec<u8>,
@@ -33,7 +33,7 @@ struct Case {
     part: Part,
 }
 
-/// What a run gave.
+/// The result of a run.
 #[derive(Debug)]
 struct Stream {
     text: String,

@@ -1,4 +1,4 @@
-//! What a record repeats so that it needs no other: where its motion starts, why it has no length, what its feed counts, the
+//! A record needs no other one: it repeats where its motion starts, why it has no length, what its feed counts, the
 //! tool in the spindle, the lines of its calls (block-stream.md).
 
 use std::collections::BTreeMap;

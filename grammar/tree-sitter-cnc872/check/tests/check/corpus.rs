@@ -41,7 +41,7 @@ fn corpus() {
     assert!(count > 20, "only {count}");
 }
 
-/// The tree with each node on a line of its own, as `tree-sitter` writes it.
+/// The tree with one node a line, as `tree-sitter` writes it.
 fn show(tree: &str) -> String {
     let mut shown = String::new();
     let mut depth: usize = 0;

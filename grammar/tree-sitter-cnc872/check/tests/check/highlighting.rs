@@ -13,7 +13,7 @@ fn query(name: &str) -> Query {
     Query::new(&language(), &text).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// What a query captures in `text`, by place; names that begin with `_` are its own.
+/// The captures of a query in `text`, by place; names that begin with `_` are left out.
 fn captures(query: &Query, text: &str) -> Vec<(usize, usize, String)> {
     let tree = parse(text);
     let mut cursor = QueryCursor::new();

@@ -14,7 +14,7 @@ use cnc872c::text::{Encoding, FileId, SourceText};
 use tree_sitter::Node;
 use tree_sitter_cnc872_check as tree_sitter_cnc872;
 
-/// What a file consists of: for each thing its kind and its place; a block is its `N` word, then its words in order, then
+/// The contents of a file, each with its kind and place: a block is its `N` word, then its words in order, then
 /// its comments.
 #[derive(Debug, Default, PartialEq)]
 pub struct Outline {
@@ -83,7 +83,7 @@ fn is_comment(kind: Kind) -> bool {
     matches!(kind, Kind::Comment | Kind::TypographicComment)
 }
 
-/// What the tree shows.
+/// Reads the contents from the tree.
 pub fn tree(root: Node<'_>, text: &str) -> Outline {
     let mut outline = Outline::default();
     let mut cursor = root.walk();
@@ -180,12 +180,12 @@ fn valid_samples() {
     }
 }
 
-/// What is wrong in the form of a word is an error in the tree, anything else is none.
+/// A word with a wrong form is an error in the tree; no other fault is one.
 #[test]
 fn erroneous_samples() {
     let programs = programs(&["samples/err", "samples/rules", "docs/guide/examples"]);
     assert!(programs.len() > 150);
-    // What other controls write there is told by its meaning; the tree reads it by its letters.
+    // The compiler explains the notation of other controls; the tree reads the same text by its letters.
     let foreign = [
         "samples/err/E0411-missing-dwell.nc",
         "samples/rules/flw-foreign.nc",
