@@ -482,6 +482,8 @@ pub(super) struct CompareArgs {
     pub partial: bool,
     #[arg(long, value_name = "FORMAT", default_value = "human")]
     pub format: StateFormat,
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
     #[arg(long)]
     pub all: bool,
     #[command(flatten)]

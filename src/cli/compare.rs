@@ -4,25 +4,37 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
+
 use super::args::{CompareArgs, FindingsArgs, StateFormat};
 use super::common::{Origins, Projects, overrides, print_beside};
+use super::compile::{Stream, cannot_write};
 use super::job::{Job, unusable};
 use super::locale::Locale;
-use super::status::{Failure, Status, stdout};
+use super::memory;
+use super::status::{Failure, Status, stdout, tell};
 use super::threads;
 use super::walk::targets;
 use super::words::Words;
-use crate::analysis::compare::{Row, Side, StepReader, Steps, Tolerances, Verdict, compare, json, table, text};
+use crate::analysis::compare::{
+    Row, Side, StepReader, Steps, Tolerances, Verdict, compare, for_page, json, table, text,
+};
 use crate::analysis::state::AtTime;
 use crate::config::{Overrides, Purpose};
 use crate::diag::{Format, Report};
 use crate::dict::Micro;
-use crate::disk::DiskLoader;
+use crate::disk::{DiskLoader, is_stdin};
 use crate::session::Session;
-use crate::text::path_name;
+use crate::text::{FileId, path_name};
+use crate::view::{Collector, Keep, Naming, Part, page};
 
-/// A program that was read; nothing when it could not be, or has errors.
-type Read = (Report, Option<(Side, Steps)>);
+/// A program that was read; its steps only when it could be executed, and has no errors or `--partial` is given.
+struct Read {
+    job: Job,
+    projects: Projects,
+    report: Report,
+    found: Option<(Side, Steps)>,
+}
 
 pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
     if args.old.is_dir() && args.new.is_dir() {
@@ -31,26 +43,42 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
     if let Some(folder) = [&args.old, &args.new].into_iter().find(|path| path.is_dir()) {
         return Err(Words::CompareFolder { folder: folder.display().to_string() }.into());
     }
-    let overrides = overrides(&args.common, locale.lang)?;
+    check_page(args.output.as_deref())?;
+    let computes_motion = args.output.is_some();
+    let overrides = Overrides { computes_motion, ..overrides(&args.common, locale.lang)? };
     threads::prepare();
     let shown = FindingsArgs { format: Format::Human, all: args.all };
     let read_one = |file: &Path| read(file, args, &overrides);
     let (old, new) = crate::parallel::join(|| read_one(&args.old), || read_one(&args.new));
-    let ((old_report, old), (new_report, new)) = (old?, new?);
-    let (Some((old, old_steps)), Some((new, new_steps))) = (old, new) else {
-        let fault = |report: &Report| report.errors() > 0;
-        if fault(&old_report) {
-            print_beside(&shown, &old_report, locale);
+    let (mut old_read, mut new_read) = (old?, new?);
+    let (Some((old, old_steps)), Some((new, new_steps))) = (old_read.found.take(), new_read.found.take()) else {
+        if old_read.report.errors() > 0 {
+            print_beside(&shown, &old_read.report, locale);
         }
-        return Ok(unusable(new_report, &shown, locale));
+        return Ok(unusable(new_read.report, &shown, locale));
     };
     if args.partial {
-        print_beside(&shown, &old_report, locale);
-        print_beside(&shown, &new_report, locale);
+        print_beside(&shown, &old_read.report, locale);
+        print_beside(&shown, &new_read.report, locale);
     }
     let tolerances = Tolerances { position: Micro::from_f64(args.tolerance), percent: args.feed_tolerance };
     let changes = compare(&old_steps, &new_steps, tolerances).changes;
+    drop((old_steps, new_steps));
+    if let Some(output) = &args.output {
+        let compared = for_page(&old, &new, &changes);
+        let draw_old = || draw(&old_read, &old, None);
+        let (old_data, data) = crate::parallel::join(draw_old, || draw(&new_read, &new, Some(compared)));
+        let page = page(&data?, Some(&old_data?), &path_name(&args.new), locale.chosen);
+        let output = Some(output.as_path()).filter(|output| !is_stdin(output));
+        let mut stream = Stream::open(output, locale.lang)?;
+        let written = stream.write_all(page.as_bytes()).and_then(|()| stream.flush()).and_then(|()| stream.keep());
+        written.map_err(|error| cannot_write(error, output, locale.lang))?;
+        if let Some(output) = output {
+            tell(&Words::PictureWritten { file: path_name(output) }, locale.lang);
+        }
+    }
     let text = match args.format {
+        _ if args.output.as_deref().is_some_and(is_stdin) => String::new(),
         StateFormat::Human => text(&old, &new, &changes, args.all, locale.lang),
         StateFormat::Json => json(&old, &new, &changes),
     };
@@ -60,10 +88,44 @@ pub(super) fn run(args: &CompareArgs, locale: Locale) -> Result<Status, Failure>
     Ok(if changes.is_empty() { Status::Fine } else { Status::Faulty })
 }
 
+/// Refuses what is no page.
+fn check_page(output: Option<&Path>) -> Result<(), Words> {
+    match output.and_then(Path::extension) {
+        Some(extension) if !matches!(extension.to_ascii_lowercase().to_str(), Some("html" | "htm")) => {
+            Err(Words::NoSuchComparison { extension: path_name(Path::new(extension)) })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The data of the picture of one of two programs.
+fn draw(read: &Read, side: &Side, compared: Option<Value>) -> Result<Vec<u8>, Failure> {
+    let Read { job, projects, report, .. } = read;
+    let target = job.target();
+    let changed = || Failure::from(Words::ProgramChanged { file: path_name(&target.path) });
+    let settings = projects.settings(target).ok_or_else(changed)?;
+    let mut collector = Collector::new(settings, Part::default(), Keep::Records).within(memory::room() / 2);
+    let session = Session { loader: &job.loader, settings, progress: None };
+    let outcome = session.draw(&target.path, &target.name(), collector.sink()).outcome;
+    if collector.is_too_large() {
+        return Err(Words::ComparisonNeedsMemory.into());
+    }
+    if outcome.executed != side.blocks {
+        return Err(changed());
+    }
+    job.refuse_input()?;
+    let naming = Naming { program: &target.path, loader: &job.loader };
+    let view = collector.finish(outcome.sources.get(FileId(0)), naming, outcome.executed);
+    Ok(view.data(report, naming, compared))
+}
+
 /// Two folders: programs of the same path are compared (CMP-7).
 fn folders(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
     if args.format == StateFormat::Json {
         return Err(Words::CompareFoldersJson.into());
+    }
+    if args.output.is_some() {
+        return Err(Words::CompareFoldersPage.into());
     }
     let overrides = overrides(&args.common, locale.lang)?;
     threads::prepare();
@@ -82,11 +144,11 @@ fn folders(args: &CompareArgs, locale: Locale) -> Result<Status, Failure> {
             (true, true) => {
                 let read_one = |folder: &Path| read(&folder.join(name), args, &overrides);
                 let (old, new) = crate::parallel::join(|| read_one(&args.old), || read_one(&args.new));
-                let ((old_report, old), (new_report, new)) = (old?, new?);
-                for report in [old_report, new_report].into_iter().filter(|report| report.errors() > 0) {
-                    print_beside(&shown, &report, locale);
+                let (old, new) = (old?, new?);
+                for read in [&old, &new].into_iter().filter(|read| read.report.errors() > 0) {
+                    print_beside(&shown, &read.report, locale);
                 }
-                judge(old, new, tolerances)
+                judge(old.found, new.found, tolerances)
             }
         };
         rows.push(Row { name: path_name(name), verdict });
@@ -126,25 +188,24 @@ fn programs(folder: &Path, args: &CompareArgs, overrides: &Overrides) -> BTreeSe
 
 /// Executes one of the programs.
 fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, Failure> {
-    let job = Job::new(file.to_path_buf(), None);
+    let job = Job::new(file.to_path_buf(), args.output.clone()).refusing(|file| Words::PageIsProgram { file });
     let mut projects = job.configure(&args.common, overrides)?;
     let mut report = projects.report();
-    let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) else {
-        return Ok((report, None));
-    };
-    let session = Session { loader: &job.loader, settings, progress: None };
-    let (path, name) = (&job.target().path, job.target().name());
-    let mut reader = StepReader::new(args.parameters);
-    let mut clock = AtTime::new(settings, f64::INFINITY);
-    let run = session.watch(path, &name, Purpose::Report, &mut (&mut reader, &mut clock));
-    let whole = run.whole.is_some();
-    let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();
-    report.add_program(&run.outcome.sources, run.outcome.findings);
-    run.outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
-    if !usable || !(whole || args.partial) {
-        return Ok((report, None));
+    let mut found = None;
+    if let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) {
+        let session = Session { loader: &job.loader, settings, progress: None };
+        let (path, name) = (&job.target().path, job.target().name());
+        let mut reader = StepReader::new(args.parameters);
+        let mut clock = AtTime::new(settings, f64::INFINITY);
+        let run = session.watch(path, &name, Purpose::Report, &mut (&mut reader, &mut clock));
+        let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();
+        report.add_program(&run.outcome.sources, run.outcome.findings);
+        run.outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+        if usable && (run.whole.is_some() || args.partial) {
+            let steps = reader.finish();
+            let side = Side { name, blocks: steps.blocks, path: steps.path, time_s: clock.found().err() };
+            found = Some((side, steps));
+        }
     }
-    let steps = reader.finish();
-    let side = Side { name, blocks: steps.blocks, path: steps.path, time_s: clock.found().err() };
-    Ok((report, Some((side, steps))))
+    Ok(Read { job, projects, report, found })
 }

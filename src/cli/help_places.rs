@@ -76,6 +76,7 @@ Examples:
   cnc872c compare old.nc new.nc                     what is cut differently
   cnc872c compare archive/ new/                     two folders: a line for each program
   cnc872c compare old.nc new.nc --tolerance 0.01    positions up to 0.01 mm apart are the same
+  cnc872c compare old.nc new.nc -o changes.html     both paths in one picture
   cnc872c compare old.nc new.nc --format json | jq '.changes[].kind'
 
 Exit status: 0 the same, 1 different, 2 it could not run, or a program has errors.",
@@ -84,6 +85,7 @@ Příklady:
   cnc872c compare stary.nc novy.nc                    co se obrobí jinak
   cnc872c compare archiv/ nove/                       dvě složky: řádek na program
   cnc872c compare stary.nc novy.nc --tolerance 0.01   polohy do 0.01 mm od sebe jsou stejné
+  cnc872c compare stary.nc novy.nc -o zmeny.html      obě dráhy v jednom obrázku
   cnc872c compare stary.nc novy.nc --format json | jq '.changes[].kind'
 
 Návratový kód: 0 stejné, 1 různé, 2 příkaz nešlo provést nebo program má chyby.",
@@ -197,6 +199,13 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Programy s chybami porovnat, pokud je lze provést",
     ),
     arg("compare", "format", Options, "The form of the answer", "Tvar odpovědi"),
+    arg(
+        "compare",
+        "output",
+        Options,
+        "Also write a page (.html) to FILE: both paths in one picture, and the changes",
+        "Navíc zapsat do SOUBORU stránku (.html): obě dráhy v jednom obrázku a seznam změn",
+    ),
     arg(
         "compare",
         "all",

@@ -73,7 +73,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
         _ => {
             let picture = match form {
                 Form::Page => {
-                    let page = page(&view.data(&report, naming), &naming.program(), locale.chosen);
+                    let page = page(&view.data(&report, naming, None), None, &naming.program(), locale.chosen);
                     Picture { bytes: page.into_bytes(), left_out: LeftOut::default() }
                 }
                 Form::Svg => view.svg(still(args)),

@@ -232,6 +232,23 @@ bilingual! {
         CompareFoldersJson
             "two folders are compared as a table only: --format json takes two programs",
             "dvě složky se porovnávají jen do tabulky: --format json patří ke dvěma programům";
+        CompareFoldersPage
+            "two folders are compared as a table only: -o takes two programs",
+            "dvě složky se porovnávají jen do tabulky: -o patří ke dvěma programům";
+        NoSuchComparison { extension: String }
+            "compare writes no .{extension}: name a page (.html) after -o",
+            "compare nezapisuje .{extension}: za -o uvést stránku (.html)";
+        PageIsProgram { file: String }
+            "{file} is read by compare (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "{file} příkaz compare čte (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
+        ComparisonNeedsMemory
+            "the programs are too long for one page: it would take more than 2 GB of memory, or more than there is; \
+             without -o they are compared as text",
+            "na jednu stránku jsou programy příliš dlouhé: potřebovala by přes 2 GB paměti, nebo víc, než jí je; \
+             bez -o se porovnají textem";
+        ProgramChanged { file: String }
+            "{file} changed while it was compared",
+            "{file} se během porovnávání změnil";
         NForm { text: String }
             "--n {text}: a block number belongs here, as in --n 120",
             "--n {text}: patří sem číslo bloku, například --n 120";

@@ -60,6 +60,6 @@ pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) 
         "files": uris,
         "blocks": if view.count() == 0 { 0 } else { outcome.executed },
         "truncated": outcome.executed > MOST,
-        "data": base64(&view.data(&report, naming)),
+        "data": base64(&view.data(&report, naming, None)),
     })))
 }

@@ -139,8 +139,8 @@ impl View {
         self.rows.count()
     }
 
-    /// The data of the page: a deflated stream.
-    pub fn data(&self, report: &Report, naming: Naming<'_>) -> Vec<u8> {
+    /// The data of the page: a deflated stream. `compared`: what another program does differently.
+    pub fn data(&self, report: &Report, naming: Naming<'_>, compared: Option<Value>) -> Vec<u8> {
         let findings = self.findings(report, naming);
         let total = self.times.total();
         let about = About {
@@ -158,6 +158,7 @@ impl View {
             whole: self.whole,
             findings,
             equidistant: self.equidistant_json(),
+            compared,
         };
         pack(&self.rows, &self.times, about)
     }

@@ -25,6 +25,8 @@ pub(super) struct About<'v> {
     pub whole: bool,
     pub findings: Vec<Value>,
     pub equidistant: Option<Value>,
+    /// What another program does differently.
+    pub compared: Option<Value>,
 }
 
 /// Packs rows and texts.
@@ -119,6 +121,9 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     put("findings", Value::Array(about.findings));
     if let Some(equidistant) = about.equidistant {
         put("equidistant", equidistant);
+    }
+    if let Some(compared) = about.compared {
+        header.insert("compared".to_owned(), compared);
     }
     container.finish(header)
 }

@@ -8,14 +8,15 @@ const VIEWER: &str = include_str!("viewer/viewer.js");
 /// Its styles.
 const STYLES: &str = include_str!("viewer/viewer.css");
 
-/// The page for the data of a program. `lang`: the language when it is not the browser's.
-pub fn page(data: &[u8], name: &str, lang: Option<Lang>) -> String {
-    let data = text(data);
+/// The page for the data of a program. `old`: the data of the program it is compared with. `lang`: the language when it is
+/// not the browser's.
+pub fn page(data: &[u8], old: Option<&[u8]>, name: &str, lang: Option<Lang>) -> String {
+    let (data, old) = (text(data), old.map(text).unwrap_or_default());
     let lang = lang.map_or("", |lang| match lang {
         Lang::En => "en",
         Lang::Cs => "cs",
     });
-    let mut page = String::with_capacity(data.len() + VIEWER.len() + STYLES.len() + 2048);
+    let mut page = String::with_capacity(data.len() + old.len() + VIEWER.len() + STYLES.len() + 2048);
     page.push_str("<!doctype html>\n<html lang=\"");
     page.push_str(if lang.is_empty() { "en" } else { lang });
     page.push_str("\" data-lang=\"");
@@ -29,11 +30,15 @@ pub fn page(data: &[u8], name: &str, lang: Option<Lang>) -> String {
     page.push_str(&escaped(name));
     page.push_str("</title>\n<style>");
     page.push_str(STYLES);
-    page.push_str(
-        "</style>\n</head>\n<body>\n<noscript>JavaScript</noscript>\n<script type=\"text/plain\" id=\"cnc872c-data\">",
-    );
-    page.push_str(&data);
-    page.push_str("</script>\n<script>");
+    page.push_str("</style>\n</head>\n<body>\n<noscript>JavaScript</noscript>\n");
+    for (id, data) in [("cnc872c-data", data), ("cnc872c-old", old)] {
+        if !data.is_empty() {
+            page.push_str(&format!("<script type=\"text/plain\" id=\"{id}\">"));
+            page.push_str(&data);
+            page.push_str("</script>\n");
+        }
+    }
+    page.push_str("<script>");
     page.push_str(VIEWER);
     page.push_str("</script>\n</body>\n</html>\n");
     page
@@ -54,8 +59,8 @@ mod tests {
         assert!(!VIEWER.contains("</script"), "web/build.mjs writes <\\/script");
         assert!(!VIEWER.contains("<!--"));
         assert!(!STYLES.contains("</style"));
-        let page = page(&[60; 100], "<a> & b", None);
-        assert_eq!(page.matches("</script>").count(), 2);
+        let page = page(&[60; 100], Some(&[60; 9]), "<a> & b", None);
+        assert_eq!(page.matches("</script>").count(), 3);
         assert!(page.contains("<title>&lt;a&gt; &amp; b</title>"));
     }
 }

@@ -253,3 +253,33 @@ fn on_the_command_line() {
     place.run(&["compare", "a.nc", "none.nc"]).ends(2);
     place.run(&["compare", "a.nc", "."]).ends(2);
 }
+
+/// CMP-4: the page beside the answer; what it must not take the place of; nothing is written for programs with errors.
+#[test]
+fn the_page() {
+    let new = OLD.replace("Z-1\n", "Z-1.2\n");
+    let place = Place::with(&[("a.nc", OLD.as_bytes()), ("b.nc", new.as_bytes()), ("bad.nc", BAD.as_bytes())]);
+    let run = place.run(&["compare", "a.nc", "b.nc", "-o", "page.html"]).ends(1);
+    assert_eq!(run.stderr, "written: page.html\n");
+    assert_eq!(run.stdout, place.run(&["compare", "a.nc", "b.nc"]).ends(1).stdout);
+    let page = place.read("page.html");
+    let page = String::from_utf8(page).unwrap();
+    assert!(page.contains("id=\"cnc872c-data\"") && page.contains("id=\"cnc872c-old\""));
+    assert!(!page.contains(&place.path("").display().to_string()), "a folder of the author");
+    // Written to standard output it stands alone; the same programs give the same page.
+    let again = place.run(&["compare", "a.nc", "b.nc", "-o", "-"]).ends(1);
+    assert!(again.stdout == page);
+    place.run(&["compare", "a.nc", "a.nc", "-o", "same.html", "--format", "json"]).ends(0);
+    for (arguments, says) in [
+        (["a.nc", "bad.nc", "-o", "none.html"], "E0306"),
+        (["a.nc", "b.nc", "-o", "a.nc"], ".nc"),
+        (["a.nc", "b.nc", "-o", "page.json"], ".json"),
+        ([".", ".", "-o", "none.html"], "-o"),
+    ] {
+        let arguments: Vec<&str> = ["compare"].into_iter().chain(arguments).collect();
+        place.run(&arguments).ends(2).says(says);
+    }
+    assert!(!place.path("none.html").exists() && place.read("a.nc") == OLD.as_bytes());
+    place.run(&["compare", "a.nc", "bad.nc", "--partial", "-o", "partial.html"]).ends(1);
+    assert!(place.path("partial.html").exists());
+}

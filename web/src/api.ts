@@ -1,9 +1,11 @@
 // What scripts and embedding pages may ask of the page: `window.cnc872c`, and messages.
 
-import { type App, COLOURS, type ColourBy } from './app.ts';
+import type { App, ColourBy } from './app.ts';
+import type { Side } from './data/compared.ts';
 import type { Fields } from './data/header.ts';
 import type { Lang } from './i18n.ts';
 import type { Standard, View } from './scene/view.ts';
+import { showChange } from './ui/changes.ts';
 import type { Player } from './ui/player.ts';
 import { currentRecord } from './ui/state.ts';
 
@@ -14,7 +16,12 @@ export interface Api {
   select(seq: number): boolean;
   current(): Fields | null;
   pick(x: number, y: number): number | null;
-  project(seq: number): { x: number; y: number } | null;
+  /** `side`: of which of two compared programs. */
+  project(seq: number, side?: Side): { x: number; y: number } | null;
+  /** What two programs do differently, as `cnc872c compare --format json` says it; empty on other pages. */
+  changes(): Fields[];
+  /** Shows a change, by its place in `changes()`. */
+  change(place: number): boolean;
   dots(): { seq: number; n: number; dot: string; reason?: string; feed: number; angle_deg?: number }[];
   colour(by: string): void;
   view(plane: string): void;
@@ -26,9 +33,9 @@ export interface Api {
 const VIEWS = ['XY', 'XZ', 'YZ', 'ZX', 'iso', 'fit'];
 
 export function api(app: App, view: View, player: Player, setLanguage: (lang: Lang) => void, ready: Promise<void>): Api {
-  const indexOf = (seq: unknown): number | undefined => {
-    const index = typeof seq === 'number' && Number.isInteger(seq) ? seq - app.program.from : -1;
-    return index >= 0 && index < app.program.count ? index : undefined;
+  const indexOf = (seq: unknown, program = app.program): number | undefined => {
+    const index = typeof seq === 'number' && Number.isInteger(seq) ? seq - program.from : -1;
+    return index >= 0 && index < program.count ? index : undefined;
   };
   return {
     ready,
@@ -52,10 +59,19 @@ export function api(app: App, view: View, player: Player, setLanguage: (lang: La
       const index = view.pick(Number(x), Number(y));
       return index === null ? null : app.program.from + index;
     },
-    project: (seq) => {
-      const index = indexOf(seq);
-      const row = index === undefined ? -1 : app.program.rowOf(index);
-      return row >= 0 && app.path.hasLine(row) && app.path.isKnown(row) ? view.camera.project(app.path.at(row, 0.5)) : null;
+    project: (seq, side = 'new') => {
+      const { program, path } = side === 'old' ? (app.comparison?.old ?? app) : app;
+      const index = indexOf(seq, program);
+      const row = index === undefined ? -1 : program.rowOf(index);
+      return row >= 0 && path.hasLine(row) && path.isKnown(row) ? view.camera.project(path.at(row, 0.5)) : null;
+    },
+    changes: () => app.comparison?.compared.changes ?? [],
+    change: (place) => {
+      const known = Number.isInteger(place) && place >= 0 && place < (app.comparison?.count ?? 0);
+      if (known) {
+        showChange(app, view, place);
+      }
+      return known;
     },
     dots: () =>
       Array.from(app.times?.dots() ?? [], (index) => {
@@ -72,8 +88,8 @@ export function api(app: App, view: View, player: Player, setLanguage: (lang: La
         };
       }),
     colour: (by) => {
-      if (!(COLOURS as readonly string[]).includes(by)) {
-        throw new RangeError(`colour: ${COLOURS.join(', ')}`);
+      if (!(app.colours as string[]).includes(by)) {
+        throw new RangeError(`colour: ${app.colours.join(', ')}`);
       }
       app.colourBy = by as ColourBy;
       app.emit('colour', undefined);

@@ -1,6 +1,7 @@
 // What the page shows: the program, the block in hand, what is chosen. Everything that looks at it listens to its events.
 
 import type { Container } from './data/columns.ts';
+import { Comparison } from './data/compared.ts';
 import type { Header } from './data/header.ts';
 import { History } from './data/history.ts';
 import { Program } from './data/program.ts';
@@ -9,7 +10,7 @@ import { Times } from './data/times.ts';
 import type { Place } from './panel.ts';
 import { Path } from './scene/path.ts';
 
-export const COLOURS = ['motion', 'feed', 'velocity', 'tool', 'set', 'time', 'depth'] as const;
+export const COLOURS = ['motion', 'feed', 'velocity', 'tool', 'set', 'time', 'depth', 'change'] as const;
 export type ColourBy = (typeof COLOURS)[number];
 
 /** What is shown besides the path. */
@@ -20,6 +21,8 @@ export interface Shown {
   equidistant: boolean;
   rapids: boolean;
   grid: boolean;
+  /** The path of the old program. */
+  old: boolean;
 }
 
 /** What is left out of the picture by hand. */
@@ -44,6 +47,7 @@ interface Events {
   measure: undefined;
   stale: undefined;
   together: undefined;
+  change: undefined;
 }
 
 export class App {
@@ -51,25 +55,39 @@ export class App {
   path!: Path;
   text!: Text;
   times: Times | undefined;
+  /** On a page of `compare`. */
+  comparison: Comparison | undefined;
   current: number | null = null;
   /** Whether the picture is that of an earlier text, because the program cannot be executed now. */
   stale = false;
   /** Rows of all executions of the block in hand, when all of them are shown; else nothing. */
   together: readonly number[] = [];
   colourBy: ColourBy = 'motion';
-  readonly shown: Shown = { red: true, yellow: true, numbers: true, equidistant: true, rapids: true, grid: true };
+  readonly shown: Shown = { red: true, yellow: true, numbers: true, equidistant: true, rapids: true, grid: true, old: true };
   filter: Filter = { tools: new Set(), units: new Set(), from: 0, to: 0 };
   /** Units by what led to a block. */
   readonly #units = new Map<number, string>();
   #history: History | undefined;
   readonly #listeners = new Map<keyof Events, ((value: never) => void)[]>();
 
-  constructor(data: Container<Header>) {
+  /** `old`: the data of the program that it is compared with. */
+  constructor(data: Container<Header>, old?: Container<Header>) {
     this.#read(data);
+    const { compared } = this.header;
+    if (old !== undefined && compared !== undefined) {
+      this.comparison = new Comparison(old, compared, this.program, this.path);
+      this.colourBy = 'change';
+    }
+  }
+
+  /** What the path can be coloured by. */
+  get colours(): ColourBy[] {
+    return COLOURS.filter((by) => by !== 'change' || this.comparison !== undefined);
   }
 
   #read(data: Container<Header>): void {
     this.program = new Program(data);
+    this.comparison = undefined;
     this.#units.clear();
     this.#history = undefined;
     this.path = new Path(this.program);
@@ -125,6 +143,17 @@ export class App {
     if (nearest !== null) {
       this.select(nearest, 'script');
       this.gather();
+    }
+  }
+
+  /** Shows a change, and takes its first block in hand: of the new program, where it has one. */
+  choose(change: number | null): void {
+    const { comparison } = this;
+    if (comparison !== undefined) {
+      comparison.chosen = change;
+      const [first] = change === null ? [] : comparison.runs(change, 'new');
+      this.select(first === undefined ? (change === null ? this.current : null) : first[0] - this.program.from);
+      this.emit('change', undefined);
     }
   }
 

@@ -6,10 +6,11 @@ import { api, connect, type Api } from './api.ts';
 import { App } from './app.ts';
 import { bytesOfText, Container, inflate } from './data/columns.ts';
 import type { Header } from './data/header.ts';
-import { type Lang, language, setLanguage, t } from './i18n.ts';
+import { type Key, type Lang, language, setLanguage, t } from './i18n.ts';
 import { editor } from './panel.ts';
 import { View } from './scene/view.ts';
 import { followTheme } from './theme.ts';
+import { changes } from './ui/changes.ts';
 import { Chart } from './ui/chart.ts';
 import { Code } from './ui/code.ts';
 import { h, labelled, retell } from './ui/dom.ts';
@@ -43,9 +44,12 @@ function chooseLanguage(): Lang {
   return wanted.find((tag): tag is Lang => tag === 'en' || tag === 'cs') ?? 'en';
 }
 
-/** The data that the page holds. */
-function ownData(): Uint8Array<ArrayBuffer> {
-  const holder = document.getElementById('cnc872c-data')!;
+/** The data that the page holds; of the old program too, on a page of `compare`. */
+function ownData(id: 'cnc872c-data' | 'cnc872c-old'): Uint8Array<ArrayBuffer> | undefined {
+  const holder = document.getElementById(id);
+  if (holder === null) {
+    return undefined;
+  }
   const bytes = bytesOfText(holder.textContent ?? '');
   // The text is not needed any more: it would take memory.
   holder.remove();
@@ -83,13 +87,14 @@ function build(app: App): { view: View; player: Player; say: (lang: Lang) => voi
   const details = tabs(
     'details',
     [
+      ...(app.comparison === undefined ? [] : [['changes', changes(app, app.comparison, view)] as [Key, HTMLElement]]),
       ['block', new State(app).element],
       ['joints', joints(app, view)],
       ['findings', findings(app, view)],
       ['measure', measure(app, view)],
       ['filter', filter(app)],
     ],
-    (key) => (key === 'findings' ? app.header.findings.length : 0),
+    (key) => (key === 'findings' ? app.header.findings.length : key === 'changes' ? app.comparison!.compared.changes.length : 0),
   );
   app.on('data', details.tell);
   app.on('language', details.tell);
@@ -145,8 +150,9 @@ async function start(): Promise<void> {
   followTheme(() => shown?.emit('theme', undefined));
   try {
     const around = editor();
-    const { data, place } = around === undefined ? { data: ownData(), place: undefined } : await around.first();
-    const app = new App(await unpack(data));
+    const { data, place } = around === undefined ? { data: ownData('cnc872c-data')!, place: undefined } : await around.first();
+    const old = ownData('cnc872c-old');
+    const app = new App(await unpack(data), old && (await unpack(old)));
     shown = app;
     const { view, player, say } = build(app);
     view.drawNow();

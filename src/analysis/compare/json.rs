@@ -7,11 +7,15 @@ use serde_json::{Value as Json, json};
 
 use super::changes::{Blocks, Change, ChangeKind};
 use super::steps::Value;
+use super::text::{head, line};
 use crate::analysis::{Number, forbid_null};
-use crate::dict::Micro;
+use crate::dict::{Lang, Micro};
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.compare/1";
+
+/// So many changes stand one by one on a page.
+const LISTED: usize = 10_000;
 
 /// One of the programs.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,7 +126,12 @@ pub fn schema() -> Json {
 
 /// The comparison, pretty, with a line end.
 pub fn json(old: &Side, new: &Side, changes: &[Change]) -> String {
-    let record = Record {
+    // Numbers and texts always have a JSON.
+    serde_json::to_string_pretty(&record(old, new, changes)).unwrap_or_default() + "\n"
+}
+
+fn record(old: &Side, new: &Side, changes: &[Change]) -> Record {
+    Record {
         kind: "compare".to_owned(),
         schema: SCHEMA.to_owned(),
         generator: concat!("cnc872c ", env!("CARGO_PKG_VERSION")).to_owned(),
@@ -130,9 +139,41 @@ pub fn json(old: &Side, new: &Side, changes: &[Change]) -> String {
         old: side(old),
         new: side(new),
         changes: changes.iter().map(change).collect(),
-    };
-    // Numbers and texts always have a JSON.
-    serde_json::to_string_pretty(&record).unwrap_or_default() + "\n"
+    }
+}
+
+/// The comparison for a page: the record with its texts in both languages. Changes beyond the first [`LISTED`] are one `rest`.
+pub fn for_page(old: &Side, new: &Side, changes: &[Change]) -> Json {
+    let (listed, rest) = changes.split_at(changes.len().min(LISTED));
+    let in_both = |text: &dyn Fn(Lang) -> Json| json!({ "en": text(Lang::En), "cs": text(Lang::Cs) });
+    let mut page = json!(record(old, new, listed));
+    page["same"] = json!(changes.is_empty());
+    page["head"] = in_both(&|lang| json!(head(old, new, changes, lang)));
+    page["texts"] = in_both(&|lang| listed.iter().map(|change| line(change, lang)).collect());
+    if !rest.is_empty() {
+        let blocks =
+            |of: fn(&Change) -> &Blocks| merged(rest.iter().flat_map(|change| of(change).runs.iter().copied()));
+        page["rest"] = json!({
+            "count": rest.len(),
+            "old_blocks": blocks(|change| &change.old_blocks),
+            "new_blocks": blocks(|change| &change.new_blocks),
+        });
+    }
+    page
+}
+
+/// Runs in order, those that touch as one.
+fn merged(runs: impl Iterator<Item = [u32; 2]>) -> Vec<[u32; 2]> {
+    let mut runs: Vec<[u32; 2]> = runs.collect();
+    runs.sort_unstable();
+    let mut merged: Vec<[u32; 2]> = Vec::new();
+    for [from, to] in runs {
+        match merged.last_mut() {
+            Some([_, end]) if from <= end.saturating_add(1) => *end = to.max(*end),
+            _ => merged.push([from, to]),
+        }
+    }
+    merged
 }
 
 fn side(side: &Side) -> SideRecord {

@@ -5,7 +5,7 @@
 //! | read | executed blocks | [`Steps`]: motions, and the words between them | [`StepReader`] |
 //! | align | steps of both | pairs, and what is without one | `align` |
 //! | group | pairs | [`Change`]s with counts and places | `changes` |
-//! | show | changes | text, JSON | `text`, `json` |
+//! | show | changes | text, JSON, what the page lists | `text`, `json` |
 
 mod align;
 mod changes;
@@ -18,7 +18,7 @@ mod text;
 mod words;
 
 pub use changes::{Blocks, Change, ChangeKind, Comparison, Tolerances, compare};
-pub use json::{SCHEMA, Side, json, schema};
+pub use json::{SCHEMA, Side, for_page, json, schema};
 pub use reader::StepReader;
 pub use steps::{Context, Event, Steps, Value};
 pub use table::{Row, Verdict, table};

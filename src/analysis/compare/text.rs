@@ -14,7 +14,18 @@ const MOST: usize = 40;
 /// The changes, after what both programs take; at most so many lines as people read, or `all`.
 pub fn text(old: &Side, new: &Side, changes: &[Change], all: bool, lang: Lang) -> String {
     let mut lines = vec![format!("{} → {}", old.name, new.name)];
-    lines.push(Words::Blocks { old: old.blocks, new: new.blocks }.text(lang));
+    lines.extend(head(old, new, changes, lang));
+    let room = if all { usize::MAX } else { MOST.saturating_sub(lines.len() + 1) };
+    lines.extend(changes.iter().take(room).map(|change| line(change, lang)));
+    if changes.len() > room {
+        lines.push(Words::More { count: changes.len() - room }.text(lang));
+    }
+    lines.iter().map(|line| format!("{}\n", terminal_safe(line))).collect()
+}
+
+/// What both programs take, and how much differs with each tool.
+pub(super) fn head(old: &Side, new: &Side, changes: &[Change], lang: Lang) -> Vec<String> {
+    let mut lines = vec![Words::Blocks { old: old.blocks, new: new.blocks }.text(lang)];
     if let (Some(before), Some(after)) = (old.time_s, new.time_s) {
         let delta = format!("{:+.1}", after - before).replace('-', "−");
         lines.push(Words::Time { old: clock(before), new: clock(after), delta }.text(lang));
@@ -23,12 +34,7 @@ pub fn text(old: &Side, new: &Side, changes: &[Change], all: bool, lang: Lang) -
         lines.push(Words::Same.text(lang));
     }
     lines.extend(by_tool(changes, lang));
-    let room = if all { usize::MAX } else { MOST.saturating_sub(lines.len() + 1) };
-    lines.extend(changes.iter().take(room).map(|change| line(change, lang)));
-    if changes.len() > room {
-        lines.push(Words::More { count: changes.len() - room }.text(lang));
-    }
-    lines.iter().map(|line| format!("{}\n", terminal_safe(line))).collect()
+    lines
 }
 
 /// How much differs with each tool, when that is more than one change can say.
@@ -49,7 +55,8 @@ fn by_tool(changes: &[Change], lang: Lang) -> Vec<String> {
     tools.into_iter().take(MOST / 4).map(line).collect()
 }
 
-fn line(change: &Change, lang: Lang) -> String {
+/// A change.
+pub(super) fn line(change: &Change, lang: Lang) -> String {
     let count = match change.count() {
         1 => Words::OneBlock,
         count => Words::ManyBlocks { count },

@@ -64,6 +64,19 @@ export interface EquidistantPiece {
   bad?: boolean;
 }
 
+/** What another program does differently: the record of `cnc872c compare --format json`, with texts. */
+export interface Compared {
+  same: boolean;
+  old: Fields;
+  new: Fields;
+  changes: Fields[];
+  /** What both take; then a text for each change. */
+  head: { en: string[]; cs: string[] };
+  texts: { en: string[]; cs: string[] };
+  /** Changes that are not listed: how many, and their blocks. */
+  rest?: Fields;
+}
+
 export interface Header {
   schema: string;
   generator: string;
@@ -103,4 +116,6 @@ export interface Header {
   /** X is programmed as a diameter; positions are radii. */
   diameter: boolean;
   equidistant?: { pieces: EquidistantPiece[] };
+  /** Of a page of `compare`. */
+  compared?: Compared;
 }

@@ -2,6 +2,7 @@
 // whose lightness rises for values.
 
 import type { App, ColourBy } from '../app.ts';
+import { type Comparison, Fate, type Side } from '../data/compared.ts';
 import { type Cuts, Dash, type Lines } from './lines.ts';
 import { mixed } from './raster.ts';
 
@@ -35,6 +36,10 @@ export interface Theme {
   dotEdge: number;
   equidistant: number;
   collision: number;
+  /** Of compared programs: lines of the old one that the new one lacks; lines that run as before under other values. */
+  old: number;
+  values: number;
+  asBefore: number;
 }
 
 export const LIGHT: Theme = {
@@ -55,6 +60,9 @@ export const LIGHT: Theme = {
   dotEdge: colour('#26323b'),
   equidistant: colour('#2f6fed'),
   collision: colour('#d81f26'),
+  asBefore: colour('#b3bec7'),
+  old: colour('#d55e00'),
+  values: colour('#8a3f86'),
 };
 
 export const DARK: Theme = {
@@ -74,6 +82,9 @@ export const DARK: Theme = {
   dotEdge: colour('#0a0f12'),
   equidistant: colour('#6ea0ff'),
   collision: colour('#ff4d4f'),
+  asBefore: colour('#55626d'),
+  old: colour('#ff9b4a'),
+  values: colour('#d58ad0'),
 };
 
 const HUES = ['#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#7a68c9', '#8a8f23'].map(colour);
@@ -109,6 +120,20 @@ export function scaled(share: number, theme: Theme, which = 0): number {
   const place = Math.min(Math.max(share, 0), 1) * (scale.length - 1);
   const low = Math.min(Math.floor(place), scale.length - 2);
   return mixed(scale[low]!, scale[low + 1]!, place - low);
+}
+
+/** Gives the lines of one of two compared programs the colours of what became of them; the old one's are dashed. */
+export function paintHalf(comparison: Comparison, side: Side, lines: Lines, theme: Theme): void {
+  const { fates } = comparison[side];
+  const looks = [theme.asBefore, theme.values, side === 'old' ? theme.old : theme.kinds[2]!];
+  lines.dashes = side === 'old' ? new Uint8Array(lines.count) : undefined;
+  lines.rows.forEach((row, chord) => {
+    const fate = fates[row]!;
+    lines.colours.fill(looks[fate]!, 2 * chord, 2 * chord + 2);
+    if (lines.dashes !== undefined && fate === Fate.Moved) {
+      lines.dashes[chord] = Dash.Long;
+    }
+  });
 }
 
 /** What colours mean: kinds with their colours, or scales from … to …, one for each unit. */
@@ -243,6 +268,20 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
         colour: theme.kinds[kind]!,
         dash: kind === 0 ? Dash.Rapid : Dash.Solid,
       }));
+      return { kind: 'names', items };
+    }
+    case 'change': {
+      const { comparison } = app;
+      if (comparison === undefined) {
+        return { kind: 'names', items: [] };
+      }
+      paintHalf(comparison, 'new', lines, theme);
+      const items = [
+        { name: 'inNew', colour: theme.kinds[2]!, dash: Dash.Solid },
+        { name: 'inOld', colour: theme.old, dash: Dash.Long },
+        { name: 'otherValues', colour: theme.values, dash: Dash.Solid },
+        { name: 'asBefore', colour: theme.asBefore, dash: Dash.Solid },
+      ];
       return { kind: 'names', items };
     }
     case 'tool':

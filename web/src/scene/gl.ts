@@ -71,10 +71,10 @@ export class Gl implements Renderer {
   readonly #gl: WebGL2RenderingContext;
   readonly #lineProgram: twgl.ProgramInfo;
   readonly #dotProgram: twgl.ProgramInfo;
-  #buffers: twgl.BufferInfo | undefined;
-  #of: Lines | undefined;
-  #stale = { points: true, colours: true };
-  #coarse: { indices: WebGLBuffer; count: number; step: number } | undefined;
+  /** What is uploaded, with whether its colours are current. */
+  #uploaded = new WeakMap<Lines, { info: twgl.BufferInfo; fresh: boolean }>();
+  #current: Lines[] = [];
+  #coarse = new WeakMap<Lines, { indices: WebGLBuffer; count: number; step: number }>();
   #dotBuffers: { of: object; info: twgl.BufferInfo } | undefined;
   #size: [number, number] = [1, 1];
   #ratio = 1;
@@ -94,8 +94,14 @@ export class Gl implements Renderer {
   }
 
   changed(what: 'points' | 'colours'): void {
-    this.#stale[what] = true;
-    this.#stale.colours = true;
+    for (const lines of this.#current) {
+      const uploaded = this.#uploaded.get(lines);
+      if (what === 'points') {
+        this.#uploaded.delete(lines);
+      } else if (uploaded !== undefined) {
+        uploaded.fresh = false;
+      }
+    }
   }
 
   /** The projection to clip space. Depths of the whole drawing fit. */
@@ -114,7 +120,8 @@ export class Gl implements Renderer {
 
   #upload(lines: Lines): twgl.BufferInfo {
     const gl = this.#gl;
-    if (this.#buffers === undefined || this.#of !== lines || this.#stale.points) {
+    const uploaded = this.#uploaded.get(lines);
+    if (uploaded === undefined) {
       const { points, count } = lines;
       const travelled = new Float32Array(2 * count);
       const dashing = new Uint8Array(2 * count);
@@ -140,23 +147,26 @@ export class Gl implements Renderer {
             points[at + 5]! - points[at + 2]!,
           );
       }
-      this.#buffers = twgl.createBufferInfoFromArrays(gl, {
+      const info = twgl.createBufferInfoFromArrays(gl, {
         position: { numComponents: 3, data: points },
         travelled: { numComponents: 1, data: travelled },
         dashing: { numComponents: 1, data: dashing, normalize: false },
         colour: { numComponents: 4, data: new Uint8Array(lines.colours.buffer), normalize: true },
       });
-      this.#of = lines;
-      this.#coarse = undefined;
-    } else if (this.#stale.colours) {
-      twgl.setAttribInfoBufferFromArray(gl, this.#buffers.attribs!['colour']!, new Uint8Array(lines.colours.buffer));
+      this.#uploaded.set(lines, { info, fresh: true });
+      this.#coarse.delete(lines);
+      return info;
     }
-    this.#stale = { points: false, colours: false };
-    return this.#buffers;
+    if (!uploaded.fresh) {
+      twgl.setAttribInfoBufferFromArray(gl, uploaded.info.attribs!['colour']!, new Uint8Array(lines.colours.buffer));
+      uploaded.fresh = true;
+    }
+    return uploaded.info;
   }
 
   #coarseIndices(lines: Lines, step: number): { indices: WebGLBuffer; count: number } {
-    if (this.#coarse?.step !== step) {
+    let coarse = this.#coarse.get(lines);
+    if (coarse?.step !== step) {
       const gl = this.#gl;
       const found: number[] = [];
       const runs = lines.runs;
@@ -171,33 +181,44 @@ export class Gl implements Renderer {
       const indices = gl.createBuffer()!;
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, indices);
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(found), gl.STATIC_DRAW);
-      this.#coarse = { indices, count: found.length, step };
+      coarse = { indices, count: found.length, step };
+      this.#coarse.set(lines, coarse);
     }
-    return this.#coarse;
+    return coarse;
   }
 
   draw(frame: Frame): void {
     const gl = this.#gl;
-    const { lines } = frame;
+    const { lines, under, over } = frame;
+    this.#current = [...under, lines, ...over];
     gl.viewport(0, 0, gl.canvas.width, gl.canvas.height);
     gl.clearColor(...rgb(frame.background), 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    this.#drawUnderlay(frame);
+    gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL);
+    for (const layer of this.#current) {
+      this.#drawLines(frame, layer, layer === lines ? frame.until : layer.count);
+    }
+    gl.disable(gl.DEPTH_TEST);
+    this.#drawDots(frame);
+  }
+
+  #drawLines(frame: Frame, lines: Lines, end: number): void {
+    const gl = this.#gl;
     const box = lines.path.box;
     const reach = Math.hypot(...box.min.map((low, i) => box.max[i]! - low)) + 1;
     const around = lines.about(frame.matrix);
     // Depths count from the middle of the drawing.
     around[11] = 0;
-    this.#drawUnderlay(frame);
-    gl.enable(gl.DEPTH_TEST);
-    gl.depthFunc(gl.LEQUAL);
     const buffers = this.#upload(lines);
     gl.useProgram(this.#lineProgram.program);
     twgl.setBuffersAndAttributes(gl, this.#lineProgram, buffers);
     const scale = Math.hypot(frame.matrix[0]!, frame.matrix[4]!) || 1;
     const uniforms = { matrix: this.#matrix(around, reach), scale, dashes: DASHES.flat(), tint: [1, 1, 1, 1] };
-    const until = 2 * frame.until;
+    const until = 2 * end;
     const all = 2 * lines.count;
     if (frame.step > 1) {
       const { indices, count } = this.#coarseIndices(lines, frame.step);
@@ -212,8 +233,6 @@ export class Gl implements Renderer {
       twgl.setUniforms(this.#lineProgram, uniforms);
       gl.drawArrays(gl.LINES, 0, until);
     }
-    gl.disable(gl.DEPTH_TEST);
-    this.#drawDots(frame);
   }
 
   #drawUnderlay(frame: Frame): void {

@@ -224,6 +224,19 @@ export class Path {
     return length;
   }
 
+  /** Makes room for another path. */
+  embrace(other: Path): void {
+    for (const [own, others] of [
+      [this.box, other.box],
+      [this.workingBox, other.workingBox],
+    ] as const) {
+      own?.min.forEach((low, i) => {
+        own.min[i] = Math.min(low, others?.min[i] ?? low);
+        own.max[i] = Math.max(own.max[i]!, others?.max[i] ?? own.max[i]!);
+      });
+    }
+  }
+
   #boxes(): [Box, Box | undefined] {
     const empty = (): Box => ({ min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] });
     const all = empty();

@@ -1,7 +1,7 @@
 // Draws the path without a graphics processor: smooth lines with depth into an array of pixels. Where a browser only
 // imitates a graphics processor, this is ten times as fast as what it imitates.
 
-import { DASHES } from './lines.ts';
+import { DASHES, type Lines } from './lines.ts';
 import type { Dots, Frame, Renderer } from './renderer.ts';
 
 /** Lines are at least so long, in pixels of the screen, before they are drawn. */
@@ -48,7 +48,10 @@ export class Raster implements Renderer {
     this.#pixels.fill(frame.background);
     this.#depth.fill(-Infinity);
     this.#underlay(frame);
+    const whole = (lines: Lines): void => this.#path({ ...frame, lines, until: lines.count });
+    frame.under.forEach(whole);
     this.#path(frame);
+    frame.over.forEach(whole);
     this.#dots(frame.dots, frame);
     this.#context.putImageData(this.#image, 0, 0);
   }

@@ -23,6 +23,9 @@ export interface Frame {
   matrix: Float64Array;
   underlay: Underlay;
   lines: Lines;
+  /** Lines under them, those of the old program; over them, those of the change that is shown. */
+  under: Lines[];
+  over: Lines[];
   /** The chord behind the last one that is drawn in full colour; those behind it are faint. */
   until: number;
   /** Every so many chords are drawn as one. */

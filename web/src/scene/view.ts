@@ -4,7 +4,7 @@ import type { App } from '../app.ts';
 import { t } from '../i18n.ts';
 import { isDark } from '../theme.ts';
 import { type Box, Camera, type Plane, type Vector } from './camera.ts';
-import { DARK, LIGHT, type Legend, type Theme, paint, rampCuts } from './colours.ts';
+import { DARK, LIGHT, type Legend, type Theme, colour, paint, paintHalf, rampCuts } from './colours.ts';
 import { Gl, hardwareContext } from './gl.ts';
 import { grid, type GridLabel } from './grid.ts';
 import { Held } from './held.ts';
@@ -37,6 +37,10 @@ export class View {
   theme: Theme = LIGHT;
   legend: Legend = { kind: 'names', items: [] };
   lines!: Lines;
+  /** Those of the old program, on a page of `compare`. */
+  under: Lines | undefined;
+  /** Those of the change that is shown. */
+  over: Lines[] = [];
   /** Asked for points of the path by a click, instead of a block. */
   onPoint: ((point: MeasurePoint) => void) | undefined;
   measured: MeasurePoint[] = [];
@@ -82,10 +86,12 @@ export class View {
     // Before others, who take colours from here.
     app.on('theme', () => {
       this.theme = isDark() ? DARK : LIGHT;
+      this.#choose();
       this.repaint();
     });
     app.on('data', () => this.#load());
     app.on('colour', () => this.#recolour());
+    app.on('change', () => this.#choose());
     app.on('together', () => this.request('marks'));
     app.on('filter', () => this.#rebuild());
     app.on('shown', () => this.#rebuild());
@@ -136,6 +142,10 @@ export class View {
         ? undefined
         : (row: number): boolean => (!app.shown.rapids && app.path.kind(row) === 0) || seen[row] === 0;
     this.lines = new Lines(app.path, deviation, hidden, app.colourBy === 'velocity' ? rampCuts(app) : undefined);
+    const old = app.shown.old ? app.comparison?.old.path : undefined;
+    const still = (row: number): boolean => !app.shown.rapids && old?.kind(row) === 0;
+    this.under = old && new Lines(old, deviation, still);
+    this.#choose();
     this.#renderer.changed('points');
     this.#dotsFor = '';
     this.repaint();
@@ -159,10 +169,25 @@ export class View {
   /** Gives the lines their colours again. */
   repaint(): void {
     const { dashes } = this.lines;
-    this.legend = paint(this.app, this.lines, this.theme, this.app.colourBy);
+    this.#paint();
     this.#renderer.changed(dashes === this.lines.dashes ? 'colours' : 'points');
     this.onLegend?.();
     this.request();
+  }
+
+  /** The lines of the change that is shown, of both programs. */
+  #choose(): void {
+    const { comparison } = this.app;
+    this.over = comparison?.chosenLines(this.lines.deviation, colour(this.theme.selection)) ?? [];
+    this.request();
+  }
+
+  #paint(): void {
+    const { app, lines, under, theme } = this;
+    this.legend = paint(app, lines, theme, app.colourBy);
+    if (under !== undefined && app.comparison !== undefined) {
+      paintHalf(app.comparison, 'old', under, theme);
+    }
   }
 
   /** Takes the size of the page; whether it has changed. */
@@ -270,8 +295,9 @@ export class View {
     if (!this.#moving) {
       this.refine();
     }
-    const { lines } = this;
-    const step = this.#moving ? Math.max(Math.ceil((lines.count / FLUENT) * this.#slow), 1) : 1;
+    const { lines, under } = this;
+    const count = lines.count + (under?.count ?? 0);
+    const step = this.#moving ? Math.max(Math.ceil((count / FLUENT) * this.#slow), 1) : 1;
     const begun = performance.now();
     const empty = { underlay: { points: [], colours: [] }, labels: [] as GridLabel[] };
     const drawn = app.shown.grid && app.path.rows.length > 0;
@@ -284,6 +310,8 @@ export class View {
       matrix,
       underlay,
       lines,
+      under: under === undefined ? [] : [under],
+      over: this.over,
       until: lines.count,
       step,
       width: lines.count > 60_000 ? 1 : 1.5,
@@ -294,7 +322,7 @@ export class View {
     this.#held.draw(this);
     drawMarks(this, this.#marks, labels);
     const took = performance.now() - begun;
-    if (this.#moving && lines.count > FLUENT) {
+    if (this.#moving && count > FLUENT) {
       this.#slow = Math.min(Math.max(this.#slow * (took > 45 ? 1.5 : took < 20 ? 0.8 : 1), 1), 16);
     }
     const waits = this.#moving && app.shown.numbers && app.shown.red && (this.#redDots?.length ?? 0) > 3000;
@@ -305,7 +333,9 @@ export class View {
   refine(): void {
     if (this.lines.isCoarse(this.camera.scale)) {
       this.lines = new Lines(this.app.path, 0.25 / this.camera.scale, this.lines.filter, this.lines.cuts);
-      this.legend = paint(this.app, this.lines, this.theme, this.app.colourBy);
+      this.under &&= new Lines(this.under.path, 0.25 / this.camera.scale, this.under.filter);
+      this.#choose();
+      this.#paint();
       this.#renderer.changed('points');
     }
   }

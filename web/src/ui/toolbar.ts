@@ -1,6 +1,6 @@
 // The bar above the path: views, colours, what is shown, language, help.
 
-import { type App, COLOURS, type ColourBy, type Shown } from '../app.ts';
+import { type App, type ColourBy, type Shown } from '../app.ts';
 import { type Key, language, t } from '../i18n.ts';
 import { css } from '../scene/colours.ts';
 import type { Standard, View } from '../scene/view.ts';
@@ -38,9 +38,10 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
       : h('button', { type: 'button', onclick: look }, standard);
   });
   const colours = h('select', { id: 'colour' });
-  for (const by of COLOURS) {
+  for (const by of app.colours) {
     colours.append(said('option', by as Key, { value: by }));
   }
+  colours.value = app.colourBy;
   colours.addEventListener('change', () => {
     app.colourBy = colours.value as ColourBy;
     app.emit('colour', undefined);
@@ -55,6 +56,7 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
     ['rapids', 'rapids'],
     ['grid', 'grid'],
     ['equidistant', 'equidistant'],
+    ['old', 'oldPath'],
   ];
   const boxes = toggles.map(([what, key]) => {
     const box = h('input', { type: 'checkbox' });
@@ -67,6 +69,7 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
     const suit = (): void => {
       label.hidden =
         (what === 'equidistant' && app.header.equidistant === undefined) ||
+        (what === 'old' && app.comparison === undefined) ||
         ((what === 'red' || what === 'yellow' || what === 'numbers') && app.times === undefined);
     };
     suit();
@@ -93,6 +96,9 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
   );
 }
 
+/** Names in a legend that have a text. */
+const NAMED = new Set(['rapid', 'linear', 'arc', 'thread', 'inNew', 'inOld', 'otherValues', 'asBefore']);
+
 /** What colours mean, and what is not drawn. */
 export function legend(app: App, view: View): HTMLElement {
   const list = h('div', { class: 'legend' });
@@ -106,7 +112,7 @@ export function legend(app: App, view: View): HTMLElement {
       for (const item of legend.items) {
         const mark = h('span', { class: `swatch dash-${item.dash}` });
         mark.style.setProperty('--colour', css(item.colour));
-        const name = item.name === '' ? t('noTool') : item.name in { rapid: 1, linear: 1, arc: 1, thread: 1 } ? t(item.name as Key) : item.name;
+        const name = item.name === '' ? t('noTool') : NAMED.has(item.name) ? t(item.name as Key) : item.name;
         list.append(h('span', { class: 'item' }, mark, name));
       }
     } else {
