@@ -227,6 +227,7 @@ fn planted_changes() {
     assert_eq!(planted("N60 G1 X30", "N60 G1 X30\nN61 M00"), one("stop", 1, "M00"));
     assert_eq!(planted("N60 G1 X30", "N60 G1 X30\nN61 G4 Q50"), one("dwell", 1, ""));
     assert_eq!(planted("T5", "T6"), one("tool", 1, "T"));
+    assert_eq!(planted("N30 G1 X10", "N30 G23 G1 X10"), one("function", 10, "G23"));
     assert_eq!(planted("Y5\n", "Y5.001\n"), []);
     // CMP-1: how it is written does not matter.
     assert_eq!(planted("N60 G1 X30", "N60 G01 X30. F200 \"again\""), []);

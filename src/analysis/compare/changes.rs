@@ -354,7 +354,9 @@ impl Grouping<'_> {
                 found.push(Difference { kind: ChangeKind::Function, what, old: text(a), new: text(b) });
             }
         }
-        if old.dynamic_set != new.dynamic_set {
+        // Where G23 itself differs, that says it all.
+        let continuous = |context: &Context| context.functions.contains(&GCode::G23);
+        if continuous(old) == continuous(new) && old.dynamic_set != new.dynamic_set {
             let number = |set: Option<u8>| set.map(|set| Value::from(Decimal::whole(i64::from(set))));
             let (a, b) = (number(old.dynamic_set), number(new.dynamic_set));
             let what = Some(GCode::G23.to_string());

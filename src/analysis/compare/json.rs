@@ -146,20 +146,24 @@ fn record(old: &Side, new: &Side, changes: &[Change]) -> Record {
 pub fn for_page(old: &Side, new: &Side, changes: &[Change]) -> Json {
     let (listed, rest) = changes.split_at(changes.len().min(LISTED));
     let in_both = |text: &dyn Fn(Lang) -> Json| json!({ "en": text(Lang::En), "cs": text(Lang::Cs) });
-    let mut page = json!(record(old, new, listed));
-    page["same"] = json!(changes.is_empty());
-    page["head"] = in_both(&|lang| json!(head(old, new, changes, lang)));
-    page["texts"] = in_both(&|lang| listed.iter().map(|change| line(change, lang)).collect());
+    let Json::Object(mut page) = json!(record(old, new, listed)) else { return Json::Null };
+    let mut put = |name: &str, value: Json| drop(page.insert(name.to_owned(), value));
+    put("same", json!(changes.is_empty()));
+    put("head", in_both(&|lang| json!(head(old, new, changes, lang))));
+    put("texts", in_both(&|lang| listed.iter().map(|change| line(change, lang)).collect()));
     if !rest.is_empty() {
         let blocks =
             |of: fn(&Change) -> &Blocks| merged(rest.iter().flat_map(|change| of(change).runs.iter().copied()));
-        page["rest"] = json!({
-            "count": rest.len(),
-            "old_blocks": blocks(|change| &change.old_blocks),
-            "new_blocks": blocks(|change| &change.new_blocks),
-        });
+        put(
+            "rest",
+            json!({
+                "count": rest.len(),
+                "old_blocks": blocks(|change| &change.old_blocks),
+                "new_blocks": blocks(|change| &change.new_blocks),
+            }),
+        );
     }
-    page
+    Json::Object(page)
 }
 
 /// Runs in order, those that touch as one.
