@@ -49,7 +49,7 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
         Ok(asked) => {
             let mut reader = StateReader::new(settings, asked.clone());
             let run = session.watch(path, &name, Purpose::Report, &mut &mut reader);
-            let error = reader.has_error_before();
+            let error = reader.has_error_before() || reader.has_late_error(&run.outcome.findings);
             let found = reader.finish(run.whole.is_some());
             (run.outcome, asked, if error { None } else { Some(found) })
         }

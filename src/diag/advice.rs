@@ -524,6 +524,9 @@ bilingual! {
         SpeedLimit "G92 does not limit the speed on this control", "G92 v tomto systému neomezuje otáčky";
         Thread "G92 cuts no thread on this control: it writes a table", "G92 v tomto systému neřeže závit, ale zapisuje tabulku";
         ToolWithOffset { written: String, tool: i64 } "`{written}` is tool {tool} on this control", "{written} je v tomto systému nástroj {tool}";
+        ModalOrigin "G53 holds until another zero offset: this motion still counts from it", "G53 platí do dalšího posunutí: i tento pohyb se počítá od něj";
+        CuttingSpeed { s: i64 } "S{s} under G97 is a cutting speed on this control", "S{s} je při G97 v tomto systému řezná rychlost";
+        RepeatByP { p: i64 } "P{p} does not repeat the jump on this control", "P{p} v tomto systému skok neopakuje";
     }
 }
 
@@ -547,6 +550,21 @@ impl OtherMeaning {
                     Lang::Cs => format!("nástroj {tool} s korekcí {tool} se píše „T{tool} D{tool}“"),
                 }
             }
+            (Self::ModalOrigin, Lang::En) => {
+                "write the zero offset of the work again (such as `G54`) behind the block with G53".to_owned()
+            }
+            (Self::ModalOrigin, Lang::Cs) => {
+                "za blokem s G53 znovu zadat posunutí obrobku (například „G54“)".to_owned()
+            }
+            (Self::CuttingSpeed { .. }, Lang::En) => {
+                "with the speed of the spindle in S the feed is under G94 or G95; the key `g97` says what G97 is"
+                    .to_owned()
+            }
+            (Self::CuttingSpeed { .. }, Lang::Cs) => {
+                "otáčky vřetena udává S při G94 a G95; co znamená G97, určuje klíč g97".to_owned()
+            }
+            (Self::RepeatByP { p }, Lang::En) => format!("the number of jumps is written with `Q`: `Q{p}`"),
+            (Self::RepeatByP { p }, Lang::Cs) => format!("počet skoků udává Q: „Q{p}“"),
             (Self::SpeedLimit, Lang::En) => {
                 "the program cannot limit the speed: delete both; `S` would be the speed itself".to_owned()
             }

@@ -160,7 +160,7 @@ impl Code {
 
     /// Whether it is allowed unless `[lints]` asks for it.
     pub const fn is_off(self) -> bool {
-        matches!(self, Self::W0801 | Self::W0802)
+        matches!(self, Self::W0628 | Self::W0629 | Self::W0801 | Self::W0802 | Self::W0804)
     }
 
     /// Whether it is an error of structure or flow, or tells of a program for another control: which block leads where is then
@@ -437,7 +437,7 @@ diagnostics! {
     [E0312] CorrectionDigits "length-correction-digits" Error {}
         en "`&` takes four digits, each 0, 1 or 2"
         cs "& má čtyři číslice, každou 0, 1 nebo 2"
-        help "one digit for each axis: 0 no correction, 1 or 2 its direction; for example `&0010`" | "každé ose patří jedna číslice: 0 bez korekce, 1 nebo 2 směr; například „&0010“"
+        help "write four digits, each 0, 1 or 2; for example `&0010`" | "zadat čtyři číslice, každou 0, 1 nebo 2; například „&0010“"
 
     [E0401] MissingTarget "missing-target" Error { function: GCode, meant: TargetMeant }
         en "{function} without `L`"
@@ -516,10 +516,8 @@ diagnostics! {
     [W0503] UnassignedParameter "unassigned-parameter" Warning { parameter: u8 }
         en "R{parameter} is read before the program gives it a value"
         cs "R{parameter} se čte dřív, než mu program dal hodnotu"
-        help "assign it first: `R{parameter}=…`, or give the machine's value with `--param R{parameter}=…`"
-           | "nejdřív přiřadit: „R{parameter}=…“, nebo zadat hodnotu ze stroje volbou --param R{parameter}=…"
-        note "its value comes from the machine's parameter table: `check` leaves out what depends on it, `compile` ends here"
-           | "hodnota pochází z tabulky parametrů stroje: co na ní závisí, se nezkontroluje; compile zde skončí"
+        help "assign it first: `R{parameter}=…`, or give the machine's value with `--param R{parameter}=…`" | "nejdřív přiřadit: „R{parameter}=…“, nebo zadat hodnotu ze stroje volbou --param R{parameter}=…"
+        note "its value comes from the machine's parameter table: `check` leaves out what depends on it, `compile` ends here" | "hodnota pochází z tabulky parametrů stroje: co na ní závisí, se nezkontroluje; compile zde skončí"
     [W0504] AssignedAndRead "assigned-and-read" Warning { parameter: u8 }
         en "R{parameter} is read here and assigned in the same block: the old value counts"
         cs "R{parameter} se v témže bloku čte i přiřazuje: platí stará hodnota"
@@ -542,8 +540,7 @@ diagnostics! {
     [E0508] UnknownOperation "unknown-operation" Error { operation: i64, digits: i64 }
         en "the configuration does not say what operation {operation:02} means"
         cs "význam kódu operace {operation:02} není v konfiguraci uveden"
-        help "if the control word is right, add the code to cnc872c.toml, by the machine's manual: `[operations]`, `\"{operation:02}\" = \"…\"`"
-           | "je-li řídicí slovo správně, doplnit kód do cnc872c.toml podle příručky stroje: [operations], \"{operation:02}\" = \"…\""
+        help "if the control word is right, add the code to cnc872c.toml, by the machine's manual: `[operations]`, `\"{operation:02}\" = \"…\"`" | "je-li řídicí slovo správně, doplnit kód do cnc872c.toml podle příručky stroje: [operations], \"{operation:02}\" = \"…\""
         note ({ let split = control_digits(*digits); format!("the control word is read as {split}: operation, first operand, second operand, result") })
            | ({ let split = control_digits(*digits); format!("řídicí slovo se čte jako {split}: operace, první operand, druhý operand, výsledek") })
     [E0509] ArithmeticError "arithmetic-error" Error { what: ArithmeticFault }
@@ -559,13 +556,11 @@ diagnostics! {
     [W0601] MissingFeed "missing-feed" Warning { thread: bool }
         en (if *thread { "a thread is cut before the program sets a feed" } else { "working motion before the program sets a feed" })
         cs (if *thread { "řezání závitu dřív, než program zadal posuv" } else { "pracovní pohyb dřív, než program zadal posuv" })
-        help "write `F` in this block or before it; otherwise the feed of the program before stays in force"
-           | "zadat F v tomto bloku nebo před ním; jinak platí posuv z předchozího programu"
+        help "write `F` in this block or before it; otherwise the feed of the program before stays in force" | "zadat F v tomto bloku nebo před ním; jinak platí posuv z předchozího programu"
     [E0602] MissingArcCenter "missing-arc-center" Error { radius_word: bool, by: Option<String> }
         en "an arc without its centre: `I` and `J` are missing or zero"
         cs "oblouk bez středu: I a J chybí nebo jsou nulové"
-        help "write the distances from the start to the centre: `I` along the first axis of the arc, `J` along the second"
-           | "doplnit vzdálenosti od začátku oblouku ke středu: I v první ose oblouku, J ve druhé"
+        help "write the distances from the start to the centre: `I` along the first axis of the arc, `J` along the second" | "doplnit vzdálenosti od začátku oblouku ke středu: I v první ose oblouku, J ve druhé"
         note (match (by, *radius_word) {
                 (_, true) => "`R` is a parameter on this control, never a radius".to_owned(),
                 (Some(by), false) => format!("it is an arc because {by} is in force"),
@@ -613,8 +608,7 @@ diagnostics! {
     [E0611] ArcAxes "arc-axes" Error { plane: String, many: bool }
         en (if *many { "an arc takes at most three axis words".to_owned() } else { format!("the axis words of the arc do not fit the plane {plane} in force") })
         cs (if *many { "oblouk smí mít nejvýše tři slova os".to_owned() } else { format!("slova os oblouku nesouhlasí s platnou rovinou {plane}") })
-        help "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX"
-           | "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX"
+        help "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX" | "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX"
     [W0612] FunctionNotModelled "function-not-modelled" Warning { what: Unmodelled }
         en (what.message(Lang::En))
         cs (what.message(Lang::Cs))
@@ -622,8 +616,7 @@ diagnostics! {
     [W0613] HelixWithoutG09 "helix-without-g09" Warning {}
         en "an arc with a third axis, but G09 is not in force"
         cs "oblouk s třetí osou, ale neplatí G09"
-        help "program G09 for a helix, or move the third axis in a block of its own"
-           | "pro šroubovici zadat G09, nebo třetí osou jet v samostatném bloku"
+        help "program G09 for a helix, or move the third axis in a block of its own" | "pro šroubovici zadat G09, nebo třetí osou jet v samostatném bloku"
     [E0614] SpindleTurn "spindle-turn" Error { axis: char, fault: SpindleFault }
         en ({ let why = fault.text(Lang::En); format!("axis {axis} is the spindle: {why}") })
         cs ({ let why = fault.text(Lang::Cs); format!("osa {axis} je vřeteno: {why}") })
@@ -637,8 +630,7 @@ diagnostics! {
         cs ({ let why = fault.text(Lang::Cs); let name = plane.name; format!("{} je zde rovina {name}: {why}", plane.function) })
         help (meant.map_or_else(String::new, |meant| format!("the plane {} is {}", meant.name, meant.function)))
            | (meant.map_or_else(String::new, |meant| format!("rovina {} je {}", meant.name, meant.function)))
-        note "the planes serve the radius corrections G41 and G42; G18 and G19 are the reverse of ISO"
-           | "roviny slouží poloměrovým korekcím G41 a G42; G18 a G19 jsou proti ISO prohozené"
+        note "the planes serve the radius corrections G41 and G42; G18 and G19 are the reverse of ISO" | "roviny slouží poloměrovým korekcím G41 a G42; G18 a G19 jsou proti ISO prohozené"
     [W0617] NoGearForSpeed "no-gear-for-speed" Warning { s: u32, gears: String }
         en "S{s} is in no spindle range, so M40 chooses none"
         cs "otáčky S{s} nespadají do žádného rozsahu, M40 tedy žádný nevybere"
@@ -646,8 +638,7 @@ diagnostics! {
     [W0618] CorrectionWithoutEntry "correction-without-entry" Warning { function: GCode }
         en "{function} before the program chooses a correction `D`"
         cs "{function} dřív, než program zvolil korekci D"
-        help "write `D` with the number of the tool's correction in this block or before it"
-           | "zadat D s číslem korekce nástroje v tomto bloku nebo před ním"
+        help "write `D` with the number of the tool's correction in this block or before it" | "zadat D s číslem korekce nástroje v tomto bloku nebo před ním"
     [W0619] SpindleStopped "spindle-stopped" Warning { thread: bool }
         en (if *thread { "a thread is cut while the spindle is stopped (M05)" } else { "a working motion while the spindle is stopped (M05)" })
         cs (if *thread { "řezání závitu při zastaveném vřetenu (M05)" } else { "pracovní pohyb při zastaveném vřetenu (M05)" })
@@ -655,13 +646,11 @@ diagnostics! {
     [W0620] ToolChangeWithoutTool "tool-change-without-tool" Warning {}
         en "M06 before the program names a tool"
         cs "M06 dřív, než program zvolil nástroj"
-        help "write `T` with the number of the tool in this block or before it"
-           | "zadat T s číslem nástroje v tomto bloku nebo před ním"
+        help "write `T` with the number of the tool in this block or before it" | "zadat T s číslem nástroje v tomto bloku nebo před ním"
     [W0621] OutsideTravel "outside-travel" Warning { axis: char, value: String, limit: String, above: bool }
         en (if *above { format!("{axis}{value} is beyond the travel of the axis, which ends at {limit}") } else { format!("{axis}{value} is beyond the travel of the axis, which begins at {limit}") })
         cs (if *above { format!("{axis}{value} je mimo rozsah pohybu osy, který končí na {limit}") } else { format!("{axis}{value} je mimo rozsah pohybu osy, který začíná na {limit}") })
-        help "check the value, G90 or G91, and the origin; the travel is `min` and `max` of the axis in the project file"
-           | "zkontrolovat hodnotu, G90 nebo G91 a počátek; rozsah je min a max osy v projektovém souboru"
+        help "check the value, G90 or G91, and the origin; the travel is `min` and `max` of the axis in the project file" | "zkontrolovat hodnotu, G90 nebo G91 a počátek; rozsah je min a max osy v projektovém souboru"
     [W0622] SpindleSpeedZero "spindle-speed-zero" Warning { m: u8, zero: bool }
         en (if *zero { format!("a working motion under M{m:02} at S0: the spindle does not turn") } else { format!("a working motion under M{m:02} before the program sets the spindle speed it writes later") })
         cs (if *zero { format!("pracovní pohyb při M{m:02} a S0: vřeteno se netočí") } else { format!("pracovní pohyb při M{m:02} dřív, než program zadal otáčky, které jsou až dál") })
@@ -686,6 +675,19 @@ diagnostics! {
         en "M06 while the fixed cycle {cycle} is in force"
         cs "M06 při zapnutém pevném cyklu {cycle}"
         help "end the cycle with G80 before the tool change" | "před výměnou nástroje cyklus ukončit funkcí G80"
+    [W0628] ToolNotChanged "tool-not-changed" Warning { t: String }
+        en "T{t} is named, and no M06 follows"
+        cs "T{t} je zvolen a žádné M06 po něm nenásleduje"
+        help "`T` only names the tool: change it with M06" | "T nástroj jen volí: vymění ho M06"
+    [W0629] ArcTurnsBack "arc-turns-back" Warning { function: GCode, meant: GCode, count: u64 }
+        en "the path turns back at both ends of the arc; {meant} would join both neighbours smoothly"
+        cs "dráha se na obou koncích oblouku obrací; {meant} by na sousední bloky navázal hladce"
+        help "check the direction: {function} or {meant}" | "zkontrolovat směr: {function}, nebo {meant}"
+        note (times(*count, Lang::En)) | (times(*count, Lang::Cs))
+    [W0630] TableWithoutValues "table-without-values" Warning { function: GCode }
+        en "{function} without axis words writes nothing"
+        cs "{function} bez slov os nic nezapíše"
+        help "write the axes with their values in this block, or delete {function}" | "zadat v tomto bloku osy s hodnotami, nebo {function} vymazat"
 
     [E0701] UnreadableConfiguration "unreadable-configuration" Error { reason: ConfigProblem }
         en ({ let why = reason.text(Lang::En); format!("the configuration cannot be read: {why}") })
@@ -696,8 +698,7 @@ diagnostics! {
     [E0703] MFunctionFixed "m-function-fixed" Error { m: u8, group: u8 }
         en "M{m:02} is a standard function and cannot leave M group {group}"
         cs "M{m:02} je pevně přiřazená funkce a nelze ji vyřadit z {group}. skupiny"
-        help "write GroupNo=\"{group}\", or leave GroupNo out; the other attributes may be set"
-           | "napsat GroupNo=\"{group}\", nebo GroupNo vynechat; ostatní atributy nastavit lze"
+        help "write GroupNo=\"{group}\", or leave GroupNo out; the other attributes may be set" | "napsat GroupNo=\"{group}\", nebo GroupNo vynechat; ostatní atributy nastavit lze"
     [E0704] MFunctionRepeated "m-function-repeated" Error { m: u8 }
         en "M{m:02} is configured twice with different data"
         cs "M{m:02} je nastavena dvakrát s různými údaji"
@@ -717,8 +718,7 @@ diagnostics! {
     [W0708] NoMFunctions "no-m-functions" Warning {}
         en "this ChannelConfig holds no `MFunctions`: it sets no M function"
         cs "tento ChannelConfig neobsahuje MFunctions: žádnou M funkci nenastaví"
-        help "name the ChannelConfig that the control reads, or leave `channel-config` out"
-           | "zadat ten ChannelConfig, který čte systém, nebo channel-config vynechat"
+        help "name the ChannelConfig that the control reads, or leave `channel-config` out" | "zadat ten ChannelConfig, který čte systém, nebo channel-config vynechat"
 
     [W0801] ContinuityBroken "continuity-broken" Warning { n: u32, with: u32, reason: JointBreak, count: u64 }
         en ({ let why = reason.text(Lang::En); format!("continuous motion from N{with} to N{n} is broken: {why}") })
@@ -733,22 +733,24 @@ diagnostics! {
         cs "N{n} je na zastavení příliš krátký: má {length} mm a z {feed} mm/min je potřeba {needs} mm"
         help "program a lower feed before it, or a longer last block" | "naprogramovat před ním menší posuv, nebo delší poslední blok"
         note (no_room_note(*count, Lang::En)) | (no_room_note(*count, Lang::Cs))
+    [W0804] TightBlockTooShort "tight-block-too-short" Warning { n: u32, duration: String, least: u32, count: u64 }
+        en "N{n} takes {duration} ms; in G24 blocks join tightly from {least} ms on"
+        cs "N{n} trvá {duration} ms; při G24 se těsně napojují bloky od {least} ms"
+        help "write longer blocks there, or a lower feed" | "psát tam delší bloky, nebo menší posuv"
+        note (times(*count, Lang::En)) | (times(*count, Lang::Cs))
     [W0811] CorrectionCollides "correction-collides" Warning { d: u32, radius: String, arc: Option<String> }
         en (match arc { Some(arc) => format!("the arc of radius {arc} is smaller than the correction D{d} of {radius} on its inner side"), None => format!("with the correction D{d} of {radius} nothing is left of this motion between its neighbours") })
         cs (match arc { Some(arc) => format!("oblouk o poloměru {arc} je na vnitřní straně menší než korekce D{d} (poloměr {radius})"), None => format!("s korekcí D{d} (poloměr {radius}) z tohoto pohybu mezi sousedními nic nezbývá") })
-        help "use a smaller tool, or change the contour; `cnc872c view` shows the place in red"
-           | "použít menší nástroj, nebo upravit konturu; cnc872c view ukáže místo červeně"
+        help "use a smaller tool, or change the contour; `cnc872c view` shows the place in red" | "použít menší nástroj, nebo upravit konturu; cnc872c view ukáže místo červeně"
     [W0812] UnknownCorrection "unknown-correction" Warning { d: u32 }
         en "no radius is configured for the correction D{d}: the corrected path is not drawn, and not checked"
         cs "pro korekci D{d} není nastaven poloměr: korigovaná dráha se nekreslí ani nekontroluje"
-        help "write the radius of the control's table in the project file: `[corrections.{d}]` with `radius = …`"
-           | "zapsat poloměr z tabulky systému do projektového souboru: [corrections.{d}] s radius = …"
+        help "write the radius of the control's table in the project file: `[corrections.{d}]` with `radius = …`" | "zapsat poloměr z tabulky systému do projektového souboru: [corrections.{d}] s radius = …"
     [W0901] DoesNotFit "does-not-fit" Warning { word: String, byte: String, cell: String }
         en "`{word}` does not fit into {byte}: the PLC program reads 00h there"
         cs "{word} se nevejde do {byte}: PLC program tam přečte 00h"
         help "{cell} holds the whole value" | "celou hodnotu má {cell}"
-        note "the byte has two decades in BCD: 00 to 99, without a fraction and a sign"
-           | "bajt má dvě dekády v BCD: 00 až 99, bez desetinné části a znaménka"
+        note "the byte has two decades in BCD: 00 to 99, without a fraction and a sign" | "bajt má dvě dekády v BCD: 00 až 99, bez desetinné části a znaménka"
     [E0902] UnknownSignal "unknown-signal" Error { name: String, why: super::SignalProblem }
         en "`{name}` is no signal that follows from a part program"
         cs "{name} není signál, který plyne z partprogramu"

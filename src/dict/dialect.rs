@@ -107,6 +107,14 @@ impl Dialect {
         }
     }
 
+    /// Shortest time of a block that G24 joins tightly, in ms (S3 A2; CNC872 as CNC8x9).
+    pub const fn shortest_tight_block_ms(self) -> u32 {
+        match self {
+            Self::Cnc8x6 => 30,
+            Self::Cnc8x9 | Self::Cnc872 => 2,
+        }
+    }
+
     /// Highest M number (§2).
     pub const fn highest_m(self) -> u8 {
         match self {

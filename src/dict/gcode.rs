@@ -230,6 +230,14 @@ impl GCode {
         matches!(self, Self::G92 | Self::G93 | Self::G31 | Self::G35 | Self::G36 | Self::G37 | Self::G38 | Self::G39)
     }
 
+    /// Whether the manual marks neither how long it holds nor that it holds after power-up: [`Self::lasting`] is a decision then
+    /// (GRP-3, §7).
+    pub const fn is_lasting_decided(self) -> bool {
+        matches!(self.group(), GGroup::G4)
+            || matches!(self, Self::G00 | Self::G30 | Self::G53 | Self::G75 | Self::G34)
+            || matches!(self, Self::G71 | Self::G72 | Self::G73 | Self::G79)
+    }
+
     /// How many operations G26–G29 perform; 0 for the other functions.
     pub const fn operations(self) -> usize {
         match self.group() {

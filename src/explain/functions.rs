@@ -19,12 +19,20 @@ pub(super) fn g_page(code: GCode, lang: Lang) -> String {
     let members: Vec<String> = GCode::ALL
         .iter()
         .filter(|other| other.group() == group)
-        .map(|other| format!("{other}{}", mark(other.lasting())))
+        .map(|other| format!("{other}{}", mark(other.lasting(), other.is_lasting_decided())))
         .collect();
     let mut page = format!("# {code}: {}\n\n", code.meaning().get(lang));
     let word = pick(lang, "Group", "Skupina");
     let _ = writeln!(page, "- {word} {group}, {}: {}", group.meaning().get(lang), members.join(", "));
     let _ = writeln!(page, "- {}", lasts(code.lasting(), lang));
+    if code.is_lasting_decided() {
+        let text = pick(
+            lang,
+            "This is a decision, in brackets above: the manual marks no such function of the group",
+            "To je rozhodnutí, nahoře v závorce: příručka takovou funkci skupiny neoznačuje",
+        );
+        let _ = writeln!(page, "- {text}");
+    }
     let once = pick(lang, "One function of the group in a block", "Z jedné skupiny smí být v bloku jediná funkce");
     let _ = writeln!(page, "- {once}");
     if let Some(usage) = usage::of(code) {
@@ -100,7 +108,7 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
                     .into_iter()
                     .flat_map(standard_m_functions)
                     .filter(|other| other.group == row.group)
-                    .map(|other| format!("M{:02}{}", other.number, mark(other.lasting)))
+                    .map(|other| format!("M{:02}{}", other.number, mark(other.lasting, false)))
                     .collect();
                 members.sort();
                 let group = match lang {
@@ -204,10 +212,11 @@ fn value(address: Address, lang: Lang) -> String {
         (ValueForm::None, Lang::En) => "Has no value; digits after it are read and not evaluated".to_owned(),
         (ValueForm::None, Lang::Cs) => "Nemá hodnotu; číslice za ní se přečtou, ale nevyhodnocují".to_owned(),
         (ValueForm::CorrectionDigits, Lang::En) => {
-            "Four digits, one for each axis: 0 no correction, 1 or 2 its direction".to_owned()
+            "Four digits, each 0, 1 or 2; which axis and which direction they mean is in the machine's manual"
+                .to_owned()
         }
         (ValueForm::CorrectionDigits, Lang::Cs) => {
-            "Čtyři číslice, každé ose jedna: 0 bez korekce, 1 nebo 2 směr".to_owned()
+            "Čtyři číslice 0, 1 nebo 2; které ose a kterému směru patří, udává příručka stroje".to_owned()
         }
     }
 }
@@ -222,12 +231,14 @@ fn allowed(on: impl Fn(Dialect) -> bool, lang: Lang) -> String {
     }
 }
 
-/// As in the manual's tables.
-const fn mark(lasting: Lasting) -> &'static str {
-    match lasting {
-        Lasting::Modal => "",
-        Lasting::Default => "+",
-        Lasting::Block => "x",
+/// As in the manual's tables; in brackets where the manual has no mark.
+const fn mark(lasting: Lasting, decided: bool) -> &'static str {
+    match (lasting, decided) {
+        (Lasting::Modal, _) => "",
+        (Lasting::Default, false) => "+",
+        (Lasting::Default, true) => "(+)",
+        (Lasting::Block, false) => "x",
+        (Lasting::Block, true) => "(x)",
     }
 }
 
@@ -236,8 +247,8 @@ fn lasts(lasting: Lasting, lang: Lang) -> &'static str {
         Lasting::Modal => pick(lang, "Holds until another of its group", "Platí do další funkce skupiny"),
         Lasting::Default => pick(
             lang,
-            "Holds until another of its group, and (+) after power-up, M02 and M30",
-            "Platí do další funkce skupiny a (+) po zapnutí, M02 a M30",
+            "Holds until another of its group, and after power-up, M02 and M30 (+)",
+            "Platí do další funkce skupiny a po zapnutí, M02 a M30 (+)",
         ),
         Lasting::Block => pick(
             lang,

@@ -195,7 +195,6 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
                 "The targets count by G90 or G91; under G74 X is a diameter",
                 "Cíle platí podle G90 nebo G91; při G74 je X průměr",
             ),
-            note("It is in force after power-up, and after M02 and M30", "Platí po zapnutí a po M02 a M30"),
         ],
     ),
     usage(

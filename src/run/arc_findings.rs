@@ -1,4 +1,4 @@
-//! What is said about arcs that cannot be right (MOT-4): with advice that leads to what was meant.
+//! Findings about arcs that cannot be right (MOT-4), with advice that leads to the intended arc.
 
 use super::arc::{self, Arc, Computed};
 use super::block::InForce;

@@ -316,7 +316,7 @@ impl<'r> Executed<'r> {
         FeedUnit::of(self.feed_mode().map_or(FeedPer::Minute, |mode| mode.per), degrees)
     }
 
-    /// What the function of group G6 in force means; `None` when nobody knows which one is.
+    /// The meaning of the G6 function in force; `None` when it is not known which one that is.
     pub fn feed_mode(&self) -> Option<FeedMode> {
         self.g(GGroup::G6).and_then(|function| self.settings().machine.feed_mode(function))
     }
@@ -442,7 +442,7 @@ impl<'r> Executed<'r> {
         comments.filter(|text| !text.is_empty())
     }
 
-    /// What a parameter holds after it; `None` when that is not known (PAR-5).
+    /// The value of a parameter after it; `None` when that is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
         self.interpreter.parameter(index)
     }
@@ -457,12 +457,12 @@ impl<'r> Executed<'r> {
         self.interpreter.shown_files.get(file.0 as usize).copied().flatten().unwrap_or(0)
     }
 
-    /// An interpreter that stands behind it, from which execution can go on.
+    /// An interpreter behind this block, from which execution can go on.
     pub fn checkpoint(&self) -> Interpreter {
         self.interpreter.clone()
     }
 
-    /// What is in force after it.
+    /// The state after it.
     pub const fn state(&self) -> &'r State {
         &self.interpreter.state
     }

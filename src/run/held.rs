@@ -1,4 +1,4 @@
-//! What is in force between two blocks, for readers that ask about a place in a program.
+//! The state between two blocks, for readers that ask about a place in a program.
 
 use super::state::{Held, Origin, State};
 use super::{Executed, Feed, FeedUnit};
@@ -38,7 +38,7 @@ impl State {
         self.position(axis).known()
     }
 
-    /// What a parameter holds; `None` when that is not known (PAR-5).
+    /// The value of a parameter; `None` when that is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
         self.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
     }

@@ -43,7 +43,7 @@ impl Stretch {
     }
 }
 
-/// What is done between a block and the next: what a call or a jump leads to.
+/// The step between a block and the next: a call, a jump, a return.
 #[derive(Clone, Debug)]
 struct Pending {
     block: BlockId,
@@ -52,13 +52,13 @@ struct Pending {
     returns: bool,
 }
 
-/// Executes a program. Ask for blocks with [`Self::step`] until it gives none. Its memory is what is in force and the calls that
-/// are open, whatever the program repeats. A copy goes on by itself from where the original stands, over the same [`Program`].
+/// Executes a program. Ask for blocks with [`Self::step`] until it gives none. Its memory is the state in force and the open
+/// calls, however often the program repeats. A copy goes on by itself from where the original stands, over the same [`Program`].
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     pub(super) state: State,
     pub(super) frames: Vec<Frame>,
-    /// The block in hand.
+    /// The current block.
     pub(super) block: Block,
     pub(super) run: Run,
     pending: Option<Pending>,
@@ -139,7 +139,7 @@ impl Interpreter {
         self.executed
     }
 
-    /// What a parameter holds after the last step; `None` when that is not known (PAR-5).
+    /// The value of a parameter after the last step; `None` when that is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
         self.state.parameter(index)
     }
@@ -150,7 +150,7 @@ impl Interpreter {
         file.map_or(0, |file| file.shown_number(self.block.id))
     }
 
-    /// What is in force after the last step.
+    /// The state after the last step.
     pub const fn state(&self) -> &State {
         &self.state
     }
@@ -217,6 +217,7 @@ impl Interpreter {
             spindle::orient(site.machine(), state);
         }
         reading::read(&mut site, state, &mut block.words);
+        warnings::check_other_meanings(&mut site, state, &block.words);
         functions::apply(&mut site, state, &block.words, &mut block.g);
         functions::track_origin(state, &block.words, &block.g);
         technology::hold(&site, state, &block.words);
@@ -283,7 +284,7 @@ impl Interpreter {
         Ok(())
     }
 
-    /// Ends a pass of the unit in hand: the next pass, or back behind the call.
+    /// Ends a pass of the current unit: the next pass, or back behind the call.
     fn leave(&mut self) {
         loop {
             let Some(frame) = self.frames.last_mut() else { return };

@@ -23,7 +23,7 @@ pub struct MStop {
     pub coolant_34: u8,
 }
 
-/// What the M functions of a block do.
+/// The effects of a block's M functions.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MFunctionsOfBlock {
     /// What holds after the block, by group; momentary functions in their block only.
@@ -160,7 +160,7 @@ pub(super) fn finish(site: &Site<'_>, state: &mut State, m: &MFunctionsOfBlock) 
     state.orients = halts(site.settings, m) && spindle::axis(site.machine(), state).is_some();
 }
 
-/// Whether the program stands at the end of the block (MFN-8): M00, and M01 with optional stop.
+/// Whether the program waits at the end of the block (MFN-8): M00, and M01 with optional stop.
 pub(super) fn halts(settings: &Settings, m: &MFunctionsOfBlock) -> bool {
     m.stop == Some(PROGRAM_STOP) || (m.stop == Some(OPTIONAL_STOP) && settings.optional_stop)
 }

@@ -1,4 +1,4 @@
-//! What a block moves (§10), and what its words are when they are data.
+//! The motion of a block (§10), or the data that its words are.
 
 use super::arc::{self, Arc};
 use super::arrival::{arrive, arrive_from_unknown};
@@ -17,7 +17,7 @@ use crate::diag::{CenterPlace, Finding};
 use crate::dict::{Address, Decimal, GCode, GGroup, Micro};
 use crate::syntax::BlockFlags;
 
-/// What a block did, for what follows from it.
+/// Whether a block moved, for the cycles that a motion calls.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) enum Moved {
     /// Nothing moves.
@@ -214,7 +214,12 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
 /// A block whose words are data (GRP-4): nothing moves.
 fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, function: GCode) {
     let Block { words, g, values, effect, .. } = block;
-    let table = words.has(GCode::G92).is_some() || words.has(GCode::G93).is_some();
+    let writes = words.has(GCode::G92).or_else(|| words.has(GCode::G93));
+    let table = writes.is_some();
+    let axes = site.file.words(site.block).iter().any(|word| word.address.axis().is_some());
+    if let Some(word) = writes.filter(|_| !axes && words.s.is_none()) {
+        site.found(Finding::TableWithoutValues { function }, site.word_place(word));
+    }
     for (axis, valued) in words.axis_words() {
         if let (Some(axis), Some(value)) = (site.machine().axes.get(axis), valued.value) {
             values.push((axis.letter.letter(), value));
@@ -247,7 +252,7 @@ fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, functio
     });
     state.unsettled = AxisSet::ALL;
     if words.has(GCode::G93).is_some() {
-        // The named axes stand at the programmed coordinates (GRP-4).
+        // The named axes are at the programmed coordinates (GRP-4).
         for (axis, _) in words.axis_words() {
             state.unsettled.remove(axis);
         }

@@ -220,7 +220,7 @@ fn forget_others(
     }
 }
 
-/// What a control word says.
+/// A control word, decoded.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 enum Told {
     /// Which parameter receives the result, at least.

@@ -8,7 +8,7 @@ use crate::dict::{Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, 
 use crate::syntax::BlockId;
 use crate::text::{FileId, Location};
 
-/// What the program knows of an axis.
+/// What is known of an axis's position.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) enum Position {
     /// Nothing yet, or nothing any more (MOT-2, MOT-7, MFN-4).
@@ -113,7 +113,7 @@ impl AxisSet {
     }
 }
 
-/// What is written in a program and the macrocycles that it names.
+/// Words of the spindle in a program and the macrocycles that it names.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) struct SpindleWords {
     /// M03, M04, M05, M19 or S.
@@ -134,7 +134,7 @@ impl LastBlock {
     }
 }
 
-/// What was said already, of what is said once.
+/// Findings that come once, and were given already.
 #[derive(Clone, Debug)]
 pub(super) struct Said {
     /// A working motion without F (TEC-2).
@@ -151,10 +151,12 @@ pub(super) struct Said {
     pub(super) spindle_stopped: bool,
     /// W0620.
     pub(super) no_tool: bool,
+    /// W0116 of S under G97.
+    pub(super) cutting_speed: bool,
     /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written, an arc fits under the one in
     /// force or under neither, or a unit is called.
     pub(super) arc_mode: bool,
-    /// Axes that an arc started from, nobody knew where (W0606), and that stand there still.
+    /// Axes that were unknown at the start of an arc (W0606) and have not moved since.
     pub(super) arc_starts: AxisSet,
     /// The axes of the last arc that lay in other axes than those of the plane in force (W0616), until a plane is written.
     pub(super) other_axes: Option<[usize; 2]>,
@@ -186,6 +188,7 @@ impl Default for Said {
             no_entry: false,
             spindle_stopped: false,
             no_tool: false,
+            cutting_speed: false,
             arc_mode: false,
             arc_starts: AxisSet::default(),
             other_axes: None,
@@ -201,7 +204,7 @@ impl Default for Said {
     }
 }
 
-/// What is in force between two blocks.
+/// The state between two blocks.
 #[derive(Clone, Debug)]
 pub struct State {
     /// Lasting G functions, by group.
@@ -231,16 +234,20 @@ pub struct State {
     pub(super) moved_unseen: AxisSet,
     /// The axes whose programmed position is not where the tool stands (MOT-8).
     pub(super) unsettled: AxisSet,
-    /// What the F in force was written as; `None` when nobody knows (W0615).
+    /// Per minute or per revolution: how the F in force was written; `None` when not known (W0615).
     pub(super) feed_per: Option<FeedPer>,
-    /// F counts a hundredth (M37, TEC-6), in the block in hand before M02 and M30 reset it.
+    /// F counts a hundredth (M37, TEC-6), in the current block, before M02 and M30 reset it.
     pub(super) feed_reduced: bool,
     /// The gear of the block before (MFN-6).
     pub(super) gear: Option<u8>,
-    /// What the program writes of the spindle, once that was looked up (TEC-7, TEC-8).
+    /// The program's words of the spindle, once they were looked up (TEC-7, TEC-8).
     pub(super) spindle_words: Option<SpindleWords>,
     /// The G3 function that was changed to, until the next motion (TEC-9).
     pub(super) corrects: Option<GCode>,
+    /// The T that no M06 followed so far, and its word (W0628).
+    pub(super) named_tool: Option<(Decimal, Location)>,
+    /// A G53 in place of a zero offset of the work, written with Z alone as other controls retract, is still in force (W0116).
+    pub(super) retracted: bool,
     /// For texts.
     pub(super) origins: Origins,
     /// The G5 and G11 functions of the block before, x functions included (MOT-8).
@@ -292,6 +299,8 @@ impl State {
             gear: None,
             spindle_words: None,
             corrects: None,
+            named_tool: None,
+            retracted: false,
             origins: Origins::default(),
             last_origin: (None, None),
             said: Said::default(),

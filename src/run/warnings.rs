@@ -1,4 +1,4 @@
-//! What a motion or a tool change lacks (TEC-1…TEC-9), and the travel of the axes (W0621).
+//! Warnings of motions, tool changes and corrections (TEC-1…TEC-9), and of the travel of the axes (W0621).
 
 use super::block::{Block, Effect, InForce};
 use super::parameters::with_origin;
@@ -7,14 +7,17 @@ use super::state::{Held, Position, SpindleWords, State};
 use super::travel::Travel;
 use super::words::BlockWords;
 use crate::config::Axis;
-use crate::diag::{Diagnostic, Finding, LabelText};
+use crate::diag::{Diagnostic, Finding, LabelText, OtherMeaning};
 use crate::dict::{
     Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, PROGRAM_ENDS, SPINDLE_GROUP,
     SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
 };
 use crate::resolve::value_or_word;
 
-/// What a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a spindle that
+/// In m/min: above what turning works with, so that a speed of the spindle was probably meant.
+const NO_CUTTING_SPEED: i64 = 500;
+
+/// Reports what a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a spindle that
 /// turns (W0619).
 pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, thread: bool) {
     if state.feed == Held::None && !state.said.feed {
@@ -39,6 +42,29 @@ pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &Block
         state.said.spindle_stopped = true;
         site.found(Finding::SpindleStopped { thread }, words.place_of_motion(site));
     }
+    if words.written(GGroup::G5).is_none() && std::mem::take(&mut state.retracted) {
+        let meant = OtherMeaning::ModalOrigin;
+        site.found(Finding::OtherMeaning { meant, count: None }, words.place_of_motion(site));
+    }
+}
+
+/// Words that are written for what they mean on other controls (W0116): G53 for one block, S under G97 as the speed of the
+/// spindle.
+pub(super) fn check_other_meanings(site: &mut Site<'_>, state: &mut State, words: &BlockWords) {
+    if let Some((origin, _)) = words.written(GGroup::G5) {
+        let work = state.modal(GGroup::G5).is_some_and(|before| before != GCode::G53);
+        let mut axes = words.axis_words().filter_map(|(axis, _)| site.machine().axes.get(axis));
+        let only_z = axes.next().is_some_and(|axis| axis.letter == AxisLetter::Z) && axes.next().is_none();
+        state.retracted = origin == GCode::G53 && work && only_z && words.data().is_none();
+    }
+    let constant_cut = words.has(GCode::G97).and_then(|_| site.machine().feed_mode(GCode::G97));
+    if let Some(s) = words.s.filter(|_| constant_cut.is_some_and(|mode| mode.constant_cut))
+        && let Some(speed) = s.value.and_then(Decimal::as_whole).filter(|speed| *speed >= NO_CUTTING_SPEED)
+        && !std::mem::replace(&mut state.said.cutting_speed, true)
+    {
+        let meant = OtherMeaning::CuttingSpeed { s: speed };
+        site.found(Finding::OtherMeaning { meant, count: None }, site.word_place(s.word));
+    }
 }
 
 /// Whether [`check_motion`] may have something to say.
@@ -46,7 +72,7 @@ pub(super) fn may_lack(site: &Site<'_>, state: &mut State, g: &InForce, thread: 
     let feed = (state.feed == Held::None && !state.said.feed)
         || (!thread && (differing_unit(site, state, g).is_some() || lacks_speed(site, state, g).is_some()));
     let speed = state.speed == Held::None && !state.said.speed && speed_reader(site, g).is_some();
-    feed || speed || lacks_spindle(site, state, thread)
+    state.retracted || feed || speed || lacks_spindle(site, state, thread)
 }
 
 /// The G6 function in force, when a motion under it needs S (TEC-3).
@@ -80,7 +106,7 @@ fn check_feed_unit(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g
     site.report(diagnostic);
 }
 
-/// Whether the spindle stands where it should turn, and nobody said so yet (TEC-7).
+/// Whether the spindle is stopped where it should turn, and there was no finding yet (TEC-7).
 fn lacks_spindle(site: &Site<'_>, state: &mut State, thread: bool) -> bool {
     state.m(SPINDLE_GROUP) == Some(SPINDLE_STOP)
         && !state.said.spindle_stopped
@@ -97,8 +123,8 @@ fn lacks_speed(site: &Site<'_>, state: &mut State, g: &InForce) -> Option<(u8, b
     lacks.then_some((m, zero))
 }
 
-/// What the program's file and the macrocycles that written calls lead to say of the spindle: a program without such words
-/// leaves it to others.
+/// The words of the spindle in the program's file and the macrocycles that written calls lead to. A program without such words
+/// leaves the spindle to others.
 fn spindle_words(site: &Site<'_>, state: &mut State) -> SpindleWords {
     *state.spindle_words.get_or_insert_with(|| {
         let mut found = SpindleWords::default();
@@ -131,8 +157,16 @@ pub(super) fn check_tool(site: &mut Site<'_>, state: &mut State, words: &BlockWo
     }
     let corrects = g.of(GGroup::G3).filter(|code| *code != GCode::G40);
     let cycle = g.of(GGroup::G8).filter(|code| code.is_cycle());
+    if let Some(t) = words.t {
+        state.named_tool = t.value.map(|value| (value, site.word_place(t.word)));
+    }
     for &(m, word) in &words.m {
         let at = site.word_place(word);
+        if PROGRAM_ENDS.contains(&m)
+            && let Some((t, place)) = state.named_tool.filter(|_| !site.resolved.is_cut_off())
+        {
+            site.found(Finding::ToolNotChanged { t: t.to_string() }, place);
+        }
         let ends = (m == TOOL_CHANGE || PROGRAM_ENDS.contains(&m)) && !site.resolved.is_cut_off();
         if let Some(function) = corrects.filter(|_| ends) {
             site.found(Finding::CorrectionLeftOn { function, m }, at);
@@ -140,6 +174,7 @@ pub(super) fn check_tool(site: &mut Site<'_>, state: &mut State, words: &BlockWo
         if m != TOOL_CHANGE {
             continue;
         }
+        state.named_tool = None;
         if let Some(cycle) = cycle {
             site.found(Finding::CycleOverToolChange { cycle }, at);
         }

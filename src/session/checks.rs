@@ -1,4 +1,4 @@
-//! Checks of executed blocks beyond the rules of execution: joints (W0801 to W0803) and corrections (W0811,
+//! Checks of executed blocks beyond the rules of execution: joints (W0629, W0801 to W0804) and corrections (W0811,
 //! W0812).
 
 use std::ops::ControlFlow;
@@ -10,7 +10,7 @@ use crate::diag::{Code, Findings, Severity};
 use crate::run::{End, Executed, Sink};
 
 /// The codes that these checks give.
-const CODES: [Code; 5] = [Code::W0801, Code::W0802, Code::W0803, Code::W0811, Code::W0812];
+const CODES: [Code; 7] = [Code::W0629, Code::W0801, Code::W0802, Code::W0803, Code::W0804, Code::W0811, Code::W0812];
 
 /// The checks of one execution.
 #[derive(Debug)]

@@ -1,4 +1,5 @@
-//! One program with one configuration has one exit status in all commands that execute it (command-line.md).
+//! One program with one configuration has one exit status in all commands that execute it (command-line.md). Commands whose
+//! status answers another question have theirs in all of these cases too.
 
 use crate::cli::{BAD, GOOD, Place};
 
@@ -49,7 +50,9 @@ fn one_status_in_all_commands() {
         ("missing macrocycle", MISSING),
         ("endless", ENDLESS),
     ] {
-        let place = Place::with(&[("a.nc", program.as_bytes()), ("cnc872c.toml", MACHINE.as_bytes())]);
+        let files = [("a.nc", program), ("b.nc", program), ("cnc872c.toml", MACHINE)];
+        let place = Place::with(&files.map(|(name, text)| (name, text.as_bytes())));
+        let last = program.lines().count().to_string();
         for (at, levels) in LEVELS.iter().enumerate() {
             // These are errors at all levels.
             if at > 0 && matches!(name, "bad" | "missing macrocycle" | "endless") {
@@ -62,8 +65,30 @@ fn one_status_in_all_commands() {
                 let run = place.run(&line);
                 assert_eq!(run.code, status, "{name}: {line:?}\n{run:?}");
             }
+            for (command, code) in others(status, &last) {
+                let line = [command.as_slice(), levels, &limit].concat();
+                let run = place.run(&line);
+                assert_eq!(run.code, code, "{name}: {line:?}\n{run:?}");
+            }
         }
     }
+}
+
+/// The commands that answer another question, with the status that they have where the others have `status`: `state` behind the
+/// last block and `restart` have errors before their place, `compare` cannot compare a program with errors, and facts and layout do not
+/// depend on errors.
+fn others(status: Option<i32>, last: &str) -> [(Vec<&str>, Option<i32>); 8] {
+    let compared = Some(if status == Some(0) { 0 } else { 2 });
+    [
+        (vec!["state", "a.nc", "--line", last, "--after"], status),
+        (vec!["state", "a.nc", "--line", last, "--format", "json"], status),
+        (vec!["restart", "a.nc", "--list"], status),
+        (vec!["compare", "a.nc", "a.nc"], compared),
+        (vec!["compare", "a.nc", "a.nc", "--format", "json"], compared),
+        (vec!["stats", "a.nc"], Some(0)),
+        (vec!["format", "b.nc"], Some(0)),
+        (vec!["renumber", "b.nc"], Some(0)),
+    ]
 }
 
 /// The levels above change the status of the programs above, or nothing would be shown.

@@ -104,7 +104,7 @@ impl Basis {
         let parabolic = motion.profile.value == Profile::Parabolic;
         let rapid_set = parabolic && motion.sets.first().is_some_and(Option::is_some);
         for key in MotionKey::ALL {
-            // G00 goes by P and A there, of its own set or of set 1.
+            // G00 goes by P and A there, from the rapid set or from set 1.
             if parabolic && key == MotionKey::AccelRapid {
                 continue;
             }

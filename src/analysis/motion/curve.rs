@@ -336,7 +336,7 @@ impl Curve {
         std::iter::successors(Some(left), |&id| Some(self.places[id].next)).take_while(move |&id| id != right)
     }
 
-    /// The next place behind `left` that is lower than what is around it, or the last one; with the time up to there.
+    /// The next place behind `left` that is lower than its neighbours, or the last one; with the time up to there.
     fn next_lowest(&self, left: usize) -> Option<(usize, f64)> {
         let (mut at, mut time, mut fallen) = (left, 0.0, false);
         loop {

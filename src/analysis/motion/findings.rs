@@ -1,4 +1,4 @@
-//! What `check` says of motion (W0801 to W0803): one finding for each place in the text, with how often it happens.
+//! Findings of `check` about motion (W0629, W0801 to W0804): one for each place in the text, with how often it happens.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -9,10 +9,15 @@ use super::times::{BlockTimes, Break, Dot, Joint, Limit, MotionTimes};
 use super::{Model, trimmed};
 use crate::config::{Profile, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, JointBreak, JointLimit};
-use crate::run::{End, Executed, Sink};
+use crate::dict::GCode;
+use crate::run::{End, Executed, MotionType, Sink};
 use crate::text::Location;
 
-/// Looks for joints that break, are slow, or leave no room to stop. Without any of these asked for it does nothing.
+/// Tangents that differ by so many degrees lead back (W0629): an arc of the other direction joins them smoothly.
+const TURNED_BACK_DEG: f64 = 179.0;
+
+/// Looks for joints that break, are slow, or leave no room to stop, and for arcs and blocks that W0629 and W0804 mean. Without any
+/// of these asked for it does nothing.
 #[derive(Debug)]
 pub struct JointFindings {
     planning: Option<(StepReader, Planner)>,
@@ -23,8 +28,21 @@ pub struct JointFindings {
 #[derive(Debug)]
 struct Found {
     model: Model,
-    wants: [bool; 3],
+    wants: Wants,
+    least_tight_ms: u32,
+    /// An arc before which the path turned back.
+    turned: Option<(Location, GCode)>,
     places: BTreeMap<(Location, Code), (Finding, u64)>,
+}
+
+/// The findings that are asked for.
+#[derive(Clone, Copy, Debug)]
+struct Wants {
+    turned: bool,
+    broken: bool,
+    slow: bool,
+    room: bool,
+    tight: bool,
 }
 
 impl JointFindings {
@@ -33,9 +51,18 @@ impl JointFindings {
         let on = |code| settings.severity(code).is_some();
         let model = Model::of(settings);
         let ramps = model.profile == Profile::Ramps && settings.machine.motion.configured;
-        let wants = [on(Code::W0801), on(Code::W0802), on(Code::W0803) && ramps];
-        let planning = wants.contains(&true).then(|| (StepReader::new(settings), Planner::new(model.clone(), false)));
-        Self { planning, found: Found { model, wants, places: BTreeMap::new() } }
+        let wants = Wants {
+            turned: on(Code::W0629),
+            broken: on(Code::W0801),
+            slow: on(Code::W0802),
+            room: on(Code::W0803) && ramps,
+            tight: on(Code::W0804),
+        };
+        let Wants { turned, broken, slow, room, tight } = wants;
+        let any = turned || broken || slow || room || tight;
+        let planning = any.then(|| (StepReader::new(settings), Planner::new(model.clone(), false)));
+        let least_tight_ms = settings.machine.dialect.shortest_tight_block_ms();
+        Self { planning, found: Found { model, wants, least_tight_ms, turned: None, places: BTreeMap::new() } }
     }
 
     /// Whether anything is asked for.
@@ -59,7 +86,9 @@ impl Sink for JointFindings {
             planner.finish(&mut self.found);
         }
         for ((place, _), (mut finding, times)) in self.found.places {
-            if let Finding::ContinuityBroken { count, .. }
+            if let Finding::ArcTurnsBack { count, .. }
+            | Finding::ContinuityBroken { count, .. }
+            | Finding::TightBlockTooShort { count, .. }
             | Finding::SlowJoint { count, .. }
             | Finding::NoRoomToStop { count, .. } = &mut finding
             {
@@ -73,8 +102,19 @@ impl Sink for JointFindings {
 impl Listener for Found {
     fn block(&mut self, block: &BlockTimes) {
         let Some(motion) = &block.motion else { return };
+        let Wants { turned, broken, slow, room, tight } = self.wants;
+        if tight
+            && motion.tight
+            && let Some(seconds) = motion.motion_s.filter(|seconds| *seconds * 1000.0 < f64::from(self.least_tight_ms))
+        {
+            let duration = trimmed(seconds * 1000.0, 3);
+            let finding = Finding::TightBlockTooShort { n: block.n, duration, least: self.least_tight_ms, count: 1 };
+            self.note(block.place, Code::W0804, finding);
+        }
         let Some(joint) = &motion.joint else { return };
-        let [broken, slow, room] = self.wants;
+        if turned {
+            self.look_for_turns(block.place, motion.kind, joint);
+        }
         if broken
             && joint.within_g23
             && let Some(reason) = self.reason(joint)
@@ -106,6 +146,21 @@ impl Listener for Found {
 impl Found {
     fn note(&mut self, place: Location, code: Code, finding: Finding) {
         self.places.entry((place, code)).or_insert((finding, 0)).1 += 1;
+    }
+
+    /// Notes an arc that both neighbours lead back from (W0629).
+    fn look_for_turns(&mut self, place: Location, kind: MotionType, joint: &Joint) {
+        let turns = joint.angle_deg.is_some_and(|angle| angle >= TURNED_BACK_DEG);
+        if let Some((arc, function)) = self.turned.take().filter(|_| turns) {
+            let meant = if function == GCode::G02 { GCode::G03 } else { GCode::G02 };
+            self.note(arc, Code::W0629, Finding::ArcTurnsBack { function, meant, count: 1 });
+        }
+        let function = match kind {
+            MotionType::ArcCw => Some(GCode::G02),
+            MotionType::ArcCcw => Some(GCode::G03),
+            MotionType::Rapid | MotionType::Linear | MotionType::Thread | MotionType::Reference => None,
+        };
+        self.turned = function.filter(|_| turns).map(|function| (place, function));
     }
 
     fn reason(&self, joint: &Joint) -> Option<JointBreak> {

@@ -6,7 +6,7 @@ use super::times::{Phase, Velocities};
 /// Blocks that are planned at once beyond those that are looked ahead over.
 const PART: usize = 2048;
 
-/// What a motion becomes.
+/// The plan of one motion.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Curved {
     /// Its velocities.
@@ -30,7 +30,7 @@ pub(super) struct Parabola {
     /// How much of the first link is settled, and the velocity there; the acceleration is 0.
     offset: f64,
     entry: f64,
-    /// The link in hand, as far as it is settled.
+    /// The current link, as far as it is settled.
     part: Curved,
     /// So many links are gathered before the next part is planned.
     wanted: usize,
@@ -182,7 +182,7 @@ impl Parabola {
 /// Where the way through a plan has come to.
 #[derive(Debug)]
 struct Walk {
-    /// The link in hand.
+    /// The current link.
     k: usize,
     /// The place.
     s: f64,

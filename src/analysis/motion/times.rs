@@ -278,6 +278,8 @@ pub struct MotionTimes {
     pub velocities: Option<Velocities>,
     /// Part of a piece that another block records (CNT-4).
     pub merged: bool,
+    /// Whether it ends in G24.
+    pub tight: bool,
     /// Whether other blocks are joined to it: `length` is that of the piece.
     pub is_piece: bool,
     /// The joint before it.

@@ -10,6 +10,8 @@ use crate::text::FileId;
 /// Notes the first executed block that has an error.
 #[derive(Debug, Default)]
 pub(super) struct Errors {
+    /// Errors after the last block.
+    count: usize,
     known: usize,
     blocks: BTreeSet<(FileId, BlockId)>,
     first: Option<u64>,
@@ -21,11 +23,19 @@ impl Errors {
         self.first
     }
 
+    /// Whether errors were added after the last block.
+    pub fn came_late(&self, findings: &Findings) -> bool {
+        findings.error_count() > self.count
+    }
+
     /// Looks at an executed block, after what was found in it.
     #[inline]
     pub fn look(&mut self, block: &Executed<'_>, findings: &Findings) {
-        if findings.has_errors() && self.first.is_none() {
-            self.find(block, findings);
+        if findings.has_errors() {
+            self.count = findings.error_count();
+            if self.first.is_none() {
+                self.find(block, findings);
+            }
         }
     }
 

@@ -140,6 +140,11 @@ impl StateReader {
         self.errors.first().is_some_and(|first| first < place || after && first == place)
     }
 
+    /// Whether errors were found after the last block, as those of joints are (W0801 to W0804).
+    pub fn has_late_error(&self, findings: &Findings) -> bool {
+        self.errors.came_late(findings)
+    }
+
     /// Whether this execution of the block is the one that is asked for.
     fn arrives(&mut self, block: &Executed<'_>) -> bool {
         if !self.finder.is_here(block) {

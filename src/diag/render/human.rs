@@ -1,5 +1,6 @@
 //! Findings for people, on a terminal: what is wrong, the lines of the program, why, and what to write.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 use super::excerpt::Excerpt;
@@ -8,7 +9,7 @@ use super::frame::{self, Mark};
 use super::places::Places;
 use super::style::{Style, paint};
 use super::{Shown, words};
-use crate::diag::{CallSite, Diagnostic, Report, Reported, Severity, terminal_safe};
+use crate::diag::{CallSite, Diagnostic, Fix, FixTitle, Report, Reported, Severity, terminal_safe};
 use crate::dict::Lang;
 use crate::text::{FileId, LineColumn, Span};
 
@@ -104,18 +105,28 @@ impl Human<'_> {
         let mut remarks: Vec<(&'static str, String)> =
             calls(&self.places, diagnostic, self.lang).into_iter().map(|call| (words::note(self.lang), call)).collect();
         remarks.extend(diagnostic.finding.note(self.lang).map(|note| (words::note(self.lang), note)));
-        let help = diagnostic.finding.help(self.lang);
+        let mut help = diagnostic.finding.help(self.lang);
         let message = diagnostic.finding.message(self.lang);
         // A help says already what the fix does, unless it cannot name what the fix writes.
         let unsaid = diagnostic.fixes.iter().filter(|fix| match (&help, &fix.title) {
             (None, _) => true,
-            (Some(help), crate::diag::FixTitle::Write { text }) => {
+            (Some(help), FixTitle::Write { text }) => {
                 let said = |word: &str| help.contains(word) || message.contains(word);
-                !help.contains(text.as_str()) && !text.split_whitespace().all(said)
+                !help.contains(text.as_str()) && !text.split_whitespace().any(said)
             }
             (Some(_), _) => false,
         });
-        let unsaid = unsaid.map(|fix| fix.title.text(self.lang));
+        let unsaid: Vec<&Fix> = unsaid.collect();
+        // A help that names no word takes the one that the fix writes.
+        let one = match (&mut help, unsaid.as_slice()) {
+            (Some(help), [Fix { title: FixTitle::Write { text }, .. }]) if !help.contains(['`', '„']) => {
+                help.push_str(": ");
+                help.push_str(&words::quoted(text, self.lang));
+                true
+            }
+            _ => false,
+        };
+        let unsaid = unsaid.into_iter().filter(|_| !one).map(|fix| fix.title.text(self.lang));
         remarks.extend(help.iter().cloned().chain(unsaid).map(|help| (words::help(self.lang), help)));
         remarks
     }
@@ -146,7 +157,12 @@ impl Human<'_> {
         for program in report.stayed_unknown().iter().take(MOST_PROGRAMS) {
             writeln!(out, "{}: {}", terminal_safe(&program.file), program.text(self.lang))?;
         }
-        let fixable = report.items().filter(|item| item.diagnostic.certain_fix().is_some()).count();
+        // `--fix` changes only files that the command names or finds.
+        let named: BTreeSet<&str> = report.files().iter().map(String::as_str).collect();
+        let is_fixable = |item: &Reported| {
+            item.diagnostic.certain_fix().is_some() && named.contains(self.places.name(item.diagnostic.at.file))
+        };
+        let fixable = report.items().filter(|item| is_fixable(item)).count();
         if fixable > 0 && report.programs() > 0 {
             writeln!(out, "{}", words::fixable(fixable, self.lang))?;
         }

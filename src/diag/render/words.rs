@@ -116,6 +116,14 @@ pub(super) fn fixable(count: usize, lang: Lang) -> String {
     }
 }
 
+/// Text of a program within a sentence.
+pub(super) fn quoted(word: &str, lang: Lang) -> String {
+    match lang {
+        Lang::En => format!("`{word}`"),
+        Lang::Cs => format!("„{word}“"),
+    }
+}
+
 /// Where there is more to read.
 pub(super) fn explain(codes: &str, lang: Lang) -> String {
     match lang {

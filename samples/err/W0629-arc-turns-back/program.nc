@@ -1,0 +1,21 @@
+%629 "G02 and G03 exchanged"
+"MOT-5 both neighbours lead back; the other direction joins them smoothly
+N10 G54 G90 G17 G40
+N20 G00 X0 Y0 Z0 F100
+N30 G01 X10
+ N40 G02 X10 Y20 J10
+"^^^ W0629
+N50 G01 X0
+"as it should be, and corners at one end alone
+N60 G00 X0 Y0
+N70 G01 X10
+N80 G03 X10 Y20 J10
+N90 G01 X0
+N100 G00 X0 Y0
+N110 G01 X10
+N120 G02 X10 Y20 J10
+N130 G01 Y30
+N140 X10 Y20
+N150 G02 X10 Y0 J-10
+N160 G01 X30
+N170 M30
