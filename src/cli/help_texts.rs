@@ -709,7 +709,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         Machine,
         "The project file, else cnc872c.toml in the program's folder or the nearest folder above it; for standard input \
          in the working folder",
-        "Soubor projektu; jinak cnc872c.toml ve složce programu nebo v nejbližší nad ní; pro standardní vstup v pracovní \
+        "Projektový soubor; jinak cnc872c.toml ve složce programu nebo v nejbližší nad ní; pro standardní vstup v pracovní \
          složce",
     ),
     arg(

@@ -22,8 +22,8 @@ bilingual! {
         InCycle { l: u32 } "the place is inside of L{l}, which a fixed cycle calls", "místo je uvnitř L{l}, který volá pevný cyklus";
         Converted { g: String } "{g} is in force: the tool's axis is not where it points to", "platí {g}: osa nástroje nemíří tam, kam její písmeno";
         Value { name: String } "the value of {name} is not known", "hodnota {name} není známa";
-        Lathe "G74 makes it a lathe: name the axis of the tool by `tool-axis` of `[restart]` in the project file", "podle G74 jde o soustruh: uvést osu nástroje klíčem tool-axis v [restart] souboru projektu";
-        NoAxis { axis: String } "the machine has no {axis}: name the axis of the tool by `tool-axis` of `[restart]` in the project file", "stroj nemá osu {axis}: uvést osu nástroje klíčem tool-axis v [restart] souboru projektu";
+        Lathe "G74 makes it a lathe: name the axis of the tool by `tool-axis` of `[restart]` in the project file", "podle G74 jde o soustruh: uvést osu nástroje klíčem tool-axis v [restart] projektového souboru";
+        NoAxis { axis: String } "the machine has no {axis}: name the axis of the tool by `tool-axis` of `[restart]` in the project file", "stroj nemá osu {axis}: uvést osu nástroje klíčem tool-axis v [restart] projektového souboru";
         NoFeed "no F is in force for the last part of the approach", "pro poslední část najetí neplatí žádné F";
         Standing "F counts per revolution, and the spindle stands", "F je na otáčku a vřeteno stojí";
         Unwritable { axis: String } "the position of {axis} cannot be written in thousandths", "polohu osy {axis} nelze zapsat v tisícinách";

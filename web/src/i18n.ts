@@ -176,8 +176,8 @@ const TEXTS = {
     'Program teď nelze provést: toto je dráha před poslední změnou.',
   ],
   rotary: [
-    'Rotary axes {axes} are not bent into space: they are in the state and the chart.',
-    'Rotační osy {axes} nejsou ohnuty do prostoru: jsou ve stavu a v grafu.',
+    'Rotary axes {axes} are not drawn: they are in the state and the chart.',
+    'Rotační osy {axes} se nekreslí: jsou ve stavu a v grafu.',
   ],
   otherLinear: [
     'Motion of the axes {axes} is not drawn: it is in the state and the chart.',
@@ -188,7 +188,7 @@ const TEXTS = {
     'Časy a rychlosti platí pro předpokládaný stroj: není nic nakonfigurováno.',
   ],
   lowerBound: ['at least', 'nejméně'],
-  withoutApproach: ['without the approach', 'bez příjezdu'],
+  withoutApproach: ['without the approach', 'bez prvního nájezdu'],
   cannotRead: ['The page cannot be shown: {reason}', 'Stránku nelze zobrazit: {reason}'],
   loading: ['Reading…', 'Načítání…'],
   rapid: ['rapid', 'rychloposuv'],
