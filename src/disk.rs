@@ -178,7 +178,8 @@ pub fn entries(folder: &Path) -> io::Result<Vec<Entry>> {
 /// When it cannot be read.
 pub fn begins_program(path: &Path) -> io::Result<bool> {
     let mut file = open(path)?;
-    let mut piece = vec![0; 1 << 16];
+    // A program begins early.
+    let mut piece = [0; 1 << 12];
     // Whether a line begins here, and whether `%` was there.
     let (mut begins, mut percent) = (true, false);
     loop {

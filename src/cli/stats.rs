@@ -60,10 +60,8 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
         Cache::open(folder).map_err(|error| cannot_write(error, Some(folder), locale.lang))
     });
     let cache = cache.transpose()?;
-    if let (Some(cache), Some(folder)) = (&cache, &args.cache)
-        && cache.damaged() > 0
-    {
-        tell(&Words::CacheDamaged { folder: path_name(folder), count: cache.damaged() }, locale.lang);
+    if let Some(damage) = cache.as_ref().and_then(Cache::damage) {
+        tell(&damage, locale.lang);
     }
     let mut stream = Stream::open(output, locale.lang)?;
     let archive = Archive { projects: &projects, loader: &loader, cache: cache.as_ref() };
@@ -138,9 +136,10 @@ fn write(
         }
         #[cfg(feature = "arrow")]
         StatsFormat::Arrow => {
-            let mut rows = crate::stats::write_arrow(&mut out)?;
+            let (mut columns, mut failed) = (crate::columns::Ipc::new(&mut out), None);
+            let mut rows = crate::stats::RowTable::new(&mut columns, &mut failed);
             for_each(archive, targets, progress, report, |row| rows.row(row))?;
-            rows.finish()?;
+            rows.end()?;
         }
     }
     out.flush()

@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::fs::{self, File};
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -14,9 +14,10 @@ use serde::{Deserialize, Serialize};
 
 use super::replace::Replacement;
 use super::walk::Target;
+use super::words::Words;
 use crate::session::Session;
 use crate::stats::{Row, hash, row};
-use crate::text::{FileId, Overlay, Sources};
+use crate::text::{FileId, Overlay, Sources, path_name};
 
 /// How the files of the cache end.
 const EXTENSION: &str = "stats1";
@@ -91,23 +92,26 @@ impl Cache {
         for path in &paths {
             cache.index(path)?;
         }
-        if paths.len() > MOST_FILES {
+        if paths.len() > MOST_FILES || cache.damaged > 0 {
             cache.join(&paths)?;
         }
         Ok(cache)
     }
 
-    /// How many lines are no entries.
-    pub const fn damaged(&self) -> usize {
-        self.damaged
+    /// What to say of damaged entries, where there were any.
+    pub fn damage(&self) -> Option<Words> {
+        let folder = path_name(&self.folder);
+        (self.damaged > 0).then_some(Words::CacheDamaged { folder, count: self.damaged })
     }
 
+    /// The files, oldest first: of two entries with one id the later one counts.
     #[expect(clippy::disallowed_methods, reason = "the cache is no program")]
     fn paths(&self) -> io::Result<Vec<PathBuf>> {
         let entries = fs::read_dir(&self.folder)?;
         let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
         paths.retain(|path| path.extension().is_some_and(|extension| extension == EXTENSION));
-        paths.sort();
+        let written = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).ok();
+        paths.sort_by_cached_key(|path| (written(path), path.clone()));
         Ok(paths)
     }
 
@@ -139,13 +143,12 @@ impl Cache {
         Ok(())
     }
 
-    /// Makes one file of many.
+    /// Makes one file of the entries, without what is damaged.
     fn join(&self, paths: &[PathBuf]) -> io::Result<()> {
-        let mut ids: Vec<&String> = self.known.keys().collect();
+        let mut ids: Vec<&str> = self.known.keys().map(String::as_str).collect();
         ids.sort_unstable();
-        let lines = ids.into_iter().filter_map(|id| Some(line(id, &self.text(id)?)));
-        let lines: Vec<String> = lines.collect();
-        let written = self.write_lines(&lines)?;
+        let lines = ids.iter().filter_map(|id| Some(line(id, &self.text(id)?)));
+        let written = self.write_lines(&ids.concat(), lines)?;
         // Another run may be doing the same: what is gone is gone.
         paths.iter().filter(|path| **path != written).for_each(|path| drop(fs::remove_file(path)));
         Ok(())
@@ -212,15 +215,17 @@ impl Cache {
     /// What writing gives.
     pub fn write(&self) -> io::Result<()> {
         let lines = std::mem::take(&mut *lock(&self.new));
-        if lines.is_empty() { Ok(()) } else { self.write_lines(&lines).map(drop) }
+        if lines.is_empty() { Ok(()) } else { self.write_lines(&lines.concat(), lines.iter().cloned()).map(drop) }
     }
 
-    fn write_lines(&self, lines: &[String]) -> io::Result<PathBuf> {
-        let text = lines.concat();
-        let path = self.folder.join(format!("{}.{EXTENSION}", hash(text.as_bytes())));
-        let mut file = Replacement::begin(&path)?;
-        file.write_all(text.as_bytes())?;
-        file.commit()?;
+    /// Writes a file, named after a text that no other file is named after.
+    fn write_lines(&self, named_after: &str, lines: impl Iterator<Item = String>) -> io::Result<PathBuf> {
+        let path = self.folder.join(format!("{}.{EXTENSION}", hash(named_after.as_bytes())));
+        let mut file = BufWriter::new(Replacement::begin(&path)?);
+        for line in lines {
+            file.write_all(line.as_bytes())?;
+        }
+        file.into_inner()?.commit()?;
         Ok(path)
     }
 }

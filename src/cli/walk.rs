@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::disk::{Entry, begins_program, canonical, entries, is_stdin};
+use rayon::prelude::*;
+
+use crate::disk::{begins_program, canonical, entries, is_stdin};
 use crate::session::Session;
 use crate::text::{BrokenLink, path_name};
 
@@ -145,14 +147,16 @@ impl Search {
                     } else {
                         self.found.dangling.push(entry.path);
                     }
-                } else if named_so && entry.is_file() && is_program(&entry) {
+                } else if named_so && entry.is_file() {
                     found.push((Target { path: entry.path, origin, problem: None }, identity));
                 } else if named_so && entry.is_special() {
                     self.found.special.push(entry.path);
                 }
             }
         }
-        found.sort_by(|(a, _), (b, _)| a.path.cmp(&b.path));
+        let is_wanted = |(target, _): &(Target, PathBuf)| target.problem.is_some() || is_program(&target.path);
+        let mut found: Vec<_> = found.into_par_iter().filter(is_wanted).collect();
+        found.par_sort_by(|(a, _), (b, _)| a.path.cmp(&b.path));
         for (target, identity) in found {
             if target.problem.is_some() {
                 self.found.targets.push(target);
@@ -168,8 +172,8 @@ impl Search {
 
 /// Whether the file is a macrocycle by its name, or holds the start of a program. What cannot be read is left to those
 /// who say why.
-fn is_program(entry: &Entry) -> bool {
-    Session::is_macrocycle_name(&entry.path) || begins_program(&entry.path).unwrap_or(true)
+fn is_program(path: &Path) -> bool {
+    Session::is_macrocycle_name(path) || begins_program(path).unwrap_or(true)
 }
 
 fn has_extension(path: &Path, extensions: &[String]) -> bool {

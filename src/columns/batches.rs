@@ -55,7 +55,7 @@ pub trait Batches {
     /// What writing gives.
     fn batch(&mut self, batch: RecordBatch) -> io::Result<()>;
 
-    /// The program is whole.
+    /// The rows are whole. Those of a program have a last record.
     ///
     /// # Errors
     /// What writing gives.
@@ -68,7 +68,7 @@ pub(super) fn io_error(error: ArrowError) -> io::Error {
 }
 
 /// A table whose batches go somewhere. The first error stays, and ends the run.
-pub(super) struct Rows<'o> {
+pub(crate) struct Rows<'o> {
     pub table: Table,
     out: &'o mut (dyn Batches + Send),
     schema: SchemaRef,
@@ -85,9 +85,9 @@ impl<'o> Rows<'o> {
         self.failed.is_none()
     }
 
-    /// Begins with the columns of the row in the table, which is no row of the program. `first` is the first record.
-    pub fn begin(&mut self, first: &str) {
-        self.schema = self.table.declare(Metadata::new().with(PROGRAM, first.trim_end()));
+    /// Begins with the columns of the row in the table, which is no row of the data. The schema has `value` as metadata.
+    pub fn begin(&mut self, key: &str, value: &str) {
+        self.schema = self.table.declare(Metadata::new().with(key, value.trim_end()));
         let begun = self.out.begin(&self.schema);
         self.keep(begun);
     }
@@ -123,7 +123,7 @@ impl<'o> Rows<'o> {
         (self.table.another(), SchemaRef::clone(&self.schema))
     }
 
-    /// The program is whole.
+    /// The rows are whole.
     pub fn end(&mut self, end: &End) {
         if self.table.has_rows() && self.goes_on() {
             self.hand_on();

@@ -1,4 +1,4 @@
-//! Columns of blocks made beside execution: a thread of its own puts records into rows, and gives full batches back.
+//! Columns of blocks made beside execution: a second thread puts records into rows, and gives full batches back.
 
 use std::io;
 use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};

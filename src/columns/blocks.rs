@@ -4,7 +4,7 @@ use std::fmt::{self, Display};
 use std::io;
 use std::ops::ControlFlow;
 
-use super::batches::{Batches, End as LastBatch, Rows};
+use super::batches::{Batches, End as LastBatch, PROGRAM, Rows};
 use super::beside::Records;
 use super::table::Table;
 use crate::analysis::Totals;
@@ -59,7 +59,7 @@ impl Sink for BlockTable<'_> {
         let axes: Vec<Axis> = program.settings.machine.axes.iter().collect();
         put(&mut self.rows.table, &BlockRecord::default(), &axes);
         self.records = Records::new(axes);
-        self.rows.begin(&record_text(&Record::Program(Box::new(program_record(program)))));
+        self.rows.begin(PROGRAM, &record_text(&Record::Program(Box::new(program_record(program)))));
     }
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {

@@ -17,16 +17,15 @@ mod cells;
 mod ipc;
 mod kept;
 mod motion;
-mod plain;
 mod plc;
 mod table;
 
+pub(crate) use batches::Rows;
 pub use batches::{Batches, End, FILES, PROGRAM};
 pub use blocks::BlockTable;
 pub use ipc::Ipc;
 pub use kept::Kept;
 pub use motion::MotionTable;
-pub use plain::Plain;
 pub use plc::StepTable;
 pub use table::ROWS;
 pub(crate) use table::Table;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 use std::ops::ControlFlow;
 
-use super::batches::{Batches, End as LastBatch, Rows};
+use super::batches::{Batches, End as LastBatch, PROGRAM, Rows};
 use super::table::Table;
 use crate::analysis::motion::{
     BlockTimes, Break, CapBy, Dot, Joint, Limit, Listener, MotionTimes, PER_MINUTE, Profile, Summary, total,
@@ -52,7 +52,7 @@ impl TimedSink for MotionTable<'_> {
 
     fn begin(&mut self, _: &Program<'_>) {
         put(&mut self.rows.table, &BlockTimes::default());
-        self.rows.begin(&self.machine);
+        self.rows.begin(PROGRAM, &self.machine);
     }
 
     fn block(&mut self, _: &Executed<'_>, times: &BlockTimes, _: &mut Findings) -> ControlFlow<()> {

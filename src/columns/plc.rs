@@ -3,7 +3,7 @@
 use std::fmt;
 use std::io;
 
-use super::batches::{Batches, End as LastBatch, Rows};
+use super::batches::{Batches, End as LastBatch, PROGRAM, Rows};
 use super::table::Table;
 use crate::analysis::plc::{Form, Header, Signal, Step, Value, Writer, end_text, file_text, header_text};
 use crate::dict::Micro;
@@ -35,7 +35,7 @@ impl Writer for StepTable<'_> {
         let values = vec![None; self.signals.len()];
         let none = Step { values: &values, ..Step::default() };
         put(&mut self.rows.table, &none, &self.signals);
-        self.rows.begin(&header_text(header));
+        self.rows.begin(PROGRAM, &header_text(header));
         self.rows.result()
     }
 

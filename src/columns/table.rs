@@ -1,7 +1,7 @@
 //! Rows under way to record batches.
 //!
 //! A row is given field by field, always in the same order: the first row of all declares the columns by it, the others
-//! others fill them. So one line has the name of a column, its type and its value.
+//! fill them. So one line has the name of a column, its type and its value.
 
 use std::fmt::Display;
 use std::sync::Arc;
@@ -14,40 +14,27 @@ use super::cells::{Cells, Kind};
 /// Rows of a record batch; the last one has fewer.
 pub const ROWS: usize = 1 << 16;
 
-/// A column under way.
+/// What a column is.
+#[derive(Clone)]
 struct Column {
     field: Field,
     kind: Kind,
-    /// Rows without a value before the first that has one.
-    absent: usize,
-    /// `None`: no row has a value so far.
-    cells: Option<Cells>,
 }
 
-impl Column {
-    #[inline]
-    fn cells(&mut self) -> &mut Cells {
-        let Self { kind, absent, cells, .. } = self;
-        cells.get_or_insert_with(|| {
-            let mut cells = Cells::new(kind);
-            (0..*absent).for_each(|_| cells.push_absent());
-            cells
-        })
-    }
-
-    #[inline]
-    fn push_absent(&mut self) {
-        match &mut self.cells {
-            None => self.absent += 1,
-            Some(cells) => cells.push_absent(),
-        }
-    }
+/// Cells after so many rows without a value.
+#[cold]
+fn after_absent(kind: &Kind, rows: usize) -> Box<Cells> {
+    let mut cells = Cells::new(kind);
+    (0..rows).for_each(|_| cells.push_absent());
+    Box::new(cells)
 }
 
 /// Rows of columns.
 #[derive(Default)]
 pub(crate) struct Table {
     columns: Vec<Column>,
+    /// By column; `None`: no row has a value so far. Small, since every row goes through it.
+    cells: Vec<Option<Box<Cells>>>,
     /// The column of the next field.
     at: usize,
     rows: usize,
@@ -70,10 +57,12 @@ impl Table {
         if !self.declared {
             self.add_column(name, unit, kind());
         }
-        if let Some(column) = self.columns.get_mut(self.at) {
-            match value {
-                None => column.push_absent(),
-                Some(value) => push(column.cells(), value),
+        if let (Some(cells), Some(column)) = (self.cells.get_mut(self.at), self.columns.get(self.at)) {
+            match (value, cells) {
+                (None, None) => {}
+                (None, Some(cells)) => cells.push_absent(),
+                (Some(value), Some(cells)) => push(cells, value),
+                (Some(value), none) => push(none.insert(after_absent(&column.kind, self.rows)), value),
             }
         }
         self.at += 1;
@@ -83,7 +72,8 @@ impl Table {
     fn add_column(&mut self, name: &dyn Display, unit: &str, kind: Kind) {
         let field = Field::new(name.to_string(), kind.data_type(), kind != Kind::Flag);
         let field = if unit.is_empty() { field } else { field.with_metadata(Metadata::new().with("unit", unit)) };
-        self.columns.push(Column { field, kind, absent: 0, cells: None });
+        self.columns.push(Column { field, kind });
+        self.cells.push(None);
     }
 
     /// A whole number below 256.
@@ -212,20 +202,15 @@ impl Table {
     pub fn declare(&mut self, metadata: Metadata) -> SchemaRef {
         self.declared = true;
         self.at = 0;
-        for column in &mut self.columns {
-            (column.absent, column.cells) = (0, None);
-        }
+        self.cells.fill_with(|| None);
         let fields: Vec<Field> = self.columns.iter().map(|column| column.field.clone()).collect();
         Arc::new(Schema::new_with_metadata(fields, metadata))
     }
 
     /// A table with the same columns, and without rows.
     pub fn another(&self) -> Self {
-        let column = |column: &Column| {
-            let (field, kind) = (column.field.clone(), column.kind.clone());
-            Column { field, kind, absent: 0, cells: None }
-        };
-        Self { columns: self.columns.iter().map(column).collect(), declared: true, ..Self::default() }
+        let cells = self.columns.iter().map(|_| None).collect();
+        Self { columns: self.columns.clone(), cells, declared: true, ..Self::default() }
     }
 
     /// After the last field of a row. `true`: the batch is full.
@@ -245,13 +230,10 @@ impl Table {
     /// A batch of the rows, which the table then has no more.
     pub fn batch(&mut self, schema: &SchemaRef) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
-        let Self { columns, absent, .. } = self;
-        let arrays = columns.iter_mut().map(|column| {
-            column.absent = 0;
-            match column.cells.take() {
-                Some(cells) => cells.finish(&column.kind),
-                None => absent_column(absent, &column.kind, rows),
-            }
+        let Self { columns, cells, absent, .. } = self;
+        let arrays = columns.iter().zip(cells).map(|(column, cells)| match cells.take() {
+            Some(cells) => cells.finish(&column.kind),
+            None => absent_column(absent, &column.kind, rows),
         });
         RecordBatch::try_new(SchemaRef::clone(schema), arrays.collect::<Result<_, _>>()?)
     }
@@ -262,9 +244,7 @@ fn absent_column(known: &mut Vec<(Kind, ArrayRef)>, kind: &Kind, rows: usize) ->
     if let Some((_, array)) = known.iter().find(|(of, array)| of == kind && array.len() >= rows) {
         return Ok(array.slice(0, rows));
     }
-    let mut cells = Cells::new(kind);
-    (0..rows).for_each(|_| cells.push_absent());
-    let array = cells.finish(kind)?;
+    let array = after_absent(kind, rows).finish(kind)?;
     known.retain(|(of, _)| of != kind);
     known.push((kind.clone(), ArrayRef::clone(&array)));
     Ok(array)

@@ -1,36 +1,51 @@
 //! Rows as Arrow columns.
 
-use std::io::{self, Write};
+use std::fmt;
+use std::io;
 
-use arrow_schema::Metadata;
-
-use super::row::{Reach, Row};
-use crate::columns::{Kept, Plain, Table};
+use super::row::{Reach, Row, SCHEMA};
+use crate::columns::{Batches, End, Rows, Table};
 use crate::dict::AxisLetter;
 
-/// Begins an Arrow IPC stream of rows, which are then [put](put) into it.
-pub fn write(out: &mut (dyn Write + Send)) -> io::Result<Plain<'_, Row>> {
-    Plain::begin(out, put, &Row::default(), Metadata::new().with("cnc872c.schema", super::SCHEMA))
+/// Key of the schema's name in the metadata of the columns.
+const FORM: &str = "cnc872c.schema";
+
+/// Rows as columns.
+pub struct RowTable<'o>(Rows<'o>);
+
+impl fmt::Debug for RowTable<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RowTable").finish_non_exhaustive()
+    }
 }
 
-/// Rows as record batches in memory.
-///
-/// # Errors
-/// Never for rows of programs: what columns refuse.
-pub fn kept(rows: &[Row]) -> io::Result<Kept> {
-    let mut table = Table::default();
-    put(&mut table, &Row::default());
-    let schema = table.declare(Metadata::new().with("cnc872c.schema", super::SCHEMA));
-    let mut batches = Vec::new();
-    let mut left = rows.len();
-    for row in rows {
-        put(&mut table, row);
-        left -= 1;
-        if table.end_row() || left == 0 {
-            batches.push(table.batch(&schema).map_err(io::Error::other)?);
-        }
+impl<'o> RowTable<'o> {
+    /// Gives record batches to `out`. What that fails with goes to `failed`.
+    pub fn new(out: &'o mut (dyn Batches + Send), failed: &'o mut Option<io::Error>) -> Self {
+        let mut rows = Rows::new(out, failed);
+        put(&mut rows.table, &Row::default());
+        rows.begin(FORM, SCHEMA);
+        Self(rows)
     }
-    Ok(Kept { schema: Some(schema), batches, end: None })
+
+    /// The next row.
+    ///
+    /// # Errors
+    /// What `out` gives.
+    pub fn row(&mut self, row: &Row) -> io::Result<()> {
+        put(&mut self.0.table, row);
+        self.0.row();
+        self.0.result()
+    }
+
+    /// After the last row.
+    ///
+    /// # Errors
+    /// What `out` gives.
+    pub fn end(mut self) -> io::Result<()> {
+        self.0.end(&End::default());
+        self.0.result()
+    }
 }
 
 fn put(table: &mut Table, row: &Row) {

@@ -7,7 +7,7 @@ mod render;
 mod row;
 
 #[cfg(feature = "arrow")]
-pub use arrow::{kept, write as write_arrow};
+pub use arrow::RowTable;
 pub use program::{hash, row};
 pub use render::{CSV_HEAD, csv, human, json_end, json_head, json_row};
 pub use row::{Extents, Number, Row, SCHEMA, schema};

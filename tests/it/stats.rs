@@ -88,6 +88,7 @@ fn the_cache() {
         let run = cached();
         assert!(run.stderr.contains("damaged"), "{run:?}");
         assert_eq!(programs(&run.stdout), plain());
+        assert_eq!(cached().stderr, "", "what was damaged is gone");
     }
 }
 
