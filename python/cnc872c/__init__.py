@@ -6,7 +6,9 @@ compile      the blocks that the control will execute
 motion       how the machine moves, and how long it takes
 plc          what a program asks of the PLC
 state        what holds at a place of a program
+restart      a program that starts at a place of another one
 compare      what two programs do differently
+format       one layout for programs
 stats        facts about the programs of an archive
 ===========  ==========================================================================
 
@@ -27,24 +29,29 @@ from ._api import (
     Motion,
     Moves,
     Place,
+    RestartPlace,
     State,
     Steps,
     check,
     compare,
     compile,
+    format,
     motion,
     plc,
+    restart,
+    restart_places,
     state,
     stats,
 )
 from ._errors import ConfigError, Error, PlaceError, ProgramError
 from ._findings import CallSite, Edit, Finding, Fix, Label, Report
 from ._native import __version__
-from ._options import Options
+from ._options import At, Options
 from ._records import Block, Call, Facts, Move, Step
 
 __all__ = [
     "Archive",
+    "At",
     "Block",
     "Blocks",
     "Call",
@@ -66,6 +73,7 @@ __all__ = [
     "PlaceError",
     "ProgramError",
     "Report",
+    "RestartPlace",
     "State",
     "Step",
     "Steps",
@@ -73,8 +81,11 @@ __all__ = [
     "check",
     "compare",
     "compile",
+    "format",
     "motion",
     "plc",
+    "restart",
+    "restart_places",
     "state",
     "stats",
 ]

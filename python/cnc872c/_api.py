@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict, overload
 
 from . import _native
 from ._findings import Finding, Report
-from ._options import Options, Path, plain, program
+from ._options import At, Options, Path, place, plain, program, programs
 from ._records import Block, Facts, Move, Step
 from ._tables import R, Table
 
@@ -174,11 +175,13 @@ def check(
     *,
     text: str | bytes | None = None,
     deny_warnings: bool = False,
+    allow_empty: bool = False,
     **options: Unpack[Options],
 ) -> Report:
     """Checks programs, macrocycles, or folders of them: everything that ``cnc872c check`` finds.
 
-    ``text`` stands for the program at ``path``; without one its file is ``"-"``.
+    ``text`` replaces the program at ``path``; without a path its file is ``"-"``. With ``deny_warnings`` a report with warnings is
+    not ``ok``; with ``allow_empty`` a folder may be without programs.
 
     >>> import cnc872c
     >>> report = cnc872c.check(text="%1\\nN10 G01 X5,5 F100\\nN20 M30")
@@ -190,11 +193,7 @@ def check(
     >>> report.findings[0].fixes[0].title
     'write `X5.5`'
     """
-    if text is None and path is not None and not isinstance(path, (str, os.PathLike)):
-        found = _native.check([os.fspath(one) for one in path], None, plain(options))
-    else:
-        named, given = program(_one(path), text)
-        found = _native.check(named, given, plain(options))
+    found = _native.check(*programs(path, text), plain(options), allow_empty)
     return Report.from_json(found, deny_warnings)
 
 
@@ -289,43 +288,109 @@ def state(
     path: Path | None = None,
     *,
     text: str | bytes | None = None,
-    n: int | None = None,
-    line: int | None = None,
-    seq: int | None = None,
-    time: float | None = None,
-    at_tool: int | None = None,
-    file: str | None = None,
-    pass_: int | None = None,
-    after: bool = False,
-    **options: Unpack[Options],
+    **options: Unpack[At],
 ) -> State:
     """What holds at a place of a program: the document of ``cnc872c state``.
 
-    The place is a block number, a line, an executed block, a time in seconds, or the M06 of a tool; ``file`` names the
-    macrocycle that a number or line is of, ``pass_`` says which execution of the block is meant.
-
-    Raises PlaceError when there is no such place.
+    :class:`At` names the place. Raises PlaceError when there is no such place.
 
     >>> import cnc872c
     >>> state = cnc872c.state(text="%1\\nN10 G90 G00 X0\\nN20 G01 X5 F100\\nN30 M30", n=20, after=True)
     >>> state["position"], state["feed"]
     ({'X': 5}, 100)
     """
-    given = [place for place in (n, line, seq, time, at_tool) if place is not None]
-    if len(given) != 1:
-        raise TypeError("a place is one of n, line, seq, time, at_tool")
-    at = {
-        "n": n,
-        "line": line,
-        "seq": seq,
-        "time": time,
-        "at_tool": at_tool,
-        "file": file,
-        "pass": pass_,
-        "after": after,
-    }
-    found: State = json.loads(_native.state(program(path, text), plain(options), at))
+    found: State = json.loads(_native.state(program(path, text), *place(options)))
     return found
+
+
+def restart(
+    path: Path | None = None,
+    *,
+    text: str | bytes | None = None,
+    safe: float | None = None,
+    clearance: float = 2.0,
+    all_m: bool = False,
+    **options: Unpack[At],
+) -> bytes:
+    """A program that starts at a place of another one, in its encoding: what ``cnc872c restart`` writes.
+
+    :class:`At` names the place. The tool crosses at ``safe``; rapid ends ``clearance`` mm above the place. With ``all_m`` M
+    functions of groups 10 to 14 are repeated too. Raises PlaceError when there is no such place, or the program cannot start there.
+
+    >>> import cnc872c
+    >>> text = "%1\\nN10 G54 G90 T1 M06\\nN20 S900 M03\\nN30 G00 X0 Z50\\nN40 G01 Z-1 F100\\nN50 X30\\nN60 G00 Z50\\nN70 M30"
+    >>> started = cnc872c.restart(text=text, n=50)
+    >>> cnc872c.check(text=started).ok
+    True
+    """
+    start = {"safe": safe, "clearance": clearance, "all_m": all_m}
+    return _native.restart(program(path, text), *place(options), start)
+
+
+class RestartPlace(TypedDict):
+    """A place at which a program can start."""
+
+    seq: int
+    n: int
+    file: str | None
+    line: int
+    pass_: int
+    tool: float | None
+    changes_tool: bool
+
+
+def restart_places(
+    path: Path | None = None,
+    *,
+    text: str | bytes | None = None,
+    safe: float | None = None,
+    **options: Unpack[Options],
+) -> list[RestartPlace]:
+    """The tool changes and rapids at which a program can start: those of ``cnc872c restart --list``.
+
+    >>> import cnc872c
+    >>> text = "%1\\nN10 G54 G90 T1 M06\\nN20 S900 M03\\nN30 G00 X0 Z50\\nN40 G01 Z-1 F100\\nN50 X30\\nN60 G00 Z50\\nN70 M30"
+    >>> [place["n"] for place in cnc872c.restart_places(text=text, safe=50)]
+    [10, 30, 60]
+    """
+    start = {"safe": safe, "clearance": 2.0, "all_m": False}
+    places, more = _native.restart_places(program(path, text), plain(options), start)
+    if more and not places:
+        warnings.warn(f"with `safe` there would be {more} places", stacklevel=2)
+    return [
+        RestartPlace(seq=seq, n=n, file=file, line=line, pass_=pass_, tool=tool, changes_tool=changes)
+        for seq, n, file, line, pass_, tool, changes in places
+    ]
+
+
+@overload
+def format(path: Path | None = None, *, text: str, **options: Unpack[Options]) -> str: ...
+
+
+@overload
+def format(path: Path | None = None, *, text: bytes | None = None, **options: Unpack[Options]) -> bytes: ...
+
+
+def format(
+    path: Path | None = None, *, text: str | bytes | None = None, **options: Unpack[Options]
+) -> str | bytes:
+    """A program in one layout: what ``cnc872c format`` makes of it, a ``str`` of a ``str``, else bytes in its encoding. The file
+    stays as it is.
+
+    Raises ProgramError when a finding keeps the program from being formatted. Lines that cannot be read stay as they are, with a
+    warning.
+
+    >>> import cnc872c
+    >>> print(cnc872c.format(text="%1\\nN10 G1X5.5F100\\nN20 M30\\n"), end="")
+    %1
+    N10 G01 X5.5 F100
+    N20 M30
+    """
+    named, given = program(path, text)
+    made, left = _native.format((named, given), plain(options))
+    if left:
+        warnings.warn(f"{named}: {left} lines that cannot be read stay as they are", stacklevel=2)
+    return made.decode() if isinstance(text, str) else made
 
 
 def compare(
@@ -381,13 +446,4 @@ def stats(
     (5, [3], [6, 30])
     """
     folder = None if cache is None else os.fspath(cache)
-    if text is None and path is not None and not isinstance(path, (str, os.PathLike)):
-        return Archive(_native.stats([os.fspath(one) for one in path], None, plain(options), folder))
-    named, given = program(_one(path), text)
-    return Archive(_native.stats(named, given, plain(options), folder))
-
-
-def _one(path: Path | Iterable[Path] | None) -> Path | None:
-    if path is None or isinstance(path, (str, os.PathLike)):
-        return path
-    raise TypeError("a text stands for one program")
+    return Archive(_native.stats(*programs(path, text), plain(options), folder))

@@ -36,7 +36,7 @@ class ProgramError(Error):
 
 
 class ConfigError(Error, ValueError):
-    """The project file, or an option that stands for a key of it, is wrong.
+    """The project file, or an option in the place of one of its keys, is wrong.
 
     >>> import cnc872c
     >>> try:
@@ -48,7 +48,7 @@ class ConfigError(Error, ValueError):
 
 
 class PlaceError(Error, LookupError):
-    """A program has no such place, or executes it more than once."""
+    """A program has no such place, executes it more than once, or cannot start there."""
 
 
 def _message(report: Report, otherwise: str) -> str:

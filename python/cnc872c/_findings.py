@@ -60,7 +60,7 @@ class CallSite:
     """A call on the way to a finding."""
 
     by: str
-    """G71, G72, or the cycle function that stands for a macrocycle."""
+    """G71, G72, or the cycle function that calls a macrocycle."""
     l: int  # noqa: E741
     """What was called."""
     file: str
@@ -177,7 +177,7 @@ class Report:
         return self.errors == 0 and not (self.deny_warnings and self.warnings)
 
     def __bool__(self) -> bool:
-        raise TypeError("whether there are no errors is said by `ok`")
+        raise TypeError("`ok` tells whether there are no errors")
 
     @classmethod
     def from_json(cls, text: str, deny_warnings: bool = False) -> Report:

@@ -28,7 +28,7 @@ class Options(TypedDict, total=False):
     """Leave out skippable blocks."""
     optional_stop: bool | None
     """M01 stops."""
-    encoding: Literal["cp852", "windows-1250", "iso-8859-2", "kamenicky"] | None
+    encoding: Literal["utf-8", "cp852", "windows-1250", "iso-8859-2", "kamenicky"] | None
     """The encoding of what is not UTF-8."""
     max_blocks: int | None
     """Most blocks that are executed."""
@@ -42,7 +42,38 @@ class Options(TypedDict, total=False):
     """The language of findings."""
 
 
-def plain(options: Options) -> dict[str, Any]:
+class At(Options, total=False):
+    """A place of a program, named by one of the first five, beside the options of all functions."""
+
+    n: int | None
+    """The number of a block."""
+    line: int | None
+    """The line of a block."""
+    seq: int | None
+    """The executed block, as the stream counts them."""
+    time: float | None
+    """Seconds after program start."""
+    at_tool: int | None
+    """The tool that an M06 changes to."""
+    file: str | None
+    """The macrocycle that the number or line is of."""
+    pass_: int | None
+    """Which execution of the block is meant, from 1."""
+    after: bool
+    """Behind the block instead of before it."""
+
+
+def place(options: At) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Options and the place as the native half takes them."""
+    rest: dict[str, Any] = dict(options)
+    at = {name: rest.pop(name, None) for name in ("n", "line", "seq", "time", "at_tool")}
+    if sum(value is not None for value in at.values()) != 1:
+        raise TypeError("a place is one of n, line, seq, time, at_tool")
+    more = {"file": rest.pop("file", None), "pass": rest.pop("pass_", None), "after": rest.pop("after", False)}
+    return plain(rest), {**at, **more}
+
+
+def plain(options: Mapping[str, object]) -> dict[str, Any]:
     """Options as the native half takes them: mappings are dictionaries."""
     made: dict[str, Any] = dict(options)
     for name in ("config", "param"):
@@ -53,8 +84,17 @@ def plain(options: Options) -> dict[str, Any]:
 
 
 def program(path: Path | None, text: str | bytes | None) -> tuple[str, bytes | None]:
-    """A program: its path, and the text that stands for it."""
+    """A program: its path, and the text that replaces it."""
     if path is None and text is None:
         raise TypeError("a path or a text is needed")
     named = "-" if path is None else os.fspath(path)
     return named, text.encode() if isinstance(text, str) else text
+
+
+def programs(path: Path | Iterable[Path] | None, text: str | bytes | None) -> tuple[str | list[str], bytes | None]:
+    """The same, or the paths of several programs."""
+    if path is None or isinstance(path, (str, os.PathLike)):
+        return program(path, text)
+    if text is not None:
+        raise TypeError("a text replaces one program")
+    return [os.fspath(one) for one in path], None

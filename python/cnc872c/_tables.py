@@ -89,7 +89,7 @@ def _read(record: Record, name: str) -> Any:
 
 
 def cell() -> Any:
-    """The column of that name. Its type is said where the field is."""
+    """The column of that name. Its type is written at the field."""
     return Field(_read)
 
 

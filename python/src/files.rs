@@ -7,7 +7,7 @@ use std::sync::Arc;
 use cnc872c::disk::DiskLoader;
 use cnc872c::text::{Loader, Numbered};
 
-/// Files of the disk, and texts that stand for some of them.
+/// Files of the disk, some of them replaced by texts.
 pub struct Files {
     disk: DiskLoader,
     given: Vec<(PathBuf, Arc<[u8]>)>,
@@ -20,7 +20,7 @@ impl Files {
         Self { disk: DiskLoader::new(named), given: Vec::new() }
     }
 
-    /// With a text that stands for a file.
+    /// Puts a text in the place of a file.
     pub fn give(&mut self, path: PathBuf, text: Arc<[u8]>) {
         self.given.push((path, text));
     }

@@ -7,7 +7,7 @@
 //! | `setup` | the configuration of programs, each project file read once |
 //! | `work` | long work without the interpreter's lock, stopped by Ctrl-C |
 //! | `fault` | why a function has no result, as exceptions |
-//! | `one`, `many` | functions over one program, and over many |
+//! | `one`, `place`, `many` | functions over one program, over a place of it, and over many programs |
 //! | `table`, `cell` | record batches as an object of Python, and single values of them |
 
 mod cell;
@@ -16,6 +16,7 @@ mod files;
 mod many;
 mod one;
 mod options;
+mod place;
 mod setup;
 mod table;
 mod work;
@@ -41,6 +42,9 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(one::compile, module)?)?;
     module.add_function(wrap_pyfunction!(one::motion, module)?)?;
     module.add_function(wrap_pyfunction!(one::plc, module)?)?;
-    module.add_function(wrap_pyfunction!(one::state, module)?)?;
-    module.add_function(wrap_pyfunction!(one::compare, module)?)
+    module.add_function(wrap_pyfunction!(one::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(one::format, module)?)?;
+    module.add_function(wrap_pyfunction!(place::state, module)?)?;
+    module.add_function(wrap_pyfunction!(place::restart, module)?)?;
+    module.add_function(wrap_pyfunction!(place::restart_places, module)?)
 }

@@ -1,13 +1,16 @@
 //! Functions over many programs.
 
+use std::ffi::CString;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cnc872c::cli::stats_cache::{Cache, fresh};
 use cnc872c::cli::walk::{Origin, Target, targets};
+use cnc872c::columns::Kept;
 use cnc872c::config::EXTENSIONS;
 use cnc872c::session::{Outcome, Session};
-use cnc872c::stats::{Row, kept};
+use cnc872c::stats::{Row, RowTable};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
@@ -27,14 +30,17 @@ struct Many<'o> {
     targets: Vec<Target>,
 }
 
+/// Which programs count.
+struct Search {
+    /// Macrocycles too.
+    macrocycles: bool,
+    /// A folder without programs is no fault.
+    empty: bool,
+}
+
 impl<'o> Many<'o> {
-    /// The programs that `paths` mean. A text stands for the only one.
-    fn new(
-        paths: Vec<PathBuf>,
-        text: Option<Arc<[u8]>>,
-        options: &'o Options,
-        macrocycles: bool,
-    ) -> Result<Self, Fault> {
+    /// The programs that `paths` mean. A text replaces the only one.
+    fn new(paths: Vec<PathBuf>, text: Option<Arc<[u8]>>, options: &'o Options, search: &Search) -> Result<Self, Fault> {
         let given = text.is_some();
         let mut setup = Setup::new(options, &paths, text)?;
         let mut found = if given {
@@ -44,12 +50,12 @@ impl<'o> Many<'o> {
             let mut extensions =
                 |folder: &Path| setup.folder(folder).map_or_else(plain, |settings| settings.extensions.clone());
             let found = targets(&paths, &mut extensions);
-            if let Some(folder) = found.barren.into_iter().next() {
+            if let Some(folder) = found.barren.into_iter().next().filter(|_| !search.empty) {
                 return Err(Fault::Barren(folder));
             }
             found.targets
         };
-        found.retain(|target| macrocycles || !Session::is_macrocycle_name(&target.path));
+        found.retain(|target| search.macrocycles || !Session::is_macrocycle_name(&target.path));
         for target in &found {
             setup.folder(target.folder());
         }
@@ -86,11 +92,12 @@ pub fn check(
     programs: &Bound<'_, PyAny>,
     text: Option<Vec<u8>>,
     options: &Bound<'_, PyDict>,
+    allow_empty: bool,
 ) -> PyResult<String> {
     let options = Options::new(options)?;
     let (paths, text) = (paths(programs)?, text.map(Arc::from));
     let made = work(py, |goes_on| {
-        let mut many = Many::new(paths, text, &options, true)?;
+        let mut many = Many::new(paths, text, &options, &Search { macrocycles: true, empty: allow_empty })?;
         let mut report = many.setup.report()?;
         let check = |target: &Target, session: &Session<'_>| {
             let outcome = session.check(&target.path, &target.name());
@@ -123,6 +130,7 @@ pub fn stats(
 ) -> PyResult<Table> {
     let options = Options::new(options)?;
     let (paths, text) = (paths(programs)?, text.map(Arc::from));
+    let mut damage = None;
     let made = work(py, |goes_on| {
         let cache = match cache {
             Some(folder) => match Cache::open(&folder) {
@@ -131,9 +139,12 @@ pub fn stats(
             },
             None => None,
         };
-        let mut many = Many::new(paths, text, &options, false)?;
+        damage = cache.as_ref().and_then(|(cache, _)| cache.damage()).map(|damage| damage.text(options.lang));
+        let mut many = Many::new(paths, text, &options, &Search { macrocycles: false, empty: false })?;
         many.setup.report()?;
-        let mut rows = Vec::new();
+        let (mut kept, mut failed) = (Kept::default(), None);
+        let unkept = |error| Fault::Io(PathBuf::new(), error);
+        let mut rows = RowTable::new(&mut kept, &mut failed);
         let row = |target: &Target, session: &Session<'_>| {
             let path = target.name();
             Ok(match (session.loader.read(&target.path), &cache) {
@@ -144,14 +155,18 @@ pub fn stats(
             })
         };
         many.each(goes_on, row, |some: Vec<Row>| {
-            rows.extend(some);
+            some.iter().try_for_each(|row| rows.row(row)).map_err(unkept)?;
             match &cache {
-                // What a run that was stopped made last is not whole.
+                // The last rows of a cancelled run may not be whole.
                 Some((cache, folder)) if goes_on(0) => cache.write().map_err(|error| Fault::Io(folder.clone(), error)),
                 _ => Ok(()),
             }
         })?;
-        kept(&rows).map(Table::from).map_err(|error| Fault::Io(PathBuf::new(), error))
+        rows.end().map_err(unkept)?;
+        Ok(Table::from(kept))
     })?;
+    if let Some(damage) = damage {
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &CString::new(damage)?, 1)?;
+    }
     made.map_err(|fault: Fault| fault.raise(py))
 }

@@ -9,11 +9,12 @@ use cnc872c::analysis::motion::{Basis, machine};
 use cnc872c::analysis::plc::{
     Cell, Condition, Header, Range, Reader, Signal, Step, Writer, default, named, signal_problem, with_compatible,
 };
-use cnc872c::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, fault_text, json as state_json};
+use cnc872c::analysis::state::AtTime;
 use cnc872c::columns::{BlockTable, Kept, MotionTable, StepTable};
 use cnc872c::config::{Machine, Purpose, Settings, tried_fault};
 use cnc872c::diag::{Diagnostic, Finding, Findings, Report};
-use cnc872c::dict::{Decimal, Lang, Micro};
+use cnc872c::dict::{Lang, Micro};
+use cnc872c::edit::format as layout;
 use cnc872c::run::End;
 use cnc872c::session::{Outcome, Part, Run, Session, TimedSignals, Times};
 use cnc872c::text::{SourceText, Sources, path_name};
@@ -30,16 +31,16 @@ use crate::work::{GoesOn, work};
 type Made = (Table, String);
 
 /// One program under way.
-struct One<'a> {
-    session: Session<'a>,
-    path: &'a Path,
-    name: String,
-    report: Report,
-    lang: Lang,
+pub struct One<'a> {
+    pub session: Session<'a>,
+    pub path: &'a Path,
+    pub name: String,
+    pub report: Report,
+    pub lang: Lang,
 }
 
 /// Configures one program, and does `work` with it, without the interpreter's lock.
-fn one<T: Send>(
+pub fn one<T: Send>(
     py: Python<'_>,
     (path, text): (PathBuf, Option<Vec<u8>>),
     options: &Options,
@@ -70,7 +71,7 @@ impl One<'_> {
     ///
     /// # Errors
     /// When the program cannot be read.
-    fn add(&mut self, outcome: Outcome) -> Result<(), Fault> {
+    pub fn add(&mut self, outcome: Outcome) -> Result<(), Fault> {
         if outcome.unusable
             && let Err(error) = self.session.loader.read(self.path)
         {
@@ -83,7 +84,7 @@ impl One<'_> {
     }
 
     /// The findings as JSON.
-    fn json(&self) -> String {
+    pub fn json(&self) -> String {
         json(&self.report, self.lang)
     }
 
@@ -250,70 +251,6 @@ fn chosen(
     Ok(if wanted.compat { with_compatible(&chosen, dialect, motion) } else { chosen })
 }
 
-/// A place of a program: one of the first five.
-#[derive(FromPyObject)]
-#[pyo3(from_item_all)]
-pub struct At {
-    n: Option<u32>,
-    line: Option<u32>,
-    seq: Option<u64>,
-    time: Option<f64>,
-    at_tool: Option<i64>,
-    file: Option<String>,
-    #[pyo3(item("pass"))]
-    pass_number: Option<u64>,
-    after: bool,
-}
-
-/// What holds at a place, as JSON.
-#[pyfunction]
-pub fn state(
-    py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
-    options: &Bound<'_, PyDict>,
-    at: At,
-) -> PyResult<String> {
-    let options = Options::new(options)?;
-    one(py, program, &options, |mut one| {
-        let settings = one.session.settings;
-        let place = match at {
-            At { n: Some(n), .. } => Place::N(n),
-            At { line: Some(line), .. } => Place::Line(line),
-            At { at_tool: Some(tool), .. } => Place::Tool(Decimal::whole(tool)),
-            At { seq, .. } => Place::Seq(seq.unwrap_or(0)),
-        };
-        let mut asked = Asked { place, file: at.file.clone(), pass: at.pass_number, after: at.after };
-        if let Some(seconds) = at.time {
-            let mut at_time = AtTime::new(settings, seconds);
-            let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut &mut at_time);
-            match at_time.found() {
-                Ok(seq) => asked.place = Place::Seq(seq),
-                Err(seconds) => return Err(no_place(&mut one, run.outcome, &PlaceFault::TooLate { seconds }, &asked)),
-            }
-        }
-        let mut reader = StateReader::new(settings, asked.clone());
-        let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut &mut reader);
-        if reader.has_error_before() || run.outcome.unusable || run.outcome.not_executed.is_some() {
-            one.add(run.outcome)?;
-            return Err(Fault::Program(one.json()));
-        }
-        match reader.finish(run.whole.is_some()) {
-            Ok(found) => Ok(state_json(&found, &one.name, settings)),
-            Err(fault) => Err(no_place(&mut one, run.outcome, &fault, &asked)),
-        }
-    })
-}
-
-/// Why there is no such place: the program has errors, or else.
-fn no_place(one: &mut One<'_>, outcome: Outcome, fault: &PlaceFault, asked: &Asked) -> Fault {
-    let faulty = outcome.findings.has_errors() || outcome.unusable || outcome.not_executed.is_some();
-    match one.add(outcome) {
-        Err(fault) => fault,
-        Ok(()) if faulty => Fault::Program(one.json()),
-        Ok(()) => Fault::Place(fault_text(fault, asked, one.lang)),
-    }
-}
-
 /// What counts as a difference.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
@@ -360,4 +297,28 @@ fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), F
     }
     let steps = reader.finish();
     Ok((Side { name: one.name, blocks: steps.blocks, path: steps.path, time_s: clock.found().err() }, steps))
+}
+
+/// A program in one layout, and how many lines stay because they cannot be read.
+#[pyfunction]
+pub fn format(
+    py: Python<'_>,
+    program: (PathBuf, Option<Vec<u8>>),
+    options: &Bound<'_, PyDict>,
+) -> PyResult<(Vec<u8>, usize)> {
+    let options = Options::new(options)?;
+    one(py, program, &options, |mut one| {
+        let unread = |error| Fault::Io(one.path.into(), error);
+        let bytes = one.session.loader.read(one.path).map_err(unread)?;
+        let settings = one.session.settings;
+        let source = SourceText::decode(one.name.as_str(), bytes.clone(), settings.encoding);
+        let source = source.map_err(|error| unread(error.into()))?;
+        match layout(one.path, &Arc::new(source), &bytes, settings) {
+            Ok((made, left)) => Ok((made.unwrap_or(bytes), left)),
+            Err(outcome) => {
+                one.add(*outcome)?;
+                Err(Fault::Program(one.json()))
+            }
+        }
+    })
 }

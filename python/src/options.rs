@@ -27,7 +27,7 @@ pub enum Config {
     Text(PathBuf, Arc<[u8]>),
 }
 
-/// What the caller says over the project file.
+/// The caller's values that win over the project file.
 pub struct Options {
     /// The project file.
     pub config: Config,
@@ -109,8 +109,7 @@ fn code(name: &str) -> Result<Code, String> {
 
 fn encoding(value: &Bound<'_, PyAny>) -> PyResult<Encoding> {
     let given: String = value.extract()?;
-    let all = [Encoding::Cp852, Encoding::Windows1250, Encoding::Iso88592, Encoding::Kamenicky];
-    let found = all.into_iter().find(|encoding| encoding.name() == given);
+    let found = Encoding::NAMED.iter().find(|(name, _)| *name == given).map(|(_, encoding)| *encoding);
     found.ok_or_else(|| wrong(value.py(), format!("encoding {given:?} is not known")))
 }
 

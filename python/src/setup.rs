@@ -32,7 +32,7 @@ pub struct Setup<'o> {
 }
 
 impl<'o> Setup<'o> {
-    /// For the programs at these paths. A `text` stands for the program at the first of them.
+    /// For the programs at these paths. A `text` replaces the program at the first of them.
     ///
     /// # Errors
     /// A folder of macrocycles that is not there.

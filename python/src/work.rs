@@ -12,7 +12,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// So often it is asked whether somebody pressed Ctrl-C.
 const ASK: Duration = Duration::from_millis(50);
 
-/// Asked from time to time during long work with the number of blocks executed; `false`: it shall stop.
+/// Asked from time to time during long work with the number of blocks executed; `false`: it has to stop.
 pub type GoesOn<'a> = dyn Fn(u64) -> bool + Sync + 'a;
 
 /// The threads of this process. A process that was forked has none of the threads of its parent, and gets its own.
@@ -35,7 +35,7 @@ fn pool() -> PyResult<Arc<ThreadPool>> {
 /// What `work` makes, in another thread. Python's own threads run meanwhile.
 ///
 /// # Errors
-/// What a signal raises, as Ctrl-C does; the work has stopped then.
+/// The exception that a signal raises, as Ctrl-C does; the work has stopped then.
 pub fn work<T: Send>(py: Python<'_>, work: impl FnOnce(&GoesOn<'_>) -> T + Send) -> PyResult<T> {
     let pool = pool()?;
     let cancelled = AtomicBool::new(false);

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,11 +14,15 @@ from typing import Any
 import cnc872c
 import polars
 import pyarrow
+import pyarrow.ipc
 import pytest
 from cnc872c import _native
-from shared import run, samples
+from shared import FAULTY, ROOT, run, samples
 
 AXES = "xyzabcuvw"
+
+MOST = 2000
+"""Blocks of one sample that are compared."""
 
 
 @contextmanager
@@ -32,6 +37,9 @@ def where(name: str) -> list[str]:
     """Where the value of a column stands in a record: `motion_start_x` is `motion`, `start`, `X`."""
     if name in AXES:
         return ["position", name.upper()]
+    if name.startswith("extents_"):
+        _, part, letter, end = name.split("_")
+        return ["extents", part, letter.upper(), end]
     for outer in ("motion", "jump", "data", "joint"):
         rest = name.removeprefix(f"{outer}_")
         if rest == name:
@@ -52,8 +60,8 @@ def plain(value: Any, kind: pyarrow.DataType) -> Any:
     return value
 
 
-def records(rows: list[dict[str, Any]], schema: pyarrow.Schema) -> list[dict[str, Any]]:
-    """Rows as records again. What is null or false is left out, as in records."""
+def records(rows: list[dict[str, Any]], schema: pyarrow.Schema, flat: bool = False) -> list[dict[str, Any]]:
+    """Rows as records again. What is null or false is left out, as in records. ``flat``: names are not paths."""
     made = []
     for row in rows:
         record: dict[str, Any] = {}
@@ -62,7 +70,7 @@ def records(rows: list[dict[str, Any]], schema: pyarrow.Schema) -> list[dict[str
             if value is None or value is False:
                 continue
             inner = record
-            *outer, last = where(name)
+            *outer, last = [name] if flat else where(name)
             for key in outer:
                 inner = inner.setdefault(key, {})
             inner[last] = value
@@ -94,7 +102,7 @@ def same(table: Any, expected: list[dict[str, Any]]) -> None:
 @pytest.fixture(scope="module")
 def programs() -> list[tuple[Path, list[dict[str, Any]]]]:
     """Samples that are whole, with their streams."""
-    found = [(path, lines("compile", path)) for path in samples()]
+    found = [(path, lines("compile", path, "--limit", str(MOST))) for path in samples()]
     whole = [(path, stream) for path, stream in found if stream]
     assert len(whole) > 50
     return whole
@@ -103,7 +111,7 @@ def programs() -> list[tuple[Path, list[dict[str, Any]]]]:
 def test_blocks(programs: list[tuple[Path, list[dict[str, Any]]]], monkeypatch: pytest.MonkeyPatch) -> None:
     for path, stream in programs:
         monkeypatch.chdir(path.parent)
-        blocks = cnc872c.compile(path.name)
+        blocks = cnc872c.compile(path.name, limit=MOST)
         assert blocks.program == stream[0]
         assert blocks.end == stream[-1]
         assert blocks.files[1:] == [record["name"] for record in of_kind(stream, "file")]
@@ -111,48 +119,82 @@ def test_blocks(programs: list[tuple[Path, list[dict[str, Any]]]], monkeypatch: 
 
 
 def test_motion(programs: list[tuple[Path, list[dict[str, Any]]]], monkeypatch: pytest.MonkeyPatch) -> None:
-    for path, _ in programs[::3]:
+    for path, blocks in programs:
+        if len(blocks) > MOST:
+            continue
         monkeypatch.chdir(path.parent)
         stream = lines("motion", path, "--format", "json", "--phases")
         if not stream:
             continue
-        for record in stream:
+        expected = of_kind(stream, "block")
+        for record in expected:
+            # A motion that takes no time has no phases.
             if record.get("phases") == []:
                 del record["phases"]
         motion = cnc872c.motion(path.name, phases=True)
         assert motion.machine == stream[0]
         assert motion.total == stream[-1]
-        found = [{key: value for key, value in move.to_dict().items() if value != []} for move in motion.blocks]
-        assert found == of_kind(stream, "block")
+        same(motion.blocks, expected)
 
 
 def test_signals(programs: list[tuple[Path, list[dict[str, Any]]]], monkeypatch: pytest.MonkeyPatch) -> None:
-    for path, _ in programs[1::3]:
+    for path, _ in programs:
         monkeypatch.chdir(path.parent)
-        stream = lines("plc", path, "--format", "json")
+        stream = lines("plc", path, "--format", "json", "--limit", str(MOST))
         if not stream:
             continue
-        steps = cnc872c.plc(path.name)
+        steps = cnc872c.plc(path.name, limit=MOST)
         now: dict[str, Any] = {}
+        rows = []
         expected = of_kind(stream, "step")
-        assert len(steps) == len(expected)
         for step, record in zip(steps, expected, strict=True):
-            now |= record["signals"]
+            now |= record.pop("signals")
             assert step.to_dict() == {**record, "signals": now}
-        frame = steps.to_polars()
-        assert [row for row in frame.rows()] == [tuple(row.values()) for row in steps.to_arrow().to_pylist()]
+            rows.append({**{key: value for key, value in record.items() if key != "kind"}, **now})
+        arrow = steps.to_arrow()
+        without = [{key: value for key, value in row.items() if value is not None} for row in rows]
+        assert records(arrow.to_pylist(), arrow.schema, flat=True) == without
+        assert records(steps.to_polars().to_dicts(), arrow.schema, flat=True) == without
 
 
 def test_facts() -> None:
-    folder = "samples/ok"
-    made = run("stats", folder, "--format", "json")
-    rows = json.loads(made.stdout)["programs"]
-    root = Path(__file__).resolve().parents[2]
+    folders = ["samples/ok", "samples/rules"]
+    rows = json.loads(run("stats", *folders, "--format", "json").stdout)["programs"]
     for row in rows:
-        row["path"] = str(root / row["path"])
-    found = [facts.to_dict() for facts in cnc872c.stats(root / folder)]
-    assert found == rows
-    assert len(found) > 5
+        row["path"] = str(ROOT / row["path"])
+    archive = cnc872c.stats([ROOT / folder for folder in folders])
+    assert [facts.to_dict() for facts in archive] == rows
+    assert len(rows) > 100
+    arrow = archive.to_arrow()
+    for row in rows:
+        for axes in row["extents"].values():
+            axes.update({axis: {"min": least, "max": greatest} for axis, (least, greatest) in axes.items()})
+        if not row["extents"]:
+            del row["extents"]
+    assert records(arrow.to_pylist(), arrow.schema) == rows
+    assert records(archive.to_polars().to_dicts(), arrow.schema) == rows
+
+
+@pytest.mark.parametrize("command", ["compile", "motion", "plc", "stats"])
+def test_files(command: str, folder: Path) -> None:
+    """What the command writes is what the package gives; its last batch tells that it is whole."""
+    shutil.copytree(ROOT / "docs/guide/examples/contour", folder, dirs_exist_ok=True)
+    assert run(command, "contour.nc", "--format", "arrow", "-o", "out.arrow", cwd=folder).returncode == 0
+    made = getattr(cnc872c, command)("contour.nc")
+    expected = (made.blocks if command == "motion" else made).to_arrow()
+    with pyarrow.ipc.open_stream(folder / "out.arrow") as reader:
+        batches = [(batch, metadata) for batch, metadata in reader.iter_batches_with_custom_metadata()]
+    table = pyarrow.Table.from_batches([batch for batch, _ in batches])
+    assert table.schema.equals(expected.schema, check_metadata=True)
+    assert table.to_pylist() == expected.to_pylist()
+    assert polars.read_ipc_stream(folder / "out.arrow").to_dicts() == polars.DataFrame(expected).to_dicts()
+    if command != "stats":
+        last, metadata = batches[-1]
+        assert last.num_rows == 0
+        assert json.loads(metadata[b"cnc872c.end"])["kind"] in ("end", "total")
+    (folder / "bad.nc").write_text(FAULTY)
+    refused = run(command, "bad.nc", "--format", "arrow", "-o", "bad.arrow", cwd=folder)
+    assert (refused.returncode, (folder / "bad.arrow").exists()) == ((0, True) if command == "stats" else (1, False))
 
 
 def test_fields_are_the_columns() -> None:

@@ -35,6 +35,7 @@ def test_several_programs_and_folders(folder: Path) -> None:
     (folder / "empty").mkdir()
     with pytest.raises(FileNotFoundError):
         cnc872c.check("empty")
+    assert cnc872c.check("empty", allow_empty=True).ok
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need rights")
@@ -103,6 +104,8 @@ def test_a_text_in_place_of_a_file(folder: Path) -> None:
     assert (report.ok, report.files) == (True, ["part.nc"])
     (folder / "cnc872c.toml").write_text('dialect = "cnc8x9"\n')
     assert cnc872c.compile("part.nc", text=WHOLE).program["dialect"] == "cnc8x9"
+    with pytest.raises(cnc872c.ProgramError):
+        cnc872c.compile(text='%1 "příruba"\nN10 M30\n'.encode("cp1250"), encoding="utf-8")
     bytes_of_windows = '%1 "příruba"\nN10 M30\n'.encode("cp1250")
     assert cnc872c.compile(text=bytes_of_windows, encoding="windows-1250").program["title"] == "příruba"
 
@@ -172,6 +175,42 @@ def test_places() -> None:
         cnc872c.state(text=text)
     with pytest.raises(TypeError):
         cnc872c.state(text=text, n=20, line=3)
+
+
+def test_starts(folder: Path) -> None:
+    text = "%1\nN10 G54 G90 T1 M06\nN20 S900 M03\nN30 G00 X0 Z50\nN40 G01 Z-1 F100\nN50 X30\nN60 G00 Z50\nN70 M30\n"
+    (folder / "part.nc").write_text(text, newline="\n")
+    command = run("restart", "part.nc", "--n", "50", "--clearance", "5", cwd=folder)
+    assert cnc872c.restart("part.nc", n=50, clearance=5).decode() == command.stdout
+    listed = run("restart", "part.nc", "--list", cwd=folder).stdout.splitlines()
+    assert len(cnc872c.restart_places("part.nc")) == len(listed)
+    with pytest.raises(cnc872c.PlaceError):
+        cnc872c.restart("part.nc", n=55)
+    corrected = text.replace("T1 M06", "T1 D1 M06").replace("N40 G01", "N40 G01 G41")
+    with pytest.raises(cnc872c.PlaceError, match="G41"):
+        cnc872c.restart(text=corrected, n=50)
+    with pytest.raises(cnc872c.ProgramError):
+        cnc872c.restart(text=FAULTY, n=10)
+    with pytest.raises(FileNotFoundError):
+        cnc872c.restart("missing.nc", n=10)
+    for wrong in ({"safe": 1e9}, {"clearance": 0.0}, {"clearance": 0.00001}):
+        with pytest.raises(cnc872c.ConfigError):
+            cnc872c.restart("part.nc", n=50, **wrong)
+
+
+def test_layout(folder: Path) -> None:
+    untidy = '%1 "příruba"\nN10 G1X5.5F100\nN20 M30\n'
+    (folder / "part.nc").write_bytes(untidy.encode("cp1250"))
+    run("format", "part.nc", "--encoding", "windows-1250", cwd=folder)
+    expected = (folder / "part.nc").read_bytes()
+    assert cnc872c.format(text=untidy.encode("cp1250"), encoding="windows-1250") == expected
+    assert cnc872c.format("part.nc", encoding="windows-1250") == expected
+    assert cnc872c.format(text=untidy) == expected.decode("cp1250")
+    assert (folder / "part.nc").read_bytes() == expected
+    with pytest.raises(FileNotFoundError):
+        cnc872c.format("missing.nc")
+    with pytest.warns(UserWarning, match="1 lines"):
+        assert "??" in cnc872c.format(text="%1\nN10 G1X5.5F100 ??\nN20 M30\n")
 
 
 def test_comparison(folder: Path) -> None:
