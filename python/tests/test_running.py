@@ -19,11 +19,12 @@ WITH_SIGNALS = pytest.mark.skipif(sys.platform == "win32", reason="signals of an
 
 
 @WITH_SIGNALS
-@pytest.mark.parametrize("name", ["check", "compile", "motion", "plc", "stats", "state", "compare"])
+@pytest.mark.parametrize("name", ["check", "compile", "motion", "plc", "stats", "state", "restart", "compare"])
 def test_ctrl_c_stops_a_long_call(name: str) -> None:
     options = {"max_blocks": 10**15}
     calls = {
         "state": lambda: cnc872c.state(text=ENDLESS, n=80, **options),
+        "restart": lambda: cnc872c.restart(text=ENDLESS, n=80, **options),
         "compare": lambda: cnc872c.compare(old_text=ENDLESS, new_text=ENDLESS, **options),
     }
     call = calls.get(name, lambda: getattr(cnc872c, name)(text=ENDLESS, **options))
@@ -116,6 +117,19 @@ def test_memory_does_not_grow() -> None:
     for _ in range(10_000):
         call()
     assert megabytes() - before < 8
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="memory in other units")
+def test_a_stream_of_columns_takes_the_same_memory_however_long(folder: Path) -> None:
+    def megabytes(passes: int) -> float:
+        (folder / "part.nc").write_text(LONG.replace("Q9\n", f"Q{passes}\n"))
+        arguments = ["cnc872c", "compile", "part.nc", "--format", "arrow", "-o", "part.arrow"]
+        child = os.posix_spawn(sys.executable, [sys.executable, "-m", *arguments], os.environ)
+        _, status, used = os.wait4(child, 0)
+        assert status == 0
+        return used.ru_maxrss / 1000
+
+    assert megabytes(19) - megabytes(3) < 25
 
 
 def test_a_file_that_changes(folder: Path) -> None:
