@@ -28,6 +28,7 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
             let key = key_of(section, row.name);
             texts.push((format!("{key} = {}\n", toml(value)), key, value));
         }
+        wrong.extend(unknown_keys(section, values));
     }
     for section in SECTIONS.iter().filter(|section| section.option.is_some()) {
         match (settings.get(section.name), section.form) {
@@ -72,6 +73,15 @@ pub fn client_keys() -> Vec<String> {
 /// A key as it is written in full: `limits.records`.
 fn key_of(section: &Section, name: &str) -> String {
     if section.name.is_empty() { name.to_owned() } else { format!("{}.{name}", section.name) }
+}
+
+/// The keys of a table that are no settings; at the top level others may have keys too.
+fn unknown_keys(section: &Section, values: &Map<String, Value>) -> Vec<String> {
+    let is_setting = |name: &str| section.form.rows().iter().any(|row| row.option.is_some() && row.name == name);
+    let has_settings = section.form.rows().iter().any(|row| row.option.is_some());
+    let ours = section.name != ROOT.name && has_settings;
+    let unknown = values.iter().filter(|(name, value)| ours && !value.is_null() && !is_setting(name));
+    unknown.map(|(name, value)| format!("{}: {value}", key_of(section, name))).collect()
 }
 
 /// Names that nearly are those of settings: `dialec`. Others are somebody else's.

@@ -17,7 +17,7 @@ use crate::text::{Loader, Sources};
 /// Findings that need no execution are shown after this time, when execution takes longer.
 const PATIENCE: Duration = Duration::from_millis(400);
 
-/// What is known of an open document, with the files of the editor that it comes from.
+/// An analysed document, with the editor's files that it was read from.
 #[derive(Debug)]
 pub(super) struct Analysis {
     /// What queries answer from.
@@ -45,7 +45,7 @@ pub(super) struct Found {
     pub(super) misconfigured: bool,
 }
 
-/// What a run gives on its way.
+/// An intermediate result of a run.
 pub(super) trait Progress: Sync {
     /// The document is resolved; not called for configuration files.
     fn analysed(&self, analysis: Analysis, read: Vec<PathBuf>);
@@ -75,7 +75,7 @@ fn last_good(path: &Path, files: &EditorFiles, client: &Client) -> Option<Settin
     client.last_good(&find_project(path.parent().unwrap_or(Path::new("")), files)?)
 }
 
-/// What they are judged by when it never was without errors: the client's settings alone.
+/// The settings for a project file that never was without errors: those of the client alone.
 fn defaults(path: &Path, files: &EditorFiles, client: &Client) -> Settings {
     configure(None, client.overrides(path, files), files, &mut Sources::new(), &mut Findings::new())
 }

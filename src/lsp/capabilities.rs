@@ -1,4 +1,4 @@
-//! What the server says it can do.
+//! The capabilities of the server.
 
 use gen_lsp_types::{
     CallHierarchyProvider, CodeActionKind, CodeActionOptions, CodeActionProvider, CodeLensOptions, CompletionOptions,
@@ -105,7 +105,7 @@ pub(super) fn capabilities(client: &Client) -> Value {
     capabilities
 }
 
-/// What the client is asked to watch: files that findings depend on and that other programs change.
+/// The watchers that the client should register: for files that findings depend on and that other programs change.
 pub(super) fn registrations() -> Value {
     let globs = ["**/cnc872c.toml", "**/*.[xX][mM][lL]", "**/*.{nc,NC,ncp,NCP,mrc,MRC,mpf,MPF}", "**/[lL][0-9]*"];
     let watchers: Vec<Value> = globs.iter().map(|glob| json!({ "globPattern": glob })).collect();

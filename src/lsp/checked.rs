@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
 
-use gen_lsp_types::Uri;
+use gen_lsp_types::{Diagnostic, Uri};
 use serde_json::Value;
 
-/// What is known of programs that are not open; copies share it.
+/// Results of checking programs that are not open; copies share them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Checked {
     pub(super) known: Arc<Mutex<Known>>,
@@ -35,6 +35,8 @@ pub(super) struct Program {
     pub(super) uri: Uri,
     pub(super) id: String,
     pub(super) items: Value,
+    /// The findings in macrocycles that it calls, by their files.
+    pub(super) called: BTreeMap<Uri, Vec<Diagnostic>>,
 }
 
 impl Checked {

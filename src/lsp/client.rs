@@ -1,4 +1,4 @@
-//! What the client can do and wants.
+//! The client: its capabilities and settings.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use crate::dict::Lang;
 use crate::sure::Sure;
 use crate::text::{ColumnUnit, Loader};
 
-/// What is known of the client since `initialize`, and its settings now.
+/// The client's answers in `initialize`, and its present settings.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Client {
     capabilities: Value,
@@ -103,7 +103,7 @@ impl Client {
         wrong.into_iter().collect()
     }
 
-    /// What the settings say of the file at `path`: those of the innermost folder of the workspace that holds it.
+    /// The settings for the file at `path`: those of the innermost workspace folder that holds it.
     pub(super) fn overrides(&self, path: &Path, files: &EditorFiles) -> &Overrides {
         let holds = |folder: &Path| path.starts_with(folder) || path.starts_with(files.canonical(folder));
         let within = self.by_folder.iter().filter(|(folder, _)| holds(folder));

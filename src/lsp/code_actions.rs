@@ -1,4 +1,4 @@
-//! What the editor may do for the user: fix findings, one or all, and renumber the blocks.
+//! Code actions: fix findings, one or all, and renumber the blocks.
 
 use std::sync::Arc;
 
@@ -80,7 +80,7 @@ pub(super) fn resolve(snapshot: &Snapshot, analysis: &Analysis, mut action: Code
     Ok(action)
 }
 
-/// What the client asks for.
+/// The kinds of action that the client asks for.
 struct Wanted<'a>(&'a CodeActionContext);
 
 impl Wanted<'_> {
@@ -112,7 +112,7 @@ fn edited(text: &str, edits: &[(Span, &str)]) -> String {
     result
 }
 
-/// Where `now` differs from `before`, from the first to the last line that does, and what stands there.
+/// The part of `before` that differs from `now`, from the first such line to the last, and its new text.
 fn difference<'t>(before: &'t str, now: &'t str) -> (Span, &'t str) {
     let lines = |text: &'t str| text.split_inclusive('\n');
     let same = |(a, b): &(&str, &str)| a == b;

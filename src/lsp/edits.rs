@@ -13,7 +13,7 @@ use crate::text::{SourceText, Span};
 /// From this many changes on one takes their place: editors are slow with more.
 pub(super) const MANY: usize = 10_000;
 
-/// A change of the request's document: the texts that stand in the place of spans, in the order of the text.
+/// A change of the request's document: spans with their new texts, in the order of the text.
 pub(super) fn document_edit<'t>(
     snapshot: &Snapshot,
     analysis: &Analysis,

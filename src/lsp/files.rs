@@ -24,11 +24,11 @@ pub(super) struct Document {
     pub(super) source: Arc<SourceText>,
 }
 
-/// What the disk said about folders and paths is used again for so long. A client that watches files reports changes at
+/// How long answers of the disk about folders and paths are used again. A client that watches files reports changes at
 /// once ([`EditorFiles::forget`]); one that does not sees a new macrocycle with the first edit after this time.
 const FRESH: Duration = Duration::from_secs(2);
 
-/// What the disk said last: every keystroke asks for the same folders and the same paths, on a network share too.
+/// The last answers of the disk: every keystroke asks for the same folders and the same paths, on a network share too.
 #[derive(Debug)]
 struct Remembered {
     since: Instant,

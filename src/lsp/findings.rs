@@ -101,7 +101,7 @@ impl Converter<'_> {
     }
 }
 
-/// What is wrong, why, and what to write instead.
+/// The message with its note and its help.
 fn message(diagnostic: &Diagnostic, lang: Lang) -> String {
     let mut message = diagnostic.finding.message(lang);
     let remarks = [
@@ -141,7 +141,7 @@ mod tests {
     use crate::diag::{Finding, Findings};
     use crate::text::{Location, MemoryLoader, SourceText, Sources, Span};
 
-    /// Findings beyond the limit are told in one line.
+    /// One line counts the findings beyond the limit.
     #[test]
     fn what_is_not_shown() {
         let (mut sources, mut findings) = (Sources::new(), Findings::new());

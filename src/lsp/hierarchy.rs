@@ -175,7 +175,7 @@ fn callers(snapshot: &Snapshot, reach: &Reach<'_>, called: UnitId) -> BTreeMap<U
     callers
 }
 
-/// What a unit calls.
+/// The calls of a unit.
 fn called_by(snapshot: &Snapshot, reach: &mut Reach<'_>, caller: UnitId) -> Vec<CallHierarchyOutgoingCall> {
     let calls = calls(snapshot, reach, caller);
     let mut order: Vec<(UnitId, Vec<Range>)> = Vec::new();

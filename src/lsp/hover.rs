@@ -1,4 +1,4 @@
-//! What a word means, and what execution makes of its block.
+//! The meaning of a word, and the effect of its block in execution.
 
 use gen_lsp_types::{Contents, Hover, HoverParams, MarkupContent, MarkupKind};
 

@@ -16,7 +16,7 @@ use crate::edit::edit_texts::EditText;
 use crate::sure::Sure;
 use crate::text::{Encoding, FileId, Loader, SourceText, Span};
 
-/// What is offered for the findings of the document that touch a range.
+/// The offers for findings of the document that touch a range.
 pub(super) fn actions(
     snapshot: &Snapshot,
     analysis: &Analysis,
@@ -95,7 +95,7 @@ fn allow(snapshot: &Snapshot, analysis: &Analysis, code: Code) -> Option<Workspa
     edit(snapshot, &uri, None, serde_json::to_value(range).ok()?, &text)
 }
 
-/// Where a project file gets the level, and what is written there.
+/// The place in a project file for the level, and its text.
 fn lint_edit(source: &SourceText, code: Code) -> (Span, String) {
     let level = format!("{} = \"allow\"", code.name());
     let mut table = "";

@@ -1,4 +1,4 @@
-//! What the client is told of runs that take long, and what it is asked to watch beside its folders.
+//! Progress of long runs, and watchers for files outside the client's folders.
 
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,7 @@ impl Server {
         }
     }
 
-    /// Asks the client to watch what was read outside of its folders: macrocycles beside them, a project file above them.
+    /// Registers watchers for files that were read outside the client's folders: macrocycles elsewhere, a project file above.
     pub(super) fn watch_outside(&mut self, read: &[PathBuf]) {
         if !self.client.has("/workspace/didChangeWatchedFiles/relativePatternSupport")
             || !self.client.has("/workspace/didChangeWatchedFiles/dynamicRegistration")

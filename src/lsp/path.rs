@@ -32,7 +32,7 @@ pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) 
     let program: &query::analysis::Analysis = match executing(snapshot.open(), analysis) {
         Some(program) => program,
         None if Session::is_macrocycle_name(&analysis.path) => return Ok(None),
-        // Its errors are told in the picture.
+        // The picture shows its errors.
         None => analysis,
     };
     let (files, settings, path) = (&snapshot.files, &program.settings, &program.path);

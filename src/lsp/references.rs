@@ -8,10 +8,12 @@ use super::analysis::Analysis;
 use super::places::{Places, offset};
 use super::snapshot::{Answer, Snapshot};
 use super::workspace;
-use crate::query::cursor::DOCUMENT;
+use crate::dict::Address;
+use crate::query::cursor::{DOCUMENT, block_at};
 use crate::query::names::{Name, Usage};
 use crate::query::reach::Reach;
-use crate::text::FileId;
+use crate::syntax::{ParsedFile, Word};
+use crate::text::{FileId, Span};
 
 /// `textDocument/references`.
 pub(super) fn references(
@@ -37,8 +39,12 @@ pub(super) fn highlight(
     let unit = snapshot.client.unit;
     let place = offset(&file.source, params.text_document_position_params.position, unit);
     let reach = Reach::of(analysis);
-    let Some(naming) = reach.naming_at(place) else { return Ok(None) };
     let mut places = Places::new(&file.source, unit);
+    let Some(naming) = reach.naming_at(place) else {
+        let kind = Some(DocumentHighlightKind::Text);
+        let highlight = |word: Span| DocumentHighlight { range: places.range(word), kind };
+        return Ok(same_function(file, place).map(|words| words.into_iter().map(highlight).collect()));
+    };
     let found = reach.occurrences(DOCUMENT, naming.name, &snapshot.cancel).into_iter();
     let highlights = found.map(|naming| DocumentHighlight {
         range: places.range(naming.number),
@@ -48,6 +54,16 @@ pub(super) fn highlight(
         }),
     });
     Ok(Some(highlights.collect()))
+}
+
+/// The words with the G or M function of the word at a place.
+fn same_function(file: &ParsedFile, place: u32) -> Option<Vec<Span>> {
+    let text = file.source.text();
+    let is_there = |word: &&Word| word.start() <= place && place <= word.span(text).end;
+    let is_function = |word: &Word| matches!(word.address, Address::G | Address::M) && word.is_plain();
+    let word = file.words(block_at(file, place)?).iter().find(|word| is_function(word) && is_there(word))?;
+    let same = |other: &Word| is_function(other) && (other.address, other.whole()) == (word.address, word.whole());
+    Some(file.all_words().filter(same).map(|word| word.span(text)).collect())
 }
 
 /// The places, in all that is open and what it leads to, that name what `name` names in the document of `analysis`.

@@ -165,7 +165,7 @@ fn renamed(name: Name, digits: &str) -> Option<Name> {
     }
 }
 
-/// What is changed is in the document alone.
+/// Only the document itself changes.
 fn workspace_edit(snapshot: &Snapshot, analysis: &Analysis, edits: Vec<TextEdit>) -> WorkspaceEdit {
     let Some(document) = analysis.files.buffer(&analysis.path) else { return WorkspaceEdit::default() };
     let uri = document.uri.clone();

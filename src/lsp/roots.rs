@@ -1,4 +1,4 @@
-//! Open documents with what is known of them, and the runs over them.
+//! Open documents with their results, and the runs that make these.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,23 +17,23 @@ pub(super) enum Event {
     Analysed {
         /// Which run.
         run: Run,
-        /// What is known of it.
+        /// Its analysis.
         analysis: Arc<Analysis>,
-        /// What was read for it.
+        /// The files that it read.
         read: Vec<PathBuf>,
     },
-    /// What is found so far.
+    /// The findings so far.
     FoundSoFar {
         /// Which run.
         run: Run,
-        /// What it found.
+        /// Its findings.
         found: Found,
     },
-    /// A run is over: with its findings, none when it was cancelled, or with what a panic said.
+    /// A run is over: with its findings, none when it was cancelled, or with the message of a panic.
     Finished {
         /// Which run.
         run: Run,
-        /// What it found.
+        /// Its findings.
         found: Result<Option<Found>, String>,
     },
     /// A request has its answer.
@@ -69,7 +69,7 @@ pub(super) struct Waiting {
     pub(super) needs: Needs,
 }
 
-/// What is known of the newest text of a document.
+/// The state of the newest text of a document.
 #[derive(Debug, Default)]
 enum Known {
     /// Nothing; a run over it is to begin.
@@ -85,7 +85,7 @@ enum Known {
     Failed(Option<Arc<Analysis>>),
 }
 
-/// An open document with what is known of it.
+/// An open document with its results.
 #[derive(Debug, Default)]
 pub(super) struct Root {
     /// Which opening of a document this is: one that is closed and opened again is another one.
@@ -94,7 +94,7 @@ pub(super) struct Root {
     generation: u64,
     known: Known,
     running: Cancel,
-    /// The files of the last run: a change of one of them makes what is known old.
+    /// The files of the last run: a change of one of them makes the results old.
     pub(super) read: Vec<PathBuf>,
     pub(super) waiting: Vec<Waiting>,
 }
@@ -106,7 +106,7 @@ impl Root {
         self.touch();
     }
 
-    /// What is known is old.
+    /// Marks the results as old.
     pub(super) fn touch(&mut self) {
         self.generation += 1;
         self.running.cancel();

@@ -83,7 +83,7 @@ const DECLARATION: u32 = 1;
 const MODIFICATION: u32 = 1 << 1;
 const DOCUMENTATION: u32 = 1 << 2;
 
-/// What the server offers.
+/// The capability of the server.
 pub(super) fn options() -> SemanticTokensOptions {
     let names = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
     SemanticTokensOptions {
@@ -183,7 +183,10 @@ impl<'a> Painter<'a> {
             return;
         }
         if let Some(word) = self.file.program {
-            self.add(word.span(self.file.source.text()), Kind::Namespace, DECLARATION);
+            // Behind the `%` of another control, its number may stand on the next line.
+            let span = word.span(self.file.source.text());
+            let line = self.file.source.slice(span).lines().next().unwrap_or_default();
+            self.add(Span::new(span.start, span.start + small(line.len())), Kind::Namespace, DECLARATION);
         }
         for &comment in self.file.comments_before_blocks() {
             let modifiers = if self.file.title == Some(comment) { DOCUMENTATION } else { 0 };
@@ -206,9 +209,16 @@ impl<'a> Painter<'a> {
         for &comment in self.file.comments_behind(block) {
             self.add(comment, Kind::Comment, 0);
         }
-        if let Some(added) = self.painted.get_mut(from..) {
-            added.sort_by_key(|painted| painted.span);
-        }
+        // Where a word of another control is a finding, words may share its characters.
+        let mut added = self.painted.split_off(from);
+        added.sort_by_key(|painted| painted.span);
+        let mut end = 0;
+        added.retain(|painted| {
+            let apart = painted.span.start >= end;
+            end = if apart { painted.span.end } else { end };
+            apart
+        });
+        self.painted.append(&mut added);
     }
 
     fn word(&mut self, word: Word, flow: Option<GCode>) {
@@ -392,6 +402,9 @@ mod tests {
     #[test]
     fn borders() {
         assert_eq!(painted("%1\nN1 \"a*", None).join("|"), "namespace %1|label N1|comment \"a*");
+        let radius = painted("%1\nN1 G02 X5 R5.5\nN2 X1 R-3\nN3 G71 100 \u{425}8\nN4 1 M6 [5]", None).join("|");
+        assert!(radius.starts_with("namespace %1|label N1|method G02|property X|number 5|"), "{radius}");
+        assert_eq!(painted("%\n100\nN1 X1", None).join("|"), "namespace %|label N1|property X|number 1");
         assert_eq!(painted("no program", None), ["comment no program"]);
         assert_eq!(painted("%1*\r\nx", None).join("|"), "namespace %1|keyword *|comment x");
     }

@@ -93,7 +93,7 @@ enum Asked {
     Nothing,
 }
 
-/// What the client is to be asked to ask for again, once all that a change concerns is known.
+/// The requests that the client should repeat, collected until all effects of a change are known.
 #[derive(Debug, Default)]
 pub(super) struct Refreshes {
     views: bool,
@@ -106,7 +106,7 @@ impl Refreshes {
         (self.views, self.findings) = (true, true);
     }
 
-    /// What is shown between the lines of a document is old.
+    /// Hints and lenses of a document are old.
     pub(super) const fn want_views(&mut self) {
         self.views = true;
     }
@@ -153,7 +153,7 @@ pub(super) struct Server {
     finished: Receiver<Event>,
     pub(super) analysts: Workers,
     helpers: Workers,
-    /// Runs of which the client is told that they go on, with their tokens.
+    /// Runs whose progress the client shows, with their tokens.
     pub(super) in_progress: Vec<(Run, String)>,
     pub(super) progress_count: u64,
     /// Folders outside of the workspace that the client watches.
@@ -298,7 +298,7 @@ impl Server {
                 self.files_changed();
                 self.ask_settings();
             }
-            // A client that watches no files tells of its own at least.
+            // A client that watches no files still reports the ones it saves.
             "textDocument/didSave" if !self.client.has("/workspace/didChangeWatchedFiles/dynamicRegistration") => {
                 self.files_changed();
             }

@@ -10,7 +10,7 @@ use crate::dict::Lang;
 /// The section of the client's configuration.
 pub(super) const SECTION: &str = "cnc872c";
 
-/// What the client's settings say.
+/// The client's settings.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ClientSettings {
     /// `language`; `None` for `auto`.
@@ -92,12 +92,14 @@ mod tests {
     fn what_cannot_be_used_is_named() {
         let (_, wrong) = read(
             &json!({
-                "language": "de", "dialect": "fanuc", "block-skip": 1, "macrocycles": [1], "limits": {"records": -1},
+                "language": "de", "dialect": "fanuc", "block-skip": 1, "macrocycles": [1],
+                "limits": {"records": -1, "record": 5, "other": null},
                 "parameters": {"R99": 1}, "lints": {"E0101": "allow"}, "channel-config": "", "encoding": null,
             }),
             Path::new("/w"),
         );
-        assert_eq!(wrong.len(), 7, "{wrong:?}");
+        assert_eq!(wrong.len(), 8, "{wrong:?}");
         assert!(wrong.contains(&"cnc872c.limits.records: -1".to_owned()));
+        assert!(wrong.contains(&"cnc872c.limits.record: 5".to_owned()));
     }
 }

@@ -90,7 +90,7 @@ pub(super) fn signals(
     Ok(Some(json!({ "text": sheet.text(n, &title, lang), "truncated": truncated })))
 }
 
-/// What is seen of the block.
+/// The signals of the block.
 struct Sheet<'a> {
     snapshot: &'a Snapshot,
     program: &'a query::analysis::Analysis,

@@ -1,4 +1,4 @@
-//! What requests are answered from, and what an answer is.
+//! The data that requests are answered from, and the type of an answer.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use super::files::EditorFiles;
 use crate::query;
 use crate::query::cancel::Cancel;
 
-/// What the server knows at the moment of a request. Handlers work on it in threads of their own.
+/// The server's state at the moment of a request. Handlers read it in other threads.
 #[derive(Clone, Debug)]
 pub(super) struct Snapshot {
     pub(super) client: Arc<Client>,
@@ -43,7 +43,7 @@ pub(super) struct Refusal {
 }
 
 impl Refusal {
-    /// What is asked for cannot be done; the client shows `message` to the user.
+    /// Refuses a request; the client shows `message` to the user.
     pub(super) fn new(message: impl Into<String>) -> Self {
         Self { code: ErrorCode::RequestFailed, message: message.into() }
     }

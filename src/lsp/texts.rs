@@ -1,4 +1,4 @@
-//! What the server says in its own words, in both languages.
+//! Texts of the server, in both languages.
 
 use crate::dict::bilingual;
 

@@ -21,7 +21,7 @@ pub(super) enum Incoming {
     Malformed {
         /// Its `id`, when that can be told; null otherwise.
         id: Value,
-        /// What is wrong.
+        /// The code of the error.
         code: ErrorCode,
         /// In words, for the client's log.
         message: String,

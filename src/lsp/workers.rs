@@ -95,7 +95,7 @@ impl std::fmt::Debug for Queue {
     }
 }
 
-/// What a panic says, for the log.
+/// The message of a panic, for the log.
 pub(super) fn panic_message(panic: &(dyn std::any::Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "no message".to_owned())
@@ -137,7 +137,7 @@ mod tests {
         go_on.send(()).unwrap();
     }
 
-    /// A panic ends its job; the thread takes the next one, and whoever guards a piece of work hears what happened.
+    /// A panic ends its job; the thread takes the next one, and a guard returns its message.
     #[test]
     fn a_panic_ends_its_job_only() {
         let workers = Workers::new("test", 1).unwrap();

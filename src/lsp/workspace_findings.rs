@@ -6,7 +6,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::PoisonError;
 
-use gen_lsp_types::Uri;
+use gen_lsp_types::{Diagnostic, Uri};
 use serde_json::{Value, json};
 
 use super::analysis::configuration;
@@ -16,6 +16,7 @@ use super::snapshot::{Answer, Snapshot};
 use super::workspace_symbols::files;
 use crate::config::Settings;
 use crate::diag::Report;
+use crate::query::reach::Reach;
 use crate::session::Session;
 use crate::text::Loader;
 
@@ -50,10 +51,36 @@ pub(super) fn workspace_diagnostic(snapshot: &Snapshot, params: &Value) -> Answe
             items.push(report(program.uri.as_str(), Some(&program.id), &program.items));
         }
     }
+    for (uri, found) in in_macrocycles(snapshot, &known) {
+        let found = serde_json::to_value(found).unwrap_or_default();
+        let id = format!("{:x}", hash(found.to_string()));
+        if previous.get(uri.as_str()) != Some(&id.as_str()) {
+            items.push(report(uri.as_str(), Some(&id), &found));
+        }
+        there.insert(uri.as_str());
+    }
     for uri in previous.keys().filter(|uri| !there.contains(*uri)) {
         items.push(report(uri, None, &json!([])));
     }
     Ok(json!({ "items": items }))
+}
+
+/// The findings in macrocycles that only programs call that are not open: those of others the client has already.
+fn in_macrocycles<'k>(snapshot: &Snapshot, known: &'k Known) -> BTreeMap<&'k Uri, Vec<&'k Diagnostic>> {
+    let mut all: BTreeMap<&Uri, Vec<&Diagnostic>> = BTreeMap::new();
+    for (uri, found) in known.programs.values().flat_map(|program| &program.called) {
+        let leads_there = |path: &PathBuf| snapshot.open().any(|open| Reach::of(open).file_at(path).is_some());
+        if uri.to_file_path().is_ok_and(|path| leads_there(&snapshot.files.canonical(&path))) {
+            continue;
+        }
+        let all = all.entry(uri).or_default();
+        for diagnostic in found {
+            if !all.iter().any(|other| other.range == diagnostic.range && other.code == diagnostic.code) {
+                all.push(diagnostic);
+            }
+        }
+    }
+    all
 }
 
 fn report(uri: &str, id: Option<&str>, items: &Value) -> Value {
@@ -97,26 +124,27 @@ fn look(snapshot: &Snapshot, known: &mut Known) -> bool {
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let settings =
             settings.entry(folder).or_insert_with(|| configuration(&path, &snapshot.files, &snapshot.client).0);
-        let items = check(snapshot, &path, settings, &uri);
+        let (items, called) = check(snapshot, &path, settings, &uri);
         // The same findings as before need not be sent again.
         let before = programs.get(&path).filter(|before| before.items == items).map(|before| before.id.clone());
         *revision += 1;
         let id = before.unwrap_or_else(|| revision.to_string());
-        programs.insert(path.clone(), Program { environment, text, uri, id, items });
+        programs.insert(path.clone(), Program { environment, text, uri, id, items, called });
         there.insert(path);
     }
     programs.retain(|path, _| there.contains(path));
     true
 }
 
-/// The findings in one program.
-fn check(snapshot: &Snapshot, path: &Path, settings: &Settings, uri: &Uri) -> Value {
+/// The findings in one program, and those in macrocycles that it calls.
+fn check(snapshot: &Snapshot, path: &Path, settings: &Settings, uri: &Uri) -> (Value, BTreeMap<Uri, Vec<Diagnostic>>) {
     let goes_on = |executed| executed <= BLOCKS && !snapshot.cancel.is_cancelled();
     let session = Session { loader: &snapshot.files, settings, progress: Some(&goes_on) };
     let outcome = session.check(path, &path.to_string_lossy());
     let mut report = Report::new();
     report.add_program(&outcome.sources, outcome.findings);
     let client = &snapshot.client;
-    let found = by_file(&report, &snapshot.files, client.unit, client.lang()).remove(uri).unwrap_or_default();
-    serde_json::to_value(found).unwrap_or_default()
+    let mut found = by_file(&report, &snapshot.files, client.unit, client.lang());
+    let own = found.remove(uri).unwrap_or_default();
+    (serde_json::to_value(own).unwrap_or_default(), found)
 }

@@ -24,7 +24,7 @@ const DEEPEST: usize = 12;
 /// Most folders that are listed, and files that are looked into.
 const FOLDERS: usize = 2_000;
 const FILES: usize = 5_000;
-/// A program's number and title stand in its first bytes.
+/// The first bytes of a program hold its number and title.
 const HEAD: usize = 1 << 13;
 /// Extensions of programs.
 const EXTENSIONS: [&str; 4] = ["nc", "ncp", "mpf", "txt"];

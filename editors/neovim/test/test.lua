@@ -362,6 +362,25 @@ test('blocks become comments and come back', function()
   vim.cmd('bwipeout!')
 end)
 
+test('no line that becomes a comment gets longer than 80 characters', function()
+  local before = { 'N20 G01 X1.125 Y2.250 Z3.375 F1000 S2000 M03 "hrubování kapsy, čtvrtý průchod, T7"', 'N30' .. (' X1'):rep(25) }
+  vim.cmd('enew')
+  vim.api.nvim_buf_set_lines(0, 0, -1, false, before)
+  plugin.toggle_comment(1, 2)
+  local off = vim.api.nvim_buf_get_lines(0, 0, -1, false)
+  equal(#off, 4)
+  for at, line in ipairs(off) do
+    equal(vim.fn.strchars(line) <= 80, true, line)
+    equal(line:match('^"//%+?'), at % 2 == 0 and '"//+' or '"//')
+  end
+  -- A part of what was one line brings all of it back.
+  plugin.toggle_comment(1, 1)
+  equal(vim.api.nvim_buf_get_lines(0, 0, 1, false), { before[1] })
+  plugin.toggle_comment(3, 3)
+  equal(vim.api.nvim_buf_get_lines(0, 0, -1, false), before)
+  vim.cmd('bwipeout!')
+end)
+
 test('newer Neovims get the same as a configuration', function()
   local given, enabled
   local config, enable = vim.lsp.config, vim.lsp.enable

@@ -3,7 +3,7 @@
 import * as vscode from 'vscode';
 
 import { type Server, SHOW_REFERENCES } from './client';
-import { toggle } from './comments';
+import { continues, toggle } from './comments';
 import { asCode, choices, codeOf, pageOf } from './findings';
 import type { PathPanel } from './panel';
 import { language } from './settings';
@@ -64,18 +64,36 @@ async function toggleComment(): Promise<void> {
   if (editor === undefined) {
     return;
   }
-  const numbers = new Set<number>();
+  const { document } = editor;
+  const text = (line: number) => (line < document.lineCount ? document.lineAt(line).text : '');
+  const chosen = new Set<number>();
   for (const { start, end } of editor.selections) {
     // A selection that ends before the first character of a line does not include it.
-    const last = end.character === 0 && end.line > start.line ? end.line - 1 : end.line;
-    for (let line = start.line; line <= last; line += 1) {
-      numbers.add(line);
+    let last = end.character === 0 && end.line > start.line ? end.line - 1 : end.line;
+    let first = start.line;
+    // All comments that were one line go together.
+    while (first > 0 && continues(text(first))) {
+      first -= 1;
+    }
+    while (continues(text(last + 1))) {
+      last += 1;
+    }
+    for (let line = first; line <= last; line += 1) {
+      chosen.add(line);
     }
   }
-  const lines = [...numbers].sort((a, b) => a - b).map((line) => editor.document.lineAt(line));
-  const changed = toggle(lines.map((line) => line.text));
+  const numbers = [...chosen].sort((a, b) => a - b);
+  const toggled = toggle(numbers.map(text), numbers);
   await editor.edit((edit) => {
-    lines.forEach((line, at) => edit.replace(line.range, changed[at] ?? line.text));
+    numbers.forEach((line, at) => {
+      const { range } = document.lineAt(line);
+      const changed = toggled[at];
+      if (changed === undefined) {
+        edit.delete(new vscode.Range(document.lineAt(line - 1).range.end, range.end));
+      } else {
+        edit.replace(range, changed);
+      }
+    });
   });
 }
 

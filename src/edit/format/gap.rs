@@ -4,8 +4,8 @@ use super::block::{Part, extent, line_ends, without_trailing_blanks};
 use super::kept::{BLANK, Kept, lines_of};
 use super::{LINE, Style, word};
 use crate::edit::splice::Written;
-use crate::sure::Sure;
-use crate::syntax::{BlockId, Form, ParsedFile};
+use crate::sure::{Sure, small};
+use crate::syntax::{BlockId, Form, ParsedFile, Word};
 use crate::text::Span;
 
 /// What separates a word or comment from what stands before it.
@@ -62,6 +62,13 @@ impl<'a> Layout<'a> {
 
     /// A block, and the comments on lines of their own behind it.
     fn block(&mut self, block: BlockId, write: &mut dyn FnMut(Written<'_>)) {
+        if let Some(end) = self.end_of_tidy(block) {
+            self.at = end;
+            return;
+        }
+        if self.bare_block(block, write) {
+            return;
+        }
         let mut part = std::mem::take(&mut self.part);
         part.read(self.file, block);
         let stays = self.stays(part.span().start);
@@ -96,6 +103,39 @@ impl<'a> Layout<'a> {
         self.part = part;
     }
 
+    /// Where a block ends that is a whole line as it is to be, by a quick look: many that are get `None`.
+    fn end_of_tidy(&self, block: BlockId) -> Option<u32> {
+        let start = self.file.n_word(block)?.start();
+        let next = self.file.n_word(block.next())?.start();
+        let before = self.file.source.slice(Span::new(self.at.min(start), start));
+        let line = self.file.source.slice(Span::new(start, next)).strip_suffix(self.line_end)?;
+        let is_so = before == self.line_end
+            && line.len() <= LINE
+            && line.split(' ').all(|word| word::is_tidy(word, self.style));
+        is_so.then(|| start + small(line.len()))
+    }
+
+    /// A block without comments whose words are on one line, and that fits on one however it is formatted; `false`, and
+    /// nothing is written, for others.
+    fn bare_block(&mut self, block: BlockId, write: &mut dyn FnMut(Written<'_>)) -> bool {
+        let file = self.file;
+        let (Some(n), Some(next)) = (file.n_word(block), file.n_word(block.next())) else { return false };
+        let (text, words) = (file.source.text(), file.words(block));
+        let span = Span::new(n.start(), words.last().unwrap_or(&n).span(text).end);
+        let bare = self.at > file.start
+            && self.kept.is_empty()
+            && !self.may_be_long(span, 1 + words.len())
+            && memchr::memchr2(b'\n', b'\r', file.source.slice(span).as_bytes()).is_none()
+            && memchr::memchr(b'"', file.source.slice(Span::new(n.start(), next.start())).as_bytes()).is_none();
+        if bare {
+            self.lay(n.span(text), Gap::Line { empty: self.empty_lines(block), indent: 0 }, false, None, write);
+            for word in words {
+                self.lay(word.span(text), Gap::Blank, false, None, write);
+            }
+        }
+        bare
+    }
+
     /// The gap before something that keeps its line.
     fn apart(&self, span: Span, first: bool) -> Gap {
         match line_ends(self.file, self.at, span.start) {
@@ -120,6 +160,16 @@ impl<'a> Layout<'a> {
     /// digit at most, and by its indentation.
     fn may_be_long(&self, span: Span, pieces: usize) -> bool {
         span.len() as usize + pieces * 2 + usize::from(self.style.indent) > LINE
+    }
+
+    /// Whether all up to the next block fits on one line, however it is formatted.
+    fn is_short(&self, block: BlockId) -> bool {
+        let start = |block| self.file.n_word(block).map(Word::start);
+        let (Some(start), Some(next)) = (start(block), start(block.next())) else { return false };
+        let span = Span::new(start, next);
+        // Each comment has a quote.
+        let comments = memchr::memchr_iter(b'"', self.file.source.slice(span).as_bytes()).count();
+        !self.may_be_long(span, 1 + self.file.words(block).len() + comments)
     }
 
     /// Whether the line at a place stays as it is: with one line of a block all of them do.
@@ -184,6 +234,10 @@ impl<'a> Layout<'a> {
         if stays && ends == 0 {
             return;
         }
+        if ends == 0 && moved.is_none() && matches!(gap, Gap::Blank) {
+            write(Written { span, before: " ", copied: None, after: "" });
+            return;
+        }
         let before_stays = span.start > self.file.start && self.stays(span.start - 1);
         let mut new = String::new();
         match gap {
@@ -216,6 +270,9 @@ impl<'a> Layout<'a> {
             rows.add(self.file, self.style, span, comment, &mut grown);
         }
         for block in self.file.block_ids() {
+            if self.is_short(block) {
+                continue;
+            }
             let comments = self.file.comments_behind(block);
             let span = extent(self.file, block);
             let pieces = 1 + self.file.words(block).len() + comments.len();
@@ -228,7 +285,7 @@ impl<'a> Layout<'a> {
                     grown.extend(lines);
                 }
             }
-            rows = Rows::default();
+            let mut rows = Rows::default();
             for comment in comments.iter().filter(|comment| comment.start >= span.end) {
                 rows.add(self.file, self.style, without_trailing_blanks(self.file, *comment), true, &mut grown);
             }
@@ -262,7 +319,7 @@ impl Rows {
 
 /// The words and comments before the first block, and whether it is a comment.
 fn header(file: &ParsedFile) -> impl Iterator<Item = (Span, bool)> + '_ {
-    let first = file.n_word(BlockId(0)).map_or(u32::MAX, crate::syntax::Word::start);
+    let first = file.n_word(BlockId(0)).map_or(u32::MAX, Word::start);
     super::block::items(file).take_while(move |span| span.start < first).map(|span| {
         let comment = file.source.slice(span).starts_with('"');
         (if comment { without_trailing_blanks(file, span) } else { span }, comment)

@@ -127,15 +127,23 @@ pub fn format(
     settings: &Settings,
 ) -> Result<(Option<Vec<u8>>, usize), Box<Outcome>> {
     let mut made: Option<FileBytes> = None;
+    let mut last: Option<Vec<u8>> = None;
     let left = in_rounds(path, source, settings, &mut |formatting, source| {
         let mut splice = Splice::new(source, made.as_ref().map_or(bytes, FileBytes::bytes));
         formatting.edits(&mut |edit| splice.write(edit));
-        let next = FileBytes::decode(source.name(), splice.finish()?, source.encoding()).ok()?;
-        let again = (!formatting.kept.is_empty()).then(|| Arc::clone(next.source()));
+        let next = splice.finish()?;
+        if formatting.kept.is_empty() {
+            last = Some(next);
+            return None;
+        }
+        // The tree takes more memory than the text.
+        drop(formatting);
+        let next = FileBytes::decode(source.name(), next, source.encoding()).ok()?;
+        let again = Arc::clone(next.source());
         made = Some(next);
-        again
+        Some(again)
     })?;
-    Ok((made.map(FileBytes::into_bytes), left))
+    Ok((last.or_else(|| made.map(FileBytes::into_bytes)), left))
 }
 
 /// What formatting changes in a text, or in a part of it.

@@ -1,4 +1,4 @@
-//! Addresses: what can still stand in the block.
+//! Addresses that the block may still have.
 
 use gen_lsp_types::CompletionItemKind;
 
@@ -40,6 +40,7 @@ const ORDER: [Address; 24] = [
 pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
     let codes: Vec<GCode> = context.words().filter_map(|word| word.g_code()).collect();
     let flow = codes.iter().any(|code| code.is_flow());
+    let arc = codes.iter().any(|code| matches!(code, GCode::G02 | GCode::G03));
     for address in ORDER {
         let of_other_block = match address {
             Address::L => !flow,
@@ -72,13 +73,19 @@ pub(super) fn addresses(source: &Source<'_>, context: &Context<'_>, items: &mut 
         };
         let there = address != Address::R && context.words().any(|word| word.address == address);
         if !of_other_block && !there {
-            address_item(source, address, address.letter(), items);
+            let centre = arc && matches!(address, Address::I | Address::J);
+            let section = if centre { Section::Second } else { Section::Addresses };
+            item(source, address, address.letter(), section, items);
         }
     }
 }
 
 /// One address, for what it means; none when the machine has no such axis.
 pub(super) fn address_item(source: &Source<'_>, address: Address, filter: &str, items: &mut Items<'_>) {
+    item(source, address, filter, Section::Addresses, items);
+}
+
+fn item(source: &Source<'_>, address: Address, filter: &str, section: Section, items: &mut Items<'_>) {
     let machine = &source.settings.machine;
     if address.axis().is_some() && machine.axes.index_of(address).is_none() {
         return;
@@ -90,7 +97,7 @@ pub(super) fn address_item(source: &Source<'_>, address: Address, filter: &str, 
         kind: CompletionItemKind::Field,
         detail: meaning.to_owned(),
         documentation: Some(documentation(source, address)),
-        section: Section::Addresses,
+        section,
         order: small(order),
         filter: filter.to_owned(),
         text: address.letter().to_owned(),

@@ -1,4 +1,4 @@
-//! What is being typed at a place, told from the text before it on its line and from the block that it is in.
+//! Recognises the item that the user types, from the text before it on its line and from its block.
 
 use crate::dict::Address;
 use crate::query::cursor::block_at;
@@ -9,7 +9,7 @@ use crate::text::Span;
 /// Nothing is offered further to the right than this, in bytes: no line of a program is as long.
 const LONGEST_LINE: u32 = 1 << 12;
 
-/// What can stand at a place.
+/// The kinds of item that fit at a place.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(super) enum Wanted {
     /// Any word.
@@ -36,7 +36,7 @@ pub(super) struct Context<'a> {
     pub(super) at: u32,
     /// What an item takes the place of: what is typed, and digits right behind the cursor.
     pub(super) replaced: Span,
-    /// What is typed of the item.
+    /// The typed part of the item.
     pub(super) typed: &'a str,
     /// Nothing else stands on the line, and what follows is no part of the block before: a block may begin here.
     pub(super) alone: bool,
@@ -45,7 +45,7 @@ pub(super) struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// What is typed at `at`; `None` where nothing can be offered.
+    /// Reads the text before `at`; `None` where nothing can be offered.
     pub(super) fn new(file: &'a ParsedFile, at: u32) -> Option<Self> {
         let text = file.source.text();
         let lines = file.source.lines();
@@ -87,7 +87,7 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// What is typed before the digits: the address, and blanks.
+    /// The typed text before the digits: the address, and blanks.
     pub(super) fn head(&self) -> &'a str {
         self.typed.trim_end_matches(|character: char| character.is_ascii_digit())
     }
@@ -124,7 +124,7 @@ const fn typed_digits(wanted: Wanted) -> bool {
     matches!(wanted, Wanted::Address(_) | Wanted::Assignment)
 }
 
-/// What the tokens of a line lead to, and where what is typed of it begins.
+/// The kind of item that follows the tokens of a line, and where its typed part begins.
 fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
     let Some((&last, rest)) = before.split_last() else { return Some((Wanted::Words, at)) };
     let written = text.get(last.span().range())?;
@@ -268,7 +268,7 @@ mod tests {
     use crate::syntax::{Form, parse};
     use crate::text::{FileId, SourceText};
 
-    /// What is wanted at `|` in the block `text`, and what is typed of it.
+    /// The kind of item at `|` in the block `text`, and its typed part.
     fn at(text: &str) -> Option<(Wanted, String, bool)> {
         let at = text.find('|').unwrap();
         let text = text.replace('|', "");

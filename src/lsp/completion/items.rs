@@ -10,7 +10,7 @@ use crate::query::cancel::Cancel;
 /// In which order items are shown.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub(super) enum Section {
-    /// What the place most likely wants.
+    /// The most likely items.
     First,
     /// Less near than the first.
     Second,
@@ -33,9 +33,9 @@ pub(super) struct Entry {
     pub(super) section: Section,
     /// Its place in the section.
     pub(super) order: u32,
-    /// What the client compares with what is typed.
+    /// The text that the client compares with the typed one.
     pub(super) filter: String,
-    /// What is put down.
+    /// The inserted text.
     pub(super) text: String,
     /// The same with places to fill in, for clients that can.
     pub(super) snippet: Option<String>,
@@ -44,7 +44,7 @@ pub(super) struct Entry {
 /// The items of one answer.
 #[derive(Debug)]
 pub(super) struct Items<'a> {
-    /// What they take the place of.
+    /// The replaced range.
     pub(super) range: Range,
     /// Whether the client fills in snippets.
     pub(super) snippets: bool,

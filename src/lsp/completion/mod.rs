@@ -10,6 +10,7 @@ mod parameters;
 mod snippets;
 mod targets;
 mod texts;
+mod values;
 
 use gen_lsp_types::{CompletionItemKind, CompletionParams, CompletionResponse};
 
@@ -28,11 +29,11 @@ use crate::sure::Sure;
 use crate::syntax::{Form, parse};
 use crate::text::FileId;
 
-/// The characters after which clients ask by themselves. A blank is none: it stands behind every word, and the line end
-/// that often follows would take the first item. Block numbers after a line end are for `textDocument/onTypeFormatting`.
+/// The characters after which clients ask by themselves. A blank is none: after every word the list would
+/// open, and the line end that often follows would take its first item. Block numbers after a line end are for `textDocument/onTypeFormatting`.
 pub(super) const TRIGGERS: [&str; 12] = ["N", "G", "M", "L", "R", "n", "g", "m", "l", "r", "=", "%"];
 
-/// What items are made from.
+/// The sources of items.
 #[derive(Clone, Copy, Debug)]
 struct Source<'a> {
     analysis: &'a Analysis,
@@ -94,17 +95,19 @@ fn fill(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
             functions::m_functions(source, context, items, false);
         }
         Wanted::Address(Address::L) if targets::targets(source, context, items) => {}
-        // What a bare address means; once its number is begun, there is nothing to choose from.
-        Wanted::Address(address) if context.digits() == Some("") => {
-            addresses::address_item(source, address, context.typed, items);
+        Wanted::Address(address) => {
+            values::values(source, context, address, items);
+            // The meaning of a bare address.
+            if context.digits() == Some("") {
+                addresses::address_item(source, address, context.typed, items);
+            }
         }
-        Wanted::Address(_) => {}
     }
 }
 
 /// Everything that can stand between two words.
 fn words(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
-    // As soon as something is typed, it can be told better what is meant.
+    // The next key narrows the choice.
     items.incomplete = true;
     next_block(source, context, items);
     if context.block.is_none() {
@@ -114,7 +117,7 @@ fn words(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
     if !has_l {
         targets::targets(source, context, items);
     }
-    // Nothing else stands beside G79.
+    // G79 takes no other words but its L.
     if context.words().any(|word| word.g_code() == Some(GCode::G79)) {
         return;
     }

@@ -10,7 +10,7 @@ use crate::syntax::{BlockId, ParsedFile};
 
 /// Between two blocks where the program does not show another.
 const STEP: u32 = 10;
-/// What is more is no step but the number of another part.
+/// A larger difference is no step: another part begins there.
 const LONGEST_STEP: u32 = 1000;
 /// How many blocks are looked at for a number, or for a step.
 const NEAR: u32 = 8;

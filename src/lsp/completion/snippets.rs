@@ -13,7 +13,7 @@ use crate::query::cursor::unit_of;
 use crate::resolve::{Library, UnitKind};
 use crate::syntax::BlockFlags;
 
-/// What the place is in.
+/// The part of a file that holds the place.
 enum Place {
     /// A document without blocks.
     Empty,
@@ -25,7 +25,7 @@ enum Place {
     Other,
 }
 
-/// The frames that can stand at the place.
+/// The frames that fit at the place.
 pub(super) fn snippets(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
     if !context.alone {
         return;

@@ -118,7 +118,7 @@ impl Offer<'_, '_, '_, '_> {
         }
     }
 
-    /// What the comments of a macrocycle file say of it.
+    /// The description of a macrocycle in the comments of its file.
     fn told(&self, path: &Path) -> Vec<String> {
         let files = &self.source.analysis.files;
         if files.size(path).is_none_or(|size| size > LONGEST) {
@@ -189,7 +189,7 @@ fn filter(context: &Context<'_>, number: u32) -> Option<String> {
     number.starts_with(digits).then(|| format!("{}{zeros}{number}", context.head()))
 }
 
-/// What a block is told by: the comment in its line, else the one directly above it.
+/// The comment that describes a block: the one on its line, else the one directly above.
 fn title(file: &ParsedFile, block: BlockId) -> Option<String> {
     let text = file.source.text();
     let beside = file.comments_behind(block).iter().find(|comment| !stands_alone(text, **comment));
@@ -209,7 +209,7 @@ fn escaped(line: &str) -> String {
     page
 }
 
-/// What a block without a comment is told by: its words.
+/// The description of a block without a comment: its words.
 fn content(file: &ParsedFile, block: BlockId) -> String {
     let text = file.source.text();
     let spans = file.words(block).iter().map(|word| word.span(text)).take(16);

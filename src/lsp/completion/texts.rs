@@ -34,6 +34,7 @@ bilingual! {
         ParameterRange "0–95, then `=` and a number or parameter", "0–95, pak `=` a číslo nebo parametr";
         UntilChanged "Holds until changed.", "Platí do změny.";
         Called { count: usize } "called {count}×", "volán {count}×";
+        InProgram { count: u32 } "{count}× in the program", "{count}× v programu";
         NotCalled "not called", "není volán";
         NextSubprogram "next free number of a subprogram", "další volné číslo podprogramu";
         Missing "called, but not there yet", "volán, ale zatím chybí";

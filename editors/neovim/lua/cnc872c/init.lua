@@ -28,29 +28,80 @@ local CODE_PAGES = {
 
 ---- Blocks as comments ----
 
--- A comment never crosses a line end, so each line becomes one of its own, `"// …"`; the quotes in it become apostrophes
--- and come back.
+-- A comment never crosses a line end, so each line becomes a comment, `"// …"`; the quotes in it become apostrophes and come
+-- back. What does not fit into the 80 characters of a line (LEX-7) follows in lines of `"//+ …"`.
+local LINE = 80
+
 local function switched_off(line)
-  local indent, inside, rest = line:match('^(%s*)"// (.*)"(%s*)$')
+  local indent, more, inside, rest = line:match('^(%s*)"//(%+?) (.*)"(%s*)$')
   if inside and not inside:find('"', 1, true) then
-    return indent, inside, rest
+    return indent, inside, rest, more == '+'
   end
 end
 
-local function switch_off(line)
-  local indent, text, rest = line:match('^(%s*)(.-)(%s*)$')
-  local inside = text:gsub('[%^\'"]', { ['^'] = '^^', ["'"] = "^'", ['"'] = "'" })
-  return indent .. '"// ' .. inside .. '"' .. rest
+local function continues(line)
+  local _, _, _, more = switched_off(line or '')
+  return more == true
 end
 
-local function switch_on(line)
-  local indent, inside, rest = switched_off(line)
-  local text = inside:gsub('%^?[%^\']', { ['^^'] = '^', ["^'"] = "'", ["'"] = '"' })
-  return indent .. text .. rest
+-- As much of a text as fits, up to behind its last blank if there is one; a pair with `^` stays together.
+local function head(text, room)
+  local length, width, blank = 0, 0, 0
+  while length < #text do
+    local unit = text:match('^%^[%^\']', length + 1) or text:match('^[%z\1-\127\194-\244][\128-\191]*', length + 1)
+      or text:sub(length + 1, length + 1)
+    width = width + vim.fn.strchars(unit)
+    if width > room then
+      return text:sub(1, blank > 0 and blank or length)
+    end
+    length = length + #unit
+    if unit == ' ' then
+      blank = length
+    end
+  end
+  return text
+end
+
+-- Adds the comments that the line becomes to `lines`.
+local function switch_off(line, lines)
+  local indent, text, rest = line:match('^(%s*)(.-)(%s*)$')
+  local inside = text:gsub('[%^\'"]', { ['^'] = '^^', ["'"] = "^'", ['"'] = "'" })
+  local begin, part = indent .. '"// ', nil
+  repeat
+    part = head(inside, math.max(LINE - vim.fn.strchars(begin) - 1, 2))
+    inside = inside:sub(#part + 1)
+    table.insert(lines, begin .. part .. '"')
+    begin = indent .. '"//+ '
+  until inside == ''
+  -- Blanks at the end of the line are kept where they make it no longer than it was.
+  if vim.fn.strchars(lines[#lines]) + #rest <= LINE then
+    lines[#lines] = lines[#lines] .. rest
+  end
+end
+
+-- Adds the line that became that comment to `lines`, or to the last of them.
+local function switch_on(line, lines, goes_on)
+  local indent, inside, rest, more = switched_off(line)
+  local text = inside:gsub('%^?[%^\']', { ['^^'] = '^', ["^'"] = "'", ["'"] = '"' }) .. rest
+  if more and goes_on then
+    lines[#lines] = lines[#lines] .. text
+  else
+    table.insert(lines, (more and '' or indent) .. text)
+  end
 end
 
 -- Makes the lines comments, or blocks again when all of them are such comments; empty lines stay.
 function M.toggle_comment(first, last)
+  -- All comments that were one line go together.
+  local at = function(number)
+    return vim.api.nvim_buf_get_lines(0, number - 1, number, false)[1]
+  end
+  while first > 1 and continues(at(first)) do
+    first = first - 1
+  end
+  while continues(at(last + 1)) do
+    last = last + 1
+  end
   local lines = vim.api.nvim_buf_get_lines(0, first - 1, last, false)
   local all, any = true, false
   for _, line in ipairs(lines) do
@@ -59,12 +110,19 @@ function M.toggle_comment(first, last)
       all = all and switched_off(line) ~= nil
     end
   end
-  for at, line in ipairs(lines) do
-    if line:match('%S') then
-      lines[at] = (all and any) and switch_on(line) or switch_off(line)
+  local changed, goes_on = {}, false
+  for _, line in ipairs(lines) do
+    if not line:match('%S') then
+      table.insert(changed, line)
+      goes_on = false
+    elseif all and any then
+      switch_on(line, changed, goes_on)
+      goes_on = true
+    else
+      switch_off(line, changed)
     end
   end
-  vim.api.nvim_buf_set_lines(0, first - 1, first - 1 + #lines, false, lines)
+  vim.api.nvim_buf_set_lines(0, first - 1, first - 1 + #lines, false, changed)
 end
 
 ---- Files and their folders ----
