@@ -259,6 +259,14 @@ fn parameters() {
     assert_eq!(editor.labels(&program("G26 R5=-02|")), ["02 √a"]);
 }
 
+/// The centre of an arc comes before all other addresses.
+#[test]
+fn centre_of_an_arc() {
+    let mut editor = Editor::english();
+    assert_eq!(editor.labels(&block("G02 |"))[..3], ["I", "J", "X"]);
+    assert_eq!(editor.labels(&block("G01 |"))[..2], ["X", "Y"]);
+}
+
 #[test]
 fn words_of_a_block() {
     let mut editor = Editor::new("en", "[[axes]]\nletter = \"X\"\n[[axes]]\nletter = \"C\"\n", false);
