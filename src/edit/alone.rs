@@ -1,5 +1,6 @@
 //! One file read for itself: what it calls does not matter.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,6 +17,31 @@ pub(super) fn resolve(path: &Path, source: &Arc<SourceText>, settings: &Settings
     settings.macrocycles.clear();
     let alone = Alone(source);
     Session { loader: &alone, settings: &settings, progress: None }.resolve(path, source.name())
+}
+
+/// Most blocks that are executed to compare two texts.
+const BLOCKS: u64 = 200_000;
+
+/// Whether a rewritten file has the findings of the old one, but for places and those that layout puts right (FMT-7).
+pub(super) fn same_findings(path: &Path, old: &Arc<SourceText>, new: &Arc<SourceText>, settings: &Settings) -> bool {
+    let [old, new] = [old, new].map(|source| count_findings(path, source, settings));
+    let count = |counts: &BTreeMap<Code, usize>, code| counts.get(code).copied().unwrap_or(0);
+    old.keys().chain(new.keys()).all(|code| {
+        let (before, now) = (count(&old, code), count(&new, code));
+        now == before || (now < before && matches!(code, Code::W0108 | Code::E0109))
+    })
+}
+
+fn count_findings(path: &Path, source: &Arc<SourceText>, settings: &Settings) -> BTreeMap<Code, usize> {
+    let mut settings = settings.clone();
+    settings.macrocycles.clear();
+    let progress = |executed| executed < BLOCKS;
+    let session = Session { loader: &Alone(source), settings: &settings, progress: Some(&progress) };
+    let findings = session.check(path, source.name()).findings;
+    let mut counts = BTreeMap::new();
+    findings.items().iter().for_each(|item| *counts.entry(item.code()).or_default() += 1);
+    findings.beyond().for_each(|((_, code), beyond)| *counts.entry(code).or_default() += beyond);
+    counts
 }
 
 /// Whether a finding says that characters could not be read as words (FMT-6, REN-5).

@@ -5,6 +5,9 @@ use super::{LINE, Style, word};
 use crate::syntax::{BlockId, Form, ParsedFile, Word};
 use crate::text::Span;
 
+/// What separates words: blanks, tabs, line ends.
+pub(super) const BLANK: [char; 4] = [' ', '\t', '\r', '\n'];
+
 /// Every word and comment of a file, in the order of the text.
 pub(super) fn items(file: &ParsedFile) -> impl Iterator<Item = Span> + '_ {
     let text = file.source.text();

@@ -1,7 +1,7 @@
 //! What stands between words and comments, and each of them as it is written: the edits of a file in the order of its text.
 
-use super::block::{Part, extent, line_ends, without_trailing_blanks};
-use super::kept::{BLANK, Kept, lines_of};
+use super::block::{BLANK, Part, extent, line_ends, without_trailing_blanks};
+use super::kept::{Kept, lines_of};
 use super::{LINE, Style, word};
 use crate::edit::splice::Written;
 use crate::sure::{Sure, small};
@@ -220,14 +220,20 @@ impl<'a> Layout<'a> {
     }
 
     fn gap(&mut self, to: u32, gap: Gap, stays: bool, moved: Option<Span>, write: &mut dyn FnMut(Written<'_>)) {
-        let span = Span::new(self.at.min(to), to);
+        let whole = Span::new(self.at.min(to), to);
+        // Behind characters that are no word.
+        let from = whole.start + small(self.file.source.slice(whole).trim_end_matches(BLANK).len());
+        if from > whole.start && moved.is_none() {
+            return;
+        }
+        let span = Span::new(from, to);
         let text = self.file.source.slice(span);
         let is_so = match gap {
             Gap::Blank => text == " ",
             Gap::Line { indent, .. } => indent == 0 && text == self.line_end,
             Gap::Nothing => text.is_empty(),
         };
-        if (is_so && moved.is_none()) || !text.trim_matches(BLANK).is_empty() {
+        if is_so && moved.is_none() {
             return;
         }
         let ends = line_ends(self.file, span.start, span.end);

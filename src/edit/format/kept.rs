@@ -2,7 +2,7 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use super::block::{extent, items};
+use super::block::{BLANK, extent, items};
 use super::word;
 use crate::config::Style;
 use crate::diag::{Code, Findings};
@@ -155,6 +155,3 @@ fn debris(file: &ParsedFile) -> Vec<usize> {
     }
     lines
 }
-
-/// What separates words: blanks, tabs, line ends.
-pub(super) const BLANK: [char; 4] = [' ', '\t', '\r', '\n'];

@@ -128,7 +128,7 @@ pub fn format(
 ) -> Result<(Option<Vec<u8>>, usize), Box<Outcome>> {
     let mut made: Option<FileBytes> = None;
     let mut last: Option<Vec<u8>> = None;
-    let left = in_rounds(path, source, settings, &mut |formatting, source| {
+    let Rounds { left, stays } = in_rounds(path, source, settings, &mut |formatting, source| {
         let mut splice = Splice::new(source, made.as_ref().map_or(bytes, FileBytes::bytes));
         formatting.edits(&mut |edit| splice.write(edit));
         let next = splice.finish()?;
@@ -143,6 +143,9 @@ pub fn format(
         made = Some(next);
         Some(again)
     })?;
+    if stays {
+        return Ok((None, left));
+    }
     Ok((last.or_else(|| made.map(FileBytes::into_bytes)), left))
 }
 
@@ -159,7 +162,7 @@ pub(crate) fn changes(
 ) -> Result<Changes, Box<Outcome>> {
     let mut all: Option<Changes> = None;
     let mut within = None;
-    in_rounds(path, source, settings, &mut |formatting, source| {
+    let rounds = in_rounds(path, source, settings, &mut |formatting, source| {
         if all.is_none() {
             within = formatting.place(part);
         }
@@ -175,7 +178,7 @@ pub(crate) fn changes(
         all = Some(changes);
         next
     })?;
-    let mut changes = all.unwrap_or_default();
+    let mut changes = all.filter(|_| !rounds.stays).unwrap_or_default();
     if let Some(within) = within {
         changes.keep_within(within);
     }
@@ -194,22 +197,35 @@ pub(crate) enum Part {
     Line(usize),
 }
 
+/// The outcome of formatting in rounds.
+struct Rounds {
+    /// How many lines of the first text stay because they could not be read.
+    left: usize,
+    /// All of them stay: what could not be read would be read otherwise after formatting (FMT-7).
+    stays: bool,
+}
+
 /// Formats a text, and what becomes of it, until nothing changes any more. `apply` takes the edits, and gives the text that
-/// they make when it is to be formatted again. How many lines of the first text could not be read.
+/// they make when it is to be formatted again: the one where lines could not be read.
 fn in_rounds(
     path: &Path,
     source: &Arc<SourceText>,
     settings: &Settings,
     apply: &mut dyn FnMut(Formatting, &SourceText) -> Option<Arc<SourceText>>,
-) -> Result<usize, Box<Outcome>> {
+) -> Result<Rounds, Box<Outcome>> {
     let formatting = Formatting::of(path, source, settings)?;
     let left = formatting.lines_left();
     let mut next = apply(formatting, source);
+    let mut last = next.clone();
     for _ in 1..MOST_ROUNDS {
         let Some(source) = next else { break };
         next = apply(Formatting::of(path, &source, settings)?, &source);
+        last = next.clone().or(last);
     }
-    Ok(left)
+    if last.is_none_or(|last| alone::same_findings(path, source, &last, settings)) {
+        return Ok(Rounds { left, stays: false });
+    }
+    Ok(Rounds { left: source.lines().count(), stays: true })
 }
 
 /// What keeps a file as it is (FMT-6): UTF-16 (E0115), and programs for other controls (W0113); without a finding there is
