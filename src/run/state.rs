@@ -342,6 +342,9 @@ impl State {
 
     /// Where a macrocycle of the machine left the axes that it may move is not known (FLW-12).
     pub(super) fn lose_moved_unseen(&mut self) {
+        if self.moved_unseen.is_empty() {
+            return;
+        }
         let moved = std::mem::take(&mut self.moved_unseen);
         for axis in (0..self.positions.len()).filter(|axis| moved.contains(*axis)) {
             self.set_position(axis, Position::Undetermined);

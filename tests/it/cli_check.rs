@@ -301,3 +301,38 @@ fn broken_utf16_is_not_fixed() {
         assert_eq!(place.read("a.nc") == *bytes, !fixed);
     }
 }
+
+/// A help and the word that is offered are one line.
+#[test]
+fn a_finding_says_once_what_to_write() {
+    for (code, block) in [
+        ("E0204", "N10 X1"),
+        ("E0305", "N20 F-100"),
+        ("E0401", "N20 G71 P1"),
+        ("E0411", "N20 G04 X1.5"),
+        ("W0303", "N20 X1.23456"),
+    ] {
+        let program = format!("%1\nN10 G90 G00 X0\n{block}\nN900 M30\n");
+        let place = Place::with(&[("a.nc", program.as_bytes())]);
+        for (lang, help) in [("en", "help: "), ("cs", "nápověda: ")] {
+            let shown = place.run(&["check", "a.nc", "--lang", lang]);
+            let text = format!("{}{}", shown.stdout, shown.stderr);
+            assert!(text.contains(code), "{text}");
+            assert_eq!(text.matches(help).count(), 1, "{text}");
+        }
+    }
+}
+
+/// Fixes in a macrocycle that the command does not name are not among those that `--fix` would apply.
+#[test]
+fn fixes_elsewhere_are_not_promised() {
+    let place = Place::with(&[
+        ("a.nc", b"%1\nN10 G72 L9001\nN20 M30\n".as_slice()),
+        ("L9001", b"N1 G79 L9001\nN2 G00 X3,5\nN3 G70\n".as_slice()),
+    ]);
+    let both = place.run(&["check", "a.nc", "L9001"]);
+    assert!(format!("{}{}", both.stdout, both.stderr).contains("check --fix: 1"), "{both:?}");
+    let one = place.run(&["check", "a.nc"]);
+    let text = format!("{}{}", one.stdout, one.stderr);
+    assert!(text.contains("E0104") && !text.contains("--fix"), "{text}");
+}
