@@ -6,9 +6,10 @@ use std::path::Path;
 use serde_json::{Map, Value};
 
 use super::Overrides;
-use super::project::Project;
+use super::draft::Draft;
+use super::motion::From;
+use super::reader::read;
 use super::sections::{Form, ROOT, SECTIONS, Section};
-use super::taken::Setting;
 use crate::diag::Findings;
 use crate::text::{FileId, SourceText};
 
@@ -32,7 +33,7 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
     }
     for section in SECTIONS.iter().filter(|section| section.option.is_some()) {
         match (settings.get(section.name), section.form) {
-            (Some(value @ Value::Object(names)), Form::Map(..)) => {
+            (Some(value @ Value::Object(names)), Form::Map(_)) => {
                 let lines = names.iter().map(|(name, value)| format!("{} = {}\n", quoted(name), toml(value)));
                 let text = format!("[{}]\n{}", section.name, lines.collect::<String>());
                 texts.push((text, section.name.to_owned(), value));
@@ -49,11 +50,12 @@ pub fn client_overrides(settings: &Map<String, Value>, folder: &Path) -> (Overri
             continue;
         }
         let mut findings = Findings::new();
-        let project = Project::read(&SourceText::from_text("", &text), FileId(0), &mut findings);
+        let mut draft = Draft::default();
+        read(&mut draft, From::Key, &SourceText::from_text("", &text), FileId(0), &mut findings);
         if text.is_empty() || !findings.into_sorted().is_empty() {
             wrong.push(format!("{key}: {value}"));
         }
-        take(&mut overrides, project, folder);
+        take(&mut overrides, draft, folder);
     }
     (overrides, wrong)
 }
@@ -119,20 +121,20 @@ fn quoted(text: &str) -> String {
     toml_edit::Value::from(text).to_string()
 }
 
-fn take(overrides: &mut Overrides, project: Project, folder: &Path) {
-    let value = |flag: Option<Setting<bool>>| flag.map(|flag| flag.value);
-    overrides.dialect = overrides.dialect.or(project.dialect.map(|dialect| dialect.value));
-    overrides.encoding = overrides.encoding.or(project.encoding.map(|encoding| encoding.value));
-    overrides.block_skip = overrides.block_skip.or(value(project.block_skip));
-    overrides.optional_stop = overrides.optional_stop.or(value(project.optional_stop));
-    overrides.max_blocks = overrides.max_blocks.or(project.records.map(|records| records.value));
-    if let Some(path) = project.channel_config {
-        overrides.channel_config = Some(folder.join(path.value));
+fn take(overrides: &mut Overrides, draft: Draft, folder: &Path) {
+    let Draft { settings, places, channel_config, macrocycles, .. } = draft;
+    let has = |path: &str| places.contains_key(path);
+    overrides.dialect = overrides.dialect.or(has("dialect").then_some(settings.machine.dialect));
+    overrides.encoding = overrides.encoding.or(has("encoding").then_some(settings.encoding));
+    overrides.block_skip = overrides.block_skip.or(has("block-skip").then_some(settings.block_skip));
+    overrides.optional_stop = overrides.optional_stop.or(has("optional-stop").then_some(settings.optional_stop));
+    overrides.max_blocks = overrides.max_blocks.or(has("limits.records").then_some(settings.machine.limits.records));
+    if let Some((path, _)) = channel_config {
+        overrides.channel_config = Some(folder.join(path));
     }
-    let folders = project.macrocycles.into_iter().flat_map(|folders| folders.value);
-    overrides.macrocycles.extend(folders.map(|(name, _)| folder.join(name)));
-    overrides.parameters.extend(project.parameters.into_iter().map(|parameter| parameter.value));
-    overrides.lints.extend(project.lints.into_iter().map(|lint| lint.value));
+    overrides.macrocycles.extend(macrocycles.into_iter().map(|(name, _)| folder.join(name)));
+    overrides.parameters.extend(settings.machine.parameters);
+    overrides.lints.extend(settings.lints);
 }
 
 #[cfg(test)]

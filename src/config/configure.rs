@@ -3,18 +3,15 @@
 use std::io::{self, ErrorKind};
 use std::path::{Component, Path, PathBuf};
 
+use super::draft::Draft;
+use super::motion::From;
 use super::motion_constants::is_digits;
-use super::motion_values::{Layer, assemble};
-use super::project::{Project, Texts, letter};
-use super::taken::Setting;
-use super::{
-    Axes, MFunctions, Machine, MayMove, Motion, Overrides, Purpose, Settings, SpindleAxis, channel, constants,
-};
+use super::motion_values::assemble;
+use super::reader::read;
+use super::{Axes, MFunctions, Overrides, Purpose, Settings, SpindleAxis, channel, constants};
 use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, terminal_safe};
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
-use crate::text::{
-    BrokenLink, DecodeError, Encoding, FileId, Loader, Location, SourceText, Sources, Span, without_ways_back,
-};
+use crate::text::{BrokenLink, DecodeError, Encoding, Loader, Location, SourceText, Sources, Span, without_ways_back};
 
 /// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
 /// command line says, value by value (§11, §13 Configuration).
@@ -30,48 +27,43 @@ pub fn configure(
     sources: &mut Sources,
     findings: &mut Findings,
 ) -> Settings {
-    let fallback = overrides.encoding.unwrap_or_default();
+    let mut draft = Draft::new(overrides.dialect);
     let mut files = Files { loader, sources, findings };
-    let (values, file) = project.map_or_else(Default::default, |path| files.project(path, fallback));
-    let dialect = overrides.dialect.or(value(values.dialect)).unwrap_or_default();
-    let known = overrides.dialect.is_some() || !values.dialect_unusable;
-    let mut settings = Settings::new(dialect);
-    settings.encoding = overrides.encoding.or(value(values.encoding)).unwrap_or_default();
-    settings.block_skip = overrides.block_skip.or(value(values.block_skip)).unwrap_or(false);
-    settings.optional_stop = overrides.optional_stop.or(value(values.optional_stop)).unwrap_or(false);
+    if let Some(path) = project {
+        files.project(path, overrides.encoding.unwrap_or_default(), &mut draft);
+    }
     let folder = project.and_then(Path::parent).unwrap_or(Path::new(""));
-    settings.macrocycles = if overrides.macrocycles.is_empty() {
-        let named = values.macrocycles.iter().flat_map(|list| &list.value);
-        let folders: Vec<_> = named.map(|(name, at)| (join(folder, name, files.loader), *at)).collect();
-        files.check_folders(&folders, file);
-        folders.into_iter().map(|(folder, _)| folder).collect()
-    } else {
-        overrides.macrocycles.clone()
-    };
-    let lints = values.lints.iter().map(|lint| lint.value).chain(overrides.lints.iter().copied());
-    settings.format = values.format;
-    settings.lints = lints.filter(|(code, _)| code.is_configurable()).collect();
-    files.findings.set_levels(settings.levels(Purpose::Check));
-    if let Some(extensions) = &values.extensions {
-        settings.extensions = extensions.value.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
+    files.macrocycles(&mut draft, folder, overrides);
+    override_settings(&mut draft.settings, overrides);
+    files.findings.set_levels(draft.settings.levels(Purpose::Check));
+    if !draft.axes.is_empty() {
+        draft.settings.machine.axes = Axes::new(draft.axes.iter().map(|(axis, _)| *axis));
     }
-    set_machine(&mut settings.machine, &values, overrides);
-    check_machine(&settings.machine, &values, file, files.findings);
-    if known {
-        check_dialect(&values, file, dialect, files.findings);
+    draft.settings.machine.gears.sort_by_key(|gear| gear.m);
+    check_machine(&draft, files.findings);
+    if !draft.dialect_is_unusable || overrides.dialect.is_some() {
+        let dialect = draft.settings.machine.dialect;
+        check_dialect(&draft, dialect, files.findings);
         if !dialect.has_channel_config() {
-            let text = files.sources.get(file).map_or("", |source| source.text());
-            constants::apply(&values.constants, (file, text), &mut settings.machine.m_functions, files.findings);
+            constants::apply(&draft.constants, &mut draft.settings.machine.m_functions, files.findings);
         }
-        settings.machine.motion = files.motion(&values, file, dialect, overrides);
-        files.channel_config(&values, file, folder, overrides, &mut settings);
-        set_m_power_up(&mut settings.machine, &values, file, files.findings);
+        files.tried(&overrides.motion, &mut draft);
+        assemble(&mut draft, dialect, overrides.computes_motion, files.findings);
+        files.channel_config(&mut draft, folder, overrides);
+        set_m_power_up(&mut draft, files.findings);
     }
-    settings
+    draft.settings
 }
 
-fn value<T>(setting: Option<Setting<T>>) -> Option<T> {
-    setting.map(|setting| setting.value)
+/// Puts what the command line says over the settings of the project file, but for what names files and motion.
+fn override_settings(settings: &mut Settings, overrides: &Overrides) {
+    settings.encoding = overrides.encoding.unwrap_or(settings.encoding);
+    settings.block_skip = overrides.block_skip.unwrap_or(settings.block_skip);
+    settings.optional_stop = overrides.optional_stop.unwrap_or(settings.optional_stop);
+    settings.lints.extend(overrides.lints.iter().copied().filter(|(code, _)| code.is_configurable()));
+    settings.machine.parameters.extend(overrides.parameters.iter().copied());
+    let limits = &mut settings.machine.limits;
+    limits.records = overrides.max_blocks.unwrap_or(limits.records);
 }
 
 /// `name` in `folder`, without the parts that lead nowhere, and without those that lead back where that is the same place
@@ -83,137 +75,77 @@ fn join(folder: &Path, name: &str, loader: &dyn Loader) -> PathBuf {
     if same { short } else { path }
 }
 
-/// What the machine is, M functions excepted.
-fn set_machine(machine: &mut Machine, values: &Project, overrides: &Overrides) {
-    if !values.axes.is_empty() {
-        machine.axes = Axes::new(values.axes.iter().map(|axis| axis.value));
-    }
-    for function in &values.power_up {
-        if let Some(slot) = machine.power_up.get_mut(function.value.group().index()) {
-            *slot = Some(function.value);
-        }
-    }
-    machine.parameters =
-        values.parameters.iter().map(|r| r.value).chain(overrides.parameters.iter().copied()).collect();
-    machine.operations = values.operations.iter().map(|operation| operation.value).collect();
-    machine.cycles = values.cycles.iter().map(|cycle| cycle.value).collect();
-    machine.macrocycles =
-        values.machine_macrocycles.iter().map(|(number, axes)| (*number, may_move(axes.as_ref()))).collect();
-    machine.gears = values.gears.iter().map(|gear| gear.value).collect();
-    machine.gears.sort_by_key(|gear| gear.m);
-    let without_plus = |digits: &str| digits.strip_prefix('+').unwrap_or(digits).to_owned();
-    let constants = values.constants.iter().map(|constant| (constant.value.0, without_plus(&constant.value.1)));
-    machine.constants = constants.collect();
-    machine.corrections = values.corrections.iter().map(|correction| correction.value).collect();
-    machine.start = values.start.iter().map(|position| position.value).collect();
-    machine.oriented_stop = value(values.oriented_stop).unwrap_or(machine.oriented_stop);
-    machine.tool_axis = value(values.tool_axis);
-    machine.spindle_axis = value(values.spindle_axis).unwrap_or(machine.spindle_axis);
-    machine.oriented_position = value(values.oriented_position).unwrap_or(machine.oriented_position);
-    machine.g97 = value(values.g97).unwrap_or(machine.g97);
-    machine.arc_centers = value(values.arc_centers).unwrap_or(machine.arc_centers);
-    let limits = &mut machine.limits;
-    limits.records = overrides.max_blocks.or(value(values.records)).unwrap_or(limits.records);
-    limits.nesting = value(values.nesting).unwrap_or(limits.nesting);
-    limits.feed = value(values.feed).unwrap_or(limits.feed);
-    limits.speed = value(values.speed).unwrap_or(limits.speed);
-    limits.arc_tolerance = value(values.arc_tolerance).unwrap_or(limits.arc_tolerance);
-}
-
-/// The axes that a macrocycle of the machine may move: any, unless they are listed.
-fn may_move(axes: Option<&Texts>) -> MayMove {
-    match axes {
-        None => MayMove::All,
-        Some(axes) => MayMove::Only(axes.value.iter().filter_map(|(name, _)| letter(name)).collect()),
-    }
-}
-
 /// Reports a value of the project file that does not fit the others (E0702).
-fn misfit(findings: &mut Findings, file: FileId, key: impl Into<String>, span: Span, needs: ConfigNeed) {
-    let finding = Finding::ConfigurationValue { key: key.into(), needs };
-    findings.add(Diagnostic::new(finding, Location { file, span }));
+fn misfit(findings: &mut Findings, key: impl Into<String>, at: Location, needs: ConfigNeed) {
+    findings.add(Diagnostic::new(Finding::ConfigurationValue { key: key.into(), needs }, at));
 }
 
 /// Values that must fit one another on any control (§13): letters of axes, ends of gears.
-fn check_machine(machine: &Machine, values: &Project, file: FileId, findings: &mut Findings) {
-    let missing = |letter| {
-        let needs =
-            ConfigNeed::NoSuchAxis { letter: String::from(AxisLetter::name(letter)), axes: machine.axes.letters() };
-        machine.axes.index(letter).is_none().then_some(needs)
+fn check_machine(draft: &Draft, findings: &mut Findings) {
+    let machine = &draft.settings.machine;
+    let mut letters: Vec<(AxisLetter, String, Location)> = Vec::new();
+    let mut named = |path: &str, letter: AxisLetter, is_key: bool| {
+        let place = draft.places.get(path);
+        letters.extend(place.map(|place| (letter, path.to_owned(), if is_key { place.key } else { place.at })));
     };
-    if let Some(setting) = values.spindle_axis
-        && let SpindleAxis::Letter(letter) = setting.value
-        && let Some(needs) = missing(letter)
-    {
-        misfit(findings, file, "spindle-axis", setting.at, needs);
+    if let SpindleAxis::Letter(letter) = machine.spindle_axis {
+        named("spindle-axis", letter, false);
     }
-    if let Some(setting) = values.tool_axis
-        && let Some(needs) = missing(setting.value)
-    {
-        misfit(findings, file, "restart.tool-axis", setting.at, needs);
+    if let Some(letter) = machine.tool_axis {
+        named("restart.tool-axis", letter, false);
     }
-    for setting in &values.start {
-        if let Some(needs) = missing(setting.value.0) {
-            misfit(findings, file, format!("start.{}", setting.value.0), setting.key, needs);
-        }
+    for letter in machine.start.keys() {
+        named(&format!("start.{letter}"), *letter, true);
     }
-    for (number, axes) in &values.machine_macrocycles {
-        for (name, at) in axes.iter().flat_map(|axes| &axes.value) {
-            if let Some(needs) = letter(name).and_then(missing) {
-                misfit(findings, file, format!("machine-macrocycles.L{number}.axes"), *at, needs);
-            }
-        }
+    let moved = draft.moved_axes.iter();
+    letters.extend(moved.map(|(l, letter, at)| (*letter, format!("machine-macrocycles.L{l}.axes"), *at)));
+    for (letter, key, at) in letters.into_iter().filter(|(letter, ..)| machine.axes.index(*letter).is_none()) {
+        let needs = ConfigNeed::NoSuchAxis { letter: letter.name().to_owned(), axes: machine.axes.letters() };
+        misfit(findings, key, at, needs);
     }
-    for (key, end) in &values.gear_ends {
-        if let Some(end) = end
-            && end.value > machine.limits.speed
-        {
+    for (key, end, at) in &draft.gear_ends {
+        if *end > machine.limits.speed {
             let needs = ConfigNeed::Whole { min: 0, max: i64::from(machine.limits.speed) };
-            misfit(findings, file, format!("gears.{key}"), end.at, needs);
+            misfit(findings, *key, *at, needs);
         }
     }
 }
 
 /// M functions at power-up, by the groups of the whole configuration (MFN-7).
-fn set_m_power_up(machine: &mut Machine, values: &Project, file: FileId, findings: &mut Findings) {
-    for setting in &values.m_power_up {
-        let (group, number) = setting.value;
+fn set_m_power_up(draft: &mut Draft, findings: &mut Findings) {
+    let machine = &mut draft.settings.machine;
+    for &(group, number, at) in &draft.m_power_up {
         let key = || format!("power-up.M{group}");
         if MOMENTARY_GROUPS.contains(&group) {
-            misfit(findings, file, key(), setting.at, ConfigNeed::BlockOnly { group });
+            misfit(findings, key(), at, ConfigNeed::BlockOnly { group });
         } else if machine.m_functions.group(number) != group || number > machine.dialect.highest_m() {
-            misfit(findings, file, key(), setting.at, ConfigNeed::MOfGroup { group });
+            misfit(findings, key(), at, ConfigNeed::MOfGroup { group });
         } else if let Some(slot) = machine.m_power_up.get_mut(usize::from(group)) {
             *slot = Some(number);
         }
     }
 }
 
-/// What the file says and the control of the run does not have (§13 Configuration).
-fn check_dialect(values: &Project, file: FileId, dialect: Dialect, findings: &mut Findings) {
-    if let Some(axis) = values.axes.get(dialect.axes()) {
-        misfit(findings, file, "axes", axis.key, ConfigNeed::TooManyAxes { limit: dialect.axes() });
+/// Reports values of the file that the control of the run does not have (§13 Configuration).
+fn check_dialect(draft: &Draft, dialect: Dialect, findings: &mut Findings) {
+    if let Some((_, place)) = draft.axes.get(dialect.axes()) {
+        misfit(findings, "axes", place.key, ConfigNeed::TooManyAxes { limit: dialect.axes() });
     }
-    let extra: Vec<_> = values.axes.iter().filter(|axis| !axis.value.letter.is_of_the_planes()).collect();
-    if let Some(sixth) = extra.get(2)
-        && !dialect.takes_sixth_axis(sixth.value.letter)
+    let extra: Vec<_> = draft.axes.iter().filter(|(axis, _)| !axis.letter.is_of_the_planes()).collect();
+    if let Some((sixth, place)) = extra.get(2)
+        && !dialect.takes_sixth_axis(sixth.letter)
     {
-        let letter = sixth.value.letter.to_string();
-        misfit(findings, file, "axes.letter", sixth.at, ConfigNeed::SixthAxis { letter });
+        misfit(findings, "axes.letter", place.at, ConfigNeed::SixthAxis { letter: sixth.letter.to_string() });
     }
     // Of more axes than the control has, the finding above is enough.
-    let has_room = values.axes.len() <= dialect.axes() && dialect.axes() < AxisLetter::ALL.len();
-    if let Some(fourth) = extra.get(3).filter(|_| has_room) {
-        let letter = fourth.value.letter.to_string();
-        misfit(findings, file, "axes.letter", fourth.at, ConfigNeed::FourthBeside { letter });
+    let has_room = draft.axes.len() <= dialect.axes() && dialect.axes() < AxisLetter::ALL.len();
+    if let Some((fourth, place)) = extra.get(3).filter(|_| has_room) {
+        misfit(findings, "axes.letter", place.at, ConfigNeed::FourthBeside { letter: fourth.letter.to_string() });
     }
     if dialect.has_channel_config() {
-        for constant in &values.constants {
-            let number = constant.value.0;
-            if constants::group_of(number).is_some() {
-                let needs = ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() };
-                misfit(findings, file, format!("machine-constants.R{number}"), constant.key, needs);
-            }
+        for constant in draft.constants.iter().filter(|constant| constants::group_of(constant.number).is_some()) {
+            let key = format!("machine-constants.R{}", constant.number);
+            misfit(findings, key, constant.place.key, ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() });
         }
     }
 }
@@ -226,82 +158,63 @@ struct Files<'a> {
 }
 
 impl Files<'_> {
-    /// The values of the project file; none when it cannot be read (E0701, at an empty text of its name).
-    fn project(&mut self, path: &Path, fallback: Encoding) -> (Project, FileId) {
-        let name = path.display().to_string();
+    /// Reads the project file into the draft; nothing when it cannot be read (E0701, at an empty text of its name).
+    fn project(&mut self, path: &Path, fallback: Encoding, draft: &mut Draft) {
         match self.load(path, fallback).and_then(in_utf_8) {
-            Ok(source) => {
-                let file = self.sources.add(source);
-                let Some(source) = self.sources.get(file) else {
-                    return (Project::default(), file);
-                };
-                (Project::read(source, file, self.findings), file)
-            }
+            Ok(source) => self.read(source, From::Key, draft),
             Err(reason) => {
-                let at = self.nowhere(name);
+                let at = self.nowhere(path.display().to_string());
                 self.findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
-                (Project::default(), at.file)
             }
         }
     }
 
-    /// Reports folders of `macrocycles` that are none (E0702, each at its place).
-    fn check_folders(&mut self, folders: &[(PathBuf, Span)], file: FileId) {
-        for (folder, at) in folders {
-            if !self.loader.is_folder(folder) {
-                let name = terminal_safe(&folder.display().to_string()).into_owned();
-                misfit(self.findings, file, "macrocycles", *at, ConfigNeed::Folder { name });
-            }
+    fn read(&mut self, source: SourceText, from: From, draft: &mut Draft) {
+        let file = self.sources.add(source);
+        if let Some(source) = self.sources.get(file) {
+            read(draft, from, source, file, self.findings);
         }
     }
 
-    /// What motion is computed with: the project file, over it what `--set` says.
-    fn motion(&mut self, values: &Project, file: FileId, dialect: Dialect, overrides: &Overrides) -> Motion {
-        let text =
-            |files: &Self, file: FileId| files.sources.get(file).map_or(String::new(), |file| file.text().to_owned());
-        let own = text(self, file);
-        let base = Layer { values, file, text: &own };
-        let computes = overrides.computes_motion;
-        if overrides.motion.is_empty() {
-            return assemble(&[base], dialect, computes, self.findings);
-        }
-        let set_text = set_text(&overrides.motion);
-        let source = SourceText::from_text("--set", &set_text);
-        let set_file = self.sources.add(source);
-        let Some(source) = self.sources.get(set_file) else {
-            return assemble(&[base], dialect, computes, self.findings);
-        };
-        let set_values = Project::read(source, set_file, self.findings);
-        let set = Layer { values: &set_values, file: set_file, text: &set_text };
-        assemble(&[base, set], dialect, computes, self.findings)
-    }
-
-    /// Sets the M functions of the ChannelConfig that the command line names, or else the project file `file`.
-    fn channel_config(
-        &mut self,
-        values: &Project,
-        file: FileId,
-        folder: &Path,
-        overrides: &Overrides,
-        settings: &mut Settings,
-    ) {
-        let dialect = settings.machine.dialect;
-        let (path, option) = match (&overrides.channel_config, &values.channel_config) {
-            (Some(path), _) => (path.clone(), None),
-            (None, Some(named)) => (join(folder, &named.value, self.loader), Some(named)),
-            (None, None) => return,
-        };
-        if !dialect.has_channel_config() {
-            let (key, at) = match option {
-                Some(named) => ("channel-config", Location { file, span: named.key }),
-                None => ("--channel-config", self.nowhere(path.display().to_string())),
-            };
-            let needs = ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() };
-            let finding = Finding::ConfigurationValue { key: key.to_owned(), needs };
-            self.findings.add(Diagnostic::new(finding, at));
+    /// Sets the folders of macrocycles; those of the project file that are none are reported (E0702, each at its place).
+    fn macrocycles(&mut self, draft: &mut Draft, folder: &Path, overrides: &Overrides) {
+        draft.settings.macrocycles.clone_from(&overrides.macrocycles);
+        if !overrides.macrocycles.is_empty() {
             return;
         }
-        self.m_functions(&path, option.map(|named| Location { file, span: named.at }), settings);
+        for (name, at) in &draft.macrocycles {
+            let folder = join(folder, name, self.loader);
+            if !self.loader.is_folder(&folder) {
+                let name = terminal_safe(&folder.display().to_string()).into_owned();
+                misfit(self.findings, "macrocycles", *at, ConfigNeed::Folder { name });
+            }
+            draft.settings.macrocycles.push(folder);
+        }
+    }
+
+    /// Puts what `--set` says over `[motion]` and the machine constants of the project file.
+    fn tried(&mut self, values: &[(String, String)], draft: &mut Draft) {
+        if !values.is_empty() {
+            self.read(SourceText::from_text("--set", set_text(values)), From::Set, draft);
+        }
+    }
+
+    /// Sets the M functions of the ChannelConfig that the command line names, or else the project file.
+    fn channel_config(&mut self, draft: &mut Draft, folder: &Path, overrides: &Overrides) {
+        let dialect = draft.settings.machine.dialect;
+        let (path, named) = match (&overrides.channel_config, &draft.channel_config) {
+            (Some(path), _) => (path.clone(), None),
+            (None, Some((name, place))) => (join(folder, name, self.loader), Some(*place)),
+            (None, None) => return,
+        };
+        if dialect.has_channel_config() {
+            return self.m_functions(&path, named.map(|place| place.at), &mut draft.settings);
+        }
+        let (key, at) = match named {
+            Some(place) => ("channel-config", place.key),
+            None => ("--channel-config", self.nowhere(path.display().to_string())),
+        };
+        misfit(self.findings, key, at, ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() });
     }
 
     /// Reads the ChannelConfig at `path`, which `named` names; when it cannot be read, E0701 there, or at an empty text of

@@ -1,9 +1,11 @@
 //! Machine constants R56–R59: M groups 10–13 of CNC8x6 and CNC8x9 (MFN-5).
 
-use super::taken::Setting;
+use super::draft::WrittenConstant;
+use super::motion::From;
+use super::motion_constants::Written;
 use super::{MFunction, MFunctions};
 use crate::diag::{ConstantProblem, Diagnostic, Finding, Findings, LabelText};
-use crate::text::{FileId, Location, Span};
+use crate::text::Location;
 
 /// The constants that give M groups, and the group of the first; the others follow.
 const CONSTANTS: std::ops::RangeInclusive<u16> = 56..=59;
@@ -21,58 +23,44 @@ pub(super) fn group_of(constant: u16) -> Option<u8> {
 /// zeros; a number may stand as the control shows it, with a point before the last three. E0706 at the value for more than
 /// eight digits, a sign, in a text a point, a function of groups 1–9, or one named before, in the order of
 /// the text; nothing of such a constant is set. The other constants are passed over.
-pub(super) fn apply(
-    constants: &[Setting<(u16, String)>],
-    (file, text): (FileId, &str),
-    functions: &mut MFunctions,
-    findings: &mut Findings,
-) {
-    let mut named: Vec<(u8, Span)> = Vec::new();
+pub(super) fn apply(constants: &[WrittenConstant], functions: &mut MFunctions, findings: &mut Findings) {
+    let mut named: Vec<(u8, Location)> = Vec::new();
     for constant in constants {
-        let (number, digits) = &constant.value;
-        let Some(group) = group_of(*number) else {
+        let Some(group) = group_of(constant.number).filter(|_| constant.place.from == From::Key) else {
             continue;
         };
-        let quoted = text.get(constant.at.start as usize..).is_some_and(|text| text.starts_with(['"', '\'']));
-        match functions_of(&as_digits(digits, quoted), functions, &named) {
+        match functions_of(&as_digits(&constant.written), functions, &named) {
             Ok(list) => {
                 for m in list {
-                    named.push((m, constant.at));
+                    named.push((m, constant.place.at));
                     if let Some(known) = functions.get(m) {
                         functions.set(MFunction { group, configured: true, ..known });
                     }
                 }
             }
             Err(problem) => {
-                let first = match problem {
-                    ConstantProblem::Twice { m } => named.iter().find(|(other, _)| *other == m).map(|(_, at)| *at),
-                    ConstantProblem::Digits | ConstantProblem::Standard { .. } => None,
-                };
-                let what = match problem {
-                    ConstantProblem::Twice { m } => format!("M{m:02}"),
-                    ConstantProblem::Digits | ConstantProblem::Standard { .. } => String::new(),
-                };
-                let finding = Finding::MachineConstant { constant: format!("R{number}"), problem };
-                let mut diagnostic = Diagnostic::new(finding, Location { file, span: constant.at });
-                if let Some(span) = first {
-                    diagnostic = diagnostic.with_label(Location { file, span }, LabelText::First { what });
-                }
-                findings.add(diagnostic);
+                let first = named.iter().find(|(m, _)| problem == ConstantProblem::Twice { m: *m });
+                let finding = Finding::MachineConstant { constant: format!("R{}", constant.number), problem };
+                let diagnostic = Diagnostic::new(finding, constant.place.at);
+                findings.add(match first {
+                    Some((m, at)) => diagnostic.with_label(*at, LabelText::First { what: format!("M{m:02}") }),
+                    None => diagnostic,
+                });
             }
         }
     }
 }
 
 /// The digits of a constant: of a number as the control shows it, with three decimals, those before and behind the point.
-fn as_digits(written: &str, quoted: bool) -> String {
-    match written.split_once('.') {
+fn as_digits(Written { digits, quoted }: &Written) -> String {
+    match digits.split_once('.') {
         Some((whole, thousandths)) if !quoted && thousandths.len() == 3 => format!("{whole}{thousandths}"),
-        Some(_) | None => written.to_owned(),
+        Some(_) | None => digits.clone(),
     }
 }
 
 /// The functions of one constant, or the first thing wrong with it.
-fn functions_of(digits: &str, functions: &MFunctions, named: &[(u8, Span)]) -> Result<Vec<u8>, ConstantProblem> {
+fn functions_of(digits: &str, functions: &MFunctions, named: &[(u8, Location)]) -> Result<Vec<u8>, ConstantProblem> {
     if digits.len() > DIGITS || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
         return Err(ConstantProblem::Digits);
     }
@@ -98,22 +86,24 @@ fn functions_of(digits: &str, functions: &MFunctions, named: &[(u8, Span)]) -> R
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::draft::Place;
     use crate::diag::Code;
     use crate::dict::{Dialect, Lang};
+    use crate::text::{FileId, Span};
 
     fn applied(constants: &[(u16, &str)]) -> (MFunctions, Vec<Diagnostic>) {
-        let settings: Vec<_> = (0..)
+        let at = |at| Location { file: FileId(0), span: Span::empty(at) };
+        let constants: Vec<_> = (0..)
             .zip(constants)
-            .map(|(at, (number, digits))| Setting {
-                value: (*number, (*digits).to_owned()),
-                key: Span::empty(at),
-                at: Span::empty(at),
+            .map(|(place, (number, digits))| WrittenConstant {
+                number: *number,
+                written: Written { digits: (*digits).to_owned(), quoted: true },
+                place: Place { key: at(place), at: at(place), from: From::Key },
             })
             .collect();
         let mut functions = MFunctions::standard(Dialect::Cnc8x9);
         let mut findings = Findings::new();
-        let quotes = "'".repeat(settings.len());
-        apply(&settings, (FileId(0), &quotes), &mut functions, &mut findings);
+        apply(&constants, &mut functions, &mut findings);
         (functions, findings.into_sorted())
     }
 

@@ -3,8 +3,7 @@
 
 use std::fmt::Write;
 
-use super::keys;
-use super::row::{Default, Row};
+use super::row::Row;
 use super::sections::{Form, SECTIONS, Section};
 use crate::dict::{Bilingual, Dialect, Lang};
 
@@ -38,19 +37,19 @@ pub fn initial(dialect: Dialect, found: &Surroundings, lang: Lang) -> String {
     let mut text = INTRODUCTION.get(lang).to_owned();
     for section in SECTIONS {
         match section.form {
-            Form::Keys(rows, _) if section.name.is_empty() => root(&mut text, rows, (dialect, found), lang),
+            Form::Keys(rows) if section.name.is_empty() => root(&mut text, rows, (dialect, found), lang),
             // Lists stand before the tables, each in one line.
             Form::List(..) => {}
             // The outer table of others, without keys; and sets that are like the first.
-            Form::Keys([], _) => {}
+            Form::Keys([]) => {}
             Form::Keys(..) if is_like_the_first(section) => {}
-            Form::Keys(rows, _) => {
+            Form::Keys(rows) => {
                 head(&mut text, section.name, section, lang);
                 for row in rows {
                     key(&mut text, row, dialect, lang);
                 }
             }
-            Form::Tables(_, rows, _) => {
+            Form::Tables(_, rows) => {
                 head(&mut text, &format!("{}.{}", section.name, section.example), section, lang);
                 for row in rows {
                     key(&mut text, row, dialect, lang);
@@ -76,14 +75,14 @@ fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundin
     text.push('\n');
     for row in rows {
         let quoted = |name: &String| toml_edit::Value::from(name.as_str()).to_string();
-        if row.name == keys::DIALECT.name {
+        if row.name == "dialect" {
             line(text, &format!("{} = \"{}\"", row.name, dialect.name()), row.meaning, lang);
-        } else if row.name == keys::CHANNEL_CONFIG.name {
+        } else if row.name == "channel-config" {
             // Without one, an example would name a file that is not there.
             if let Some(name) = found.channel_config.as_ref().filter(|_| dialect.has_channel_config()) {
                 line(text, &format!("{} = {}", row.name, quoted(name)), row.meaning, lang);
             }
-        } else if row.name == keys::MACROCYCLES.name {
+        } else if row.name == "macrocycles" {
             let folders: Vec<String> = found.macrocycles.iter().map(quoted).collect();
             let value = if folders.is_empty() {
                 "#macrocycles = [\".\"]".to_owned()
@@ -96,7 +95,7 @@ fn root(text: &mut String, rows: &[Row], (dialect, found): (Dialect, &Surroundin
         }
     }
     for section in SECTIONS {
-        if let Form::List(rows, _) = section.form {
+        if let Form::List(rows) = section.form {
             let values: Vec<String> = rows
                 .iter()
                 .filter(|row| !row.example.is_empty())
@@ -115,8 +114,7 @@ fn head(text: &mut String, name: &str, section: &Section, lang: Lang) {
 
 /// A key with its default, or an example.
 fn key(text: &mut String, row: &Row, dialect: Dialect, lang: Lang) {
-    let value = literal(row, dialect).unwrap_or_else(|| row.example.to_owned());
-    line(text, &format!("#{} = {value}", row.name), row.meaning, lang);
+    line(text, &format!("#{}", row.line(dialect)), row.meaning, lang);
 }
 
 /// A line, with as much of its meaning behind it as there is room for: up to a `;`, a `:` or a `,`.
@@ -135,23 +133,6 @@ fn line(text: &mut String, code: &str, meaning: Bilingual, lang: Lang) {
 /// What stands before the first `end`.
 fn part(meaning: &str, end: char) -> Option<&str> {
     meaning.split_once(end).map(|(part, _)| part)
-}
-
-/// The default as TOML, where there is one.
-pub(super) fn literal(row: &Row, dialect: Dialect) -> Option<String> {
-    match row.default {
-        Default::Flag(flag) => Some(flag.to_string()),
-        Default::Whole(number) => Some(number.to_string()),
-        Default::Number(number) => Some(number.to_string()),
-        Default::Text("cnc872") => Some(format!("\"{}\"", dialect.name())),
-        Default::Text(text) => Some(format!("\"{text}\"")),
-        Default::Texts(texts) => {
-            let texts: Vec<_> = texts.iter().map(|text| format!("\"{text}\"")).collect();
-            Some(format!("[{}]", texts.join(", ")))
-        }
-        Default::ByDialect(value) => Some(value(dialect)),
-        Default::Nothing | Default::Required | Default::Words(_) => None,
-    }
 }
 
 #[cfg(test)]

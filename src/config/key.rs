@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use super::init::literal;
 use super::reference::default;
 use super::row::Row;
 use super::sections::{Form, SECTIONS, Section};
@@ -86,10 +85,7 @@ impl Key {
     /// The line of the project file that sets it to its default or an example; of a table the line that begins it.
     pub fn line(&self) -> String {
         match (self.row, self.section.form) {
-            (Some(row), _) => {
-                let value = literal(row, Dialect::default()).unwrap_or_else(|| row.example.to_owned());
-                format!("{} = {value}", row.name)
-            }
+            (Some(row), _) => row.line(Dialect::default()),
             (None, Form::List(..)) => format!("[[{}]]", self.section.name),
             (None, Form::Tables(..)) => format!("[{}.{}]", self.section.name, self.section.example),
             (None, Form::Keys(..) | Form::Map(..)) => format!("[{}]", self.section.name),
@@ -101,7 +97,7 @@ impl Key {
         self.row.map(|row| row.takes.choices()).unwrap_or_default()
     }
 
-    /// What it sets.
+    /// Its effect.
     pub fn meaning(&self, lang: Lang) -> &'static str {
         self.row.map_or(self.section.meaning, |row| row.meaning).get(lang)
     }
@@ -118,7 +114,7 @@ impl Key {
         if let Some(row) = self.row {
             line(pick("Takes", "Hodnota"), &row.takes.shown(lang));
             line(pick("Default", "Výchozí"), &default(row.default, lang));
-        } else if let Form::Map(names, _) | Form::Tables(names, ..) = self.section.form {
+        } else if let Form::Map(names) | Form::Tables(names, _) = self.section.form {
             let shown = names.shown(lang);
             if !shown.is_empty() {
                 line(pick("Keys", "Klíče"), &shown);
@@ -151,10 +147,7 @@ impl Key {
     }
 
     fn example(&self) -> String {
-        let value = |row: &Row| {
-            let value = literal(row, Dialect::default()).unwrap_or_else(|| row.example.to_owned());
-            format!("{} = {value}\n", row.name)
-        };
+        let value = |row: &Row| row.line(Dialect::default()) + "\n";
         let rows = || match self.row {
             Some(row) => value(row),
             None => self.section.form.rows().iter().map(value).collect(),

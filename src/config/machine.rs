@@ -106,7 +106,7 @@ impl Default for Axes {
     }
 }
 
-/// What a macrocycle that only the machine has may move (FLW-12).
+/// The axes that a macrocycle of the machine may move (FLW-12).
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub enum MayMove {
     /// Any axis.
@@ -293,7 +293,7 @@ impl Default for Machine {
 /// Extensions of programs unless configured.
 pub const EXTENSIONS: &[&str] = &["nc", "ncp", "mpf", "txt"];
 
-/// Everything a run is told: the machine, and how to read, execute and judge programs.
+/// All settings of a run: the machine, and how to read, execute and judge programs.
 #[derive(Clone, Debug)]
 pub struct Settings {
     /// The machine.
@@ -343,7 +343,7 @@ impl Settings {
     }
 }
 
-/// What a run is for.
+/// The purpose of a run.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub enum Purpose {
     /// `check`: findings.

@@ -5,6 +5,7 @@ mod client;
 mod configure;
 mod constant;
 mod constants;
+mod draft;
 mod find;
 mod format;
 mod init;
@@ -21,15 +22,12 @@ mod names;
 mod near;
 mod number;
 mod overrides;
-mod project;
 mod ranges;
 mod reader;
 mod reference;
-mod restart;
 mod row;
 mod schema;
 mod sections;
-mod taken;
 mod takes;
 mod toml_problem;
 mod tried;
@@ -54,12 +52,13 @@ pub use reference::reference;
 pub use schema::schema;
 #[cfg(test)]
 pub(crate) use sections::options;
-use takes::Takes;
 pub use tried::{TriedFault, tried_fault};
 
 #[cfg(test)]
 mod row_tests;
 #[cfg(test)]
-mod samples;
+mod sample_tests;
+#[cfg(test)]
+mod schema_tests;
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+pub use super::motion_keys::MotionKey;
+use super::motion_keys::SET;
 use crate::dict::{AxisLetter, Decimal, Dialect};
 
 /// How the control recognises that blocks join continuously (S3 A3, A4).
@@ -61,98 +63,6 @@ impl Profile {
     }
 }
 
-/// The keys of `[motion]` that hold a number.
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-pub enum MotionKey {
-    /// `cycle-ms`.
-    Cycle,
-    /// `angle-deg`.
-    Angle,
-    /// `accel-mm-s2`.
-    Accel,
-    /// `accel-continuous-mm-s2`.
-    AccelContinuous,
-    /// `accel-rapid-mm-s2`.
-    AccelRapid,
-    /// `shortest-block-ms`.
-    ShortestBlock,
-    /// `break-length-mm`.
-    BreakLength,
-    /// `merge-length-mm`.
-    MergeLength,
-    /// `accuracy-um`.
-    Accuracy,
-    /// `red-percent`.
-    Red,
-    /// `overload-mm-s2`.
-    Overload,
-    /// `raise-length-mm`.
-    RaiseLength,
-    /// `raise-ms`.
-    Raise,
-    /// `look-ahead`.
-    LookAhead,
-    /// `centripetal-mm-s2`.
-    Centripetal,
-    /// `constant-cutting-rpm`.
-    ConstantCutting,
-    /// `settle-ms`.
-    Settle,
-    /// `block-gap-ms`.
-    BlockGap,
-}
-
-impl MotionKey {
-    /// Every one, in the order of the reference page.
-    pub const ALL: [Self; 18] = [
-        Self::Cycle,
-        Self::Angle,
-        Self::Accel,
-        Self::AccelContinuous,
-        Self::AccelRapid,
-        Self::ShortestBlock,
-        Self::BreakLength,
-        Self::MergeLength,
-        Self::Accuracy,
-        Self::Red,
-        Self::Overload,
-        Self::RaiseLength,
-        Self::Raise,
-        Self::LookAhead,
-        Self::Centripetal,
-        Self::ConstantCutting,
-        Self::Settle,
-        Self::BlockGap,
-    ];
-
-    /// As in the project file.
-    pub fn name(self) -> &'static str {
-        super::motion_keys::NUMBERS.iter().find(|(key, _)| *key == self).map_or("", |(_, row)| row.name)
-    }
-
-    /// What holds without it.
-    fn default(self, dialect: Dialect) -> Option<Decimal> {
-        let whole = |value| Some(Decimal::whole(value));
-        match self {
-            Self::Cycle | Self::ConstantCutting => None,
-            Self::Angle => whole(60),
-            Self::Accel | Self::Raise | Self::LookAhead => whole(500),
-            Self::AccelRapid => whole(1000),
-            Self::ShortestBlock => whole(dialect.shortest_block_ms()),
-            Self::Red => whole(20),
-            Self::AccelContinuous
-            | Self::BreakLength
-            | Self::MergeLength
-            | Self::Accuracy
-            | Self::Overload
-            | Self::RaiseLength
-            | Self::Centripetal
-            | Self::Settle
-            | Self::BlockGap => Some(Decimal::ZERO),
-        }
-    }
-}
-
 /// The values of a dynamic set.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub enum SetKey {
@@ -173,14 +83,8 @@ impl SetKey {
     pub const ALL: [Self; 5] = [Self::Parabolic, Self::Linear, Self::Accuracy, Self::Overload, Self::Centripetal];
 
     /// As in the project file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Parabolic => "parabolic",
-            Self::Linear => "linear-mm-s2",
-            Self::Accuracy => "accuracy-um",
-            Self::Overload => "overload-mm-s2",
-            Self::Centripetal => "centripetal-mm-s2",
-        }
+    pub fn name(self) -> &'static str {
+        SET.get(self as usize).map_or("", |row| row.name)
     }
 }
 
@@ -328,26 +232,13 @@ impl Motion {
     /// A number in force; 0 where there is none. `raise-ms` 0 is 500, `accel-continuous-mm-s2` 0 is `accel-mm-s2`.
     pub fn number(&self, key: MotionKey) -> Decimal {
         let value = self.given(key).value.unwrap_or(Decimal::ZERO);
-        match key {
-            MotionKey::Raise if value == Decimal::ZERO => Decimal::whole(500),
-            MotionKey::AccelContinuous if value == Decimal::ZERO => self.number(MotionKey::Accel),
-            MotionKey::Raise | MotionKey::AccelContinuous => value,
-            MotionKey::Cycle
-            | MotionKey::Angle
-            | MotionKey::Accel
-            | MotionKey::AccelRapid
-            | MotionKey::ShortestBlock
-            | MotionKey::BreakLength
-            | MotionKey::MergeLength
-            | MotionKey::Accuracy
-            | MotionKey::Red
-            | MotionKey::Overload
-            | MotionKey::RaiseLength
-            | MotionKey::LookAhead
-            | MotionKey::Centripetal
-            | MotionKey::ConstantCutting
-            | MotionKey::Settle
-            | MotionKey::BlockGap => value,
+        let or = |other| if value == Decimal::ZERO { other } else { value };
+        if key == MotionKey::Raise {
+            or(Decimal::whole(500))
+        } else if key == MotionKey::AccelContinuous {
+            or(self.number(MotionKey::Accel))
+        } else {
+            value
         }
     }
 

@@ -1,92 +1,19 @@
-//! From the tables of `[motion]` and the machine constants to [`Motion`], with the findings about values that are given
-//! twice, that cannot be, or that no computation uses.
+//! The machine constants that give values of [`Motion`] beside the keys of `[motion]`, with the findings about values that are
+//! given twice, that cannot be, or that no computation uses.
 
-use super::motion::{From, Given, Motion, MotionKey, Profile, Rapid, Recognition, SetKey, SetValue, TimedFunction};
-use super::motion_constants::{self as constants, Decades, Holds, Miswritten, Written};
-use super::motion_keys;
-use super::project::Project;
-use super::taken::{Setting, Taken, Values};
+use std::collections::BTreeMap;
+
+use super::draft::{Draft, Place, WrittenConstant};
+use super::motion::{From, Given, Motion, MotionKey, Profile, SetKey, SetValue};
+use super::motion_constants::{self as constants, Decades, Holds, Miswritten};
 use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, LabelText, NotUsed, UnusedConstant};
 use crate::dict::{Decimal, Dialect};
-use crate::text::{FileId, Location, Span};
+use crate::text::Location;
 
 /// Highest acceleration that is believed of a constant, mm/s².
 const BELIEVED: u32 = 50_000;
 /// Highest number of a parameter that a control word may name.
 const HIGHEST_PARAMETER: u32 = 94;
-
-/// The values in the tables of `[motion]`.
-#[derive(Clone, Debug, Default)]
-pub(super) struct MotionValues {
-    /// Whether there is such a table.
-    pub present: bool,
-    /// Numbers.
-    pub numbers: Vec<Setting<(MotionKey, Decimal)>>,
-    /// `recognition`.
-    pub recognition: Option<Setting<Recognition>>,
-    /// `profile`.
-    pub profile: Option<Setting<Profile>>,
-    /// `rapid-mm-min`.
-    pub rapid: Option<Setting<Rapid>>,
-    /// Sets that are there, the rapid one being set 0.
-    pub tables: Vec<u8>,
-    /// Their values.
-    pub sets: Vec<Setting<(u8, SetKey, Decimal)>>,
-    /// Times of functions.
-    pub times: Vec<Setting<(TimedFunction, Decimal)>>,
-}
-
-impl MotionValues {
-    /// Takes the keys of `[motion]`.
-    pub(super) fn take(&mut self, values: &Values) {
-        self.present = true;
-        for (key, row) in &motion_keys::NUMBERS {
-            let number = values.any(row).and_then(|setting| {
-                setting.and_then(|taken| match taken {
-                    Taken::Number(number) => Some((*key, number)),
-                    Taken::Whole(number) => Some((*key, Decimal::whole(number))),
-                    Taken::Flag(_) | Taken::Text(_) | Taken::Texts(_) | Taken::Axes(_) => None,
-                })
-            });
-            self.numbers.extend(number);
-        }
-        self.recognition = values.choice(&motion_keys::RECOGNITION, |name| {
-            Recognition::ALL.into_iter().find(|recognition| recognition.name() == name)
-        });
-        self.profile = values
-            .choice(&motion_keys::PROFILE, |name| Profile::ALL.into_iter().find(|profile| profile.name() == name));
-        self.rapid = values.any(&motion_keys::RAPID).and_then(|setting| {
-            setting.and_then(|taken| match taken {
-                Taken::Number(number) => Some(Rapid::Path(number)),
-                Taken::Axes(axes) => Some(Rapid::Axes(axes)),
-                Taken::Flag(_) | Taken::Text(_) | Taken::Texts(_) | Taken::Whole(_) => None,
-            })
-        });
-    }
-
-    /// Takes the keys of `[motion.sets.1]` and its like.
-    pub(super) fn take_set(&mut self, values: &Values) {
-        self.present = true;
-        let set = values.name.rsplit('.').next().and_then(|name| name.parse().ok()).unwrap_or(0);
-        self.tables.push(set);
-        for key in SetKey::ALL {
-            let row = motion_keys::SET.iter().find(|row| row.name == key.name());
-            let number = row.and_then(|row| values.number(row));
-            self.sets.extend(number.and_then(|setting| setting.and_then(|number| Some((set, key, number)))));
-        }
-    }
-}
-
-/// A file with its values.
-#[derive(Clone, Copy)]
-pub(super) struct Layer<'a> {
-    /// The file's values.
-    pub values: &'a Project,
-    /// Which file it is.
-    pub file: FileId,
-    /// Its text.
-    pub text: &'a str,
-}
 
 /// The quantities that may be given twice.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -109,28 +36,22 @@ impl Quantity {
     }
 }
 
-/// Puts together what the layers say, each over the one before; `layers` has the project file first. A constant that
-/// cannot be is an error where motion is computed, elsewhere a warning.
-pub(super) fn assemble(layers: &[Layer<'_>], dialect: Dialect, computes: bool, findings: &mut Findings) -> Motion {
-    let mut assembly =
-        Assembly { motion: Motion::new(dialect), keys: Vec::new(), places: Vec::new(), dialect, computes, findings };
-    for (at, layer) in layers.iter().enumerate() {
-        assembly.keys(layer, if at == 0 { From::Key } else { From::Set });
-    }
+/// Puts what the machine constants give beside the keys of `[motion]`, and judges the whole. A constant that cannot be is an
+/// error where motion is computed, elsewhere a warning.
+pub(super) fn assemble(draft: &mut Draft, dialect: Dialect, computes: bool, findings: &mut Findings) {
+    let Draft { places, constants, settings, .. } = draft;
+    let motion = &mut settings.machine.motion;
+    let used: Vec<&WrittenConstant> =
+        constants.iter().filter(|constant| constants::holds(constant.number).is_some()).collect();
+    let mut assembly = Assembly { motion, places, given: Vec::new(), dialect, computes, findings };
     if dialect.has_channel_config() {
-        assembly.not_used_here(layers, dialect);
+        assembly.not_used_here(&used);
         assembly.settle_profile();
     } else {
-        assembly.constants(layers);
+        assembly.motion.configured |= used.iter().any(|constant| constant.place.from == From::Key);
+        assembly.constants(&used);
     }
     assembly.check_cycle();
-    let Assembly { mut motion, .. } = assembly;
-    let said = |layer: &Layer<'_>| {
-        let known = |number: u16| constants::holds(number).is_some() && !dialect.has_channel_config();
-        layer.values.motion.present || layer.values.constants.iter().any(|constant| known(constant.value.0))
-    };
-    motion.configured = layers.first().is_some_and(said);
-    motion
 }
 
 /// A machine constant.
@@ -152,11 +73,11 @@ impl Read {
 }
 
 struct Assembly<'a> {
-    motion: Motion,
-    /// What keys give, with the layer's source and the place.
-    keys: Vec<(Quantity, From, Location)>,
-    /// Where each quantity was given at last: its key.
-    places: Vec<(Quantity, Location)>,
+    motion: &'a mut Motion,
+    /// The places of the keys.
+    places: &'a BTreeMap<String, Place>,
+    /// What constants gave, and the constant's key.
+    given: Vec<(Quantity, Location)>,
     dialect: Dialect,
     /// The command computes motion.
     computes: bool,
@@ -164,57 +85,15 @@ struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
-    fn keys(&mut self, layer: &Layer<'_>, from: From) {
-        let values = &layer.values.motion;
-        let place = |span: Span| Location { file: layer.file, span };
-        for setting in &values.numbers {
-            let (key, value) = setting.value;
-            self.motion.set_number(key, value, from);
-            self.note(Quantity::Number(key), from, place(setting.key), place(setting.at));
-        }
-        if let Some(setting) = values.recognition {
-            self.motion.recognition = Given { value: setting.value, from };
-            self.note(Quantity::Recognition, from, place(setting.key), place(setting.at));
-        }
-        if let Some(setting) = values.profile {
-            self.motion.profile = Given { value: setting.value, from };
-            self.note(Quantity::Profile, from, place(setting.key), place(setting.at));
-        }
-        if let Some(setting) = &values.rapid {
-            let mut value = setting.value.clone();
-            // Axes that are tried stand over those of the table.
-            if let (From::Set, Rapid::Axes(tried), Rapid::Axes(before)) = (from, &mut value, &self.motion.rapid.value) {
-                let kept = before.iter().filter(|(letter, _)| tried.iter().all(|(other, _)| other != letter));
-                let kept: Vec<_> = kept.copied().collect();
-                tried.extend(kept);
-                tried.sort_unstable_by_key(|(letter, _)| *letter as usize);
-            }
-            self.motion.rapid = Given { value, from };
-        }
-        for set in &values.tables {
-            if let Some(slot) = self.motion.sets.get_mut(usize::from(*set)) {
-                slot.get_or_insert_default();
-            }
-        }
-        for setting in &values.sets {
-            let (set, key, value) = setting.value;
-            self.set(set, key, Given { value: SetValue::Number(value), from });
-            self.note(Quantity::Set(set, key), from, place(setting.key), place(setting.at));
-        }
-        for setting in &values.times {
-            let (function, value) = setting.value;
-            self.motion.times.insert(function, Given { value, from });
-        }
-    }
-
-    fn note(&mut self, quantity: Quantity, from: From, key: Location, value: Location) {
-        self.keys.push((quantity, from, value));
-        self.places.retain(|(other, _)| *other != quantity);
-        self.places.push((quantity, key));
-    }
-
+    /// Where a quantity was given at last: its key.
     fn place(&self, quantity: Quantity) -> Location {
-        self.places.iter().find(|(other, _)| *other == quantity).map(|(_, place)| *place).unwrap_or_default()
+        let constant = self.given.iter().rev().find(|(other, _)| *other == quantity).map(|(_, place)| *place);
+        constant.or(self.key(quantity).map(|place| place.key)).unwrap_or_default()
+    }
+
+    /// The place of the key that gives a quantity.
+    fn key(&self, quantity: Quantity) -> Option<Place> {
+        self.places.get(&format!("motion.{}", quantity.key())).copied()
     }
 
     fn set(&mut self, set: u8, key: SetKey, value: Given<SetValue>) {
@@ -223,14 +102,13 @@ impl Assembly<'_> {
         }
     }
 
-    /// CNC872 has no such constants: said at the first one.
-    fn not_used_here(&mut self, layers: &[Layer<'_>], dialect: Dialect) {
-        for layer in layers {
-            let known = layer.values.constants.iter().filter(|constant| constants::holds(constant.value.0).is_some());
-            if let Some(constant) = known.min_by_key(|constant| constant.key) {
-                let problem = UnusedConstant::Dialect { dialect: dialect.name().to_owned() };
-                let at = Location { file: layer.file, span: constant.key };
-                self.not_used(constant.value.0, problem, at);
+    /// CNC872 has no such constants: said at the first one of the file and of the command line.
+    fn not_used_here(&mut self, used: &[&WrittenConstant]) {
+        for from in [From::Key, From::Set] {
+            let of_layer = used.iter().filter(|constant| constant.place.from == from);
+            if let Some(constant) = of_layer.min_by_key(|constant| constant.place.key) {
+                let problem = UnusedConstant::Dialect { dialect: self.dialect.name().to_owned() };
+                self.not_used(constant.number, problem, constant.place.key);
             }
         }
     }
@@ -259,29 +137,20 @@ impl Assembly<'_> {
         }
     }
 
-    /// The constants of all layers; one of the command line replaces that of the file.
-    fn constants(&mut self, layers: &[Layer<'_>]) {
+    /// The constants of the file and the command line; one of the command line replaces that of the file.
+    fn constants(&mut self, used: &[&WrittenConstant]) {
         let mut read: Vec<Read> = Vec::new();
-        for (at, layer) in layers.iter().enumerate() {
-            for constant in &layer.values.constants {
-                let (number, digits) = &constant.value;
-                let Some(holds) = constants::holds(*number) else { continue };
-                let place = Location { file: layer.file, span: constant.at };
-                let key = Location { file: layer.file, span: constant.key };
-                let quoted =
-                    layer.text.get(constant.at.start as usize..).is_some_and(|text| text.starts_with(['"', '\'']));
-                let signed =
-                    holds.iter().any(|holds| matches!(holds, Holds::Thousandths(key) if *key != MotionKey::Angle));
-                let written = Written { digits: digits.clone(), quoted };
-                match Decades::read(&written, signed) {
-                    Ok(decades) => {
-                        read.retain(|other| other.number != *number);
-                        let from = if at == 0 { From::Constant(*number) } else { From::Set };
-                        read.push(Read { number: *number, decades, key, place, from });
-                    }
-                    Err(Miswritten::Digits) => self.need(*number, ConfigNeed::EightDigits, [key, place]),
-                    Err(Miswritten::Sign) => self.need(*number, ConfigNeed::NoSign, [key, place]),
+        for &WrittenConstant { number, ref written, place: Place { key, at, from } } in used.iter().copied() {
+            let holds = constants::holds(number).unwrap_or_default();
+            let signed = holds.iter().any(|holds| matches!(holds, Holds::Thousandths(key) if *key != MotionKey::Angle));
+            match Decades::read(written, signed) {
+                Ok(decades) => {
+                    read.retain(|other| other.number != number);
+                    let from = if from == From::Key { From::Constant(number) } else { From::Set };
+                    read.push(Read { number, decades, key, place: at, from });
                 }
+                Err(Miswritten::Digits) => self.need(number, ConfigNeed::EightDigits, [key, at]),
+                Err(Miswritten::Sign) => self.need(number, ConfigNeed::NoSign, [key, at]),
             }
         }
         let control = |set: u8| {
@@ -385,7 +254,7 @@ impl Assembly<'_> {
             return;
         }
         // Without digits for it a percentage beside the key is not given twice.
-        let beside = percent && value == Decimal::ZERO && self.is_given(Quantity::Number(key));
+        let beside = percent && value == Decimal::ZERO && self.key(Quantity::Number(key)).is_some();
         let second = number == 409 && self.motion.given(key).from == From::Constant(384);
         if !beside && (second || self.give(one, Quantity::Number(key))) {
             self.motion.set_number(key, value, from);
@@ -473,29 +342,22 @@ impl Assembly<'_> {
         false
     }
 
-    fn is_given(&self, quantity: Quantity) -> bool {
-        self.keys.iter().any(|(other, ..)| *other == quantity)
-    }
-
     /// Whether a constant gives a quantity: what a key of the same layer gives already is an error, and one of the command
     /// line wins.
     fn give(&mut self, one: Read, quantity: Quantity) -> bool {
-        let Read { number, key: at, from, .. } = one;
-        let key = self.keys.iter().rev().find(|(other, ..)| *other == quantity).copied();
-        if let Some((_, by, first)) = key {
-            match (by, from) {
+        if let Some(Place { at, from, .. }) = self.key(quantity) {
+            match (from, one.from) {
                 (From::Set, From::Constant(_)) => return false,
                 (From::Key, From::Set) => {}
                 _ => {
                     let needs = ConfigNeed::GivenTwice { key: quantity.key() };
-                    let diagnostic = self.needing(number, needs, [at, at]);
-                    self.findings.add(diagnostic.with_label(first, LabelText::First { what: quantity.key() }));
+                    let diagnostic = self.needing(one.number, needs, [one.key, one.key]);
+                    self.findings.add(diagnostic.with_label(at, LabelText::First { what: quantity.key() }));
                     return false;
                 }
             }
         }
-        self.places.retain(|(other, _)| *other != quantity);
-        self.places.push((quantity, at));
+        self.given.push((quantity, one.key));
         true
     }
 

@@ -1,12 +1,12 @@
 //! The keys of those tables whose keys are names of the control: groups, parameters, codes, functions, constants.
 
-use super::Takes;
-use super::keys::{DIMENSION, operations};
+use super::draft::{Draft, narrow};
 use super::motion::TimedFunction;
 use super::near::nearest;
 use super::number::HIGHEST_PARAMETER;
+use super::takes::{Takes, one_of, whole};
 use crate::diag::{Code, KnownNames};
-use crate::dict::{AxisLetter, Decimal, Dialect, GGroup, HIGHEST_L, Lang, M_GROUPS};
+use crate::dict::{AxisLetter, Decimal, Dialect, GGroup, HIGHEST_L, Lang, M_GROUPS, Operation};
 
 /// Highest number of a machine constant.
 const HIGHEST_CONSTANT: u16 = 999;
@@ -17,7 +17,7 @@ const HIGHEST_OPERATION: u16 = 99;
 /// Highest number of a macrocycle.
 const HIGHEST_MACROCYCLE: u16 = HIGHEST_L as u16;
 /// Words for levels, with what they mean.
-pub(super) const LEVELS: [(&str, super::Level); 3] =
+const LEVELS: [(&str, super::Level); 3] =
     [("allow", super::Level::Allow), ("warn", super::Level::Warn), ("deny", super::Level::Deny)];
 
 /// A kind of names.
@@ -76,17 +76,33 @@ impl Names {
         }
     }
 
-    /// The values that the name with that number takes.
+    /// The values that the name with that number takes; those of tables have rows.
     pub(super) fn takes(self, number: u16) -> Takes {
         match self {
             Self::Groups => group(number).map_or(Takes::MFunction, Takes::GFunction),
-            Self::Axes | Self::Corrections | Self::Macrocycles => DIMENSION,
-            Self::Parameters => Takes::ParameterValue,
-            Self::Operations => Takes::OneOf(operations),
-            Self::Cycles => Takes::Whole { min: 1, max: Some(i64::from(HIGHEST_L)) },
-            Self::Timed => Takes::Number { min: Decimal::ZERO, max: Decimal::whole(1_000_000) },
-            Self::Constants => Takes::Constant,
-            Self::Lints => Takes::OneOf(|| LEVELS.iter().map(|(name, _)| *name).collect()),
+            Self::Axes => Takes::Number {
+                min: Decimal::DIMENSION_MAX.negated(),
+                max: Decimal::DIMENSION_MAX,
+                set: |it, position| {
+                    let letter = AxisLetter::ALL.get(usize::from(it.number)).copied();
+                    it.settings.machine.start.extend(letter.map(|letter| (letter, position)));
+                },
+            },
+            Self::Parameters => {
+                Takes::ParameterValue(|it, value| it.settings.machine.parameters.extend([(narrow(it.number), value)]))
+            }
+            Self::Operations => one_of!(Operation, |it, operation| {
+                it.settings.machine.operations.insert(narrow(it.number), operation);
+            }),
+            Self::Cycles => whole(1, i64::from(HIGHEST_L), |it, l| {
+                it.settings.machine.cycles.insert(narrow(it.number), narrow(l));
+            }),
+            Self::Timed => Takes::Number { min: Decimal::ZERO, max: Decimal::whole(1_000_000), set: Draft::set_time },
+            Self::Constants => Takes::Constant(Draft::set_constant),
+            Self::Lints => one_of!([LEVELS], |it, level| {
+                it.settings.lints.extend(code(it.number).map(|code| (code, level)));
+            }),
+            Self::Corrections | Self::Macrocycles => Takes::Flag(|_, _| {}),
         }
     }
 
@@ -100,10 +116,7 @@ impl Names {
             };
         }
         let upper = name.trim().to_ascii_uppercase();
-        if self == Self::Axes {
-            return self.number(&upper).map(|_| upper);
-        }
-        if self == Self::Timed {
+        if matches!(self, Self::Axes | Self::Timed) {
             return self.number(&upper).map(|_| upper);
         }
         let (prefix, number) = upper.split_at_checked(upper.find(|c: char| c.is_ascii_digit())?)?;
@@ -217,6 +230,11 @@ pub(super) fn m_group(number: u16) -> Option<u8> {
 /// The G group that a number of [`Names::Groups`] is.
 pub(super) fn group(number: u16) -> Option<GGroup> {
     GGroup::ALL.get(usize::from(number)).copied()
+}
+
+/// The code at that place of [`Code::ALL`].
+pub(super) fn code(number: u16) -> Option<Code> {
+    Code::ALL.get(usize::from(number)).copied()
 }
 
 /// The codes whose level can be set.

@@ -1,287 +1,455 @@
-//! Values of a TOML document, taken by the rows of the table of keys: each with its places, each fault a finding.
+//! The project file: its tables and keys, taken by the rows of the table of keys, each fault a finding at its place.
 
-use toml_edit::{Array, Item, TableLike, Value};
+use toml_edit::{Array, Document, Item, TableLike, Value};
 
-use super::Takes;
-use super::names::Names;
+use super::draft::{Draft, Place, Texts, narrow};
+use super::motion::{From, Rapid};
+use super::motion_constants::Written;
+use super::names::{Names, code};
 use super::near::nearest;
 use super::number::{parse_decimal, parse_rounding};
 use super::row::{Default, Row};
-use super::taken::{Setting, Taken, Values};
+use super::sections::{Form, ROOT, Section};
+use super::takes::{HIGHEST_M, List, Takes, lasting};
+use super::toml_problem::toml_problem;
+use super::{Axis, Gear, MayMove};
 use crate::diag::{ConfigNeed, Diagnostic, Finding, Findings, FixTitle, KnownNames, LabelText, NameKind, shown};
 use crate::dict::{AxisLetter, Decimal};
 use crate::sure::small;
-use crate::text::{FileId, Location, Span};
+use crate::text::{FileId, Location, SourceText, Span};
 
 /// A key of a table and what it holds.
 #[derive(Clone, Copy)]
-pub(super) struct Entry<'t> {
+struct Entry<'t> {
     /// The key.
-    pub name: &'t str,
+    name: &'t str,
     /// Where the key stands.
-    pub key: Span,
+    key: Location,
     /// Where the value stands; for a table the key in its header.
-    pub at: Span,
+    at: Location,
     /// Its value.
-    pub item: &'t Item,
+    item: &'t Item,
 }
 
 /// A table and where something that it lacks is shown.
 #[derive(Clone, Copy)]
-pub(super) struct Table<'t> {
+struct Table<'t> {
     /// The path of keys that leads to it, with a point at the end; empty for the document.
-    pub path: &'t str,
+    path: &'t str,
     /// Its header.
-    pub at: Span,
+    at: Location,
     /// Its entries.
-    pub table: &'t dyn TableLike,
-}
-
-impl<'t> Table<'t> {
-    /// Its name, without the point.
-    pub(super) fn name(self) -> &'t str {
-        self.path.trim_end_matches('.')
-    }
+    table: &'t dyn TableLike,
 }
 
 /// Reads one document.
 pub(super) struct Reader<'t> {
     text: &'t str,
     file: FileId,
+    from: From,
     findings: &'t mut Findings,
+    draft: &'t mut Draft,
+}
+
+/// Reads the text, which is `file` of the run, into `draft`: E0701 when it is no TOML, then nothing is set; E0702 for each
+/// value of the wrong type or range and W0705 for each unknown key, and the rest is set. `from` says whose values they are.
+pub(super) fn read(draft: &mut Draft, from: From, source: &SourceText, file: FileId, findings: &mut Findings) {
+    let text = source.text();
+    let document = match Document::parse(text) {
+        Ok(document) => document,
+        Err(error) => {
+            let (reason, span) = toml_problem(text, &error);
+            let at = Location { file, span };
+            return findings.add(Diagnostic::new(Finding::UnreadableConfiguration { reason }, at));
+        }
+    };
+    let at = Location { file, span: Span::empty(source.first_offset()) };
+    let root = Table { path: "", at, table: document.as_table() };
+    Reader { text, file, from, findings, draft }.keys(ROOT, root);
+    if root.table.contains_key("dialect") && !draft.places.contains_key("dialect") {
+        draft.dialect_is_unusable = true;
+    }
 }
 
 impl<'t> Reader<'t> {
-    /// For the document that was parsed from `text`, byte-order mark included.
-    pub(super) const fn new(text: &'t str, file: FileId, findings: &'t mut Findings) -> Self {
-        Self { text, file, findings }
+    /// A table with the keys of that section, and the tables in it.
+    fn keys(&mut self, section: &Section, table: Table<'_>) {
+        let rows = section.form.rows();
+        let mut known: Vec<&'static str> = rows.iter().map(|row| row.name).collect();
+        known.extend(section.children().map(Section::own_name));
+        self.values(table, rows, &known);
+        (section.done)(self, table.at);
+        for child in section.children() {
+            if let Some(entry) = self.entry(table.table, child.own_name()) {
+                self.section(child, entry);
+            }
+        }
     }
 
-    /// Reports that the value of `key` is not what it must be (E0702).
-    pub(super) fn need(&mut self, key: impl AsRef<str>, at: Span, needs: ConfigNeed) {
-        let finding = Finding::ConfigurationValue { key: shown(key.as_ref()), needs };
-        self.findings.add(Diagnostic::new(finding, self.place(at)));
+    fn section(&mut self, section: &'static Section, entry: Entry<'_>) {
+        let path = format!("{}.", section.name);
+        if matches!(section.form, Form::List(_)) {
+            for (at, table) in self.list(section.name, entry) {
+                self.keys(section, Table { path: &path, at, table });
+            }
+            return;
+        }
+        let Some(table) = entry.item.as_table_like() else {
+            return self.need(section.name, entry.at, ConfigNeed::Table);
+        };
+        let table = Table { path: &path, at: entry.key, table };
+        match section.form {
+            Form::Keys(_) | Form::List(_) => {
+                self.draft.number = section.own_name().parse().unwrap_or(0);
+                self.keys(section, table);
+            }
+            Form::Map(names) => {
+                for (number, entry) in self.named(names, table) {
+                    self.draft.number = number;
+                    self.take(table, entry, names.takes(number));
+                }
+            }
+            Form::Tables(names, rows) => {
+                let known: Vec<&'static str> = rows.iter().map(|row| row.name).collect();
+                for (number, entry) in self.named(names, table) {
+                    let path = format!("{path}{}.", entry.name);
+                    let Some(inner) = entry.item.as_table_like() else {
+                        self.need(path.trim_end_matches('.'), entry.at, ConfigNeed::Table);
+                        continue;
+                    };
+                    self.draft.number = number;
+                    let inner = Table { path: &path, at: entry.key, table: inner };
+                    self.values(inner, rows, &known);
+                    (section.done)(self, entry.key);
+                }
+            }
+        }
     }
 
-    /// Reports that `key` is there twice (E0702), at the second.
-    pub(super) fn repeated(&mut self, key: impl AsRef<str>, first: Span, second: Span) {
-        let finding = Finding::ConfigurationValue { key: shown(key.as_ref()), needs: ConfigNeed::Repeated };
-        let first = self.place(first);
-        let label = LabelText::First { what: shown(key.as_ref()) };
-        self.findings.add(Diagnostic::new(finding, self.place(second)).with_label(first, label));
+    /// The tables of a list, `[[name]]` or `name = [{ … }]`, each with its header; what is none of these is reported.
+    fn list<'v>(&mut self, name: &str, entry: Entry<'v>) -> Vec<(Location, &'v dyn TableLike)> {
+        let mut tables: Vec<(Location, &'v dyn TableLike)> = Vec::new();
+        match entry.item {
+            Item::ArrayOfTables(list) => {
+                tables.extend(
+                    list.iter().map(|table| (self.place(table.span()).unwrap_or(entry.key), table as &dyn TableLike)),
+                );
+            }
+            Item::Value(Value::Array(list)) => {
+                for value in list {
+                    let at = self.place(value.span()).unwrap_or(entry.at);
+                    match value.as_inline_table() {
+                        Some(table) => tables.push((at, table)),
+                        None => self.need(name, at, ConfigNeed::Table),
+                    }
+                }
+            }
+            Item::None | Item::Table(_) | Item::Value(_) => {
+                self.need(name, entry.at, ConfigNeed::List { name: name.to_owned() });
+            }
+        }
+        tables
     }
 
-    /// Reports a key that is not known (W0705).
-    pub(super) fn unknown(&mut self, name: &str, at: Span, near: Option<String>, known: Option<KnownNames>) {
-        let finding =
-            Finding::UnknownConfigurationKey { kind: NameKind::Key, key: shown(name), near: near.clone(), known };
-        let meant = near.map(|near| (FixTitle::Write { text: near.clone() }, near));
-        let place = self.place(at);
-        let diagnostic = Diagnostic::new(finding, place);
-        self.findings.add(match meant {
-            Some((title, near)) => diagnostic.with_offer(title, place, near),
-            None => diagnostic,
+    /// The entries of a table whose keys are names of the control, with their numbers. A name that is not known, given twice,
+    /// or that of an error under `[lints]` is reported and left out.
+    fn named<'v>(&mut self, names: Names, table: Table<'v>) -> Vec<(u16, Entry<'v>)> {
+        let mut found: Vec<(u16, Entry<'v>)> = Vec::new();
+        for entry in self.entries(table.table) {
+            let Some(number) = names.number(entry.name) else {
+                self.unknown(entry.name, entry.key, names.near(entry.name), Some(names.known()));
+                continue;
+            };
+            match found.iter().find(|(other, _)| *other == number) {
+                Some((_, first)) => self.repeated(entry.name, first.key, entry.key),
+                None => found.push((number, entry)),
+            }
+        }
+        found.retain(|(number, entry)| {
+            let fixed = names == Names::Lints && code(*number).is_some_and(|code| !code.is_configurable());
+            if fixed {
+                self.need(format!("{}{}", table.path, entry.name), entry.key, ConfigNeed::ErrorLevel);
+            }
+            !fixed
         });
+        found
     }
 
-    /// Reports the keys of a table that are none of `known`.
-    pub(super) fn warn_unknown(&mut self, table: Table<'_>, known: &[&'static str]) {
-        for entry in entries(table.table) {
+    /// Takes the values of a table's keys: what a row does not take is reported and left out, and so are keys that are none
+    /// of `known`, and one that must be there and is not.
+    fn values(&mut self, table: Table<'_>, rows: &[Row], known: &[&'static str]) {
+        for entry in self.entries(table.table) {
             if !known.contains(&entry.name) {
                 self.unknown(entry.name, entry.key, nearest(entry.name, known.iter().copied()), None);
             }
         }
-    }
-
-    /// Reports a lower end above its upper end, at the later of the two.
-    pub(super) fn ordered<T: PartialOrd>(&mut self, values: &Values, min: Option<Setting<T>>, max: Option<Setting<T>>) {
-        if let (Some(min), Some(max)) = (min, max)
-            && min.value > max.value
-        {
-            self.need(&values.name, min.at.max(max.at), ConfigNeed::Range);
-        }
-    }
-
-    /// The place of a span in this document.
-    pub(super) const fn place(&self, span: Span) -> Location {
-        Location { file: self.file, span }
-    }
-
-    /// The values of a table's keys, each checked by its row: what a row does not take is reported and left out, and so
-    /// is a key that must be there and is not.
-    pub(super) fn values(&mut self, table: Table<'_>, rows: &'static [Row]) -> Values {
         let mut required = rows.iter().filter(|row| matches!(row.default, Default::Required));
         if let Some(missing) = required.find(|row| !table.table.contains_key(row.name)) {
-            self.need(table.name(), table.at, ConfigNeed::Missing { key: missing.name.to_owned() });
+            let needs = ConfigNeed::Missing { key: missing.name.to_owned() };
+            self.need(table.path.trim_end_matches('.'), table.at, needs);
         }
-        let mut taken = Vec::new();
         for row in rows {
-            if let Some(entry) = entry(table.table, row.name)
-                && let Some(value) = self.taken(table, entry, row.takes)
-            {
-                taken.push((row.name, Setting { value, key: entry.key, at: entry.at }));
+            if let Some(entry) = self.entry(table.table, row.name) {
+                self.take(table, entry, row.takes);
             }
         }
-        Values { name: table.name().to_owned(), at: table.at, taken }
     }
 
-    /// The value of an entry when `takes` takes it; else it is reported.
-    pub(super) fn taken(&mut self, table: Table<'_>, entry: Entry<'_>, takes: Takes) -> Option<Taken> {
-        let key = format!("{}{}", table.path, entry.name);
-        if let (Takes::NumberOrAxes { .. }, Some(axes)) = (takes, entry.item.as_table_like()) {
-            return self.axes(&key, axes, takes);
+    /// Puts the value of an entry into its field when `takes` takes it; else it is reported.
+    fn take(&mut self, table: Table<'_>, entry: Entry<'_>, takes: Takes) {
+        let path = format!("{}{}", table.path, entry.name);
+        self.draft.place = Place { key: entry.key, at: entry.at, from: self.from };
+        let value = entry.item.as_value();
+        let text = value.and_then(Value::as_str);
+        let whole = value.and_then(Value::as_integer);
+        let taken = match takes {
+            Takes::Flag(set) => value.and_then(Value::as_bool).map(|flag| set(self.draft, flag)),
+            Takes::Path(set) => text.map(|path| set(self.draft, path.to_owned())),
+            Takes::OneOf(choices, set) => {
+                text.filter(|text| choices().contains(text)).map(|text| set(self.draft, text))
+            }
+            Takes::Whole { min, max, set } => whole
+                .filter(|&number| number >= min && max.is_none_or(|max| number <= max))
+                .map(|number| set(self.draft, number)),
+            Takes::MFunction => whole.filter(|m| (0..=HIGHEST_M).contains(m)).map(|m| self.draft.set_m_power_up(m)),
+            Takes::GFunction(group) => whole
+                .and_then(|number| lasting(group).find(|code| i64::from(code.number()) == number))
+                .map(|code| self.draft.set_power_up(code)),
+            Takes::Number { min, max, set } => self
+                .number(value, entry.at, |number| (min..=max).contains(&number))
+                .map(|number| set(self.draft, number)),
+            Takes::ParameterValue(set) => {
+                self.number(value, entry.at, Decimal::fits_parameter).map(|number| set(self.draft, number))
+            }
+            Takes::Rapid { min, max, set } => match entry.item.as_table_like() {
+                Some(axes) => {
+                    let Some(axes) = self.axes(&path, axes, takes, &|number| (min..=max).contains(&number)) else {
+                        return;
+                    };
+                    set(self.draft, Rapid::Axes(axes));
+                    Some(())
+                }
+                None => self
+                    .number(value, entry.at, |number| (min..=max).contains(&number))
+                    .map(|number| set(self.draft, Rapid::Path(number))),
+            },
+            Takes::Constant(set) => {
+                value.and_then(|value| self.constant(value)).map(|written| set(self.draft, written))
+            }
+            Takes::Texts(list, set) => match value.and_then(Value::as_array) {
+                Some(array) => {
+                    let Some(texts) = self.texts(&path, array, takes, list) else { return };
+                    set(self.draft, texts);
+                    Some(())
+                }
+                None => None,
+            },
+        };
+        match taken {
+            Some(()) => {
+                self.draft.places.insert(path, self.draft.place);
+            }
+            None => self.need(path, entry.at, takes.need()),
         }
-        let taken = entry.item.as_value().and_then(|value| match takes {
-            Takes::Flag => value.as_bool().map(Taken::Flag),
-            Takes::Path => value.as_str().map(|path| Taken::Text(path.to_owned())),
-            Takes::Paths => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, Some)),
-            Takes::Extensions => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, extension)),
-            Takes::Letters => value.as_array().and_then(|list| self.texts(&key, entry, list, takes, letter)),
-            Takes::OneOf(choices) => {
-                value.as_str().filter(|text| choices().contains(text)).map(|text| Taken::Text(text.to_owned()))
-            }
-            Takes::Whole { .. } | Takes::GFunction(_) | Takes::MFunction => {
-                value.as_integer().filter(|&number| takes.holds_whole(number)).map(Taken::Whole)
-            }
-            Takes::Number { .. } | Takes::NumberOrAxes { .. } | Takes::ParameterValue => {
-                self.number(value, entry.at, takes).map(Taken::Number)
-            }
-            Takes::Constant => self.digits(value).map(Taken::Text),
-        });
-        let is_list = matches!(takes, Takes::Paths | Takes::Extensions | Takes::Letters);
-        if taken.is_none() && !(is_list && entry.item.as_array().is_some()) {
-            self.need(key, entry.at, takes.need());
-        }
-        taken
     }
 
     /// A table of numbers by axis letter; what is none is reported at its place, and the table left out.
-    fn axes(&mut self, key: &str, table: &dyn TableLike, takes: Takes) -> Option<Taken> {
+    fn axes(
+        &mut self,
+        path: &str,
+        table: &dyn TableLike,
+        takes: Takes,
+        holds: &dyn Fn(Decimal) -> bool,
+    ) -> Option<Vec<(AxisLetter, Decimal)>> {
         let mut axes = Vec::new();
         let mut wrong = false;
-        for inner in entries(table) {
+        for inner in self.entries(table) {
             let letter = AxisLetter::ALL.into_iter().find(|letter| letter.name() == inner.name);
-            let number = inner.item.as_value().and_then(|value| self.number(value, inner.at, takes));
-            match (letter, number) {
+            match (letter, self.number(inner.item.as_value(), inner.at, holds)) {
                 (Some(letter), Some(number)) => axes.push((letter, number)),
                 (None, _) => {
                     self.unknown(inner.name, inner.key, Names::Axes.near(inner.name), Some(Names::Axes.known()));
                 }
                 (Some(_), None) => {
                     wrong = true;
-                    self.need(format!("{key}.{}", inner.name), inner.at, takes.need());
+                    self.need(format!("{path}.{}", inner.name), inner.at, takes.need());
                 }
             }
         }
-        if wrong { None } else { Some(Taken::Axes(axes)) }
+        (!wrong).then_some(axes)
     }
 
-    /// A list of texts that `form` takes, as it gives them; what is none is reported at its place, and the list left out.
-    fn texts<'v>(
-        &mut self,
-        key: &str,
-        entry: Entry<'_>,
-        list: &'v Array,
-        takes: Takes,
-        form: fn(&'v str) -> Option<&'v str>,
-    ) -> Option<Taken> {
+    /// The elements of a list; what is none is reported at its place, and the list left out.
+    fn texts(&mut self, path: &str, array: &Array, takes: Takes, list: List) -> Option<Texts> {
         let mut texts = Vec::new();
         let mut wrong = false;
-        for value in list {
-            let at = value.span().map_or(entry.at, to_span);
-            match value.as_str().and_then(form) {
+        for value in array {
+            let at = self.place(value.span()).unwrap_or(self.draft.place.at);
+            match value.as_str().and_then(|text| list.element(text)) {
                 Some(text) => texts.push((text.to_owned(), at)),
                 None => {
                     wrong = true;
-                    self.need(key, at, takes.need());
+                    self.need(path, at, takes.need());
                 }
             }
         }
-        if wrong { None } else { Some(Taken::Texts(texts)) }
+        (!wrong).then_some(texts)
     }
 
     /// The digits of a number, as written but for `_`, or a text of digits.
-    fn digits(&self, value: &Value) -> Option<String> {
-        let text = match value {
-            Value::Integer(_) | Value::Float(_) => written(self.text, value)?,
+    fn constant(&self, value: &Value) -> Option<Written> {
+        let quoted = value.is_str();
+        let mut digits = match value {
+            Value::Integer(_) | Value::Float(_) => self.written(value)?,
             Value::String(text) => text.value().clone(),
-            Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
-                return None;
-            }
+            Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => return None,
         };
-        let text = match value {
-            // `0x10` and its like are numbers too, but no digits that a control shows.
-            Value::Integer(number) if parse_decimal(&text).is_none() => number.value().to_string(),
-            Value::Integer(_)
-            | Value::Float(_)
-            | Value::String(_)
-            | Value::Boolean(_)
-            | Value::Datetime(_)
-            | Value::Array(_)
-            | Value::InlineTable(_) => text,
-        };
-        let plain = !text.contains(['e', 'E']) || matches!(value, Value::Float(_));
-        parse_decimal(&text).filter(|_| plain)?;
-        Some(text)
+        // `0x10` and its like are numbers too, but no digits that a control shows.
+        if let (Some(number), None) = (value.as_integer(), parse_decimal(&digits)) {
+            digits = number.to_string();
+        }
+        let plain = !digits.contains(['e', 'E']) || value.is_float();
+        parse_decimal(&digits).filter(|_| plain)?;
+        Some(Written { digits, quoted })
     }
 
-    /// A number in the range that `takes` gives: a float by its digits in the text, never through binary. One that is
-    /// finer than 0.001 gets W0303.
-    fn number(&mut self, value: &Value, at: Span, takes: Takes) -> Option<Decimal> {
-        let (number, exact) = match value {
-            Value::Integer(number) => (Decimal::whole(*number.value()), true),
-            Value::Float(_) => parse_rounding(&written(self.text, value)?)?,
-            Value::String(_) | Value::Boolean(_) | Value::Datetime(_) | Value::Array(_) | Value::InlineTable(_) => {
-                return None;
-            }
+    /// A number that `holds` holds: a float by its digits in the text, never through binary. One that is finer than 0.001 gets
+    /// W0303.
+    fn number(&mut self, value: Option<&Value>, at: Location, holds: impl Fn(Decimal) -> bool) -> Option<Decimal> {
+        let value = value?;
+        let (number, exact) = match value.as_integer() {
+            Some(whole) => (Decimal::whole(whole), true),
+            None => parse_rounding(&self.written(value).filter(|_| value.is_float())?)?,
         };
-        if !takes.holds_number(number) {
+        if !holds(number) {
             return None;
         }
         if !exact {
             let finding = Finding::FinerThanResolution { rounded: number.to_string() };
-            self.findings.add(Diagnostic::new(finding, self.place(at)));
+            self.findings.add(Diagnostic::new(finding, at));
         }
         Some(number)
     }
-}
 
-/// An axis letter.
-fn letter(text: &str) -> Option<&str> {
-    AxisLetter::ALL.iter().any(|letter| letter.name() == text).then_some(text)
-}
+    /// A number as the text has it, without `_`.
+    fn written(&self, value: &Value) -> Option<String> {
+        self.text.get(value.span()?).map(|digits| digits.replace('_', ""))
+    }
 
-/// An extension without its point.
-fn extension(text: &str) -> Option<&str> {
-    let text = text.strip_prefix('.').unwrap_or(text);
-    let good = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_';
-    if !text.is_empty() && text.bytes().all(good) { Some(text) } else { None }
-}
+    fn place(&self, range: Option<std::ops::Range<usize>>) -> Option<Location> {
+        range.map(|range| Location { file: self.file, span: to_span(range) })
+    }
 
-/// A number as the text has it, without `_`.
-fn written(text: &str, value: &Value) -> Option<String> {
-    text.get(value.span()?).map(|digits| digits.replace('_', ""))
+    /// The entry of that name.
+    fn entry<'v>(&self, table: &'v dyn TableLike, name: &str) -> Option<Entry<'v>> {
+        let (key, item) = table.get_key_value(name)?;
+        let place = self.place(key.span()).unwrap_or(Location { file: self.file, span: Span::default() });
+        let at = item.as_value().and_then(|value| self.place(value.span())).unwrap_or(place);
+        Some(Entry { name: key.get(), key: place, at, item })
+    }
+
+    /// The entries of a table, in the order of the text.
+    fn entries<'v>(&self, table: &'v dyn TableLike) -> Vec<Entry<'v>> {
+        let mut entries: Vec<_> = table.iter().filter_map(|(name, _)| self.entry(table, name)).collect();
+        entries.sort_by_key(|entry| entry.key);
+        entries
+    }
+
+    /// Reports that the value of `key` is not what it must be (E0702).
+    fn need(&mut self, key: impl AsRef<str>, at: Location, needs: ConfigNeed) {
+        self.findings.add(Diagnostic::new(Finding::ConfigurationValue { key: shown(key.as_ref()), needs }, at));
+    }
+
+    /// Reports that `key` is there twice (E0702), at the second.
+    fn repeated(&mut self, key: impl AsRef<str>, first: Location, second: Location) {
+        let what = shown(key.as_ref());
+        let finding = Finding::ConfigurationValue { key: what.clone(), needs: ConfigNeed::Repeated };
+        self.findings.add(Diagnostic::new(finding, second).with_label(first, LabelText::First { what }));
+    }
+
+    /// Reports a key that is not known (W0705).
+    fn unknown(&mut self, name: &str, at: Location, near: Option<String>, known: Option<KnownNames>) {
+        let finding =
+            Finding::UnknownConfigurationKey { kind: NameKind::Key, key: shown(name), near: near.clone(), known };
+        let diagnostic = Diagnostic::new(finding, at);
+        self.findings.add(match near {
+            Some(near) => diagnostic.with_offer(FixTitle::Write { text: near.clone() }, at, near),
+            None => diagnostic,
+        });
+    }
+
+    /// Where the last value of that path stands.
+    fn at(&self, path: &str) -> Location {
+        self.draft.places.get(path).map(|place| place.at).unwrap_or_default()
+    }
+
+    /// Reports a lower end above its upper end, at the later of the two.
+    fn ordered<T: PartialOrd>(&mut self, table: &str, min: Option<T>, max: Option<T>) {
+        if let (Some(min), Some(max)) = (min, max)
+            && min > max
+        {
+            let at = self.at(&format!("{table}.min")).max(self.at(&format!("{table}.max")));
+            self.need(table, at, ConfigNeed::Range);
+        }
+    }
+
+    /// Ends one of `[[axes]]` (ADR-4). Without `kind` the letter decides, as on a machine without configured axes.
+    pub(super) fn axis(&mut self, table: Location) {
+        let axis = std::mem::take(&mut self.draft.axis);
+        self.ordered("axes", axis.min, axis.max);
+        let Some(letter) = axis.letter else { return };
+        let at = self.at("axes.letter");
+        match self.draft.axes.iter().find(|(other, _)| other.letter == letter) {
+            Some((_, first)) => self.repeated(letter.name(), first.at, at),
+            None => {
+                let rotary = axis.rotary.unwrap_or(letter.is_rotary_by_default());
+                let axis = Axis { letter, rotary, min: axis.min, max: axis.max };
+                self.draft.axes.push((axis, Place { key: table, at, from: self.from }));
+            }
+        }
+    }
+
+    /// Ends one of `[[gears]]` (MFN-9).
+    pub(super) fn gear(&mut self, _: Location) {
+        let gear = std::mem::take(&mut self.draft.gear);
+        self.ordered("gears", gear.min, gear.max);
+        for (key, end) in [("gears.min", gear.min), ("gears.max", gear.max)] {
+            let at = self.at(key);
+            self.draft.gear_ends.extend(end.map(|end| (key, end, at)));
+        }
+        let Some(m) = gear.m else { return };
+        let at = self.at("gears.m");
+        if let Some((_, first)) = self.draft.gears.iter().find(|(other, _)| *other == m) {
+            return self.repeated(format!("M{m}"), *first, at);
+        }
+        if let (Some(min), Some(max)) = (gear.min, gear.max) {
+            self.draft.gears.push((m, at));
+            let output = gear.output.unwrap_or(Decimal::whole(1));
+            self.draft.settings.machine.gears.push(Gear { m, min, max, output });
+        }
+    }
+
+    /// Ends one of `[machine-macrocycles]` (FLW-12): without `axes` it may move any.
+    pub(super) fn machine_macrocycle(&mut self, _: Location) {
+        let number = u32::from(self.draft.number);
+        self.draft.settings.machine.macrocycles.entry(number).or_insert(MayMove::All);
+    }
+
+    /// Ends `[motion]`.
+    pub(super) fn motion(&mut self, _: Location) {
+        self.draft.settings.machine.motion.configured |= self.from == From::Key;
+    }
+
+    /// Ends `[motion.sets.1]` and its like: the set is there, even without values.
+    pub(super) fn motion_set(&mut self, _: Location) {
+        let set: usize = narrow(self.draft.number);
+        if let Some(slot) = self.draft.settings.machine.motion.sets.get_mut(set) {
+            slot.get_or_insert_default();
+        }
+    }
 }
 
 /// A range of the parser as a span.
 pub(super) fn to_span(range: std::ops::Range<usize>) -> Span {
     Span::new(small(range.start), small(range.end))
-}
-
-/// The entry of that name.
-pub(super) fn entry<'t>(table: &'t dyn TableLike, name: &str) -> Option<Entry<'t>> {
-    let (key, item) = table.get_key_value(name)?;
-    let place = key.span().map_or(Span::default(), to_span);
-    let at = match item {
-        Item::Value(value) => value.span().map_or(place, to_span),
-        Item::None | Item::Table(_) | Item::ArrayOfTables(_) => place,
-    };
-    Some(Entry { name: key.get(), key: place, at, item })
-}
-
-/// The entries of a table, in the order of the text.
-pub(super) fn entries(table: &dyn TableLike) -> Vec<Entry<'_>> {
-    let mut entries: Vec<_> = table.iter().filter_map(|(name, _)| entry(table, name)).collect();
-    entries.sort_by_key(|entry| entry.key);
-    entries
 }

@@ -57,9 +57,9 @@ fn section(page: &mut String, section: &Section, lang: Lang) -> std::fmt::Result
         writeln!(page, "{words} {options}.\n")?;
     }
     match section.form {
-        Form::Keys(rows, _) | Form::List(rows, _) => keys(page, rows, lang),
-        Form::Map(names, _) => map(page, names, lang),
-        Form::Tables(names, rows, _) => {
+        Form::Keys(rows) | Form::List(rows) => keys(page, rows, lang),
+        Form::Map(names) => map(page, names, lang),
+        Form::Tables(names, rows) => {
             let words = Bilingual { en: "Names:", cs: "Jména:" }.get(lang);
             writeln!(page, "{words} {}.\n", names.shown(lang))?;
             keys(page, rows, lang)
@@ -90,14 +90,7 @@ pub(super) fn default(default: Default, lang: Lang) -> String {
         }
         Default::Nothing => "–".to_owned(),
         Default::Required => Bilingual { en: "must be there", cs: "musí být uvedeno" }.get(lang).to_owned(),
-        Default::Flag(flag) => format!("`{flag}`"),
-        Default::Whole(number) => format!("`{number}`"),
-        Default::Number(number) => format!("`{number}`"),
-        Default::Text(text) => format!("`\"{text}\"`"),
-        Default::Texts(texts) => {
-            let texts: Vec<_> = texts.iter().map(|text| format!("\"{text}\"")).collect();
-            format!("`[{}]`", texts.join(", "))
-        }
+        Default::Is(value) => format!("`{value}`"),
         Default::Words(words) => words.get(lang).to_owned(),
     }
 }

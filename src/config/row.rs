@@ -1,15 +1,15 @@
 //! A row of the table of keys: what one key of the project file takes and means. Reader, JSON Schema, reference page,
 //! `init`, `explain` and the editor's settings are all made of rows.
 
-use super::Takes;
-use crate::dict::{Bilingual, Decimal, Dialect};
+use super::takes::Takes;
+use crate::dict::{Bilingual, Dialect};
 
 /// A key with a value.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row {
     /// The key, in its table.
     pub name: &'static str,
-    /// The type and range of its value.
+    /// The type and range of its value, and where it goes.
     pub takes: Takes,
     /// What holds without it.
     pub default: Default,
@@ -30,16 +30,8 @@ pub(super) enum Default {
     Nothing,
     /// The key must be there.
     Required,
-    /// A flag.
-    Flag(bool),
-    /// A whole number.
-    Whole(i64),
-    /// A number, in thousandths.
-    Number(Decimal),
-    /// One of the texts it takes.
-    Text(&'static str),
-    /// These texts.
-    Texts(&'static [&'static str]),
+    /// This value, as TOML that is JSON too.
+    Is(&'static str),
     /// A value as TOML that depends on the control.
     ByDialect(fn(Dialect) -> String),
     /// Something that depends.
@@ -55,6 +47,21 @@ impl Row {
     /// With an option of the command line.
     pub(super) const fn with_option(self, option: &'static str) -> Self {
         Self { option: Some(option), ..self }
+    }
+
+    /// The default as TOML, where there is one.
+    pub(super) fn literal(&self, dialect: Dialect) -> Option<String> {
+        match self.default {
+            Default::Is(_) if self.name == "dialect" => Some(format!("\"{}\"", dialect.name())),
+            Default::Is(value) => Some(value.to_owned()),
+            Default::ByDialect(value) => Some(value(dialect)),
+            Default::Nothing | Default::Required | Default::Words(_) => None,
+        }
+    }
+
+    /// The line that sets it to its default, else to its example.
+    pub(super) fn line(&self, dialect: Dialect) -> String {
+        format!("{} = {}", self.name, self.literal(dialect).unwrap_or_else(|| self.example.to_owned()))
     }
 }
 
@@ -73,3 +80,16 @@ pub(super) const fn row(
 pub(super) const fn words(en: &'static str, cs: &'static str) -> Default {
     Default::Words(Bilingual { en, cs })
 }
+
+/// Tables of rows: name and rule, option and example where there are any; what it takes; what holds without it; its effect
+/// in English and Czech.
+macro_rules! rows {
+    ($($(#[$doc:meta])* $table:ident: $($name:literal $rule:literal $(option $option:literal)? $(example $example:literal)?
+        : $takes:expr, $default:expr => $en:literal, $cs:literal;)*)*) => {$(
+        $(#[$doc])*
+        pub(super) const $table: &[Row] = &[$(
+            row($name, $takes, $default, ($en, $cs), $rule)$(.with_option($option))?$(.with_example($example))?,
+        )*];
+    )*};
+}
+pub(super) use rows;

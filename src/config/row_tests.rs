@@ -1,11 +1,10 @@
 //! Every row of the table of keys is read, and checked by what it says: these tests know no key by name.
 
-use super::Takes;
-use super::init::literal;
 use super::names::Names;
 use super::row::{Default, Row};
-use super::schema::tests::fits;
+use super::schema_tests::fits;
 use super::sections::{Form, ROOT, SECTIONS, Section, options};
+use super::takes::{List, Takes, lasting};
 use super::tests::Run;
 use crate::diag::Code;
 use crate::dict::Dialect;
@@ -14,25 +13,25 @@ use crate::dict::Dialect;
 fn taken(takes: Takes) -> Vec<String> {
     let quoted = |text: &str| format!("'{text}'");
     match takes {
-        Takes::Flag => vec!["true".to_owned(), "false".to_owned()],
-        Takes::Path => vec![quoted("Channel.xml"), quoted("Other.xml")],
-        Takes::Paths => vec!["['a']".to_owned(), "['own', 'a']".to_owned()],
-        Takes::Extensions => vec!["['nc']".to_owned(), "['H', 'tap']".to_owned()],
-        Takes::Letters => vec!["['Z']".to_owned(), "[]".to_owned()],
-        Takes::OneOf(choices) => choices().into_iter().map(quoted).collect(),
-        Takes::Whole { min, max } => {
+        Takes::Flag(_) => vec!["true".to_owned(), "false".to_owned()],
+        Takes::Path(_) => vec![quoted("Channel.xml"), quoted("Other.xml")],
+        Takes::Texts(List::Paths, _) => vec!["['a']".to_owned(), "['own', 'a']".to_owned()],
+        Takes::Texts(List::Extensions, _) => vec!["['nc']".to_owned(), "['H', 'tap']".to_owned()],
+        Takes::Texts(List::Letters, _) => vec!["['Z']".to_owned(), "[]".to_owned()],
+        Takes::OneOf(choices, _) => choices().into_iter().map(quoted).collect(),
+        Takes::Whole { min, max, .. } => {
             let highest = max.unwrap_or(min + 1_000_000);
             vec![min.to_string(), (min + 1).to_string(), highest.to_string()]
         }
-        Takes::Number { min, max } => vec![min.to_string(), "1.5".to_owned(), max.to_string()],
-        Takes::NumberOrAxes { min, max } => {
+        Takes::Number { min, max, .. } => vec![min.to_string(), "1.5".to_owned(), max.to_string()],
+        Takes::Rapid { min, max, .. } => {
             vec![min.to_string(), "1.5".to_owned(), max.to_string(), "{ X = 5000 }".to_owned()]
         }
-        Takes::ParameterValue => vec!["-1.5".to_owned(), "99999999".to_owned()],
-        Takes::GFunction(group) => super::takes::lasting(group).map(|code| code.number().to_string()).collect(),
+        Takes::ParameterValue(_) => vec!["-1.5".to_owned(), "99999999".to_owned()],
+        Takes::GFunction(group) => lasting(group).map(|code| code.number().to_string()).collect(),
         // Those of the group are found by trying.
         Takes::MFunction => (0..=100).map(|number| number.to_string()).collect(),
-        Takes::Constant => vec!["'91'".to_owned(), "92".to_owned(), "-9.5".to_owned()],
+        Takes::Constant(_) => vec!["'91'".to_owned(), "92".to_owned(), "-9.5".to_owned()],
     }
 }
 
@@ -88,7 +87,7 @@ fn each_key_changes_the_settings() {
             }
             assert!(seen.len() >= 2, "{}.{}: {} different settings", section.name, row.name, seen.len());
         }
-        if let Form::Map(names, _) = section.form {
+        if let Form::Map(names) = section.form {
             let listed = names
                 .listed()
                 .map_or_else(|| vec![name_of(names)], |list| list.into_iter().map(|(name, _)| name).collect());
@@ -120,7 +119,7 @@ fn each_key_is_checked_by_its_row() {
                 // That files and folders exist, and letters are listed, the schema cannot say; numbers that are no JSON it takes.
                 if !fits(&text) {
                     assert!(refused, "{text}");
-                } else if !matches!(row.takes, Takes::Path | Takes::Paths) && literal != "inf" {
+                } else if !matches!(row.takes, Takes::Path(_) | Takes::Texts(List::Paths, _)) && literal != "inf" {
                     assert!(!refused, "{text}");
                 }
             }
@@ -137,15 +136,34 @@ fn examples_are_taken() {
     };
     for section in SECTIONS {
         for row in section.form.rows() {
-            match literal(row, Dialect::default()) {
-                Some(value) => clean(&with_key(section, row, &value)),
-                None => clean(&with_key(section, row, row.example)),
-            }
+            let value = row.literal(Dialect::default());
+            clean(&with_key(section, row, value.as_deref().unwrap_or(row.example)));
         }
         match section.form {
-            Form::Map(Names::Groups, _) | Form::Keys(..) | Form::List(..) => {}
+            Form::Map(Names::Groups) | Form::Keys(..) | Form::List(..) => {}
             Form::Map(..) => clean(&format!("[{}]\n{}\n", section.name, section.example)),
             Form::Tables(names, ..) => assert!(names.number(section.example).is_some(), "{}", section.name),
+        }
+    }
+}
+
+/// The default that the table tells is what holds: saying it changes nothing, whatever the control.
+#[test]
+fn defaults_are_those_of_the_settings() {
+    // Only where motion says the source of a value, and that it is configured, the two differ.
+    let plain = |text: &str| {
+        let settings = settings(text).unwrap();
+        settings.replace("from: Key", "from: Default").replace("configured: true, n", "configured: false, n")
+    };
+    for dialect in Dialect::ALL {
+        let head = format!("dialect = '{}'\n", dialect.name());
+        for section in SECTIONS.iter().filter(|section| matches!(section.form, Form::Keys(_))) {
+            for row in section.form.rows().iter().filter(|row| row.name != "dialect") {
+                if let Some(value) = row.literal(dialect) {
+                    let text = format!("{head}[{}]\n{} = {value}\n", section.name, row.name).replace("[]\n", "");
+                    assert_eq!(plain(&text), plain(&head), "{text}");
+                }
+            }
         }
     }
 }

@@ -1,27 +1,33 @@
-//! The type and range of a key in the project file: one description for the reader, the schema and the reference page.
+//! The type, range and field of a key in the project file: one description for the reader, the schema and the reference
+//! page.
 
 use serde_json::{Value, json};
 
+use super::Rapid;
+use super::draft::{Draft, Texts};
+use super::motion_constants::Written;
 use crate::diag::ConfigNeed;
 use crate::dict::{AxisLetter, Decimal, Dialect, GCode, GGroup, Lang, Lasting};
 
-/// The type and range of a value.
+/// The type and range of a value, and the function that puts it into its field.
 #[derive(Clone, Copy, Debug)]
-pub enum Takes {
+pub(super) enum Takes {
     /// `true` or `false`.
-    Flag,
+    Flag(fn(&mut Draft, bool)),
     /// A path, relative to the project file's folder.
-    Path,
-    /// A list of paths, relative to the project file's folder.
-    Paths,
+    Path(fn(&mut Draft, String)),
+    /// A list of texts.
+    Texts(List, fn(&mut Draft, Texts)),
     /// One of these texts.
-    OneOf(fn() -> Vec<&'static str>),
+    OneOf(fn() -> Vec<&'static str>, fn(&mut Draft, &str)),
     /// A whole number, both ends included; without an upper end when that is `None`.
     Whole {
         /// Least.
         min: i64,
         /// Greatest.
         max: Option<i64>,
+        /// Sets it.
+        set: fn(&mut Draft, i64),
     },
     /// A number, both ends included; rounded to 0.001, halves away from zero.
     Number {
@@ -29,100 +35,118 @@ pub enum Takes {
         min: Decimal,
         /// Greatest.
         max: Decimal,
+        /// Sets it.
+        set: fn(&mut Draft, Decimal),
     },
     /// A number, or a table of numbers by axis letter; both ends included.
-    NumberOrAxes {
+    Rapid {
         /// Least.
         min: Decimal,
         /// Greatest.
         max: Decimal,
+        /// Sets it.
+        set: fn(&mut Draft, Rapid),
     },
     /// A value that fits a parameter: ±69999.999, or a whole number of up to eight digits.
-    ParameterValue,
+    ParameterValue(fn(&mut Draft, Decimal)),
     /// The number of a G function of that group that lasts beyond its block.
     GFunction(GGroup),
     /// The number of an M function. Which group it belongs to depends on the rest of the configuration.
     MFunction,
-    /// A list of extensions of files, without their points.
-    Extensions,
-    /// A list of axis letters.
-    Letters,
     /// A number, or its digits as a text.
-    Constant,
+    Constant(fn(&mut Draft, Written)),
 }
+
+/// The texts of a list.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum List {
+    /// Paths, relative to the project file's folder.
+    Paths,
+    /// Extensions of files, without their points.
+    Extensions,
+    /// Axis letters.
+    Letters,
+}
+
+impl List {
+    /// The text as an element of the list; `None` when it is none.
+    pub(super) fn element(self, text: &str) -> Option<&str> {
+        match self {
+            Self::Paths => Some(text),
+            Self::Extensions => {
+                let text = text.strip_prefix('.').unwrap_or(text);
+                let good = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'-' || byte == b'_';
+                (!text.is_empty() && text.bytes().all(good)).then_some(text)
+            }
+            Self::Letters => AxisLetter::ALL.iter().any(|letter| letter.name() == text).then_some(text),
+        }
+    }
+}
+
+/// A whole number, both ends included.
+pub(super) const fn whole(min: i64, max: i64, set: fn(&mut Draft, i64)) -> Takes {
+    Takes::Whole { min, max: Some(max), set }
+}
+
+/// A number, both ends included, which are thousandths.
+pub(super) const fn number(min: i64, max: i64, set: fn(&mut Draft, Decimal)) -> Takes {
+    Takes::Number { min: Decimal::from_thousandths(min), max: Decimal::from_thousandths(max), set }
+}
+
+/// A word that is one of the names of a type, or of pairs of names and values.
+macro_rules! one_of {
+    ([$pairs:expr], $set:expr) => {
+        Takes::OneOf(
+            || $pairs.into_iter().map(|(name, _)| name).collect(),
+            |it, text| {
+                let set: fn(&mut Draft, _) = $set;
+                if let Some((_, value)) = $pairs.into_iter().find(|(name, _)| *name == text) {
+                    set(it, value);
+                }
+            },
+        )
+    };
+    ($type:ident, $set:expr) => {
+        one_of!([$type::ALL.map(|value| (value.name(), value))], $set)
+    };
+}
+pub(super) use one_of;
+
+/// The highest M number (§2).
+pub(super) const HIGHEST_M: i64 = Dialect::HIGHEST_M as i64;
 
 impl Takes {
     /// The description of the range in a message about a wrong value.
     pub(super) fn need(self) -> ConfigNeed {
         match self {
-            Self::Flag => ConfigNeed::Flag,
-            Self::Path => ConfigNeed::Text,
-            Self::Paths => ConfigNeed::Texts,
-            Self::OneOf(choices) => ConfigNeed::OneOf { choices: choices().join(", ") },
-            Self::Whole { min, max: Some(max) } => ConfigNeed::Whole { min, max },
-            Self::Whole { min, max: None } => ConfigNeed::AtLeast { min },
-            Self::Number { min, max } => ConfigNeed::Number { min: min.to_string(), max: max.to_string() },
-            Self::NumberOrAxes { min, max } => ConfigNeed::NumberOrAxes { min: min.to_string(), max: max.to_string() },
-            Self::ParameterValue => ConfigNeed::ParameterValue,
+            Self::Flag(_) => ConfigNeed::Flag,
+            Self::Path(_) => ConfigNeed::Text,
+            Self::Texts(List::Paths, _) => ConfigNeed::Texts,
+            Self::Texts(List::Extensions, _) => ConfigNeed::Extensions,
+            Self::Texts(List::Letters, _) => ConfigNeed::Letters,
+            Self::OneOf(choices, _) => ConfigNeed::OneOf { choices: choices().join(", ") },
+            Self::Whole { min, max: Some(max), .. } => ConfigNeed::Whole { min, max },
+            Self::Whole { min, max: None, .. } => ConfigNeed::AtLeast { min },
+            Self::Number { min, max, .. } => ConfigNeed::Number { min: min.to_string(), max: max.to_string() },
+            Self::Rapid { min, max, .. } => ConfigNeed::NumberOrAxes { min: min.to_string(), max: max.to_string() },
+            Self::ParameterValue(_) => ConfigNeed::ParameterValue,
             Self::GFunction(group) => ConfigNeed::GOfGroup { group: group.to_string() },
-            Self::MFunction => Self::M_NUMBER.need(),
-            Self::Extensions => ConfigNeed::Extensions,
-            Self::Letters => ConfigNeed::Letters,
-            Self::Constant => ConfigNeed::Constant,
+            Self::MFunction => ConfigNeed::Whole { min: 0, max: HIGHEST_M },
+            Self::Constant(_) => ConfigNeed::Constant,
         }
     }
-
-    /// Whether the whole number is taken; only of those that take whole numbers alone.
-    pub(super) fn holds_whole(self, value: i64) -> bool {
-        match self {
-            Self::Whole { min, max } => value >= min && max.is_none_or(|max| value <= max),
-            Self::MFunction => Self::M_NUMBER.holds_whole(value),
-            Self::GFunction(group) => lasting(group).any(|code| i64::from(code.number()) == value),
-            Self::Flag
-            | Self::Path
-            | Self::Paths
-            | Self::OneOf(_)
-            | Self::Number { .. }
-            | Self::NumberOrAxes { .. }
-            | Self::ParameterValue
-            | Self::Extensions
-            | Self::Letters
-            | Self::Constant => false,
-        }
-    }
-
-    /// Whether the number is taken; only of those that take numbers.
-    pub(super) fn holds_number(self, value: Decimal) -> bool {
-        match self {
-            Self::Number { min, max } | Self::NumberOrAxes { min, max } => value >= min && value <= max,
-            Self::ParameterValue => value.fits_parameter(),
-            Self::Flag
-            | Self::Path
-            | Self::Paths
-            | Self::OneOf(_)
-            | Self::Whole { .. }
-            | Self::GFunction(_)
-            | Self::MFunction
-            | Self::Extensions
-            | Self::Letters
-            | Self::Constant => false,
-        }
-    }
-
-    /// The range of M numbers (§2).
-    const M_NUMBER: Self = Self::Whole { min: 0, max: Some(Dialect::HIGHEST_M as i64) };
 
     /// As JSON Schema.
     pub(super) fn schema(self) -> Value {
         match self {
-            Self::Flag => json!({ "type": "boolean" }),
-            Self::Path => json!({ "type": "string" }),
-            Self::Paths => json!({ "type": "array", "items": { "type": "string" } }),
-            Self::OneOf(choices) => json!({ "enum": choices() }),
-            Self::Whole { min, max: Some(max) } => json!({ "type": "integer", "minimum": min, "maximum": max }),
-            Self::Whole { min, max: None } => json!({ "type": "integer", "minimum": min }),
-            Self::Number { min, max } => range(min, max, "number"),
-            Self::NumberOrAxes { min, max } => {
+            Self::Flag(_) => json!({ "type": "boolean" }),
+            Self::Path(_) => json!({ "type": "string" }),
+            Self::Texts(List::Paths, _) => json!({ "type": "array", "items": { "type": "string" } }),
+            Self::OneOf(choices, _) => json!({ "enum": choices() }),
+            Self::Whole { min, max: Some(max), .. } => json!({ "type": "integer", "minimum": min, "maximum": max }),
+            Self::Whole { min, max: None, .. } => json!({ "type": "integer", "minimum": min }),
+            Self::Number { min, max, .. } => range(min, max, "number"),
+            Self::Rapid { min, max, .. } => {
                 let letters: serde_json::Map<String, Value> = AxisLetter::ALL
                     .iter()
                     .map(|letter| (letter.name().to_owned(), range(min, max, "number")))
@@ -132,21 +156,21 @@ impl Takes {
                     { "type": "object", "properties": letters, "additionalProperties": false },
                 ] })
             }
-            Self::ParameterValue => json!({ "anyOf": [
+            Self::ParameterValue(_) => json!({ "anyOf": [
                 range(Decimal::DIMENSION_MAX.negated(), Decimal::DIMENSION_MAX, "number"),
                 range(Decimal::WHOLE_MAX.negated(), Decimal::WHOLE_MAX, "integer"),
             ] }),
             Self::GFunction(group) => {
                 json!({ "enum": lasting(group).map(GCode::number).collect::<Vec<_>>() })
             }
-            Self::MFunction => Self::M_NUMBER.schema(),
-            Self::Extensions => {
+            Self::MFunction => json!({ "type": "integer", "minimum": 0, "maximum": HIGHEST_M }),
+            Self::Texts(List::Extensions, _) => {
                 json!({ "type": "array", "items": { "type": "string", "pattern": "^\\.?[A-Za-z0-9_-]+$" } })
             }
-            Self::Letters => {
+            Self::Texts(List::Letters, _) => {
                 json!({ "type": "array", "items": { "enum": AxisLetter::ALL.map(AxisLetter::name) } })
             }
-            Self::Constant => json!({ "anyOf": [
+            Self::Constant(_) => json!({ "anyOf": [
                 { "type": "number" },
                 { "type": "string", "pattern": "^[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)$" },
             ] }),
@@ -155,9 +179,9 @@ impl Takes {
 
     /// The values as TOML, where there are few.
     pub(super) fn choices(self) -> Vec<String> {
-        if let Self::OneOf(choices) = self {
+        if let Self::OneOf(choices, _) = self {
             choices().into_iter().map(|choice| format!("\"{choice}\"")).collect()
-        } else if matches!(self, Self::Flag) {
+        } else if matches!(self, Self::Flag(_)) {
             vec!["true".to_owned(), "false".to_owned()]
         } else {
             Vec::new()
@@ -171,33 +195,37 @@ impl Takes {
             Lang::Cs => cs.to_owned(),
         };
         match self {
-            Self::Flag => "`true`, `false`".to_owned(),
-            Self::Path => text("path", "cesta"),
-            Self::Paths => text("list of paths", "seznam cest"),
-            Self::OneOf(choices) => {
+            Self::Flag(_) => "`true`, `false`".to_owned(),
+            Self::Path(_) => text("path", "cesta"),
+            Self::Texts(List::Paths, _) => text("list of paths", "seznam cest"),
+            Self::OneOf(choices, _) => {
                 choices().into_iter().map(|choice| format!("`\"{choice}\"`")).collect::<Vec<_>>().join(", ")
             }
-            Self::Whole { min, max: Some(max) } => {
+            Self::Whole { min, max: Some(max), .. } => {
                 text(&format!("whole number {min}–{max}"), &format!("celé číslo {min}–{max}"))
             }
-            Self::Whole { min, max: None } => {
+            Self::Whole { min, max: None, .. } => {
                 text(&format!("whole number, {min} or more"), &format!("celé číslo {min} nebo větší"))
             }
-            Self::Number { min, max } => text(&format!("number {min}–{max}"), &format!("číslo {min}–{max}")),
-            Self::NumberOrAxes { min, max } => text(
+            Self::Number { min, max, .. } => text(&format!("number {min}–{max}"), &format!("číslo {min}–{max}")),
+            Self::Rapid { min, max, .. } => text(
                 &format!("number {min}–{max}, or a table of such by axis letter"),
                 &format!("číslo {min}–{max}, nebo tabulka takových čísel podle písmen os"),
             ),
-            Self::ParameterValue => {
+            Self::ParameterValue(_) => {
                 text("±69999.999, or a whole number up to ±99999999", "±69999.999, nebo celé číslo do ±99999999")
             }
             Self::GFunction(group) => {
                 lasting(group).map(|code| format!("`{}`", code.number())).collect::<Vec<_>>().join(", ")
             }
             Self::MFunction => text("number of an M function of this group", "číslo M funkce této skupiny"),
-            Self::Extensions => text("list of extensions, as `[\"nc\"]`", "seznam přípon, např. `[\"nc\"]`"),
-            Self::Letters => text("list of axis letters, as `[\"Z\"]`", "seznam písmen os, např. `[\"Z\"]`"),
-            Self::Constant => text("number, or digits as a text", "číslo, nebo číslice jako text"),
+            Self::Texts(List::Extensions, _) => {
+                text("list of extensions, as `[\"nc\"]`", "seznam přípon, např. `[\"nc\"]`")
+            }
+            Self::Texts(List::Letters, _) => {
+                text("list of axis letters, as `[\"Z\"]`", "seznam písmen os, např. `[\"Z\"]`")
+            }
+            Self::Constant(_) => text("number, or digits as a text", "číslo, nebo číslice jako text"),
         }
     }
 }
@@ -222,17 +250,6 @@ pub(super) fn json_number(value: Decimal) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ranges() {
-        let whole = Takes::Whole { min: 1, max: Some(9) };
-        assert!(whole.holds_whole(1) && whole.holds_whole(9));
-        assert!(!whole.holds_whole(0) && !whole.holds_whole(10) && !whole.holds_number(Decimal::whole(5)));
-        assert!(Takes::Whole { min: 1, max: None }.holds_whole(i64::MAX));
-        let number = Takes::Number { min: Decimal::ZERO, max: Decimal::whole(1) };
-        assert!(number.holds_number(Decimal::whole(1)) && !number.holds_number(Decimal::from_thousandths(1001)));
-        assert!(!Takes::Flag.holds_whole(1) && !Takes::Flag.holds_number(Decimal::ZERO));
-    }
 
     #[test]
     fn numbers_in_json() {
