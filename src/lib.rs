@@ -58,6 +58,9 @@ pub mod dict;
 pub mod disk;
 pub mod edit;
 pub mod explain;
+#[cfg(test)]
+#[path = "../tests/it/json_schema.rs"]
+mod json_schema;
 #[cfg(feature = "lsp")]
 pub mod lsp;
 pub mod parallel;

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::cli::{BAD, Place};
+use crate::json_schema::validator_for;
 
 const PROGRAM: &str = "%7 \"FLANGE <1>\"\nN10 G90 G17 G0 X0 Y0 Z50 T1 D1 M6\nN20 G1 Z-2 F200 S1000 M3\nN30 X40 F800 S1500\n\
                        N40 G3 X40 Y20 I0 J10\nN50 G0 Z50\nN60 T5 M6\nN70 G71 L5 Q3\nN80 G72 L9\nN90 R10=4\nN100 G1 XR10 YR11 F300\n\
@@ -18,8 +19,8 @@ fn json() {
     let place = place();
     let run = place.run(&["report", "a.nc", "--format", "json", "--param", "R11=7.5"]).ends(0);
     let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
-    let validator = jsonschema::validator_for(&cnc872c::analysis::sheet::schema()).unwrap();
-    assert!(validator.is_valid(&sheet), "{:?}", validator.iter_errors(&sheet).next());
+    let validator = validator_for(&cnc872c::analysis::sheet::schema());
+    assert_eq!(validator.validate(&sheet), Ok(()));
     assert_eq!((&sheet["number"], &sheet["title"]), (&json!(7), &json!("FLANGE <1>")));
     // The arc bulges to X50.
     assert_eq!(sheet["extents"]["working"], json!({ "X": [-5, 60], "Y": [0, 20], "Z": [-2, 50] }));
@@ -56,8 +57,8 @@ fn unknown_paths() {
         place.put("path.nc", format!("%1\n{program}"));
         let run = place.run(&["report", "path.nc", "--format", "json"]).ends(0);
         let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
-        let validator = jsonschema::validator_for(&cnc872c::analysis::sheet::schema()).unwrap();
-        assert!(validator.is_valid(&sheet), "{:?}", validator.iter_errors(&sheet).next());
+        let validator = validator_for(&cnc872c::analysis::sheet::schema());
+        assert_eq!(validator.validate(&sheet), Ok(()));
         sheet
     };
     let text = || place.run(&["report", "path.nc", "--lang", "en"]).ends(0).stdout;
@@ -89,8 +90,8 @@ fn unknown_extents() {
         place.put("reach.nc", format!("%1\n{program}"));
         let sheet: Value =
             serde_json::from_str(&place.run(&["report", "reach.nc", "--format", "json"]).ends(0).stdout).unwrap();
-        let validator = jsonschema::validator_for(&cnc872c::analysis::sheet::schema()).unwrap();
-        assert!(validator.is_valid(&sheet), "{:?}", validator.iter_errors(&sheet).next());
+        let validator = validator_for(&cnc872c::analysis::sheet::schema());
+        assert_eq!(validator.validate(&sheet), Ok(()));
         sheet
     };
     let cycle =

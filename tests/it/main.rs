@@ -25,6 +25,7 @@ mod endings;
 mod explain;
 mod faults;
 mod format;
+mod json_schema;
 mod lsp;
 mod markers;
 mod model;

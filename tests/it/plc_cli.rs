@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 
 use crate::cli::{BAD, Place, Run};
+use crate::json_schema::validator_for;
 
 const PROGRAM: &str = "%1 \"STUL\"\nN10 G0 G90 X0 Y0 Z50\nN20 T12 M06\nN30 S1500 M03\nN40 G1 Z-2 F200\nN50 X40 M08\nN60 M00\n\
                        N70 G0 Z50 M05\nN80 M30\n";
@@ -47,7 +48,7 @@ fn a_line_for_each_step_that_changes_a_signal() {
 #[test]
 fn json() {
     let schema = cnc872c::analysis::plc::schema();
-    let validator = jsonschema::validator_for(&schema).unwrap();
+    let validator = validator_for(&schema);
     let place = place();
     let run = place.run(&["plc", "a.nc", "--format", "json", "--signals", "PB06,BLK.M[9],BLK.AxNC[2]"]).ends(0);
     let records: Vec<Value> = run.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
@@ -238,7 +239,7 @@ fn times() {
     assert_eq!(steps.len(), 11);
 
     // Every form says the same times.
-    let validator = jsonschema::validator_for(&cnc872c::analysis::plc::schema()).unwrap();
+    let validator = validator_for(&cnc872c::analysis::plc::schema());
     let records: Vec<Value> = run(&["plc", "a.nc", "--signals", "TIME_DIST,M03PI", "--format", "json"])
         .lines()
         .map(|line| serde_json::from_str(line).unwrap())

@@ -5,6 +5,7 @@ use std::fs;
 use serde_json::{Value, json};
 
 use crate::cli::{BAD, Place};
+use crate::json_schema::validator_for;
 
 fn place() -> Place {
     Place::with(&[
@@ -17,7 +18,7 @@ fn place() -> Place {
 
 fn programs(text: &str) -> Vec<Value> {
     let document: Value = serde_json::from_str(text).unwrap();
-    let validator = jsonschema::validator_for(&cnc872c::stats::schema()).unwrap();
+    let validator = validator_for(&cnc872c::stats::schema());
     assert!(validator.is_valid(&document), "{document}");
     assert_eq!(document["schema"], "cnc872c.stats/1");
     document["programs"].as_array().unwrap().clone()

@@ -321,6 +321,7 @@ mod tests {
     use super::*;
     use crate::diag::Format;
     use crate::diag::render::samples::{self, rendered};
+    use crate::json_schema::validator_for;
 
     fn json(report: &Report, lang: Lang) -> Value {
         serde_json::from_str(&rendered(Format::Json, report, lang, true)).unwrap()
@@ -373,11 +374,9 @@ mod tests {
     fn all_documents_are_after_the_schema() {
         let schema = schema();
         assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
-        let validator = jsonschema::validator_for(&schema).unwrap();
+        let validator = validator_for(&schema);
         for report in [samples::plain(), samples::called(), samples::mixed(), samples::hostile(), Report::new()] {
-            let errors: Vec<String> =
-                validator.iter_errors(&json(&report, Lang::Cs)).map(|error| error.to_string()).collect();
-            assert_eq!(errors, [""; 0]);
+            assert_eq!(validator.validate(&json(&report, Lang::Cs)), Ok(()));
         }
         let mut wrong = json(&samples::plain(), Lang::En);
         wrong["diagnostics"][0]["span"]["start"]["line"] = 0.into();

@@ -290,6 +290,7 @@ mod tests {
     use super::*;
     use crate::diag::Format;
     use crate::diag::render::samples::{self, rendered};
+    use crate::json_schema::validator_for;
 
     fn sarif(report: &Report, lang: Lang) -> Value {
         serde_json::from_str(&rendered(Format::Sarif, report, lang, true)).unwrap()
@@ -301,12 +302,11 @@ mod tests {
         let (wrong, meant) = ("^[a-zA-Z]{2}|^[a-zA-Z]{2}-[a-zA-Z]{2}]?$", "^[a-zA-Z]{2}(-[a-zA-Z]{2})?$");
         let schema = include_str!("../../../tests/data/sarif-2.1.0.json").replace(wrong, meant);
         let schema: Value = serde_json::from_str(&schema).unwrap();
-        let validator = jsonschema::validator_for(&schema).unwrap();
+        let validator = validator_for(&schema);
         let reports = [samples::plain(), samples::called(), samples::mixed(), samples::hostile(), Report::new()];
         for (report, lang) in reports.iter().flat_map(|report| [(report, Lang::En), (report, Lang::Cs)]) {
             let log = sarif(report, lang);
-            let errors: Vec<String> = validator.iter_errors(&log).map(|error| error.to_string()).collect();
-            assert_eq!(errors, [""; 0]);
+            assert_eq!(validator.validate(&log), Ok(()));
         }
         let mut wrong = sarif(&samples::plain(), Lang::En);
         wrong["runs"][0]["results"][0]["level"] = "fatal".into();

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::build::close;
 use crate::cli::{BAD, Place, Run, closed_pipe};
+use crate::json_schema::validator_for;
 
 const CONFIG: &str = "[motion]\nprofile = \"parabolic\"\ncycle-ms = 2\naccuracy-um = 8\nsettle-ms = 20\nblock-gap-ms = 5\n\
                       raise-ms = 1\nmerge-length-mm = 0.5\nrapid-mm-min = { X = 12000, Z = 6000 }\n\
@@ -25,10 +26,10 @@ fn place() -> Place {
 
 /// The records of a run, each valid.
 fn records(run: &Run) -> Vec<Value> {
-    let validator = jsonschema::validator_for(&cnc872c::analysis::motion::schema()).unwrap();
+    let validator = validator_for(&cnc872c::analysis::motion::schema());
     let records: Vec<Value> = run.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     for record in &records {
-        assert!(validator.is_valid(record), "{:?}\n{record}", validator.iter_errors(record).next());
+        assert_eq!(validator.validate(record), Ok(()), "{record}");
     }
     records
 }

@@ -19,10 +19,10 @@ use cnc872c::text::{MemoryLoader, Sources};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
+use crate::json_schema::{Validator, validator_for};
 use crate::markers::options;
 
-static SCHEMA: LazyLock<jsonschema::Validator> =
-    LazyLock::new(|| jsonschema::validator_for(&cnc872c::stream::schema()).expect("a schema"));
+static SCHEMA: LazyLock<Validator> = LazyLock::new(|| validator_for(&cnc872c::stream::schema()));
 
 /// A program with the other files of its folder, ready to be compiled.
 #[derive(Clone, Debug, Default)]
