@@ -641,34 +641,3 @@ pub(super) struct HelpArgs {
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
 }
-
-#[cfg(test)]
-mod tests {
-    use clap::CommandFactory;
-
-    use super::*;
-
-    /// What `check` and `compile` can say over the project file is what the table of its keys says they can.
-    #[test]
-    fn options_are_those_of_the_keys() {
-        #[derive(Parser)]
-        struct Common {
-            #[command(flatten)]
-            common: CommonArgs,
-        }
-        // How to show findings, and which project file.
-        let own = ["--all", "--format", "--config", "-h"];
-        let command = Common::command();
-        let name = |arg: &Arg| match (arg.get_long(), arg.get_short()) {
-            (Some(long), _) => format!("--{long}"),
-            (None, Some(short)) => format!("-{short}"),
-            (None, None) => arg.get_id().to_string(),
-        };
-        let mut given: Vec<_> =
-            command.get_arguments().map(name).filter(|name| !own.contains(&name.as_str())).collect();
-        let mut expected = crate::config::options();
-        given.sort_unstable();
-        expected.sort_unstable();
-        assert_eq!(given, expected);
-    }
-}

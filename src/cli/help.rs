@@ -29,7 +29,7 @@ fn localized(command: Command, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
     let command = match commands().find(|text| text.name == name) {
         Some(text) if text.examples.en.is_empty() => command.about(text.about.get(lang)),
-        Some(text) => command.about(text.about.get(lang)).after_help(text.examples.get(lang)),
+        Some(text) => command.about(text.about.get(lang)).after_help(text.examples.get(lang).trim_end()),
         None => command,
     };
     let styles = Styles::styled();
@@ -105,7 +105,10 @@ fn with_czech_usage(command: Command) -> Command {
 
 #[cfg(test)]
 mod tests {
+    use clap::Parser;
+
     use super::*;
+    use crate::cli::args::CommonArgs;
 
     fn built() -> Command {
         let mut command = CommandLine::command();
@@ -154,5 +157,29 @@ mod tests {
                 assert!(!help.contains(word), "{}: {word}\n{help}", command.get_name());
             }
         }
+    }
+
+    /// What `check` and `compile` can say over the project file is what the table of its keys says they can.
+    #[test]
+    fn options_are_those_of_the_keys() {
+        #[derive(Parser)]
+        struct Common {
+            #[command(flatten)]
+            common: CommonArgs,
+        }
+        // How to show findings, and which project file.
+        let own = ["--all", "--format", "--config", "-h"];
+        let command = Common::command();
+        let name = |arg: &Arg| match (arg.get_long(), arg.get_short()) {
+            (Some(long), _) => format!("--{long}"),
+            (None, Some(short)) => format!("-{short}"),
+            (None, None) => arg.get_id().to_string(),
+        };
+        let mut given: Vec<_> =
+            command.get_arguments().map(name).filter(|name| !own.contains(&name.as_str())).collect();
+        let mut expected = crate::config::options();
+        given.sort_unstable();
+        expected.sort_unstable();
+        assert_eq!(given, expected);
     }
 }

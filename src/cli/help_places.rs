@@ -6,90 +6,20 @@ use Heading::{Arguments, Options};
 
 /// The commands.
 pub(super) const COMMANDS: &[CommandText] = &[
-    about(
+    about!(
         "state",
         "Tells what holds at a place of a program: position, functions, values, parameters, calls, time left",
-        "Řekne, co v daném místě programu platí: poloha, funkce, hodnoty, parametry, volání, zbývající čas",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c state flange.nc --n 120                before N120; executed several times, its passes are listed
-  cnc872c state flange.nc --n 120 --pass 3       before its third execution
-  cnc872c state flange.nc --n 30 --file L9001    before N30 of macrocycle L9001
-  cnc872c state flange.nc --line 45 --after      behind the block on line 45
-  cnc872c state flange.nc --time 0:12:30         before the block that is under way then
-  cnc872c state flange.nc --at-tool T5           before the M06 of T5
-  cnc872c state flange.nc --n 120 --format json | jq .position
-
-Times are those of `motion`. Findings go to standard error. Exit status: 0 found, 1 the program has errors
-before the place, 2 there is no such place or several, or it could not run.",
-            cs: "\
-Příklady:
-  cnc872c state priruba.nc --n 120               před N120; provádí-li se vícekrát, vypíše průchody
-  cnc872c state priruba.nc --n 120 --pass 3      před jeho třetím provedením
-  cnc872c state priruba.nc --n 30 --file L9001   před N30 makrocyklu L9001
-  cnc872c state priruba.nc --line 45 --after     za blokem na řádku 45
-  cnc872c state priruba.nc --time 0:12:30        před blokem, který se v tu dobu provádí
-  cnc872c state priruba.nc --at-tool T5          před M06 nástroje T5
-  cnc872c state priruba.nc --n 120 --format json | jq .position
-
-Časy jsou z „motion“. Hlášení jdou na standardní chybový výstup. Návratový kód: 0 nalezeno, 1 program má
-před místem chyby, 2 takové místo není nebo jich je více, nebo příkaz nešlo provést.",
-        },
+        "Řekne, co v daném místě programu platí: poloha, funkce, hodnoty, parametry, volání, zbývající čas"
     ),
-    about(
+    about!(
         "restart",
         "Writes a program that starts at a place of another one, with everything that holds there",
-        "Zapíše program, který začíná v daném místě jiného, se vším, co tam platí",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c restart flange.nc --n 4310 --pass 3 -o rest.nc   from the third execution of N4310
-  cnc872c restart flange.nc --at-tool T5 --safe 100        from the M06 of T5; the tool moves across at Z100
-  cnc872c restart flange.nc --time 0:12:30 --clearance 5   feed begins 5 mm above the place
-  cnc872c restart flange.nc --list                         where it can start: tool changes and rapids
-
-The tool rises, moves across, comes down in rapid to --clearance and goes to the place at F. Without --safe
-it rises to where the program itself stood with this tool. Read the comments of the new program before START.
-Exit status: 0 written, 1 no start is possible there or the program has errors, 2 there is no such place or
-several, --safe is missing, or it could not run.",
-            cs: "\
-Příklady:
-  cnc872c restart priruba.nc --n 4310 --pass 3 -o zbytek.nc   od třetího provedení N4310
-  cnc872c restart priruba.nc --at-tool T5 --safe 100          od M06 nástroje T5; přejezd ve výšce Z100
-  cnc872c restart priruba.nc --time 0:12:30 --clearance 5     posuv začne 5 mm nad místem
-  cnc872c restart priruba.nc --list                           kde lze začít: výměny nástrojů a rychloposuvy
-
-Nástroj vyjede nahoru, přejede, rychloposuvem sjede na --clearance a na místo dojede s F. Bez --safe vyjede
-tam, kde s tímto nástrojem stál sám program. Před stiskem START přečíst komentáře nového programu.
-Návratový kód: 0 zapsáno, 1 v daném místě začít nelze nebo program má chyby, 2 takové místo není nebo jich
-je více, chybí --safe, nebo příkaz nešlo provést.",
-        },
+        "Zapíše program, který začíná v daném místě jiného, se vším, co tam platí"
     ),
-    about(
+    about!(
         "compare",
         "Tells what two programs do differently; how they are written does not matter",
-        "Řekne, co dva programy dělají jinak; na způsobu zápisu nezáleží",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c compare old.nc new.nc                     what is cut differently
-  cnc872c compare archive/ new/                     two folders: a line for each program
-  cnc872c compare old.nc new.nc --tolerance 0.01    positions up to 0.01 mm apart are the same
-  cnc872c compare old.nc new.nc -o changes.html     both paths in one picture
-  cnc872c compare old.nc new.nc --format json | jq '.changes[].kind'
-
-Exit status: 0 the same, 1 different, 2 it could not run, or a program has errors.",
-            cs: "\
-Příklady:
-  cnc872c compare stary.nc novy.nc                    co se obrobí jinak
-  cnc872c compare archiv/ nove/                       dvě složky: řádek na program
-  cnc872c compare stary.nc novy.nc --tolerance 0.01   polohy do 0.01 mm od sebe jsou stejné
-  cnc872c compare stary.nc novy.nc -o zmeny.html      obě dráhy v jednom obrázku
-  cnc872c compare stary.nc novy.nc --format json | jq '.changes[].kind'
-
-Návratový kód: 0 stejné, 1 různé, 2 příkaz nešlo provést nebo program má chyby.",
-        },
+        "Řekne, co dva programy dělají jinak; na způsobu zápisu nezáleží"
     ),
 ];
 

@@ -1,4 +1,4 @@
-//! The words of `--help`, in both languages: the one table of them.
+//! The words of `--help`, in both languages; the examples of the commands are in `help`.
 
 use crate::dict::Bilingual;
 
@@ -33,370 +33,97 @@ pub(super) struct CommandText {
     pub examples: Bilingual,
 }
 
-pub(super) const fn about(name: &'static str, en: &'static str, cs: &'static str, examples: Bilingual) -> CommandText {
-    CommandText { name, about: Bilingual { en, cs }, examples }
+/// A command, with its examples from `help/NAME.en.txt` and `help/NAME.cs.txt`.
+macro_rules! about {
+    ($name:literal, $en:literal, $cs:literal) => {
+        CommandText {
+            name: $name,
+            about: Bilingual { en: $en, cs: $cs },
+            examples: Bilingual {
+                en: include_str!(concat!("help/", $name, ".en.txt")),
+                cs: include_str!(concat!("help/", $name, ".cs.txt")),
+            },
+        }
+    };
 }
+pub(super) use about;
 
 /// The program itself, and every command.
 pub(super) const COMMANDS: &[CommandText] = &[
-    about(
+    about!(
         "cnc872c",
         "Checks and compiles part programs of the CNC8x6, CNC8x9 and CNC872 controls",
-        "Kontroluje a překládá partprogramy řídicích systémů CNC8x6, CNC8x9 a CNC872",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c check flange.nc                    every mistake, at its place
-  cnc872c compile flange.nc -o flange.jsonl  the blocks as the control executes them
-  cnc872c view flange.nc --open              its path, in the browser
-  cnc872c motion flange.nc                   how long it takes, and where it is slow
-  cnc872c explain E0306                      what a finding means
-  cnc872c explain G73                        what a function does
-
-Exit status: 0 no errors, 1 the programs have errors, 2 it could not run.",
-            cs: "\
-Příklady:
-  cnc872c check priruba.nc                     všechny chyby, každá na svém místě
-  cnc872c compile priruba.nc -o priruba.jsonl  bloky tak, jak je systém provede
-  cnc872c view priruba.nc --open               dráha v prohlížeči
-  cnc872c motion priruba.nc                    jak dlouho trvá a kde zpomaluje
-  cnc872c explain E0306                        co hlášení znamená
-  cnc872c explain G73                          co funkce dělá
-
-Návratový kód: 0 bez chyb, 1 programy mají chyby, 2 nešlo zkontrolovat.",
-        },
+        "Kontroluje a překládá partprogramy řídicích systémů CNC8x6, CNC8x9 a CNC872"
     ),
-    about(
-        "check",
-        "Checks programs and macrocycles",
-        "Zkontroluje programy a makrocykly",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c check flange.nc               one program
-  cnc872c check .                       all programs in this folder and the folders in it
-  cnc872c check --fix flange.nc         also applies the fixes that are certain
-  cnc872c check --diff .                shows what --fix would change
-  cnc872c check -L macros flange.nc     macrocycles L… are in the folder macros
-  cnc872c check --param R10=25.5 a.nc   R10 comes from the machine's table
-  cnc872c check -A empty-block -D W0414 a.nc
-  cnc872c check --format json . > findings.json
-  postprocessor | cnc872c check -       from standard input
-
-Findings go to standard output. Exit status: 0 no errors, 1 errors found (or warnings, with
---deny-warnings), 2 a file cannot be read, no program is found, or the configuration or the command
-line is wrong.",
-            cs: "\
-Příklady:
-  cnc872c check priruba.nc              jeden program
-  cnc872c check .                       všechny programy v této složce a ve složkách v ní
-  cnc872c check --fix priruba.nc        a také opraví, co má jistou opravu
-  cnc872c check --diff .                ukáže, co by --fix změnilo
-  cnc872c check -L makra priruba.nc     makrocykly L… jsou ve složce makra
-  cnc872c check --param R10=25.5 a.nc   R10 má hodnotu z tabulky stroje
-  cnc872c check -A empty-block -D W0414 a.nc
-  cnc872c check --format json . > hlaseni.json
-  postprocesor | cnc872c check -        ze standardního vstupu
-
-Hlášení jdou na standardní výstup. Návratový kód: 0 bez chyb, 1 nalezeny chyby (s --deny-warnings
-i varování), 2 soubor nelze přečíst, žádný program se nenašel, nebo je chyba v konfiguraci či na
-příkazovém řádku.",
-        },
-    ),
-    about(
+    about!("check", "Checks programs and macrocycles", "Zkontroluje programy a makrocykly"),
+    about!(
         "compile",
         "Writes the block stream of a program: each executed block, in order, as a line of JSON",
-        "Zapíše proud bloků programu: každý provedený blok v pořadí jako řádek JSON",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c compile flange.nc                          to standard output
-  cnc872c compile flange.nc -o flange.jsonl          to a file: complete, or not at all
-  cnc872c compile flange.nc --from 1000 --limit 20   blocks 1000 to 1019 only
-  cnc872c compile flange.nc --param R10=25.5         R10 comes from the machine's table
-  cnc872c compile flange.nc | jq 'select(.kind == \"block\") | .position'
-
-Findings go to standard error. A stream is complete when its last record is `end`. Exit status:
-0 complete, 1 the program has errors, 2 it could not run; then FILE stays as it was.",
-            cs: "\
-Příklady:
-  cnc872c compile priruba.nc                          na standardní výstup
-  cnc872c compile priruba.nc -o priruba.jsonl         do souboru: celý, nebo vůbec
-  cnc872c compile priruba.nc --from 1000 --limit 20   jen bloky 1000 až 1019
-  cnc872c compile priruba.nc --param R10=25.5         R10 má hodnotu z tabulky stroje
-  cnc872c compile priruba.nc | jq 'select(.kind == \"block\") | .position'
-
-Hlášení jdou na standardní chybový výstup. Proud je úplný, když končí záznamem „end“. Návratový
-kód: 0 úplný, 1 program má chyby, 2 nešlo zkontrolovat; SOUBOR pak zůstane, jak byl.",
-        },
+        "Zapíše proud bloků programu: každý provedený blok v pořadí jako řádek JSON"
     ),
-    about(
+    about!(
         "view",
         "Draws the path of a program: a page with the path in three dimensions beside the text, or a picture",
-        "Nakreslí dráhu programu: stránku s dráhou v prostoru vedle textu, nebo obrázek",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c view flange.nc                 writes flange.nc.html, one file that opens in any browser
-  cnc872c view flange.nc --open          and opens it
-  cnc872c view flange.nc -o flange.svg   a still picture, with axes, scale and numbers
-  cnc872c view flange.nc -o flange.png --plane iso
-  cnc872c view flange.nc --blocks 500    the first 500 executed blocks only
-
-The page shows the path, the text, what holds at each block, velocities and times; nothing is fetched.
-A program with errors is drawn as far as it can be executed. Exit status: 0 no errors, 1 the program has
-errors, 2 nothing could be drawn.",
-            cs: "\
-Příklady:
-  cnc872c view priruba.nc                  zapíše priruba.nc.html, jediný soubor pro kterýkoli prohlížeč
-  cnc872c view priruba.nc --open           a otevře jej
-  cnc872c view priruba.nc -o priruba.svg   obrázek s osami, měřítkem a čísly
-  cnc872c view priruba.nc -o priruba.png --plane iso
-  cnc872c view priruba.nc --blocks 500     jen prvních 500 provedených bloků
-
-Stránka ukazuje dráhu, text, stav v každém bloku, rychlosti a časy; nic odnikud nestahuje. Program
-s chybami je nakreslen, kam až jde provést. Návratový kód: 0 bez chyb, 1 program má chyby, 2 nebylo
-možné nic nakreslit.",
-        },
+        "Nakreslí dráhu programu: stránku s dráhou v prostoru vedle textu, nebo obrázek"
     ),
-    about(
+    about!(
         "motion",
         "Estimates how the machine moves through a program: its time, where it slows down, and why",
-        "Odhadne, jak stroj programem projede: jeho čas, kde zpomalí a proč",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c motion flange.nc                            time, joints, and the slowest of them
-  cnc872c motion flange.nc --set accuracy-um=4        with another value, and what it changes
-  cnc872c motion flange.nc --set R384=00200008        the same by a machine constant
-  cnc872c motion flange.nc --format csv > flange.csv  a row a block, for a table
-  cnc872c motion flange.nc --format json | jq 'select(.joint.dot == \"red\")'
-
-The machine is that of [motion] in cnc872c.toml, else one that is assumed: an estimate says what it
-rests on. Findings go to standard error. Exit status: 0 complete, 1 the program has errors, 2 it could
-not run; then FILE stays as it was.",
-            cs: "\
-Příklady:
-  cnc872c motion priruba.nc                             čas, napojení bloků a nejpomalejší z nich
-  cnc872c motion priruba.nc --set accuracy-um=4         s jinou hodnotou, a co se tím změní
-  cnc872c motion priruba.nc --set R384=00200008         totéž strojní konstantou
-  cnc872c motion priruba.nc --format csv > priruba.csv  řádek na blok, do tabulky
-  cnc872c motion priruba.nc --format json | jq 'select(.joint.dot == \"red\")'
-
-Stroj je ten z [motion] v cnc872c.toml, jinak předpokládaný: odhad uvádí, z čeho vychází. Hlášení jdou
-na standardní chybový výstup. Návratový kód: 0 úplné, 1 program má chyby, 2 příkaz nešlo provést;
-SOUBOR pak zůstane, jak byl.",
-        },
+        "Odhadne, jak stroj programem projede: jeho čas, kde zpomalí a proč"
     ),
-    about(
+    about!(
         "plc",
         "Shows what the PLC program reads of a program: command blocks, change bits, requests to move",
-        "Ukáže, co z programu čte PLC program: povelové bloky, změnové bity, požadavky na pohyb",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c plc flange.nc                                 what changes, block by block
-  cnc872c plc flange.nc --signals 'ZMM*,PB06,BLK.M[10]' these signals only
-  cnc872c plc flange.nc --format vcd -o flange.vcd      waveforms for GTKWave or Surfer
-  cnc872c plc flange.nc --find 'M03PI & !M08PI & PO_OSZPI'
-  cnc872c plc --list                                    all signals of the control
-  cnc872c explain ZMM10PI                               one of them
-
-In conditions `!` binds closest, then == != < <= > >=, then &, then |; rising(…) and falling(…) look
-at the step before; numbers are decimal or, as 19h, hexadecimal. Findings go to standard error.
-Exit status: 0 complete, 1 the program has errors, 2 it could not run; then FILE stays as it was.
-With --find: 0 found, 1 not found, 2 the condition or the program has errors, or it could not run.",
-            cs: "\
-Příklady:
-  cnc872c plc priruba.nc                                 co se mění, blok po bloku
-  cnc872c plc priruba.nc --signals 'ZMM*,PB06,BLK.M[10]' jen tyto signály
-  cnc872c plc priruba.nc --format vcd -o priruba.vcd     průběhy pro GTKWave nebo Surfer
-  cnc872c plc priruba.nc --find 'M03PI & !M08PI & PO_OSZPI'
-  cnc872c plc --list                                     všechny signály systému
-  cnc872c explain ZMM10PI                                jeden z nich
-
-V podmínkách váže nejtěsněji „!“, pak == != < <= > >=, pak &, pak |; rising(…) a falling(…) hledí na
-předchozí krok; čísla jsou desítková, nebo jako 19h šestnáctková. Hlášení jdou na standardní chybový
-výstup. Návratový kód: 0 úplné, 1 program má chyby, 2 příkaz nešlo provést; SOUBOR pak zůstane, jak
-byl. S --find: 0 nalezeno, 1 nenalezeno, 2 chyba v podmínce nebo v programu, nebo příkaz nešlo provést.",
-        },
+        "Ukáže, co z programu čte PLC program: povelové bloky, změnové bity, požadavky na pohyb"
     ),
-    about(
+    about!(
         "report",
         "Writes the set-up sheet of a program: size of the work, tools, functions, parameters, time",
-        "Sestaví seřizovací list programu: rozměry, nástroje, funkce, parametry, čas",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c report flange.nc                                     to read here
-  cnc872c report flange.nc --format html -o flange-sheet.html  a page to print
-  cnc872c report flange.nc --format markdown                   for a wiki
-  cnc872c report flange.nc --format json | jq '.tools[].t'
-
-The time is that of `motion`. Findings go to standard error. Exit status: 0 complete, 1 the program has
-errors, 2 it could not run; then FILE stays as it was.",
-            cs: "\
-Příklady:
-  cnc872c report priruba.nc                                     k přečtení zde
-  cnc872c report priruba.nc --format html -o list-priruba.html  stránka k vytištění
-  cnc872c report priruba.nc --format markdown                   pro wiki
-  cnc872c report priruba.nc --format json | jq '.tools[].t'
-
-Čas je z „motion“. Hlášení jdou na standardní chybový výstup. Návratový kód: 0 úplné, 1 program má
-chyby, 2 příkaz nešlo provést; SOUBOR pak zůstane, jak byl.",
-        },
+        "Sestaví seřizovací list programu: rozměry, nástroje, funkce, parametry, čas"
     ),
-    about(
+    about!(
         "explain",
         "Explains findings, functions, addresses and keys of the project file",
-        "Vysvětlí hlášení, funkce, adresy a klíče projektového souboru",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c explain                     the list of all findings
-  cnc872c explain E0306               a finding by its code
-  cnc872c explain duplicate-address   or by its name
-  cnc872c explain G73 M19             functions
-  cnc872c explain '&' X               addresses
-  cnc872c explain ZMM10PI             signals of the PLC
-  cnc872c explain limits.feed g97     keys of cnc872c.toml
-  cnc872c explain radius              the pages that mention a word",
-            cs: "\
-Příklady:
-  cnc872c explain                     seznam všech hlášení
-  cnc872c explain E0306               hlášení podle kódu
-  cnc872c explain duplicate-address   nebo podle názvu
-  cnc872c explain G73 M19             funkce
-  cnc872c explain '&' X               adresy
-  cnc872c explain ZMM10PI             signály PLC
-  cnc872c explain limits.feed g97     klíče souboru cnc872c.toml
-  cnc872c explain posuv               stránky, kde je to slovo",
-        },
+        "Vysvětlí hlášení, funkce, adresy a klíče projektového souboru"
     ),
-    about(
+    about!(
         "init",
         "Writes a commented project file cnc872c.toml, never over an existing one",
-        "Zapíše projektový soubor cnc872c.toml s poznámkami, existující nikdy nepřepíše",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c init                     into this folder, for the CNC872
-  cnc872c init --dialect cnc8x9    for another control
-  cnc872c init programs --lang cs  into the folder programs, comments in Czech
-
-All defaults are in the file; what has none is an example behind #.",
-            cs: "\
-Příklady:
-  cnc872c init                     do této složky, pro CNC872
-  cnc872c init --dialect cnc8x9    pro jiný systém
-  cnc872c init programy --lang en  do složky programy, poznámky anglicky
-
-V souboru jsou všechny výchozí hodnoty; kde žádná není, je za # příklad.",
-        },
+        "Zapíše projektový soubor cnc872c.toml s poznámkami, existující nikdy nepřepíše"
     ),
-    about(
+    about!(
         "lsp",
         "Serves an editor: findings while typing, meanings, jumps (language server on stdin and stdout)",
-        "Slouží editoru: hlášení při psaní, významy, skoky (jazykový server na stdin a stdout)",
-        Bilingual {
-            en: "\
-Editors start it themselves; docs/guide/editors.en.md says how they are set up.",
-            cs: "\
-Editory jej spouštějí samy; jak je nastavit, popisuje docs/guide/editors.cs.md.",
-        },
+        "Slouží editoru: hlášení při psaní, významy, skoky (jazykový server na stdin a stdout)"
     ),
-    about(
+    about!(
         "stats",
         "Writes one row of facts a program: hash, blocks, time, tools, functions, findings",
-        "Zapíše o každém programu jeden řádek: otisk, bloky, čas, nástroje, funkce, hlášení",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c stats archive                                       to read here
-  cnc872c stats archive --format csv -o archive.csv           for a spreadsheet
-  cnc872c stats archive --format arrow -o archive.arrow       for DuckDB, polars, pandas
-  cnc872c stats archive --cache ~/.cache/cnc872c --format json
-
-Macrocycles have no row. With --cache a later run executes only what changed: programs, macrocycles,
-configuration. Exit status: 0 also when programs have errors, 2 a file cannot be read, no program was
-found, or the configuration or the command line is wrong.",
-            cs: "\
-Příklady:
-  cnc872c stats archiv                                        k přečtení zde
-  cnc872c stats archiv --format csv -o archiv.csv             pro tabulkový procesor
-  cnc872c stats archiv --format arrow -o archiv.arrow         pro DuckDB, polars, pandas
-  cnc872c stats archiv --cache ~/.cache/cnc872c --format json
-
-Makrocykly řádek nemají. S --cache se příště provede jen to, co se změnilo: programy, makrocykly,
-konfigurace. Návratový kód: 0 i při chybách v programech, 2 soubor nelze přečíst, žádný program se
-nenašel, nebo je chyba v konfiguraci či na příkazovém řádku.",
-        },
+        "Zapíše o každém programu jeden řádek: otisk, bloky, čas, nástroje, funkce, hlášení"
     ),
-    about(
+    about!(
         "schema",
         "Prints the JSON Schema of what the other commands write and read",
-        "Vypíše JSON Schema toho, co ostatní příkazy zapisují a čtou",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c schema              of a line of the block stream (compile)
-  cnc872c schema diagnostics  of check --format json
-  cnc872c schema config       of cnc872c.toml, for editors that complete it
-  cnc872c schema motion       of a line of motion --format json
-  cnc872c schema plc          of a line of plc --format json
-  cnc872c schema report       of report --format json
-  cnc872c schema state        of state --format json
-  cnc872c schema compare      of compare --format json
-  cnc872c schema stats        of stats --format json",
-            cs: "\
-Příklady:
-  cnc872c schema              řádku proudu bloků (compile)
-  cnc872c schema diagnostics  výstupu check --format json
-  cnc872c schema config       souboru cnc872c.toml, pro napovídání v editoru
-  cnc872c schema motion       řádku motion --format json
-  cnc872c schema plc          řádku plc --format json
-  cnc872c schema report       listu report --format json
-  cnc872c schema state        odpovědi state --format json
-  cnc872c schema compare      výstupu compare --format json
-  cnc872c schema stats        výstupu stats --format json",
-        },
+        "Vypíše JSON Schema toho, co ostatní příkazy zapisují a čtou"
     ),
-    about(
+    about!(
         "completions",
         "Prints a script that lets a shell complete this command line",
-        "Vypíše skript, se kterým shell doplňuje tento příkazový řádek",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c completions bash > ~/.local/share/bash-completion/completions/cnc872c
-  cnc872c completions fish > ~/.config/fish/completions/cnc872c.fish",
-            cs: "\
-Příklady:
-  cnc872c completions bash > ~/.local/share/bash-completion/completions/cnc872c
-  cnc872c completions fish > ~/.config/fish/completions/cnc872c.fish",
-        },
+        "Vypíše skript, se kterým shell doplňuje tento příkazový řádek"
     ),
-    about(
+    about!(
         "man",
         "Prints the manual page of the program, or of a command",
-        "Vypíše manuálovou stránku programu, nebo příkazu",
-        Bilingual {
-            en: "\
-Examples:
-  cnc872c man > cnc872c.1
-  cnc872c man check > cnc872c-check.1",
-            cs: "\
-Příklady:
-  cnc872c man > cnc872c.1
-  cnc872c man check > cnc872c-check.1",
+        "Vypíše manuálovou stránku programu, nebo příkazu"
+    ),
+    CommandText {
+        name: "help",
+        about: Bilingual {
+            en: "Prints this help, or that of a command",
+            cs: "Vypíše tuto nápovědu, nebo nápovědu k příkazu",
         },
-    ),
-    about(
-        "help",
-        "Prints this help, or that of a command",
-        "Vypíše tuto nápovědu, nebo nápovědu k příkazu",
-        Bilingual { en: "", cs: "" },
-    ),
+        examples: Bilingual { en: "", cs: "" },
+    },
 ];
 
 /// The help of an argument or option.

@@ -119,112 +119,108 @@ fn letters(values: &[(char, Decimal)]) -> impl Iterator<Item = (String, f64)> {
     values.iter().map(|(letter, value)| (letter.to_string(), Micro::from(*value).to_f64()))
 }
 
-/// Puts a record into the next row. Each field is named, so that a new one does not compile until it has its column.
+/// Puts the fields of a record into their columns: a new field does not compile until it has its column. Behind a field
+/// stands the kind of its column, with its unit, or `so` and the code that puts it.
+macro_rules! columns {
+    ($table:ident, $record:ident { $($name:ident: $kind:ident $(($unit:literal))? $({ $($code:tt)* })?),* $(,)? }) => {
+        let BlockRecord { $($name),* } = $record;
+        $(column!($table, $name, $kind $(($unit))? $({ $($code)* })?);)*
+    };
+}
+
+macro_rules! column {
+    ($table:ident, $name:ident, so { $($code:tt)* }) => {
+        $($code)*
+    };
+    ($table:ident, $name:ident, whole) => {
+        $table.whole(stringify!($name), "", Some(*$name));
+    };
+    ($table:ident, $name:ident, whole_of($unit:literal)) => {
+        $table.whole(stringify!($name), $unit, whole(*$name));
+    };
+    ($table:ident, $name:ident, decimal) => {
+        $table.number(stringify!($name), "", decimal(*$name));
+    };
+    ($table:ident, $name:ident, by_value $kind:ident) => {
+        $table.$kind(stringify!($name), *$name);
+    };
+    ($table:ident, $name:ident, flag) => {
+        column!($table, $name, by_value flag);
+    };
+    ($table:ident, $name:ident, byte) => {
+        column!($table, $name, by_value byte);
+    };
+    ($table:ident, $name:ident, $kind:ident) => {
+        $table.$kind(stringify!($name), $name);
+    };
+}
+
+/// Puts a record into the next row.
 pub(super) fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
-    let BlockRecord {
-        seq,
-        n,
-        file,
-        line,
-        column,
-        calls,
-        jump,
-        skippable,
-        first_block,
-        last_block,
-        g,
-        g_set,
-        m,
-        m_set,
-        m_changed,
-        m_at_stop,
-        break_cont,
-        break_cont_end,
-        change_pos,
-        gear,
-        motion,
-        position,
-        feed,
-        feed_unit,
-        feed_scale,
-        tool,
-        rev_feed,
-        const_cut_speed,
-        s,
-        t,
-        h,
-        p,
-        d,
-        t_set,
-        h_set,
-        p_set,
-        d_set,
-        s_set,
-        f_set,
-        length_correction,
-        dwell_s,
-        stop,
-        cond_stop,
-        continuous_mode,
-        dynamic_set,
-        opaque_call,
-        data,
-        words,
-        params,
-        comments,
-    } = record;
-    table.long("seq", Some(*seq));
-    table.whole("n", "", Some(*n));
-    table.whole("file", "", Some(*file));
-    table.whole("line", "", Some(*line));
-    table.whole("column", "", Some(*column));
-    put_calls(table, calls);
-    table.whole("jump_to", "", jump.map(|Jump { to, left: _ }| to));
-    table.whole("jump_left", "", jump.and_then(|jump| jump.left));
-    table.flag("skippable", *skippable);
-    table.flag("first_block", *first_block);
-    table.flag("last_block", *last_block);
-    table.fixed("g", g);
-    table.bytes("g_set", g_set);
-    table.fixed("m", m);
-    table.bytes("m_set", m_set);
-    table.bytes("m_changed", m_changed);
-    put_m_at_stop(table, *m_at_stop);
-    table.flag("break_cont", *break_cont);
-    table.flag("break_cont_end", *break_cont_end);
-    table.flag("change_pos", *change_pos);
-    table.byte("gear", *gear);
-    put_motion(table, motion.as_ref(), axes);
-    put_axes(table, "", Some(position), axes);
-    table.number("feed", "", decimal(*feed));
-    let units = || FeedUnit::ALL.into_iter().map(FeedUnit::name);
-    table.name("feed_unit", units, feed_unit.map(|unit| unit as usize));
-    table.number("feed_scale", "", decimal(*feed_scale));
-    table.whole("tool", "", whole(*tool));
-    table.flag("rev_feed", *rev_feed);
-    table.flag("const_cut_speed", *const_cut_speed);
-    table.whole("s", "rev/min", whole(*s));
-    table.whole("t", "", whole(*t));
-    table.number("h", "", decimal(*h));
-    table.whole("p", "", whole(*p));
-    table.whole("d", "", whole(*d));
-    table.flag("t_set", *t_set);
-    table.flag("h_set", *h_set);
-    table.flag("p_set", *p_set);
-    table.flag("d_set", *d_set);
-    table.flag("s_set", *s_set);
-    table.flag("f_set", *f_set);
-    table.text("length_correction", length_correction.map(|digits| format!("{digits:04}")).as_deref());
-    table.number("dwell_s", "s", micro(*dwell_s));
-    table.flag("stop", *stop);
-    table.flag("cond_stop", *cond_stop);
-    table.flag("continuous_mode", *continuous_mode);
-    table.byte("dynamic_set", *dynamic_set);
-    table.whole("opaque_call", "", *opaque_call);
-    put_data(table, data.as_ref());
-    table.map("words", "", letters(words));
-    table.map("params", "", params.iter().map(|(index, value)| (format!("R{index}"), Micro::from(*value).to_f64())));
-    table.texts("comments", comments);
+    columns!(table, record {
+        seq: so { table.long("seq", Some(*seq)); },
+        n: whole,
+        file: whole,
+        line: whole,
+        column: whole,
+        calls: so { put_calls(table, calls); },
+        jump: so {
+            table.whole("jump_to", "", jump.map(|Jump { to, left: _ }| to));
+            table.whole("jump_left", "", jump.and_then(|jump| jump.left));
+        },
+        skippable: flag,
+        first_block: flag,
+        last_block: flag,
+        g: fixed,
+        g_set: bytes,
+        m: fixed,
+        m_set: bytes,
+        m_changed: bytes,
+        m_at_stop: so { put_m_at_stop(table, *m_at_stop); },
+        break_cont: flag,
+        break_cont_end: flag,
+        change_pos: flag,
+        gear: byte,
+        motion: so { put_motion(table, motion.as_ref(), axes); },
+        position: so { put_axes(table, "", Some(position), axes); },
+        feed: decimal,
+        feed_unit: so {
+            let units = || FeedUnit::ALL.into_iter().map(FeedUnit::name);
+            table.name("feed_unit", units, feed_unit.map(|unit| unit as usize));
+        },
+        feed_scale: decimal,
+        tool: whole_of(""),
+        rev_feed: flag,
+        const_cut_speed: flag,
+        s: whole_of("rev/min"),
+        t: whole_of(""),
+        h: decimal,
+        p: whole_of(""),
+        d: whole_of(""),
+        t_set: flag,
+        h_set: flag,
+        p_set: flag,
+        d_set: flag,
+        s_set: flag,
+        f_set: flag,
+        length_correction: so {
+            let digits = length_correction.map(|digits| format!("{digits:04}"));
+            table.text("length_correction", digits.as_deref());
+        },
+        dwell_s: so { table.number("dwell_s", "s", micro(*dwell_s)); },
+        stop: flag,
+        cond_stop: flag,
+        continuous_mode: flag,
+        dynamic_set: byte,
+        opaque_call: so { table.whole("opaque_call", "", *opaque_call); },
+        data: so { put_data(table, data.as_ref()); },
+        words: so { table.map("words", "", letters(words)); },
+        params: so {
+            let value = |(index, value): &(u8, Decimal)| (format!("R{index}"), Micro::from(*value).to_f64());
+            table.map("params", "", params.iter().map(value));
+        },
+        comments: texts,
+    });
 }
 
 fn put_calls(table: &mut Table, calls: &[Call]) {

@@ -4,6 +4,7 @@
 //! other way to tell a user that something is wrong with a program.
 
 mod advice;
+mod after_end;
 mod details;
 mod diagnostic;
 pub mod explain;
@@ -14,12 +15,14 @@ mod levels;
 mod registry;
 mod render;
 mod report;
+mod rows;
 mod shown;
 
 pub use advice::{
-    AddressMeant, AfterEndMeant, CommaMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, Star, TargetMeant,
-    TextMeant, Unread, UnreadEnd, UnusedMeant, ValueMeant,
+    AddressMeant, CommaMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant, UnusedMeant,
+    ValueMeant,
 };
+pub use after_end::{AfterEndMeant, Star, Unread, UnreadEnd};
 pub use details::{
     ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, EarlyEnd, JointBreak, JointLimit,
     KnownNames, MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, Unmodelled, UnusedConstant,
@@ -31,7 +34,8 @@ pub use findings::{Findings, LIMIT_PER_CODE};
 pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;
-pub use registry::{Code, Finding, Severity};
+pub use registry::{Code, Finding};
 pub use render::{Format, Shown, render, schema, unshown};
 pub use report::{NotExecuted, Report, Reported, StayedUnknown};
+pub use rows::Severity;
 pub use shown::{shown, terminal_safe};

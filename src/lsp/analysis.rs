@@ -69,15 +69,29 @@ pub(super) fn configuration(path: &Path, files: &EditorFiles, client: &Client) -
     (settings, sources, findings)
 }
 
-/// What programs in the folder of `path` are judged by while their project file has errors: the last configuration that had
-/// none.
-fn last_good(path: &Path, files: &EditorFiles, client: &Client) -> Option<Settings> {
-    client.last_good(&find_project(path.parent().unwrap_or(Path::new("")), files)?)
-}
-
-/// The settings for a project file that never was without errors: those of the client alone.
-fn defaults(path: &Path, files: &EditorFiles, client: &Client) -> Settings {
-    configure(None, client.overrides(path, files), files, &mut Sources::new(), &mut Findings::new())
+/// The settings that programs in the folder of `path` are judged by, and whether they are the client's alone: `current` when it
+/// has no errors, else the last ones of the project file that had none, else those of the client.
+fn judged_by(
+    current: Settings,
+    has_errors: bool,
+    path: &Path,
+    files: &EditorFiles,
+    client: &Client,
+) -> (Settings, bool) {
+    let project = find_project(path.parent().unwrap_or(Path::new("")), files);
+    if !has_errors {
+        if let Some(project) = project {
+            client.keep_good(&project, &current);
+        }
+        return (current, false);
+    }
+    match project.and_then(|project| client.last_good(&project)) {
+        Some(good) => (good, false),
+        None => {
+            let (mut sources, mut findings) = (Sources::new(), Findings::new());
+            (configure(None, client.overrides(path, files), files, &mut sources, &mut findings), true)
+        }
+    }
 }
 
 /// Runs over the document at `path`. `None` when that was cancelled.
@@ -98,17 +112,7 @@ pub(super) fn run(
         report
     };
     let mut report = configured();
-    let has_errors = report.errors() > 0;
-    let good = if has_errors { last_good(path, files, client) } else { None };
-    let misconfigured = has_errors && good.is_none();
-    let settings = match good {
-        Some(good) => good,
-        None if has_errors => defaults(path, files, client),
-        None => current,
-    };
-    if !has_errors && let Some(project) = find_project(path.parent().unwrap_or(Path::new("")), files) {
-        client.keep_good(&project, &settings);
-    }
+    let (settings, misconfigured) = judged_by(current, report.errors() > 0, path, files, client);
     let mut read = paths(files, &config_sources);
     read.extend(settings.macrocycles.iter().map(|folder| files.canonical(folder)));
     if is_configuration(path) {
@@ -134,8 +138,6 @@ pub(super) fn run(
         return None;
     }
     let record = Arc::new(OnceLock::new());
-    let mut read_by_program = read.clone();
-    read_by_program.extend(paths(files, &outcome.sources));
     progress.analysed(
         Analysis {
             known: query::analysis::Analysis {
@@ -150,7 +152,7 @@ pub(super) fn run(
             },
             files: files.clone(),
         },
-        read_by_program,
+        [read.clone(), paths(files, &outcome.sources)].concat(),
     );
     if executable {
         if let Ok(mut interim) = interim.lock() {

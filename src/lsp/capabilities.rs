@@ -91,18 +91,20 @@ pub(super) fn capabilities(client: &Client) -> Value {
     };
     let mut capabilities = serde_json::to_value(capabilities).unwrap_or_default();
     if let Some(capabilities) = capabilities.as_object_mut() {
-        capabilities.insert(
-            "workspace".to_owned(),
-            json!({
-                "workspaceFolders": { "supported": true, "changeNotifications": true },
-                "fileOperations": {
-                    "willRename": { "filters": [{ "pattern": { "glob": "**/[lL][0-9]*" } }] },
-                },
-                "textDocumentContent": { "schemes": [SCHEME] },
-            }),
-        );
+        capabilities.insert("workspace".to_owned(), workspace());
     }
     capabilities
+}
+
+/// The capabilities about folders and files.
+fn workspace() -> Value {
+    json!({
+        "workspaceFolders": { "supported": true, "changeNotifications": true },
+        "fileOperations": {
+            "willRename": { "filters": [{ "pattern": { "glob": "**/[lL][0-9]*" } }] },
+        },
+        "textDocumentContent": { "schemes": [SCHEME] },
+    })
 }
 
 /// The watchers that the client should register: for files that findings depend on and that other programs change.

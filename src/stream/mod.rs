@@ -3,6 +3,7 @@
 
 mod beside;
 mod json;
+mod json_line;
 mod lines;
 mod records;
 mod row;

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::column::Column;
 use super::container::Container;
 use super::rows::Rows;
 use super::text::{Head, Text};
@@ -35,24 +36,7 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     let mut per = Map::new();
     let (text, (positions, times)) = crate::parallel::join(|| Text::of(rows), || (positions(rows), times.pack(rows)));
     let named = |name: &'static str, column| (name.to_owned(), column);
-    let mut columns = vec![
-        named("row.block", &rows.block),
-        named("row.before", &rows.before),
-        named("row.state", &rows.state),
-        named("row.extra", &rows.extra),
-        named("row.shape", &rows.shape),
-        named("row.feed", &rows.feed),
-        named("block.n", &rows.files.n),
-        named("block.line", &rows.files.line),
-        named("block.column", &rows.files.column),
-        named("seq.context", &rows.context_of),
-        named("seq.left", &rows.left),
-        named("context.parent", &rows.contexts.parent),
-        named("context.block", &rows.contexts.block),
-        named("context.call", &rows.contexts.call),
-        named("context.pass", &rows.contexts.pass),
-        named("context.of", &rows.contexts.of),
-    ];
+    let mut columns = plain_columns(rows);
     if !rows.plain {
         columns.push(named("seq.row", &rows.row_of));
     }
@@ -83,17 +67,6 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     container.add_all(columns);
     container.add_text("skeletons", text.skeletons);
     container.add_text("comments", text.comments);
-    let files: Vec<Value> = rows
-        .files
-        .iter()
-        .zip(about.names)
-        .zip(&text.heads)
-        .map(|((file, name), head)| {
-            let Head { text, comments } = head;
-            let counts = [file.starts.len(), file.comments.len(), *comments];
-            json!({ "name": name, "blocks": counts[0], "comments": counts[1], "head": text, "head_comments": counts[2] })
-        })
-        .collect();
     let mut header = Map::new();
     let mut put = |name: &str, value: Value| drop(header.insert(name.to_owned(), value));
     put("schema", json!(SCHEMA));
@@ -102,7 +75,7 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     let [machine, total] = about.motion;
     put("machine", machine);
     put("total", total);
-    put("files", Value::Array(files));
+    put("files", Value::Array(files(rows, about.names, &text.heads)));
     put("blocks", json!(about.blocks));
     put("from", json!(rows.part.from));
     put("count", json!(rows.count()));
@@ -128,6 +101,29 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     container.finish(header)
 }
 
+/// The columns that each page has as its rows count them.
+fn plain_columns(rows: &Rows) -> Vec<(String, &Column)> {
+    let columns = [
+        ("row.block", &rows.block),
+        ("row.before", &rows.before),
+        ("row.state", &rows.state),
+        ("row.extra", &rows.extra),
+        ("row.shape", &rows.shape),
+        ("row.feed", &rows.feed),
+        ("block.n", &rows.files.n),
+        ("block.line", &rows.files.line),
+        ("block.column", &rows.files.column),
+        ("seq.context", &rows.context_of),
+        ("seq.left", &rows.left),
+        ("context.parent", &rows.contexts.parent),
+        ("context.block", &rows.contexts.block),
+        ("context.call", &rows.contexts.call),
+        ("context.pass", &rows.contexts.pass),
+        ("context.of", &rows.contexts.of),
+    ];
+    columns.map(|(name, column)| (name.to_owned(), column)).into()
+}
+
 /// The columns of positions, of the axes that are ever known.
 fn positions(rows: &Rows) -> Vec<(String, super::tally::Tally)> {
     let coded = |axis: usize| {
@@ -138,4 +134,19 @@ fn positions(rows: &Rows) -> Vec<(String, super::tally::Tally)> {
     };
     let named = rows.letters.iter().enumerate().map(|(axis, letter)| (format!("pos.{letter}"), coded(axis)));
     named.filter(|(_, tally)| tally.len() > 0).collect()
+}
+
+/// The files on the page: their names, their heads, the numbers of their blocks and comments.
+fn files(rows: &Rows, names: &[String], heads: &[Head]) -> Vec<Value> {
+    let mut files = Vec::new();
+    for ((file, name), Head { text, comments }) in rows.files.iter().zip(names).zip(heads) {
+        files.push(json!({
+            "name": name,
+            "blocks": file.starts.len(),
+            "comments": file.comments.len(),
+            "head": text,
+            "head_comments": comments,
+        }));
+    }
+    files
 }

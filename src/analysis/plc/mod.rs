@@ -12,6 +12,7 @@
 
 mod beside;
 mod blocks;
+mod cell;
 mod choose;
 mod condition;
 pub mod dictionary;

@@ -78,42 +78,7 @@ pub const fn rule_text(rule: u8) -> Bilingual {
 /// What gives the value of a cell, where its rule is about cells of many kinds (PLC-3, PLC-6).
 pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
     let (en, cs) = match cell {
-        Cell::Flag(Flag::First) => (
-            "1 in the first executed block, `first_block` of the record",
-            "1 v prvním provedeném bloku, `first_block` záznamu",
-        ),
-        Cell::Flag(Flag::Last) => (
-            "1 in the block whose M02 or M30 ends the program, `last_block` of the record",
-            "1 v bloku, jehož M02 nebo M30 ukončí program, `last_block` záznamu",
-        ),
-        Cell::Flag(Flag::Stop) => (
-            "1 in a block that writes M00, `stop` of the record; 0 while the program stands at it",
-            "1 v bloku, ve kterém je zapsáno M00, `stop` záznamu; 0, když na něm program stojí",
-        ),
-        Cell::Flag(Flag::CondStop) => (
-            "1 in a block that writes M01, also when optional stop is off, `cond_stop` of the record",
-            "1 v bloku, ve kterém je zapsáno M01, i při vypnutém volitelném stopu, `cond_stop` záznamu",
-        ),
-        Cell::Flag(Flag::HProg) => (
-            "1 in a block that writes H, even with the same value, `h_set` of the record",
-            "1 v bloku, ve kterém je zapsáno H, i se stejnou hodnotou, `h_set` záznamu",
-        ),
-        Cell::Flag(Flag::TProg) => (
-            "1 in a block that writes T, even with the same value, `t_set` of the record",
-            "1 v bloku, ve kterém je zapsáno T, i se stejnou hodnotou, `t_set` záznamu",
-        ),
-        Cell::Flag(Flag::RevFeed) => (
-            "1 while F is in mm per revolution, `rev_feed` of the record",
-            "1, dokud je F v mm na otáčku, `rev_feed` záznamu",
-        ),
-        Cell::Flag(Flag::ContinuousMode) => (
-            "1 while G23 is in force, `continuous_mode` of the record",
-            "1, dokud platí G23, `continuous_mode` záznamu",
-        ),
-        Cell::Flag(Flag::ConstCutSpeed) => (
-            "1 while the cutting speed is held constant, `const_cut_speed` of the record",
-            "1, dokud se udržuje konstantní řezná rychlost, `const_cut_speed` záznamu",
-        ),
+        Cell::Flag(flag) => return fact(flag),
         Cell::Tool => (
             "The T in force, in BCD: T12 is 12h; no value before the first T",
             "Platné T v BCD: T12 je 12h; bez hodnoty před prvním T",
@@ -156,8 +121,7 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
             "`linear-mm-s2` platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při \
              G00 nebo G23; jinak bez hodnoty",
         ),
-        Cell::Flag(Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell | Flag::Standing | Flag::Reference)
-        | Cell::Group(_)
+        Cell::Group(_)
         | Cell::Mark(_)
         | Cell::Moves(_)
         | Cell::Request(_)
@@ -174,6 +138,50 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
         | Cell::Gear
         | Cell::Stretch
         | Cell::TimeDist => return None,
+    };
+    Some(Bilingual { en, cs })
+}
+
+/// What gives the value of a fact of the block (PLC-3).
+const fn fact(flag: Flag) -> Option<Bilingual> {
+    let (en, cs) = match flag {
+        Flag::First => (
+            "1 in the first executed block, `first_block` of the record",
+            "1 v prvním provedeném bloku, `first_block` záznamu",
+        ),
+        Flag::Last => (
+            "1 in the block whose M02 or M30 ends the program, `last_block` of the record",
+            "1 v bloku, jehož M02 nebo M30 ukončí program, `last_block` záznamu",
+        ),
+        Flag::Stop => (
+            "1 in a block that writes M00, `stop` of the record; 0 while the program stands at it",
+            "1 v bloku, ve kterém je zapsáno M00, `stop` záznamu; 0, když na něm program stojí",
+        ),
+        Flag::CondStop => (
+            "1 in a block that writes M01, also when optional stop is off, `cond_stop` of the record",
+            "1 v bloku, ve kterém je zapsáno M01, i při vypnutém volitelném stopu, `cond_stop` záznamu",
+        ),
+        Flag::HProg => (
+            "1 in a block that writes H, even with the same value, `h_set` of the record",
+            "1 v bloku, ve kterém je zapsáno H, i se stejnou hodnotou, `h_set` záznamu",
+        ),
+        Flag::TProg => (
+            "1 in a block that writes T, even with the same value, `t_set` of the record",
+            "1 v bloku, ve kterém je zapsáno T, i se stejnou hodnotou, `t_set` záznamu",
+        ),
+        Flag::RevFeed => (
+            "1 while F is in mm per revolution, `rev_feed` of the record",
+            "1, dokud je F v mm na otáčku, `rev_feed` záznamu",
+        ),
+        Flag::ContinuousMode => (
+            "1 while G23 is in force, `continuous_mode` of the record",
+            "1, dokud platí G23, `continuous_mode` záznamu",
+        ),
+        Flag::ConstCutSpeed => (
+            "1 while the cutting speed is held constant, `const_cut_speed` of the record",
+            "1, dokud se udržuje konstantní řezná rychlost, `const_cut_speed` záznamu",
+        ),
+        Flag::Rapid | Flag::Thread | Flag::Automatic | Flag::Dwell | Flag::Standing | Flag::Reference => return None,
     };
     Some(Bilingual { en, cs })
 }
