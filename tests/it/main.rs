@@ -24,6 +24,7 @@ mod editors;
 mod endings;
 mod explain;
 mod faults;
+mod fields;
 mod format;
 mod json_schema;
 mod lsp;
