@@ -12,6 +12,7 @@ mod findings;
 mod geometry;
 mod labels;
 mod levels;
+mod other_controls;
 mod registry;
 mod render;
 mod report;
@@ -19,8 +20,7 @@ mod rows;
 mod shown;
 
 pub use advice::{
-    AddressMeant, CommaMeant, DwellMeant, NumberMeant, OtherMeaning, PointMeant, TargetMeant, TextMeant, UnusedMeant,
-    ValueMeant,
+    AddressMeant, CommaMeant, DwellMeant, NumberMeant, PointMeant, TargetMeant, TextMeant, UnusedMeant, ValueMeant,
 };
 pub use after_end::{AfterEndMeant, Star, Unread, UnreadEnd};
 pub use details::{
@@ -34,6 +34,7 @@ pub use findings::{Findings, LIMIT_PER_CODE};
 pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;
+pub use other_controls::OtherMeaning;
 pub use registry::{Code, Finding};
 pub use render::{Format, Shown, render, schema, unshown};
 pub use report::{NotExecuted, Report, Reported, StayedUnknown};

@@ -5,9 +5,8 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
 //! to write.
 
-use super::advice::{
-    center_help, control_digits, foreign_g, is_exchanged, of_group, other_range, range_cs, unnumbered_line,
-};
+use super::advice::{center_help, control_digits, is_exchanged, of_group, other_range, range_cs, unnumbered_line};
+use super::other_controls::foreign_g;
 use super::rows::{Severity, diagnostics, optional_text, text};
 use super::{
     AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, CommaMeant, ConfigNeed,
