@@ -61,7 +61,7 @@ fn jq_paths(filter: &str) -> Vec<String> {
     while let Some(at) = rest.find('.') {
         let is_path = |c: char| c.is_ascii_alphanumeric() || "._[]".contains(c);
         let end = rest[at..].find(|c| !is_path(c)).map_or(rest.len(), |length| at + length);
-        found.push(rest[at..end].replace("[]", "").trim_matches('.').to_owned());
+        found.push(rest[at..end].replace("[]", "").trim_matches(['.', ']']).to_owned());
         rest = &rest[end..];
     }
     found.retain(|path| !path.is_empty());
