@@ -7,7 +7,7 @@ use super::word;
 use crate::config::Style;
 use crate::diag::{Code, Findings};
 use crate::edit::alone;
-use crate::syntax::ParsedFile;
+use crate::syntax::{BlockFlags, ParsedFile};
 use crate::text::{FileId, Span};
 
 /// The warnings that say that a line, or the file, is perhaps not what was meant. They count when they are allowed, too.
@@ -43,6 +43,9 @@ impl Kept {
         let unread = findings.items().iter().filter(|item| item.at.file == FileId(0) && is_unread(item.code()));
         kept.add(lines, unread.flat_map(|item| lines_of(file, item.at.span)));
         kept.add(lines, debris(file));
+        // A line without its number reads as a block of its own only where it is not indented.
+        let merged = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::MERGED));
+        kept.add(lines, merged.flat_map(|block| lines_of(file, extent(file, block))));
         kept.close(file);
         kept.unread = kept.lines.iter().filter(|stays| **stays).count();
         kept

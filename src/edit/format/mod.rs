@@ -36,6 +36,8 @@ pub struct Formatting {
     file: ParsedFile,
     kept: Kept,
     style: Style,
+    /// The file has errors: they may be others after formatting.
+    faulty: bool,
 }
 
 /// Formatting changes what it reads, and whether a line can be read may depend on the lines around it: so often it is done
@@ -54,7 +56,8 @@ impl Formatting {
         let outcome = obstacle(outcome)?;
         let Some(file) = resolved.into_program() else { return Err(Box::default()) };
         let kept = Kept::of(&file, &outcome.findings);
-        let mut formatting = Self { file, kept, style: settings.format };
+        let faulty = outcome.findings.has_errors() || !kept.is_empty();
+        let mut formatting = Self { file, kept, style: settings.format, faulty };
         formatting.keep_lines_that_would_grow();
         Ok(formatting)
     }
@@ -132,7 +135,7 @@ pub fn format(
         let mut splice = Splice::new(source, made.as_ref().map_or(bytes, FileBytes::bytes));
         formatting.edits(&mut |edit| splice.write(edit));
         let next = splice.finish()?;
-        if formatting.kept.is_empty() {
+        if !formatting.faulty && formatting.kept.is_empty() {
             last = Some(next);
             return None;
         }
@@ -169,7 +172,7 @@ pub(crate) fn changes(
         let mut collector = Collector::new(source);
         formatting.edits(&mut |edit| collector.write(edit));
         let changes = collector.finish();
-        let again = !changes.is_empty() && !formatting.kept.is_empty();
+        let again = !changes.is_empty() && (formatting.faulty || !formatting.kept.is_empty());
         let changes = match all.take() {
             Some(before) => before.then(changes),
             None => changes,
@@ -206,7 +209,7 @@ struct Rounds {
 }
 
 /// Formats a text, and what becomes of it, until nothing changes any more. `apply` takes the edits, and gives the text that
-/// they make when it is to be formatted again: the one where lines could not be read.
+/// they make when it is to be formatted again: one with errors, or with lines that stay.
 fn in_rounds(
     path: &Path,
     source: &Arc<SourceText>,
