@@ -107,11 +107,7 @@ pub fn check(
             Ok(outcome)
         };
         many.each(goes_on, check, |outcomes| {
-            for Outcome { sources, findings, not_executed, stayed_unknown, .. } in outcomes {
-                report.add_program(&sources, findings);
-                not_executed.into_iter().for_each(|program| report.add_not_executed(program));
-                stayed_unknown.into_iter().for_each(|unknown| report.add_unknown(unknown));
-            }
+            outcomes.into_iter().for_each(|outcome: Outcome| outcome.add_to(&mut report));
             Ok(())
         })?;
         Ok(json(&report, options.lang))

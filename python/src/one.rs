@@ -77,9 +77,7 @@ impl One<'_> {
         {
             return Err(Fault::Io(self.path.to_path_buf(), error));
         }
-        self.report.add_program(&outcome.sources, outcome.findings);
-        outcome.not_executed.into_iter().for_each(|program| self.report.add_not_executed(program));
-        outcome.stayed_unknown.into_iter().for_each(|unknown| self.report.add_unknown(unknown));
+        outcome.add_to(&mut self.report);
         Ok(())
     }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use cnc872c::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, fault_text, json as state_json};
+use cnc872c::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, Timing, fault_text, json as state_json};
 use cnc872c::config::{Purpose, parse_decimal};
 use cnc872c::dict::{Decimal, Micro};
 use cnc872c::restart::{self as starting, Answer, Spot, refusal_text};
@@ -78,7 +78,7 @@ pub fn state(
     one(py, program, &options, |mut one| {
         let settings = one.session.settings;
         let asked = at.asked(&mut one)?;
-        let mut reader = StateReader::new(settings, asked.clone());
+        let mut reader = StateReader::new(settings, asked.clone(), Timing::Configured);
         let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut &mut reader);
         if reader.has_error_before() || run.outcome.unusable || run.outcome.not_executed.is_some() {
             return Err(broken(&mut one, run.outcome));

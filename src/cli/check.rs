@@ -130,9 +130,7 @@ fn check_all(
     let mut unusable = false;
     let mut add = |outcome: Outcome| {
         unusable |= outcome.lacks_file();
-        report.add_program(&outcome.sources, outcome.findings);
-        outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
-        outcome.stayed_unknown.into_iter().for_each(|unknown| report.add_unknown(unknown));
+        outcome.add_to(report);
     };
     if let [only] = targets {
         // The threads of the pool are not started for one program.

@@ -199,8 +199,7 @@ fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, 
         let mut clock = AtTime::new(settings, f64::INFINITY);
         let run = session.watch(path, &name, Purpose::Report, &mut (&mut reader, &mut clock));
         let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();
-        report.add_program(&run.outcome.sources, run.outcome.findings);
-        run.outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+        run.outcome.add_to(&mut report);
         if usable && (run.whole.is_some() || args.partial) {
             let steps = reader.finish();
             let side = Side { name, blocks: steps.blocks, path: steps.path, time_s: clock.found().err() };

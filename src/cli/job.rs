@@ -92,9 +92,7 @@ impl Job {
         locale: Locale,
     ) -> Result<Status, Failure> {
         let lacks_file = outcome.lacks_file();
-        report.add_program(&outcome.sources, outcome.findings);
-        outcome.not_executed.into_iter().for_each(|program| report.add_not_executed(program));
-        outcome.stayed_unknown.into_iter().for_each(|unknown| report.add_unknown(unknown));
+        outcome.add_to(&mut report);
         self.refuse_input()?;
         let status = match whole {
             Some(whole) => {

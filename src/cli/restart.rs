@@ -81,9 +81,7 @@ pub(super) fn run(args: &RestartArgs, locale: Locale) -> Result<Status, Failure>
             Status::Fine
         }
     };
-    let Outcome { sources, findings, not_executed, .. } = outcome;
-    report.add_program(&sources, findings);
-    not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+    outcome.add_to(&mut report);
     if status == Status::Unusable {
         report.set_unusable();
     }

@@ -11,10 +11,10 @@ use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, complain, stdout, tell};
 use super::threads;
 use super::words::Words;
-use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, fault_text, json, text};
+use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, Timing, fault_text, json, text};
 use crate::config::Purpose;
 use crate::diag::Format;
-use crate::session::{Outcome, Session};
+use crate::session::Session;
 
 pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
     let named = Named::of(&args.place, args.after)?;
@@ -47,7 +47,7 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
     };
     let (outcome, asked, found) = match asked {
         Ok(asked) => {
-            let mut reader = StateReader::new(settings, asked.clone());
+            let mut reader = StateReader::new(settings, asked.clone(), Timing::Configured);
             let run = session.watch(path, &name, Purpose::Report, &mut &mut reader);
             let error = reader.has_error_before() || reader.has_late_error(&run.outcome.findings);
             let found = reader.finish(run.whole.is_some());
@@ -82,9 +82,7 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
             Status::Fine
         }
     };
-    let Outcome { sources, findings, not_executed, .. } = outcome;
-    report.add_program(&sources, findings);
-    not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+    outcome.add_to(&mut report);
     if status == Status::Unusable {
         report.set_unusable();
     }

@@ -29,6 +29,10 @@ bilingual! {
         NoProgram "a program is expected: the URI of a document", "očekává se partprogram: URI dokumentu";
         CannotCompile { errors: usize, first: String } "the program cannot be compiled; errors: {errors}, the first: {first}", "partprogram nelze přeložit; počet chyb: {errors}, první: {first}";
         NotWhole "the program cannot be compiled: execution stops before M02 or M30", "partprogram nelze přeložit: provádění končí před M02 nebo M30";
+        ErrorBefore "the program has errors before this block: what holds here is not known", "před tímto blokem má program chyby: co zde platí, není známo";
+        TooLong { blocks: u64 } "the block is not among the first {blocks} that are executed: ask `cnc872c state`", "blok není mezi prvními {blocks} provedenými: zeptejte se příkazem cnc872c state";
+        Passes { n: u32, count: u64 } "N{n} is executed {count} times: which execution?", "N{n} se provede {count}krát: které provedení?";
+        NoHeight { text: String } "{text} is no height in mm with at most three decimals", "{text} není výška v mm s nejvýš třemi desetinnými místy";
         SignalsChange "changes in this block:", "v tomto bloku se mění:";
         SignalsHold "in force besides:", "kromě toho platí:";
         AtLine { file: String, line: u32, message: String } "{file}, line {line}: {message}", "{file}, řádek {line}: {message}";

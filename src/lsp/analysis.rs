@@ -149,6 +149,7 @@ pub(super) fn run(
                 executable,
                 certain: executable && !outcome.findings.prevent_execution(),
                 record: Arc::clone(&record),
+                state: Arc::default(),
             },
             files: files.clone(),
         },

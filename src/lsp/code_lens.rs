@@ -1,4 +1,5 @@
-//! Above a unit: which blocks call it. Above a program: how long it is. Times where motion is configured.
+//! Above a unit: which blocks call it. Above a program: how long it is. Times where motion is configured. Above a tool change:
+//! what holds there.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,15 +10,22 @@ use serde_json::{Value, json};
 use super::analysis::Analysis;
 use super::places::{Places, location};
 use super::snapshot::{Answer, Snapshot};
+use crate::dict::{Address, TOOL_CHANGE};
 use crate::query::cursor::DOCUMENT;
 use crate::query::executed::path;
 use crate::query::hover_texts::Said;
-use crate::query::observe::{Observation, observe_motion};
+use crate::query::observe::{Observation, executing, observe_motion};
 use crate::query::shown::count;
 use crate::resolve::{Target, Unit, UnitId, UnitKind};
 use crate::session::Session;
-use crate::syntax::BlockFlags;
-use crate::text::{FileId, Loader};
+use crate::syntax::{BlockFlags, ParsedFile, Word};
+use crate::text::{FileId, Loader, Span};
+
+/// The command that shows what holds at a place: a URI, a position; the client has it.
+const STATE_HERE: &str = "cnc872c.stateHere";
+
+/// Most tool changes that have a lens.
+const TOOL_CHANGES: usize = 200;
 
 /// The command that shows a list of places: a URI, a position, locations; the client has it.
 const SHOW_REFERENCES: &str = "cnc872c.showReferences";
@@ -64,7 +72,24 @@ pub(super) fn code_lens(
         };
         lenses.push(lens(range, title, SHOW_REFERENCES, Some(arguments)));
     }
+    if snapshot.client.lists("/experimental/commands/commands", STATE_HERE)
+        && executing(snapshot.open(), analysis).is_some()
+    {
+        let title = Said::StateHere.text(snapshot.client.lang());
+        for range in tool_changes(file).map(|span| places.range(span)) {
+            let arguments = vec![json!(uri), json!(range.start)];
+            lenses.push(lens(range, title.clone(), STATE_HERE, Some(arguments)));
+        }
+    }
     Ok(Some(lenses))
+}
+
+/// The numbers of the blocks that write M06.
+fn tool_changes(file: &ParsedFile) -> impl Iterator<Item = Span> + '_ {
+    let changes = |word: &Word| word.address == Address::M && word.whole() == Some(i64::from(TOOL_CHANGE));
+    let blocks = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::RICH));
+    let changing = blocks.filter(move |block| file.words(*block).iter().any(changes));
+    changing.filter_map(|block| Some(file.n_word(block)?.span(file.source.text()))).take(TOOL_CHANGES)
 }
 
 fn lens(range: gen_lsp_types::Range, title: String, command: &str, arguments: Option<Vec<Value>>) -> CodeLens {

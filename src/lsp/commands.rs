@@ -115,7 +115,8 @@ impl Loader for Rooted<'_> {
     }
 }
 
-fn refuse_errors(snapshot: &Snapshot, report: &Report) -> Answer<()> {
+/// Refuses, with the first of them, when there are errors.
+pub(super) fn refuse_errors(snapshot: &Snapshot, report: &Report) -> Answer<()> {
     let Some(first) = report.items().find(|item| item.severity == Severity::Error) else { return Ok(()) };
     let lang = snapshot.client.lang();
     let at = first.diagnostic.at;

@@ -8,8 +8,8 @@ use super::analysis::Analysis;
 use super::snapshot::{Answer, Needs, Refusal, Snapshot};
 use super::{
     code_actions, code_lens, commands, completion, definition, dots, explain, folding, formatting, hierarchy, hover,
-    inlay_hints, links, offered, on_type, outline, path, project_file, references, rename, selection, semantic_tokens,
-    signals, signature, workspace, workspace_findings, workspace_symbols,
+    inlay_hints, links, offered, on_type, outline, path, project_file, references, rename, restart, selection,
+    semantic_tokens, signals, signature, state, workspace, workspace_findings, workspace_symbols,
 };
 
 /// Makes the result of a request from its parameters.
@@ -31,6 +31,8 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
         "textDocument/signatureHelp" => untyped(Needs::Blocks, signature::signature_help),
         "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Run, dots::dots),
         "cnc872c/path" => document::<path::PathRequest>(Needs::Run, path::path),
+        "cnc872c/restart" => untyped(Needs::Run, restart::restart),
+        "cnc872c/state" => untyped(Needs::Run, state::state),
         "cnc872c/signals" => document::<signals::SignalsRequest>(Needs::Run, signals::signals),
         "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Run, code_lens::code_lens),
         "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Blocks, inlay_hints::inlay_hint),

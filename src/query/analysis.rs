@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
+use super::state::Indexed;
 use crate::config::Settings;
 use crate::resolve::Resolved;
 use crate::run::Sink;
@@ -28,6 +29,8 @@ pub(crate) struct Analysis {
     pub(crate) certain: bool,
     /// What its execution left behind, once it is over.
     pub(crate) record: Arc<OnceLock<Record>>,
+    /// What is kept to tell what holds at its blocks, once that was asked.
+    pub(crate) state: Arc<OnceLock<Indexed>>,
 }
 
 impl Analysis {

@@ -47,6 +47,7 @@ bilingual! {
         Cut { most: String } "within the first {most} executed blocks", "v prvních {most} provedených blocích";
         NoFurther { last: u32 } "execution can be followed up to N{last} only", "průběh lze sledovat jen po blok N{last}";
         InProgram { file: String } "in program {file}", "v programu {file}";
+        StateHere "state here", "stav zde";
         HasErrors "not executed: the program or its configuration has errors", "neprovádí se: program nebo jeho konfigurace obsahuje chyby";
         NoProgram "no open program calls this macrocycle: nothing is known of its execution", "žádný otevřený program tento makrocyklus nevolá: o průběhu není nic známo";
         Position "position after the block", "poloha po bloku";

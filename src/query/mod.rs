@@ -19,4 +19,5 @@ pub(crate) mod reach;
 pub(crate) mod rename_doubts;
 pub(crate) mod sections;
 pub(crate) mod shown;
+pub(crate) mod state;
 pub(crate) mod values;

@@ -134,7 +134,7 @@ fn is_cycle_of(program: &Analysis, document: &Analysis) -> bool {
 }
 
 /// Whether `name`, in the program of an analysis, is the document.
-fn is(other: &Analysis, name: &str, document: &Analysis) -> bool {
+pub(super) fn is(other: &Analysis, name: &str, document: &Analysis) -> bool {
     other.loader.canonical(Path::new(name)) == document.path
 }
 
@@ -268,6 +268,7 @@ impl<'a> Observer<'a> {
     /// Looks at the blocks from the checkpoints before them, at most at so many executed blocks.
     fn look_from(&mut self, record: &Record) {
         let blocks: BTreeSet<BlockId> = self.observation.blocks.keys().copied().collect();
+        let read = (record.resolved(), record.sources());
         let mut left = MOST;
         let mut all = true;
         for (index, (_, source)) in record.sources().iter().enumerate() {
@@ -285,7 +286,7 @@ impl<'a> Observer<'a> {
                 for (index, value) in &mut self.before {
                     *value = checkpoint.parameter(*index);
                 }
-                self.program.session().observe_from(&self.program.path, record, checkpoint, &mut *self);
+                self.program.session().observe_from(&self.program.path, read, checkpoint, &mut *self);
             }
         }
         self.observation.last = record.last();
@@ -513,7 +514,8 @@ mod tests {
         let sources = outcome.sources.clone();
         let (_, record) = session.execute_recorded(&path, resolved.clone(), outcome);
         let record = Arc::new(OnceLock::from(record.unwrap()));
-        Analysis { path, loader, settings, sources, resolved, executable: true, certain: true, record }
+        let state = Arc::default();
+        Analysis { path, loader, settings, sources, resolved, executable: true, certain: true, record, state }
     }
 
     /// What execution makes of blocks is the same from checkpoints as from the beginning.
@@ -544,6 +546,7 @@ mod tests {
             executable: true,
             certain: true,
             record: Arc::default(),
+            state: Arc::default(),
         }
     }
 

@@ -23,7 +23,7 @@ use preamble::{Preamble, Sources, notes};
 use prove::{Proof, prove};
 use scan::{Scan, There};
 
-use crate::analysis::state::{Asked, Found, Place, PlaceFault, StateReader};
+use crate::analysis::state::{Asked, Found, Place, PlaceFault, StateReader, Timing};
 use crate::config::Purpose;
 use crate::dict::Lang;
 use crate::session::{Outcome, Session};
@@ -35,9 +35,14 @@ pub use tracker::Options;
 /// Most characters of a title.
 const TITLE: usize = 64;
 
+/// Most places that are tried for the nearest one.
+const TRIED: usize = 8;
+
 /// A program that starts in the middle of another one.
 #[derive(Clone, Debug)]
 pub struct Restart {
+    /// The number of the block at the place.
+    pub n: u32,
     /// What is new: number, title, preamble, calls and loops written out; ASCII.
     pub head: String,
     /// Where the text of the old program goes on; nothing when all of the rest is written out.
@@ -112,11 +117,11 @@ pub struct Made {
 /// Makes a program that starts at a place of the one at `path`, which the user calls `name`.
 pub fn restart(session: &Session<'_>, path: &Path, name: &str, asked: &Asked, options: Options, lang: Lang) -> Made {
     let making = Making { session, path, name, options, lang };
-    let (outcome, found) = making.look(asked.clone());
+    let (outcome, found) = making.look(asked.clone(), Timing::Never);
     let found = match found {
         Some(Ok(found)) if asked.after => {
             let next = Asked { place: Place::Seq(found.seq + 1), file: None, pass: None, after: false };
-            making.look(next).1
+            making.look(next, Timing::Never).1
         }
         found => found,
     };
@@ -126,7 +131,7 @@ pub fn restart(session: &Session<'_>, path: &Path, name: &str, asked: &Asked, op
         Some(Ok(found)) => match (outcome.sources.get(FileId(0)), making.scan(&found)) {
             (Some(source), Some(there)) => match making.make(source, &found, &there) {
                 Ok(restart) => Answer::Program(Box::new(restart)),
-                Err(reason) => Answer::Refused { reason, nearest: there.nearest.and_then(|seq| making.nearest(seq)) },
+                Err(reason) => Answer::Refused { reason, nearest: making.nearest(source, there.nearest) },
             },
             _ => Answer::Broken,
         },
@@ -155,8 +160,8 @@ struct Making<'a> {
 
 impl Making<'_> {
     /// What holds at a place; nothing in a program with errors.
-    fn look(&self, asked: Asked) -> (Outcome, Option<Result<Box<Found>, PlaceFault>>) {
-        let mut reader = StateReader::new(self.session.settings, asked);
+    fn look(&self, asked: Asked, timing: Timing) -> (Outcome, Option<Result<Box<Found>, PlaceFault>>) {
+        let mut reader = StateReader::new(self.session.settings, asked, timing);
         let run = self.session.watch(self.path, self.name, Purpose::Report, &mut &mut reader);
         let found = run.whole.map(|_| reader.finish(true));
         (run.outcome, found)
@@ -199,7 +204,7 @@ impl Making<'_> {
         head.push_str(&lines.text);
         head.push_str(&flat.text);
         let text_from = there.text.map(|(seq, _)| seq);
-        let restart = Restart { head, rest, source: Arc::clone(source), written_out, preamble, text_from };
+        let restart = Restart { n: found.n, head, rest, source: Arc::clone(source), written_out, preamble, text_from };
         self.prove(&restart, found.seq)?;
         Ok(restart)
     }
@@ -232,10 +237,19 @@ impl Making<'_> {
         prove(old, new, proof)
     }
 
-    fn nearest(&self, seq: u64) -> Option<Nearest> {
-        let asked = Asked { place: Place::Seq(seq), file: None, pass: None, after: false };
-        let found = self.look(asked).1?.ok()?;
-        let file = (found.file != 0).then(|| found.file_name.clone());
-        Some(Nearest { seq, n: found.n, file, line: found.line, time_s: found.times.seconds.done })
+    /// The nearest place at which a start is proved; `seq`: the first that may be one.
+    fn nearest(&self, source: &Arc<SourceText>, mut seq: Option<u64>) -> Option<Nearest> {
+        for _ in 0..TRIED {
+            let asked = Asked { place: Place::Seq(seq?), file: None, pass: None, after: false };
+            let found = self.look(asked, Timing::Always).1?.ok()?;
+            let there = self.scan(&found)?;
+            if self.make(source, &found, &there).is_ok() {
+                let file = (found.file != 0).then(|| found.file_name.clone());
+                let time_s = found.times?.seconds.done;
+                return Some(Nearest { seq: found.seq, n: found.n, file, line: found.line, time_s });
+            }
+            seq = there.nearest;
+        }
+        None
     }
 }

@@ -279,10 +279,14 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
     if written_out > 0 {
         notes.push(Note::WrittenOut { blocks: written_out });
     }
-    for axis in &from.there.unknown {
-        if from.found.unknown.iter().any(|(letter, _)| letter == axis) && !from.approach.reference.contains(axis) {
-            notes.push(Note::Stands { axis: axis.to_string() });
-        }
+    let Approach { tool, others, reference, .. } = from.approach;
+    // Other axes move in rapid, and the program never says where the tool's axis is.
+    let blind =
+        (tool.is_none() && !others.is_empty()).then(|| from.settings.machine.tool_axis.unwrap_or(AxisLetter::Z));
+    let unknown = from.there.unknown.iter().copied().filter(|axis| Some(*axis) != blind);
+    let unknown = unknown.filter(|axis| from.found.unknown.iter().any(|(letter, _)| letter == axis)).chain(blind);
+    for axis in unknown.filter(|axis| !reference.contains(axis)) {
+        notes.push(Note::Stands { axis: axis.to_string() });
     }
     for group in BUILDER_GROUPS.filter(|_| !from.options.all_m) {
         let power_up = from.settings.machine.m_power_up.get(group).copied().flatten();

@@ -4,7 +4,7 @@ use super::state::{Held, Origin, State};
 use super::{Executed, Feed, FeedUnit};
 use crate::config::Machine;
 use crate::dict::{Address, Decimal, FEED_GROUP, FeedPer, GCode, GGroup, Micro, REDUCED_FEED};
-use crate::syntax::BlockId;
+use crate::syntax::{BlockId, Value, Word};
 use crate::text::FileId;
 
 /// A counter of a jump that is armed (FLW-4).
@@ -149,14 +149,59 @@ impl State {
         self.lose_moved_unseen();
     }
 
-    /// Becomes what is in force after `block`, from what was before it.
+    /// Becomes what is in force after `block`, from what was before it; what findings said already is left out.
     #[inline]
     pub fn follow(&mut self, block: &Executed<'_>) {
-        if block.moves_on() {
-            let after = block.state();
-            (self.positions, self.unsettled) = (after.positions, after.unsettled);
-        } else {
-            self.clone_from(block.state());
+        let after = block.state();
+        (self.positions, self.unsettled) = (after.positions, after.unsettled);
+        if !block.moves_on() {
+            self.follow_words(block, after);
+        }
+    }
+
+    /// The parts that words other than those of axes change. Parameters are most of a state, and few blocks have any.
+    fn follow_words(&mut self, block: &Executed<'_>, after: &Self) {
+        let Self {
+            g,
+            unknown,
+            m,
+            positions: _,
+            parameters,
+            feed,
+            speed,
+            tool,
+            in_spindle,
+            h,
+            p,
+            d,
+            correction,
+            dynamic_set,
+            orients,
+            moved_unseen,
+            unsettled: _,
+            feed_per,
+            feed_reduced,
+            gear,
+            spindle_words: _,
+            corrects,
+            origins,
+            last_origin,
+            named_tool,
+            retracted,
+            said,
+        } = after;
+        (self.g, self.unknown, self.m) = (*g, *unknown, *m);
+        (self.feed, self.speed, self.tool, self.in_spindle) = (*feed, *speed, *tool, *in_spindle);
+        (self.h, self.p, self.d, self.correction) = (*h, *p, *d, *correction);
+        (self.dynamic_set, self.orients, self.moved_unseen) = (*dynamic_set, *orients, *moved_unseen);
+        (self.feed_per, self.feed_reduced, self.gear) = (*feed_per, *feed_reduced, *gear);
+        (self.corrects, self.origins, self.last_origin) = (*corrects, *origins, *last_origin);
+        (self.named_tool, self.retracted) = (*named_tool, *retracted);
+        let words = block.file().map_or(&[][..], |file| file.words(block.at().1));
+        let is_parameter = |word: &Word| word.address == Address::R || matches!(word.value(), Value::Parameter { .. });
+        if block.g(GGroup::G4).is_some() || words.iter().any(is_parameter) {
+            self.parameters = *parameters;
+            self.said.unassigned = said.unassigned;
         }
     }
 }

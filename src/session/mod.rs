@@ -12,7 +12,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
-use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem, StayedUnknown};
+use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem, Report, StayedUnknown};
 use crate::resolve::{Library, Resolved, is_program, report_misnamed, resolve_macrocycle, resolve_program};
 use crate::run::{End, Interpreter, Sink};
 use crate::stream;
@@ -42,6 +42,14 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Adds what was found in the program to a report.
+    pub fn add_to(self, report: &mut Report) {
+        let Self { sources, findings, not_executed, stayed_unknown, .. } = self;
+        report.add_program(&sources, findings);
+        not_executed.into_iter().for_each(|program| report.add_not_executed(program));
+        stayed_unknown.into_iter().for_each(|unknown| report.add_unknown(unknown));
+    }
+
     /// Whether a file could not be read, be it the program or a macrocycle that it calls, or the program is not what the
     /// command takes: exit status 2.
     pub fn lacks_file(&self) -> bool {
@@ -200,10 +208,16 @@ impl<'a> Session<'a> {
         Execution::new(*self, path, resolved, outcome, Purpose::Check).despite_errors().show(&mut sink);
     }
 
-    /// The same for the blocks that execution comes by from a checkpoint of a record on.
-    pub fn observe_from(&self, path: &Path, record: &Record, checkpoint: &Interpreter, mut sink: impl Sink) {
-        let outcome = Outcome { sources: record.sources().clone(), ..self.outcome(Purpose::Check) };
-        let execution = Execution::new(*self, path, record.resolved().clone(), outcome, Purpose::Check);
+    /// The same for the blocks that execution comes by from a checkpoint on.
+    pub fn observe_from(
+        &self,
+        path: &Path,
+        (resolved, sources): (&Resolved, &Sources),
+        checkpoint: &Interpreter,
+        mut sink: impl Sink,
+    ) {
+        let outcome = Outcome { sources: sources.clone(), ..self.outcome(Purpose::Check) };
+        let execution = Execution::new(*self, path, resolved.clone(), outcome, Purpose::Check);
         execution.from(checkpoint.clone()).despite_errors().show(&mut sink);
     }
 

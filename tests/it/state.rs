@@ -1,13 +1,16 @@
 //! `state`: what holds at a place of a program.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use cnc872c::analysis::state::{Asked, Place as At, StateReader, json, schema};
-use cnc872c::config::{Purpose, Settings, configure, find_project};
+use cnc872c::analysis::state::{Asked, Index, Indexer, Place as At, StateReader, Timing, document, json, schema};
+use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
 use cnc872c::dict::{GCode, Lasting};
+use cnc872c::resolve::Resolved;
+use cnc872c::run::Sink;
 use cnc872c::session::{Part, Session};
-use cnc872c::text::Sources;
+use cnc872c::text::{FileId, Sources};
 use serde_json::Value;
 
 use crate::cli::{BAD, Place};
@@ -77,7 +80,7 @@ fn state_is_what_the_records_say() {
         let step = blocks.len() / 9 + 1;
         for (seq, after) in (0..blocks.len()).step_by(step).flat_map(|seq| [(seq, false), (seq, true)]) {
             let asked = Asked { place: At::Seq(seq as u64), file: None, pass: None, after };
-            let mut reader = StateReader::new(&sample.settings, asked);
+            let mut reader = StateReader::new(&sample.settings, asked, Timing::Configured);
             let run = sample.session().watch(Path::new(&sample.file), &sample.file, Purpose::Report, &mut &mut reader);
             let found = reader.finish(run.whole.is_some()).unwrap();
             let state: Value = serde_json::from_str(&json(&found, &sample.file, &sample.settings)).unwrap();
@@ -124,6 +127,108 @@ fn compare(state: &Value, record: &Value, end: bool, at: &Value, context: &str) 
     for group in 1..15 {
         let expected = if [1, 7, 9].contains(&group) { &Value::Null } else { &record["m"][group] };
         assert_eq!(&state["m"][group], expected, "m{group} {context}");
+    }
+}
+
+/// The index of a whole execution, and what its replays need.
+fn indexed(sample: &Sample) -> (Index, Resolved, Sources) {
+    let path = Path::new(&sample.file);
+    let session = sample.session();
+    let mut execution = session.open(path, &sample.file, Purpose::Report).unwrap().despite_errors();
+    let mut indexer = Indexer::new(&sample.settings, u64::MAX);
+    (&mut indexer).begin(execution.program());
+    while let Some((block, findings)) = execution.step() {
+        assert!((&mut indexer).block(&block, findings).is_continue());
+    }
+    let (resolved, sources) = (execution.program().resolved.clone(), execution.program().sources.clone());
+    let whole = execution.finish().whole.is_some();
+    (indexer.finish(whole), resolved, sources)
+}
+
+/// What holds before or behind every executed block of every sample, from its checkpoints, is what the records say.
+#[test]
+fn every_block_of_every_sample() {
+    let mut looked_at = 0;
+    let all = std::env::var_os("STATE_PLACES").is_some_and(|value| value == "all");
+    for sample in samples() {
+        let blocks = sample.blocks();
+        if blocks.is_empty() {
+            continue;
+        }
+        let (index, resolved, sources) = indexed(&sample);
+        assert_eq!(index.executed(), blocks.len() as u64);
+        let ids: BTreeMap<u64, u64> =
+            blocks.iter().map(|block| (block["seq"].as_u64().unwrap(), block["n"].as_u64().unwrap())).collect();
+        // Of a long sample a part; with STATE_PLACES all.
+        let step = if all { 1 } else { blocks.len() / 40 + 1 };
+        for (seq, after) in (0..blocks.len()).step_by(step).flat_map(|seq| [(seq, false), (seq, true)]) {
+            let (checkpoint, mut replay) = index.from(seq as u64, after).unwrap();
+            sample.session().observe_from(Path::new(&sample.file), (&resolved, &sources), checkpoint, &mut replay);
+            let state = document(&replay.found().unwrap(), &sample.file, &sample.settings);
+            let context = format!("{} seq {seq} after {after}\n{state:#}", sample.name);
+            assert_eq!(state["progress"]["blocks"], seq + usize::from(after), "{context}");
+            assert_eq!(state["progress"]["blocks_left"], blocks.len() - seq - usize::from(after), "{context}");
+            let next = |field: &str, group: u64| {
+                let is_it = |block: &&Value| {
+                    block["m_set"].as_array().is_some_and(|set| set.contains(&group.into()))
+                        || field == "next_stop" && block.get("m_at_stop").is_some()
+                };
+                blocks.iter().skip(seq + usize::from(after)).find(is_it).map(|block| block["seq"].clone())
+            };
+            assert_eq!(state["progress"].get("next_tool_change"), next("next_tool_change", 6).as_ref(), "{context}");
+            assert_eq!(state["progress"].get("next_stop"), next("next_stop", 255).as_ref(), "{context}");
+            if seq > 0 || after {
+                let at = &blocks[seq];
+                let record = if after { at } else { &blocks[seq - 1] };
+                compare(&state, record, after && seq + 1 == blocks.len(), at, &context);
+                looked_at += 1;
+            }
+        }
+        // Each block of the program is executed where the records have it.
+        let file = resolved.file(FileId(0)).unwrap();
+        for id in file.block_ids() {
+            let seqs: Vec<u64> = index.executions(FileId(0), id).collect();
+            assert!(seqs.iter().all(|seq| ids[seq] == u64::from(file.shown_number(id))), "{}", sample.name);
+            let (checkpoint, mut arrivals) = match index.arrivals_from(&seqs) {
+                Some(found) => found,
+                None => continue,
+            };
+            sample.session().observe_from(Path::new(&sample.file), (&resolved, &sources), checkpoint, &mut arrivals);
+            let calls = arrivals.found().into_iter().map(|arrival| (arrival.seq, arrival.calls.len()));
+            for (seq, depth) in calls {
+                assert_eq!(blocks[seq as usize]["calls"].as_array().map_or(0, Vec::len), depth, "{}", sample.name);
+            }
+        }
+    }
+    assert!(looked_at > 3000, "{looked_at}");
+}
+
+/// From checkpoints the answer is the same as from the beginning, in a program longer than the distance between them.
+#[test]
+fn checkpoints_tell_the_same() {
+    let mut text = "%1\nN1 G90 G54 G0 X0 Y0 Z50 T1 M06\nN2 S1000 M3 F500 R1=3 G1 Z-1\nN3 G71 L100 Q7\n".to_owned();
+    (10..9000).for_each(|n| text += &format!("N{n} X{}.5 Y{}\n", n % 90, n % 7));
+    text += "N9000 T2 M06 G91\nN9001 G0 Z5 M00\nN9002 X1 G73 L8000 Q2\nN9003 M30\nN9100 G79 L100\nN9110 XR1 R2=5\nN9120 M8 G70\n";
+    let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", b"[motion]\naccel-mm-s2 = 300.0\n")]);
+    let disk = TestDisk { root: place.path("") };
+    let project = find_project(Path::new(""), &disk);
+    let (mut sources, mut findings) = (Sources::new(), Findings::new());
+    let settings = configure(project.as_deref(), &Overrides::default(), &disk, &mut sources, &mut findings);
+    let sample = Sample { name: "a.nc".to_owned(), disk, file: "a.nc".to_owned(), settings };
+    let (index, resolved, sources) = indexed(&sample);
+    let last = index.executed() - 1;
+    assert!(last > 2 << 12);
+    for seq in [0, 1, 3, 8, 4095, 4096, 4097, 8191, 9010, 9011, 9012, last - 1500, last - 2, last] {
+        for after in [false, true] {
+            let (checkpoint, mut replay) = index.from(seq, after).unwrap();
+            sample.session().observe_from(Path::new("a.nc"), (&resolved, &sources), checkpoint, &mut replay);
+            let quick = json(&replay.found().unwrap(), "a.nc", &sample.settings);
+            let asked = Asked { place: At::Seq(seq), file: None, pass: None, after };
+            let mut reader = StateReader::new(&sample.settings, asked, Timing::Always);
+            let run = sample.session().watch(Path::new("a.nc"), "a.nc", Purpose::Report, &mut &mut reader);
+            let slow = json(&reader.finish(run.whole.is_some()).unwrap(), "a.nc", &sample.settings);
+            assert_eq!(quick, slow, "seq {seq} after {after}");
+        }
     }
 }
 

@@ -341,6 +341,42 @@ test('CncSignals shows what the PLC reads in a block', function()
   vim.cmd('close')
 end)
 
+-- Chooses the item at that place wherever the plugin asks, while `run` runs.
+local function choosing(at, run)
+  local select = vim.ui.select
+  vim.ui.select = function(items, _, done)
+    done(items[at])
+  end
+  local ok, problem = pcall(run)
+  vim.ui.select = select
+  if not ok then
+    error(problem, 0)
+  end
+end
+
+test('CncState shows what holds at a block, in the pass that is chosen', function()
+  go('N30 X20')
+  choosing(2, function()
+    vim.cmd('CncState')
+  end)
+  equal({ vim.bo.buftype, vim.bo.modifiable }, { 'nofile', false })
+  equal(lines()[1]:match('^Before N30 %(line 4, seq %d+%)'), lines()[1]:match('^Before [^)]*%)'))
+  local text = table.concat(lines(), '\n')
+  equal(text:find('N40 (line 5): 1 of 2 left', 1, true) ~= nil, true, text)
+  vim.cmd('close')
+end)
+
+test('CncStart opens a program that starts at a block', function()
+  go('N30 X20')
+  choosing(2, function()
+    vim.cmd('CncStart 50')
+  end)
+  equal({ vim.bo.filetype, vim.bo.modifiable }, { 'cnc872', true })
+  equal(lines()[1], '%4711 "program.nc from N30, pass 2"')
+  equal(table.concat(lines(), '\n'):find('move it clear by hand first', 1, true) ~= nil, true)
+  vim.cmd('bwipeout!')
+end)
+
 test('references that a lens names go to the quickfix list', function()
   local uri = vim.uri_from_bufnr(0)
   local place = { start = { line = 3, character = 4 }, ['end'] = { line = 3, character = 7 } }
@@ -396,7 +432,7 @@ test('newer Neovims get the same as a configuration', function()
   equal(given[2].filetypes, { 'cnc872', 'toml' })
   equal(given[2].init_options, { language = 'auto', dialect = 'cnc8x6', limits = { records = 5 } })
   equal(given[2].settings.cnc872c, given[2].init_options)
-  equal(given[2].capabilities.experimental.commands.commands, { 'cnc872c.showReferences' })
+  equal(given[2].capabilities.experimental.commands.commands, { 'cnc872c.showReferences', 'cnc872c.stateHere' })
   local root
   given[2].root_dir(vim.fn.bufnr('program.nc'), function(folder)
     root = folder

@@ -25,6 +25,9 @@ const CHANNEL_CONFIG = { scheme: 'file', pattern: '**/*.xml' };
 /** The command of code lenses and hints that the client carries out (LSP has none for it). */
 export const SHOW_REFERENCES = 'cnc872c.showReferences';
 
+/** The command of code lenses above tool changes. */
+export const STATE_HERE = 'cnc872c.stateHere';
+
 /** Tells the server which commands it may put into lenses and hints. */
 class ClientCommands implements StaticFeature {
   getState(): FeatureState {
@@ -33,7 +36,7 @@ class ClientCommands implements StaticFeature {
 
   fillClientCapabilities(capabilities: ClientCapabilities): void {
     const experimental = (capabilities.experimental ?? {}) as Record<string, unknown>;
-    capabilities.experimental = { ...experimental, commands: { commands: [SHOW_REFERENCES] } };
+    capabilities.experimental = { ...experimental, commands: { commands: [SHOW_REFERENCES, STATE_HERE] } };
   }
 
   initialize(): void {

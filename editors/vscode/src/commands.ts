@@ -1,4 +1,4 @@
-// The commands of the palette, and the one that code lenses use.
+// The commands of the palette, and those that code lenses use.
 
 import * as vscode from 'vscode';
 
@@ -6,6 +6,7 @@ import { type Server, SHOW_REFERENCES } from './client';
 import { continues, toggle } from './comments';
 import { asCode, choices, codeOf, pageOf } from './findings';
 import type { PathPanel } from './panel';
+import { Here } from './place';
 import { language } from './settings';
 import type { Views } from './view';
 
@@ -16,6 +17,7 @@ export function registerCommands(
   views: Views,
   path: PathPanel,
 ): void {
+  const here = new Here(server, views);
   const commands: Record<string, (...values: unknown[]) => unknown> = {
     'cnc872c.restart': () => server.restart(),
     'cnc872c.showOutput': () => server.output.show(),
@@ -30,6 +32,14 @@ export function registerCommands(
     'cnc872c.showSignals': () => {
       const program = activeProgram();
       return program && views.showSignals(program.document.uri, program.selection.active);
+    },
+    'cnc872c.stateHere': (...values) => {
+      const at = asPlace(server, values) ?? cursor();
+      return at && here.state(at.uri, at.position);
+    },
+    'cnc872c.startHere': () => {
+      const at = cursor();
+      return at && here.start(at.uri, at.position);
     },
     'cnc872c.explain': (code) => explain(typeof code === 'string' ? code : undefined),
     'cnc872c.fixAll': () => apply('source.fixAll.cnc872c'),
@@ -49,6 +59,22 @@ function activeProgram(): vscode.TextEditor | undefined {
   }
   void vscode.window.showInformationMessage(vscode.l10n.t('No part program is open'));
   return undefined;
+}
+
+/** The place of the cursor. */
+function cursor(): { uri: vscode.Uri; position: vscode.Position } | undefined {
+  const program = activeProgram();
+  return program && { uri: program.document.uri, position: program.selection.active };
+}
+
+/** `[uri, position]` as a code lens has them; undefined for what a menu hands over. */
+function asPlace(server: Server, [uri, position]: unknown[]): { uri: vscode.Uri; position: vscode.Position } | undefined {
+  const convert = server.client?.protocol2CodeConverter;
+  if (convert === undefined || typeof uri !== 'string') {
+    return undefined;
+  }
+  const at = convert.asPosition(position as Parameters<typeof convert.asPosition>[0]);
+  return at && { uri: convert.asUri(uri), position: at };
 }
 
 /** Lets the editor ask the server for the source action of that kind, and applies it. */

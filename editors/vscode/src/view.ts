@@ -1,4 +1,4 @@
-// The read-only views of a program's block stream, and of the PLC signals of a block.
+// The read-only views of a program's block stream, of the PLC signals of a block, and of the state there.
 
 import * as vscode from 'vscode';
 
@@ -72,6 +72,11 @@ export class Views implements vscode.TextDocumentContentProvider, vscode.Disposa
         );
       }
     }
+  }
+
+  /** Shows a text that belongs to a program, under that name. */
+  async showText(path: string, program: vscode.Uri, text: string): Promise<void> {
+    await show(await this.open(path, program, text));
   }
 
   /** The answer of the server; null when it is none, undefined when it is an error, which the user has seen. */

@@ -6,7 +6,7 @@ use crate::dict::{GCode, GGroup};
 use crate::run::{ArmedCounter, Executed, State};
 
 /// What holds before the next block: call [`Self::arrive`] at a block, ask, then [`Self::pass`] it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Before {
     state: State,
     /// The fixed cycle that is in force again behind the macrocycle that it calls.

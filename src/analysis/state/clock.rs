@@ -32,6 +32,11 @@ pub struct TimedProgress {
     pub lower_bound: bool,
 }
 
+/// Whether a block may take longer than its time says.
+pub(super) fn is_lower_bound(block: &BlockTimes) -> bool {
+    block.unknown || block.motion.as_ref().is_some_and(|motion| motion.jerk_free)
+}
+
 /// What goes to the planner with a block.
 #[derive(Clone, Debug)]
 struct Item {
@@ -71,7 +76,31 @@ impl Listener for Sums {
             seconds.done += block.duration_s;
             seconds.tool_done += block.duration_s;
         }
-        self.progress.lower_bound |= block.unknown || block.motion.as_ref().is_some_and(|motion| motion.jerk_free);
+        self.progress.lower_bound |= is_lower_bound(block);
+    }
+}
+
+/// How many executed blocks have their times in the answer.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Timing {
+    /// None: nobody asks.
+    Never,
+    /// All, where motion is configured. Else a program with more blocks than [`Timing::ASSUMED`] has no times.
+    Configured,
+    /// All.
+    Always,
+}
+
+impl Timing {
+    /// So many blocks at most have times that rest on an assumed machine: planning takes several times as long as executing.
+    pub const ASSUMED: u64 = 1_000_000;
+
+    fn most(self, settings: &Settings) -> u64 {
+        match self {
+            Self::Never => 0,
+            Self::Configured if !settings.machine.motion.configured => Self::ASSUMED,
+            Self::Configured | Self::Always => u64::MAX,
+        }
     }
 }
 
@@ -79,33 +108,47 @@ impl Listener for Sums {
 #[derive(Debug)]
 pub(super) struct Clock {
     reader: StepReader,
-    planned: Fold<Item, (Planner, Sums)>,
+    /// `None`: there are more blocks than have times.
+    planned: Option<Fold<Item, (Planner, Sums)>>,
+    /// How many more blocks have their times.
+    room: u64,
 }
 
 impl Clock {
-    pub fn new(settings: &Settings) -> Self {
-        let planner = Planner::new(Model::of(settings), false);
-        let planned = Fold::new("planner", (planner, Sums::default()), |(planner, sums), item: &Item| {
-            if item.first_left {
-                sums.place = Some(item.step.seq);
-            }
-            if item.change {
-                sums.changes.push_back(item.step.seq);
-            }
-            planner.push(&item.step, sums);
-        });
-        Self { reader: StepReader::new(settings), planned }
+    pub fn new(settings: &Settings, timing: Timing) -> Self {
+        let fold = || {
+            let planner = Planner::new(Model::of(settings), false);
+            Fold::new("planner", (planner, Sums::default()), |(planner, sums), item: &Item| {
+                if item.first_left {
+                    sums.place = Some(item.step.seq);
+                }
+                if item.change {
+                    sums.changes.push_back(item.step.seq);
+                }
+                planner.push(&item.step, sums);
+            })
+        };
+        let room = timing.most(settings);
+        Self { reader: StepReader::new(settings), planned: (room > 0).then(fold), room }
     }
 
     /// The next block; `change`: it changes the tool, `first_left`: the place is before it.
+    #[inline]
     pub fn push(&mut self, block: &Executed<'_>, change: bool, first_left: bool) {
-        self.planned.push(Item { step: self.reader.read(block), change, first_left });
+        let Some(planned) = &mut self.planned else { return };
+        if self.room == 0 {
+            self.planned = None;
+            return;
+        }
+        self.room -= 1;
+        planned.push(Item { step: self.reader.read(block), change, first_left });
     }
 
-    pub fn finish(self) -> TimedProgress {
-        let (mut planner, mut sums) = self.planned.finish();
+    /// `None`: the program has too many blocks for them.
+    pub fn finish(self) -> Option<TimedProgress> {
+        let (mut planner, mut sums) = self.planned?.finish();
         planner.finish(&mut sums);
-        sums.progress
+        Some(sums.progress)
     }
 }
 

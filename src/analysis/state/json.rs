@@ -7,8 +7,8 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::Value;
 
+use super::found::{CounterAt, Found};
 use super::place::CallAt;
-use super::reader::{CounterAt, Found};
 use super::unknown::Unknown;
 use super::writers::{Slot, Written, is_momentary};
 use crate::analysis::{Number, forbid_null};
@@ -178,10 +178,13 @@ struct ProgressRecord {
     path_mm: Number,
     /// The known path from the place on: at least this.
     path_left_mm: Number,
-    /// Time up to the place, as `motion` estimates it.
-    time_s: Number,
-    /// Time from the place on.
-    time_left_s: Number,
+    /// Time up to the place, as `motion` estimates it. Left out in programs of more than a million executed blocks, unless
+    /// motion is configured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time_s: Option<Number>,
+    /// Time from the place on, likewise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    time_left_s: Option<Number>,
     /// Some times are not known, or the program does not get to its end: there is at least this.
     lower_bound: bool,
     /// The next executed block with M06.
@@ -215,6 +218,11 @@ pub fn schema() -> Value {
 pub fn json(found: &Found, name: &str, settings: &Settings) -> String {
     // Numbers and texts always have a JSON.
     serde_json::to_string_pretty(&record(found, name, settings)).unwrap_or_default() + "\n"
+}
+
+/// The same as a value.
+pub fn document(found: &Found, name: &str, settings: &Settings) -> Value {
+    serde_json::to_value(record(found, name, settings)).unwrap_or_default()
 }
 
 fn record(found: &Found, name: &str, settings: &Settings) -> Record {
@@ -283,9 +291,9 @@ fn progress(found: &Found) -> ProgressRecord {
         blocks_left: found.blocks.left,
         path_mm: Number(found.path.done),
         path_left_mm: Number(found.path.left),
-        time_s: found.times.seconds.done.into(),
-        time_left_s: found.times.seconds.left.into(),
-        lower_bound: found.times.lower_bound || !found.whole,
+        time_s: found.times.map(|times| times.seconds.done.into()),
+        time_left_s: found.times.map(|times| times.seconds.left.into()),
+        lower_bound: found.is_lower_bound(),
         next_tool_change: found.next_tool_change,
         next_stop: found.next_stop,
     }

@@ -6,6 +6,9 @@
 mod before;
 mod clock;
 mod errors;
+mod follow;
+mod found;
+mod index;
 mod json;
 mod place;
 mod reader;
@@ -15,11 +18,13 @@ mod words;
 mod writers;
 
 pub use before::Before;
-pub use clock::{AtTime, Progress, TimedProgress};
-pub use json::{SCHEMA, json, schema};
+pub use clock::{AtTime, Progress, TimedProgress, Timing};
+pub use found::{CounterAt, Found};
+pub use index::{Arrivals, Index, Indexer, Replay};
+pub use json::{SCHEMA, document, json, schema};
 pub use place::{Arrival, Asked, CallAt, Place, PlaceFault};
-pub use reader::{Found, StateReader};
+pub use reader::StateReader;
 pub use text::text;
 pub use unknown::{Axes, Unknown};
-pub use words::fault_text;
+pub use words::{fault_text, passes_text};
 pub use writers::{Slot, Written};

@@ -66,6 +66,13 @@ pub struct Arrival {
     pub calls: Vec<CallAt>,
 }
 
+impl Arrival {
+    /// At a block.
+    pub(super) fn of(block: &Executed<'_>) -> Self {
+        Self { seq: block.seq(), n: block.n(), line: block.line(), calls: calls(block) }
+    }
+}
+
 /// Why there is no answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlaceFault {

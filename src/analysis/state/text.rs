@@ -1,7 +1,7 @@
 //! What holds at a place, as a table for people.
 
-use super::clock::Progress;
-use super::reader::Found;
+use super::clock::{Progress, Timing};
+use super::found::{CounterAt, Found};
 use super::words::Words;
 use super::writers::{Slot, Written};
 use crate::analysis::motion::{clock, trimmed};
@@ -93,7 +93,7 @@ impl Table<'_> {
 
     fn counters(&self) -> Vec<Row> {
         let counters = self.found.counters.iter();
-        let row = |counter: &super::reader::CounterAt| {
+        let row = |counter: &CounterAt| {
             let (n, line, left, of) = (counter.n, counter.line, counter.left, counter.of);
             vec![self.say(&Words::Counter { n, line, left, of })]
         };
@@ -187,9 +187,12 @@ impl Table<'_> {
             [vec![String::new()], head.to_vec()].concat(),
             row(Words::Blocks, parts(*blocks).map(|count| count.to_string())),
             row(Words::Path, lengths(*path)),
-            row(Words::Time, seconds(times.seconds)),
         ];
-        if times.lower_bound || !self.found.whole {
+        rows.extend(times.map(|times| row(Words::Time, seconds(times.seconds))));
+        if times.is_none() && blocks.done + blocks.left > Timing::ASSUMED {
+            rows.push(vec![self.say(&Words::NoTimes { blocks: Timing::ASSUMED })]);
+        }
+        if times.is_some_and(|times| times.lower_bound) || !self.found.whole {
             rows.push(vec![self.say(&Words::AtLeast)]);
         }
         let next = [

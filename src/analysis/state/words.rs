@@ -30,6 +30,7 @@ bilingual! {
         Path "path, mm", "dráha, mm";
         Time "time", "čas";
         AtLeast "times and paths are at least these: some are not known", "časy a dráhy jsou nejméně takové: některé nejsou známy";
+        NoTimes { blocks: u64 } "no times: more than {blocks} blocks, and the project file has no [motion]", "bez časů: bloků je víc než {blocks} a soubor projektu nemá [motion]";
         NextToolChange { seq: u64 } "next tool change: seq {seq}", "příští výměna nástroje: seq {seq}";
         NextStop { seq: u64 } "next stop: seq {seq}", "příští zastavení: seq {seq}";
         NextRapid { seq: u64 } "next rapid traverse: seq {seq}", "příští rychloposuv: seq {seq}";
@@ -58,7 +59,7 @@ bilingual! {
         NoFile { file: String } "--file {file}: no macrocycle of that name is executed", "--file {file}: makrocyklus toho jména se neprovádí";
         NoProgram "the program executes no block", "program neprovede žádný blok";
         Several { place: String, count: u64 } "{place} is executed {count} times; one of them is named by --pass:", "{place} se provede {count}krát; které provedení, určí --pass:";
-        Pass { pass: usize, seq: u64, n: u32, line: u32, calls: String } "  --pass {pass}  N{n}, line {line}, seq {seq}, {calls}", "  --pass {pass}  N{n}, řádek {line}, seq {seq}, {calls}";
+        Pass { seq: u64, n: u32, line: u32, calls: String } "N{n}, line {line}, seq {seq}, {calls}", "N{n}, řádek {line}, seq {seq}, {calls}";
         MorePasses { more: u64 } "  and {more} more", "  a dalších {more}";
         ShortCall { l: u32, n: u32, pass: u32, of: u32 } "L{l} from N{n} ({pass}/{of})", "L{l} z N{n} ({pass}/{of})";
     }
@@ -110,18 +111,26 @@ pub fn fault_text(fault: &PlaceFault, asked: &Asked, lang: Lang) -> String {
 
 fn several(place: String, arrivals: &[Arrival], count: u64, lang: Lang) -> String {
     let mut lines = vec![Words::Several { place, count }.text(lang)];
-    for (pass, arrival) in (1..).zip(arrivals) {
-        let Arrival { seq, n, line, calls } = arrival;
-        let short = |call: &CallAt| Words::ShortCall { l: call.l, n: call.n, pass: call.pass, of: call.of }.text(lang);
-        let calls = match calls.as_slice() {
-            [] => Words::Main.text(lang),
-            calls => calls.iter().map(short).collect::<Vec<_>>().join(", "),
-        };
-        lines.push(Words::Pass { pass, seq: *seq, n: *n, line: *line, calls }.text(lang));
+    for (pass, arrival) in (1_usize..).zip(passes_text(arrivals, lang)) {
+        lines.push(format!("  --pass {pass}  {arrival}"));
     }
     let more = count - arrivals.len() as u64;
     if more > 0 {
         lines.push(Words::MorePasses { more }.text(lang));
     }
     lines.join("\n")
+}
+
+/// Executions of a block, each in a line: where it is, and how execution got there.
+pub fn passes_text(arrivals: &[Arrival], lang: Lang) -> Vec<String> {
+    let short = |call: &CallAt| Words::ShortCall { l: call.l, n: call.n, pass: call.pass, of: call.of }.text(lang);
+    let line = |arrival: &Arrival| {
+        let Arrival { seq, n, line, calls } = arrival;
+        let calls = match calls.as_slice() {
+            [] => Words::Main.text(lang),
+            calls => calls.iter().map(short).collect::<Vec<_>>().join(", "),
+        };
+        Words::Pass { seq: *seq, n: *n, line: *line, calls }.text(lang)
+    };
+    arrivals.iter().map(line).collect()
 }

@@ -1,7 +1,7 @@
 //! Which block wrote what is in force last.
 
 use crate::diag::CallKind;
-use crate::dict::{Address, AxisLetter, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
+use crate::dict::{Address, AxisLetter, GCode, Lasting, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
 use crate::run::{Executed, State};
 use crate::syntax::BlockId;
 use crate::text::FileId;
@@ -102,7 +102,7 @@ pub struct Written {
 }
 
 /// Who wrote what last.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Writers {
     last: Box<[Option<Writer>; SLOTS]>,
 }
@@ -135,7 +135,9 @@ impl Writers {
     }
 
     fn note_words(&mut self, block: &Executed<'_>, before: &State, writer: Writer) {
-        block.g_written().for_each(|code| self.set(Slot::G(code.group().index()), writer));
+        // What holds for its block alone is no more in force, and what it hid was written by another.
+        let lasting = block.g_written().filter(|code| code.lasting() != Lasting::Block);
+        lasting.for_each(|code| self.set(Slot::G(code.group().index()), writer));
         let functions = &block.settings().machine.m_functions;
         for &number in block.m_written() {
             self.set(Slot::M(usize::from(functions.group(number))), writer);
@@ -158,8 +160,10 @@ impl Writers {
             self.set(Slot::value("dynamic_set"), writer);
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
+        let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
-            if before.axis_position(place) != after.axis_position(place) {
+            let named = stands.iter().any(|(letter, _)| *letter == axis.letter.letter());
+            if named || before.axis_position(place) != after.axis_position(place) {
                 self.set(Slot::Axis(axis.letter), writer);
             }
         }

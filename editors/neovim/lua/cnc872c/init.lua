@@ -233,7 +233,7 @@ local function capabilities()
   own = vim.tbl_deep_extend('force', own, M.options.capabilities or {})
   return vim.tbl_deep_extend('force', own, {
     workspace = { textDocumentContent = { dynamicRegistration = false } },
-    experimental = { commands = { commands = { 'cnc872c.showReferences' } } },
+    experimental = { commands = { commands = { 'cnc872c.showReferences', 'cnc872c.stateHere' } } },
   })
 end
 
@@ -398,6 +398,79 @@ function M.signals()
   show(result.text)
 end
 
+-- Asks about a place until the server gives a text: of several executions the user chooses one, and a height that is missing
+-- is typed. A refusal is shown, and the nearest place that works is offered. `done` gets the answer.
+local about_place
+function about_place(name, params, done)
+  local function again(more)
+    return about_place(name, vim.tbl_extend('force', params, more), done)
+  end
+  local result = M.request(name, params)
+  if type(result) ~= 'table' then
+    if result == vim.NIL then
+      vim.notify('cnc872c: no block here', vim.log.levels.INFO)
+    end
+  elseif result.text then
+    done(result)
+  elseif result.passes then
+    vim.ui.select(result.passes, {
+      prompt = result.message,
+      format_item = function(pass)
+        return pass.pass .. '  ' .. pass.text
+      end,
+    }, function(pass)
+      return pass and again({ seq = pass.seq })
+    end)
+  elseif result.safe then
+    vim.ui.input({ prompt = result.safe .. ' [mm]: ' }, function(height)
+      return height and height ~= '' and again({ safe = height })
+    end)
+  elseif result.refused then
+    vim.notify('cnc872c: ' .. result.refused, vim.log.levels.WARN)
+    local nearest = result.nearest
+    if type(nearest) == 'table' then
+      local there = ('N%d, seq %d'):format(nearest.n, nearest.seq)
+      vim.ui.select({ there }, { prompt = 'cnc872c' }, function(chosen)
+        return chosen and again({ seq = nearest.seq })
+      end)
+    end
+  end
+end
+
+local function place_of_cursor()
+  local client = M.client(vim.api.nvim_get_current_buf())
+  local params = vim.lsp.util.make_position_params(0, client and client.offset_encoding)
+  return { textDocument = params.textDocument, position = params.position }
+end
+
+-- Shows what holds before the block at the cursor, or at `place`.
+function M.state(place)
+  about_place('cnc872c/state', place or place_of_cursor(), function(result)
+    show(result.text)
+  end)
+end
+
+-- Opens a program that starts at the block at the cursor beside the program; `safe`: where the tool is clear of everything.
+function M.start(safe)
+  local params = place_of_cursor()
+  params.safe = safe ~= '' and safe or nil
+  about_place('cnc872c/restart', params, function(result)
+    vim.cmd('vnew')
+    vim.api.nvim_buf_set_lines(0, 0, -1, false, vim.split((result.text:gsub('\r\n', '\n'):gsub('\n$', '')), '\n'))
+    vim.bo.fileformat = result.text:find('\r\n', 1, true) and 'dos' or 'unix'
+    vim.bo.filetype = 'cnc872'
+    if type(result.message) == 'string' then
+      vim.notify('cnc872c: ' .. result.message, vim.log.levels.INFO)
+    end
+  end)
+end
+
+-- What a lens above a tool change asks for.
+function M.state_here(command)
+  local uri, position = unpack(command.arguments)
+  M.state({ textDocument = { uri = uri }, position = position })
+end
+
 -- What a lens above a subprogram asks for: its calls, in the quickfix list.
 function M.show_references(command, context)
   local _, _, locations = unpack(command.arguments)
@@ -414,6 +487,7 @@ function M.setup(options)
   local group = vim.api.nvim_create_augroup(NAME, { clear = true })
   encodings(group)
   vim.lsp.commands['cnc872c.showReferences'] = M.show_references
+  vim.lsp.commands['cnc872c.stateHere'] = M.state_here
   vim.api.nvim_create_autocmd('BufReadCmd', { group = group, pattern = 'cnc872c:/*', callback = read_document })
 
   local command = vim.api.nvim_create_user_command
@@ -428,6 +502,12 @@ function M.setup(options)
   end, { desc = 'Mend what can be mended' })
   command('CncStream', M.stream, { desc = 'The block stream of the program' })
   command('CncSignals', M.signals, { desc = 'The PLC signals of the block at the cursor' })
+  command('CncState', function()
+    M.state()
+  end, { desc = 'What holds at the block at the cursor' })
+  command('CncStart', function(arguments)
+    M.start(arguments.args)
+  end, { nargs = '?', desc = 'A program that starts at the block at the cursor' })
 
   if vim.lsp.config and vim.lsp.enable then
     local config = M.config()

@@ -1,0 +1,291 @@
+//! Checkpoints of one execution, and the order of its blocks: the state at any block needs only a replay from the checkpoint
+//! before it.
+
+use std::ops::ControlFlow;
+
+use super::clock::{Progress, TimedProgress, is_lower_bound};
+use super::errors::Errors;
+use super::follow::{Follow, Next, Tally};
+use super::found::Found;
+use super::place::Arrival;
+use crate::analysis::motion::{BlockTimes, Listener, Model, Planner, Step, StepReader};
+use crate::config::Settings;
+use crate::diag::Findings;
+use crate::parallel::Fold;
+use crate::run::{End, Executed, Interpreter, Program, Sink};
+use crate::syntax::BlockId;
+use crate::text::FileId;
+
+/// Executed blocks between two checkpoints.
+const STRIDE: u64 = if cfg!(fuzzing) { 2 } else { 1 << 12 };
+
+/// Blocks of a file that were executed one after the other.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    /// The first of them, as execution counts.
+    seq: u32,
+    file: FileId,
+    first: BlockId,
+}
+
+/// The execution from one checkpoint up to the next.
+#[derive(Clone, Debug)]
+struct Part {
+    from: Interpreter,
+    known: Follow,
+    next: Next,
+}
+
+/// An execution, of which at most so many blocks are kept.
+#[derive(Debug)]
+pub struct Index {
+    rows: Vec<Row>,
+    parts: Vec<Part>,
+    follow: Follow,
+    errors: Errors,
+    /// Execution came to its end without errors.
+    whole: bool,
+    times: Option<Ends>,
+}
+
+/// When blocks end, in seconds after program start.
+#[derive(Clone, Debug, Default)]
+struct Ends {
+    ends: Vec<f64>,
+    lower_bound: bool,
+}
+
+impl Listener for Ends {
+    fn block(&mut self, block: &BlockTimes) {
+        let before = self.ends.last().copied().unwrap_or_default();
+        self.ends.push(before + block.duration_s);
+        self.lower_bound |= is_lower_bound(block);
+    }
+}
+
+impl Ends {
+    /// How long so many blocks take.
+    fn of(&self, blocks: u64) -> f64 {
+        let last = usize::try_from(blocks).ok().and_then(|blocks| blocks.checked_sub(1));
+        last.and_then(|last| self.ends.get(last)).copied().unwrap_or_default()
+    }
+
+    /// The times around a place with so many blocks before it and behind it.
+    fn around(&self, blocks: Progress<u64>) -> TimedProgress {
+        let Progress { done, left, tool_done, tool_left } = blocks;
+        let at = self.of(done);
+        let seconds = Progress {
+            done: at,
+            left: self.of(done + left) - at,
+            tool_done: at - self.of(done - tool_done),
+            tool_left: self.of(done + tool_left) - at,
+        };
+        TimedProgress { seconds, lower_bound: self.lower_bound }
+    }
+}
+
+impl Index {
+    /// How many blocks were executed.
+    pub fn executed(&self) -> u64 {
+        self.follow.done().blocks
+    }
+
+    /// Whether an error stands before an executed block; `after`: or in it.
+    pub fn has_error_before(&self, seq: u64, after: bool) -> bool {
+        self.errors.first().is_some_and(|first| first < seq || after && first == seq)
+    }
+
+    /// The executions of a block, in their order.
+    pub fn executions(&self, file: FileId, block: BlockId) -> impl Iterator<Item = u64> + '_ {
+        let ends = self.rows.iter().skip(1).map(|row| u64::from(row.seq)).chain([self.executed()]);
+        self.rows.iter().zip(ends).filter_map(move |(row, end)| {
+            let ahead = block.0.checked_sub(row.first.0).filter(|_| row.file == file)?;
+            let seq = u64::from(row.seq) + u64::from(ahead);
+            (seq < end).then_some(seq)
+        })
+    }
+
+    /// From where execution has to go on to come by a block, with what reads it from there.
+    pub fn from(&self, seq: u64, after: bool) -> Option<(&Interpreter, Replay<'_>)> {
+        let at = self.parts.partition_point(|part| part.from.executed() <= seq).checked_sub(1)?;
+        let part = self.parts.get(at).filter(|_| seq < self.executed())?;
+        let until = self.parts.get(at + 1).map_or(self.executed(), |next| next.from.executed());
+        let replay = Replay {
+            index: self,
+            at,
+            follow: part.known.clone(),
+            seq,
+            until,
+            after,
+            found: None,
+            next: Next::default(),
+        };
+        Some((&part.from, replay))
+    }
+
+    /// The same for the calls that led to some executions of blocks, in their order, as far as they are in one part.
+    pub fn arrivals_from<'s>(&self, seqs: &'s [u64]) -> Option<(&Interpreter, Arrivals<'s>)> {
+        let first = *seqs.first()?;
+        let at = self.parts.partition_point(|part| part.from.executed() <= first).checked_sub(1)?;
+        let until = self.parts.get(at + 1).map_or(u64::MAX, |next| next.from.executed());
+        let here = seqs.partition_point(|seq| *seq < until);
+        let arrivals = Arrivals { seqs: seqs.get(..here)?, found: Vec::new() };
+        self.parts.get(at).map(|part| (&part.from, arrivals))
+    }
+}
+
+/// Plans the motions of an execution.
+#[derive(Debug)]
+struct Planning {
+    reader: StepReader,
+    planned: Fold<Step, (Planner, Ends)>,
+}
+
+/// Makes an [`Index`] while a program is executed.
+#[derive(Debug)]
+pub struct Indexer {
+    index: Index,
+    most: u64,
+    /// Where motion is configured.
+    planning: Option<Planning>,
+}
+
+impl Indexer {
+    /// For a program that is executed with these settings; blocks beyond `most` are not kept.
+    pub fn new(settings: &Settings, most: u64) -> Self {
+        let follow = Follow::new(settings);
+        let (rows, parts, errors) = (Vec::new(), Vec::new(), Errors::default());
+        let index = Index { rows, parts, follow, errors, whole: false, times: None };
+        let planning = settings.machine.motion.configured.then(|| {
+            let planner = (Planner::new(Model::of(settings), false), Ends::default());
+            let planned = Fold::new("planner", planner, |(planner, ends), step| planner.push(step, ends));
+            Planning { reader: StepReader::new(settings), planned }
+        });
+        Self { index, most: most.min(u64::from(u32::MAX)), planning }
+    }
+
+    /// The index. `whole`: the program was executed to its end, without errors.
+    pub fn finish(self, whole: bool) -> Index {
+        let times = self.planning.map(|Planning { planned, .. }| {
+            let (mut planner, mut ends) = planned.finish();
+            planner.finish(&mut ends);
+            ends
+        });
+        Index { whole, times, ..self.index }
+    }
+}
+
+impl Sink for &mut Indexer {
+    type Whole = End;
+
+    fn begin(&mut self, program: &Program<'_>) {
+        let Index { parts, follow, .. } = &mut self.index;
+        parts.push(Part { from: Interpreter::new(program), known: follow.clone(), next: Next::default() });
+    }
+
+    fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
+        let Index { rows, parts, follow, errors, .. } = &mut self.index;
+        errors.look(block, findings);
+        let (seq, (file, id)) = (block.seq(), block.at());
+        let goes_on = rows.last().is_some_and(|row| {
+            row.file == file && u64::from(id.0) == u64::from(row.first.0) + (seq - u64::from(row.seq))
+        });
+        if !goes_on {
+            rows.push(Row { seq: u32::try_from(seq).unwrap_or(u32::MAX), file, first: id });
+        }
+        if let Some(Planning { reader, planned }) = &mut self.planning {
+            planned.push(reader.read(block));
+        }
+        if let Some(part) = parts.last_mut() {
+            part.next.look(block, follow.done());
+        }
+        follow.arrive(block);
+        follow.pass(block);
+        let executed = seq + 1;
+        if executed.is_multiple_of(STRIDE) {
+            parts.push(Part { from: block.checkpoint(), known: follow.clone(), next: Next::default() });
+        }
+        if executed >= self.most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn end(self, end: End, _: &mut Findings) -> End {
+        end
+    }
+}
+
+/// Reads the blocks from a checkpoint up to the next one, for one of them.
+#[derive(Debug)]
+pub struct Replay<'a> {
+    index: &'a Index,
+    /// Which part.
+    at: usize,
+    follow: Follow,
+    seq: u64,
+    until: u64,
+    after: bool,
+    found: Option<(Found, Tally)>,
+    next: Next,
+}
+
+impl Replay<'_> {
+    /// What holds at the block.
+    pub fn found(self) -> Option<Found> {
+        let (mut found, done) = self.found?;
+        let later = self.index.parts.iter().skip(self.at + 1).map(|part| part.next);
+        let next = later.fold(self.next, Next::or);
+        found.unknown.retain(|(letter, _)| self.index.follow.is_moved(*letter));
+        found.add_left(done, next, self.index.follow.done());
+        found.times = self.index.times.as_ref().map(|times| times.around(found.blocks));
+        found.whole = self.index.whole;
+        Some(found)
+    }
+}
+
+impl Sink for &mut Replay<'_> {
+    type Whole = ();
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        let seq = block.seq();
+        self.follow.arrive(block);
+        if seq == self.seq && !self.after {
+            self.found = Some((self.follow.found(block, false), self.follow.done()));
+        }
+        if self.found.is_some() {
+            self.next.look(block, self.follow.done());
+        }
+        self.follow.pass(block);
+        if seq == self.seq && self.after {
+            self.found = Some((self.follow.found(block, true), self.follow.done()));
+        }
+        if seq + 1 >= self.until { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn end(self, _: End, _: &mut Findings) {}
+}
+
+/// Notes the calls that led to some executed blocks.
+#[derive(Debug)]
+pub struct Arrivals<'s> {
+    seqs: &'s [u64],
+    found: Vec<Arrival>,
+}
+
+impl Arrivals<'_> {
+    /// Where they are.
+    pub fn found(self) -> Vec<Arrival> {
+        self.found
+    }
+}
+
+impl Sink for &mut Arrivals<'_> {
+    type Whole = ();
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        if self.seqs.get(self.found.len()) == Some(&block.seq()) {
+            self.found.push(Arrival::of(block));
+        }
+        if self.found.len() < self.seqs.len() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    }
+
+    fn end(self, _: End, _: &mut Findings) {}
+}
