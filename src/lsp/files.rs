@@ -120,6 +120,11 @@ impl EditorFiles {
         }
     }
 
+    /// The bytes of a file as they are saved, whatever its buffer holds.
+    pub(super) fn saved(&self, path: &Path) -> io::Result<Vec<u8>> {
+        self.disk.read(path)
+    }
+
     /// The open document at `path`.
     pub(super) fn buffer(&self, path: &Path) -> Option<&Document> {
         self.open.get(path).or_else(|| self.open.get(&self.canonical(path)))

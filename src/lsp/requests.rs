@@ -7,8 +7,8 @@ use serde_json::Value;
 use super::analysis::Analysis;
 use super::snapshot::{Answer, Needs, Refusal, Snapshot};
 use super::{
-    code_actions, code_lens, commands, completion, definition, dots, explain, folding, formatting, hierarchy, hover,
-    inlay_hints, links, offered, on_type, outline, path, project_file, references, rename, restart, selection,
+    code_actions, code_lens, commands, compare, completion, definition, dots, explain, folding, formatting, hierarchy,
+    hover, inlay_hints, links, offered, on_type, outline, path, project_file, references, rename, restart, selection,
     semantic_tokens, signals, signature, state, workspace, workspace_findings, workspace_symbols,
 };
 
@@ -29,6 +29,7 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
             or_project_file(document::<lsp::HoverRequest>(Needs::Blocks, hover::hover), project_file::hover)
         }
         "textDocument/signatureHelp" => untyped(Needs::Blocks, signature::signature_help),
+        "cnc872c/compare" => document::<compare::CompareRequest>(Needs::Analysis, compare::answer),
         "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Run, dots::dots),
         "cnc872c/path" => document::<path::PathRequest>(Needs::Run, path::path),
         "cnc872c/restart" => untyped(Needs::Run, restart::restart),

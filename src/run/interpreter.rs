@@ -53,7 +53,7 @@ struct Pending {
 }
 
 /// Executes a program. Ask for blocks with [`Self::step`] until it gives none. Its memory is the state in force and the open
-/// calls, however often the program repeats. A copy goes on independently from the same place, over the same [`Program`].
+/// calls, however often the program repeats. A copy goes on by itself from where the original stands, over the same [`Program`].
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     pub(super) state: State,
@@ -93,7 +93,7 @@ impl Interpreter {
         }
     }
 
-    /// Executes the next block. `None` at the end of the program, or where it cannot go on; [`Self::end`] tells the two apart.
+    /// Executes the next block. `None` at the end of the program, or where it cannot go on; [`Self::end`] gives which.
     #[inline]
     pub fn step<'r>(&'r mut self, program: &'r mut Program<'_>, findings: &mut Findings) -> Option<Executed<'r>> {
         while self.stop.is_none() {

@@ -37,7 +37,7 @@ pub(super) fn evaluate_form(
     dwell: bool,
     feed: Option<GCode>,
 ) -> Option<Decimal> {
-    // Written values were checked before execution, except those that depend on the functions in force.
+    // What is written was looked at before execution, but for what depends on the functions in force.
     if feed.is_none()
         && word.address != Address::Q
         && let Some(number) = word.number()
@@ -171,7 +171,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) {
     }
     let control = |parameter: u8| values.iter().copied().find(|(word, _)| word.target() == parameter);
     let controlled = (FIRST_CONTROL..=LAST_CONTROL).any(|parameter| control(parameter).is_some());
-    // An R without a number, and arithmetic with unknown operations, may assign any parameter.
+    // An R without a number of its own, and arithmetic of which nobody knows the operations, may assign any parameter.
     let nameless = words.r.iter().any(|word| usize::from(word.target()) >= state.parameters.len());
     let mut anything = nameless || clash || (words.malformed_g && controlled);
     if let Some((function, g_word)) = function {
@@ -245,7 +245,7 @@ fn operate(
     let control = match control_word(site.machine(), value) {
         Ok(control) => control,
         Err(finding) => {
-            // A written one was reported before execution; an operation that is not configured is reported once.
+            // Found before execution when it is written out; an operation that is not configured is said once.
             let new = if let Finding::UnknownOperation { operation, .. } = finding {
                 state.said.operations.insert(operation)
             } else {

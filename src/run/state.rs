@@ -8,7 +8,7 @@ use crate::dict::{Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, 
 use crate::syntax::BlockId;
 use crate::text::{FileId, Location};
 
-/// The position of an axis, as far as it is known.
+/// What is known of an axis's position.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) enum Position {
     /// Nothing yet, or nothing any more (MOT-2, MOT-7, MFN-4).

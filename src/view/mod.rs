@@ -24,6 +24,7 @@ mod container;
 mod display;
 mod files;
 mod glyphs;
+mod hash;
 mod lines;
 mod names;
 mod pack;

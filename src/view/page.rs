@@ -8,8 +8,8 @@ const VIEWER: &str = include_str!("viewer/viewer.js");
 /// Its styles.
 const STYLES: &str = include_str!("viewer/viewer.css");
 
-/// The page for the data of a program. `old`: the data of the program it is compared with. `lang`: the language when it is
-/// not the browser's.
+/// The page for the data of a program. `old`: the data of the program it is compared with. `lang`: the language when it
+/// is not the browser's.
 pub fn page(data: &[u8], old: Option<&[u8]>, name: &str, lang: Option<Lang>) -> String {
     let (data, old) = (text(data), old.map(text).unwrap_or_default());
     let lang = lang.map_or("", |lang| match lang {

@@ -5,7 +5,7 @@ use std::hash::Hash;
 
 use serde_json::{Map, Value};
 
-use crate::dict::{Decimal, GCode, GGroup};
+use crate::dict::{Address, Decimal, GCode, GGroup};
 use crate::run::{Executed, FeedUnit};
 use crate::sure::small;
 
@@ -116,6 +116,42 @@ impl StateKey {
         let (unit, hundredth) = self.unit?;
         matches!(unit, FeedUnit::MmPerMinute | FeedUnit::DegPerMinute).then_some(hundredth)
     }
+}
+
+/// What a block does, as far as its functions and words tell: equal bytes, equal fields of [`DOES`]. `None`: its values
+/// count.
+pub(super) fn words_of(block: &Executed<'_>) -> Option<Vec<u8>> {
+    let valued = block.dwell().is_some()
+        || block.m_at_stop().is_some()
+        || block.opaque_call().is_some()
+        || block.jump().is_some()
+        || block.data().is_some()
+        || !block.words().is_empty();
+    if valued {
+        return None;
+    }
+    let marks = [
+        block.skippable(),
+        block.break_cont(),
+        block.break_cont_end(),
+        block.change_pos(),
+        block.stop(),
+        block.cond_stop(),
+    ];
+    let addresses = [Address::F, Address::S, Address::T, Address::H, Address::P, Address::D];
+    let mut words: Vec<u8> = marks.into_iter().map(u8::from).collect();
+    words.extend(addresses.map(|address| u8::from(block.written(address))));
+    let lists: [Vec<u8>; 4] = [
+        block.g_written().map(|code| code.number()).collect(),
+        block.m_written().to_vec(),
+        block.m_changed().to_vec(),
+        block.params().iter().map(|(index, _)| *index).collect(),
+    ];
+    for list in lists {
+        words.extend(small(list.len()).to_le_bytes());
+        words.extend(list);
+    }
+    Some(words)
 }
 
 /// The parts of a record.

@@ -9,7 +9,8 @@ use super::arcs::{self, Swept};
 use super::calls::Contexts;
 use super::column::Column;
 use super::files::Files;
-use super::parts::{Interned, StateKey, parts};
+use super::hash::Hash;
+use super::parts::{Interned, StateKey, parts, words_of};
 use super::positions::{Known, Positions};
 use super::shapes::{ArcAxes, LengthUnit, ShapeKey};
 use super::tally::Tally;
@@ -95,6 +96,8 @@ pub(super) struct Rows {
     /// By index in `states`: whether F counts hundredths, where it counts per minute.
     states_fed: Vec<Option<bool>>,
     pub extras: Interned<String>,
+    /// Indices in `extras` of blocks that do nothing else than their words say.
+    worded: HashMap<Vec<u8>, u32>,
     pub shapes: Interned<ShapeKey>,
     /// By index in `shapes`.
     pub shape_keys: Vec<ShapeKey>,
@@ -143,6 +146,7 @@ impl Rows {
             states: Interned::default(),
             states_fed: Vec::new(),
             extras: Interned::default(),
+            worded: HashMap::new(),
             shapes: Interned::default(),
             shape_keys: Vec::new(),
             contexts: Contexts::default(),
@@ -456,6 +460,10 @@ impl Rows {
                 Value::Object(fields)
             });
         }
+        let words = words_of(block).filter(|_| special == Special::default());
+        if let Some(known) = words.as_ref().and_then(|words| self.worded.get(words)) {
+            return *known;
+        }
         let mut parts = parts(self.records.of(block));
         if !params.is_empty() {
             parts.does.insert("params".to_owned(), params_named(params));
@@ -472,7 +480,9 @@ impl Rows {
             parts.does.insert("motion".to_owned(), Value::Object(motion));
         }
         let value = Value::Object(parts.does);
-        self.extras.get(value.to_string(), || value)
+        let extra = self.extras.get(value.to_string(), || value);
+        self.worded.extend(words.map(|words| (words, extra)));
+        extra
     }
 
     /// The values that the page computes of a motion, and those where it would be wrong.
@@ -631,33 +641,4 @@ struct Last {
     extra: u32,
     feed: i64,
     context: u32,
-}
-
-/// 128 bits that differ for different numbers; the same on every machine.
-struct Hash(u64, u64);
-
-impl Hash {
-    const fn new() -> Self {
-        Self(0x9E37_79B9_7F4A_7C15, 0xC2B2_AE3D_27D4_EB4F)
-    }
-
-    fn add(&mut self, value: u64) {
-        let fold = |a: u64, b: u64| {
-            let [low, high] = {
-                let product = u128::from(a) * u128::from(b);
-                let bytes = product.to_le_bytes();
-                let half = |at: usize| {
-                    bytes.iter().skip(at).take(8).rev().fold(0_u64, |sum, byte| sum << 8 | u64::from(*byte))
-                };
-                [half(0), half(8)]
-            };
-            low ^ high
-        };
-        self.0 = fold(self.0 ^ value, 0xA076_1D64_78BD_642F).rotate_left(23) ^ self.1;
-        self.1 = fold(self.1 ^ value, 0xE703_7ED1_A0B4_28DB).wrapping_add(self.0);
-    }
-
-    fn value(&self) -> u128 {
-        u128::from(self.0) << 64 | u128::from(self.1)
-    }
 }

@@ -146,7 +146,10 @@ fn shifts_and_what_is_near() {
     let old = of_text(&surface(10_000, plain, none));
     let differs = |new: &str, tolerances: Tolerances| {
         let changes = compare(&old, &of_text(new), tolerances).changes;
-        changes.into_iter().map(|change| (change.kind.name(), change.count(), change.what)).collect::<Vec<_>>()
+        changes
+            .into_iter()
+            .map(|change| (change.kind.name(), change.count(), change.what.map(String::from)))
+            .collect::<Vec<_>>()
     };
     let z = || Some("Z".to_owned());
     let shifted = surface(10_000, |at| plain(at) - 0.25, none);
@@ -211,7 +214,9 @@ fn planted(from: &str, to: &str) -> Vec<(String, u64, Option<String>)> {
     assert!(OLD.contains(from));
     let comparison = compare(&of_text(OLD), &of_text(&OLD.replace(from, to)), TOLERANCES);
     let changes = comparison.changes.iter();
-    changes.map(|change| (change.kind.name().to_owned(), change.count(), change.what.clone())).collect()
+    changes
+        .map(|change| (change.kind.name().to_owned(), change.count(), change.what.clone().map(String::from)))
+        .collect()
 }
 
 fn one(kind: &str, count: u64, what: &str) -> Vec<(String, u64, Option<String>)> {

@@ -149,7 +149,8 @@ async function start(): Promise<void> {
   let shown: App | undefined;
   followTheme(() => shown?.emit('theme', undefined));
   try {
-    const around = editor();
+    // A page that holds its data needs no editor, also in one.
+    const around = document.getElementById('cnc872c-data') === null ? editor() : undefined;
     const { data, place } = around === undefined ? { data: ownData('cnc872c-data')!, place: undefined } : await around.first();
     const old = ownData('cnc872c-old');
     const app = new App(await unpack(data), old && (await unpack(old)));

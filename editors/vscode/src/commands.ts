@@ -4,6 +4,7 @@ import * as vscode from 'vscode';
 
 import { type Server, SHOW_REFERENCES } from './client';
 import { continues, toggle } from './comments';
+import { compareWithFile, compareWithSaved } from './compare';
 import { asCode, choices, codeOf, pageOf } from './findings';
 import type { PathPanel } from './panel';
 import { Here } from './place';
@@ -42,6 +43,14 @@ export function registerCommands(
       return at && here.start(at.uri, at.position);
     },
     'cnc872c.explain': (code) => explain(typeof code === 'string' ? code : undefined),
+    'cnc872c.compareWithSaved': () => {
+      const program = activeProgram();
+      return program && compareWithSaved(server, program.document);
+    },
+    'cnc872c.compareWithFile': () => {
+      const program = activeProgram();
+      return program && compareWithFile(server, program.document);
+    },
     'cnc872c.fixAll': () => apply('source.fixAll.cnc872c'),
     'cnc872c.renumber': () => apply('source.renumber.cnc872c'),
     'cnc872c.toggleComment': toggleComment,

@@ -1,11 +1,14 @@
 //! Differences of aligned steps, grouped: what is the same change at many blocks is one (CMP-4).
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
+use std::collections::{BTreeMap, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 use super::align::{Aligned, align};
 use super::steps::{Context, Does, Event, Motion, Step, Steps, Value};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
 use crate::run::FeedUnit;
+use crate::sure::small;
 
 /// What differs.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -81,6 +84,13 @@ pub struct Tolerances {
     pub percent: f64,
 }
 
+impl Default for Tolerances {
+    /// Positions up to 0.001 mm or degrees apart are the same; F and S exactly.
+    fn default() -> Self {
+        Self { position: Micro::from_millionths(1000), percent: 0.0 }
+    }
+}
+
 /// Executed blocks of one program, in runs.
 #[derive(Clone, Debug, Default, Eq, PartialEq)]
 pub struct Blocks {
@@ -97,7 +107,11 @@ impl Blocks {
         match self.runs.last_mut() {
             Some([_, to]) if *to >= step.seq => return,
             Some([_, to]) if *to + 1 == step.seq => *to = step.seq,
-            _ => self.runs.push([step.seq; 2]),
+            _ => {
+                // Most changes of programs with nothing alike have one run.
+                self.runs.reserve_exact(usize::from(self.runs.is_empty()));
+                self.runs.push([step.seq; 2]);
+            }
         }
         self.count += 1;
         self.n = Some((self.n.map_or(step.n, |(first, _)| first), step.n));
@@ -112,7 +126,7 @@ pub struct Change {
     /// The tool in the spindle.
     pub tool: Option<Decimal>,
     /// Axis, function or address.
-    pub what: Option<String>,
+    pub what: Option<Cow<'static, str>>,
     /// The old value, where it is one.
     pub old: Option<Value>,
     /// The new value, where it is one.
@@ -139,21 +153,68 @@ pub struct Comparison {
     pub changes: Vec<Change>,
 }
 
-type Key = (ChangeKind, Option<Decimal>, Option<String>, Option<Value>, Option<Value>, Option<i64>, u64);
-
 /// A difference of two steps, or what one lacks.
 struct Difference {
     kind: ChangeKind,
-    what: Option<String>,
+    what: Option<Cow<'static, str>>,
     old: Option<Value>,
     new: Option<Value>,
+}
+
+/// Changes by what they are.
+#[derive(Default)]
+struct Groups {
+    changes: Vec<Change>,
+    /// By change.
+    runs: Vec<u64>,
+    /// The place of a change at its hash, or behind where another one has that.
+    places: HashMap<u64, u32>,
+}
+
+impl Groups {
+    /// The change that is the same as this one, without its blocks.
+    fn of(&mut self, run: u64, new: Change) -> Option<&mut Change> {
+        let Self { changes, runs, places } = self;
+        // One shift is one change, whatever it shifts.
+        let shift = new.kind == ChangeKind::Position && new.delta.is_some();
+        let mut hasher = DefaultHasher::new();
+        (run, new.kind, new.tool, &new.what, new.delta).hash(&mut hasher);
+        if !shift {
+            (&new.old, &new.new).hash(&mut hasher);
+        }
+        let mut hash = hasher.finish();
+        let next = changes.len();
+        let is_same = |at: usize| {
+            let same = |known: &Change| {
+                (known.kind, known.tool, known.delta, &known.what) == (new.kind, new.tool, new.delta, &new.what)
+                    && (shift || (&known.old, &known.new) == (&new.old, &new.new))
+            };
+            runs.get(at) == Some(&run) && changes.get(at).is_some_and(same)
+        };
+        let place = loop {
+            let place = *places.entry(hash).or_insert(small(next)) as usize;
+            if place == next || is_same(place) {
+                break place;
+            }
+            hash = hash.wrapping_add(1);
+        };
+        if place == next {
+            runs.push(run);
+            changes.push(new);
+        } else if let Some(known) = changes.get_mut(place)
+            && (&known.old, &known.new) != (&new.old, &new.new)
+        {
+            (known.old, known.new) = (None, None);
+        }
+        changes.get_mut(place)
+    }
 }
 
 struct Grouping<'s> {
     old: &'s Steps,
     new: &'s Steps,
     tolerances: Tolerances,
-    groups: BTreeMap<Key, Change>,
+    groups: Groups,
     /// Steps in a row without counterpart, of the old program and of the new one.
     alone: [Vec<usize>; 2],
     /// Single events of either program, by place.
@@ -169,7 +230,7 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
         old,
         new,
         tolerances,
-        groups: BTreeMap::new(),
+        groups: Groups::default(),
         alone: Default::default(),
         events: Default::default(),
         runs: 0,
@@ -185,7 +246,7 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
     });
     grouping.end_runs();
     grouping.end_events();
-    let mut changes: Vec<Change> = grouping.groups.into_values().collect();
+    let mut changes: Vec<Change> = grouping.groups.changes;
     let first = |change: &Change| {
         let first = |blocks: &Blocks| blocks.runs.first().map_or(u32::MAX, |run| run[0]);
         (first(&change.new_blocks).min(first(&change.old_blocks)), change.kind)
@@ -290,9 +351,9 @@ impl Grouping<'_> {
     fn positions(&self, old: &Motion, new: &Motion, found: &mut Vec<Difference>) {
         let mut deltas = [0; AxisLetter::ALL.len()];
         let beyond = |a: i64, b: i64| a.abs_diff(b) > self.tolerances.position.millionths().unsigned_abs();
-        let mut add = |what: String, old: Option<i64>, new: Option<i64>| {
+        let mut add = |what: &'static str, old: Option<i64>, new: Option<i64>| {
             let (old, new) = (old.map(Value::Number), new.map(Value::Number));
-            found.push(Difference { kind: ChangeKind::Position, what: Some(what), old, new });
+            found.push(Difference { kind: ChangeKind::Position, what: Some(Cow::Borrowed(what)), old, new });
         };
         for letter in AxisLetter::ALL {
             match (old.value(letter), new.value(letter)) {
@@ -301,12 +362,12 @@ impl Grouping<'_> {
                         *delta = b.saturating_sub(a);
                     }
                     if beyond(a, b) {
-                        add(letter.to_string(), Some(a), Some(b));
+                        add(letter.name(), Some(a), Some(b));
                     }
                 }
                 // Named in one program alone, where it stays.
-                (Some(a), None) if old.moves(letter) => add(letter.to_string(), Some(a), None),
-                (None, Some(b)) if new.moves(letter) => add(letter.to_string(), None, Some(b)),
+                (Some(a), None) if old.moves(letter) => add(letter.name(), Some(a), None),
+                (None, Some(b)) if new.moves(letter) => add(letter.name(), None, Some(b)),
                 _ => {}
             }
         }
@@ -314,7 +375,7 @@ impl Grouping<'_> {
         for ((letter, what), (a, b)) in plane.into_iter().zip(["I", "J"]).zip(a.into_iter().zip(b)) {
             let shift = deltas.get(letter as usize).copied().unwrap_or(0);
             if beyond(a.saturating_add(shift), b) {
-                add(what.to_owned(), Some(a), Some(b));
+                add(what, Some(a), Some(b));
             }
         }
     }
@@ -333,7 +394,7 @@ impl Grouping<'_> {
                 let plain = unit == new_unit || unit.is_none() || new_unit.is_none();
                 let value = |feed: Option<(Decimal, FeedUnit, bool)>| feed.map(|feed| feed_value(feed, plain));
                 let (old, new) = (value(old.feed), value(new.feed));
-                found.push(Difference { kind: ChangeKind::Feed, what: Some("F".to_owned()), old, new });
+                found.push(Difference { kind: ChangeKind::Feed, what: Some(Cow::Borrowed("F")), old, new });
             }
         }
         let same_speed = match (old.speed, new.speed) {
@@ -342,7 +403,7 @@ impl Grouping<'_> {
         };
         if old.working && new.working && !same_speed {
             let (old, new) = (old.speed.map(Value::from), new.speed.map(Value::from));
-            found.push(Difference { kind: ChangeKind::Speed, what: Some("S".to_owned()), old, new });
+            found.push(Difference { kind: ChangeKind::Speed, what: Some(Cow::Borrowed("S")), old, new });
         }
         let of =
             |context: &Context, group: GGroup| context.functions.iter().copied().find(|code| code.group() == group);
@@ -350,7 +411,7 @@ impl Grouping<'_> {
             let (a, b) = (of(old, group), of(new, group));
             if a != b {
                 let text = |code: Option<GCode>| code.map(|code| Value::Text(code.to_string()));
-                let what = b.or(a).map(|code| code.to_string());
+                let what = b.or(a).map(|code| Cow::Owned(code.to_string()));
                 found.push(Difference { kind: ChangeKind::Function, what, old: text(a), new: text(b) });
             }
         }
@@ -359,7 +420,7 @@ impl Grouping<'_> {
         if continuous(old) == continuous(new) && old.dynamic_set != new.dynamic_set {
             let number = |set: Option<u8>| set.map(|set| Value::from(Decimal::whole(i64::from(set))));
             let (a, b) = (number(old.dynamic_set), number(new.dynamic_set));
-            let what = Some(GCode::G23.to_string());
+            let what = Some(Cow::Owned(GCode::G23.to_string()));
             found.push(Difference { kind: ChangeKind::Function, what, old: a, new: b });
         }
     }
@@ -376,25 +437,12 @@ impl Grouping<'_> {
             (Some(Value::Number(a)), Some(Value::Number(b))) if a != b => Some(b.saturating_sub(*a)),
             _ => None,
         };
-        // One shift is one change, whatever it shifts.
-        let by_delta = kind == ChangeKind::Position && delta.is_some();
-        let values = if by_delta { (None, None) } else { (old_value.clone(), new_value.clone()) };
-        let key = (kind, tool, what.clone(), values.0, values.1, delta, run);
-        let change = self.groups.entry(key).or_insert_with(|| Change {
-            kind,
-            tool,
-            what,
-            old: old_value.clone(),
-            new: new_value.clone(),
-            delta,
-            old_blocks: Blocks::default(),
-            new_blocks: Blocks::default(),
-        });
-        if change.old != old_value || change.new != new_value {
-            (change.old, change.new) = (None, None);
+        let (old_blocks, new_blocks) = (Blocks::default(), Blocks::default());
+        let change = Change { kind, tool, what, old: old_value, new: new_value, delta, old_blocks, new_blocks };
+        if let Some(change) = self.groups.of(run, change) {
+            old.into_iter().for_each(|step| change.old_blocks.add(step));
+            new.into_iter().for_each(|step| change.new_blocks.add(step));
         }
-        old.into_iter().for_each(|step| change.old_blocks.add(step));
-        new.into_iter().for_each(|step| change.new_blocks.add(step));
     }
 }
 
@@ -419,10 +467,10 @@ fn difference(event: &Event, old: Option<Value>, new: Option<Value>) -> Differen
         Some(Value::Text(text)) if event.slot.starts_with('m') => Some(text.clone()),
         Some(Value::Text(_) | Value::Number(_)) | None => None,
     };
-    let what = function(&new).or_else(|| function(&old));
+    let what = function(&new).or_else(|| function(&old)).map(Cow::Owned);
     let what = match event.kind {
         ChangeKind::Dwell => None,
-        ChangeKind::Tool => Some("T".to_owned()),
+        ChangeKind::Tool => Some(Cow::Borrowed("T")),
         ChangeKind::Position
         | ChangeKind::Feed
         | ChangeKind::Speed
@@ -432,7 +480,7 @@ fn difference(event: &Event, old: Option<Value>, new: Option<Value>) -> Differen
         | ChangeKind::Data
         | ChangeKind::Parameter
         | ChangeKind::Added
-        | ChangeKind::Removed => what.or_else(|| Some(event.slot.clone())),
+        | ChangeKind::Removed => what.or_else(|| Some(Cow::Owned(event.slot.clone()))),
     };
     Difference { kind: event.kind, what, old, new }
 }

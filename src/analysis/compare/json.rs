@@ -142,7 +142,8 @@ fn record(old: &Side, new: &Side, changes: &[Change]) -> Record {
     }
 }
 
-/// The comparison for a page: the record with its texts in both languages. Changes beyond the first [`LISTED`] are one `rest`.
+/// The comparison for a page: the record with its texts in both languages. Changes beyond the first [`LISTED`] are one
+/// `rest`.
 pub fn for_page(old: &Side, new: &Side, changes: &[Change]) -> Json {
     let (listed, rest) = changes.split_at(changes.len().min(LISTED));
     let in_both = |text: &dyn Fn(Lang) -> Json| json!({ "en": text(Lang::En), "cs": text(Lang::Cs) });
@@ -195,7 +196,7 @@ fn change(change: &Change) -> ChangeRecord {
         kind: change.kind.name().to_owned(),
         tool: change.tool.map(Number::from),
         count: change.count(),
-        what: change.what.clone(),
+        what: change.what.as_ref().map(ToString::to_string),
         old: change.old.as_ref().map(value),
         new: change.new.as_ref().map(value),
         delta: change.delta.map(|delta| Number(Micro::from_millionths(delta))),

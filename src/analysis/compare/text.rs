@@ -64,7 +64,7 @@ pub(super) fn line(change: &Change, lang: Lang) -> String {
     let count = count.text(lang);
     let places = format!("({})", places(change, lang));
     let dwell = || Words::Dwell.text(lang);
-    let what = change.what.clone().unwrap_or_else(dwell);
+    let what = change.what.as_ref().map_or_else(dwell, ToString::to_string);
     let value = |value: &Option<Value>| match value {
         Some(Value::Number(number)) => Micro::from_millionths(*number).to_string(),
         Some(Value::Text(text)) => text.clone(),

@@ -19,7 +19,7 @@
 //! | `said METHOD` | waits for a message of the server | its parameters |
 //!
 //! A mark is `‹1›`; it is taken out of the text, also of `file`s, and names a place: in the text as it was opened. `DIR/` in JSON
-//! is the URI of the folder, with which all names begin. Of packed `data` an answer shows only that it is some. Lines of `#` before the first section are a comment.
+//! is the URI of the folder, with which all names begin. Of packed `data` and of a `page` an answer shows only that it is some. Lines of `#` before the first section are a comment.
 //! `LSP=write cargo test --test it lsp` writes what comes into `findings`, `answer`, `edited` and `said`.
 
 use std::collections::BTreeMap;
@@ -204,8 +204,10 @@ impl Scenario {
     /// The server's message, pretty, with the folder left out.
     fn shown(&self, value: &Value) -> String {
         let mut value = value.clone();
-        if let Some(data) = value.get_mut("data").filter(|data| data.as_str().is_some_and(|data| data.len() > 200)) {
-            *data = json!("…");
+        for name in ["data", "page"] {
+            if let Some(data) = value.get_mut(name).filter(|data| data.as_str().is_some_and(|data| data.len() > 200)) {
+                *data = json!("…");
+            }
         }
         let text = serde_json::to_string_pretty(&value).unwrap();
         let path = self.dir();

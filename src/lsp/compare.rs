@@ -1,0 +1,124 @@
+//! `cnc872c/compare`: what an open program and another one, or the saved text of it, do differently.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use gen_lsp_types::{LspRequestMethod, MessageDirection, Request, Uri};
+use serde_json::{Value, json};
+
+use super::analysis::{Analysis, configuration};
+use super::snapshot::{Answer, Refusal, Snapshot};
+use crate::analysis::compare::{Side, StepReader, Steps, Tolerances, compare, for_page, text};
+use crate::analysis::state::AtTime;
+use crate::config::{Purpose, Settings};
+use crate::diag::Report;
+use crate::dict::bilingual;
+use crate::query::observe::MOST;
+use crate::session::Session;
+use crate::text::{FileId, Loader, Overlay};
+use crate::view::{Collector, Keep, Naming, Part, page};
+
+/// The parameters are `textDocument`; `with`, the URI of the old program, without which the saved text is the old one;
+/// `page`, whether a page is wanted. Gives `{ "same", "text", "page"? }`: the text is that of `cnc872c compare`, the page
+/// that of its `-o`.
+#[derive(Debug)]
+pub(super) enum CompareRequest {}
+
+impl Request for CompareRequest {
+    type Params = Value;
+    type Result = Option<Value>;
+    const METHOD: LspRequestMethod<'static> = LspRequestMethod::Custom("cnc872c/compare");
+    const MESSAGE_DIRECTION: MessageDirection = MessageDirection::ClientToServer;
+}
+
+bilingual! {
+    /// Why nothing is compared.
+    Words {
+        CannotRead { file: String } "{file} cannot be read", "{file} nelze číst";
+        HasErrors { file: String } "{file} has errors: it cannot be compared", "{file} má chyby: nelze ho porovnat";
+        Macrocycle "a macrocycle is not compared: compare the programs that call it",
+            "makrocyklus se neporovnává: porovnat lze programy, které ho volají";
+        TooLong { file: String } "{file} executes too many blocks for the editor: use cnc872c compare",
+            "{file} provádí na editor příliš mnoho bloků: použijte cnc872c compare";
+    }
+}
+
+/// One of the two programs.
+struct Program<'a> {
+    path: &'a Path,
+    /// As it is called in the answer.
+    name: String,
+    loader: &'a dyn Loader,
+    settings: &'a Settings,
+}
+
+/// Answers [`CompareRequest`].
+pub(super) fn answer(snapshot: &Snapshot, analysis: &Analysis, params: Value) -> Answer<Option<Value>> {
+    let lang = snapshot.client.lang();
+    let refuse = |words: Words| Refusal::new(words.text(lang));
+    let wants_page = params.get("page").and_then(Value::as_bool).unwrap_or(false);
+    let with: Option<Uri> = params.get("with").and_then(|uri| serde_json::from_value(uri.clone()).ok());
+    let (files, path) = (&snapshot.files, &analysis.path);
+    if Session::is_macrocycle_name(path) {
+        return Err(refuse(Words::Macrocycle));
+    }
+    let other = with.as_ref().map_or_else(|| path.clone(), |uri| files.path_of(uri));
+    let called = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let bytes = if with.is_none() { files.saved(path) } else { files.read(&other) };
+    let bytes = bytes.map_err(|_| refuse(Words::CannotRead { file: called(&other) }))?;
+    let overlay = Overlay { below: files, path: &other, bytes: &bytes };
+    let (settings, ..) = configuration(&other, files, &snapshot.client);
+    let old_loader: &dyn Loader = if with.is_none() { &overlay } else { files };
+    let old = Program { path: &other, name: called(&other), loader: old_loader, settings: &settings };
+    let new = Program { path, name: called(path), loader: files, settings: &analysis.settings };
+    let (old_read, new_read) = (old.read(snapshot), new.read(snapshot));
+    let ((old_side, old_steps), (new_side, new_steps)) = (old_read.map_err(refuse)?, new_read.map_err(refuse)?);
+    let changes = compare(&old_steps, &new_steps, Tolerances::default()).changes;
+    drop((old_steps, new_steps));
+    let mut found = json!({
+        "same": changes.is_empty(),
+        "text": text(&old_side, &new_side, &changes, true, lang),
+    });
+    if let Some(found) = found.as_object_mut().filter(|_| wants_page) {
+        let compared = for_page(&old_side, &new_side, &changes);
+        let (before, after) = (old.draw(None), new.draw(Some(compared)));
+        found.insert("page".to_owned(), json!(page(&after, Some(&before), &new.name, Some(lang))));
+    }
+    Ok(Some(found))
+}
+
+impl Program<'_> {
+    /// Its steps.
+    fn read(&self, snapshot: &Snapshot) -> Result<(Side, Steps), Words> {
+        let Self { path, name, loader, settings } = self;
+        let goes_on = |executed| executed <= MOST && !snapshot.cancel.is_cancelled();
+        let session = Session { loader: *loader, settings, progress: Some(&goes_on) };
+        let mut reader = StepReader::new(false);
+        let mut clock = AtTime::new(settings, f64::INFINITY);
+        let run = session.watch(path, name, Purpose::Report, &mut (&mut reader, &mut clock));
+        if run.whole.is_none() {
+            let file = name.clone();
+            return Err(match run.outcome.executed {
+                executed if executed > MOST => Words::TooLong { file },
+                _ => Words::HasErrors { file },
+            });
+        }
+        let steps = reader.finish();
+        let side = Side { name: name.clone(), blocks: steps.blocks, path: steps.path, time_s: clock.found().err() };
+        Ok((side, steps))
+    }
+
+    /// The data of its picture.
+    fn draw(&self, compared: Option<Value>) -> Vec<u8> {
+        let Self { path, name, loader, settings } = self;
+        let session = Session { loader: *loader, settings, progress: None };
+        let mut collector = Collector::new(settings, Part::default(), Keep::Records);
+        let outcome = session.draw(path, name, collector.sink()).outcome;
+        let naming = Naming { program: path, loader: *loader };
+        let source: Option<&Arc<_>> = outcome.sources.get(FileId(0));
+        let view = collector.finish(source, naming, outcome.executed);
+        let mut report = Report::new();
+        report.add_program(&outcome.sources, outcome.findings);
+        view.data(&report, naming, compared)
+    }
+}
