@@ -11,7 +11,7 @@ use crate::dict::Address;
 use crate::edit::format::Part;
 use crate::query::cursor::{DOCUMENT, block_at, unit_of};
 use crate::resolve::UnitKind;
-use crate::syntax::{BlockFlags, Kind, ParsedFile, tokens};
+use crate::syntax::{BlockFlags, Kind, ParsedFile, Shape, tokens};
 use crate::text::Span;
 
 /// `textDocument/onTypeFormatting`, after a line end: the line before it in its layout, and `N40 ` on the new line, when a
@@ -55,7 +55,7 @@ fn begins_block(analysis: &Analysis, file: &ParsedFile, at: u32) -> bool {
     let inside = file.start < before.end;
     let ended = at >= file.end && source.text().get(..file.end as usize).is_some_and(|read| read.ends_with('*'));
     let has_words = tokens(source.text(), before.start, before.end)
-        .any(|token| matches!(token.kind, Kind::Word | Kind::Parameter | Kind::Skip | Kind::LooseWord));
+        .any(|token| matches!(token.kind, Kind::Word | Kind::Parameter | Kind::Skip | Kind::Junk(Shape::LooseWord)));
     if !inside || ended || !has_words {
         return false;
     }

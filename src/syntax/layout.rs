@@ -1,6 +1,6 @@
 //! What is judged by lines and characters: their length, case, and what follows the end.
 
-use super::{Kind, tokens};
+use super::{Kind, Shape, tokens};
 use crate::diag::{AfterEndMeant, Certain, Diagnostic, Edit, Finding, Findings, FixTitle, shown};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
@@ -51,7 +51,7 @@ pub(super) fn end_of_text(text: &str) -> u32 {
 
 /// Reports the first line of what stands after `*` and is no comment (LEX-9). A `%` there begins a second program.
 pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, findings: &mut Findings) {
-    let is_text = |kind: Kind| !matches!(kind, Kind::Comment | Kind::TypographicComment | Kind::LineEnd);
+    let is_text = |kind: Kind| !matches!(kind, Kind::Comment | Kind::Junk(Shape::TypographicComment) | Kind::LineEnd);
     let mut rest = tokens(text, after, end).skip_while(|token| !is_text(token.kind));
     if let Some(first) = rest.next() {
         let last = rest.by_ref().take_while(|token| is_text(token.kind)).last().unwrap_or(first);

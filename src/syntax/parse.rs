@@ -2,14 +2,11 @@
 
 use std::sync::Arc;
 
-use chumsky::Parser;
-use chumsky::inspector::SimpleState;
-
-use super::comments::statement_end;
 use super::file::Block;
 use super::lower::Lowering;
-use super::misread::is_mixed_number;
-use super::{BlockFlags, BlockId, Kind, ParsedFile, Token, Word, file, grammar, layout, plain, poison, tokens};
+use super::slips::{self, statement_end};
+use super::tokens::Shape;
+use super::{BlockId, Kind, ParsedFile, Token, Word, file, layout, plain, tokens};
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle, ValueMeant};
 use crate::dict::Address;
 use crate::parallel;
@@ -252,21 +249,24 @@ pub(super) fn long_word(text: &str, start: u32) -> Span {
     let mut parameters = 0;
     let mut item: Vec<Token> = Vec::new();
     for token in tokens(text, start, end) {
-        let parameter = matches!(token.kind, Kind::Parameter | Kind::LooseParameter);
+        let parameter = matches!(token.kind, Kind::Parameter | Kind::Junk(Shape::LooseParameter));
         parameters += u32::from(parameter);
         let goes_on = matches!(
             token.kind,
-            Kind::Number | Kind::LooseNumber | Kind::Sign | Kind::Equals | Kind::Operator | Kind::Bracketed
+            Kind::Number
+                | Kind::Junk(Shape::LooseNumber)
+                | Kind::Sign
+                | Kind::Equals
+                | Kind::Junk(Shape::Operator)
+                | Kind::Junk(Shape::Bracketed)
         ) || (parameter && parameters <= 2);
         if !goes_on && !item.is_empty() {
             break;
         }
         item.push(token);
     }
-    let mut lowering = Lowering::new(text, FileId(0));
-    let _ = grammar::block().parse_with_state(&item, &mut SimpleState(&mut lowering));
     // `/` is no word that a value could follow.
-    lowering.first_word.or(item.first().map(|token| token.span())).unwrap_or(Span::empty(start))
+    slips::first_word(text, &item).or(item.first().map(|token| token.span())).unwrap_or(Span::empty(start))
 }
 
 /// What stands before the first block.
@@ -328,17 +328,20 @@ fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
 /// title without quotes.
 fn with_whole_title(batch: &[Token], text: &str) -> Vec<Token> {
     let mut tokens = batch.to_vec();
-    let is_text = |token: &Token| matches!(token.kind, Kind::Text | Kind::Unit);
+    let is_text = |token: &Token| matches!(token.kind, Kind::Junk(Shape::Text) | Kind::Junk(Shape::Unit));
     let is_percent = |token: &Token| text.as_bytes().get(token.start as usize) == Some(&b'%');
     let Some(from) = tokens.iter().position(is_percent) else { return tokens };
     let ends = |token: &Token| {
-        matches!(token.kind, Kind::LineEnd | Kind::Comment | Kind::TypographicComment | Kind::ForeignComment)
+        matches!(
+            token.kind,
+            Kind::LineEnd | Kind::Comment | Kind::Junk(Shape::TypographicComment) | Kind::Junk(Shape::ForeignComment)
+        )
     };
     let line = tokens.iter().skip(from).position(ends).map_or(tokens.len(), |length| from + length);
     let Some(first) = (from..line).find(|at| tokens.get(*at).is_some_and(is_text)) else { return tokens };
     let end = tokens.get(line - 1).map_or(0, |last| last.end);
     if let Some(title) = tokens.get_mut(first) {
-        *title = Token { kind: Kind::Text, end, ..*title };
+        *title = Token { kind: Kind::Junk(Shape::Text), end, ..*title };
     }
     tokens.drain(first + 1..line);
     tokens
@@ -415,7 +418,7 @@ impl<'t> Reader<'t> {
                 continue;
             }
             if let Some(whole) = statement_end(bytes, token) {
-                (token.kind, token.end, taken) = (Kind::Text, whole, whole);
+                (token.kind, token.end, taken) = (Kind::Junk(Shape::Text), whole, whole);
             }
             if token.kind == Kind::End {
                 self.end = Some(token.end);
@@ -423,9 +426,9 @@ impl<'t> Reader<'t> {
             }
             if (self.program_seen || self.form == Form::Macrocycle)
                 && !(self.first && self.before_blocks(&cuts))
-                && poison::is_lost_number(bytes, &batch, token)
+                && slips::lost_number(bytes, &batch, token)
             {
-                token.kind = Kind::LostNumber;
+                token.kind = Kind::Junk(Shape::LostNumber);
                 cuts.push(batch.len());
                 has_l = false;
                 batch.push(token);
@@ -434,17 +437,18 @@ impl<'t> Reader<'t> {
             let with_address = matches!(
                 token.kind,
                 Kind::Word
-                    | Kind::LooseWord
-                    | Kind::ManySigns
+                    | Kind::Junk(Shape::LooseWord)
+                    | Kind::Junk(Shape::ManySigns)
                     | Kind::Letter
-                    | Kind::SignedLetter
-                    | Kind::GarbledWord
-                    | Kind::AssignedWord
-                    | Kind::PrintedWord
-                    | Kind::ForeignStart
+                    | Kind::Junk(Shape::GarbledWord)
+                    | Kind::Junk(Shape::AssignedWord)
+                    | Kind::Junk(Shape::PrintedWord)
+                    | Kind::Junk(Shape::ForeignStart)
             );
             match bytes.get(token.start as usize).filter(|_| with_address) {
-                Some(b'N' | b'n') if !has_l && is_jump_target(bytes, &batch, token) => token.kind = Kind::JumpTarget,
+                Some(b'N' | b'n') if !has_l && is_jump_target(bytes, &batch, token) => {
+                    token.kind = Kind::Junk(Shape::JumpTarget)
+                }
                 // `G7N`: a slip in a word, not the beginning of a block.
                 Some(b'N' | b'n')
                     if token.kind == Kind::Letter
@@ -455,10 +459,10 @@ impl<'t> Reader<'t> {
                         batch.clear();
                         cuts.clear();
                     }
-                    if is_mixed_number(bytes, &batch, token)
+                    if slips::mixed_number(bytes, &batch, token)
                         && let Some(digits) = batch.pop()
                     {
-                        (token.kind, token.start) = (Kind::MixedNumber, digits.start);
+                        (token.kind, token.start) = (Kind::Junk(Shape::MixedNumber), digits.start);
                     }
                     cuts.push(batch.len());
                     has_l = false;
@@ -508,18 +512,13 @@ impl<'t> Reader<'t> {
         if self.first && self.header.is_none() {
             self.parse_header(batch.get(..first).sure());
         }
-        let parser = grammar::block();
         let Self { lowering, blocks, .. } = self;
         blocks.reserve(cuts.len());
         let ends = cuts.iter().skip(1).copied().chain(std::iter::once(batch.len()));
-        let mut state = SimpleState(lowering);
         for (&from, to) in cuts.iter().zip(ends) {
-            let first_word = small(state.words.len());
-            state.flags = BlockFlags::default();
-            // Accepts every sequence of tokens, so there is no error to look at.
-            let _ = parser.parse_with_state(batch.get(from..to).sure(), &mut state);
-            state.finish_block(first_word as usize);
-            blocks.push(Block { first_word, flags: state.flags });
+            let first_word = small(lowering.words.len());
+            lowering.block(batch.get(from..to).sure());
+            blocks.push(Block { first_word, flags: lowering.flags });
         }
     }
 
@@ -527,13 +526,7 @@ impl<'t> Reader<'t> {
     fn parse_header(&mut self, batch: &[Token]) {
         let mut header = Header::default();
         let text = self.lowering.text;
-        {
-            let batch = with_whole_title(batch, text);
-            let parser = grammar::block();
-            let mut state = SimpleState(&mut self.lowering);
-            let _ = parser.parse_with_state(&batch, &mut state);
-            state.finish_block(0);
-        }
+        self.lowering.block(&with_whole_title(batch, text));
         let file = self.lowering.file;
         let mut after_program = self.form == Form::Macrocycle;
         let mut program_end = 0;
@@ -567,6 +560,7 @@ impl<'t> Reader<'t> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::syntax::BlockFlags;
 
     fn codes(text: &str) -> Vec<(String, String)> {
         let source = Arc::new(SourceText::from_text("t.nc", text));

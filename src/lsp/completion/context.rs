@@ -3,7 +3,7 @@
 use crate::dict::Address;
 use crate::query::cursor::block_at;
 use crate::sure::{Sure, small};
-use crate::syntax::{BlockId, Kind, ParsedFile, Token, Word, tokens};
+use crate::syntax::{BlockId, Kind, ParsedFile, Shape, Token, Word, tokens};
 use crate::text::Span;
 
 /// Nothing is offered further to the right than this, in bytes: no line of a program is as long.
@@ -130,18 +130,22 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
     let written = text.get(last.span().range())?;
     let touching = last.end == at;
     let words = Some((Wanted::Words, at));
+    let signed = written.ends_with(['+', '-']);
     match last.kind {
         Kind::Comment if touching => (written.len() > 1 && written.ends_with('"')).then_some((Wanted::Words, at)),
-        Kind::TypographicComment if touching => {
+        Kind::Junk(Shape::TypographicComment) if touching => {
             let closed = written.chars().count() > 1 && written.ends_with(['"', '“', '”', '„']);
             closed.then_some((Wanted::Words, at))
         }
+        Kind::Letter if signed => None,
         Kind::Letter => address(text, last).map(|address| (Wanted::Address(address), last.start)),
         Kind::Word if touching => address(text, last).map(|address| (Wanted::Address(address), last.start)),
-        Kind::BareR => Some((value(text, rest).unwrap_or(Some(Wanted::Assignment))?, last.start)),
+        Kind::Junk(Shape::BareR) => Some((value(text, rest).unwrap_or(Some(Wanted::Assignment))?, last.start)),
         Kind::Parameter if touching => Some((value(text, rest).unwrap_or(Some(Wanted::Assignment))?, last.start)),
         // `XR`: two letters, until a digit follows.
-        Kind::Text if touching && takes_parameter(written) => Some((Wanted::Value { target: None }, at - 1)),
+        Kind::Junk(Shape::Text) if touching && takes_parameter(written) => {
+            Some((Wanted::Value { target: None }, at - 1))
+        }
         Kind::Parameter => value(text, rest).flatten().and(words),
         Kind::Equals | Kind::Sign => value(text, before)?.map(|wanted| (wanted, at)),
         Kind::Number if touching => {
@@ -149,58 +153,9 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
             let digits = small(written.trim_start_matches(['+', '-']).len());
             value(text, rest).flatten().filter(|_| after_equals).map(|wanted| (wanted, at - digits))
         }
-        Kind::End
-        | Kind::SignedLetter
-        | Kind::Skip
-        | Kind::LooseWord
-        | Kind::ManySigns
-        | Kind::LooseParameter
-        | Kind::LooseNumber
-        | Kind::PrintedWord
-        | Kind::AssignedWord
-        | Kind::NamedValue
-        | Kind::Variable
-        | Kind::JumpTarget
-        | Kind::MixedNumber
-        | Kind::LostNumber
-        | Kind::ForeignStart
-        | Kind::GarbledWord
-        | Kind::ForeignComment
-        | Kind::Text
-        | Kind::Unit
-        | Kind::Operator
-        | Kind::Bracketed
-        | Kind::Unknown
-            if touching =>
-        {
-            None
-        }
-        Kind::End | Kind::SignedLetter => None,
-        Kind::Comment
-        | Kind::TypographicComment
-        | Kind::Word
-        | Kind::LineEnd
-        | Kind::Number
-        | Kind::Skip
-        | Kind::LooseWord
-        | Kind::ManySigns
-        | Kind::LooseParameter
-        | Kind::LooseNumber
-        | Kind::PrintedWord
-        | Kind::AssignedWord
-        | Kind::NamedValue
-        | Kind::Variable
-        | Kind::JumpTarget
-        | Kind::MixedNumber
-        | Kind::LostNumber
-        | Kind::ForeignStart
-        | Kind::GarbledWord
-        | Kind::ForeignComment
-        | Kind::Text
-        | Kind::Unit
-        | Kind::Operator
-        | Kind::Bracketed
-        | Kind::Unknown => words,
+        Kind::Skip | Kind::Junk(_) if touching => None,
+        Kind::End => None,
+        Kind::Comment | Kind::Word | Kind::LineEnd | Kind::Number | Kind::Skip | Kind::Junk(_) => words,
     }
 }
 
@@ -214,7 +169,7 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
             let number = target.and_then(|token| text.get(token.span().range())?.get(1..)?.trim().parse().ok());
             Some(number.map(|number| Wanted::Value { target: Some(number) }))
         }
-        Kind::Letter | Kind::SignedLetter => {
+        Kind::Letter => {
             let numbered = address(text, *last).filter(|address| !matches!(address, Address::N | Address::Program));
             Some(numbered.map(|_| Wanted::Value { target: None }))
         }
@@ -225,27 +180,7 @@ fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
         | Kind::Number
         | Kind::Skip
         | Kind::End
-        | Kind::BareR
-        | Kind::LooseWord
-        | Kind::ManySigns
-        | Kind::LooseParameter
-        | Kind::LooseNumber
-        | Kind::PrintedWord
-        | Kind::AssignedWord
-        | Kind::NamedValue
-        | Kind::Variable
-        | Kind::JumpTarget
-        | Kind::MixedNumber
-        | Kind::LostNumber
-        | Kind::ForeignStart
-        | Kind::TypographicComment
-        | Kind::GarbledWord
-        | Kind::ForeignComment
-        | Kind::Text
-        | Kind::Unit
-        | Kind::Operator
-        | Kind::Bracketed
-        | Kind::Unknown => None,
+        | Kind::Junk(_) => None,
     }
 }
 

@@ -2,13 +2,13 @@
 
 use logos::Logos;
 
-use super::misread::look_alike;
+use super::slips::look_alike;
 use crate::dict::Address;
 use crate::sure::{Sure, small};
 use crate::text::Span;
 
 /// What a token is.
-#[derive(Clone, Copy, Debug, Eq, Logos, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Eq, Logos, PartialEq)]
 #[logos(skip r"[ \t]+")]
 pub enum Kind {
     /// An address other than R with a well-formed number: `X-12.5`.
@@ -17,74 +17,71 @@ pub enum Kind {
     /// R and the number of a parameter: `R10`.
     #[regex(r"[Rr][ \t]*[0-9]+", priority = 40)]
     Parameter,
+    /// A number without an address.
+    #[regex(r"[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)", priority = 30)]
+    Number,
+    /// An address other than R without a number, and the sign behind it: `X`, `X-`.
+    #[regex(r"[A-QS-Za-qs-z&%]", priority = 5)]
+    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-]", priority = 35)]
+    Letter,
+    /// `=`
+    #[token("=")]
+    Equals,
+    /// A sign alone.
+    #[regex(r"[+\-]", priority = 35)]
+    Sign,
+    /// `/` and the digits that are read with it (LEX-10).
+    #[regex(r"/([ \t]*[0-9]+)?", priority = 40)]
+    Skip,
     /// `"` to the next one or the end of the line.
     #[regex("\"[^\"\r\n]*\"?", priority = 40)]
     Comment,
     /// The end of a line.
     #[regex(r"\r\n|\n|\r", priority = 40)]
     LineEnd,
-    /// A number without an address.
-    #[regex(r"[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)", priority = 30)]
-    Number,
-    /// `=`
-    #[token("=")]
-    Equals,
-    /// `/` and the digits that are read with it (LEX-10).
-    #[regex(r"/([ \t]*[0-9]+)?", priority = 40)]
-    Skip,
     /// `*`
+    #[default]
     #[token("*")]
     End,
-    /// An address other than R alone.
-    #[regex(r"[A-QS-Za-qs-z&%]", priority = 5)]
-    Letter,
+    /// What is none of the language, by its shape.
+    #[regex(r"[Rr]", |_| Shape::BareR, priority = 5)]
+    #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[ \t]*[+\-]l|[Ool])[+\-.,0-9Oo]*", |_| Shape::LooseWord, priority = 20)]
+    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-][+\-]+", |_| Shape::ManySigns, priority = 36)]
+    #[regex(r"[A-Za-z&%][ \t]*[+\-]?([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[DGHL-TNdghl-t&%][+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])", |_| Shape::PrintedWord, priority = 25)]
+    #[regex(r"[Rr]([ \t]*[0-9]+[.,Oo]|[Ool])[.,0-9Oo]*", |_| Shape::LooseParameter, priority = 20)]
+    #[regex(r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff])", |_| Shape::LooseNumber, priority = 10)]
+    #[regex(r#"[A-QS-Za-qs-z&%][ \t]*[0-9]*[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[ \t]*"[^"\r\n]*"|[^ \t\r\n"*]+)"#, |_| Shape::AssignedWord, priority = 30)]
+    #[regex(r#"([A-QS-Za-qs-zÀ-ž][A-Za-zÀ-ž]+|[Rr][A-NP-Za-km-np-zÀ-ž][A-Za-zÀ-ž]*)[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[^ \t\r\n"*]+)?"#, |_| Shape::NamedValue, priority = 30)]
+    #[regex(r#"#([0-9]+|<[A-Za-z0-9_]*>|\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#, |_| Shape::Variable, priority = 30)]
+    #[regex(r"%[ \t]*(\r\n|\n|\r)[ \t]*[Oo][0-9]+", |_| Shape::ForeignStart, priority = 45)]
+    #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", |_| Shape::TypographicComment, priority = 40)]
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\]|\(([^()"\r\n]|\([^()"\r\n]*\))*\))|%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)"#, |_| Shape::GarbledWord, priority = 15)]
+    #[regex(r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|(''|,,)[ \t]*[A-Za-zÀ-ž][^'",\r\n]*(''|"|,,)?|`[^`\r\n]*`|(;[ \t]*[A-Za-zÀ-ž0-9=*+\-]|#[ \t]*[A-Za-zÀ-ž]|//[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#, |_| Shape::ForeignComment, priority = 40, allow_greedy = true)]
+    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž]+|[Mm]/[Mm][Ii][Nn]", |_| Shape::Text, priority = 8)]
+    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]+([+\\-.,]*[0-9]+[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]*)*", |_| Shape::Unknown, priority = 2)]
+    Junk(Shape),
+}
+
+/// What junk looks like: how far it reaches, and which slips are considered.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Shape {
     /// R alone.
-    #[regex(r"[Rr]", priority = 5)]
     BareR,
-    /// An address other than R with a sign and no number: `X-`.
-    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-]", priority = 35)]
-    SignedLetter,
-    /// A sign alone.
-    #[regex(r"[+\-]", priority = 35)]
-    Sign,
     /// An address other than R with something like a number: `X1,5`, `X1O0`, `X--5`, `Xl0`, `X.`.
-    #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[ \t]*[+\-]l|[Ool])[+\-.,0-9Oo]*", priority = 20)]
     LooseWord,
     /// An address other than R with several signs and no number: `X--`.
-    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-][+\-]+", priority = 36)]
     ManySigns,
     /// An address with a number as programs print it: `X1.5E-05`, `S1.2E+03`, `XNaN`, `D-inf`; `FMAX`.
-    #[regex(
-        r"[A-Za-z&%][ \t]*[+\-]?([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[DGHL-TNdghl-t&%][+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])",
-        priority = 25
-    )]
     PrintedWord,
     /// R with something like a number: `R1O`, `R1.5`.
-    #[regex(r"[Rr]([ \t]*[0-9]+[.,Oo]|[Ool])[.,0-9Oo]*", priority = 20)]
     LooseParameter,
     /// Something like a number without an address: `1,5`, `--5`, `1.5E-05`.
-    #[regex(
-        r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff])",
-        priority = 10
-    )]
     LooseNumber,
     /// An address other than R, with `=`, as other controls write it: `Z=R32`, `X=IC(5)`, `S1=1000`.
-    #[regex(
-        r#"[A-QS-Za-qs-z&%][ \t]*[0-9]*[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[ \t]*"[^"\r\n]*"|[^ \t\r\n"*]+)"#,
-        priority = 30
-    )]
     AssignedWord,
     /// A name with `=` and a value: `CR=5`, `LIMS=2000`. `RO=` is R with a letter for its number.
-    #[regex(
-        r#"([A-QS-Za-qs-zÀ-ž][A-Za-zÀ-ž]+|[Rr][A-NP-Za-km-np-zÀ-ž][A-Za-zÀ-ž]*)[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[^ \t\r\n"*]+)?"#,
-        priority = 30
-    )]
     NamedValue,
     /// A variable of other controls, with its value or without: `#50=0`.
-    #[regex(
-        r#"#([0-9]+|<[A-Za-z0-9_]*>|\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#,
-        priority = 30
-    )]
     Variable,
     /// The block number behind `G73`, where its target belongs: `G73 N20`. The lexer reads it as a word; its place tells.
     JumpTarget,
@@ -93,23 +90,14 @@ pub enum Kind {
     /// A block number without its letter: `110 G02 X70`. The lexer reads it as a number; its place tells.
     LostNumber,
     /// `%` alone, and on the next line a program number as other controls write it: `O2107`.
-    #[regex(r"%[ \t]*(\r\n|\n|\r)[ \t]*[Oo][0-9]+", priority = 45)]
     ForeignStart,
     /// A comment whose border is a typographic quote (LEX-12).
-    #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", priority = 40)]
     TypographicComment,
     /// A word with characters in it that the control does not know: `X#1`, `X−5`, `X[R1+5]`, `X(5)`.
-    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\]|\(([^()"\r\n]|\([^()"\r\n]*\))*\))|%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)"#, priority = 15)]
     GarbledWord,
     /// A comment as other controls write it.
-    #[regex(
-        r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|(''|,,)[ \t]*[A-Za-zÀ-ž][^'",\r\n]*(''|"|,,)?|`[^`\r\n]*`|(;[ \t]*[A-Za-zÀ-ž0-9=*+\-]|#[ \t]*[A-Za-zÀ-ž]|//[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#,
-        priority = 40,
-        allow_greedy = true
-    )]
     ForeignComment,
     /// Two letters or more in a row, also with `/` between them: `najezd/odjezd`.
-    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž]+|[Mm]/[Mm][Ii][Nn]", priority = 8)]
     Text,
     /// The name of a unit: `mm/min`. The lexer reads it as a text.
     Unit,
@@ -118,15 +106,11 @@ pub enum Kind {
     /// A value between brackets: `Z(R11)`. The lexer reads it as a comment; its place tells.
     Bracketed,
     /// Characters that the control does not know.
-    #[regex(
-        "[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]+([+\\-.,]*[0-9]+[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]*)*",
-        priority = 2
-    )]
     Unknown,
 }
 
 /// A token and its place.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub struct Token {
     /// What it is.
     pub kind: Kind,
@@ -189,23 +173,23 @@ impl Iterator for Tokens<'_> {
             self.note(token);
             return Some(token);
         }
-        let kind = self.lexer.next()?.unwrap_or(Kind::Unknown);
+        let kind = self.lexer.next()?.unwrap_or(Kind::Junk(Shape::Unknown));
         let span = self.lexer.span();
         let token = Token { kind, start: small(span.start), end: small(span.end) };
-        let token = if kind == Kind::Text {
+        let token = if kind == Kind::Junk(Shape::Text) {
             self.text_token(token)
         } else if matches!(kind, Kind::Skip | Kind::End) && self.is_operator(token) {
             self.restart(token.start + 1);
-            Token { kind: Kind::Operator, end: token.start + 1, ..token }
+            Token { kind: Kind::Junk(Shape::Operator), end: token.start + 1, ..token }
         } else if kind == Kind::Skip {
             self.skip_token(token)
-        } else if matches!(kind, Kind::ForeignComment | Kind::Unknown)
+        } else if matches!(kind, Kind::Junk(Shape::ForeignComment) | Kind::Junk(Shape::Unknown))
             && let Some(bracketed) = self.bracketed(token)
         {
             bracketed
-        } else if kind == Kind::ForeignComment {
+        } else if kind == Kind::Junk(Shape::ForeignComment) {
             self.comment_token(token)
-        } else if kind == Kind::GarbledWord {
+        } else if kind == Kind::Junk(Shape::GarbledWord) {
             self.garbled_token(token)
         } else {
             token
@@ -222,36 +206,12 @@ impl Tokens<'_> {
     #[inline]
     fn note(&mut self, token: Token) {
         self.in_value = match token.kind {
-            Kind::Parameter | Kind::LooseParameter | Kind::AssignedWord | Kind::Variable => true,
-            Kind::Equals
-            | Kind::Sign
-            | Kind::Number
-            | Kind::LooseNumber
-            | Kind::Operator
-            | Kind::Bracketed
-            // The name of a function: `R1=SIN(30)`.
-            | Kind::Text => self.in_value,
-            Kind::Word
-            | Kind::Comment
-            | Kind::LineEnd
-            | Kind::Skip
-            | Kind::End
-            | Kind::Letter
-            | Kind::BareR
-            | Kind::SignedLetter
-            | Kind::LooseWord
-            | Kind::ManySigns
-            | Kind::PrintedWord
-            | Kind::NamedValue
-            | Kind::JumpTarget
-            | Kind::MixedNumber
-            | Kind::LostNumber
-            | Kind::ForeignStart
-            | Kind::TypographicComment
-            | Kind::GarbledWord
-            | Kind::ForeignComment
-            | Kind::Unit
-            | Kind::Unknown => false,
+            Kind::Parameter => true,
+            Kind::Junk(Shape::LooseParameter | Shape::AssignedWord | Shape::Variable) => true,
+            Kind::Equals | Kind::Sign | Kind::Number => self.in_value,
+            // Text may be the name of a function: `R1=SIN(30)`.
+            Kind::Junk(Shape::LooseNumber | Shape::Operator | Shape::Bracketed | Shape::Text) => self.in_value,
+            _ => false,
         };
         self.last = Some(token);
     }
@@ -262,11 +222,17 @@ impl Tokens<'_> {
             last.end == token.start
                 && matches!(
                     last.kind,
-                    Kind::Parameter | Kind::LooseParameter | Kind::Number | Kind::LooseNumber | Kind::Bracketed
+                    Kind::Parameter
+                        | Kind::Junk(Shape::LooseParameter)
+                        | Kind::Number
+                        | Kind::Junk(Shape::LooseNumber)
+                        | Kind::Junk(Shape::Bracketed)
                 )
         };
-        let product =
-            |last: &Token| last.end == token.start && matches!(last.kind, Kind::AssignedWord | Kind::Variable);
+        let product = |last: &Token| {
+            last.end == token.start
+                && matches!(last.kind, Kind::Junk(Shape::AssignedWord) | Kind::Junk(Shape::Variable))
+        };
         let star = token.kind == Kind::End;
         if !self.in_value || !self.last.as_ref().is_some_and(|last| operand(last) || star && product(last)) {
             return false;
@@ -292,17 +258,17 @@ impl Tokens<'_> {
         let glued = blanks.is_empty();
         let near = blanks.iter().all(|byte| matches!(byte, b' ' | b'\t'));
         let square = self.text.as_bytes().get(token.start as usize) == Some(&b'[');
-        let letter = matches!(last.kind, Kind::Letter | Kind::SignedLetter);
-        let sign = matches!(last.kind, Kind::Equals | Kind::Sign | Kind::Operator);
-        let wanted =
-            letter && (glued || square && near) || self.in_value && (sign && near || last.kind == Kind::Text && glued);
+        let letter = matches!(last.kind, Kind::Letter);
+        let sign = matches!(last.kind, Kind::Equals | Kind::Sign | Kind::Junk(Shape::Operator));
+        let wanted = letter && (glued || square && near)
+            || self.in_value && (sign && near || last.kind == Kind::Junk(Shape::Text) && glued);
         let end = if wanted {
             self.closed_at(token.start)?
         } else {
             return None;
         };
         self.restart(end);
-        Some(Token { kind: Kind::Bracketed, end, ..token })
+        Some(Token { kind: Kind::Junk(Shape::Bracketed), end, ..token })
     }
 
     /// Where the text ends that begins with a bracket at `start`, closed on its line.
@@ -365,7 +331,7 @@ impl Tokens<'_> {
         let rest = bytes.get(token.end as usize..).sure();
         let end = token.end + small(rest.iter().take_while(|byte| !matches!(byte, b'\n' | b'\r')).count());
         self.restart(end);
-        Token { kind: Kind::ForeignComment, end, ..token }
+        Token { kind: Kind::Junk(Shape::ForeignComment), end, ..token }
     }
 
     /// `;` between words and a block number may be the border of two blocks: what follows it stays in the program.
@@ -377,7 +343,7 @@ impl Tokens<'_> {
             let digits = text.bytes().skip(1).take_while(u8::is_ascii_digit).count();
             let end = token.start + 1 + small(digits);
             self.restart(end);
-            return Token { kind: Kind::Unknown, end, ..token };
+            return Token { kind: Kind::Junk(Shape::Unknown), end, ..token };
         }
         let inner = text.strip_prefix(';').map(|inner| inner.trim_start_matches([' ', '\t']).as_bytes());
         if !matches!(inner, Some([b'N' | b'n', b'0'..=b'9', ..])) || self.begins_line(token.start) {
@@ -385,7 +351,7 @@ impl Tokens<'_> {
         }
         let end = token.start + 1;
         self.restart(end);
-        Token { kind: Kind::Unknown, end, ..token }
+        Token { kind: Kind::Junk(Shape::Unknown), end, ..token }
     }
 
     /// Whether nothing but blanks is before `at` in its line.
@@ -402,7 +368,7 @@ impl Tokens<'_> {
             return token;
         }
         if self.is_number_in_letters(token) {
-            return Token { kind: Kind::LooseWord, ..token };
+            return Token { kind: Kind::Junk(Shape::LooseWord), ..token };
         }
         let bytes = self.text.as_bytes();
         let run = bytes.get(token.span().range()).sure();
@@ -425,7 +391,7 @@ impl Tokens<'_> {
         let first_is_address = run.first().is_some_and(u8::is_ascii_alphabetic);
         if first_is_address && zeros {
             self.restart(kept.end);
-            return Token { kind: Kind::LooseWord, ..kept };
+            return Token { kind: Kind::Junk(Shape::LooseWord), ..kept };
         }
         if letters > MOST {
             // `CYCLE81` is a name; digits behind one belong to it.
@@ -462,7 +428,7 @@ impl Tokens<'_> {
         if end != token.end {
             self.restart(end);
         }
-        let kind = if unit { Kind::Unit } else { Kind::Text };
+        let kind = if unit { Kind::Junk(Shape::Unit) } else { Kind::Junk(Shape::Text) };
         (unit || name.contains('/')).then_some(Token { kind, end, ..token })
     }
 
@@ -480,23 +446,23 @@ impl Tokens<'_> {
             let end = token.end + small(blanks + number);
             return digits.then(|| {
                 self.restart(end);
-                Token { kind: Kind::LooseWord, end, ..token }
+                Token { kind: Kind::Junk(Shape::LooseWord), end, ..token }
             });
         }
         let value = behind.first().is_some_and(|byte| byte.is_ascii_digit() || b"+-.=".contains(byte));
         let text = matches!(behind, [one, next, ..] if one.is_ascii_alphabetic() && next.is_ascii_alphabetic())
             || behind.first().is_some_and(|byte| !byte.is_ascii());
-        if value || text || self.last.is_some_and(|last| last.kind == Kind::Text) {
+        if value || text || self.last.is_some_and(|last| last.kind == Kind::Junk(Shape::Text)) {
             return None;
         }
         match second {
             b'R' | b'r' if b"XYZUVWIJKLQFSGM".contains(&first.to_ascii_uppercase()) => {
                 self.restart(token.end);
                 let start = token.start + 1;
-                self.pending = Some(Token { kind: Kind::BareR, start, end: token.end });
+                self.pending = Some(Token { kind: Kind::Junk(Shape::BareR), start, end: token.end });
                 Some(Token { kind: Kind::Letter, end: start, ..token })
             }
-            b'I' if !matches!(first, b'N' | b'n') => Some(Token { kind: Kind::LooseWord, ..token }),
+            b'I' if !matches!(first, b'N' | b'n') => Some(Token { kind: Kind::Junk(Shape::LooseWord), ..token }),
             _ => None,
         }
     }
@@ -531,9 +497,9 @@ impl Tokens<'_> {
 
 fn letter_kind(bytes: &[u8], at: u32) -> Kind {
     match bytes.get(at as usize) {
-        Some(b'R' | b'r') => Kind::BareR,
+        Some(b'R' | b'r') => Kind::Junk(Shape::BareR),
         Some(byte) if byte.is_ascii() => Kind::Letter,
-        _ => Kind::Unknown,
+        _ => Kind::Junk(Shape::Unknown),
     }
 }
 
@@ -557,10 +523,10 @@ mod tests {
     #[test]
     fn faulty_words_stay_whole() {
         for text in ["X1,5", "X1O0", "XO", "Xl0", "X--5", "X1.2.3", "X.", "GOO"] {
-            assert_eq!(kinds(text), [(Kind::LooseWord, text)]);
+            assert_eq!(kinds(text), [(Kind::Junk(Shape::LooseWord), text)]);
         }
-        assert_eq!(kinds("GOOX1"), [(Kind::LooseWord, "GOO"), (Kind::Word, "X1")]);
-        assert_eq!(kinds("X-R1"), [(Kind::SignedLetter, "X-"), (Kind::Parameter, "R1")]);
+        assert_eq!(kinds("GOOX1"), [(Kind::Junk(Shape::LooseWord), "GOO"), (Kind::Word, "X1")]);
+        assert_eq!(kinds("X-R1"), [(Kind::Letter, "X-"), (Kind::Parameter, "R1")]);
         assert_eq!(kinds("R10-5"), [(Kind::Parameter, "R10"), (Kind::Number, "-5")]);
     }
 
@@ -568,8 +534,12 @@ mod tests {
     #[test]
     fn long_tokens() {
         let length = 1 << 20;
-        for (text, kind) in [("€", Kind::Unknown), ("Á", Kind::Text), ("1", Kind::Number), ("+", Kind::LooseNumber)]
-        {
+        for (text, kind) in [
+            ("€", Kind::Junk(Shape::Unknown)),
+            ("Á", Kind::Junk(Shape::Text)),
+            ("1", Kind::Number),
+            ("+", Kind::Junk(Shape::LooseNumber)),
+        ] {
             let text = text.repeat(length);
             assert_eq!(kinds(&text), [(kind, text.as_str())]);
         }
@@ -579,9 +549,9 @@ mod tests {
 
     #[test]
     fn text_and_comments() {
-        assert_eq!(kinds("KONTURA X5"), [(Kind::Text, "KONTURA"), (Kind::Word, "X5")]);
+        assert_eq!(kinds("KONTURA X5"), [(Kind::Junk(Shape::Text), "KONTURA"), (Kind::Word, "X5")]);
         assert_eq!(kinds("\"a\nN1"), [(Kind::Comment, "\"a"), (Kind::LineEnd, "\n"), (Kind::Word, "N1")]);
-        assert_eq!(kinds("„a“"), [(Kind::TypographicComment, "„a“")]);
+        assert_eq!(kinds("„a“"), [(Kind::Junk(Shape::TypographicComment), "„a“")]);
         assert_eq!(kinds("XYZ5"), [(Kind::Letter, "X"), (Kind::Letter, "Y"), (Kind::Word, "Z5")]);
     }
 }

@@ -1,8 +1,8 @@
 //! Words that a comment without closing quote swallows (LEX-6).
 
-use super::{Kind, Token, tokens};
-use crate::dict::Address;
 use crate::sure::{Sure, small};
+use crate::syntax::grammar;
+use crate::syntax::tokens::{Kind, Shape, Token, tokens};
 use crate::text::Span;
 
 /// So many bytes at the end of a comment are looked at: a line has 80 characters.
@@ -21,7 +21,7 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
     let tail = text.get(start as usize..comment.end as usize)?;
     let closed = tail.rmatch_indices(['“', '”', '\'', ';']).next().map_or(0, |(at, sign)| at + sign.len());
     let tokens: Vec<Token> = tokens(text, start + small(closed), comment.end).collect();
-    let ends = |from: usize| Run { text, tokens: tokens.get(from..).sure() }.whole(LEAST, None) == Some(true);
+    let ends = |from: usize| telling(text, tokens.get(from..).sure(), LEAST, None) == Some(true);
     let from = (0..tokens.len()).find(|from| ends(*from))?;
     Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
 }
@@ -33,8 +33,8 @@ pub(super) fn only_words(text: &str, span: Span) -> Option<Vec<Token>> {
     }
     let mut words: Vec<Token> = tokens(text, span.start, span.end).collect();
     words.retain(|token| token.kind != Kind::Comment);
-    Run { text, tokens: &words }.whole(1, words.first().map(|first| first.start))?;
-    words.retain(|token| matches!(token.kind, Kind::Word | Kind::Letter | Kind::SignedLetter | Kind::Parameter));
+    telling(text, &words, 1, words.first().map(|first| first.start))?;
+    words.retain(|token| matches!(token.kind, Kind::Word | Kind::Letter | Kind::Parameter));
     Some(words)
 }
 
@@ -65,16 +65,16 @@ pub(super) fn is_text(text: &str, span: Span) -> bool {
             && matches!(
                 token.kind,
                 Kind::Word
-                    | Kind::LooseWord
+                    | Kind::Junk(Shape::LooseWord)
                     | Kind::Parameter
-                    | Kind::LooseParameter
-                    | Kind::PrintedWord
-                    | Kind::AssignedWord
-                    | Kind::NamedValue
-                    | Kind::Variable
-                    | Kind::GarbledWord
+                    | Kind::Junk(Shape::LooseParameter)
+                    | Kind::Junk(Shape::PrintedWord)
+                    | Kind::Junk(Shape::AssignedWord)
+                    | Kind::Junk(Shape::NamedValue)
+                    | Kind::Junk(Shape::Variable)
+                    | Kind::Junk(Shape::GarbledWord)
                     | Kind::Comment
-                    | Kind::TypographicComment
+                    | Kind::Junk(Shape::TypographicComment)
             )
     };
     begins && !tokens(text, span.start, span.end).any(|token| is_word(&token))
@@ -90,8 +90,7 @@ pub(super) fn words_behind(text: &str, start: u32) -> Option<Span> {
     }
     let is_word = |token: &Token| {
         let letter = text.as_bytes().get(token.start as usize).copied().unwrap_or(b' ');
-        matches!(token.kind, Kind::Word | Kind::Letter | Kind::SignedLetter | Kind::Parameter)
-            && !matches!(letter, b'N' | b'n')
+        matches!(token.kind, Kind::Word | Kind::Letter | Kind::Parameter) && !matches!(letter, b'N' | b'n')
     };
     let mut behind = tokens(text, start, end).take_while(is_word);
     let first = behind.next().filter(|first| first.kind == Kind::Word)?;
@@ -99,68 +98,28 @@ pub(super) fn words_behind(text: &str, start: u32) -> Option<Span> {
     Some(first.span().to(last.span()))
 }
 
-/// What may be words up to the end of a comment.
-struct Run<'t> {
-    text: &'t str,
-    tokens: &'t [Token],
-}
-
-impl Run<'_> {
-    /// Whether one of the words is N, G, M or an axis; `None` when it is not nothing but words, or fewer than `least`.
-    /// `end`: where a word may begin without a blank before it.
-    fn whole(mut self, least: usize, mut end: Option<u32>) -> Option<bool> {
-        let (mut words, mut telling) = (0, false);
-        while let Some(&first) = self.tokens.first() {
-            if end != Some(first.start) && !self.is_apart(first) {
-                return None;
-            }
-            if first.kind == Kind::Skip || words > 0 && first.kind == Kind::End {
-                self.next();
-                end = Some(first.end);
-                continue;
-            }
-            let last = self.word()?;
-            words += 1;
-            telling |= is_telling(self.letter(first));
-            end = Some(last.end);
+/// Whether one of the words is N, G, M or an axis; `None` where there is anything but words, or fewer than `least`. `end`: where a
+/// word may begin without a blank before it.
+fn telling(text: &str, tokens: &[Token], least: usize, mut end: Option<u32>) -> Option<bool> {
+    let byte = |at: u32| text.as_bytes().get(at as usize).copied().unwrap_or(b' ');
+    let (mut at, mut words, mut telling) = (0, 0, false);
+    while let Some(first) = tokens.get(at) {
+        let apart = first.start.checked_sub(1).is_none_or(|before| matches!(byte(before), b' ' | b'\t' | b'"'));
+        if end != Some(first.start) && !apart {
+            return None;
         }
-        (words >= least).then_some(telling)
-    }
-
-    /// Takes one word; gives its last token.
-    fn word(&mut self) -> Option<Token> {
-        let first = self.next()?;
-        if first.kind == Kind::Parameter {
-            // `R5=3`, `R5=-R3`
-            self.next().filter(|token| token.kind == Kind::Equals)?;
-            let value = self.next()?;
-            let value = if value.kind == Kind::Sign { self.next()? } else { value };
-            return matches!(value.kind, Kind::Number | Kind::Parameter).then_some(value);
+        if first.kind == Kind::Skip || words > 0 && first.kind == Kind::End {
+            at += 1;
+            end = Some(first.end);
+            continue;
         }
-        Address::from_byte(self.letter(first))?;
-        if first.kind == Kind::Word {
-            return Some(first);
-        }
-        // `XR5`
-        let address = matches!(first.kind, Kind::Letter | Kind::SignedLetter);
-        self.next().filter(|token| address && token.kind == Kind::Parameter)
+        let (_, span, tokens) = grammar::word(text, tokens, at)?;
+        at += tokens;
+        words += 1;
+        telling |= is_telling(byte(first.start).to_ascii_uppercase());
+        end = Some(span.end);
     }
-
-    fn next(&mut self) -> Option<Token> {
-        let (first, rest) = self.tokens.split_first()?;
-        self.tokens = rest;
-        Some(*first)
-    }
-
-    fn letter(&self, token: Token) -> u8 {
-        self.text.as_bytes().get(token.start as usize).copied().unwrap_or(b' ').to_ascii_uppercase()
-    }
-
-    /// Whether a blank or the border of the comment is before it.
-    fn is_apart(&self, token: Token) -> bool {
-        let before = (token.start as usize).checked_sub(1).and_then(|before| self.text.as_bytes().get(before));
-        before.is_none_or(|byte| matches!(byte, b' ' | b'\t' | b'"'))
-    }
+    (words >= least).then_some(telling)
 }
 
 /// Whether a word of that address is one of N, G, M or an axis.

@@ -1,0 +1,120 @@
+//! Comments: with quotes missing, typographic quotes, or in the manner of other controls.
+
+use super::swallowed;
+use super::{Around, Diagnosis, write};
+use crate::diag::{Certain, Edit, Finding, FixTitle, Meant, shown};
+use crate::dict::Address;
+use crate::sure::{Sure, small};
+use crate::syntax::tokens::{Kind, Shape, Token, tokens};
+use crate::text::Span;
+
+/// The typographic quotes (LEX-12).
+const TYPOGRAPHIC: [char; 3] = ['“', '”', '„'];
+
+/// `"text"`; without its second quote it may swallow words (LEX-6).
+pub(super) fn quoted(around: &Around<'_>) -> Option<Diagnosis> {
+    let [token] = around.next([Kind::Comment])?;
+    let (span, text) = (token.span(), around.slice(token.span()));
+    let diagnosis = Diagnosis { comments: vec![span], ..Diagnosis::of(1) };
+    // A quote that closes a comment which nothing opens has a finding.
+    let closes = around.quotes_off.is_some_and(|end| span.start < end);
+    if closes || text.len() > 1 && text.ends_with('"') {
+        return Some(diagnosis);
+    }
+    let found = swallowed::words(around.text, Span::new(span.start + 1, span.end)).map(|words| {
+        let finding = Finding::CommentSwallowsWords { words: shown(around.slice(words).trim_end()) };
+        around.diagnostic(words, finding)
+    });
+    Some(Diagnosis { found, ..diagnosis })
+}
+
+/// One finding for the quotes of a comment, at the first (LEX-12).
+pub(super) fn typographic(around: &Around<'_>) -> Option<Diagnosis> {
+    let span = around.junk(Shape::TypographicComment)?.span();
+    let text = around.slice(span);
+    let edit = |(at, quote): (usize, char)| {
+        let start = span.start + small(at);
+        Edit { at: around.place(Span::new(start, start + small(quote.len_utf8()))), text: "\"".to_owned() }
+    };
+    let quotes = text.char_indices().filter(|(_, character)| TYPOGRAPHIC.contains(character));
+    let edits: Vec<Edit> = quotes.map(edit).collect();
+    let (quote, first) = (text.chars().next()?, edits.first()?.at.span);
+    // A comment that nothing closes may have swallowed words.
+    let closed = edits.len() > 1 || text.ends_with('"');
+    let certain = closed || swallowed::is_text(around.text, Span::new(first.end, span.end));
+    let found = around.diagnostic(first, Finding::TypographicQuote { quote });
+    let found = found.with_edits(certain.then_some(Certain::Quotes), FixTitle::PlainQuotes, edits);
+    Some(Diagnosis { comments: vec![span], ..Diagnosis::saying(1, found) })
+}
+
+/// `(text)`, `; text`, `{text}`, `// text`, `# text`: a comment as other controls write it.
+pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
+    let span = around.junk(Shape::ForeignComment)?.span();
+    let text = around.slice(span);
+    let inner = if text.starts_with("//") {
+        text.trim_start_matches('/')
+    } else {
+        text.trim_start_matches(['(', '{', '\'', '`', ';', '#', ','])
+    };
+    let opening = Span::new(span.start, span.end - small(inner.len()));
+    let body = if text.starts_with("''") || text.starts_with(",,") {
+        inner.trim_end_matches(['\'', ',', '"'])
+    } else {
+        let closed = inner.ends_with([')', '}', '\'', '`']) && !text.starts_with([';', '#', '/']);
+        inner.get(..inner.len() - usize::from(closed)).sure()
+    };
+    let start = opening.end + small(body.len() - body.trim_start_matches([' ', '\t']).len());
+    let kept = body.trim_matches([' ', '\t']);
+    let inside = Span::new(start, start + small(kept.len()));
+    let is_digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
+    let numbered = around.previous().is_some_and(|before| around.address(before) != Some(Address::N));
+    if numbered && is_digit(span.start.checked_sub(1)) && is_digit(Some(opening.end)) {
+        // `Y10;5 F300`, `S12(00`: another sign than a point within a number. Neither the number is known nor what follows.
+        let words = tokens(around.text, inside.start, inside.end).filter(|token| token.kind == Kind::Word);
+        let diagnosis = Diagnosis::saying(1, around.characters(span, Meant::Number)).debris().junk(opening);
+        return Some(unknown(around, diagnosis, words));
+    }
+    let words = swallowed::words_between(around.text, inside);
+    let closed = text.ends_with([')', '}', '\'', '`', '"']);
+    let swallowed = swallowed::words(around.text, inside).filter(|_| !closed && words.is_none());
+    let place = around.place(span);
+    let edit = |from: u32, to: u32, text: &str| Edit { at: around.place(Span::new(from, to)), text: text.to_owned() };
+    let quotes = || vec![edit(span.start, inside.start, "\""), edit(inside.end, span.end, "\"")];
+    let comment = || around.characters(span, Meant::Comment);
+    let Some(words) = words else {
+        return Some(
+            Diagnosis::saying(
+                1,
+                if let Some(swallowed) = swallowed {
+                    around.characters(span, Meant::CommentBefore { words: shown(around.slice(swallowed).trim_end()) })
+                } else if body.trim().is_empty() {
+                    comment().with_offer(FixTitle::Delete { text: shown(text) }, place, "")
+                } else if body.contains('"') {
+                    comment()
+                } else {
+                    let certain = text.starts_with(['(', ';']) && swallowed::is_text(around.text, inside);
+                    comment().with_edits(certain.then_some(Certain::Comment), FixTitle::Comment, quotes())
+                },
+            )
+            .debris(),
+        );
+    };
+    // `; Z50`, `(Z50)`: the border of a block on other controls, or a comment. `G7; L100`: a slip.
+    let apart = kept.replace(';', " ").trim_end().to_owned();
+    let meant = Meant::CommentOrWords { words: shown(&apart), comment: shown(&kept.replace('"', "")) };
+    // Only signs are written: letters of a comment among the words keep their bytes.
+    let signs = kept.match_indices(';').map(|(at, _)| start + small(at)).map(|at| edit(at, at + 1, " "));
+    let edits = [edit(span.start, inside.start, ""), edit(inside.end, span.end, "")];
+    let edits = edits.into_iter().filter(|edit| !edit.at.span.is_empty()).chain(signs).collect();
+    let found = around.characters(span, meant).with_offers(write(&apart), edits);
+    let found = if body.contains('"') { found } else { found.with_offers(FixTitle::Comment, quotes()) };
+    Some(unknown(around, Diagnosis::saying(1, found).debris().junk(opening), words))
+}
+
+/// What the words would set is not known.
+fn unknown(around: &Around<'_>, diagnosis: Diagnosis, words: impl IntoIterator<Item = Token>) -> Diagnosis {
+    words.into_iter().fold(diagnosis, |diagnosis, word| match around.address(word) {
+        Some(address) if address != Address::N => diagnosis.void(address, word.span()),
+        _ => diagnosis,
+    })
+}

@@ -1,0 +1,171 @@
+//! Letters in place of digits, and block numbers with their letter in the wrong place.
+
+use super::functions::arc_in_force;
+use super::{Around, Diagnosis, numbers, without_blanks, write};
+use crate::diag::{Finding, NumberMeant, ValueMeant, shown};
+use crate::dict::{Address, GCode, HIGHEST_BLOCK};
+use crate::sure::Sure;
+use crate::syntax::number::Number;
+use crate::syntax::tokens::{Kind, Shape, Token};
+use crate::syntax::{Word, grammar};
+use crate::text::Span;
+
+/// Longer words are not looked at for a letter in them.
+const LONGEST: u32 = 40;
+
+/// The digit that a letter looks like.
+pub(in crate::syntax) const fn look_alike(letter: u8) -> Option<char> {
+    match letter {
+        b'O' | b'o' => Some('0'),
+        b'I' | b'l' => Some('1'),
+        b'S' => Some('5'),
+        b'B' => Some('8'),
+        _ => None,
+    }
+}
+
+/// Whether a number is nothing but letters that are taken for digits: `O`, `Ol`.
+pub(super) fn is_all_letters(number: &str) -> bool {
+    !number.is_empty() && number.bytes().all(|letter| matches!(letter, b'O' | b'o' | b'l'))
+}
+
+/// Letters that hardly begin a word right behind an address: next to digits on the keyboard, or no address at all.
+const fn is_unlikely(letter: u8) -> bool {
+    matches!(letter, b'Q' | b'E' | b'O' | b'P' | b'T' | b'L')
+}
+
+/// `N13l0 G1`: a small `l` is the address of a word (LEX-12), but behind a block number, where nothing takes an L, it is a digit.
+pub(super) fn small_l_in_number(around: &Around<'_>) -> Option<Diagnosis> {
+    let [n, l] = around.next([Kind::Word, Kind::Word]).filter(|_| around.at == 0)?;
+    let digits = |token: Token| around.number(token).bytes().all(|byte| byte.is_ascii_digit());
+    if around.byte(n.start) != b'N' || around.byte(l.start) != b'l' || n.end != l.start || !digits(n) || !digits(l) {
+        return None;
+    }
+    let others = around.words.iter().skip(2);
+    let taken = others.clone().any(|word| word.g_code().is_some_and(GCode::takes_l))
+        && !others.clone().any(|word| word.address == Address::L);
+    let written = format!("{}1{}", around.slice(n.span()), around.slice(l.span()).get(1..).sure());
+    let number = Number::parse(written.get(1..)?.as_bytes()).filter(|_| !taken)?;
+    let span = n.span().to(l.span());
+    let found = around.offering(span, Finding::LetterForDigit { fixed: written.clone() }, written);
+    Some(Diagnosis::saying(2, found).with(Word::with_number(Address::N, span, number), span))
+}
+
+/// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words without a
+/// decimal point too the other reading is possible, so that it is offered only.
+pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {
+    let [word, letter] = around.next([Kind::Word, Kind::Letter])?;
+    let address = around.address(word)?;
+    let numbered = !matches!(address, Address::N | Address::Program);
+    // Functions have two digits.
+    let room = !matches!(address, Address::G | Address::M) || word.end - word.start == 2;
+    let alone = word.end == letter.start && letter.end == letter.start + 1;
+    if !numbered || !room || !alone || grammar::word(around.text, around.tokens, around.at + 1).is_some() {
+        return None;
+    }
+    let byte = around.byte(letter.start);
+    let centre = || around.has(Address::J) || around.has(Address::K) || arc_in_force(around.text, letter.start);
+    let digit = look_alike(byte).filter(|_| matches!(byte, b'l' | b'S' | b'B') || byte == b'I' && !centre())?;
+    let written = format!("{}{digit}", around.slice(word.span()).to_ascii_uppercase());
+    let span = word.span().to(letter.span());
+    Number::parse(written.get(1..)?.trim_start_matches([' ', '\t']).as_bytes())?;
+    let found = around.offering(span, Finding::LetterForDigit { fixed: shown(&written) }, written);
+    Some(Diagnosis::saying(2, found).void(address, span).junk(letter.span()))
+}
+
+/// `G7N`: a letter without a value, right behind a function of one digit, in place of its second one. With a number `N` would
+/// begin a block.
+pub(super) fn letter_in_function(around: &Around<'_>) -> Option<Diagnosis> {
+    let [word, letter] = around.next([Kind::Word, Kind::Letter])?;
+    let function = around.address(word) == Some(Address::G) && word.end - word.start == 2;
+    let glued = word.end == letter.start && letter.end == letter.start + 1;
+    let n = function && glued && around.address(letter) == Some(Address::N);
+    let span = word.span().to(letter.span());
+    let found = n.then(|| around.malformed(span, NumberMeant::Form))?;
+    let diagnosis = Diagnosis::saying(2, found).void(Address::G, word.span()).void(Address::N, letter.span());
+    Some(diagnosis.junk(letter.span()))
+}
+
+/// `LI00`, `X-Q5`, `R10=l2`: of an address without a value, the letter right behind it that stands in place of a digit. What
+/// the two would have set is not known.
+pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
+    let alone = numbers::without_value(around)?;
+    let found = alone.found.as_ref()?;
+    if !matches!(&found.finding, Finding::MissingValue { meant: ValueMeant::Number, .. }) {
+        return None;
+    }
+    let span = found.at.span;
+    let behind = around.tokens.get(around.at + alone.tokens).copied().filter(|token| token.kind == Kind::Word)?;
+    let head = around.slice(Span::new(span.start, behind.start));
+    let blanks = head.len() - head.trim_end_matches([' ', '\t']).len();
+    let head = without_blanks(head).to_ascii_uppercase();
+    let (letter, second) = (around.byte(behind.start), around.address(behind));
+    let upper = around.byte(span.start).is_ascii_uppercase();
+    if behind.end - behind.start >= LONGEST
+        || blanks > 0 && !(letter == b'l' && upper)
+        || head.contains(['\n', '\r', '"'])
+    {
+        return None;
+    }
+    let signed = head.ends_with(['+', '-']);
+    let same = |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
+    let repeated = around.words.iter().filter(same).count() > 1;
+    let digit = look_alike(letter);
+    let assigned = head.contains('=');
+    let of_arc = letter == b'I' && !signed && !repeated && arc_in_force(around.text, behind.start);
+    if of_arc || !(digit.is_some() || is_unlikely(letter) || signed || repeated || assigned) {
+        return None;
+    }
+    let sign = head.chars().next_back().filter(|sign| matches!(sign, '+' | '-')).map(String::from).unwrap_or_default();
+    let number = digit.map(|digit| format!("{sign}{digit}{}", around.number(behind)));
+    let number = number.filter(|number| Number::parse(number.as_bytes()).is_some());
+    let found = match number.map(|number| format!("{}{number}", head.trim_end_matches(['+', '-']))) {
+        Some(written) => {
+            let meant = ValueMeant::LetterForDigit { letter: char::from(letter).to_string(), written: shown(&written) };
+            let Finding::MissingValue { address, .. } = &found.finding else { return None };
+            let finding = Finding::MissingValue { address: address.clone(), meant };
+            let whole = around.place(span.to(behind.span()));
+            around.diagnostic(span, finding).with_offer(write(&written), whole, written)
+        }
+        None => found.clone(),
+    };
+    let diagnosis = Diagnosis { tokens: alone.tokens + 1, found: Some(found), ..alone };
+    Some(match second {
+        Some(second) => diagnosis.void(second, behind.span()),
+        None => diagnosis.debris().junk(span.to(behind.span())),
+    })
+}
+
+/// `8N0`: the letter of a block number is inside it.
+pub(super) fn mixed(around: &Around<'_>) -> Option<Diagnosis> {
+    let span = around.junk(Shape::MixedNumber)?.span();
+    let text = around.slice(span);
+    let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+    let written = format!("N{digits}");
+    let finding = Finding::SplitNumber { joined: String::new(), loose: shown(text), written: shown(&written) };
+    let letter = text.find(['N', 'n']).and_then(|at| u32::try_from(at).ok()).unwrap_or(0);
+    let found = around.offering(span, finding, written);
+    Some(Diagnosis::saying(1, found).void(Address::N, Span::new(span.start + letter, span.end)))
+}
+
+/// Whether digits stand right before the block number in `token`: `8N0`, `1N30`.
+pub(in crate::syntax) fn mixed_number(bytes: &[u8], before: &[Token], token: Token) -> bool {
+    let Some((number, others)) = before.split_last() else { return false };
+    // `R65 51N20`: the number is the value of a parameter (PAR-1).
+    let value = others.last().is_some_and(|last| matches!(last.kind, Kind::Parameter | Kind::Equals | Kind::Sign));
+    if number.kind != Kind::Number || number.end != token.start || value {
+        return false;
+    }
+    let digits = |from: u32, to: u32| {
+        bytes.get(from as usize..to as usize).is_some_and(|digits| digits.iter().all(u8::is_ascii_digit))
+    };
+    let apart = number.start.checked_sub(1).and_then(|at| bytes.get(at as usize)).is_none_or(u8::is_ascii_whitespace);
+    let length = (token.end - number.start - 1) as usize;
+    let zero = bytes.get(number.start as usize) == Some(&b'0');
+    token.kind == Kind::Word
+        && apart
+        && !zero
+        && digits(number.start, number.end)
+        && digits(token.start + 1, token.end)
+        && length <= HIGHEST_BLOCK.to_string().len()
+}

@@ -1,0 +1,399 @@
+//! What is no well-formed word, and what was meant by it: one diagnosis for each slip, with what stays known of the block.
+//!
+//! Each recogniser is a pure function of the tokens from one place on and of what is around them. The first of the table that
+//! matches decides; nothing revises it later.
+
+mod comments;
+mod elsewhere;
+mod forgotten;
+mod functions;
+mod letters;
+mod numbers;
+mod parameters;
+mod swallowed;
+mod texts;
+
+pub(super) use functions::has_other_words;
+pub(super) use letters::{look_alike, mixed_number};
+pub(super) use numbers::lost_number;
+pub(super) use texts::statement_end;
+
+use super::number::Number;
+use super::tokens::{Kind, Shape, Token};
+use super::{Word, grammar};
+use crate::diag::{Diagnostic, Finding, FixTitle, Meant, NumberMeant, shown};
+use crate::dict::{Address, GCode};
+use crate::sure::Sure;
+use crate::text::{FileId, Location, Span};
+
+/// A recogniser: a diagnosis of what begins at [`Around::at`], or `None` where that is something else.
+type Recogniser = fn(&Around<'_>) -> Option<Diagnosis>;
+
+/// What may be meant otherwise although it is well formed, because of its surroundings. Of several recognisers that match the
+/// first one counts.
+const AROUND_WORDS: [Recogniser; 8] = [
+    functions::called_by_p,
+    functions::dwell,
+    functions::beside_height,
+    letters::small_l_in_number,
+    letters::letter_for_last_digit,
+    letters::letter_in_function,
+    numbers::divided,
+    forgotten::parameter,
+];
+
+/// What is no well-formed word, in the same way: what needs most of its surroundings comes first.
+const TABLE: [Recogniser; 40] = [
+    comments::quoted,
+    comments::typographic,
+    comments::foreign,
+    elsewhere::unknown_address,
+    elsewhere::line,
+    letters::letter_for_digit,
+    forgotten::exchanged_words,
+    forgotten::exchanged_address,
+    forgotten::address,
+    numbers::many_signs,
+    numbers::doubled_letter,
+    numbers::word,
+    elsewhere::bracketed,
+    parameters::without_value,
+    parameters::split_number,
+    parameters::sign_before_equals,
+    parameters::without_number,
+    parameters::read,
+    parameters::assigned,
+    numbers::split_sign,
+    parameters::radius,
+    parameters::several_equals,
+    parameters::odd_value,
+    numbers::valueless,
+    elsewhere::printed,
+    elsewhere::assigned,
+    elsewhere::named,
+    elsewhere::variable,
+    elsewhere::program_start,
+    elsewhere::jump_target,
+    letters::mixed,
+    numbers::without_n,
+    texts::unit,
+    numbers::sign_first,
+    numbers::stray,
+    texts::stray,
+    elsewhere::program_name,
+    elsewhere::garbled,
+    elsewhere::accented,
+    elsewhere::unknown,
+];
+
+/// What something in a block is taken for.
+#[derive(Debug, Default)]
+pub(super) struct Diagnosis {
+    /// How many tokens it explains.
+    pub(super) tokens: usize,
+    /// What it sets, as far as that is known: a word without a value is poison for its address.
+    pub(super) words: Vec<(Word, Span)>,
+    pub(super) comments: Vec<Span>,
+    pub(super) found: Option<Diagnostic>,
+    /// Characters that may be part of the words beside them: those are not known either.
+    pub(super) junk: Option<Span>,
+    /// Something in it has no word.
+    pub(super) debris: bool,
+    /// Where the line ends in which a quote is missing.
+    pub(super) quotes_off: Option<u32>,
+}
+
+impl Diagnosis {
+    const fn of(tokens: usize) -> Self {
+        Self {
+            tokens,
+            words: Vec::new(),
+            comments: Vec::new(),
+            found: None,
+            junk: None,
+            debris: false,
+            quotes_off: None,
+        }
+    }
+
+    fn saying(tokens: usize, found: Diagnostic) -> Self {
+        Self { found: Some(found), ..Self::of(tokens) }
+    }
+
+    fn with(mut self, word: Word, span: Span) -> Self {
+        self.words.push((word.faulty(), span));
+        self
+    }
+
+    fn void(self, address: Address, span: Span) -> Self {
+        self.with(Word::bare(address, span), span)
+    }
+
+    /// A parameter whose value is not known.
+    fn unknown_target(self, target: Option<u8>, span: Span) -> Self {
+        let word = Word::bare(Address::R, span);
+        self.with(target.map_or(word, |target| word.assigning(target)), span)
+    }
+
+    fn junk(self, span: Span) -> Self {
+        Self { junk: Some(span), ..self }
+    }
+
+    fn debris(self) -> Self {
+        Self { debris: true, ..self }
+    }
+}
+
+/// The words of a block beyond this count are not looked at: nobody writes so many.
+const WORDS: usize = 64;
+
+/// What is around a place in a block.
+pub(super) struct Around<'t> {
+    pub(super) text: &'t str,
+    pub(super) file: FileId,
+    /// The tokens of the block.
+    pub(super) tokens: &'t [Token],
+    /// The token in question.
+    pub(super) at: usize,
+    /// The words of the block, as far as they are well formed.
+    words: Vec<Word>,
+    /// Where the line ends in which a quote is missing: texts further on in it are none.
+    quotes_off: Option<u32>,
+}
+
+/// Reads a block in which something is not well formed.
+pub(super) fn read(text: &str, file: FileId, tokens: &[Token], quotes_off: Option<u32>) -> Vec<Diagnosis> {
+    let mut around = Around { text, file, tokens, at: 0, words: Vec::new(), quotes_off };
+    around.words = around.well_formed();
+    let cycle = functions::other_cycle(&around);
+    let mut items = Vec::new();
+    while around.at < tokens.len() {
+        let item = around.item();
+        let item = cycle.iter().fold(item, functions::in_other_cycle);
+        around.at += item.tokens.max(1);
+        around.quotes_off = item.quotes_off.or(around.quotes_off);
+        items.push(item);
+    }
+    items
+}
+
+/// The place of the first word in `tokens`.
+pub(super) fn first_word(text: &str, tokens: &[Token]) -> Option<Span> {
+    let items = read(text, FileId(0), tokens, None);
+    items.first()?.words.first().map(|(_, span)| *span)
+}
+
+impl<'t> Around<'t> {
+    fn item(&self) -> Diagnosis {
+        if self.token().kind == Kind::LineEnd {
+            return Diagnosis::of(1);
+        }
+        let first = |table: &[Recogniser]| table.iter().find_map(|recognise| recognise(self));
+        let word = || {
+            let (word, span, tokens) = grammar::word(self.text, self.tokens, self.at)?;
+            Some(Diagnosis { words: vec![(word, span)], ..Diagnosis::of(tokens) })
+        };
+        first(&AROUND_WORDS).or_else(word).or_else(|| first(&TABLE)).unwrap_or(Diagnosis::of(1))
+    }
+
+    fn token(&self) -> Token {
+        self.tokens.get(self.at).copied().sure()
+    }
+
+    fn previous(&self) -> Option<Token> {
+        self.tokens.get(self.at.checked_sub(1)?).copied()
+    }
+
+    fn cursor(&self) -> Cursor<'t> {
+        Cursor { tokens: self.tokens.get(self.at..).sure(), taken: 0 }
+    }
+
+    /// The next tokens, when they have these kinds.
+    fn next<const N: usize>(&self, kinds: [Kind; N]) -> Option<[Token; N]> {
+        let tokens: [Token; N] = self.tokens.get(self.at..self.at + N)?.try_into().ok()?;
+        tokens.iter().zip(kinds).all(|(token, kind)| token.kind == kind).then_some(tokens)
+    }
+
+    /// The token, when its junk has that shape.
+    fn junk(&self, shape: Shape) -> Option<Token> {
+        Some(self.token()).filter(|token| token.kind == Kind::Junk(shape))
+    }
+
+    fn slice(&self, span: Span) -> &'t str {
+        self.text.get(span.range()).sure()
+    }
+
+    fn byte(&self, at: u32) -> u8 {
+        self.text.as_bytes().get(at as usize).copied().unwrap_or(0)
+    }
+
+    fn place(&self, span: Span) -> Location {
+        Location { file: self.file, span }
+    }
+
+    fn address(&self, token: Token) -> Option<Address> {
+        Address::from_byte(self.byte(token.start))
+    }
+
+    /// A letter that a word may begin with, when that is what the token begins with.
+    fn letter(&self, token: Token) -> Option<Address> {
+        let other = matches!(token.kind, Kind::Skip | Kind::Comment | Kind::LineEnd | Kind::End);
+        self.address(token).filter(|_| !other)
+    }
+
+    /// What stands behind the letter and its blanks.
+    fn number(&self, token: Token) -> &'t str {
+        self.slice(token.span()).get(1..).sure().trim_start_matches([' ', '\t'])
+    }
+
+    fn begins_line(&self, at: u32) -> bool {
+        let before = self.text.get(..at as usize).sure();
+        matches!(before.trim_end_matches([' ', '\t']).chars().next_back(), None | Some('\n' | '\r'))
+    }
+
+    fn is_signed(&self, token: Token) -> bool {
+        token.kind == Kind::Letter && matches!(self.byte(token.end - 1), b'+' | b'-')
+    }
+
+    fn diagnostic(&self, span: Span, finding: Finding) -> Diagnostic {
+        Diagnostic::new(finding, self.place(span))
+    }
+
+    /// A finding with an offer to write `text` over all of it.
+    fn offering(&self, span: Span, finding: Finding, text: String) -> Diagnostic {
+        self.diagnostic(span, finding).with_offer(write(&text), self.place(span), text)
+    }
+
+    fn malformed(&self, span: Span, meant: NumberMeant) -> Diagnostic {
+        self.diagnostic(span, Finding::MalformedNumber { text: shown(self.slice(span)), meant })
+    }
+
+    fn characters(&self, span: Span, meant: Meant) -> Diagnostic {
+        self.diagnostic(span, Finding::UnknownCharacter { text: shown(self.slice(span)), meant })
+    }
+
+    /// The words of the block, its `N` included; what has no well-formed value is void.
+    fn well_formed(&self) -> Vec<Word> {
+        let mut words = Vec::new();
+        let mut at = 0;
+        while let Some(token) = self.tokens.get(at).filter(|_| words.len() < WORDS) {
+            let word = grammar::word(self.text, self.tokens, at);
+            at += word.map_or(1, |(_, _, tokens)| tokens);
+            let odd = || match token.kind {
+                Kind::Word | Kind::Letter | Kind::Parameter => self.address(*token),
+                Kind::Junk(Shape::LostNumber | Shape::MixedNumber) => Some(Address::N),
+                Kind::Junk(Shape::JumpTarget) => Some(Address::L),
+                Kind::Junk(
+                    Shape::BareR
+                    | Shape::LooseWord
+                    | Shape::ManySigns
+                    | Shape::PrintedWord
+                    | Shape::LooseParameter
+                    | Shape::AssignedWord
+                    | Shape::GarbledWord,
+                ) => self.address(*token),
+                _ => None,
+            };
+            words.extend(word.map(|(word, _, _)| word).or_else(|| Some(Word::bare(odd()?, token.span()).faulty())));
+        }
+        words
+    }
+
+    fn has(&self, address: Address) -> bool {
+        self.words.iter().any(|word| word.address == address)
+    }
+
+    fn functions(&self) -> impl Iterator<Item = GCode> + '_ {
+        self.words.iter().filter_map(|word| word.g_code())
+    }
+
+    /// Whether the block has an `N`, or something in its place.
+    fn is_numbered(&self) -> bool {
+        self.words.first().is_some_and(|first| first.address == Address::N)
+    }
+}
+
+/// The title of an offer.
+fn write(text: &str) -> FixTitle {
+    FixTitle::Write { text: shown(text) }
+}
+
+fn without_blanks(text: &str) -> String {
+    text.chars().filter(|character| !matches!(character, ' ' | '\t')).collect()
+}
+
+/// The value of a number or a parameter, when nothing else is in `text`, as a word of that address.
+fn value(address: Address, span: Span, text: &str) -> Option<Word> {
+    if let Some(number) = Number::parse(text.as_bytes()) {
+        return Some(Word::with_number(address, span, number));
+    }
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let sign = text.as_bytes().first().copied().filter(|_| unsigned.len() < text.len());
+    let source = grammar::parameter_number(unsigned.strip_prefix(['R', 'r'])?)?;
+    Some(Word::with_parameter(address, span, source, sign))
+}
+
+/// Takes tokens one by one.
+pub(super) struct Cursor<'t> {
+    tokens: &'t [Token],
+    /// How many were taken.
+    pub(super) taken: usize,
+}
+
+impl<'t> Cursor<'t> {
+    pub(super) fn new(tokens: &'t [Token], at: usize) -> Self {
+        Self { tokens: tokens.get(at..).unwrap_or_default(), taken: 0 }
+    }
+
+    pub(super) fn peek(&self) -> Option<Token> {
+        self.tokens.get(self.taken).copied()
+    }
+
+    pub(super) fn when(&mut self, wanted: impl Fn(Kind) -> bool) -> Option<Token> {
+        let token = self.peek().filter(|token| wanted(token.kind))?;
+        self.taken += 1;
+        Some(token)
+    }
+
+    pub(super) fn one(&mut self, kind: Kind) -> Option<Token> {
+        self.when(|next| next == kind)
+    }
+
+    pub(super) fn number(&mut self) -> Option<Token> {
+        self.when(|kind| matches!(kind, Kind::Number | Kind::Junk(Shape::LooseNumber)))
+    }
+
+    pub(super) fn parameter(&mut self) -> Option<Token> {
+        self.when(|kind| matches!(kind, Kind::Parameter | Kind::Junk(Shape::LooseParameter)))
+    }
+
+    /// Numbers in a row.
+    pub(super) fn numbers(&mut self) -> Vec<Token> {
+        std::iter::from_fn(|| self.number()).collect()
+    }
+
+    /// `=`, a sign and a value, of which only `=` has to be there; gives the last of them.
+    pub(super) fn assigned_value(&mut self) -> Option<Token> {
+        let equals = self.one(Kind::Equals)?;
+        let sign = self.one(Kind::Sign);
+        Some(self.number().or_else(|| self.parameter()).or(sign).unwrap_or(equals))
+    }
+
+    /// What may follow the parameter of an assignment: numbers, and values with signs or operators before them, `R51+R52`.
+    pub(super) fn operands(&mut self) -> Vec<Token> {
+        let mut operands = self.numbers();
+        let between = |kind: Kind| matches!(kind, Kind::Sign | Kind::Junk(Shape::Operator));
+        loop {
+            let start = self.taken;
+            let Some(operator) = self.when(between) else { return operands };
+            self.when(between);
+            let value = self.parameter().or_else(|| self.number()).or_else(|| self.one(Kind::Junk(Shape::Bracketed)));
+            let Some(value) = value else {
+                self.taken = start;
+                return operands;
+            };
+            operands.extend([operator, value]);
+            operands.extend(self.numbers());
+        }
+    }
+}

@@ -1,0 +1,390 @@
+//! Numbers in pieces, with other characters in them, in the wrong place, or missing.
+
+use super::letters::{is_all_letters, look_alike};
+use super::{Around, Cursor, Diagnosis, functions, parameters, without_blanks, write};
+use crate::diag::{Certain, CommaMeant, Diagnostic, Edit, Finding, Meant, NumberMeant, ValueMeant, shown};
+use crate::dict::{Address, Decimal, GCode, HIGHEST_Q};
+use crate::sure::Sure;
+use crate::syntax::number::Number;
+use crate::syntax::tokens::{Kind, Shape, Token};
+use crate::syntax::{Word, grammar};
+use crate::text::Span;
+
+/// `X--R1`.
+pub(super) fn many_signs(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let first = next.one(Kind::Junk(Shape::ManySigns))?;
+    let parameter = next.parameter()?;
+    let span = first.span().to(next.operands().last().unwrap_or(&parameter).span());
+    let found = around.malformed(span, NumberMeant::Form);
+    Some(Diagnosis::saying(next.taken, found).void(around.address(first)?, span))
+}
+
+/// `TT1`: an address written twice. `Ll30` is `L130` (LEX-12).
+pub(super) fn doubled_letter(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let first = next.one(Kind::Junk(Shape::LooseWord))?;
+    let pieces = next.numbers();
+    let span = first.span().to(pieces.last().unwrap_or(&first).span());
+    let (address, run) = (around.address(first)?, around.number(first));
+    let letter = run.get(..1).filter(|letter| letter.eq_ignore_ascii_case(&address.to_string()) && *letter != "l")?;
+    let digits = run.get(letter.len()..).sure().trim_start_matches([' ', '\t']);
+    let number = Number::parse(digits.as_bytes()).filter(|_| pieces.is_empty());
+    let Some(number) = number else {
+        return Some(Diagnosis::saying(next.taken, around.malformed(span, NumberMeant::Form)).void(address, span));
+    };
+    let written = run.to_ascii_uppercase();
+    let meant = NumberMeant::LetterTwice { written: shown(&written) };
+    let found = around.malformed(span, meant).with_offer(write(&written), around.place(span), written);
+    Some(Diagnosis::saying(next.taken, found).with(Word::with_number(address, span, number), span))
+}
+
+/// `X36.  12`, `X1,5`, `X1O0`, `X--5`: a number in pieces, or with characters in it that do not belong in one.
+pub(super) fn word(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let word = |kind| matches!(kind, Kind::Word | Kind::Junk(Shape::LooseWord | Shape::ManySigns));
+    let first = next.when(word)?;
+    let pieces = next.numbers();
+    if first.kind == Kind::Word && pieces.is_empty() {
+        return None;
+    }
+    Some(loose(around, first, &pieces, next.taken))
+}
+
+/// `X-  36.12`: a blank behind the sign.
+pub(super) fn split_sign(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let first = next.one(Kind::Letter).filter(|letter| around.is_signed(*letter))?;
+    let pieces = next.numbers();
+    (!pieces.is_empty()).then(|| loose(around, first, &pieces, next.taken))
+}
+
+fn loose(around: &Around<'_>, first: Token, pieces: &[Token], tokens: usize) -> Diagnosis {
+    let span = first.span().to(pieces.last().unwrap_or(&first).span());
+    let Some(address) = around.address(first) else { return Diagnosis::of(tokens) };
+    let broken = Broken { address, prefix: &address.to_string(), run: around.number(first), pieces, span };
+    let (value, found) = broken.explain(around);
+    let word = value.map_or(Word::bare(address, span), |number| Word::with_number(address, span, number));
+    Diagnosis { found, ..Diagnosis::of(tokens) }.with(word, span)
+}
+
+/// A faulty number: its first piece, and the others.
+pub(super) struct Broken<'a> {
+    pub(super) address: Address,
+    /// What stands before it: `X`, `R10=`.
+    pub(super) prefix: &'a str,
+    pub(super) run: &'a str,
+    pub(super) pieces: &'a [Token],
+    pub(super) span: Span,
+}
+
+impl Broken<'_> {
+    /// Reads it as its fix would write it, and says what is wrong with it. Its value is known only where that fix is certain.
+    pub(super) fn explain(&self, around: &Around<'_>) -> (Option<Number>, Option<Diagnostic>) {
+        let Self { address, prefix, run, pieces, span } = *self;
+        let joined = pieces.iter().fold(run.to_owned(), |joined, piece| joined + around.slice(piece.span()));
+        let digit = |letter: char| u8::try_from(letter).ok().and_then(look_alike).unwrap_or(letter);
+        let fixed: String = joined.replace(',', ".").chars().map(digit).collect();
+        // A comma behind a number parts it from the next word.
+        let fixed = if joined.ends_with(',') { fixed.trim_end_matches('.') } else { fixed.as_str() };
+        let number = Number::parse(fixed.as_bytes());
+        let fixed = format!("{prefix}{fixed}");
+        let has_digit = fixed.bytes().any(|byte| byte.is_ascii_digit() && !prefix.as_bytes().contains(&byte));
+        let (certain, finding) = match number {
+            Some(number) if joined.contains(',') => return self.with_comma(around, number, &joined, fixed),
+            Some(_) if joined.bytes().any(|letter| look_alike(letter).is_some()) => {
+                let alone = pieces.is_empty() && is_all_letters(joined.trim_start_matches(['+', '-']));
+                // N and L are never 0: another digit was meant.
+                let certain = alone && !matches!(address, Address::N | Address::L);
+                (certain.then_some(Certain::LettersAlone), Finding::LetterForDigit { fixed: shown(&fixed) })
+            }
+            Some(_) if pieces.is_empty() => return (number, None),
+            Some(_) => {
+                let only = matches!(pieces, [only] if only.kind == Kind::Number && around.byte(only.start) != b'-');
+                let certain = matches!(run, "+" | "-") && only && address.is_dimensional();
+                (certain.then_some(Certain::BlankBehindSign), split(shown(&fixed)))
+            }
+            None if has_digit || joined.len() > 2 => {
+                return (None, Some(around.malformed(span, printed(&joined, prefix))));
+            }
+            None => {
+                let address = shown(prefix.trim_end_matches('='));
+                let finding = Finding::MissingValue { address, meant: ValueMeant::Number };
+                return (None, Some(around.diagnostic(span, finding)));
+            }
+        };
+        let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
+        let found = around.diagnostic(span, finding).with_edits(certain, write(&fixed), edits);
+        (number.filter(|_| certain.is_some()), Some(found))
+    }
+
+    /// A number with a comma: a decimal one, where its address takes a point, or one that parts it from the next word.
+    fn with_comma(
+        &self,
+        around: &Around<'_>,
+        number: Number,
+        joined: &str,
+        fixed: String,
+    ) -> (Option<Number>, Option<Diagnostic>) {
+        let Self { address, prefix, span, .. } = *self;
+        let text = around.slice(span);
+        let apart = [", ", ",\t", " ,", "\t,"].into_iter().any(|pair| text.contains(pair));
+        let written = shown(&fixed);
+        let whole = number.value.as_whole().filter(|_| !number.rounded);
+        let (meant, fixed) = if joined.ends_with(',') && joined.matches(',').count() == 1 {
+            (CommaMeant::Border { written }, Some(fixed))
+        } else if apart {
+            (CommaMeant::Apart { written }, None)
+        } else if address.is_dimensional() || address == Address::H {
+            (CommaMeant::Point { written }, Some(fixed))
+        } else if let Some(whole) = whole {
+            let written = format!("{prefix}{whole}");
+            (CommaMeant::WholeWritten { written: written.clone() }, Some(written))
+        } else {
+            (in_dwell(around, address, joined).unwrap_or(CommaMeant::Whole { address }), None)
+        };
+        // `L1,00` may be L100, `X10,` X100.
+        let between = joined.split_once(',').is_some_and(|(before, behind)| {
+            before.ends_with(|last: char| last.is_ascii_digit()) && behind.bytes().all(|byte| byte.is_ascii_digit())
+        });
+        let certain = matches!(meant, CommaMeant::Point { .. }) && between && address.is_dimensional();
+        let certain = certain.then_some(Certain::DecimalComma);
+        let found = around.diagnostic(span, Finding::DecimalComma { meant });
+        let edit =
+            |text: String| found.clone().with_edits(certain, write(&text), vec![Edit { at: around.place(span), text }]);
+        (Some(number).filter(|_| certain.is_some()), Some(fixed.map_or_else(|| found.clone(), edit)))
+    }
+}
+
+/// `G04 Q0,5`: seconds.
+fn in_dwell(around: &Around<'_>, address: Address, number: &str) -> Option<CommaMeant> {
+    let dwell = address == Address::Q && around.functions().any(|code| code == GCode::G04);
+    let seconds = Number::parse(without_blanks(number).replace(',', ".").as_bytes()).filter(|_| dwell)?;
+    let units = Some((seconds.value.thousandths() + 5) / 10).filter(|units| (1..=HIGHEST_Q).contains(units))?;
+    Some(CommaMeant::Dwell { written: format!("Q{units}") })
+}
+
+/// A blank inside a number.
+pub(super) const fn split(joined: String) -> Finding {
+    Finding::SplitNumber { joined, loose: String::new(), written: String::new() }
+}
+
+/// What something that is no number may mean, `prefix` before it: programs print numbers with exponents.
+pub(super) fn printed(run: &str, prefix: &str) -> NumberMeant {
+    let run = without_blanks(run);
+    let lower = run.to_ascii_lowercase();
+    if lower.contains("nan") || lower.contains("in") {
+        return NumberMeant::NotANumber;
+    }
+    if !lower.contains('e') {
+        let sum = run.chars().zip(run.chars().skip(1)).any(|(one, next)| one.is_ascii_digit() && "+-".contains(next));
+        let computed = sum || run.contains(['*', '/', '(', '[', '{', '<']);
+        return if computed && prefix.starts_with('R') { NumberMeant::Computed } else { NumberMeant::Form };
+    }
+    let thousandths = run.replace(',', ".").parse::<f64>().ok().map(|value| (value * 1000.0).round());
+    #[allow(clippy::cast_possible_truncation, reason = "what is too large for it is the largest number, and refused")]
+    let written = thousandths.map(|value| Decimal::from_thousandths(value as i64));
+    match written.filter(|written| written.abs() <= Decimal::DIMENSION_MAX) {
+        Some(written) => NumberMeant::Exponent { written: format!("{prefix}{written}") },
+        None => NumberMeant::ExponentForm,
+    }
+}
+
+/// `Z-24/2`, `R10/2`: nothing is divided (BLK-11).
+pub(super) fn divided(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let (first, address, target) = if let Some(parameter) = next.parameter() {
+        (parameter, Address::R, grammar::parameter_number(around.number(parameter)))
+    } else {
+        let word = next.one(Kind::Word)?;
+        (word, around.address(word).filter(|address| *address != Address::N)?, None)
+    };
+    let slash = next.when(|kind| matches!(kind, Kind::Skip | Kind::Junk(Shape::Operator)))?;
+    let rest = std::iter::from_fn(|| next.when(is_stray)).last().filter(|_| slash.kind != Kind::Skip);
+    let span = first.span().to(rest.unwrap_or(slash).span());
+    let by = around.slice(Span::new(first.end, span.end)).strip_prefix('/')?;
+    let by = Some(by).filter(|by| by.starts_with(|digit: char| digit.is_ascii_digit()))?;
+    let divisor = Number::parse(by.as_bytes()).map(|by| by.value.thousandths()).filter(|by| *by != 0);
+    let value = Number::parse(around.number(first).as_bytes()).filter(|_| address != Address::R);
+    let quotient = value.zip(divisor).and_then(|(number, by)| {
+        let product = number.value.thousandths().checked_mul(1000)?;
+        (product % by == 0).then(|| format!("{address}{}", Decimal::from_thousandths(product / by)))
+    });
+    let meant = quotient.map_or(NumberMeant::Undivided, |written| NumberMeant::Divided { written });
+    let tokens = if slash.kind == Kind::Skip { 2 } else { next.taken };
+    let word = Word::bare(address, span);
+    let word = target.map_or(word, |target| word.assigning(target));
+    Some(Diagnosis::saying(tokens, around.malformed(span, meant)).with(word, span))
+}
+
+/// An address or a parameter without a value.
+pub(super) fn valueless(around: &Around<'_>) -> Option<Diagnosis> {
+    let diagnosis = without_value(around)?;
+    let open = |finding: &Finding| {
+        let Finding::MissingValue { address, meant } = finding else { return false };
+        address.starts_with('R') && matches!(meant, ValueMeant::Number | ValueMeant::Beyond)
+    };
+    Some(if diagnosis.found.as_ref().is_some_and(|found| open(&found.finding)) {
+        functions::radius(around, diagnosis)
+    } else {
+        diagnosis
+    })
+}
+
+/// An address or a parameter without a value, whatever is around it. A number beyond a line end or comments was meant for it.
+pub(super) fn without_value(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let (first, end) = if let Some(letter) = next.one(Kind::Letter) {
+        (letter, letter)
+    } else if let Some(letter) = next.one(Kind::Junk(Shape::BareR)) {
+        (letter, next.one(Kind::Sign).unwrap_or(letter))
+    } else {
+        let parameter = next.parameter()?;
+        let equals = next.one(Kind::Equals);
+        next.one(Kind::Sign);
+        (parameter, equals.unwrap_or(parameter))
+    };
+    let span = first.span().to(end.span());
+    let text = around.slice(first.span());
+    if first.kind == Kind::Junk(Shape::LooseParameter) && text.contains(['.', ',']) {
+        return Some(parameters::no_number(around, next.taken, span));
+    }
+    let sign = |character: &char| !matches!(character, ' ' | '\t' | '+' | '-' | '.' | ',');
+    let name: String = text.chars().filter(sign).map(|character| character.to_ascii_uppercase()).collect();
+    let digits = name.strip_prefix('R').unwrap_or_default();
+    let target = grammar::parameter_number(digits);
+    if !digits.is_empty() && target.is_none() {
+        let (_, found) = parameters::number(around, first);
+        return Some(Diagnosis { found, ..Diagnosis::of(next.taken) }.void(Address::R, span));
+    }
+    let beyond = if is_assignment(&next) { None } else { beyond(&mut next) };
+    let meant = match (number_behind_skip(around, first, end), &beyond) {
+        (Some(written), _) => ValueMeant::Written { written },
+        (None, Some(_)) => ValueMeant::Beyond,
+        (None, None) => ValueMeant::Number,
+    };
+    let word = Word::bare(around.address(first)?, span);
+    let found = around.diagnostic(span, Finding::MissingValue { address: name, meant });
+    let diagnosis = Diagnosis { comments: beyond.unwrap_or_default(), ..Diagnosis::saying(next.taken, found) };
+    Some(diagnosis.junk(span).with(target.map_or(word, |target| word.assigning(target)), span))
+}
+
+/// Whether an assignment begins there.
+fn is_assignment(next: &Cursor<'_>) -> bool {
+    let mut next = Cursor { ..*next };
+    next.parameter().is_some() && next.one(Kind::Equals).is_some()
+}
+
+/// Takes a number or an assigned value beyond line ends or comments; gives the comments.
+pub(super) fn beyond(next: &mut Cursor<'_>) -> Option<Vec<Span>> {
+    let start = next.taken;
+    let between = |kind| matches!(kind, Kind::LineEnd | Kind::Comment);
+    let between: Vec<Token> = std::iter::from_fn(|| next.when(between)).collect();
+    let value = if between.is_empty() { None } else { next.number().or_else(|| next.assigned_value()) };
+    if value.is_none() {
+        next.taken = start;
+        return None;
+    }
+    Some(between.into_iter().filter(|token| token.kind == Kind::Comment).map(Token::span).collect())
+}
+
+/// `N/30`: the block number behind the `/` that belongs behind it.
+fn number_behind_skip(around: &Around<'_>, address: Token, end: Token) -> Option<String> {
+    let rest = around.text.get(end.end as usize..)?.strip_prefix('/')?;
+    let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();
+    let numbered = around.address(address) == Some(Address::N) && !digits.is_empty();
+    numbered.then(|| format!("N{digits} /"))
+}
+
+/// `-X10`.
+pub(super) fn sign_first(around: &Around<'_>) -> Option<Diagnosis> {
+    let [sign, word] = around.next([Kind::Sign, Kind::Word])?;
+    let (address, span) = (around.address(word)?, sign.span().to(word.span()));
+    let minus = around.byte(sign.start) == b'-';
+    let signed = format!("{}{}", if minus { "-" } else { "" }, around.number(word));
+    let Some(value) = Number::parse(signed.as_bytes()).filter(|_| address.is_dimensional()) else {
+        return Some(Diagnosis::saying(2, around.malformed(span, NumberMeant::Form)).void(address, span));
+    };
+    let written = format!("{address}{signed}");
+    let meant = NumberMeant::SignBehind { written: shown(&written) };
+    let found = around.malformed(span, meant).with_offer(write(&written), around.place(span), written);
+    Some(Diagnosis::saying(2, found).with(Word::with_number(address, span, value), span))
+}
+
+const fn is_stray(kind: Kind) -> bool {
+    matches!(kind, Kind::Number | Kind::Sign | Kind::Equals | Kind::Junk(Shape::LooseNumber | Shape::Operator))
+}
+
+/// Numbers, signs or `=` that belong to nothing.
+pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
+    let mut next = around.cursor();
+    let first = next.when(is_stray)?;
+    let last = std::iter::from_fn(|| next.when(is_stray)).last().unwrap_or(first);
+    let span = first.span().to(last.span());
+    let text = shown(around.slice(span));
+    let meant = match Number::parse(text.as_bytes()) {
+        Some(_) if around.begins_line(span.start) && text.bytes().all(|byte| byte.is_ascii_digit()) => {
+            NumberMeant::BlockNumber { written: format!("N{text}") }
+        }
+        Some(_) => NumberMeant::NoAddress,
+        None if text.len() > 2 && text.chars().all(|sign| "+-=. \t…".contains(sign)) => NumberMeant::Ruler,
+        None if text.contains('=') => NumberMeant::EqualsForm,
+        None => NumberMeant::Form,
+    };
+    let diagnosis = Diagnosis::saying(next.taken, around.malformed(span, meant)).junk(span).debris();
+    // The parameter is not known.
+    Some(if text.contains('=') { diagnosis.void(Address::R, span) } else { diagnosis })
+}
+
+/// `110 G02 X70`, `(10 G02`: the letter of a block number is missing, or is another sign.
+pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
+    let token = around.junk(Shape::LostNumber)?;
+    let span = token.span();
+    let diagnosis = Diagnosis::of(1).void(Address::N, span);
+    // The finding of that `N` says it.
+    if follows_n(around.text.as_bytes(), span.start) {
+        return Some(diagnosis);
+    }
+    let text = around.slice(span);
+    let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+    let written = format!("N{digits}");
+    let found = if text.starts_with(|first: char| first.is_ascii_digit() || "+-.,".contains(first)) {
+        around.malformed(span, NumberMeant::BlockNumber { written: written.clone() })
+    } else {
+        around.characters(span, Meant::of(text))
+    };
+    let found = found.with_offer(write(&written), around.place(span), written);
+    Some(Diagnosis { found: Some(found), ..diagnosis })
+}
+
+/// Whether a number, or a sign and a number, begins a line in place of a block number: words follow it on the line, and
+/// what stands before it lacks no number.
+pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Token) -> bool {
+    if !matches!(token.kind, Kind::Number | Kind::Junk(Shape::LooseNumber | Shape::Unknown)) {
+        return false;
+    }
+    let above = bytes.get(..token.start as usize).sure();
+    let line = above.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
+    let line = matches!(line, None | Some(b'\n' | b'\r'));
+    let word = bytes.get(token.span().range()).sure();
+    let signs = word.iter().take_while(|byte| !byte.is_ascii_digit()).count();
+    let (signs, digits) = word.split_at_checked(signs).unwrap_or_default();
+    let number = signs.len() < 2 && (1..=6).contains(&digits.len()) && digits.iter().all(u8::is_ascii_digit);
+    let behind = bytes.get(token.end as usize..).sure();
+    let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+    let words =
+        matches!(behind.get(blanks..), Some([b'A'..=b'M' | b'P'..=b'Z', b'0'..=b'9' | b'+' | b'-' | b'.' | b'R', ..]));
+    let whole = |last: &Token| {
+        matches!(
+            last.kind,
+            Kind::Word | Kind::Number | Kind::Skip | Kind::Junk(Shape::Text | Shape::Unknown | Shape::LooseWord)
+        )
+    };
+    let last = before.iter().rev().find(|token| !matches!(token.kind, Kind::LineEnd | Kind::Comment));
+    line && number && blanks > 0 && words && (last.is_none_or(whole) || follows_n(bytes, token.start))
+}
+
+/// Whether an `N` without a number stands right before `at`, on the same line or one above: `F140N`, and below it `150 X1`.
+fn follows_n(bytes: &[u8], at: u32) -> bool {
+    matches!(bytes.get(..at as usize).sure().trim_ascii_end().last(), Some(b'N' | b'n'))
+}
