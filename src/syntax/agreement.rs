@@ -52,7 +52,7 @@ mod tests {
         }
     }
 
-    /// What a part of a text takes from the text before it.
+    /// A part of a text depends on the text before it.
     #[test]
     fn pieces_see_what_is_before_them() {
         for text in [

@@ -26,7 +26,7 @@ impl BlockId {
     }
 }
 
-/// What is known of a block without looking at its words.
+/// Facts about a block that need no look at its words.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub struct BlockFlags(pub u16);
 
@@ -95,7 +95,7 @@ pub struct ParsedFile {
     pub file: FileId,
     /// Its text.
     pub source: Arc<SourceText>,
-    /// What it was read as.
+    /// Its form.
     pub form: Form,
     /// The `%` word; `None` in a macrocycle, or when it is missing.
     pub program: Option<Word>,
@@ -282,14 +282,14 @@ impl ParsedFile {
         &self.comments
     }
 
-    /// How many points (see [`BlockFlags::is_point`]) stand in a row from a block on, before another one.
+    /// How many points (see [`BlockFlags::is_point`]) follow each other from a block on, before another one.
     pub fn points_in_a_row(&self, from: BlockId, before: BlockId) -> u32 {
         let blocks = self.blocks.get(from.index()..before.index()).sure();
         let count = blocks.iter().take_while(|block| block.flags.is_point()).count();
         small(count)
     }
 
-    /// What is known of a block.
+    /// The facts about a block.
     #[inline]
     pub fn flags(&self, block: BlockId) -> BlockFlags {
         self.blocks.get(block.index()).map_or(BlockFlags::default(), |block| block.flags)
@@ -345,7 +345,7 @@ impl ParsedFile {
     }
 }
 
-/// What a comment token says: without its quotes, trimmed of blanks and tabs.
+/// The text of a comment token: without its quotes, trimmed of blanks and tabs.
 pub(super) fn comment_text(token: &str) -> &str {
     let quote = |character: char| matches!(character, '"' | '“' | '”' | '„');
     // A comment that begins with `"` ends with `"` only: other quotes in it are text (LEX-6).

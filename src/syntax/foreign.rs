@@ -13,14 +13,14 @@ use crate::text::Span;
 const HEAD: usize = 1 << 15;
 /// Longer lines are looked at up to here, blanks not counted.
 const LINE: usize = 200;
-/// What the shapes found must weigh together, when there are block numbers.
+/// Least weight of all shapes together in a text with block numbers.
 const ENOUGH: i32 = 3;
-/// What a control's own shapes must weigh for it to be named.
+/// Least weight of a control's own shapes before it is named.
 const NAMED: i32 = 2;
 /// So many lines with words and no block number among them: a program without block numbers.
 const UNNUMBERED: usize = 5;
 
-/// What speaks for what. A row counts once, however often one of its shapes is found.
+/// Evidence for a control. A row counts once, however often one of its shapes is found.
 struct Row {
     speaks_for: Speaks,
     weight: i32,
@@ -166,11 +166,11 @@ pub fn foreign(text: &str, start: u32) -> Option<Foreign> {
     let controls: [i32; NAMES.len()] = std::array::from_fn(|at| weight(Speaks::For(at)));
     let most = controls.into_iter().max().unwrap_or(0);
     let best = controls.into_iter().position(|weight| weight == most).map_or(Speaks::Iso, Speaks::For);
-    // What Fanuc and LinuxCNC have in common speaks for both of them, and not for the others.
+    // Shapes that Fanuc and LinuxCNC share count for both of them, and not for the others.
     let iso = weight(Speaks::Iso);
     let common = if most == 0 || best == FANUC || best == LINUXCNC { most + iso } else { most.max(iso) };
     let all = common + weight(Speaks::Any) - weight(Speaks::Own);
-    // What is of little weight may be slips, even if there are some of them.
+    // Rows of little weight may be slips, even several of them.
     let clear = rows().any(|(row, _)| row.speaks_for != Speaks::Own && row.weight > 1);
     let told = if unnumbered { all >= -1 } else { all >= ENOUGH && clear };
     if !told {

@@ -1,5 +1,5 @@
-//! The grammar of a block: well-formed words over its tokens, as `grammar/part-program.ebnf` shows them. What is none of them
-//! is explained by [`super::slips`].
+//! The grammar of a block: well-formed words over its tokens, as `grammar/part-program.ebnf` shows them. [`super::slips`]
+//! explains the rest.
 
 use super::Word;
 use super::number::Number;
@@ -78,7 +78,7 @@ fn slice(text: &str, token: Token) -> &str {
     text.get(token.span().range()).sure()
 }
 
-/// What stands behind the letter of a token and its blanks.
+/// The text behind the letter of a token and its blanks.
 fn number(text: &str, token: Token) -> &str {
     slice(text, token).get(1..).sure().trim_start_matches([' ', '\t'])
 }

@@ -1,4 +1,4 @@
-//! What is judged by lines and characters: their length, case, and what follows the end.
+//! Checks by lines and characters: length, case, and text behind the end.
 
 use super::{Kind, Shape, tokens};
 use crate::diag::{AfterEndMeant, Certain, Diagnostic, Edit, Finding, Findings, FixTitle, shown};

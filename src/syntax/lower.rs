@@ -15,7 +15,7 @@ pub(super) struct Lowering<'t> {
     pub(super) file: FileId,
     pub(super) words: Vec<Word>,
     pub(super) comments: Vec<Span>,
-    /// What is known of the current block.
+    /// The facts about the current block.
     pub(super) flags: BlockFlags,
     pub(super) findings: Findings,
     /// Where addresses in lower case stand, in words without a finding (LEX-11).
@@ -26,7 +26,7 @@ pub(super) struct Lowering<'t> {
     quotes_off: Option<u32>,
 }
 
-/// What a word of that address makes of its block.
+/// The flags that a word of that address sets in its block.
 const fn made_of(address: Address) -> BlockFlags {
     match address {
         Address::N => BlockFlags(0),

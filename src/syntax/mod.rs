@@ -5,6 +5,7 @@
 
 #[cfg(any(test, fuzzing))]
 mod agreement;
+mod blocks;
 mod file;
 mod foreign;
 mod grammar;

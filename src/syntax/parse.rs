@@ -2,18 +2,16 @@
 
 use std::sync::Arc;
 
-use super::file::Block;
-use super::lower::Lowering;
-use super::slips::{self, statement_end};
+use super::blocks::{Outside, Reader};
 use super::tokens::Shape;
-use super::{BlockId, Kind, ParsedFile, Token, Word, file, layout, plain, tokens};
+use super::{BlockId, Kind, ParsedFile, Token, Word, layout, plain, slips, tokens};
 use crate::diag::{Diagnostic, Finding, Findings, FixTitle, ValueMeant};
 use crate::dict::Address;
 use crate::parallel;
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
 
-/// What a file is.
+/// The form of a file.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Form {
     /// Begins with `%`.
@@ -21,9 +19,6 @@ pub enum Form {
     /// Begins with `N… G79 L…`; a `%` before it is tolerated (PRG-7).
     Macrocycle,
 }
-
-/// Tokens are parsed in batches of about this many, so that they stay in the fastest cache.
-const BATCH: usize = 1 << 10;
 
 /// Parses a file. What is wrong with its form goes to `findings`; the tree holds all that could be read.
 pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut Findings) -> ParsedFile {
@@ -269,21 +264,6 @@ pub(super) fn long_word(text: &str, start: u32) -> Span {
     slips::first_word(text, &item).or(item.first().map(|token| token.span())).unwrap_or(Span::empty(start))
 }
 
-/// What stands before the first block.
-#[derive(Default)]
-struct Header {
-    program: Option<Word>,
-    title: Option<Span>,
-    outside: Option<Outside>,
-}
-
-/// Words that belong to no block.
-struct Outside {
-    first: Span,
-    /// How many follow the first.
-    more: usize,
-}
-
 /// Splits a text at lines where a block begins into at most `count` pieces of about the same length.
 fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)> {
     let bytes = text.as_bytes();
@@ -301,260 +281,6 @@ fn piece_bounds(text: &str, start: u32, end: u32, count: u32) -> Vec<(u32, u32)>
     }
     bounds.push((from, end));
     bounds
-}
-
-/// So few bytes behind a `%` may be blank for it to be the end of a file.
-const FEW: usize = 256;
-
-/// Whether a block number stands right behind G71, G72 or G73 on a line with no other word than Q behind it: in a block
-/// without L it is the target.
-fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
-    let Some(last) = before.last().filter(|last| last.kind == Kind::Word && token.kind == Kind::Word) else {
-        return false;
-    };
-    let word = bytes.get(last.span().range()).sure();
-    let flow = matches!(word, [b'G' | b'g', b'7', b'1'..=b'3']);
-    let rest = bytes.get(token.end as usize..).sure();
-    let rest = rest.split(|byte| matches!(byte, b'\r' | b'\n' | b'"')).next().sure().trim_ascii();
-    let count = match rest {
-        [] => true,
-        [b'Q' | b'q', count @ ..] => count.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b' ' | b'\t')),
-        _ => false,
-    };
-    flow && count
-}
-
-/// The tokens before the first block; text on the line of `%` is one token to the end of the line, with the words in it: a
-/// title without quotes.
-fn with_whole_title(batch: &[Token], text: &str) -> Vec<Token> {
-    let mut tokens = batch.to_vec();
-    let is_text = |token: &Token| matches!(token.kind, Kind::Junk(Shape::Text) | Kind::Junk(Shape::Unit));
-    let is_percent = |token: &Token| text.as_bytes().get(token.start as usize) == Some(&b'%');
-    let Some(from) = tokens.iter().position(is_percent) else { return tokens };
-    let ends = |token: &Token| {
-        matches!(
-            token.kind,
-            Kind::LineEnd | Kind::Comment | Kind::Junk(Shape::TypographicComment) | Kind::Junk(Shape::ForeignComment)
-        )
-    };
-    let line = tokens.iter().skip(from).position(ends).map_or(tokens.len(), |length| from + length);
-    let Some(first) = (from..line).find(|at| tokens.get(*at).is_some_and(is_text)) else { return tokens };
-    let end = tokens.get(line - 1).map_or(0, |last| last.end);
-    if let Some(title) = tokens.get_mut(first) {
-        *title = Token { kind: Kind::Junk(Shape::Text), end, ..*title };
-    }
-    tokens.drain(first + 1..line);
-    tokens
-}
-
-/// Reads one piece of a text.
-struct Reader<'t> {
-    lowering: Lowering<'t>,
-    blocks: Vec<Block>,
-    form: Form,
-    /// The piece begins the file.
-    first: bool,
-    /// A `%` was met, or stands in another piece.
-    program_seen: bool,
-    header: Option<Header>,
-    /// Where a second `%` with a number begins a line.
-    second_program: Option<u32>,
-    /// Where `*` ends the program, when it stands in this piece.
-    end: Option<u32>,
-    /// Tokens that are being gathered, and where blocks begin among them: kept for their memory.
-    batch: Vec<Token>,
-    cuts: Vec<usize>,
-}
-
-impl<'t> Reader<'t> {
-    fn new(text: &'t str, file: FileId, form: Form, first: bool, (from, to): (u32, u32)) -> Self {
-        let mut lowering = Lowering::new(text, file);
-        lowering.words.reserve((to - from) as usize / 8);
-        Self {
-            lowering,
-            blocks: Vec::new(),
-            form,
-            first,
-            program_seen: !first,
-            header: None,
-            second_program: None,
-            end: None,
-            batch: Vec::new(),
-            cuts: Vec::new(),
-        }
-    }
-
-    /// Reads what stands from `start` to `end`.
-    fn read(&mut self, start: u32, end: u32, short_way: bool) {
-        let mut at = start;
-        // What stands before the first block goes by tokens.
-        if !self.first && short_way {
-            at = plain::plain_blocks(&mut self.lowering, &mut self.blocks, at, end);
-        }
-        loop {
-            at = self.read_tokens(at, end, short_way);
-            if at >= end {
-                return;
-            }
-            at = plain::plain_blocks(&mut self.lowering, &mut self.blocks, at, end);
-        }
-    }
-
-    /// Reads tokens from `start` on, to `end` or, when a short way may be taken, to a line where a block begins. Gives
-    /// where it stopped.
-    fn read_tokens(&mut self, start: u32, end: u32, short_way: bool) -> u32 {
-        let text = self.lowering.text;
-        let bytes = text.as_bytes().get(..end as usize).sure();
-        let mut batch = std::mem::take(&mut self.batch);
-        batch.clear();
-        let mut cuts = std::mem::take(&mut self.cuts);
-        cuts.clear();
-        let mut stopped = end;
-        let mut taken = start;
-        // Of the block in hand.
-        let mut has_l = false;
-        for mut token in tokens(text, start, end) {
-            if token.start < taken {
-                continue;
-            }
-            if let Some(whole) = statement_end(bytes, token) {
-                (token.kind, token.end, taken) = (Kind::Junk(Shape::Text), whole, whole);
-            }
-            if token.kind == Kind::End {
-                self.end = Some(token.end);
-                break;
-            }
-            if (self.program_seen || self.form == Form::Macrocycle)
-                && !(self.first && self.before_blocks(&cuts))
-                && slips::lost_number(bytes, &batch, token)
-            {
-                token.kind = Kind::Junk(Shape::LostNumber);
-                cuts.push(batch.len());
-                has_l = false;
-                batch.push(token);
-                continue;
-            }
-            let with_address = matches!(
-                token.kind,
-                Kind::Word
-                    | Kind::Junk(Shape::LooseWord)
-                    | Kind::Junk(Shape::ManySigns)
-                    | Kind::Letter
-                    | Kind::Junk(Shape::GarbledWord)
-                    | Kind::Junk(Shape::AssignedWord)
-                    | Kind::Junk(Shape::PrintedWord)
-                    | Kind::Junk(Shape::ForeignStart)
-            );
-            match bytes.get(token.start as usize).filter(|_| with_address) {
-                Some(b'N' | b'n') if !has_l && is_jump_target(bytes, &batch, token) => {
-                    token.kind = Kind::Junk(Shape::JumpTarget)
-                }
-                // `G7N`: a slip in a word, not the beginning of a block.
-                Some(b'N' | b'n')
-                    if token.kind == Kind::Letter
-                        && batch.last().is_some_and(|last| last.kind == Kind::Word && last.end == token.start) => {}
-                Some(b'N' | b'n') => {
-                    if batch.len() >= BATCH {
-                        self.parse_batch(&batch, &cuts);
-                        batch.clear();
-                        cuts.clear();
-                    }
-                    if slips::mixed_number(bytes, &batch, token)
-                        && let Some(digits) = batch.pop()
-                    {
-                        (token.kind, token.start) = (Kind::Junk(Shape::MixedNumber), digits.start);
-                    }
-                    cuts.push(batch.len());
-                    has_l = false;
-                }
-                Some(b'%') if self.program_seen || (self.form == Form::Macrocycle && !self.before_blocks(&cuts)) => {
-                    self.second_program_start(token);
-                    continue;
-                }
-                Some(b'%') => self.program_seen = true,
-                _ => {}
-            }
-            has_l |= matches!(bytes.get(token.start as usize), Some(b'L' | b'l'));
-            batch.push(token);
-            if short_way && token.kind == Kind::LineEnd && plain::block_begins(bytes, token.end as usize) {
-                stopped = token.end;
-                break;
-            }
-        }
-        self.parse_batch(&batch, &cuts);
-        (self.batch, self.cuts) = (batch, cuts);
-        stopped
-    }
-
-    fn before_blocks(&self, cuts: &[usize]) -> bool {
-        cuts.is_empty() && self.blocks.is_empty()
-    }
-
-    fn second_program_start(&mut self, token: Token) {
-        let before = self.lowering.text.get(..token.start as usize).sure().trim_end_matches([' ', '\t']);
-        if token.kind == Kind::Word && before.ends_with(['\n', '\r']) && self.second_program.is_none() {
-            self.second_program = Some(token.start);
-        }
-        let place = Location { file: self.lowering.file, span: token.span() };
-        let bare = token.kind == Kind::Letter;
-        let mut diagnostic = Diagnostic::new(Finding::SecondProgramStart { bare }, place);
-        let rest = self.lowering.text.get(token.end as usize..).sure();
-        // Other controls end a file with it.
-        if bare && rest.bytes().take(FEW).all(|byte| byte.is_ascii_whitespace()) && rest.len() < FEW {
-            diagnostic = diagnostic.with_offer(FixTitle::Delete { text: "%".to_owned() }, place, "");
-        }
-        self.lowering.findings.add(diagnostic);
-    }
-
-    /// Parses the blocks of a batch: each begins at a cut. What stands before the first cut of the file is its header.
-    fn parse_batch(&mut self, batch: &[Token], cuts: &[usize]) {
-        let first = cuts.first().copied().unwrap_or(batch.len());
-        if self.first && self.header.is_none() {
-            self.parse_header(batch.get(..first).sure());
-        }
-        let Self { lowering, blocks, .. } = self;
-        blocks.reserve(cuts.len());
-        let ends = cuts.iter().skip(1).copied().chain(std::iter::once(batch.len()));
-        for (&from, to) in cuts.iter().zip(ends) {
-            let first_word = small(lowering.words.len());
-            lowering.block(batch.get(from..to).sure());
-            blocks.push(Block { first_word, flags: lowering.flags });
-        }
-    }
-
-    /// The `%` word, the title, and words that belong to no block (BLK-2).
-    fn parse_header(&mut self, batch: &[Token]) {
-        let mut header = Header::default();
-        let text = self.lowering.text;
-        self.lowering.block(&with_whole_title(batch, text));
-        let file = self.lowering.file;
-        let mut after_program = self.form == Form::Macrocycle;
-        let mut program_end = 0;
-        let words: Vec<Word> = self.lowering.words.drain(..).collect();
-        for word in words {
-            let span = word.span(text);
-            if word.address == Address::Program {
-                header.program = Some(word);
-                after_program = true;
-                program_end = span.end;
-                if self.form == Form::Macrocycle {
-                    self.report(Location { file, span }, Finding::ProgramStartInMacrocycle {});
-                }
-            } else if !word.is_faulty() && after_program {
-                match &mut header.outside {
-                    Some(outside) => outside.more += 1,
-                    None => header.outside = Some(Outside { first: span, more: 0 }),
-                }
-            }
-        }
-        let first = self.lowering.comments.iter().copied().find(|comment| comment.start >= program_end);
-        header.title = first.filter(|comment| !file::comment_text(text.get(comment.range()).sure()).is_empty());
-        self.header = Some(header);
-    }
-
-    fn report(&mut self, at: Location, finding: Finding) {
-        self.lowering.findings.add(Diagnostic::new(finding, at));
-    }
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ pub(super) fn plain_blocks(lowering: &mut Lowering<'_>, blocks: &mut Vec<Block>,
         let first_word = lowering.words.len();
         lowering.flags = BlockFlags::default();
         let plain = plain_block(lowering, bytes, at);
-        // Words that other controls write with such functions are told from ours at the end of a block.
+        // Other controls write other words with such a function: the whole block is looked at.
         let candidate = std::mem::take(&mut lowering.candidate);
         let Some(after) = plain.filter(|_| !candidate) else {
             lowering.words.truncate(first_word);

@@ -7,7 +7,7 @@ use crate::dict::Address;
 use crate::sure::{Sure, small};
 use crate::text::Span;
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, Copy, Debug, Default, Eq, Logos, PartialEq)]
 #[logos(skip r"[ \t]+")]
 pub enum Kind {
@@ -43,7 +43,7 @@ pub enum Kind {
     #[default]
     #[token("*")]
     End,
-    /// What is none of the language, by its shape.
+    /// Anything that is not part of the language, by its shape.
     #[regex(r"[Rr]", |_| Shape::BareR, priority = 5)]
     #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[ \t]*[+\-]l|[Ool])[+\-.,0-9Oo]*", |_| Shape::LooseWord, priority = 20)]
     #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-][+\-]+", |_| Shape::ManySigns, priority = 36)]
@@ -112,7 +112,7 @@ pub enum Shape {
 /// A token and its place.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub struct Token {
-    /// What it is.
+    /// Its kind.
     pub kind: Kind,
     /// First byte.
     pub start: u32,

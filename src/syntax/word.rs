@@ -10,21 +10,21 @@ use crate::text::Span;
 pub struct Word {
     start: u32,
     raw: i32,
-    /// What is said of the value, and from [`LENGTH`] on the length of the word.
+    /// Facts about the value, and from [`LENGTH`] on the length of the word.
     flags: u16,
     /// The address.
     pub address: Address,
     index: u8,
 }
 
-/// What the value of a word is.
+/// The value of a word.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Value {
     /// Nothing: `/`, or a word so malformed that no fix gives it a value.
     None,
     /// A number.
     Number(Decimal),
-    /// What a parameter holds (PAR-2), or its negation.
+    /// The value of a parameter (PAR-2), or its negation.
     Parameter {
         /// Its number.
         index: u8,

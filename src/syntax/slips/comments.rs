@@ -111,7 +111,7 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     Some(unknown(around, Diagnosis::saying(1, found).debris().junk(opening), words))
 }
 
-/// What the words would set is not known.
+/// Leaves the words without values.
 fn unknown(around: &Around<'_>, diagnosis: Diagnosis, words: impl IntoIterator<Item = Token>) -> Diagnosis {
     words.into_iter().fold(diagnosis, |diagnosis, word| match around.address(word) {
         Some(address) if address != Address::N => diagnosis.void(address, word.span()),

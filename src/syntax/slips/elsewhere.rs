@@ -1,4 +1,4 @@
-//! Words and signs as other controls, programs and text processors write them, with what is written here instead.
+//! Words and signs as other controls, programs and text processors write them, and their form on this control.
 
 use super::{Around, Diagnosis, numbers, parameters, value, write};
 use crate::diag::{
@@ -34,10 +34,10 @@ pub(super) fn unknown_address(around: &Around<'_>) -> Option<Diagnosis> {
         next.taken = 1 + usize::from(parameter.is_some());
         last = parameter.or_else(|| next.one(Kind::Junk(Shape::Bracketed))).unwrap_or(first);
     }
-    if last.kind == Kind::Letter {
-        comments = numbers::beyond(&mut next).unwrap_or_default();
-    } else {
-        last = next.operands().pop().unwrap_or(last);
+    match next.operands().pop() {
+        Some(operand) => last = operand,
+        None if last.kind == Kind::Letter => comments = numbers::beyond(&mut next).unwrap_or_default(),
+        None => {}
     }
     let span = first.span().to(last.span());
     let found = around.diagnostic(span, Finding::unknown_address(char::from(around.byte(first.start))));
@@ -220,14 +220,14 @@ pub(super) fn program_start(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(1, found).with(word, span))
 }
 
-/// `G73 N20`: the block number that stands where the `L` of a target belongs.
+/// `G73 N20`: a block number in the place of the target's `L`.
 pub(super) fn jump_target(around: &Around<'_>) -> Option<Diagnosis> {
     let token = around.junk(Shape::JumpTarget)?;
     let (span, number) = (token.span(), around.number(token));
     let g = around.previous().filter(|before| around.address(*before) == Some(Address::G));
     let code = g.and_then(|g| around.number(g).parse().ok()).and_then(GCode::from_number);
     let function = code.unwrap_or(GCode::G73);
-    // A subprogram has a number of its own, which is not that of a block.
+    // The number of a subprogram is not the number of a block.
     let target = function == GCode::G73 && number.parse().is_ok_and(|number: u32| (1..=HIGHEST_L).contains(&number));
     let missing =
         |meant: TargetMeant| around.diagnostic(g.map_or(span, Token::span), Finding::MissingTarget { function, meant });

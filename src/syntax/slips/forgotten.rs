@@ -1,4 +1,4 @@
-//! A number behind a word and a blank: its address was forgotten, or stands behind it, or a blank is inside a number (LEX-3).
+//! A number behind a word and a blank: its address was forgotten or follows it, or a blank is inside a number (LEX-3).
 
 use super::numbers::{self, Broken};
 use super::{Around, Diagnosis, write};
@@ -52,7 +52,7 @@ impl<'t> Split<'t> {
             || (zeros && !digits && !(function && self.text.len() == 2))
     }
 
-    /// Whether the second piece is a number with a point of its own: `45 10.5`, but not `1 000.5`.
+    /// Whether the second piece has its own point: `45 10.5`, but not `1 000.5`.
     fn has_own_point(&self) -> bool {
         self.text.find('.').is_some_and(|digits| !matches!(digits, 0 | 3))
     }
@@ -102,7 +102,7 @@ pub(super) fn exchanged_words(around: &Around<'_>) -> Option<Diagnosis> {
     }))
 }
 
-/// `4Y0`: the address stands behind the first digits of its number. The number that the second piece was taken for goes on with
+/// `4Y0`: the address follows the first digits of its number. The number that the second piece was taken for goes on with
 /// the word before it.
 pub(super) fn exchanged_address(around: &Around<'_>) -> Option<Diagnosis> {
     let split = Split::at(around).filter(|split| !split.apart)?;
@@ -251,7 +251,7 @@ fn uses(around: &Around<'_>, split: &Split<'_>, axis: u8) -> bool {
     )
 }
 
-/// What the second piece would have set, whichever address it lacks.
+/// The addresses that the second piece may have set.
 fn unknown(around: &Around<'_>, split: &Split<'_>, missing: Option<Address>) -> Vec<Address> {
     use Address::{D, F, G, M, N, S, T, X, Y, Z};
     let wanted: &[Address] = match (missing.as_ref(), split.address) {

@@ -42,7 +42,7 @@ pub(super) fn other_cycle(around: &Around<'_>) -> Option<Diagnostic> {
     Some(around.diagnostic(g.span(around.text), Finding::MissingTarget { function, meant }))
 }
 
-/// What is left of an item in the block of a cycle of other controls, whose finding stands at its G word.
+/// The rest of an item in the block of another control's cycle: the finding is at the G word.
 pub(super) fn in_other_cycle(item: Diagnosis, cycle: &Diagnostic) -> Diagnosis {
     let void = |(word, span): (Word, Span)| {
         let bare = Word::bare(word.address, span).faulty();

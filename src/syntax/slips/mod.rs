@@ -1,6 +1,6 @@
-//! What is no well-formed word, and what was meant by it: one diagnosis for each slip, with what stays known of the block.
+//! Explains whatever is not a well-formed word: one diagnosis for each slip, and the words of which something is known.
 //!
-//! Each recogniser is a pure function of the tokens from one place on and of what is around them. The first of the table that
+//! Each recogniser is a pure function of the tokens from one place on and of their surroundings. The first of the table that
 //! matches decides; nothing revises it later.
 
 mod comments;
@@ -29,7 +29,7 @@ use crate::text::{FileId, Location, Span};
 /// A recogniser: a diagnosis of what begins at [`Around::at`], or `None` where that is something else.
 type Recogniser = fn(&Around<'_>) -> Option<Diagnosis>;
 
-/// What may be meant otherwise although it is well formed, because of its surroundings. Of several recognisers that match the
+/// Well-formed words that may mean something else in their surroundings. Of several recognisers that match the
 /// first one counts.
 const AROUND_WORDS: [Recogniser; 8] = [
     functions::called_by_p,
@@ -42,7 +42,7 @@ const AROUND_WORDS: [Recogniser; 8] = [
     forgotten::parameter,
 ];
 
-/// What is no well-formed word, in the same way: what needs most of its surroundings comes first.
+/// The same for whatever is not a well-formed word. Recognisers that look farther around come first.
 const TABLE: [Recogniser; 40] = [
     comments::quoted,
     comments::typographic,
@@ -86,16 +86,16 @@ const TABLE: [Recogniser; 40] = [
     elsewhere::unknown,
 ];
 
-/// What something in a block is taken for.
+/// The explanation of some tokens of a block.
 #[derive(Debug, Default)]
 pub(super) struct Diagnosis {
     /// How many tokens it explains.
     pub(super) tokens: usize,
-    /// What it sets, as far as that is known: a word without a value is poison for its address.
+    /// The words that it sets, as far as they are known: a word without a value is poison for its address.
     pub(super) words: Vec<(Word, Span)>,
     pub(super) comments: Vec<Span>,
     pub(super) found: Option<Diagnostic>,
-    /// Characters that may be part of the words beside them: those are not known either.
+    /// Characters that may be part of the words that they touch: those have no value either.
     pub(super) junk: Option<Span>,
     /// Something in it has no word.
     pub(super) debris: bool,
@@ -147,7 +147,7 @@ impl Diagnosis {
 /// The words of a block beyond this count are not looked at: nobody writes so many.
 const WORDS: usize = 64;
 
-/// What is around a place in a block.
+/// A place in a block, and its surroundings.
 pub(super) struct Around<'t> {
     pub(super) text: &'t str,
     pub(super) file: FileId,
@@ -241,7 +241,7 @@ impl<'t> Around<'t> {
         self.address(token).filter(|_| !other)
     }
 
-    /// What stands behind the letter and its blanks.
+    /// The text behind the letter and its blanks.
     fn number(&self, token: Token) -> &'t str {
         self.slice(token.span()).get(1..).sure().trim_start_matches([' ', '\t'])
     }

@@ -57,7 +57,7 @@ pub(super) fn split_number(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(next.taken, found).with(word.assigning(number), span))
 }
 
-/// `R10-=12`: nothing is computed with `=`, and a sign stands behind it.
+/// `R10-=12`: `=` computes nothing, and a sign follows it.
 pub(super) fn sign_before_equals(around: &Around<'_>) -> Option<Diagnosis> {
     let mut next = around.cursor();
     let target = next.parameter()?;
@@ -140,7 +140,7 @@ pub(super) fn read(around: &Around<'_>) -> Option<Diagnosis> {
     found.map(|found| Diagnosis::saying(next.taken, found).with(known(word), place))
 }
 
-/// A number behind a parameter that stands for one.
+/// A number behind a parameter in its place.
 fn parameter_and_number(around: &Around<'_>, span: Span, operands: &[Token]) -> Diagnostic {
     let computed = operands.iter().any(|operand| b"+-*/([{<".contains(&around.byte(operand.start)));
     if computed { around.malformed(span, NumberMeant::Computed) } else { around.diagnostic(span, split(String::new())) }
@@ -166,7 +166,7 @@ pub(super) fn assigned(around: &Around<'_>) -> Option<Diagnosis> {
     let Some(number) = number else {
         return Some(Diagnosis { found: wrong, ..Diagnosis::of(next.taken) }.void(Address::R, span));
     };
-    // A sign that stands apart splits the number like a blank inside it.
+    // A sign with a blank behind it splits the number like a blank inside it.
     let pieces = if sign.is_some() { [&[first], operands.as_slice()].concat() } else { operands };
     let run = around.slice(sign.unwrap_or(first).span());
     let broken = Broken { address: Address::R, prefix: &format!("R{number}="), run, pieces: &pieces, span };

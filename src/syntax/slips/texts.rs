@@ -80,7 +80,7 @@ fn message(around: &Around<'_>, span: Span) -> Option<crate::diag::Diagnostic> {
     (!inner.contains('"')).then(|| found.with_offers(FixTitle::Comment, edits))
 }
 
-/// What a statement would set: parameters, `FOR R1=1 TO 5`; a call, `CALL L100`; the end.
+/// The words that a statement would set: parameters, `FOR R1=1 TO 5`; a call, `CALL L100`; the end.
 fn set_by_statement(around: &Around<'_>, meant: &TextMeant, span: Span) -> Vec<Word> {
     let text = around.slice(span);
     let target = |(at, _): (usize, &str)| {
@@ -225,7 +225,7 @@ fn has_words(text: &[u8]) -> bool {
         rest = rest.get(start..).sure();
         let letters = rest.iter().take_while(|byte| is_letter(byte)).count();
         let (word, behind) = rest.split_at(letters);
-        // `N30`; `XR1` is an address with a parameter. `skok na N30` speaks of a block.
+        // `N30`; `XR1` is an address with a parameter. `skok na N30` names a block.
         let value = behind.first().is_some_and(u8::is_ascii_digit);
         let ends = behind.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b' ' | b'\t'));
         if value && matches!(word, [b'N' | b'n']) {
