@@ -24,7 +24,8 @@ const UNNUMBERED: usize = 5;
 struct Row {
     speaks_for: Speaks,
     weight: i32,
-    shapes: &'static [&'static str],
+    /// With blanks between them.
+    shapes: &'static str,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -46,7 +47,7 @@ const HEIDENHAIN: Speaks = Speaks::For(3);
 const NAMES: [OtherControl; 4] =
     [OtherControl::Fanuc, OtherControl::LinuxCnc, OtherControl::Sinumerik, OtherControl::Heidenhain];
 
-const fn row(speaks_for: Speaks, weight: i32, shapes: &'static [&'static str]) -> Row {
+const fn row(speaks_for: Speaks, weight: i32, shapes: &'static str) -> Row {
     Row { speaks_for, weight, shapes }
 }
 
@@ -56,73 +57,45 @@ const fn row(speaks_for: Speaks, weight: i32, shapes: &'static [&'static str]) -
 /// for the ends of the line. Block numbers and `/` before the line's words are not looked at, unless the shape begins
 /// with `||`. A shape that begins with `(` or `;` is compared with the line's comments too.
 const ROWS: &[Row] = &[
-    row(FANUC, 2, &["||On|", "||On(|", "||:n|", "||:n(|"]),
-    row(FANUC, 2, &["||<x>|", "||<x>(|"]),
-    row(FANUC, 3, &["|IF[t]GOTO", "|IF[t]THEN", "|WHILE[t]DOd", "#3000=", "#3006=", "DPRNT["]),
-    row(FANUC, 3, &["G65Pddd", "G66Pddd", "M98Pddd"]),
-    row(FANUC, 2, &["G71UvRn|", "G71UvRn.", "G71UvR.", "G72WvRn|", "G72WvRn.", "G72WvR."]),
-    row(FANUC, 2, &["G70PnQn", "G71PnQnU", "G72PnQnU", "G73PnQnU", "G76Pddd", "G75Rn."]),
-    row(
-        FANUC,
-        2,
-        &["G5.1Q", "G05.1Q", "G05Pddd", "G43.4H", "G68.2", "G54.1P", "G12.1|", "G13.1|", "G50.1", "G51.1", "G112|"],
-    ),
-    row(FANUC, 1, &["G28U0|", "G28U0.", "G28U0W", "G28W0|", "G28W0.", "G50S", "G68X", "G51X"]),
-    row(LINUXCNC, 3, &["|OnSUB", "|OnENDSUB", "|OnCALL", "|OnIF[", "|OnWHILE[", "|OnREPEAT[", "|OnDO|", "|O<x>"]),
-    row(LINUXCNC, 3, &["#<x>", "(MSG,", "(DEBUG,", "(PRINT,", "(LOG,", "(LOGOPEN,", "(PROBEOPEN"]),
-    row(
-        LINUXCNC,
-        2,
-        &["G38.d", "G33.1", "G61.1", "G92.1", "G92.2", "G92.3", "G43.1", "G43.2", "G59.d", "G28.1", "G30.1"],
-    ),
-    row(LINUXCNC, 2, &["G5.2", "G5.3", "G64P"]),
-    row(LINUXCNC, 2, &["@v^v", "M66PnLn", "M66En", "M67En", "M68En"]),
-    row(
-        SINUMERIK,
-        3,
-        &["||%_N_", "||%MPFn", "||%SPFn", ";$PATH=", "$P_", "$AA_", "$AC_", "$A_", "$TC_", "$MC_", "$MN_"],
-    ),
-    row(SINUMERIK, 3, &["CYCLEn(", "POCKETn(", "HOLESn(", "SLOTn(", "LONGHOLE(", "WORKPIECE(", "|MCALL"]),
-    row(SINUMERIK, 2, &["MSG(", "SETAL(", "|EXTERNi", "|PROCi", "|RET|"]),
-    row(SINUMERIK, 2, &["|DEFREAL", "|DEFINT", "|DEFBOOL", "|DEFSTRING", "|CASEi", "|UNTILi", "|FORi=vTO"]),
-    row(
-        SINUMERIK,
-        2,
-        &["GOTOFi", "GOTOBi", "|ENDIF|", "|ENDWHILE|", "|ENDFOR|", "|ENDLOOP|", "|LOOP|", "|REPEAT|", "|i:"],
-    ),
-    row(
-        SINUMERIK,
-        2,
-        &["|TRAORI", "|TRAFOOF", "|TRANSMIT", "|TRACYL(", "|ORIWKS", "SUPAG", "|STOPRE", "|SETMS", "|COMPCAD"],
-    ),
-    row(SINUMERIK, 2, &["DIAMON", "DIAM90", "LIMS=", "SPOS=", "SPOS[", "FGROUP(", "|FFWON", "|SOFT", "|BRISK"]),
-    row(SINUMERIK, 2, &["CR=", "RND=v", "CHF=v", "CHR=v", "TURN=v", "AP=", "RP="]),
-    row(SINUMERIK, 2, &["=IC(", "=AC(", "=DC(", "|CIPX", "|CTX", "AR=v"]),
-    row(
-        SINUMERIK,
-        2,
-        &["|TRANSX", "|TRANSY", "|TRANSZ", "|TRANS|", "|ATRANS", "|AROTX", "|AROTY", "|AROTZ", "|ROT|", "|ROTZ"],
-    ),
-    row(SINUMERIK, 1, &["=Rn*", "=Rn+", "=Rn-", "=Rn/", "X=", "Y=", "Z=", "|T=", "G5dd", "G33dZ", "F=R"]),
-    row(HEIDENHAIN, 3, &["|BEGINPGM", "|ENDPGM", "|BLKFORM", "||%xG71*", "||%xG70*", "Nn%xG71*"]),
-    row(
-        HEIDENHAIN,
-        3,
-        &["|TOOLCALL", "|TOOLDEF", "|CYCLDEF", "|CYCLCALL", "|CALLLBL", "|CALLPGM", "|TCHPROBE", "|FNn:"],
-    ),
-    row(HEIDENHAIN, 2, &["|LXv", "|LYv", "|LZv", "|LIXv", "|LIYv", "|LIZv", "|LPPR", "|CCXv", "|CXvYvDR", "|CPIPA"]),
-    row(HEIDENHAIN, 2, &["R0FMAX", "FMAX|", "|LBLn|", "DR+|", "DR-|"]),
-    row(HEIDENHAIN, 2, &["|DnQnPn+", "|DnQnPn-", "|DnPn+"]),
-    row(Speaks::Iso, 2, &["#n", "#[", "X[", "Y[", "Z[", "=["]),
-    row(Speaks::Iso, 2, &["G10L2P", "G10L1P", "G10L20P", "G10L10P", "G10L11P", "G10L12P"]),
-    row(Speaks::Iso, 1, &["G43", "G44H", "G49", "G20", "G21", "G99", "G91G28", "G28G91"]),
-    row(Speaks::Iso, 1, &["(i"]),
-    row(Speaks::Iso, 1, &["||%|"]),
-    row(Speaks::Iso, 1, &["Rn.", "R.n"]),
-    row(Speaks::Any, 1, &[";i"]),
-    row(Speaks::Own, 1, &["||%n|", "||%n\""]),
-    row(Speaks::Own, 2, &["||\"", "v\""]),
-    row(Speaks::Own, 3, &["G79Ln", "G71Ln", "G72Ln", "G73Ln"]),
+    row(FANUC, 2, "||On| ||On(| ||:n| ||:n(|"),
+    row(FANUC, 2, "||<x>| ||<x>(|"),
+    row(FANUC, 3, "|IF[t]GOTO |IF[t]THEN |WHILE[t]DOd #3000= #3006= DPRNT["),
+    row(FANUC, 3, "G65Pddd G66Pddd M98Pddd"),
+    row(FANUC, 2, "G71UvRn| G71UvRn. G71UvR. G72WvRn| G72WvRn. G72WvR."),
+    row(FANUC, 2, "G70PnQn G71PnQnU G72PnQnU G73PnQnU G76Pddd G75Rn."),
+    row(FANUC, 2, "G5.1Q G05.1Q G05Pddd G43.4H G68.2 G54.1P G12.1| G13.1| G50.1 G51.1 G112|"),
+    row(FANUC, 1, "G28U0| G28U0. G28U0W G28W0| G28W0. G50S G68X G51X"),
+    row(LINUXCNC, 3, "|OnSUB |OnENDSUB |OnCALL |OnIF[ |OnWHILE[ |OnREPEAT[ |OnDO| |O<x>"),
+    row(LINUXCNC, 3, "#<x> (MSG, (DEBUG, (PRINT, (LOG, (LOGOPEN, (PROBEOPEN"),
+    row(LINUXCNC, 2, "G38.d G33.1 G61.1 G92.1 G92.2 G92.3 G43.1 G43.2 G59.d G28.1 G30.1"),
+    row(LINUXCNC, 2, "G5.2 G5.3 G64P"),
+    row(LINUXCNC, 2, "@v^v M66PnLn M66En M67En M68En"),
+    row(SINUMERIK, 3, "||%_N_ ||%MPFn ||%SPFn ;$PATH= $P_ $AA_ $AC_ $A_ $TC_ $MC_ $MN_"),
+    row(SINUMERIK, 3, "CYCLEn( POCKETn( HOLESn( SLOTn( LONGHOLE( WORKPIECE( |MCALL"),
+    row(SINUMERIK, 2, "MSG( SETAL( |EXTERNi |PROCi |RET|"),
+    row(SINUMERIK, 2, "|DEFREAL |DEFINT |DEFBOOL |DEFSTRING |CASEi |UNTILi |FORi=vTO"),
+    row(SINUMERIK, 2, "GOTOFi GOTOBi |ENDIF| |ENDWHILE| |ENDFOR| |ENDLOOP| |LOOP| |REPEAT| |i:"),
+    row(SINUMERIK, 2, "|TRAORI |TRAFOOF |TRANSMIT |TRACYL( |ORIWKS SUPAG |STOPRE |SETMS |COMPCAD"),
+    row(SINUMERIK, 2, "DIAMON DIAM90 LIMS= SPOS= SPOS[ FGROUP( |FFWON |SOFT |BRISK"),
+    row(SINUMERIK, 2, "CR= RND=v CHF=v CHR=v TURN=v AP= RP="),
+    row(SINUMERIK, 2, "=IC( =AC( =DC( |CIPX |CTX AR=v"),
+    row(SINUMERIK, 2, "|TRANSX |TRANSY |TRANSZ |TRANS| |ATRANS |AROTX |AROTY |AROTZ |ROT| |ROTZ"),
+    row(SINUMERIK, 1, "=Rn* =Rn+ =Rn- =Rn/ X= Y= Z= |T= G5dd G33dZ F=R"),
+    row(HEIDENHAIN, 3, "|BEGINPGM |ENDPGM |BLKFORM ||%xG71* ||%xG70* Nn%xG71*"),
+    row(HEIDENHAIN, 3, "|TOOLCALL |TOOLDEF |CYCLDEF |CYCLCALL |CALLLBL |CALLPGM |TCHPROBE |FNn:"),
+    row(HEIDENHAIN, 2, "|LXv |LYv |LZv |LIXv |LIYv |LIZv |LPPR |CCXv |CXvYvDR |CPIPA"),
+    row(HEIDENHAIN, 2, "R0FMAX FMAX| |LBLn| DR+| DR-|"),
+    row(HEIDENHAIN, 2, "|DnQnPn+ |DnQnPn- |DnPn+"),
+    row(Speaks::Iso, 2, "#n #[ X[ Y[ Z[ =["),
+    row(Speaks::Iso, 2, "G10L2P G10L1P G10L20P G10L10P G10L11P G10L12P"),
+    row(Speaks::Iso, 1, "G43 G44H G49 G20 G21 G99 G91G28 G28G91"),
+    row(Speaks::Iso, 1, "(i"),
+    row(Speaks::Iso, 1, "||%|"),
+    row(Speaks::Iso, 1, "Rn. R.n"),
+    row(Speaks::Any, 1, ";i"),
+    row(Speaks::Own, 1, "||%n| ||%n\""),
+    row(Speaks::Own, 2, "||\" v\""),
+    row(Speaks::Own, 3, "G79Ln G71Ln G72Ln G73Ln"),
 ];
 
 /// A shape, ready to be looked for.
@@ -140,7 +113,7 @@ static SHAPES: LazyLock<Vec<Shape>> = LazyLock::new(|| {
         text: text.as_bytes(),
         bytes: text.bytes().filter(literal).fold(0, |bytes, byte| bytes | bit(byte)),
     };
-    (0..).zip(ROWS).flat_map(|(at, row)| row.shapes.iter().map(move |text| shape(at, text))).collect()
+    (0..).zip(ROWS).flat_map(|(at, row)| row.shapes.split(' ').map(move |text| shape(at, text))).collect()
 });
 
 const fn bit(byte: u8) -> u128 {

@@ -28,30 +28,13 @@ pub(super) struct Lowering<'t> {
 
 /// The flags that a word of that address sets in its block.
 const fn made_of(address: Address) -> BlockFlags {
+    use Address::{A, B, C, Correction, D, F, G, H, I, J, K, L, M, N, P, Program, Q, R, S, Skip, T, U, V, W, X, Y, Z};
     match address {
-        Address::N => BlockFlags(0),
-        Address::Skip => BlockFlags(BlockFlags::SKIP.0 | BlockFlags::RICH.0),
-        Address::X
-        | Address::Y
-        | Address::Z
-        | Address::A
-        | Address::B
-        | Address::C
-        | Address::U
-        | Address::V
-        | Address::W => BlockFlags::AXES,
-        Address::G | Address::M | Address::L | Address::Q | Address::R | Address::Correction | Address::Program => {
-            BlockFlags(BlockFlags::RICH.0 | BlockFlags::OTHERS.0)
-        }
-        Address::I
-        | Address::J
-        | Address::K
-        | Address::D
-        | Address::F
-        | Address::S
-        | Address::T
-        | Address::H
-        | Address::P => BlockFlags::OTHERS,
+        N => BlockFlags(0),
+        Skip => BlockFlags(BlockFlags::SKIP.0 | BlockFlags::RICH.0),
+        X | Y | Z | A | B | C | U | V | W => BlockFlags::AXES,
+        G | M | L | Q | R | Correction | Program => BlockFlags(BlockFlags::RICH.0 | BlockFlags::OTHERS.0),
+        I | J | K | D | F | S | T | H | P => BlockFlags::OTHERS,
     }
 }
 

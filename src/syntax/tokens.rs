@@ -10,19 +10,29 @@ use crate::text::Span;
 /// The kind of a token.
 #[derive(Clone, Copy, Debug, Default, Eq, Logos, PartialEq)]
 #[logos(skip r"[ \t]+")]
+#[logos(subpattern address = r"[A-QS-Za-qs-z&%]")]
+#[logos(subpattern number = r"[0-9]+\.?[0-9]*|\.[0-9]+")]
+#[logos(subpattern exponent = r"([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+")]
+#[logos(subpattern nan = r"[Nn][Aa][Nn](\([A-Za-z]*\))?")]
+#[logos(subpattern infinite = r"[0-9.]*#(IND|INF|[QS]NAN)[0-9]*|(?&nan)|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?")]
+#[logos(subpattern assigned = r#"[ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*"#)]
+#[logos(subpattern square = r#"\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\]"#)]
+#[logos(subpattern odd = r#"[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+"#)]
+#[logos(subpattern foreign = r#"[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„({]"#)]
+#[logos(subpattern letter = r"[A-Za-zÀ-ž]")]
 pub enum Kind {
     /// An address other than R with a well-formed number: `X-12.5`.
-    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)", priority = 40)]
+    #[regex(r"(?&address)[ \t]*[+\-]?((?&number))", priority = 40)]
     Word,
     /// R and the number of a parameter: `R10`.
     #[regex(r"[Rr][ \t]*[0-9]+", priority = 40)]
     Parameter,
     /// A number without an address.
-    #[regex(r"[+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)", priority = 30)]
+    #[regex(r"[+\-]?((?&number))", priority = 30)]
     Number,
     /// An address other than R without a number, and the sign behind it: `X`, `X-`.
-    #[regex(r"[A-QS-Za-qs-z&%]", priority = 5)]
-    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-]", priority = 35)]
+    #[regex(r"(?&address)", priority = 5)]
+    #[regex(r"(?&address)[ \t]*[+\-]", priority = 35)]
     Letter,
     /// `=`
     #[token("=")]
@@ -45,20 +55,29 @@ pub enum Kind {
     End,
     /// Anything that is not part of the language, by its shape.
     #[regex(r"[Rr]", |_| Shape::BareR, priority = 5)]
-    #[regex(r"[A-QS-Za-qs-z&%]([ \t]*[+\-.,0-9]|[ \t]*[+\-]l|[Ool])[+\-.,0-9Oo]*", |_| Shape::LooseWord, priority = 20)]
-    #[regex(r"[A-QS-Za-qs-z&%][ \t]*[+\-][+\-]+", |_| Shape::ManySigns, priority = 36)]
-    #[regex(r"[A-Za-z&%][ \t]*[+\-]?([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[DGHL-TNdghl-t&%][+\-]?([0-9.]*#(IND|INF|[QS]NAN)[0-9]*|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff]([Ii][Nn][Ii][Tt][Yy])?)|[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])", |_| Shape::PrintedWord, priority = 25)]
+    #[regex(r"(?&address)([ \t]*[+\-.,0-9]|[ \t]*[+\-]l|[Ool])[+\-.,0-9Oo]*", |_| Shape::LooseWord, priority = 20)]
+    #[regex(r"(?&address)[ \t]*[+\-][+\-]+", |_| Shape::ManySigns, priority = 36)]
+    #[regex(r"[A-Za-z&%][ \t]*[+\-]?(?&exponent)", |_| Shape::PrintedWord, priority = 25)]
+    #[regex(r"[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?((?&infinite))", |_| Shape::PrintedWord, priority = 25)]
+    #[regex(r"[DGHL-TNdghl-t&%][+\-]?((?&infinite))", |_| Shape::PrintedWord, priority = 25)]
+    #[regex(r"[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])", |_| Shape::PrintedWord, priority = 25)]
     #[regex(r"[Rr]([ \t]*[0-9]+[.,Oo]|[Ool])[.,0-9Oo]*", |_| Shape::LooseParameter, priority = 20)]
-    #[regex(r"[+\-.,0-9][+\-.,0-9Oo]*|[+\-]?(([0-9]+[.,]?[0-9]*|[.,][0-9]+)[Ee][+\-]?[0-9]+|[Nn][Aa][Nn](\([A-Za-z]*\))?|[Ii][Nn][Ff])", |_| Shape::LooseNumber, priority = 10)]
-    #[regex(r#"[A-QS-Za-qs-z&%][ \t]*[0-9]*[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[ \t]*"[^"\r\n]*"|[^ \t\r\n"*]+)"#, |_| Shape::AssignedWord, priority = 30)]
-    #[regex(r#"([A-QS-Za-qs-zÀ-ž][A-Za-zÀ-ž]+|[Rr][A-NP-Za-km-np-zÀ-ž][A-Za-zÀ-ž]*)[ \t]*=([ \t]*[+\-]*[Rr.,0-9#\[][^ \t\r\n"*]*|[^ \t\r\n"*]+)?"#, |_| Shape::NamedValue, priority = 30)]
-    #[regex(r#"#([0-9]+|<[A-Za-z0-9_]*>|\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\])[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#, |_| Shape::Variable, priority = 30)]
+    #[regex(r"[+\-.,0-9][+\-.,0-9Oo]*", |_| Shape::LooseNumber, priority = 10)]
+    #[regex(r"[+\-]?((?&exponent)|(?&nan)|[Ii][Nn][Ff])", |_| Shape::LooseNumber, priority = 10)]
+    #[regex(r#"(?&address)[ \t]*[0-9]*[ \t]*=((?&assigned)|[ \t]*"[^"\r\n]*"|[^ \t\r\n"*]+)"#, |_| Shape::AssignedWord, priority = 30)]
+    #[regex(r#"[A-QS-Za-qs-zÀ-ž](?&letter)+[ \t]*=((?&assigned)|[^ \t\r\n"*]+)?"#, |_| Shape::NamedValue, priority = 30)]
+    #[regex(r#"[Rr][A-NP-Za-km-np-zÀ-ž](?&letter)*[ \t]*=((?&assigned)|[^ \t\r\n"*]+)?"#, |_| Shape::NamedValue, priority = 30)]
+    #[regex(r#"#([0-9]+|<[A-Za-z0-9_]*>|(?&square))[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#, |_| Shape::Variable, priority = 30)]
     #[regex(r"%[ \t]*(\r\n|\n|\r)[ \t]*[Oo][0-9]+", |_| Shape::ForeignStart, priority = 45)]
     #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", |_| Shape::TypographicComment, priority = 40)]
-    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+[+\-.,=0-9]+|[^ \t\r\nA-Za-z0-9&%"+\-.,=*/“”„(){};'`\[\]]+|[ \t]*\[([^\[\]"\r\n]|\[[^\[\]"\r\n]*\])*\]|\(([^()"\r\n]|\([^()"\r\n]*\))*\))|%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)"#, |_| Shape::GarbledWord, priority = 15)]
-    #[regex(r#"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|(''|,,)[ \t]*[A-Za-zÀ-ž][^'",\r\n]*(''|"|,,)?|`[^`\r\n]*`|(;[ \t]*[A-Za-zÀ-ž0-9=*+\-]|#[ \t]*[A-Za-zÀ-ž]|//[ \t]*[A-Za-zÀ-ž][A-Za-zÀ-ž])[^\r\n]*"#, |_| Shape::ForeignComment, priority = 40, allow_greedy = true)]
-    #[regex(r"[A-Za-zÀ-ž][A-Za-zÀ-ž]+|[Mm]/[Mm][Ii][Nn]", |_| Shape::Text, priority = 8)]
-    #[regex("[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]+([+\\-.,]*[0-9]+[^ \t\r\nA-Za-z0-9&%\"+\\-.,=*/“”„({]*)*", |_| Shape::Unknown, priority = 2)]
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*(?&odd)[+\-.,=0-9]+|(?&odd)|[ \t]*(?&square))"#, |_| Shape::GarbledWord, priority = 15)]
+    #[regex(r#"[A-Za-z&%]\(([^()"\r\n]|\([^()"\r\n]*\))*\)"#, |_| Shape::GarbledWord, priority = 15)]
+    #[regex(r"%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)", |_| Shape::GarbledWord, priority = 16)]
+    #[regex(r"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|`[^`\r\n]*`", |_| Shape::ForeignComment, priority = 40)]
+    #[regex(r#"(''|,,)[ \t]*(?&letter)[^'",\r\n]*(''|"|,,)?"#, |_| Shape::ForeignComment, priority = 40)]
+    #[regex(r"(;[ \t]*[A-Za-zÀ-ž0-9=*+\-]|#[ \t]*(?&letter)|//[ \t]*(?&letter)(?&letter))[^\r\n]*", |_| Shape::ForeignComment, priority = 40, allow_greedy = true)]
+    #[regex(r"(?&letter)(?&letter)+|[Mm]/[Mm][Ii][Nn]", |_| Shape::Text, priority = 8)]
+    #[regex(r"(?&foreign)+([+\-.,]*[0-9]+(?&foreign)*)*", |_| Shape::Unknown, priority = 2)]
     Junk(Shape),
 }
 

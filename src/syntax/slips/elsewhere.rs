@@ -196,8 +196,7 @@ pub(super) fn variable(around: &Around<'_>) -> Option<Diagnosis> {
     let word = value(Address::R, span, &text).filter(|_| !product);
     if let Some((target, word)) = target.zip(word) {
         let written = format!("R{target}={}", text.to_ascii_uppercase());
-        let found = around.characters(span, Meant::Variable { written: shown(&written) });
-        let found = found.with_offer(write(&written), around.place(span), written);
+        let found = around.characters_as(span, written, |written| Meant::Variable { written });
         return Some(Diagnosis::saying(next.taken, found).with(word.assigning(target), span));
     }
     let rest = around.text.get(span.end as usize..).sure();
@@ -280,10 +279,8 @@ pub(super) fn bracketed(around: &Around<'_>) -> Option<Diagnosis> {
         None => Meant::inside(inner),
     };
     let found = around.characters(span, meant);
-    let found = match plain.map(|value| format!("{prefix}{value}")) {
-        Some(written) => found.with_offer(write(&written), around.place(span), written),
-        None => found,
-    };
+    let written = plain.map(|value| format!("{prefix}{value}"));
+    let found = written.into_iter().fold(found, |found, text| found.with_offer(write(&text), around.place(span), text));
     let word = Word::bare(address, span);
     Some(Diagnosis::saying(next.taken, found).with(target.map_or(word, |target| word.assigning(target)), span))
 }
@@ -312,10 +309,7 @@ pub(super) fn program_name(around: &Around<'_>) -> Option<Diagnosis> {
     let written = number.filter(|_| numbers.next().is_none()).map(|digits| format!("%{digits}"));
     let meant = Meant::ProgramName { written: written.clone().unwrap_or_else(|| "%1".to_owned()) };
     let found = around.characters(span, meant);
-    let found = match written {
-        Some(written) => found.with_offer(write(&written), around.place(span), written),
-        None => found,
-    };
+    let found = written.into_iter().fold(found, |found, text| found.with_offer(write(&text), around.place(span), text));
     Some(Diagnosis::saying(1, found).void(Address::Program, span))
 }
 
@@ -337,8 +331,7 @@ pub(super) fn garbled(around: &Around<'_>) -> Option<Diagnosis> {
     };
     let written = format!("{address}{number}");
     let found = if parametric {
-        let found = around.characters(span, Meant::Variable { written: shown(&written) });
-        found.with_offer(write(&written), around.place(span), written)
+        around.characters_as(span, written, |written| Meant::Variable { written })
     } else {
         let found = around.characters(span, Meant::inside(rest).with_word(&written));
         found.with_fix(Certain::Minus, write(&written), around.place(span), written)
@@ -357,8 +350,7 @@ pub(super) fn accented(around: &Around<'_>) -> Option<Diagnosis> {
     let (_, letter) = ACCENTED.chars().zip(PLAIN.chars()).find(|(accented, _)| *accented == upper)?;
     let number = text.get(first.len_utf8()..).filter(|number| Number::parse(number.as_bytes()).is_some())?;
     let written = format!("{letter}{number}");
-    let found = around.characters(span, Meant::Accent { written: written.clone() });
-    let found = found.with_offer(write(&written), around.place(span), written);
+    let found = around.characters_as(span, written, |written| Meant::Accent { written });
     Some(Diagnosis::saying(1, found).void(Address::from_byte(u8::try_from(letter).ok()?)?, span).debris())
 }
 

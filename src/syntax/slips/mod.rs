@@ -28,62 +28,64 @@ use crate::text::{FileId, Location, Span};
 
 /// A recogniser: a diagnosis of what begins at [`Around::at`], or `None` where that is something else.
 type Recogniser = fn(&Around<'_>) -> Option<Diagnosis>;
+/// A recogniser, and a text that it decides.
+type Row = (Recogniser, &'static str);
 
 /// Well-formed words that may mean something else in their surroundings. Of several recognisers that match the
 /// first one counts.
-const AROUND_WORDS: [Recogniser; 8] = [
-    functions::called_by_p,
-    functions::dwell,
-    functions::beside_height,
-    letters::small_l_in_number,
-    letters::letter_for_last_digit,
-    letters::letter_in_function,
-    numbers::divided,
-    forgotten::parameter,
+const AROUND_WORDS: [Row; 8] = [
+    (functions::called_by_p, "G71 P100"),
+    (functions::dwell, "G04 P500"),
+    (functions::beside_height, "G83 Z-5 R2 Q3"),
+    (letters::small_l_in_number, "N13l0"),
+    (letters::letter_for_last_digit, "Y3S"),
+    (letters::letter_in_function, "G7N"),
+    (numbers::divided, "Z-24/2"),
+    (forgotten::parameter, "R10=-12 11=80"),
 ];
 
 /// The same for whatever is not a well-formed word. Recognisers that look farther around come first.
-const TABLE: [Recogniser; 40] = [
-    comments::quoted,
-    comments::typographic,
-    comments::foreign,
-    elsewhere::unknown_address,
-    elsewhere::line,
-    letters::letter_for_digit,
-    forgotten::exchanged_words,
-    forgotten::exchanged_address,
-    forgotten::address,
-    numbers::many_signs,
-    numbers::doubled_letter,
-    numbers::word,
-    elsewhere::bracketed,
-    parameters::without_value,
-    parameters::split_number,
-    parameters::sign_before_equals,
-    parameters::without_number,
-    parameters::read,
-    parameters::assigned,
-    numbers::split_sign,
-    parameters::radius,
-    parameters::several_equals,
-    parameters::odd_value,
-    numbers::valueless,
-    elsewhere::printed,
-    elsewhere::assigned,
-    elsewhere::named,
-    elsewhere::variable,
-    elsewhere::program_start,
-    elsewhere::jump_target,
-    letters::mixed,
-    numbers::without_n,
-    texts::unit,
-    numbers::sign_first,
-    numbers::stray,
-    texts::stray,
-    elsewhere::program_name,
-    elsewhere::garbled,
-    elsewhere::accented,
-    elsewhere::unknown,
+const TABLE: [Row; 40] = [
+    (comments::quoted, "\"text\""),
+    (comments::typographic, "„text“"),
+    (comments::foreign, "(text)"),
+    (elsewhere::unknown_address, "E5"),
+    (elsewhere::line, "L Z+100 R0 FMAX"),
+    (letters::letter_for_digit, "G71 LI00"),
+    (forgotten::exchanged_words, "80X 20Y"),
+    (forgotten::exchanged_address, "X1 4Y0"),
+    (forgotten::address, "X70 40"),
+    (numbers::many_signs, "X--R1"),
+    (numbers::doubled_letter, "TT1"),
+    (numbers::word, "X1,5"),
+    (elsewhere::bracketed, "Z(R11)"),
+    (parameters::without_value, "R10= R11=80"),
+    (parameters::split_number, "R1 0=5"),
+    (parameters::sign_before_equals, "R10-=12"),
+    (parameters::without_number, "XR"),
+    (parameters::read, "X- R10"),
+    (parameters::assigned, "R10=1,5"),
+    (numbers::split_sign, "X-  36.12"),
+    (parameters::radius, "R-5"),
+    (parameters::several_equals, "R10==5"),
+    (parameters::odd_value, "R10=−5"),
+    (numbers::valueless, "X"),
+    (elsewhere::printed, "X1.5E-05"),
+    (elsewhere::assigned, "X=5"),
+    (elsewhere::named, "CR=5"),
+    (elsewhere::variable, "#50=0"),
+    (elsewhere::program_start, "%\nO2107"),
+    (elsewhere::jump_target, "G73 N20"),
+    (letters::mixed, "8N0"),
+    (numbers::without_n, "110 G02"),
+    (texts::unit, "F300mm/min"),
+    (numbers::sign_first, "-X10"),
+    (numbers::stray, "\"c\" 5"),
+    (texts::stray, "KONTURA"),
+    (elsewhere::program_name, "%_N_2107_MPF"),
+    (elsewhere::garbled, "X#1"),
+    (elsewhere::accented, "Ý40"),
+    (elsewhere::unknown, "$"),
 ];
 
 /// The explanation of some tokens of a block.
@@ -188,7 +190,7 @@ impl<'t> Around<'t> {
         if self.token().kind == Kind::LineEnd {
             return Diagnosis::of(1);
         }
-        let first = |table: &[Recogniser]| table.iter().find_map(|recognise| recognise(self));
+        let first = |table: &[Row]| table.iter().find_map(|(recognise, _)| recognise(self));
         let word = || {
             let (word, span, tokens) = grammar::word(self.text, self.tokens, self.at)?;
             Some(Diagnosis { words: vec![(word, span)], ..Diagnosis::of(tokens) })
@@ -262,6 +264,16 @@ impl<'t> Around<'t> {
     /// A finding with an offer to write `text` over all of it.
     fn offering(&self, span: Span, finding: Finding, text: String) -> Diagnostic {
         self.diagnostic(span, finding).with_offer(write(&text), self.place(span), text)
+    }
+
+    /// A malformed number, with an offer to write `text` instead, which the help names too.
+    fn number_as(&self, span: Span, text: String, meant: impl FnOnce(String) -> NumberMeant) -> Diagnostic {
+        self.malformed(span, meant(shown(&text))).with_offer(write(&text), self.place(span), text)
+    }
+
+    /// The same of characters that the control does not know.
+    fn characters_as(&self, span: Span, text: String, meant: impl FnOnce(String) -> Meant) -> Diagnostic {
+        self.characters(span, meant(shown(&text))).with_offer(write(&text), self.place(span), text)
     }
 
     fn malformed(&self, span: Span, meant: NumberMeant) -> Diagnostic {
@@ -394,6 +406,55 @@ impl<'t> Cursor<'t> {
             };
             operands.extend([operator, value]);
             operands.extend(self.numbers());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::tokens::tokens;
+
+    /// The tokens of a block, with the shapes that the splitter gives them by their places.
+    fn block(text: &str) -> Vec<Token> {
+        let mut block: Vec<Token> = Vec::new();
+        for mut token in tokens(text, 0, u32::try_from(text.len()).unwrap()) {
+            if mixed_number(text.as_bytes(), &block, token) {
+                token = Token { kind: Kind::Junk(Shape::MixedNumber), start: block.pop().unwrap().start, ..token };
+            } else if lost_number(text.as_bytes(), &block, token) {
+                token.kind = Kind::Junk(Shape::LostNumber);
+            } else if text.starts_with("G73") && token.start > 0 {
+                token.kind = Kind::Junk(Shape::JumpTarget);
+            }
+            block.push(token);
+        }
+        block
+    }
+
+    /// Each recogniser decides its example: no other one before it matches there.
+    #[test]
+    fn examples() {
+        let around_words = AROUND_WORDS.iter().map(|row| (row, true));
+        for ((recognise, example), first) in around_words.chain(TABLE.iter().map(|row| (row, false))) {
+            // Some are asked for behind a block number only, others never there.
+            let decides = [format!("N10 {example}"), (*example).to_owned()].iter().any(|text| {
+                let tokens = block(text);
+                let mut around =
+                    Around { text, file: FileId(0), tokens: &tokens, at: 0, words: Vec::new(), quotes_off: None };
+                around.words = around.well_formed();
+                while around.at < tokens.len() {
+                    let matches = |(recognise, _): &Row| recognise(&around).is_some();
+                    let row = recognise(&around).is_some();
+                    let table = if first { &AROUND_WORDS[..] } else { &TABLE[..] };
+                    let earlier = table.iter().take_while(|(_, other)| other != example).any(matches);
+                    if row && !earlier && (first || !AROUND_WORDS.iter().any(matches)) {
+                        return true;
+                    }
+                    around.at += around.item().tokens.max(1);
+                }
+                false
+            });
+            assert!(decides, "{example}");
         }
     }
 }

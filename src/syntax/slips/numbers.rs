@@ -34,8 +34,7 @@ pub(super) fn doubled_letter(around: &Around<'_>) -> Option<Diagnosis> {
         return Some(Diagnosis::saying(next.taken, around.malformed(span, NumberMeant::Form)).void(address, span));
     };
     let written = run.to_ascii_uppercase();
-    let meant = NumberMeant::LetterTwice { written: shown(&written) };
-    let found = around.malformed(span, meant).with_offer(write(&written), around.place(span), written);
+    let found = around.number_as(span, written, |written| NumberMeant::LetterTwice { written });
     Some(Diagnosis::saying(next.taken, found).with(Word::with_number(address, span, number), span))
 }
 
@@ -306,8 +305,7 @@ pub(super) fn sign_first(around: &Around<'_>) -> Option<Diagnosis> {
         return Some(Diagnosis::saying(2, around.malformed(span, NumberMeant::Form)).void(address, span));
     };
     let written = format!("{address}{signed}");
-    let meant = NumberMeant::SignBehind { written: shown(&written) };
-    let found = around.malformed(span, meant).with_offer(write(&written), around.place(span), written);
+    let found = around.number_as(span, written, |written| NumberMeant::SignBehind { written });
     Some(Diagnosis::saying(2, found).with(Word::with_number(address, span, value), span))
 }
 

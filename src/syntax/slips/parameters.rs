@@ -71,10 +71,7 @@ pub(super) fn sign_before_equals(around: &Around<'_>) -> Option<Diagnosis> {
     let plain = value(Address::R, span, &text).filter(|_| !text.starts_with(['+', '-']));
     let written = number.zip(plain).map(|(number, _)| format!("R{number}={}{text}", around.slice(sign.span())));
     let found = wrong.unwrap_or_else(|| match written {
-        Some(written) => {
-            let meant = NumberMeant::SignBeforeEquals { written: shown(&written) };
-            around.malformed(span, meant).with_offer(write(&written), around.place(span), written)
-        }
+        Some(written) => around.number_as(span, written, |written| NumberMeant::SignBeforeEquals { written }),
         None => around.malformed(span, NumberMeant::Computed),
     });
     Some(Diagnosis::saying(next.taken, found).unknown_target(number, span))
