@@ -16,7 +16,7 @@ pub(super) const PARAMETERS: u8 = 96;
 /// is malformed, or when something follows that may belong to it.
 pub(super) fn word(text: &str, tokens: &[Token], at: usize) -> Option<(Word, Span, usize)> {
     let mut next = Cursor::new(tokens, at);
-    let first = next.when(|kind| matches!(kind, Kind::Word | Kind::Letter | Kind::Parameter | Kind::Skip))?;
+    let first = next.when(|_| true)?;
     let byte = |at: u32| text.as_bytes().get(at as usize).copied().unwrap_or(0);
     let parameter = |token: Token| parameter_number(number(text, token));
     let glued = at.checked_sub(1).and_then(|before| tokens.get(before)).filter(|before| before.end == first.start);
@@ -46,7 +46,7 @@ pub(super) fn word(text: &str, tokens: &[Token], at: usize) -> Option<(Word, Spa
             let span = first.span().to(source.span());
             (Word::with_parameter(address, span, parameter(source)?, sign), span)
         }
-        _ => {
+        Kind::Parameter => {
             let target = parameter(first)?;
             let equals = next.one(Kind::Equals);
             let sign = equals.and_then(|_| next.one(Kind::Sign));
@@ -61,6 +61,9 @@ pub(super) fn word(text: &str, tokens: &[Token], at: usize) -> Option<(Word, Spa
                 None => Word::with_number(Address::R, span, Number::parse(slice(text, value).as_bytes())?),
             };
             (word.assigning(target), span)
+        }
+        Kind::Number | Kind::Equals | Kind::Sign | Kind::Comment | Kind::LineEnd | Kind::End | Kind::Junk(_) => {
+            return None;
         }
     };
     let tokens = next.taken;

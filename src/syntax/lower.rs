@@ -75,18 +75,16 @@ impl<'t> Lowering<'t> {
         let mut at = 0;
         while let Some(token) = tokens.get(at) {
             let bytes = self.text.as_bytes();
-            match token.kind {
-                Kind::LineEnd => at += 1,
-                Kind::Comment if token.end - token.start > 1 && bytes.get(token.end as usize - 1) == Some(&b'"') => {
-                    self.comments.push(token.span());
-                    at += 1;
-                }
-                _ => {
-                    let Some((word, span, count)) = grammar::word(self.text, tokens, at) else { return false };
-                    self.push(word, span);
-                    at += count;
-                }
+            let closed = token.end - token.start > 1 && bytes.get(token.end as usize - 1) == Some(&b'"');
+            if token.kind == Kind::Comment && closed {
+                self.comments.push(token.span());
+            } else if token.kind != Kind::LineEnd {
+                let Some((word, span, count)) = grammar::word(self.text, tokens, at) else { return false };
+                self.push(word, span);
+                at += count;
+                continue;
             }
+            at += 1;
         }
         true
     }

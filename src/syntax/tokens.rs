@@ -224,14 +224,19 @@ const BRACKETED: usize = 200;
 impl Tokens<'_> {
     #[inline]
     fn note(&mut self, token: Token) {
-        self.in_value = match token.kind {
-            Kind::Parameter => true,
-            Kind::Junk(Shape::LooseParameter | Shape::AssignedWord | Shape::Variable) => true,
-            Kind::Equals | Kind::Sign | Kind::Number => self.in_value,
-            // Text may be the name of a function: `R1=SIN(30)`.
-            Kind::Junk(Shape::LooseNumber | Shape::Operator | Shape::Bracketed | Shape::Text) => self.in_value,
-            _ => false,
-        };
+        let begins = matches!(
+            token.kind,
+            Kind::Parameter | Kind::Junk(Shape::LooseParameter | Shape::AssignedWord | Shape::Variable)
+        );
+        // Text may be the name of a function: `R1=SIN(30)`.
+        let goes_on = matches!(
+            token.kind,
+            Kind::Equals
+                | Kind::Sign
+                | Kind::Number
+                | Kind::Junk(Shape::LooseNumber | Shape::Operator | Shape::Bracketed | Shape::Text)
+        );
+        self.in_value = begins || goes_on && self.in_value;
         self.last = Some(token);
     }
 

@@ -336,7 +336,7 @@ fn no_paths_of_one_machine() {
 /// A counted repetition multiplies the states of the lexer: with three of them an optimizing build did not end.
 #[test]
 fn the_lexer_counts_no_repetitions() {
-    let lexer = fs::read_to_string(root().join("src/syntax/token.rs")).unwrap();
+    let lexer = fs::read_to_string(root().join("src/syntax/tokens.rs")).unwrap();
     let counted =
         lexer.match_indices('{').filter(|(at, _)| lexer[at + 1..].starts_with(|next: char| next.is_ascii_digit()));
     assert_eq!(counted.map(|(at, _)| &lexer[at..at + 8]).collect::<Vec<_>>(), Vec::<&str>::new());

@@ -81,7 +81,7 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     let edit = |from: u32, to: u32, text: &str| Edit { at: around.place(Span::new(from, to)), text: text.to_owned() };
     let quotes = || vec![edit(span.start, inside.start, "\""), edit(inside.end, span.end, "\"")];
     let comment = || around.characters(span, Meant::Comment);
-    let Some(words) = words else {
+    let Some(words) = words.filter(|_| !kept.is_empty()) else {
         return Some(
             Diagnosis::saying(
                 1,

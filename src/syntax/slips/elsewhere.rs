@@ -125,7 +125,7 @@ pub(super) fn assigned(around: &Around<'_>) -> Option<Diagnosis> {
     let upper = text.to_ascii_uppercase();
     let digits = name.get(1..).sure().trim_matches([' ', '\t']);
     let numbered = matches!(address, Address::N | Address::Program);
-    let word = value(address, span, text).filter(|word| !product && !(numbered && word.is_parametric()));
+    let word = value(address, span, text).filter(|word| !(product || numbered && word.is_parametric()));
     // `S1=1200`, `M1=3`: of one spindle among several.
     let of_spindle = matches!(address, Address::S | Address::M) && !digits.is_empty();
     let word = word.filter(|word| digits.is_empty() || of_spindle && !word.is_parametric());

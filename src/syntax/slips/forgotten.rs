@@ -151,14 +151,17 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
     let written = missing.map(|address| format!("{address}{}", split.text)).unwrap_or_default();
     let (loose, shown_written) = (shown(split.text), shown(&written));
     let base_found = base.found.clone()?;
-    let finding = match base_found.finding {
-        Finding::SplitNumber { joined, .. } if missing.is_some() || !dimensional => {
-            Finding::SplitNumber { joined, loose, written: shown_written }
-        }
-        Finding::MalformedNumber { text, .. } if missing.is_some() => {
-            Finding::MalformedNumber { text, meant: NumberMeant::AddressMissing { loose, written: shown_written } }
-        }
-        finding => finding,
+    let finding = if let Finding::SplitNumber { joined, .. } = &base_found.finding
+        && (missing.is_some() || !dimensional)
+    {
+        Finding::SplitNumber { joined: joined.clone(), loose, written: shown_written }
+    } else if let Finding::MalformedNumber { text, .. } = &base_found.finding
+        && missing.is_some()
+    {
+        let meant = NumberMeant::AddressMissing { loose, written: shown_written };
+        Finding::MalformedNumber { text: text.clone(), meant }
+    } else {
+        base_found.finding.clone()
     };
     // Joining is less likely than what is missing: `X7040` for `X70 40` would be a wrong move.
     let fixes = if missing.is_some() {
@@ -237,7 +240,24 @@ fn missing(around: &Around<'_>, split: &Split<'_>) -> Option<Address> {
         Address::X | Address::Y | Address::Z | Address::J => {
             wanted(working && plain && split.text.len() > 1 && !has(Address::F), Address::F)
         }
-        _ => None,
+        Address::A
+        | Address::B
+        | Address::C
+        | Address::U
+        | Address::V
+        | Address::W
+        | Address::I
+        | Address::K
+        | Address::F
+        | Address::S
+        | Address::T
+        | Address::H
+        | Address::P
+        | Address::Q
+        | Address::R
+        | Address::Correction
+        | Address::Skip
+        | Address::Program => None,
     }
 }
 

@@ -129,9 +129,10 @@ pub(super) fn radius(around: &Around<'_>, diagnosis: Diagnosis) -> Diagnosis {
         return Diagnosis { found: None, ..diagnosis };
     }
     if around.tokens.last().is_some_and(|last| arc_in_force(around.text, last.end)) {
-        let finding = match found.finding {
-            Finding::MissingValue { address, .. } => Finding::MissingValue { address, meant: ValueMeant::Radius },
-            _ => Finding::MalformedNumber { text: shown(around.slice(span)), meant: NumberMeant::Radius },
+        let finding = if let Finding::MissingValue { address, .. } = found.finding {
+            Finding::MissingValue { address, meant: ValueMeant::Radius }
+        } else {
+            Finding::MalformedNumber { text: shown(around.slice(span)), meant: NumberMeant::Radius }
         };
         let diagnosis = Diagnosis { found: Some(around.diagnostic(span, finding)), ..diagnosis };
         // The centre was given, in a way that is none here.
@@ -139,10 +140,8 @@ pub(super) fn radius(around: &Around<'_>, diagnosis: Diagnosis) -> Diagnosis {
         return if centred { diagnosis } else { diagnosis.void(Address::I, span) };
     }
     let Some(cycle) = around.functions().find(|code| code.is_cycle()) else { return diagnosis };
-    let address = match found.finding {
-        Finding::MissingValue { address, .. } => address,
-        _ => shown(around.slice(span)),
-    };
+    let missing = if let Finding::MissingValue { address, .. } = found.finding { Some(address) } else { None };
+    let address = missing.unwrap_or_else(|| shown(around.slice(span)));
     let finding = Finding::MissingValue { address, meant: ValueMeant::Height { cycle } };
     Diagnosis { found: Some(around.diagnostic(span, finding)), ..diagnosis }
 }

@@ -291,21 +291,27 @@ impl<'t> Around<'t> {
         while let Some(token) = self.tokens.get(at).filter(|_| words.len() < WORDS) {
             let word = grammar::word(self.text, self.tokens, at);
             at += word.map_or(1, |(_, _, tokens)| tokens);
-            let odd = || match token.kind {
-                Kind::Word | Kind::Letter | Kind::Parameter => self.address(*token),
-                Kind::Junk(Shape::LostNumber | Shape::MixedNumber) => Some(Address::N),
-                Kind::Junk(Shape::JumpTarget) => Some(Address::L),
-                Kind::Junk(
-                    Shape::BareR
-                    | Shape::LooseWord
-                    | Shape::ManySigns
-                    | Shape::PrintedWord
-                    | Shape::LooseParameter
-                    | Shape::AssignedWord
-                    | Shape::GarbledWord,
-                ) => self.address(*token),
-                _ => None,
+            let in_place = if matches!(token.kind, Kind::Junk(Shape::LostNumber | Shape::MixedNumber)) {
+                Some(Address::N)
+            } else {
+                (token.kind == Kind::Junk(Shape::JumpTarget)).then_some(Address::L)
             };
+            let wordlike = matches!(
+                token.kind,
+                Kind::Word
+                    | Kind::Letter
+                    | Kind::Parameter
+                    | Kind::Junk(
+                        Shape::BareR
+                            | Shape::LooseWord
+                            | Shape::ManySigns
+                            | Shape::PrintedWord
+                            | Shape::LooseParameter
+                            | Shape::AssignedWord
+                            | Shape::GarbledWord
+                    )
+            );
+            let odd = || in_place.or_else(|| self.address(*token).filter(|_| wordlike));
             words.extend(word.map(|(word, _, _)| word).or_else(|| Some(Word::bare(odd()?, token.span()).faulty())));
         }
         words
