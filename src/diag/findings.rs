@@ -2,14 +2,14 @@
 
 use std::collections::{BTreeMap, HashSet};
 
-use super::{Code, Diagnostic, Fix, Levels, Severity};
+use super::{Code, Diagnostic, Finding, Fix, Levels, Severity, Unmodelled};
 use crate::text::{FileId, LineIndex, Location};
 
 /// How many findings of each code are kept for each file; the rest is counted.
 pub const LIMIT_PER_CODE: usize = 10_000;
 
-/// Collects findings at the levels of the run: each code once at a place, a bounded number of each code and file, the rest
-/// counted. What is allowed is not a finding.
+/// Collects findings at the levels of the run: each code once at a place, a bounded number of each code and file, the
+/// rest counted. What is allowed is not a finding.
 #[derive(Clone, Debug, Default)]
 pub struct Findings {
     levels: Levels,
@@ -20,6 +20,8 @@ pub struct Findings {
     errors: usize,
     /// The errors of which [`Levels::is_fault`] holds.
     faults: usize,
+    /// So many of those kept have been asked for what can be offered.
+    asked: usize,
 }
 
 /// How many findings of one code are in one file.
@@ -51,7 +53,8 @@ impl Findings {
         self.append(before);
     }
 
-    /// Adds a finding, unless it is allowed, or the same code was found at the same place (a subprogram executed many times).
+    /// Adds a finding, unless it is allowed, or the same code was found at the same place (a subprogram executed many
+    /// times).
     pub fn add(&mut self, diagnostic: Diagnostic) {
         let code = diagnostic.code();
         if self.levels.of(code).is_none() {
@@ -81,16 +84,18 @@ impl Findings {
         }
     }
 
-    /// Keeps those of which `keep` holds, as it leaves them; what is beyond the limit stays counted.
-    pub fn revise(&mut self, mut keep: impl FnMut(&mut Diagnostic) -> bool) {
-        let before = std::mem::replace(self, Self::with_levels(self.levels));
-        let beyond: Vec<_> = before.beyond().collect();
-        for mut item in before.items {
-            if keep(&mut item) {
-                self.add(item);
-            }
+    /// Adds a macrocycle that only the machine has, at a call of it: one finding names all of a program (FLW-12).
+    pub fn add_of_machine(&mut self, l: u32, call: Diagnostic) {
+        let known = self.items.iter_mut().find_map(|found| {
+            let Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(numbers) } = &mut found.finding else {
+                return None;
+            };
+            Some(numbers)
+        });
+        match known {
+            Some(numbers) => _ = numbers.insert(l),
+            None => self.add(call),
         }
-        beyond.into_iter().for_each(|(key, count)| self.add_beyond(key, count));
     }
 
     fn add_beyond(&mut self, key: (FileId, Code), beyond: usize) {
@@ -109,22 +114,21 @@ impl Findings {
         }
     }
 
-    /// Keeps, of each line of a file, the first error, or the first warning when there is no error. What is beyond the limit
-    /// is counted as if it were one a line, errors first.
-    pub fn keep_one_a_line(&mut self, file: FileId, lines: &LineIndex) {
-        let before = std::mem::replace(self, Self::with_levels(self.levels));
-        let severity = |code: Code| before.levels.of(code).unwrap_or(Severity::Warning);
+    /// Adds those of another collection, of each line of a file only the first error, or the first warning when it has no
+    /// error. Those beyond the limit are counted as if they were one a line, errors first.
+    pub fn append_one_a_line(&mut self, other: Self, file: FileId, lines: &LineIndex) {
+        let severity = |code: Code| other.levels.of(code).unwrap_or(Severity::Warning);
         let mut first: BTreeMap<usize, (Severity, Location, Code)> = BTreeMap::new();
-        for item in before.items.iter().filter(|item| item.at.file == file) {
+        for item in other.items.iter().filter(|item| item.at.file == file) {
             let key = (severity(item.code()), item.at, item.code());
             let kept = first.entry(lines.line_at(item.at.span.start)).or_insert(key);
             *kept = key.min(*kept);
         }
         let mut room = lines.count().saturating_sub(first.len());
         let kept: HashSet<(Code, Location)> = first.into_values().map(|(_, at, code)| (code, at)).collect();
-        let mut beyond: Vec<_> = before.counts.iter().map(|(key, count)| (*key, count.beyond)).collect();
+        let mut beyond: Vec<_> = other.counts.iter().map(|(key, count)| (*key, count.beyond)).collect();
         beyond.sort_by_key(|((found_in, code), _)| (severity(*code), *found_in, *code));
-        for item in before.items {
+        for item in other.items {
             if item.at.file != file || kept.contains(&(item.code(), item.at)) {
                 self.add(item);
             }
@@ -148,8 +152,8 @@ impl Findings {
         self.errors
     }
 
-    /// How many are errors in this run and unless configured: a warning that is denied is an error that keeps nothing from
-    /// being executed.
+    /// How many are errors in this run and unless configured: a warning that is denied is an error that keeps nothing
+    /// from being executed.
     pub const fn fault_count(&self) -> usize {
         self.faults
     }
@@ -169,11 +173,12 @@ impl Findings {
         &self.items
     }
 
-    /// Adds to those that have no fix yet, at most so many, the changes that `make` offers.
+    /// Adds the changes that `make` offers to the findings that have no fix, at most so many; each finding is asked
+    /// once.
     pub fn offer(&mut self, most: usize, mut make: impl FnMut(&Diagnostic) -> Vec<Fix>) {
-        for diagnostic in self.items.iter_mut().filter(|diagnostic| diagnostic.fixes.is_empty()).take(most) {
-            diagnostic.fixes = make(diagnostic);
-        }
+        let from = std::mem::replace(&mut self.asked, self.items.len());
+        let new = self.items.iter_mut().skip(from).filter(|diagnostic| diagnostic.fixes.is_empty());
+        new.take(most).for_each(|diagnostic| diagnostic.fixes = make(diagnostic));
     }
 
     /// Whether a finding of that code is among them.
@@ -233,7 +238,8 @@ mod tests {
         findings.add(Diagnostic::new(Finding::EndOutsideSubprogram { finishing: false }, at(14)));
         findings.add_beyond((FileId(0), Code::E0203), 1000);
         findings.add_beyond((FileId(1), Code::W0214), 7);
-        findings.keep_one_a_line(FileId(0), &lines);
+        let found = std::mem::take(&mut findings);
+        findings.append_one_a_line(found, FileId(0), &lines);
         let beyond: Vec<_> = findings.beyond().collect();
         let expected = [((FileId(0), Code::E0203), 1), ((FileId(1), Code::W0214), 7)];
         assert_eq!((findings.error_count(), &beyond[..]), (3, &expected[..]), "the third line may have one");
@@ -250,7 +256,8 @@ mod tests {
         let mut findings = Findings::with_levels(warn);
         findings.add(long_line(1));
         findings.add(Diagnostic::new(Finding::EndOutsideSubprogram { finishing: false }, empty_block(8).at));
-        findings.keep_one_a_line(FileId(0), &lines);
+        let found = std::mem::replace(&mut findings, Findings::with_levels(warn));
+        findings.append_one_a_line(found, FileId(0), &lines);
         assert!(findings.has_errors());
         let codes: Vec<Code> = findings.items().iter().map(Diagnostic::code).collect();
         assert_eq!(codes, [Code::E0212]);

@@ -26,25 +26,26 @@ impl Origin {
         Self { source, place: parsed.at(place), from: if readable { parsed.start } else { first } }
     }
 
-    /// When there are errors in the file, and its text is for another control: says so, and keeps of each line one finding.
-    pub(super) fn point_out(self, settings: &Settings, findings: &mut Findings) {
+    /// Gives the findings of the program. When there are errors in the file, and its text is for another control, says so,
+    /// and gives one finding of each line.
+    pub(super) fn give(self, settings: &Settings, found: Findings, findings: &mut Findings) {
         let file = self.place.file;
-        // Text after `*` counts too: `*` ends blocks elsewhere. A program number written as elsewhere is one slip, with a fix.
-        let telling = |code| findings.levels().is_fault(code) || code == Code::W0110;
+        // Text after `*` counts too: `*` ends blocks elsewhere. A program number written as elsewhere is one slip, with
+        // a fix.
+        let telling = |code| found.levels().is_fault(code) || code == Code::W0110;
         let slip = |finding: &Finding| matches!(finding, Finding::MissingValue { address, .. } if address == "%");
         let tells = |item: &Diagnostic| item.at.file == file && telling(item.code()) && !slip(&item.finding);
-        let wrong = findings.items().iter().any(tells);
-        if !wrong || settings.severity(Code::W0113).is_none() {
-            return;
-        }
-        let Some(found) = foreign(self.source.text(), self.from) else { return };
-        findings.keep_one_a_line(file, self.source.lines());
-        let finding = Finding::OtherControlProgram { control: found.control };
+        let wrong = found.items().iter().any(tells) && settings.severity(Code::W0113).is_some();
+        let Some(foreign) = wrong.then(|| foreign(self.source.text(), self.from)).flatten() else {
+            return findings.append(found);
+        };
+        findings.append_one_a_line(found, file, self.source.lines());
+        let finding = Finding::OtherControlProgram { control: foreign.control };
         let mut diagnostic = Diagnostic::new(finding, self.place);
-        if !found.line.range().contains(&(self.place.span.start as usize)) {
+        if !foreign.line.range().contains(&(self.place.span.start as usize)) {
             diagnostic = diagnostic.with_label(
-                Location { file, span: found.line },
-                LabelText::ShowsIt { text: shown(self.source.slice(found.line)) },
+                Location { file, span: foreign.line },
+                LabelText::ShowsIt { text: shown(self.source.slice(foreign.line)) },
             );
         }
         findings.add(diagnostic);

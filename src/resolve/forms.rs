@@ -17,7 +17,7 @@ pub enum FormFault {
     Range(String),
 }
 
-/// The last function that says the unit of F before a block, in the order of the text, and its word.
+/// The last function before a block that gives the unit of F, in the order of the text, and its word.
 pub fn feed_mode_before(file: &ParsedFile, block: BlockId) -> Option<(GCode, Word)> {
     /// So many blocks are looked at.
     const BLOCKS: u32 = 1 << 10;
@@ -26,7 +26,7 @@ pub fn feed_mode_before(file: &ParsedFile, block: BlockId) -> Option<(GCode, Wor
     blocks.find_map(|block| file.words(block).iter().rev().find_map(of_group))
 }
 
-/// The diagnostic with a label at the function that says the unit of F, when that stands in a block before.
+/// Adds a label at the function that gives the unit of F, when a block before has it.
 pub fn with_feed_mode(diagnostic: Diagnostic, file: &ParsedFile, before: Option<(GCode, Word)>) -> Diagnostic {
     match before {
         Some((mode, word)) => {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::structure::Context;
+use super::load::Context;
 use super::{Points, Resolved, Unit, UnitId, UnitKind};
 use crate::diag::{Diagnostic, Finding, Findings};
 use crate::sure::small;
@@ -50,7 +50,7 @@ impl Context<'_, '_> {
         let file = FileId(small(resolved.files.len()));
         let id = resolved.add_unit(Unit { kind: UnitKind::Macrocycle(l), file, first, end: first, entry });
         resolved.macrocycles.insert(l, id);
-        resolved.add_file(parsed, Vec::new(), Points::default());
+        resolved.add_file(parsed, None, Vec::new(), Points::default());
         id
     }
 }

@@ -5,7 +5,7 @@ use crate::dict::HIGHEST_L;
 use crate::sure::Sure;
 use crate::syntax::{BlockId, ParsedFile};
 
-/// What the numbers of a file's blocks lead to.
+/// The numbers of a file's blocks.
 pub(super) struct Numbered {
     /// Numbers that stand twice.
     pub(super) findings: Findings,

@@ -4,7 +4,7 @@ use crate::config::Axes;
 use crate::diag::{Finding, PlaneFault};
 use crate::dict::{GCode, Plane, PlaneAxis};
 
-/// What is wrong with choosing a plane by `function`, when the machine lacks one of its axes.
+/// The fault of choosing a plane by `function`, when the machine lacks one of its axes.
 pub fn missing_axis(axes: &Axes, function: GCode) -> Option<Finding> {
     let plane = Plane::of(function)?;
     let missing = plane.axes.into_iter().find(|axis| !exists(axes, *axis))?;

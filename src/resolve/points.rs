@@ -1,6 +1,6 @@
-//! What is known of the points of a file together: its blocks of axis words and no others, nearly all of a long program.
+//! Facts about the points of a file together: its blocks with axis words only, nearly all of a long program.
 
-use super::letters::bit;
+use super::axis_letters::bit;
 use crate::dict::Address;
 
 /// The points of a file.
@@ -8,7 +8,7 @@ use crate::dict::Address;
 pub struct Points {
     /// The addresses of their words, a bit for each.
     addresses: u32,
-    /// Something is wrong with a word of one: its axis, its value, or that it stands there twice.
+    /// A word of one has the wrong axis or value, or is written twice.
     faulty: bool,
 }
 
@@ -24,7 +24,8 @@ impl Points {
         self.add(other.addresses, !other.faulty);
     }
 
-    /// Whether each of their words has an axis of the machine and a value in its range, and none stands twice in a block.
+    /// Whether each of their words has an axis of the machine and a value in its range, and none stands twice in a
+    /// block.
     pub const fn are_right(self) -> bool {
         !self.faulty
     }

@@ -3,11 +3,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, OnceLock};
 
-use super::cut::CutOff;
-use super::letters::Letters;
-use super::meant::may_have_block;
+use super::axis_letters::AxisLetters;
+use super::holes::may_have_block;
 use super::points::Points;
 use super::spelling;
+use super::star::Star;
 use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile};
 use crate::text::{FileId, Location};
@@ -16,7 +16,7 @@ use crate::text::{FileId, Location};
 #[derive(Clone, Copy, Debug, Default, Eq, Hash, Ord, PartialEq, PartialOrd)]
 pub struct UnitId(pub u32);
 
-/// What a unit is.
+/// The kind of a unit.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum UnitKind {
     /// The main program.
@@ -30,7 +30,7 @@ pub enum UnitKind {
 /// A program unit: consecutive blocks of one file that jumps do not leave.
 #[derive(Clone, Copy, Debug)]
 pub struct Unit {
-    /// What it is.
+    /// The kind.
     pub kind: UnitKind,
     /// In which file.
     pub file: FileId,
@@ -67,7 +67,7 @@ pub enum Target {
     Block(BlockId),
 }
 
-/// One file with what was found out of it.
+/// One file with its targets and numbers.
 #[derive(Debug)]
 pub(super) struct ResolvedFile {
     pub(super) parsed: ParsedFile,
@@ -76,6 +76,8 @@ pub(super) struct ResolvedFile {
     /// The first block of each number that a jump can reach (FLW-5: L has four digits), by number.
     pub(super) numbered: Vec<(u32, BlockId)>,
     pub(super) points: Points,
+    /// The `*` that ends it.
+    pub(super) star: Option<Star>,
     /// The blocks whose numbers cannot be read; looked up when a target is missing.
     unread: OnceLock<Vec<BlockId>>,
 }
@@ -88,8 +90,8 @@ impl ResolvedFile {
     }
 }
 
-/// A program or macrocycle with everything that its written calls lead to. Its files have the ids that they have among the
-/// sources of the run. A copy shares the files.
+/// A program or macrocycle with everything that its written calls lead to. Its files have the ids that they have among
+/// the sources of the run. A copy shares the files.
 #[derive(Clone, Debug, Default)]
 pub struct Resolved {
     /// Shared between copies; the targets of a file are set while it has one owner, before its program is resolved.
@@ -103,9 +105,11 @@ pub struct Resolved {
     /// Codes of operations that are not configured and have been reported (PAR-9).
     pub(super) unknown_operations: BTreeSet<i64>,
     /// The axis letters used, when the configuration does not list any (ADR-4).
-    pub(super) letters: Letters,
-    /// The `*` that cuts off the end of the program, and where that is said.
-    pub(super) cut_off: Option<CutOff>,
+    pub(super) letters: AxisLetters,
+    /// A `*` cuts off the end of a unit.
+    pub(super) cut_off: bool,
+    /// Files with a finding that names the text after their `*`: a unit or block that is missing there has none.
+    pub(super) told_of_star: BTreeSet<FileId>,
     /// How many units have had their calls followed.
     pub(super) followed: usize,
     /// How many files written calls lead to; those behind are loaded by parameters and the cycle map.
@@ -132,7 +136,7 @@ impl Resolved {
         self.files.iter().take(self.written_files).map(|file| &file.parsed)
     }
 
-    /// What is known of the points of a file.
+    /// The facts about the points of a file.
     pub fn points(&self, index: FileId) -> Option<Points> {
         self.files.get(index.0 as usize).map(|file| file.points)
     }
@@ -163,14 +167,31 @@ impl Resolved {
         &self.unknown_operations
     }
 
-    /// Whether a `*` cuts off the end of a unit: what stands behind it is not executed.
+    /// Whether a `*` cuts off the end of a unit: the blocks behind it are not executed.
     pub const fn is_cut_off(&self) -> bool {
-        self.cut_off.is_some()
+        self.cut_off
     }
 
-    /// Whether some subprogram has no number that could be read: a call to one that is not there may mean it.
-    pub const fn has_nameless_subprogram(&self) -> bool {
-        self.nameless_subprogram
+    /// Notes a finding that names the end of a unit after the `*` of a file.
+    pub(super) fn tell_of_star(&mut self, file: FileId) {
+        self.told_of_star.insert(file);
+        self.cut_off |= file == FileId(0);
+    }
+
+    /// The `*` that ends a file.
+    pub(super) fn star(&self, file: FileId) -> Option<&Star> {
+        self.files.get(file.0 as usize)?.star.as_ref()
+    }
+
+    /// The `*` of a file, when a finding names the text after it.
+    pub(super) fn told_star(&self, file: FileId) -> Option<&Star> {
+        self.star(file).filter(|_| self.told_of_star.contains(&file))
+    }
+
+    /// Whether a block with that number comes after such a `*`.
+    pub(super) fn is_behind_told_star(&self, file: FileId, number: u32) -> bool {
+        let star = self.told_star(file).zip(self.file(file));
+        star.is_some_and(|(star, parsed)| star.has_block(parsed, number))
     }
 
     /// The subprogram of that number.
@@ -212,8 +233,8 @@ impl Resolved {
             .is_some_and(|file| may_have_block(&file.parsed, file.unread(), unit, number))
     }
 
-    /// The number of a block of the unit that is nearest to `number` by spelling; when all differ in more than one digit,
-    /// the one that is nearest in value.
+    /// The number of a block of the unit that is nearest to `number` by spelling; when all differ in more than one
+    /// digit, the one that is nearest in value.
     pub fn nearest_block(&self, unit: &Unit, number: u32) -> Option<u32> {
         let file = self.files.get(unit.file.0 as usize)?;
         let inside = |(_, block): &&(u32, BlockId)| unit.contains(*block);
@@ -235,15 +256,14 @@ impl Resolved {
         id
     }
 
-    pub(super) fn add_file(&mut self, parsed: ParsedFile, numbered: Vec<(u32, BlockId)>, points: Points) -> FileId {
-        let index = FileId(small(self.files.len()));
-        self.files.push(Arc::new(ResolvedFile {
-            parsed,
-            targets: Vec::new(),
-            numbered,
-            points,
-            unread: OnceLock::new(),
-        }));
-        index
+    pub(super) fn add_file(
+        &mut self,
+        parsed: ParsedFile,
+        star: Option<Star>,
+        numbered: Vec<(u32, BlockId)>,
+        points: Points,
+    ) {
+        let (targets, unread) = (Vec::new(), OnceLock::new());
+        self.files.push(Arc::new(ResolvedFile { parsed, targets, numbered, points, star, unread }));
     }
 }

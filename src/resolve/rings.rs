@@ -1,6 +1,6 @@
 //! Calls that lead back to a unit that is still running (FLW-2).
 
-use super::structure::Context;
+use super::load::Context;
 use super::{Resolved, Target, UnitId};
 use crate::diag::{Diagnostic, Finding};
 use crate::dict::Address;
@@ -14,7 +14,8 @@ enum Visit {
     Done,
 }
 
-/// Reports each written call that closes a ring: depth first from the main program, then from every unit not yet reached.
+/// Reports each written call that closes a ring: depth first from the main program, then from every unit not yet
+/// reached.
 pub(super) fn check(context: &mut Context<'_, '_>, resolved: &Resolved) {
     let mut visits = vec![Visit::New; resolved.units.len()];
     for (root, _) in resolved.units() {
@@ -38,7 +39,7 @@ fn calls(resolved: &Resolved, id: UnitId) -> Vec<(BlockId, UnitId)> {
         .collect()
 }
 
-/// Depth-first search with a stack of its own: macrocycles may call one another by the thousand.
+/// Depth-first search with an explicit stack: macrocycles may call one another by the thousand.
 fn walk(context: &mut Context<'_, '_>, resolved: &Resolved, root: UnitId, visits: &mut [Visit]) {
     if visits.get(root.0 as usize) != Some(&Visit::New) {
         return;

@@ -1,8 +1,8 @@
-//! What G04, G71, G72, G73, G79, L and Q of a block mean (FLW-1, FLW-3, FLW-6, FLW-7, GRP-5). The only reading of it: checks,
-//! execution and the editor take it from here, with functions that are written out or that parameters give.
+//! What G04, G71, G72, G73, G79, L and Q of a block mean (FLW-1, FLW-3, FLW-6, FLW-7, GRP-5). The only reading of it:
+//! checks, execution and the editor take it from here, with functions that are written out or that parameters give.
 
 use crate::diag::{DwellMeant, Finding, TargetMeant, UnusedMeant};
-use crate::dict::{Address, GCode, GGroup};
+use crate::dict::{Address, GCode, GGroup, HIGHEST_L};
 use crate::syntax::Word;
 
 /// What takes the L of a block.
@@ -28,7 +28,7 @@ impl Taker {
     }
 }
 
-/// What a block calls, jumps to or begins, and what its L and Q belong to.
+/// The call, jump or unit of a block, and the functions that its L and Q belong to.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Roles {
     /// What takes its L.
@@ -75,7 +75,7 @@ impl Roles {
         let taker = match taker {
             _ if clashes(GGroup::G7) => Taker::Unclear,
             Some((code, word)) => Taker::One(code, word),
-            // G70 takes no L, and no other function of its group stands beside it.
+            // G70 takes no L, and excludes the other functions of its group.
             None if unknown && !known => Taker::Unclear,
             None => Taker::Nothing,
         };
@@ -101,8 +101,8 @@ impl Roles {
         self.q.is_none() && self.dwell.is_none()
     }
 
-    /// What L and Q are for (FLW-7), what G04 needs (GRP-5, FLW-6), each finding at its word. `ends`: the block holds M02
-    /// or M30 (PRG-2).
+    /// What L and Q are for (FLW-7), what G04 needs (GRP-5, FLW-6), each finding at its word. `ends`: the block holds
+    /// M02 or M30 (PRG-2).
     pub fn check(&self, ends: bool, mut report: impl FnMut(Word, Finding)) {
         if let Some((function, word)) = self.flow().filter(|_| ends) {
             report(word, Finding::FlowAfterEnd { function });
@@ -130,6 +130,12 @@ impl Roles {
     fn begins(&self) -> bool {
         matches!(self.taker, Taker::One(GCode::G79, _))
     }
+}
+
+/// The number that an L word writes out, when it is in range.
+pub fn l_number(word: Word) -> Option<u32> {
+    let number = word.whole().and_then(|number| u32::try_from(number).ok())?;
+    (1..=HIGHEST_L).contains(&number).then_some(number)
 }
 
 #[cfg(test)]

@@ -56,6 +56,13 @@ pub(super) fn slips(number: u32) -> impl Iterator<Item = u32> {
     texts.into_iter().filter_map(value).filter(move |slip| *slip != number && (1..=HIGHEST_L).contains(slip))
 }
 
+/// The whole number that a text begins with, and the text behind it.
+pub(super) fn leading_number(text: &str) -> Option<(u32, &str)> {
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    let (digits, behind) = text.split_at(digits);
+    Some((digits.parse().ok()?, behind))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

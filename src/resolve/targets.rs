@@ -1,22 +1,22 @@
-//! Where calls and jumps lead, and what is said when they lead nowhere: the same for numbers that are written and for those
-//! that parameters give.
+//! Where calls and jumps lead, and the findings when they lead nowhere: the same for written numbers and for those that
+//! parameters give.
 
 use std::collections::BTreeSet;
 
-use super::{Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind};
+use super::{Known, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind};
 use crate::config::Machine;
-use crate::diag::{Diagnostic, Finding, Findings, LabelText, Unmodelled, shown};
+use crate::diag::{Diagnostic, Finding, LabelText, Unmodelled, shown};
 use crate::dict::GCode;
 use crate::syntax::{BlockId, ParsedFile, Word};
-use crate::text::Location;
+use crate::text::{FileId, Location};
 
-/// The number of a word; the whole word when a parameter stands for it.
+/// The place of a word's number; the whole word when the number comes from a parameter.
 pub fn value_or_word(file: &ParsedFile, word: Word) -> Location {
     if word.is_parametric() { file.word_place(word) } else { file.value_place(word) }
 }
 
-/// Two functions of one group in one block (BLK-3): the finding at the second one. `name`: of the first, for a word whose
-/// number comes from a parameter.
+/// Two functions of one group in one block (BLK-3): the finding at the second one. `name`: of the first, for a word
+/// whose number comes from a parameter.
 fn conflict(file: &ParsedFile, first: Word, name: String, second: Word, finding: Finding) -> Diagnostic {
     let there = file.word_place(first);
     let what = if first.is_parametric() { name } else { shown(file.source.slice(there.span)) };
@@ -24,17 +24,24 @@ fn conflict(file: &ParsedFile, first: Word, name: String, second: Word, finding:
 }
 
 /// Two G functions of one group in one block.
-pub fn conflicting_g(file: &ParsedFile, first: (GCode, Word), second: (GCode, Word)) -> Diagnostic {
-    let finding =
-        Finding::ConflictingG { first: first.0, second: second.0, group: second.0.group(), unnumbered: false };
+/// `unnumbered`: the line between them lacks its block number.
+pub fn conflicting_g(file: &ParsedFile, first: (GCode, Word), second: (GCode, Word), unnumbered: bool) -> Diagnostic {
+    let finding = Finding::ConflictingG { first: first.0, second: second.0, group: second.0.group(), unnumbered };
     conflict(file, first.1, first.0.to_string(), second.1, finding)
 }
 
 /// Two M functions of one group in one block.
-pub fn conflicting_m(file: &ParsedFile, first: (u8, Word), second: (u8, Word), machine: &Machine) -> Diagnostic {
+/// `unnumbered`: the line between them lacks its block number.
+pub fn conflicting_m(
+    file: &ParsedFile,
+    first: (u8, Word),
+    second: (u8, Word),
+    machine: &Machine,
+    unnumbered: bool,
+) -> Diagnostic {
     let group = machine.m_functions.group(second.0);
     let finding =
-        Finding::ConflictingM { first: first.0, second: second.0, group, dialect: machine.dialect, unnumbered: false };
+        Finding::ConflictingM { first: first.0, second: second.0, group, dialect: machine.dialect, unnumbered };
     conflict(file, first.1, format!("M{:02}", first.0), second.1, finding)
 }
 
@@ -52,50 +59,58 @@ pub fn missing_control_words(function: GCode, has: impl Fn(u8) -> bool) -> Optio
     })
 }
 
-/// The block that a jump of `unit` to `l` reaches (FLW-5).
-///
-/// # Errors
-/// Why there is none, at `at`; nothing when it may be a block whose number cannot be read, which has its finding.
-pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Result<BlockId, Option<Box<Diagnostic>>> {
+/// The block that a jump of `unit` to `l` reaches (FLW-5); a finding is at `at`.
+pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Known<BlockId> {
     match resolved.numbered(unit.file, l) {
-        Some(block) if unit.contains(block) => Ok(block),
+        Some(block) if unit.contains(block) => Known::Yes(block),
         Some(block) => {
             let there = resolved.file(unit.file).map(|file| file.n_place(block)).unwrap_or_default();
             let label = LabelText::BlockHere { block: l };
-            Err(Some(Box::new(Diagnostic::new(Finding::JumpOutOfUnit { l }, at).with_label(there, label))))
+            Known::No(Box::new(Diagnostic::new(Finding::JumpOutOfUnit { l }, at).with_label(there, label)))
         }
-        None if resolved.may_have_block(unit, l) => Err(None),
+        None if resolved.may_have_block(unit, l) => Known::Unknown,
         None => {
             let near = resolved.nearest_block(unit, l);
             let subprogram = resolved.subprogram(l).is_some() && !matches!(unit.kind, UnitKind::Macrocycle(_));
             let near = near.filter(|_| !subprogram);
-            Err(Some(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near, line: None, subprogram }, at))))
+            Known::No(Box::new(Diagnostic::new(Finding::UnknownJumpTarget { l, near, line: None, subprogram }, at)))
         }
     }
 }
 
-/// The subprogram that a G71 of a unit calls (FLW-1).
-///
-/// # Errors
-/// Why there is none, at `at`.
+/// The subprogram that a G71 of a unit calls (FLW-1); a finding is at `at`. Of calls to subprograms behind the `*` of
+/// the program the first has a finding, which says what the `*` cuts off.
 pub fn subprogram(
-    resolved: &Resolved,
+    resolved: &mut Resolved,
     library: &mut Library<'_>,
     from: &Unit,
     l: u32,
     at: Location,
-) -> Result<UnitId, Box<Diagnostic>> {
+) -> Known<UnitId> {
     let from_macrocycle = matches!(from.kind, UnitKind::Macrocycle(_));
-    if let (Some(unit), false) = (resolved.subprogram(l), from_macrocycle) {
-        return Ok(unit);
+    match resolved.subprogram(l) {
+        Some(unit) if !from_macrocycle => return Known::Yes(unit),
+        None if !from_macrocycle && resolved.nameless_subprogram => return Known::Unknown,
+        Some(_) | None => {}
     }
-    let near = resolved.nearest_subprogram(l);
     let macrocycle = library.find(l).is_ok() || library.is_of_machine(l);
-    let (without_entry, uncalled, unread) = (None, None, None);
+    let program = FileId(0);
+    let star = resolved.star(program).filter(|_| !from_macrocycle && !macrocycle);
+    let hidden = star.zip(resolved.file(program)).and_then(|(star, file)| Some((star.at, star.entry(file, l)?)));
+    let near = resolved.nearest_subprogram(l).filter(|_| hidden.is_none());
     let block = has_block(resolved, from, l);
+    let (star, unread) = hidden.unzip();
+    let (without_entry, uncalled) = (None, None);
     let finding =
         Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, uncalled, unread, block };
-    Err(Box::new(Diagnostic::new(finding, at)))
+    let diagnostic = Diagnostic::new(finding, at);
+    match star {
+        Some(star) if resolved.told_of_star.insert(program) => {
+            Known::No(Box::new(diagnostic.with_label(star, LabelText::FileEnds)))
+        }
+        Some(_) => Known::Unknown,
+        None => Known::No(Box::new(diagnostic)),
+    }
 }
 
 /// Whether a block of the unit has that number: a jump was meant, perhaps.
@@ -103,7 +118,7 @@ pub fn has_block(resolved: &Resolved, unit: &Unit, l: u32) -> bool {
     resolved.numbered(unit.file, l).is_some_and(|block| unit.contains(block))
 }
 
-/// What else has the number of a macrocycle that is missing.
+/// Other things with the number of a macrocycle that is missing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Namesake {
     /// A subprogram of the program.
@@ -128,25 +143,4 @@ pub fn macrocycle_finding(fault: MacrocycleFault, l: u32, namesake: Namesake, ca
 /// W0612 of a macrocycle that only the machine has (FLW-12).
 fn of_machine(l: u32) -> Finding {
     Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(BTreeSet::from([l])) }
-}
-
-/// Reports a macrocycle that only the machine has, at a call: a program has one such finding, at its first call, which names
-/// all of them (FLW-12).
-pub fn report_of_machine(findings: &mut Findings, l: u32, call: Diagnostic) {
-    let mut known = None;
-    for found in findings.items() {
-        if let Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(numbers) } = &found.finding {
-            known = Some(numbers.contains(&l));
-        }
-    }
-    match known {
-        None => findings.add(call),
-        Some(true) => {}
-        Some(false) => findings.revise(|found| {
-            if let Finding::FunctionNotModelled { what: Unmodelled::Macrocycles(numbers) } = &mut found.finding {
-                numbers.insert(l);
-            }
-            true
-        }),
-    }
 }

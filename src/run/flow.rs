@@ -11,8 +11,8 @@ use super::words::BlockWords;
 use crate::diag::{CallKind, Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Address, Decimal, GCode, GGroup, Plane};
 use crate::resolve::{
-    MacrocycleFault, Namesake, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, report_of_machine,
-    ring_text, subprogram, value_or_word,
+    Known, MacrocycleFault, Namesake, Roles, Target, UnitId, UnitKind, jump_target, macrocycle_finding, ring_text,
+    subprogram, value_or_word,
 };
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
 use crate::text::Location;
@@ -189,16 +189,14 @@ impl Flow<'_, '_> {
 
     fn find_subprogram(&mut self, l: u32, word: Word, place: Location) -> Option<UnitId> {
         let unit = self.frames.last()?.unit;
-        let from = unit.kind;
         let Program { resolved, library, .. } = self.program;
         match subprogram(resolved, library, &unit, l, place) {
-            Ok(unit) => Some(unit),
-            // It may be the one whose L is missing or malformed: that has its finding.
-            Err(_) if resolved.has_nameless_subprogram() && !matches!(from, UnitKind::Macrocycle(_)) => None,
-            Err(diagnostic) => {
+            Known::Yes(unit) => Some(unit),
+            Known::No(diagnostic) => {
                 self.report(with_origin(self.state, *diagnostic, word));
                 None
             }
+            Known::Unknown => None,
         }
     }
 
@@ -233,7 +231,7 @@ impl Flow<'_, '_> {
                 Diagnostic::new(macrocycle_finding(MacrocycleFault::OfMachine, l, Namesake::default(), 1), place);
             let mut diagnostic = self.with_origin_of(diagnostic, word);
             diagnostic.calls = call_sites(self.frames);
-            report_of_machine(self.findings, l, diagnostic);
+            self.findings.add_of_machine(l, diagnostic);
         }
         Next::Continue
     }
@@ -349,13 +347,12 @@ impl Flow<'_, '_> {
         let unit = self.frames.last()?.unit;
         let place = self.file().map(|file| value_or_word(file, word)).unwrap_or_default();
         match jump_target(&self.program.resolved, &unit, number, place) {
-            Ok(block) => Some(block),
-            Err(diagnostic) => {
-                if let Some(diagnostic) = diagnostic {
-                    self.report(with_origin(self.state, *diagnostic, word));
-                }
+            Known::Yes(block) => Some(block),
+            Known::No(diagnostic) => {
+                self.report(with_origin(self.state, *diagnostic, word));
                 None
             }
+            Known::Unknown => None,
         }
     }
 

@@ -62,7 +62,9 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
     if words.axis_count == 0 && !full_circle {
         return Moved::No;
     }
-    if kind.is_working() || kind == MotionType::Thread {
+    // It may be a cycle (§13): nothing is known but what is wrong with the arc, and the axes are unknown after it.
+    let may_be_cycle = g.unknown.has(GGroup::G8);
+    if (kind.is_working() || kind == MotionType::Thread) && !may_be_cycle {
         warnings::check_motion(site, state, words, g, kind == MotionType::Thread);
     }
     let reading = Reading::of(site.machine(), state, g);
@@ -77,7 +79,8 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
             state.set_position(travel.axis, Position::Unknown);
         }
     } else if kind.is_arc() {
-        let Some(arc) = find_arc(site, state, words, g, &moving, travels) else {
+        let found = find_arc(site, state, words, g, &moving, travels).filter(|_| !may_be_cycle);
+        let Some(arc) = found else {
             for travel in travels.iter() {
                 state.set_position(travel.axis, Position::Undetermined);
             }
@@ -154,18 +157,19 @@ pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option
 }
 
 /// Whether what the block does depends on a group whose function nobody knows. Two axis words are the plane of their arc
-/// (MOT-3); with others the plane in force counts, with none also whether G23 takes I.
+/// (MOT-3), and what is wrong with it does not depend on a cycle (§13); with others the plane in force counts, with none also
+/// whether G23 takes I.
 fn is_unknown(words: &BlockWords, g: &InForce) -> bool {
     if g.unknown.is_empty() {
         return false;
     }
-    let plane: &[GGroup] = match words.axis_count {
-        2 => &[],
-        0 => &[GGroup::G1, GGroup::G2],
-        _ => &[GGroup::G1],
+    let others: &[GGroup] = match (kind_in_force(g).is_arc(), words.axis_count) {
+        (true, 2) => &[],
+        (true, 0) => &[GGroup::G1, GGroup::G2, GGroup::G8],
+        (true, _) => &[GGroup::G1, GGroup::G8],
+        (false, _) => &[GGroup::G8],
     };
-    g.unknown.has_any(&[GGroup::G0, GGroup::G8, GGroup::G9, GGroup::G10])
-        || (kind_in_force(g).is_arc() && g.unknown.has_any(plane))
+    g.unknown.has_any(&[GGroup::G0, GGroup::G9, GGroup::G10]) || g.unknown.has_any(others)
 }
 
 /// What I, J and K are for in this block: words of the record, the dynamic set, or nothing (MOT-3, GRP-7, GRP-8).

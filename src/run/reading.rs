@@ -100,7 +100,7 @@ fn read_g(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
     if let Some((first, first_word)) = words.written(code.group()) {
         // Found before execution when both are written out.
         if word.is_parametric() || first_word.is_parametric() {
-            let diagnostic = conflicting_g(site.file, (first, first_word), (code, word));
+            let diagnostic = conflicting_g(site.file, (first, first_word), (code, word), false);
             let diagnostic = with_origin(state, diagnostic, word);
             site.report(with_origin(state, diagnostic, first_word));
         }
@@ -127,7 +127,7 @@ fn read_m(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
     let conflict = words.m.iter().copied().find(|(other, _)| functions.group(*other) == group);
     if let Some((first, first_word)) = conflict {
         if word.is_parametric() || first_word.is_parametric() {
-            let diagnostic = conflicting_m(site.file, (first, first_word), (number, word), site.machine());
+            let diagnostic = conflicting_m(site.file, (first, first_word), (number, word), site.machine(), false);
             let diagnostic = with_origin(state, diagnostic, word);
             site.report(with_origin(state, diagnostic, first_word));
         }

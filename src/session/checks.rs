@@ -17,8 +17,8 @@ const CODES: [Code; 7] = [Code::W0629, Code::W0801, Code::W0802, Code::W0803, Co
 pub(super) struct Checks(JointFindings, Equidistant);
 
 impl Checks {
-    /// Those that a run has: `check` all that are not allowed. Other commands only when one of them is an error in this run, so
-    /// that a program has one exit status in all commands.
+    /// Those that a run has: `check` all that are not allowed. Other commands only when one of them is an error in this
+    /// run, so that a program has one exit status in all commands.
     pub fn of(settings: &Settings, purpose: Purpose) -> Option<Box<Self>> {
         let levels = settings.levels(purpose);
         let denied = || CODES.iter().any(|&code| levels.of(code) == Some(Severity::Error));

@@ -37,8 +37,8 @@ pub struct Execution<'a> {
 }
 
 impl<'a> Execution<'a> {
-    /// Ready for the first block of a resolved program. The outcome is that of resolving it: with errors in it, the program is
-    /// executed for what is still to be found, and no block is shown.
+    /// Ready for the first block of a resolved program. The outcome is that of resolving it: with errors in it, the
+    /// program is executed for what is still to be found, and no block is shown.
     pub(super) fn new(
         session: Session<'a>,
         path: &Path,
@@ -106,8 +106,8 @@ impl<'a> Execution<'a> {
         self.interpreter.clone()
     }
 
-    /// The next block of what is a whole program so far, and where findings about it go. `None` at its end, where it cannot
-    /// go on, when a block has an error, and when the run is cancelled: [`Self::finish`] tells them apart.
+    /// The next block of what is a whole program so far, and where findings about it go. `None` at its end, where it
+    /// cannot go on, when a block has an error, and when the run is cancelled: [`Self::finish`] tells them apart.
     #[inline]
     pub fn step(&mut self) -> Option<(Executed<'_>, &mut Findings)> {
         let executed = self.interpreter.executed();
@@ -131,7 +131,8 @@ impl<'a> Execution<'a> {
         Some((block, findings))
     }
 
-    /// The next block of an interpreter that follows this execution: that is not ahead of it. What it finds is found already.
+    /// The next block of an interpreter that follows this execution: that is not ahead of it. What it finds is found
+    /// already.
     pub fn follow<'r>(&'r mut self, follower: &'r mut Interpreter) -> Option<Executed<'r>> {
         self.follow_with(follower).map(|(block, _)| block)
     }
@@ -172,8 +173,8 @@ impl<'a> Execution<'a> {
         }
     }
 
-    /// Finds what is still to be found, and gives how the program ended; `None` when it has errors, or was not executed to its
-    /// end.
+    /// Finds what is still to be found, and gives how the program ended; `None` when it has errors, or was not executed
+    /// to its end.
     pub(super) fn end(&mut self) -> Option<End> {
         while !self.is_over(self.interpreter.executed()) {
             let executed = self.interpreter.executed();
@@ -198,13 +199,14 @@ impl<'a> Execution<'a> {
         End::of(&self.interpreter, &self.outcome.findings)
     }
 
-    /// Ends the run: what it found, and how the program ended; `None` when it has errors, or was not executed to its end.
+    /// Ends the run: what it found, and how the program ended; `None` when it has errors, or was not executed to its
+    /// end.
     pub fn finish(mut self) -> Run<End> {
         let whole = self.end();
         Run { whole, outcome: self.into_outcome() }
     }
 
-    /// What the run found, and its record, when it has one.
+    /// The outcome of the run, and its record, when it has one.
     pub(super) fn finish_with_record(mut self) -> (Outcome, Option<Record>) {
         self.end();
         let Self { recorder, interpreter, program: Program { resolved, sources, .. }, .. } = &mut self;

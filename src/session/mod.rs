@@ -50,8 +50,8 @@ impl Outcome {
         stayed_unknown.into_iter().for_each(|unknown| report.add_unknown(unknown));
     }
 
-    /// Whether a file could not be read, be it the program or a macrocycle that it calls, or the program is not what the
-    /// command takes: exit status 2.
+    /// Whether a file could not be read, be it the program or a macrocycle that it calls, or the program is not what
+    /// the command takes: exit status 2.
     pub fn lacks_file(&self) -> bool {
         self.findings.has(Code::E0112)
     }
@@ -116,8 +116,8 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Executes the program at `path`, which the user calls `name`, as far as it can be, and shows every executed block to
-    /// `sink`, also those after an error.
+    /// Executes the program at `path`, which the user calls `name`, as far as possible, and shows every executed block
+    /// to `sink`, also those after an error.
     pub fn watch(&self, path: &Path, name: &str, purpose: Purpose, sink: &mut impl Sink) -> Run<End> {
         match self.open(path, name, purpose) {
             Ok(execution) => {
@@ -132,8 +132,8 @@ impl<'a> Session<'a> {
     /// Resolves the program at `path`, which the user calls `name`, for an execution whose blocks the caller asks for.
     ///
     /// # Errors
-    /// What was found, when there is nothing to execute: the file cannot be read, has no blocks, is for another control, or is a
-    /// macrocycle.
+    /// What was found, when there is nothing to execute: the file cannot be read, has no blocks, is for another
+    /// control, or is a macrocycle.
     pub fn open(&self, path: &Path, name: &str, purpose: Purpose) -> Result<Execution<'a>, Box<Outcome>> {
         let (mut outcome, resolved) = self.resolve_for(path, name, purpose);
         let is_macrocycle = Self::is_macrocycle_name(path) && resolved.main().is_none();
@@ -173,8 +173,9 @@ impl<'a> Session<'a> {
         (outcome, resolved)
     }
 
-    /// Whether the second half of [`Self::check`] follows: it is a program with blocks, and not one for another control. What is
-    /// wrong does not keep it from being executed: what it would have set or called is unknown then (§13).
+    /// Whether the second half of [`Self::check`] follows: it is a program with blocks, and not one for another
+    /// control. What is wrong does not keep it from being executed: what it would have set or called is unknown then
+    /// (§13).
     pub fn can_execute(&self, resolved: &Resolved, outcome: &Outcome) -> bool {
         let main = resolved.main().and_then(|id| resolved.unit(id));
         main.is_some_and(|main| main.first < main.end) && !outcome.findings.has(Code::W0113)
@@ -186,8 +187,8 @@ impl<'a> Session<'a> {
         Outcome { findings, ..Outcome::default() }
     }
 
-    /// The second half of [`Self::check`]: executes a resolved program and shows its blocks to `sink`. What execution finds
-    /// joins the outcome.
+    /// The second half of [`Self::check`]: executes a resolved program and shows its blocks to `sink`. What execution
+    /// finds joins the outcome.
     pub fn execute<S: Sink>(&self, path: &Path, resolved: Resolved, outcome: Outcome, sink: S) -> Run<S::Whole> {
         show(Execution::new(*self, path, resolved, outcome, Purpose::Check), sink)
     }
@@ -201,8 +202,8 @@ impl<'a> Session<'a> {
         execution.finish_with_record()
     }
 
-    /// Executes once more a resolved program that has no written errors, and shows every executed block to `sink`, also those
-    /// after an error. What execution finds is known already.
+    /// Executes once more a resolved program that has no written errors, and shows every executed block to `sink`, also
+    /// those after an error. What execution finds is known already.
     pub fn observe(&self, path: &Path, resolved: Resolved, sources: Sources, mut sink: impl Sink) {
         let outcome = Outcome { sources, ..self.outcome(Purpose::Check) };
         Execution::new(*self, path, resolved, outcome, Purpose::Check).despite_errors().show(&mut sink);
@@ -274,8 +275,8 @@ fn first_fault(outcome: &Outcome, name: &str) -> Option<NotExecuted> {
     })
 }
 
-/// Whether execution does not begin, or its blocks are shown no longer. A warning that is denied does not keep `check` from
-/// executing the program.
+/// Whether execution does not begin, or its blocks are shown no longer. A warning that is denied does not keep `check`
+/// from executing the program.
 const fn is_stopped(findings: &Findings, purpose: Purpose) -> bool {
     match purpose {
         Purpose::Check | Purpose::Report => findings.fault_count() > 0,

@@ -1,5 +1,5 @@
-//! The edits that the help of a finding names where they are not beyond doubt: editors offer them, nothing applies them by
-//! itself.
+//! The edits that the help of a finding names where they are not beyond doubt: editors offer them, nothing applies them
+//! by itself.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! What is kept of an execution, so that a question about some blocks need not begin with the first block of the program.
+//! What is kept of an execution, so that a question about some blocks need not begin with the first block of the
+//! program.
 
 use std::collections::BTreeSet;
 
@@ -14,8 +15,8 @@ const MOST: usize = 1 << 10;
 /// Most stretches of blocks that a part tells apart.
 const STRETCHES: usize = 16;
 
-/// One execution of a program: checkpoints, from which it can go on, and which blocks are executed between them. Its memory does
-/// not depend on how long the program is.
+/// One execution of a program: checkpoints, from which it can go on, and which blocks are executed between them. Its
+/// memory does not depend on how long the program is.
 #[derive(Debug)]
 pub struct Record {
     resolved: Resolved,
@@ -62,8 +63,8 @@ impl Record {
         self.last
     }
 
-    /// Where execution must go on from to come by all executions of some blocks, and after how many executed blocks each time
-    /// it has come by them.
+    /// Where execution must go on from to come by all executions of some blocks, and after how many executed blocks
+    /// each time it has come by them.
     pub fn visits(&self, file: FileId, blocks: &BTreeSet<BlockId>) -> Vec<(&Interpreter, u64)> {
         let mut visits: Vec<(&Interpreter, u64)> = Vec::new();
         for (at, part) in self.parts.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! Executed blocks with their times. The planner needs later blocks for the times of an earlier one: it runs ahead, and a
-//! second interpreter follows, so that memory does not depend on the length of the program.
+//! Executed blocks with their times. The planner needs later blocks for the times of an earlier one: it runs ahead, and
+//! a second interpreter follows, so that memory does not depend on the length of the program.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -19,7 +19,8 @@ pub trait TimedSink {
     /// Execution begins.
     fn begin(&mut self, _program: &Program<'_>) {}
 
-    /// The next executed block with its times. `Break`: no more blocks are wanted, and the program is not taken for whole.
+    /// The next executed block with its times. `Break`: no more blocks are wanted, and the program is not taken for
+    /// whole.
     fn block(&mut self, block: &Executed<'_>, times: &BlockTimes, findings: &mut Findings) -> ControlFlow<()>;
 
     /// Receives the time of a block's motion without limited jerk and time criterion, in order of the motions.
@@ -39,7 +40,8 @@ pub struct Times {
 }
 
 impl Session<'_> {
-    /// Executes the program at `path`, which the user calls `name`, and shows each executed block with its times to `sink`.
+    /// Executes the program at `path`, which the user calls `name`, and shows each executed block with its times to
+    /// `sink`.
     pub fn run_timed<S: TimedSink>(
         &self,
         path: &Path,

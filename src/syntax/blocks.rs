@@ -163,6 +163,7 @@ impl<'t> Reader<'t> {
             }
             if token.kind == Kind::End {
                 self.end = Some(token.end);
+                self.lowering.star = Some(token.start);
                 break;
             }
             match self.role(bytes, (&batch, &cuts), token, has_l) {

@@ -114,12 +114,20 @@ pub struct ParsedFile {
     pub(super) blocks: Vec<Block>,
     /// The finding of addresses in lower case, which is given when all that is written has been looked at.
     pub(super) case: Option<Box<Diagnostic>>,
+    /// The findings about the `*` that ends the file: the text behind it, a word without its value before it. They are
+    /// given unless the structure tells that the program goes on behind the `*`.
+    pub(super) at_star: Vec<Diagnostic>,
 }
 
 impl ParsedFile {
     /// The finding of addresses in lower case (LEX-11).
     pub fn take_case(&mut self) -> Option<Diagnostic> {
         self.case.take().map(|case| *case)
+    }
+
+    /// The findings about the `*` that ends the file, which the structure may explain (LEX-9).
+    pub fn take_findings_at_star(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.at_star)
     }
 
     /// Number of blocks.
@@ -311,7 +319,7 @@ impl ParsedFile {
     }
 
     /// Notes that these blocks are two each.
-    pub fn mark_merged(&mut self, blocks: &[BlockId]) {
+    pub fn mark_merged(&mut self, blocks: impl Iterator<Item = BlockId>) {
         for block in blocks {
             if let Some(block) = self.blocks.get_mut(block.index()) {
                 block.flags.set(BlockFlags::MERGED);

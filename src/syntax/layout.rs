@@ -49,32 +49,30 @@ pub(super) fn end_of_text(text: &str) -> u32 {
     small(end)
 }
 
-/// Reports the first line of what stands after `*` and is no comment (LEX-9). A `%` there begins a second program.
-pub(super) fn check_after_end(file: FileId, text: &str, after: u32, end: u32, findings: &mut Findings) {
+/// The finding at the first line after `*` that is no comment (LEX-9). A `%` there begins a second program.
+pub(super) fn text_after_end(file: FileId, text: &str, after: u32, end: u32) -> Option<Diagnostic> {
     let is_text = |kind: Kind| !matches!(kind, Kind::Comment | Kind::Junk(Shape::TypographicComment) | Kind::LineEnd);
     let mut rest = tokens(text, after, end).skip_while(|token| !is_text(token.kind));
-    if let Some(first) = rest.next() {
-        let last = rest.by_ref().take_while(|token| is_text(token.kind)).last().unwrap_or(first);
-        let span = first.span().to(last.span());
-        let starts = |start: u32| text.as_bytes().get(start as usize) == Some(&b'%');
-        let program = starts(first.start) || rest.take(FAR).any(|token| starts(token.start));
-        // `R50=R50*2`: nothing but the star is between two factors.
-        let factor =
-            |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
-        let before = text.as_bytes().get((after as usize).saturating_sub(2));
-        let product = first.start == after && factor(before) && factor(text.as_bytes().get(first.start as usize));
-        // `*** KONTURA ***`
-        let line = text.get(first.start as usize..end as usize).sure();
-        let line = line.split(['\n', '\r']).next().sure().trim_end_matches([' ', '\t']);
-        let separator = first.start == after && line.starts_with('*');
-        let meant = match (program, product) {
-            (true, _) => AfterEndMeant::Program,
-            (false, _) if separator => AfterEndMeant::Separator { line: shown(&format!("*{line}").replace('"', "")) },
-            (false, true) => AfterEndMeant::Product,
-            (false, false) => AfterEndMeant::Text,
-        };
-        findings.add(Diagnostic::new(Finding::TextAfterEnd { meant }, Location { file, span }));
-    }
+    let first = rest.next()?;
+    let last = rest.by_ref().take_while(|token| is_text(token.kind)).last().unwrap_or(first);
+    let span = first.span().to(last.span());
+    let starts = |start: u32| text.as_bytes().get(start as usize) == Some(&b'%');
+    let program = starts(first.start) || rest.take(FAR).any(|token| starts(token.start));
+    // `R50=R50*2`: nothing but the star is between two factors.
+    let factor = |at: Option<&u8>| at.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'R' | b'[' | b']'));
+    let before = text.as_bytes().get((after as usize).saturating_sub(2));
+    let product = first.start == after && factor(before) && factor(text.as_bytes().get(first.start as usize));
+    // `*** KONTURA ***`
+    let line = text.get(first.start as usize..end as usize).sure();
+    let line = line.split(['\n', '\r']).next().sure().trim_end_matches([' ', '\t']);
+    let separator = first.start == after && line.starts_with('*');
+    let meant = match (program, product) {
+        (true, _) => AfterEndMeant::Program,
+        (false, _) if separator => AfterEndMeant::Separator { line: shown(&format!("*{line}").replace('"', "")) },
+        (false, true) => AfterEndMeant::Product,
+        (false, false) => AfterEndMeant::Text,
+    };
+    Some(Diagnostic::new(Finding::TextAfterEnd { meant }, Location { file, span }))
 }
 
 /// So many tokens behind `*` are looked at for a second program.

@@ -3,7 +3,7 @@
 use super::slips::{self, Diagnosis};
 use super::tokens::{Kind, Token};
 use super::{BlockFlags, Word, grammar};
-use crate::diag::{Code, Findings};
+use crate::diag::{Code, Diagnostic, Findings};
 use crate::dict::{Address, GCode, PROGRAM_ENDS};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Span};
@@ -24,6 +24,10 @@ pub(super) struct Lowering<'t> {
     pub(super) candidate: bool,
     /// Where the line ends in which a quote is missing: texts further on in it are none.
     quotes_off: Option<u32>,
+    /// The `*` that ends the file, behind the last block of the piece.
+    pub(super) star: Option<u32>,
+    /// Findings of words that lack their value before that `*`.
+    pub(super) at_star: Vec<Diagnostic>,
 }
 
 /// The flags that a word of that address sets in its block.
@@ -50,6 +54,8 @@ impl<'t> Lowering<'t> {
             lowercase: Vec::new(),
             candidate: false,
             quotes_off: None,
+            star: None,
+            at_star: Vec::new(),
         }
     }
 
@@ -118,7 +124,11 @@ impl<'t> Lowering<'t> {
             let of_junk = |code: Code| matches!(code, Code::E0101 | Code::E0103 | Code::E0106 | Code::E0301);
             let belongs = item.junk.is_some_and(|junk| part(junk.start));
             if let Some(found) = item.found.filter(|found| !belongs || !of_junk(found.code())) {
-                self.findings.add(found);
+                if found.code() == Code::E0103 && Some(found.at.span.end) == self.star {
+                    self.at_star.push(found);
+                } else {
+                    self.findings.add(found);
+                }
             }
         }
     }

@@ -90,6 +90,7 @@ pub(super) fn parse_in(
         comments: Vec::new(),
         blocks: Vec::new(),
         case: None,
+        at_star: Vec::new(),
     };
     let mut whole = Whole { parsed, findings, lowercase: Vec::new(), outside: None, ended: false };
     if pieces < 2 {
@@ -214,6 +215,7 @@ impl Whole<'_> {
         let Self { parsed, findings, lowercase, outside, ended } = self;
         lowercase.extend(piece.lowering.lowercase);
         findings.append(piece.lowering.findings);
+        parsed.at_star.extend(piece.lowering.at_star);
         let empty = parsed.blocks.is_empty() && parsed.comments.is_empty();
         if empty && parsed.words.capacity() < piece.lowering.words.len() {
             (parsed.words, parsed.comments, parsed.blocks) =
@@ -231,7 +233,7 @@ impl Whole<'_> {
         }
         parsed.second_program = parsed.second_program.or(piece.second_program);
         if let Some(after) = piece.end {
-            layout::check_after_end(parsed.file, parsed.source.text(), after, parsed.end, findings);
+            parsed.at_star.extend(layout::text_after_end(parsed.file, parsed.source.text(), after, parsed.end));
             parsed.end = after;
             *ended = true;
         }

@@ -1,13 +1,13 @@
 //! What was meant by an L without use (W0402): other controls write calls and tables with it, and digits are exchanged.
 
-use super::blocks::Functions;
+use super::functions::Functions;
 use super::{Unit, UnitKind};
 use crate::diag::UnusedMeant;
 use crate::dict::{Address, GCode, GGroup};
 use crate::syntax::{BlockId, ParsedFile, Word};
 
-/// The call or jump of a block whose digits are exchanged, `G17 L100` for `G71 L100`, `G37 L190` for `G73 L190`, or of which
-/// one is missing: `G7 L100`.
+/// The call or jump of a block whose digits are exchanged, `G17 L100` for `G71 L100`, `G37 L190` for `G73 L190`, or of
+/// which one is missing: `G7 L100`.
 pub(super) fn exchanged_call(units: &[Unit], words: &[Word], functions: &Functions) -> Option<(GCode, u32)> {
     let other = words.iter().any(|word| !matches!(word.address, Address::G | Address::L | Address::Q | Address::Skip));
     let mut codes = words.iter().filter(|word| word.address == Address::G);
@@ -30,7 +30,7 @@ fn written_with(code: GCode, words: &[Word], l: u32) -> String {
     count.map_or_else(|| format!("{code} L{l}"), |count| format!("{code} L{l} Q{count}"))
 }
 
-/// What the L of a block that lost its function may have named: a subprogram, a block, or either.
+/// The meaning of an L in a block that lost its function: a subprogram, a block, or either.
 pub(super) fn lost_function(file: &ParsedFile, units: &[Unit], words: &[Word], l: Word) -> UnusedMeant {
     let Some(number) = super::l_number(l) else { return UnusedMeant::Target };
     let call = is_unit(units, number).then(|| written_with(GCode::G71, words, number));
@@ -44,8 +44,8 @@ pub(super) fn lost_function(file: &ParsedFile, units: &[Unit], words: &[Word], l
     }
 }
 
-/// Whether L and its count stand alone in a block, and L names something: a call or jump that lost its function, of which one
-/// finding is enough.
+/// Whether L and its count stand alone in a block, and L names something: a call or jump that lost its function has one
+/// finding.
 pub(super) fn is_call_alone(file: &ParsedFile, units: &[Unit], words: &[Word]) -> bool {
     let known = |word: &Word| matches!(word.address, Address::L | Address::P | Address::Q | Address::Skip);
     let l = words.iter().find(|word| word.address == Address::L).filter(|_| words.iter().all(known));
@@ -70,7 +70,7 @@ pub(super) fn is_unit(units: &[Unit], l: u32) -> bool {
 
 /// What was meant by an L without use: other controls write tables and calls with it.
 pub(super) fn meant(words: &[Word], functions: &Functions, l: Word) -> UnusedMeant {
-    let spiral = functions.of(GGroup::G2).is_some_and(|(code, _)| code == GCode::G10);
+    let spiral = functions.of_group(GGroup::G2).is_some_and(|(code, _)| code == GCode::G10);
     let called = words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
     if spiral {
         UnusedMeant::Tables

@@ -1,10 +1,27 @@
-//! What a malformed word may have been meant as. It has its finding; what follows from not knowing it has none (§13).
+//! What faults leave unknown about the structure of a program (§13).
+//!
+//! A question about structure has three answers. A word that cannot be read, a `*` in the middle, a line without its
+//! `N`, a subprogram without its G79 are holes: a unit or block that is missing may be there. A call or jump to it gets
+//! no finding, because the fault has one.
 
 use super::{Unit, UnitKind, spelling};
+use crate::diag::Diagnostic;
 use crate::dict::{Address, GCode, PROGRAM_ENDS};
 use crate::syntax::{BlockId, ParsedFile, Word};
 
-/// Whether a block has a word of that address whose number cannot be used, and that may have been meant as one of `numbers`.
+/// The answer to a question about the structure of a program.
+#[derive(Debug)]
+pub enum Known<T> {
+    /// It is there.
+    Yes(T),
+    /// It is not there, or behind a fault that nothing has told of: the finding says so.
+    No(Box<Diagnostic>),
+    /// It may be there: a fault that has its finding leaves it unknown.
+    Unknown,
+}
+
+/// Whether a block has a word of that address whose number cannot be used, and that may have been meant as one of
+/// `numbers`.
 pub(super) fn may_hold(file: &ParsedFile, block: BlockId, address: Address, numbers: &[u8]) -> bool {
     let unread = |word: &Word| {
         let read = word.whole().and_then(|number| u8::try_from(number).ok()).is_some();
@@ -37,7 +54,7 @@ pub(super) fn may_have_block(parsed: &ParsedFile, unread: &[BlockId], unit: &Uni
     inside.by_ref().take(MANY).any(may_be) || inside.next().is_some()
 }
 
-/// Whether the digits of a word begin with those of `number`, or a parameter that does not exist stands for them.
+/// Whether the digits of a word begin with those of `number`, or are a parameter that does not exist.
 fn may_mean(file: &ParsedFile, word: Word, number: u32) -> bool {
     let text = file.source.slice(word.span(file.source.text()));
     let digits: String = text.chars().filter(char::is_ascii_digit).collect();

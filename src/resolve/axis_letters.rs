@@ -8,16 +8,17 @@ use crate::syntax::ParsedFile;
 /// How many axes the control has beside X, Y and Z, where it has not room for all letters.
 const BESIDE: usize = 3;
 
-/// The axis letters beside X, Y and Z that a program uses, as far as the control has axes: the first different ones in the
-/// order of the text, program before macrocycles. Every other one is one too many, and so is the third where none of the
-/// three is one that the sixth axis may have.
+/// The axis letters beside X, Y and Z that a program uses, as far as the control has axes: the first different ones in
+/// the order of the text, program before macrocycles. Every other one is one too many, and so is the third where none
+/// of the three is one that the sixth axis may have.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Letters {
+pub(super) struct AxisLetters {
     beside: Vec<AxisLetter>,
 }
 
-impl Letters {
-    /// Whether a program may not use all letters: the control has too few axes, and the configuration does not name them.
+impl AxisLetters {
+    /// Whether a program may not use all letters: the control has too few axes, and the configuration does not name
+    /// them.
     pub(super) fn are_limited(machine: &Machine) -> bool {
         !machine.axes.are_configured() && machine.dialect.axes() < AxisLetter::ALL.len()
     }

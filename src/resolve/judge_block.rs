@@ -1,0 +1,453 @@
+//! Judges the words of one block together, as far as its written values go.
+
+use std::collections::BTreeMap;
+
+use super::axis_letters::bit;
+use super::functions::{Conflict, Functions, m_number};
+use super::judge_file::{Judged, JudgedFile};
+use super::judge_word::is_out_of_range;
+use super::missing_axis;
+use super::targets::missing_control_words;
+use super::unnumbered::is_first_in_line;
+use super::{Taker, Unit, UnitKind, control_word, l_number, unused_l};
+use crate::config::Settings;
+use crate::diag::{Diagnostic, Finding, LabelText, OtherMeaning, ParameterNeed, TargetMeant, UnusedMeant};
+use crate::dict::{
+    Address, Decimal, FEED_FUNCTIONS, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, ORIENTED_STOP, PROGRAM_ENDS,
+    RESERVED_PARAMETER,
+};
+use crate::sure::Sure;
+use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Value, Word};
+
+/// Most words of an address in one block (BLK-3, BLK-4).
+const MOST_G: usize = 11;
+const MOST_M: usize = 10;
+const MOST_R: usize = 95;
+/// So many subprograms are named in a help.
+const MOST_NAMED: usize = 5;
+
+/// Judges blocks of one file.
+pub(super) struct BlockJudge<'a> {
+    pub(super) settings: &'a Settings,
+    pub(super) file: &'a ParsedFile,
+    /// The file with what surrounds its blocks.
+    pub(super) around: JudgedFile<'a>,
+    /// Axes that the control does not have, a bit for each address.
+    pub(super) surplus: u32,
+    pub(super) judged: Judged,
+}
+
+impl<'a> BlockJudge<'a> {
+    /// For the blocks of a file.
+    pub(super) fn new(settings: &'a Settings, around: JudgedFile<'a>) -> Self {
+        let surplus = around.letters.surplus(&settings.machine);
+        Self { settings, file: around.parsed, around, surplus, judged: Judged::default() }
+    }
+
+    /// The results.
+    pub(super) fn finish(self) -> Judged {
+        self.judged
+    }
+
+    /// Judges a block of a unit of that kind; `None`: of no unit.
+    pub(super) fn judge(&mut self, block: BlockId, unit: Option<UnitKind>) {
+        let flags = self.file.flags(block);
+        let mut numbered = true;
+        if let Some(word) = self.file.n_word(block)
+            && !(word.is_digits() && self.file.number(block).is_some())
+        {
+            numbered = self.judge_word(word, &Functions::default());
+        }
+        let words = self.file.words(block);
+        if !flags.has(BlockFlags::RICH) {
+            let (addresses, right) = self.judge_plain_words(block, words);
+            if flags.is_point() {
+                self.judged.points.add(addresses, right);
+            }
+            if words.is_empty() && numbered && flags == BlockFlags::default() {
+                self.warn_of_empty_block(block);
+            }
+            return;
+        }
+        let mut functions = Functions::of(words, self.settings);
+        let mut conflicts = std::mem::take(&mut functions.conflicts);
+        conflicts.extend(Conflict::of_addresses(words));
+        let lines = self.judge_conflicts(block, &conflicts);
+        self.judge_functions(words);
+        for &word in words {
+            if self.is_lost_number(word, &lines, &functions) {
+                self.judged.refused.push(word.start());
+            } else {
+                self.judge_word(word, &functions);
+            }
+        }
+        self.judge_plane(&functions);
+        self.judge_roles(words, &functions, flags);
+        self.judge_other_meanings(words, &functions);
+        self.judge_parameters(words, &functions);
+        if flags.has(BlockFlags::SKIP) {
+            self.check_skip(block, words, &functions, flags, unit);
+        }
+        if !matches!(unit, Some(UnitKind::Main) | None) && flags.has(BlockFlags::END) {
+            self.judge_end_in_unit(words);
+        }
+    }
+
+    /// Judges the `%` word: it has the form of its address like every word.
+    pub(super) fn judge_program_word(&mut self) {
+        if let Some(word) = self.file.program.filter(|_| self.file.form == Form::Program) {
+            self.judge_word(word, &Functions::default());
+        }
+    }
+
+    /// A block of axis, feed and the like: its words are plain numbers, and nothing else can be wrong with it. Gives
+    /// the addresses of its words, and whether each is an axis word, or I or J, with which nothing is wrong.
+    #[inline]
+    fn judge_plain_words(&mut self, block: BlockId, words: &[Word]) -> (u32, bool) {
+        let mut seen = 0_u32;
+        let mut repeated = false;
+        let mut all_simple = true;
+        for &word in words {
+            let bit = bit(word.address);
+            repeated |= seen & bit != 0;
+            seen |= bit;
+            let in_range = word.number().is_some_and(|number| number.abs() <= Decimal::DIMENSION_MAX);
+            let simple = in_range
+                && !word.is_rounded()
+                && self.surplus & bit == 0
+                && (word.address == Address::I
+                    || word.address == Address::J
+                    || self.settings.machine.axes.index_of(word.address).is_some());
+            if !simple {
+                all_simple = false;
+                self.judge_word(word, &Functions::default());
+            }
+        }
+        if repeated {
+            self.judge_conflicts(block, &Conflict::of_addresses(words));
+        }
+        (seen, all_simple && !repeated)
+    }
+
+    /// Warns of a block without words (W0214), unless its line lacks another block number, or the words come after the
+    /// `*` in it.
+    fn warn_of_empty_block(&mut self, block: BlockId) {
+        let place = self.file.n_place(block);
+        let lines = self.file.source.lines();
+        let unnumbered = self.around.unnumbered(self.settings).line_before(place.span.start);
+        if unnumbered.is_some_and(|line| lines.line_at(line) == lines.line_at(place.span.start)) {
+            return;
+        }
+        let warning = Diagnostic::new(Finding::EmptyBlock { block: self.file.shown_number(block) }, place);
+        if self.around.at_star == Some(block) {
+            self.judged.at_star.push(warning);
+        } else {
+            self.judged.findings.add(warning);
+        }
+    }
+
+    /// Reports words that conflict (BLK-3, GRP-1, MFN-1). Conflicts with the lines above one that lacks its block
+    /// number are one fault: the first of them says so. Gives these lines.
+    fn judge_conflicts(&mut self, block: BlockId, conflicts: &[Conflict]) -> Vec<u32> {
+        if conflicts.is_empty() {
+            return Vec::new();
+        }
+        let unnumbered = self.around.unnumbered(self.settings);
+        let mut first: BTreeMap<u32, u32> = BTreeMap::new();
+        for conflict in conflicts {
+            if let Some(line) = unnumbered.line_between(conflict) {
+                let place = first.entry(line).or_insert(u32::MAX);
+                *place = conflict.second.start().min(*place);
+            }
+        }
+        for conflict in conflicts {
+            let line = unnumbered.line_between(conflict);
+            if line.is_none_or(|line| first.get(&line) == Some(&conflict.second.start())) {
+                self.judged.findings.add(conflict.diagnostic(self.file, &self.settings.machine, line.is_some()));
+            }
+        }
+        self.judged.merged.extend(first.keys().map(|line| (*line, block)));
+        first.into_keys().collect()
+    }
+
+    /// Whether a word is the number of a block behind another letter, `M1400 G79 L200`, on one of those lines or where
+    /// a subprogram begins.
+    fn is_lost_number(&self, word: Word, lines: &[u32], functions: &Functions) -> bool {
+        let in_line = || self.around.unnumbered(self.settings).line_before(word.start());
+        let crowded = || self.around.crowded.contains(&self.file.word_place(word));
+        (!lines.is_empty() || !self.around.crowded.is_empty())
+            && (in_line().is_some_and(|line| lines.binary_search(&line).is_ok()) || crowded())
+            && is_first_in_line(self.file, word)
+            && is_out_of_range(self.settings, word, functions)
+    }
+
+    /// How many words of an address a block may have (BLK-3, BLK-4), and M functions that the machine does not have
+    /// (MFN-10, TEC-8).
+    fn judge_functions(&mut self, words: &[Word]) {
+        let machine = &self.settings.machine;
+        let limits = [(Address::G, MOST_G), (Address::M, MOST_M), (Address::R, MOST_R)];
+        for (address, limit) in limits.into_iter().filter(|(_, limit)| words.len() > *limit) {
+            let limited = address == Address::R || machine.dialect.limits_words();
+            let mut of_address = words.iter().filter(|word| word.address == address);
+            if let Some(word) = of_address.nth(limit).filter(|_| limited) {
+                self.report(*word, Finding::TooManyWords { address, limit });
+            }
+        }
+        for &word in words {
+            let Some(m) = m_number(word, self.settings) else { continue };
+            if m == ORIENTED_STOP && !machine.oriented_stop {
+                self.report(word, Finding::OrientedStopUnavailable {});
+            }
+            if machine.m_functions.is_meaningless(m) && self.judged.meaningless.iter().all(|(known, _)| *known != m) {
+                let finding = Finding::FunctionWithoutMeaning { m, feed: FEED_FUNCTIONS.contains(&m) };
+                self.judged.meaningless.push((m, Diagnostic::new(finding, self.file.word_place(word))));
+            }
+        }
+    }
+
+    pub(super) fn report(&mut self, word: Word, finding: Finding) {
+        self.judged.findings.add(Diagnostic::new(finding, self.file.word_place(word)));
+    }
+
+    pub(super) fn report_value(&mut self, word: Word, finding: Finding) {
+        self.judged.findings.add(Diagnostic::new(finding, self.file.value_place(word)));
+    }
+
+    /// A plane with an axis that the machine does not have (GRP-2).
+    fn judge_plane(&mut self, functions: &Functions) {
+        if let Some((function, word)) = functions.of_group(GGroup::G1)
+            && let Some(finding) = missing_axis(&self.settings.machine.axes, function)
+        {
+            self.report(word, finding);
+        }
+    }
+
+    /// What L and Q are for (FLW-7), what G04 needs (GRP-5), and that the L of G79 is written out (PRG-3).
+    fn judge_roles(&mut self, words: &[Word], functions: &Functions, flags: BlockFlags) {
+        functions.roles.check(flags.has(BlockFlags::END), |word, finding| {
+            let unused_l = matches!(finding, Finding::UnusedTarget { .. });
+            let unused_q = matches!(finding, Finding::UnusedRepeat {});
+            if let Finding::MissingTarget { function: function @ GCode::G71, meant } = finding {
+                let only_g = words.iter().all(|word| word.address == Address::G);
+                let known = || self.known_subprograms().unwrap_or(meant);
+                let meant = if only_g { TargetMeant::Millimetres } else { known() };
+                self.report(word, Finding::MissingTarget { function, meant });
+            } else if unused_l && !self.is_explained(word) {
+                self.judge_unused_l(words, functions, word);
+            } else if !unused_l && !(unused_q && (self.is_explained(word) || self.is_call(words, functions))) {
+                self.report(word, finding);
+            }
+        });
+        if let Taker::One(GCode::G79, _) = functions.roles.taker
+            && let Some(l) = functions.roles.l.filter(|l| !l.is_faulty())
+            && let Value::Parameter { index, .. } = l.value()
+        {
+            let needs = ParameterNeed::WrittenOut("L".to_owned());
+            let value = String::new();
+            let finding = Finding::UnusableParameterValue { address: Address::L, parameter: index, value, needs };
+            self.report(l, finding);
+            self.judged.refused.push(l.start());
+        }
+    }
+
+    /// Whether another finding explains an L or Q without use: that of its value, or of the line that it begins, which
+    /// lacks its block number.
+    fn is_explained(&self, word: Word) -> bool {
+        /// So many words of a block are looked at.
+        const WORDS: usize = 64;
+        self.judged.refused.iter().rev().take(WORDS).any(|start| *start == word.start())
+            || self.around.unnumbered(self.settings).line_before(word.start()) == Some(word.start())
+    }
+
+    /// Whether the words of a block are a call or jump that lost its function, which has its finding.
+    fn is_call(&self, words: &[Word], functions: &Functions) -> bool {
+        functions.is_call_elsewhere(words)
+            || self.exchanged_call(words, functions).is_some()
+            || unused_l::is_call_alone(self.file, self.around.units, words)
+    }
+
+    /// An L without use (W0402), with what was probably meant.
+    fn judge_unused_l(&mut self, words: &[Word], functions: &Functions, word: Word) {
+        let called = || words.iter().find(|word| word.address == Address::P).and_then(|word| word.whole());
+        if functions.calls_elsewhere().is_some() && called().is_some_and(|p| !(1..=99).contains(&p)) {
+            // The P has its finding, which gives the call in the words of this control.
+            return;
+        }
+        let meant = match self.exchanged_call(words, functions) {
+            Some((code, l)) => {
+                let count = functions.roles.q.and_then(Word::whole);
+                let count = count.map_or_else(String::new, |count| format!(" Q{count}"));
+                UnusedMeant::Exchanged { written: format!("{code} L{l}{count}") }
+            }
+            None => {
+                let meant = unused_l::meant(words, functions, word);
+                let lost = || unused_l::lost_function(self.file, self.around.units, words, word);
+                if meant == UnusedMeant::Target { lost() } else { meant }
+            }
+        };
+        let alone = words.iter().all(|word| matches!(word.address, Address::L | Address::Q | Address::Skip));
+        let lost = l_number(word).filter(|_| alone && meant == UnusedMeant::Target);
+        let diagnostic = Diagnostic::new(Finding::UnusedTarget { meant }, self.file.word_place(word));
+        match lost {
+            Some(l) => self.judged.lost_calls.push((l, diagnostic)),
+            None => self.judged.findings.add(diagnostic),
+        }
+    }
+
+    /// The call or jump of a block whose digits are exchanged.
+    fn exchanged_call(&self, words: &[Word], functions: &Functions) -> Option<(GCode, u32)> {
+        let units = self.around.units;
+        unused_l::exchanged_call(units, words, functions)
+            .filter(|(code, l)| *code != GCode::G71 || unused_l::is_unit(units, *l))
+    }
+
+    /// The first subprograms of the file, when there are any.
+    fn known_subprograms(&self) -> Option<TargetMeant> {
+        let number = |unit: &Unit| match unit.kind {
+            UnitKind::Subprogram(l) => l,
+            UnitKind::Main | UnitKind::Macrocycle(_) => None,
+        };
+        let known: Vec<String> =
+            self.around.units.iter().filter_map(number).take(MOST_NAMED).map(|l| format!("L{l}")).collect();
+        (!known.is_empty()).then(|| TargetMeant::OneOf { known: known.join(", ") })
+    }
+
+    /// Words that are legal here, but are written for what they mean on other controls.
+    fn judge_other_meanings(&mut self, words: &[Word], functions: &Functions) {
+        let of = |address: Address| words.iter().copied().find(|word| word.address == address);
+        if let (Some(m), true, Some(p)) =
+            (functions.calls_elsewhere(), functions.is_call_elsewhere(words), of(Address::P))
+            && let Some(number) = p.whole()
+        {
+            let count = functions.roles.q.and_then(|q| q.whole());
+            self.report(m, Finding::OtherMeaning { meant: OtherMeaning::Call { l: number }, count });
+        }
+        // `T0101`: the tool and its offset.
+        if let Some(t) = of(Address::T).filter(|t| !t.is_faulty())
+            && let Some(tool) = t.whole().filter(|tool| (101..1000).contains(tool) && tool / 100 == tool % 100)
+        {
+            let written = self.file.source.slice(t.span(self.file.source.text()));
+            if written.get(1..).sure().trim_start_matches([' ', '\t']).starts_with('0') {
+                let written = written.to_ascii_uppercase();
+                self.report(
+                    t,
+                    Finding::OtherMeaning { meant: OtherMeaning::ToolWithOffset { written, tool }, count: None },
+                );
+            }
+        }
+        let table = functions.of_group(GGroup::G10).is_some_and(|(code, _)| code == GCode::G92);
+        let moves = words.iter().any(|word| word.address.axis().is_some());
+        if let (Some(f), Some((_, g))) = (of(Address::F).filter(|_| table && moves), functions.of_group(GGroup::G10))
+            && !f.is_faulty()
+        {
+            self.report(g, Finding::OtherMeaning { meant: OtherMeaning::Thread, count: None });
+        }
+        let only_speed = !words.iter().any(|word| word.address.axis().is_some() || word.address == Address::D);
+        if let Some(s) = of(Address::S).filter(|s| table && only_speed && !s.is_faulty()) {
+            self.report(s, Finding::OtherMeaning { meant: OtherMeaning::SpeedLimit, count: None });
+        }
+    }
+
+    /// Parameters: R95, what is assigned and read, control words (PAR-4, PAR-7…PAR-9).
+    fn judge_parameters(&mut self, words: &[Word], functions: &Functions) {
+        let has_r = words.iter().any(|word| word.address == Address::R);
+        if !has_r && functions.of_group(GGroup::G4).is_none() {
+            return;
+        }
+        let mut assigned: [Option<Word>; 96] = [None; 96];
+        let mut void = false;
+        for &word in words.iter().filter(|word| word.address == Address::R) {
+            void |= word.is_void();
+            if let Some(slot) = assigned.get_mut(usize::from(word.target()))
+                && !word.is_void()
+                && slot.is_none()
+            {
+                *slot = Some(word);
+            }
+            if word.target() == RESERVED_PARAMETER && !word.is_void() {
+                self.report(word, Finding::ReservedParameter {});
+            }
+        }
+        let mut warned = [false; 96];
+        for &word in words {
+            let Value::Parameter { index, .. } = word.value() else { continue };
+            let place = usize::from(index);
+            if let (Some(Some(first)), Some(warned @ false)) = (assigned.get(place), warned.get_mut(place)) {
+                *warned = true;
+                let (read, assigned) = (self.file.word_place(word), self.file.word_place(*first));
+                let diagnostic = Diagnostic::new(Finding::AssignedAndRead { parameter: index }, read);
+                // `R50=R50` needs no mark: the word itself shows both.
+                let elsewhere = read.span != assigned.span;
+                let label = LabelText::AssignedHere { parameter: index };
+                self.judged.findings.add(if elsewhere { diagnostic.with_label(assigned, label) } else { diagnostic });
+            }
+        }
+        if let Some((function, g_word)) = functions.of_group(GGroup::G4) {
+            // G28 approaches the reference point on other controls.
+            let axes = words.iter().any(|word| word.address.axis().is_some());
+            let reference = function == GCode::G28 && !has_r && axes;
+            self.judge_control_words((function, g_word), &assigned, void, reference);
+        }
+    }
+
+    fn judge_control_words(
+        &mut self,
+        (function, g_word): (GCode, Word),
+        assigned: &[Option<Word>; 96],
+        void: bool,
+        reference: bool,
+    ) {
+        let mut superfluous = Vec::new();
+        let used = FIRST_CONTROL..FIRST_CONTROL + u8::try_from(function.operations()).unwrap_or(0);
+        for parameter in FIRST_CONTROL..=LAST_CONTROL {
+            let word = assigned.get(usize::from(parameter)).copied().flatten();
+            match (used.contains(&parameter), word) {
+                (false, Some(word)) => superfluous.push((word, parameter)),
+                (true, Some(word)) => {
+                    if let (Some(value), false) = (word.number(), word.is_faulty())
+                        && value.fits_parameter()
+                        && let Err(finding) = control_word(&self.settings.machine, value)
+                    {
+                        self.report_control_word(word, finding);
+                    }
+                }
+                (_, None) => {}
+            }
+        }
+        let has = |parameter: u8| assigned.get(usize::from(parameter)).is_some_and(Option::is_some);
+        match missing_control_words(function, has) {
+            None => {
+                for (word, parameter) in superfluous {
+                    self.report(word, Finding::SuperfluousControlWord { function, parameter });
+                }
+            }
+            // Control words in the wrong parameters are part of it.
+            Some(mut finding) if !void => {
+                if let Finding::MissingControlWord { reference: meant, .. } = &mut finding {
+                    *meant = reference;
+                }
+                self.report(g_word, finding);
+            }
+            Some(_) => {}
+        }
+    }
+
+    /// An operation that is not configured is reported once for each code.
+    fn report_control_word(&mut self, word: Word, finding: Finding) {
+        if let Finding::UnknownOperation { operation, .. } = finding {
+            let diagnostic = Diagnostic::new(finding, self.file.value_place(word));
+            self.judged.operations.push((operation, diagnostic));
+        } else {
+            self.report_value(word, finding);
+        }
+    }
+
+    /// M02 and M30 in a subprogram or macrocycle (PRG-5).
+    fn judge_end_in_unit(&mut self, words: &[Word]) {
+        for &word in words {
+            if let Some(function) = m_number(word, self.settings).filter(|number| PROGRAM_ENDS.contains(number)) {
+                self.report(word, Finding::ProgramEndInSubprogram { function });
+            }
+        }
+    }
+}
