@@ -234,8 +234,7 @@ impl GCode {
     /// (GRP-3, §7).
     pub const fn is_lasting_decided(self) -> bool {
         matches!(self.group(), GGroup::G4)
-            || matches!(self, Self::G00 | Self::G30 | Self::G53 | Self::G75 | Self::G34)
-            || matches!(self, Self::G71 | Self::G72 | Self::G73 | Self::G79)
+            || matches!(self, Self::G00 | Self::G30 | Self::G53 | Self::G75 | Self::G34 | Self::G79)
     }
 
     /// How many operations G26–G29 perform; 0 for the other functions.

@@ -28,8 +28,8 @@ pub(super) fn g_page(code: GCode, lang: Lang) -> String {
     if code.is_lasting_decided() {
         let text = pick(
             lang,
-            "This is a decision, in brackets above: the manual marks no such function of the group",
-            "To je rozhodnutí, nahoře v závorce: příručka takovou funkci skupiny neoznačuje",
+            "The mark in brackets is a decision: the manual has none here",
+            "Značka v závorce je rozhodnutí: v příručce zde žádná není",
         );
         let _ = writeln!(page, "- {text}");
     }

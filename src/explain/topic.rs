@@ -329,7 +329,7 @@ mod tests {
     fn a_page_of_a_function_says_group_and_how_long_it_holds() {
         let page = Topic::find_word("G73").unwrap().page(Lang::En);
         assert!(page.starts_with("# G73: jump to a block of the same unit\n"), "{page}");
-        assert!(page.contains("Group G7, calls and jumps: G70+, G71x, G72x, G73x, G79x"), "{page}");
+        assert!(page.contains("Group G7, calls and jumps: G70+, G71x, G72x, G73x, G79(x)"), "{page}");
         assert!(page.contains("in its own block only"), "{page}");
         assert!(page.contains("- E0406 unknown-jump-target"), "{page}");
         assert!(Topic::find_word("G73").unwrap().page(Lang::Cs).contains("Skupina G7, volání a skoky"));

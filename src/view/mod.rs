@@ -23,6 +23,7 @@ mod column;
 mod container;
 mod display;
 mod files;
+mod foretold;
 mod glyphs;
 mod hash;
 mod lines;

@@ -53,7 +53,7 @@ const TABLE: [Row; 40] = [
     (elsewhere::line, "L Z+100 R0 FMAX"),
     (letters::letter_for_digit, "G71 LI00"),
     (forgotten::exchanged_words, "80X 20Y"),
-    (forgotten::exchanged_address, "X1 4Y0"),
+    (forgotten::exchanged_address, "X1 4Y"),
     (forgotten::address, "X70 40"),
     (numbers::many_signs, "X--R1"),
     (numbers::doubled_letter, "TT1"),
@@ -413,5 +413,58 @@ impl<'t> Cursor<'t> {
             operands.extend([operator, value]);
             operands.extend(self.numbers());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::syntax::tokens::tokens;
+
+    /// The tokens of a block, with the shapes that the splitter gives them by their places.
+    fn block(text: &str) -> Vec<Token> {
+        let mut block: Vec<Token> = Vec::new();
+        for mut token in tokens(text, 0, u32::try_from(text.len()).unwrap()) {
+            if mixed_number(text.as_bytes(), &block, token) {
+                token = Token { kind: Kind::Junk(Shape::MixedNumber), start: block.pop().unwrap().start, ..token };
+            } else if lost_number(text.as_bytes(), &block, token) {
+                token.kind = Kind::Junk(Shape::LostNumber);
+            } else if text.starts_with("G73") && token.start > 0 {
+                token.kind = Kind::Junk(Shape::JumpTarget);
+            }
+            block.push(token);
+        }
+        block
+    }
+
+    /// Each recogniser decides its example: no other one before it matches there.
+    #[test]
+    fn examples() {
+        let around_words = AROUND_WORDS.iter().map(|row| (row, true));
+        let mut undecided = Vec::new();
+        for ((recognise, example), first) in around_words.chain(TABLE.iter().map(|row| (row, false))) {
+            // Some are asked for behind a block number only, others never there.
+            let decides = [format!("N10 {example}"), (*example).to_owned()].iter().any(|text| {
+                let tokens = block(text);
+                let mut around =
+                    Around { text, file: FileId(0), tokens: &tokens, at: 0, words: Vec::new(), quotes_off: None };
+                around.words = around.well_formed();
+                while around.at < tokens.len() {
+                    let matches = |(recognise, _): &Row| recognise(&around).is_some();
+                    let row = recognise(&around).is_some();
+                    let table = if first { &AROUND_WORDS[..] } else { &TABLE[..] };
+                    let earlier = table.iter().take_while(|(_, other)| other != example).any(matches);
+                    if row && !earlier && (first || !AROUND_WORDS.iter().any(matches)) {
+                        return true;
+                    }
+                    around.at += around.item().tokens.max(1);
+                }
+                false
+            });
+            if !decides {
+                undecided.push(*example);
+            }
+        }
+        assert!(undecided.is_empty(), "{undecided:#?}");
     }
 }
