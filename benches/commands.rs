@@ -1,4 +1,5 @@
-//! The commands as a user runs them, on large programs: time of the whole process, and its memory where the system tells.
+//! The commands as a user runs them, on large programs: time of the whole process, and its memory where the system
+//! tells.
 //!
 //! ```text
 //! cargo bench --bench commands            # all rows but the gigabyte

@@ -1,5 +1,5 @@
-//! How time grows with the input: a table for each kind of input, with the time of one unit of it at each size. Work that
-//! grows as its input does has the same time in a whole row.
+//! How time grows with the input: a table for each kind of input, with the time of one unit of it at each size. Work
+//! that grows as its input does has the same time in a whole row.
 //!
 //! ```text
 //! cargo bench --bench growth             # all sizes: half an hour, 2 GB of disk, 3 GB of memory
@@ -7,8 +7,8 @@
 //! cargo bench --bench growth -- LINES    # one table: BLOCKS, FILES, LINES, FINDINGS, FIXES, DOCUMENTS
 //! ```
 //!
-//! Times are the least of several runs of the whole process, less the least time of one that has nothing to do. So at the
-//! smallest sizes they are coarse.
+//! Times are the least of several runs of the whole process, less the least time of one that has nothing to do. So at
+//! the smallest sizes they are coarse.
 #![expect(clippy::disallowed_methods, clippy::print_stdout, reason = "a benchmark writes files and prints")]
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
 

@@ -16,10 +16,10 @@ pub const STDIN: &str = "-";
 /// Spans hold 32 bits.
 const LIMIT: u64 = u32::MAX as u64;
 
-/// Reads regular files, and of other kinds of files only those that the user named as programs: standard input and pipes
-/// (`check <(generate)`). What it refuses comes as these kinds of error: [`io::ErrorKind::IsADirectory`], `Unsupported`
-/// for all but regular files, `FileTooLarge` for 4 GiB and more, `ResourceBusy` for a file that changes all the time, and
-/// [`BrokenLink`].
+/// Reads regular files, and of other kinds of files only those that the user named as programs: standard input and
+/// pipes (`check <(generate)`). What it refuses comes as these kinds of error: [`io::ErrorKind::IsADirectory`],
+/// `Unsupported` for all but regular files, `FileTooLarge` for 4 GiB and more, `ResourceBusy` for a file that changes
+/// all the time, and [`BrokenLink`].
 #[derive(Debug, Default)]
 pub struct DiskLoader {
     /// Programs that may be pipes. A pipe can be read once, a program may be wanted twice: what it gave is kept.

@@ -1,5 +1,5 @@
-//! Compiler toolchain for part programs of the CNC8x6, CNC8x9 and CNC872 controls: it finds what is wrong with a program,
-//! and executes it block by block as the control does.
+//! Compiler toolchain for part programs of the CNC8x6, CNC8x9 and CNC872 controls: it finds what is wrong with a
+//! program, and executes it block by block as the control does.
 //!
 //! A [`session::Session`] runs one program: it loads the files, checks the text, executes the blocks, and shows each
 //! to a [`run::Sink`]. The program `cnc872c` is a command line over it; this example does the same from memory:

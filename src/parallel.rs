@@ -1,5 +1,5 @@
-//! Work on several threads: with the feature `parallel`, and where the system gives threads. Else the same work is done by
-//! the caller, with the same result.
+//! Work on several threads: with the feature `parallel`, and where the system gives threads. Else the same work is done
+//! by the caller, with the same result.
 
 use std::panic::resume_unwind;
 use std::sync::mpsc::{SyncSender, sync_channel};
@@ -47,7 +47,8 @@ pub fn map<T: Send, R: Send>(items: Vec<T>, work: impl Fn(T) -> R + Sync) -> Vec
     items.into_iter().map(work).collect()
 }
 
-/// Does `work` in a thread of that name beside what follows; `None`, and the work is dropped, without a thread to do it.
+/// Does `work` in a thread of that name beside what follows; `None`, and the work is dropped, without a thread to do
+/// it.
 pub fn beside<'scope, T: Send + 'scope>(
     scope: &'scope Scope<'scope, '_>,
     name: &str,
@@ -59,7 +60,8 @@ pub fn beside<'scope, T: Send + 'scope>(
     Builder::new().name(name.to_owned()).spawn_scoped(scope, work).ok()
 }
 
-/// Does `work` in a thread of that name, which ends by itself; `None`, and the work is dropped, without a thread to do it.
+/// Does `work` in a thread of that name, which ends by itself; `None`, and the work is dropped, without a thread to do
+/// it.
 pub fn apart<T: Send + 'static>(name: &str, work: impl FnOnce() -> T + Send + 'static) -> Option<JoinHandle<T>> {
     if !cfg!(feature = "parallel") {
         return None;
@@ -67,8 +69,8 @@ pub fn apart<T: Send + 'static>(name: &str, work: impl FnOnce() -> T + Send + 's
     Builder::new().name(name.to_owned()).spawn(work).ok()
 }
 
-/// Adds items to a state, in their order: in a separate thread once there are more than a few, while the caller finds the
-/// next ones.
+/// Adds items to a state, in their order: in a separate thread once there are more than a few, while the caller finds
+/// the next ones.
 #[derive(Debug)]
 pub struct Fold<T, S> {
     name: &'static str,

@@ -1,5 +1,5 @@
-//! What cannot be otherwise. Tests and fuzzing, which are built with debug assertions, stop where it is; users get a default,
-//! since no fault of ours may take an editor or a run down.
+//! What cannot be otherwise. Tests and fuzzing, which are built with debug assertions, stop where it is; users get a
+//! default, since no fault of ours may take an editor or a run down.
 
 /// A count of bytes, lines, words or the like of texts, each of which has less than 4 GiB.
 #[inline]

@@ -1,5 +1,5 @@
-//! What editors colour part programs by, made of the rows of the dictionary: queries for the tree-sitter grammar and the
-//! syntax file for Vim. The other queries are written by hand; editors get copies of them.
+//! What editors colour part programs by, made of the rows of the dictionary: queries for the tree-sitter grammar and
+//! the syntax file for Vim. The other queries are written by hand; editors get copies of them.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -1,5 +1,5 @@
-//! The generated pages, made of the rows of the dictionary and the registry: addresses, functions, findings, the keys of
-//! the project file, and the JSON Schemas.
+//! The generated pages, made of the rows of the dictionary and the registry: addresses, functions, findings, the keys
+//! of the project file, and the JSON Schemas.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;

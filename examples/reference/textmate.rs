@@ -62,8 +62,8 @@ fn scope(name: &str) -> Value {
     json!({ "name": format!("{name}.cnc872") })
 }
 
-/// LEX-1: nothing before the first `%` is read. A file that opens with a block or a comment may be a macrocycle, which has
-/// none; one that opens with other text is a program with a heading.
+/// LEX-1: nothing before the first `%` is read. A file that opens with a block or a comment may be a macrocycle, which
+/// has none; one that opens with other text is a program with a heading.
 fn heading() -> Value {
     json!({
         "begin": r#"\A(?=[ \t]*(?:[^\s%"“”„Nn]|[Nn][ \t]*[^ \t0-9]))"#,
@@ -326,8 +326,8 @@ fn text() -> Value {
     })
 }
 
-/// What is left and cannot be right: decimal commas, the letters that are no address, characters that the control does not
-/// know. A letter that still waits for its number is left alone.
+/// What is left and cannot be right: decimal commas, the letters that are no address, characters that the control does
+/// not know. A letter that still waits for its number is left alone.
 fn illegal() -> Value {
     let mut unknown = String::new();
     for byte in b'A'..=b'Z' {

@@ -1,4 +1,5 @@
-//! What an editor says to the language server, read from the input: a script, or the bytes of the connection themselves.
+//! What an editor says to the language server, read from the input: a script, or the bytes of the connection
+//! themselves.
 
 #![no_main]
 

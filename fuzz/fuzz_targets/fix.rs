@@ -13,8 +13,8 @@ use libfuzzer_sys::fuzz_target;
 
 const PROGRAM: FileId = FileId(0);
 
-/// Rounds until no fix is left; overlapping fixes wait for the next round. Of blocks with the same number each is offered
-/// the next free one, so that all of them together take one round a block.
+/// Rounds until no fix is left; overlapping fixes wait for the next round. Of blocks with the same number each is
+/// offered the next free one, so that all of them together take one round a block.
 const MOST_ROUNDS: usize = 50;
 
 fuzz_target!(|data: &[u8]| {

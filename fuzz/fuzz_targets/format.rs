@@ -1,5 +1,5 @@
-//! Any bytes as program and as macrocycle, formatted in any style: the control executes the same, findings and comments stay,
-//! no line gets too long, and formatting again changes nothing.
+//! Any bytes as program and as macrocycle, formatted in any style: the control executes the same, findings and comments
+//! stay, no line gets too long, and formatting again changes nothing.
 
 #![no_main]
 

@@ -221,8 +221,8 @@ fn checked(
     shown.collect()
 }
 
-/// The offset of a place that an editor names. Places behind the end of a line are its end, lines behind the last are the
-/// end of the text, and a column inside a character is the begin of it.
+/// The offset of a place that an editor names. Places behind the end of a line are its end, lines behind the last are
+/// the end of the text, and a column inside a character is the begin of it.
 pub fn offset(text: &str, line: u64, column: u64, unit: ColumnUnit) -> usize {
     let (mut start, mut left) = (0, line);
     while left > 0 {

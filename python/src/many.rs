@@ -62,7 +62,8 @@ impl<'o> Many<'o> {
         Ok(Self { setup, targets: found })
     }
 
-    /// What `each` makes of the programs, in their order; those of the last are given to `take` before the next are begun.
+    /// What `each` makes of the programs, in their order; those of the last are given to `take` before the next are
+    /// begun.
     fn each<T: Send>(
         &self,
         goes_on: &GoesOn<'_>,

@@ -45,8 +45,8 @@ impl Table {
         self.rows
     }
 
-    /// A stream of the batches, which shares their memory: the Arrow PyCapsule interface. The schema asked for is only a
-    /// wish, which is not granted.
+    /// A stream of the batches, which shares their memory: the Arrow PyCapsule interface. The schema asked for is only
+    /// a wish, which is not granted.
     #[pyo3(signature = (requested_schema=None))]
     fn __arrow_c_stream__<'py>(
         &self,

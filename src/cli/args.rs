@@ -505,7 +505,8 @@ pub(super) struct FindingsArgs {
     pub all: bool,
 }
 
-/// Options that the commands which execute programs have in common: how to read and execute one, and which findings to show.
+/// Options that the commands which execute programs have in common: how to read and execute one, and which findings to
+/// show.
 #[derive(Debug, Args)]
 pub(super) struct CommonArgs {
     #[arg(long, value_name = "DIALECT")]

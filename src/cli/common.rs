@@ -156,7 +156,8 @@ impl Projects {
     }
 }
 
-/// Writes the findings to standard error: what the command makes may be on standard output. People need no word about none.
+/// Writes the findings to standard error: what the command makes may be on standard output. People need no word about
+/// none.
 pub(super) fn print_beside(args: &FindingsArgs, report: &Report, locale: Locale) {
     if report.items().len() == 0 && args.format == Format::Human {
         return;

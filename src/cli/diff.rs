@@ -10,8 +10,8 @@ use crate::text::{Encoding, SourceText};
 /// Lines that a hunk shows around what changes.
 const CONTEXT: usize = 3;
 
-/// The lines of a file, each with its line feed: `patch` knows no other line ends, so that a file which has only carriage
-/// returns is one line.
+/// The lines of a file, each with its line feed: `patch` knows no other line ends, so that a file which has only
+/// carriage returns is one line.
 pub fn lines(bytes: &[u8]) -> Vec<Vec<u8>> {
     bytes.split_inclusive(|&byte| byte == b'\n').map(<[u8]>::to_vec).collect()
 }

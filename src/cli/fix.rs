@@ -250,8 +250,8 @@ fn attempt(target: &Target, projects: &Projects, disk: &DiskLoader) -> Option<At
     Some(Attempt { fixable, elsewhere, ..Attempt::default() })
 }
 
-/// Whether a program is for another control (W0113), also when that finding is allowed: then it is not shown, but what it
-/// says of the file holds.
+/// Whether a program is for another control (W0113), also when that finding is allowed: then it is not shown, but what
+/// it says of the file holds.
 fn is_for_other_control(target: &Target, loader: &InMemory<'_>, settings: &Settings) -> bool {
     let mut settings = settings.clone();
     settings.lints.insert(Code::W0113, Level::Warn);

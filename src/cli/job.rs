@@ -1,5 +1,5 @@
-//! A command over one program whose output may take the place of a file: what `compile`, `motion`, `plc`, `report` and `view`
-//! have in common.
+//! A command over one program whose output may take the place of a file: what `compile`, `motion`, `plc`, `report` and
+//! `view` have in common.
 
 use std::path::{Path, PathBuf};
 

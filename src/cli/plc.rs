@@ -160,7 +160,8 @@ fn write(run: Run<'_>, args: &PlcArgs, out: impl Write + Send) -> io::Result<(Ou
     }
 }
 
-/// Says which signals have no value because `[motion]` is not there: those that a condition names, or all that were chosen.
+/// Says which signals have no value because `[motion]` is not there: those that a condition names, or all that were
+/// chosen.
 fn tell_of_motion(signals: &[&'static Signal], condition: bool, lang: Lang) {
     let names: Vec<&str> =
         signals.iter().filter(|signal| signal.needs_motion()).map(|signal| signal.name.as_str()).collect();

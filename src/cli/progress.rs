@@ -41,8 +41,8 @@ struct Shared {
 }
 
 impl Progress {
-    /// Begins. `stdout_in_use` says that results are written while the work goes on: on a terminal they and the bar would
-    /// mix.
+    /// Begins. `stdout_in_use` says that results are written while the work goes on: on a terminal they and the bar
+    /// would mix.
     pub fn start(counted: Counted, stdout_in_use: bool, lang: Lang) -> Self {
         let visible = io::stderr().is_terminal() && !(stdout_in_use && io::stdout().is_terminal());
         let shared = Arc::new(Shared::default());

@@ -1,7 +1,8 @@
 //! Rows of programs that were executed before, by the hash of their bytes, of their configuration and of this version.
 //!
-//! The folder holds files of lines: an id, a check sum, an entry as JSON. Each file is written beside its place and then
-//! renamed, and never changed: a run that is killed leaves the files before it. A line whose sum is wrong is no entry.
+//! The folder holds files of lines: an id, a check sum, an entry as JSON. Each file is written beside its place and
+//! then renamed, and never changed: a run that is killed leaves the files before it. A line whose sum is wrong is no
+//! entry.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;

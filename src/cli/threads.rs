@@ -5,8 +5,8 @@ use std::thread::{Builder, available_parallelism};
 
 use crossbeam_channel::bounded;
 
-/// Lets the work that follows be done by this thread alone when the system gives no threads (a container with a limit of
-/// processes): the pool would end the program. For commands, whose work begins in one thread.
+/// Lets the work that follows be done by this thread alone when the system gives no threads (a container with a limit
+/// of processes): the pool would end the program. For commands, whose work begins in one thread.
 pub(super) fn prepare() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {

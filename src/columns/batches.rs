@@ -85,7 +85,8 @@ impl<'o> Rows<'o> {
         self.failed.is_none()
     }
 
-    /// Begins with the columns of the row in the table, which is no row of the data. The schema has `value` as metadata.
+    /// Begins with the columns of the row in the table, which is no row of the data. The schema has `value` as
+    /// metadata.
     pub fn begin(&mut self, key: &str, value: &str) {
         self.schema = self.table.declare(Metadata::new().with(key, value.trim_end()));
         let begun = self.out.begin(&self.schema);

@@ -39,7 +39,8 @@ impl fmt::Debug for BlockTable<'_> {
 }
 
 impl<'o> BlockTable<'o> {
-    /// Gives record batches of a part of the blocks to `out`. What that fails with goes to `failed`, and ends the reading.
+    /// Gives record batches of a part of the blocks to `out`. What that fails with goes to `failed`, and ends the
+    /// reading.
     pub fn new(part: Part, out: &'o mut (dyn Batches + Send), failed: &'o mut Option<io::Error>) -> Self {
         Self {
             rows: Rows::new(out, failed),

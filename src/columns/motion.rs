@@ -34,8 +34,8 @@ impl fmt::Debug for MotionTable<'_> {
 }
 
 impl<'o> MotionTable<'o> {
-    /// Gives record batches to `out`. What that fails with goes to `failed`, and ends the reading; how many blocks have no
-    /// limit of their jerk, to `jerk_free`. `machine` is the first record.
+    /// Gives record batches to `out`. What that fails with goes to `failed`, and ends the reading; how many blocks have
+    /// no limit of their jerk, to `jerk_free`. `machine` is the first record.
     pub fn new(
         machine: String,
         profile: Profile,

@@ -21,9 +21,10 @@ const HIGHEST_M: u8 = 100;
 /// Highest M group.
 const HIGHEST_GROUP: u8 = 14;
 
-/// Sets the functions that the ChannelConfig `source`, which is `file` of the run, names. E0701 when it is no XML; E0702
-/// for values of the wrong form or range, E0703 for a standard function in another group, E0704 for one number with
-/// different data, W0705 for unknown attributes, W0708 for a document without `MFunctions`; what one of these is found of is not set.
+/// Sets the functions that the ChannelConfig `source`, which is `file` of the run, names. E0701 when it is no XML;
+/// E0702 for values of the wrong form or range, E0703 for a standard function in another group, E0704 for one number
+/// with different data, W0705 for unknown attributes, W0708 for a document without `MFunctions`; what one of these is
+/// found of is not set.
 pub(super) fn read(source: &SourceText, file: FileId, functions: &mut MFunctions, findings: &mut Findings) {
     let document = match xml::parse(source) {
         Ok(document) => document,

@@ -1,5 +1,5 @@
-//! The settings of an editor: JSON whose keys are those of the project file that the command line has an option for. They
-//! are read by the same rows as the project file.
+//! The settings of an editor: JSON whose keys are those of the project file that the command line has an option for.
+//! They are read by the same rows as the project file.
 
 use std::path::Path;
 

@@ -13,13 +13,13 @@ use crate::diag::{ConfigNeed, ConfigProblem, Diagnostic, Finding, Findings, term
 use crate::dict::{AxisLetter, Dialect, MOMENTARY_GROUPS};
 use crate::text::{BrokenLink, DecodeError, Encoding, Loader, Location, SourceText, Sources, Span, without_ways_back};
 
-/// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what the
-/// command line says, value by value (§11, §13 Configuration).
+/// Puts the settings of a run together: the defaults, over them the project file (when there is one), over that what
+/// the command line says, value by value (§11, §13 Configuration).
 ///
 /// The files read join `sources` under the names by which they were reached; paths in the project file are relative to
-/// its folder. What is wrong joins `findings` at its place: E0701 for what cannot be read, E0702–E0706 for values, W0705
-/// for unknown names. They get the levels of the run. A wrong value leaves the default in force; when `findings` then has
-/// an error, the run must end with status 2 before any program is read.
+/// its folder. What is wrong joins `findings` at its place: E0701 for what cannot be read, E0702–E0706 for values,
+/// W0705 for unknown names. They get the levels of the run. A wrong value leaves the default in force; when `findings`
+/// then has an error, the run must end with status 2 before any program is read.
 pub fn configure(
     project: Option<&Path>,
     overrides: &Overrides,
@@ -66,8 +66,8 @@ fn override_settings(settings: &mut Settings, overrides: &Overrides) {
     limits.records = overrides.max_blocks.unwrap_or(limits.records);
 }
 
-/// `name` in `folder`, without the parts that lead nowhere, and without those that lead back where that is the same place
-/// (it is not behind a link): `q/../m` is `m`, so that one file has one name.
+/// `name` in `folder`, without the parts that lead nowhere, and without those that lead back where that is the same
+/// place (it is not behind a link): `q/../m` is `m`, so that one file has one name.
 fn join(folder: &Path, name: &str, loader: &dyn Loader) -> PathBuf {
     let path: PathBuf = folder.join(name).components().filter(|part| *part != Component::CurDir).collect();
     let short = without_ways_back(&path);
@@ -176,7 +176,8 @@ impl Files<'_> {
         }
     }
 
-    /// Sets the folders of macrocycles; those of the project file that are none are reported (E0702, each at its place).
+    /// Sets the folders of macrocycles; those of the project file that are none are reported (E0702, each at its
+    /// place).
     fn macrocycles(&mut self, draft: &mut Draft, folder: &Path, overrides: &Overrides) {
         draft.settings.macrocycles.clone_from(&overrides.macrocycles);
         if !overrides.macrocycles.is_empty() {
@@ -217,8 +218,8 @@ impl Files<'_> {
         misfit(self.findings, key, at, ConfigNeed::NotForDialect { dialect: dialect.name().to_owned() });
     }
 
-    /// Reads the ChannelConfig at `path`, which `named` names; when it cannot be read, E0701 there, or at an empty text of
-    /// its name when the command line names it.
+    /// Reads the ChannelConfig at `path`, which `named` names; when it cannot be read, E0701 there, or at an empty text
+    /// of its name when the command line names it.
     fn m_functions(&mut self, path: &Path, named: Option<Location>, settings: &mut Settings) {
         match self.load(path, settings.encoding) {
             Ok(source) => {

@@ -80,8 +80,8 @@ impl Constant {
         page
     }
 
-    /// A project file with it, which can be taken as it is: default values, else those of the manual; `None` for a constant
-    /// that is never used.
+    /// A project file with it, which can be taken as it is: default values, else those of the manual; `None` for a
+    /// constant that is never used.
     pub fn example(self) -> Option<String> {
         let held = holds(self.0).unwrap_or_default();
         let own = match held.first() {

@@ -20,9 +20,9 @@ pub(super) fn group_of(constant: u16) -> Option<u8> {
 }
 
 /// Puts the functions that R56–R59 name into groups 10–13: two digits each, `00` is none, missing leading digits are
-/// zeros; a number may stand as the control shows it, with a point before the last three. E0706 at the value for more than
-/// eight digits, a sign, in a text a point, a function of groups 1–9, or one named before, in the order of
-/// the text; nothing of such a constant is set. The other constants are passed over.
+/// zeros; a number may stand as the control shows it, with a point before the last three. E0706 at the value for more
+/// than eight digits, a sign, in a text a point, a function of groups 1–9, or one named before, in the order of the
+/// text; nothing of such a constant is set. The other constants are passed over.
 pub(super) fn apply(constants: &[WrittenConstant], functions: &mut MFunctions, findings: &mut Findings) {
     let mut named: Vec<(u8, Location)> = Vec::new();
     for constant in constants {
@@ -51,7 +51,8 @@ pub(super) fn apply(constants: &[WrittenConstant], functions: &mut MFunctions, f
     }
 }
 
-/// The digits of a constant: of a number as the control shows it, with three decimals, those before and behind the point.
+/// The digits of a constant: of a number as the control shows it, with three decimals, those before and behind the
+/// point.
 fn as_digits(Written { digits, quoted }: &Written) -> String {
     match digits.split_once('.') {
         Some((whole, thousandths)) if !quoted && thousandths.len() == 3 => format!("{whole}{thousandths}"),

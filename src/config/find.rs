@@ -10,7 +10,8 @@ pub const PROJECT_FILE: &str = "cnc872c.toml";
 
 /// The project file of the programs in `start_folder`: that of the folder itself or of the nearest folder above it, by
 /// the folder's absolute path. From a relative path a relative one comes back: through the folders that it names, else
-/// upwards from the working folder. So messages name files as the user would, and streams name them alike on every machine.
+/// upwards from the working folder. So messages name files as the user would, and streams name them alike on every
+/// machine.
 ///
 /// A file that exists and cannot be read counts, so that [`configure`](super::configure()) reports it.
 pub fn find_project(start_folder: &Path, loader: &dyn Loader) -> Option<PathBuf> {

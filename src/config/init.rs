@@ -1,5 +1,5 @@
-//! A commented project file, made of the table of keys: what `cnc872c init` writes. In force is what was asked for or found;
-//! the rest is commented out with `#`, so that another control gets its own values.
+//! A commented project file, made of the table of keys: what `cnc872c init` writes. In force is what was asked for or
+//! found; the rest is commented out with `#`, so that another control gets its own values.
 
 use std::fmt::Write;
 

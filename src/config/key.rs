@@ -31,8 +31,8 @@ impl Key {
         })
     }
 
-    /// The key or table of that name: `limits.feed`, `dialect`, `limits` and `[limits]`. Case does not matter, `_` is as good
-    /// as `-`.
+    /// The key or table of that name: `limits.feed`, `dialect`, `limits` and `[limits]`. Case does not matter, `_` is
+    /// as good as `-`.
     pub fn find(name: &str) -> Option<Self> {
         let plain = name.trim().trim_matches(['[', ']']).to_ascii_lowercase().replace('_', "-");
         Self::all().find(|key| key.path() == plain)

@@ -1,5 +1,5 @@
-//! The keys of `cnc872c.toml`: type, range and field, default, meaning in both languages, and the rule each comes from. The
-//! tables that they belong to are in [`sections`](super::sections).
+//! The keys of `cnc872c.toml`: type, range and field, default, meaning in both languages, and the rule each comes from.
+//! The tables that they belong to are in [`sections`](super::sections).
 
 use super::draft::{Draft, narrow};
 use super::format::{Codes, Numbers};

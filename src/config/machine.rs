@@ -256,8 +256,8 @@ impl Machine {
 }
 
 impl Machine {
-    /// The place in machine order of the axis that is the spindle while M19 holds: the configured one, else the first of
-    /// C, A, B that the machine has (MFN-10). `None` where the spindle is no axis.
+    /// The place in machine order of the axis that is the spindle while M19 holds: the configured one, else the first
+    /// of C, A, B that the machine has (MFN-10). `None` where the spindle is no axis.
     pub fn spindle(&self) -> Option<usize> {
         match self.spindle_axis {
             SpindleAxis::Assumed => {
@@ -277,8 +277,8 @@ impl Machine {
         }
     }
 
-    /// Whether configuration names the spindle's axis: then its words under M03 and M04 are errors, and M03, M04 and M05
-    /// make its position unknown (MFN-10).
+    /// Whether configuration names the spindle's axis: then its words under M03 and M04 are errors, and M03, M04 and
+    /// M05 make its position unknown (MFN-10).
     pub const fn spindle_is_configured(&self) -> bool {
         matches!(self.spindle_axis, SpindleAxis::Letter(_))
     }

@@ -101,8 +101,8 @@ impl MFunctions {
         self.channel = channel;
     }
 
-    /// Whether a function does nothing on this machine that anybody has said (TEC-8): M36 and M37 where they are no standard
-    /// functions and not configured, others of group 14 that a ChannelConfig does not list.
+    /// Whether a function does nothing on this machine that anybody has said (TEC-8): M36 and M37 where they are no
+    /// standard functions and not configured, others of group 14 that a ChannelConfig does not list.
     pub fn is_meaningless(&self, number: u8) -> bool {
         let Some(function) = self.get(number).filter(|function| !function.standard && !function.configured) else {
             return false;

@@ -1,4 +1,5 @@
-//! The machine that a program is for: project file, ChannelConfig and machine constants become one validated [`Machine`].
+//! The machine that a program is for: project file, ChannelConfig and machine constants become one validated
+//! [`Machine`].
 
 mod channel;
 mod client;

@@ -63,7 +63,8 @@ impl ArcCenters {
     }
 }
 
-/// Which axis the spindle is while M19 holds (MFN-10). [`Machine::spindle`](super::Machine::spindle) says what comes of it.
+/// Which axis the spindle is while M19 holds (MFN-10). [`Machine::spindle`](super::Machine::spindle) says what comes of
+/// it.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub enum SpindleAxis {
     /// Not configured: the first of C, A, B that the machine has.

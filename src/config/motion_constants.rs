@@ -8,8 +8,8 @@ use crate::dict::Decimal;
 pub(super) struct Written {
     /// Its digits; of a number as written.
     pub digits: String,
-    /// Whether it is a text: its digits as they are, missing leading ones are zeros. A number is what the control shows,
-    /// with three decimals.
+    /// Whether it is a text: its digits as they are, missing leading ones are zeros. A number is what the control
+    /// shows, with three decimals.
     pub quoted: bool,
 }
 
@@ -96,8 +96,8 @@ impl Holds {
     }
 }
 
-/// Whether a whole number of `--set`, where quotes are lost, is the digits of that constant and no quantity: digits that
-/// are choices, or all eight.
+/// Whether a whole number of `--set`, where quotes are lost, is the digits of that constant and no quantity: digits
+/// that are choices, or all eight.
 pub(super) fn is_digits(number: u16, written: &str) -> bool {
     let choices = holds(number).is_some_and(|holds| holds.iter().any(|holds| holds.is_choice()));
     (choices || written.len() == 8) && written.bytes().all(|byte| byte.is_ascii_digit())

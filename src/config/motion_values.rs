@@ -1,5 +1,5 @@
-//! The machine constants that give values of [`Motion`] beside the keys of `[motion]`, with the findings about values that are
-//! given twice, that cannot be, or that no computation uses.
+//! The machine constants that give values of [`Motion`] beside the keys of `[motion]`, with the findings about values
+//! that are given twice, that cannot be, or that no computation uses.
 
 use std::collections::BTreeMap;
 
@@ -36,8 +36,8 @@ impl Quantity {
     }
 }
 
-/// Puts what the machine constants give beside the keys of `[motion]`, and judges the whole. A constant that cannot be is an
-/// error where motion is computed, elsewhere a warning.
+/// Puts what the machine constants give beside the keys of `[motion]`, and judges the whole. A constant that cannot be
+/// is an error where motion is computed, elsewhere a warning.
 pub(super) fn assemble(draft: &mut Draft, dialect: Dialect, computes: bool, findings: &mut Findings) {
     let Draft { places, constants, settings, .. } = draft;
     let motion = &mut settings.machine.motion;
@@ -342,8 +342,8 @@ impl Assembly<'_> {
         false
     }
 
-    /// Whether a constant gives a quantity: what a key of the same layer gives already is an error, and one of the command
-    /// line wins.
+    /// Whether a constant gives a quantity: what a key of the same layer gives already is an error, and one of the
+    /// command line wins.
     fn give(&mut self, one: Read, quantity: Quantity) -> bool {
         if let Some(Place { at, from, .. }) = self.key(quantity) {
             match (from, one.from) {
@@ -384,8 +384,8 @@ impl Assembly<'_> {
         }
     }
 
-    /// A profile that this control does not have, or that lacks P, gives way to another one (W0707). Whether the profile
-    /// that was asked for holds.
+    /// A profile that this control does not have, or that lacks P, gives way to another one (W0707). Whether the
+    /// profile that was asked for holds.
     fn settle_profile(&mut self) -> bool {
         let Given { value, from } = self.motion.profile;
         let (held, why) = match value {

@@ -31,7 +31,7 @@ pub struct Overrides {
     pub motion: Vec<(String, String)>,
     /// The command computes motion: a machine constant that cannot be is an error (E0702), elsewhere a warning (W0707).
     pub computes_motion: bool,
-    /// `-D`, `-W`, `-A`: the last of one code wins. Codes whose level is fixed ([`Code::is_configurable`]) are left out;
-    /// the command line refuses them itself.
+    /// `-D`, `-W`, `-A`: the last of one code wins. Codes whose level is fixed ([`Code::is_configurable`]) are left
+    /// out; the command line refuses them itself.
     pub lints: Vec<(Code, Level)>,
 }

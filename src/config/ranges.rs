@@ -4,7 +4,8 @@ use super::Machine;
 use crate::dict::{Address, Decimal, FeedPer, Lang, ValueRange, ValueUnit};
 
 impl Machine {
-    /// The ranges of an address, as [`Address::ranges`] has them: with the limits of this machine, and the units of its axes.
+    /// The ranges of an address, as [`Address::ranges`] has them: with the limits of this machine, and the units of its
+    /// axes.
     pub fn ranges(&self, address: Address) -> [Option<ValueRange>; 2] {
         address.ranges(self.dialect).map(|range| range.map(|range| self.range(address, range)))
     }

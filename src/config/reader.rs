@@ -51,8 +51,9 @@ pub(super) struct Reader<'t> {
     draft: &'t mut Draft,
 }
 
-/// Reads the text, which is `file` of the run, into `draft`: E0701 when it is no TOML, then nothing is set; E0702 for each
-/// value of the wrong type or range and W0705 for each unknown key, and the rest is set. `from` says whose values they are.
+/// Reads the text, which is `file` of the run, into `draft`: E0701 when it is no TOML, then nothing is set; E0702 for
+/// each value of the wrong type or range and W0705 for each unknown key, and the rest is set. `from` says whose values
+/// they are.
 pub(super) fn read(draft: &mut Draft, from: From, source: &SourceText, file: FileId, findings: &mut Findings) {
     let text = source.text();
     let document = match Document::parse(text) {
@@ -151,8 +152,8 @@ impl<'t> Reader<'t> {
         tables
     }
 
-    /// The entries of a table whose keys are names of the control, with their numbers. A name that is not known, given twice,
-    /// or that of an error under `[lints]` is reported and left out.
+    /// The entries of a table whose keys are names of the control, with their numbers. A name that is not known, given
+    /// twice, or that of an error under `[lints]` is reported and left out.
     fn named<'v>(&mut self, names: Names, table: Table<'v>) -> Vec<(u16, Entry<'v>)> {
         let mut found: Vec<(u16, Entry<'v>)> = Vec::new();
         for entry in self.entries(table.table) {
@@ -175,8 +176,8 @@ impl<'t> Reader<'t> {
         found
     }
 
-    /// Takes the values of a table's keys: what a row does not take is reported and left out, and so are keys that are none
-    /// of `known`, and one that must be there and is not.
+    /// Takes the values of a table's keys: what a row does not take is reported and left out, and so are keys that are
+    /// none of `known`, and one that must be there and is not.
     fn values(&mut self, table: Table<'_>, rows: &[Row], known: &[&'static str]) {
         for entry in self.entries(table.table) {
             if !known.contains(&entry.name) {
@@ -313,8 +314,8 @@ impl<'t> Reader<'t> {
         Some(Written { digits, quoted })
     }
 
-    /// A number that `holds` holds: a float by its digits in the text, never through binary. One that is finer than 0.001 gets
-    /// W0303.
+    /// A number that `holds` holds: a float by its digits in the text, never through binary. One that is finer than
+    /// 0.001 gets W0303.
     fn number(&mut self, value: Option<&Value>, at: Location, holds: impl Fn(Decimal) -> bool) -> Option<Decimal> {
         let value = value?;
         let (number, exact) = match value.as_integer() {

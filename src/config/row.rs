@@ -81,8 +81,8 @@ pub(super) const fn words(en: &'static str, cs: &'static str) -> Default {
     Default::Words(Bilingual { en, cs })
 }
 
-/// Tables of rows: name and rule, option and example where there are any; what it takes; what holds without it; its effect
-/// in English and Czech.
+/// Tables of rows: name and rule, option and example where there are any; what it takes; what holds without it; its
+/// effect in English and Czech.
 macro_rules! rows {
     ($($(#[$doc:meta])* $table:ident: $($name:literal $rule:literal $(option $option:literal)? $(example $example:literal)?
         : $takes:expr, $default:expr => $en:literal, $cs:literal;)*)*) => {$(

@@ -78,7 +78,8 @@ fn each_key_changes_the_settings() {
         for row in section.form.rows() {
             let mut seen: Vec<String> = Vec::new();
             for value in taken(row.takes) {
-                // Limits of other keys may refuse an end of the range; the default of the dialect refuses other controls' keys.
+                // Limits of other keys may refuse an end of the range; the default of the dialect refuses other
+                // controls' keys.
                 if let Some(settings) = settings(&with_key(section, row, &value))
                     && !seen.contains(&settings)
                 {
@@ -116,7 +117,8 @@ fn each_key_is_checked_by_its_row() {
             for literal in literals {
                 let text = with_key(section, row, literal);
                 let refused = Run::plain(&text).findings.iter().any(|found| found.code() == Code::E0702);
-                // That files and folders exist, and letters are listed, the schema cannot say; numbers that are no JSON it takes.
+                // That files and folders exist, and letters are listed, the schema cannot say; numbers that are no JSON
+                // it takes.
                 if !fits(&text) {
                     assert!(refused, "{text}");
                 } else if !matches!(row.takes, Takes::Path(_) | Takes::Texts(List::Paths, _)) && literal != "inf" {

@@ -1,4 +1,5 @@
-//! Every table of `cnc872c.toml`. The keys in them are in [`keys`](super::keys) and [`motion_keys`](super::motion_keys).
+//! Every table of `cnc872c.toml`. The keys in them are in [`keys`](super::keys) and
+//! [`motion_keys`](super::motion_keys).
 
 use super::names::Names;
 use super::reader::Reader;
@@ -10,8 +11,8 @@ use crate::text::Location;
 /// A table of the project file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section {
-    /// Its name; empty for what comes before all tables. A table in a table has the names of both, with a point between:
-    /// `motion.times`; the outer one is a section too, with keys.
+    /// Its name; empty for what comes before all tables. A table in a table has the names of both, with a point
+    /// between: `motion.times`; the outer one is a section too, with keys.
     pub name: &'static str,
     /// Its contents.
     pub form: Form,
@@ -85,8 +86,8 @@ pub(super) fn is_list(name: &str) -> bool {
 macro_rules! sections {
     ($($name:literal $rule:literal $(option $option:literal)? $(example $example:literal)?
         : $form:ident($($of:expr),*) $(, $done:ident)? => $en:literal, $cs:literal;)*) => {
-        /// Every table of the project file, in the order in which the reference page shows them; the first is what comes
-        /// before all tables.
+        /// Every table of the project file, in the order in which the reference page shows them; the first is what
+        /// comes before all tables.
         pub(super) const SECTIONS: &[Section; [$($name),*].len()] = &[$({
             let section = Section {
                 name: $name,

@@ -239,7 +239,8 @@ fn range(min: Decimal, max: Decimal, kind: &str) -> Value {
     json!({ "type": kind, "minimum": json_number(min), "maximum": json_number(max) })
 }
 
-/// A decimal as JSON writes it, whole numbers without a point; the limits of the language lie far below 2^53 thousandths.
+/// A decimal as JSON writes it, whole numbers without a point; the limits of the language lie far below 2^53
+/// thousandths.
 pub(super) fn json_number(value: Decimal) -> Value {
     match value.as_whole() {
         Some(whole) => json!(whole),

@@ -1,4 +1,5 @@
-//! What `motion --set` may name: the keys of `[motion]` and of the tables in it, and the constants that motion depends on.
+//! What `motion --set` may name: the keys of `[motion]` and of the tables in it, and the constants that motion depends
+//! on.
 
 use super::motion_constants::holds;
 use super::motion_keys::{MOTION, RAPID_SET, SET};

@@ -15,7 +15,8 @@ const MOST_ATTRIBUTES: usize = 2_000;
 /// Most entries of namespaces: each element that declares one gets a list of all that are in force.
 const MOST_NAMESPACES: usize = 10_000_000;
 
-/// The document that `source` holds, in time and memory that grow with its length, however deep its elements are nested.
+/// The document that `source` holds, in time and memory that grow with its length, however deep its elements are
+/// nested.
 ///
 /// # Errors
 /// The mistake and its place, when it is not well-formed or asks for more than is read.

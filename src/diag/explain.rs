@@ -49,7 +49,8 @@ pub fn examples(page: &str) -> Vec<Example<'_>> {
         .collect()
 }
 
-/// The page of a diagnostic for a terminal: headings bold, code indented, comments and the words behind fences left out.
+/// The page of a diagnostic for a terminal: headings bold, code indented, comments and the words behind fences left
+/// out.
 pub fn page(code: Code, lang: Lang, colour: bool) -> String {
     terminal(code.page(lang), colour)
 }

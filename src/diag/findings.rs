@@ -114,8 +114,8 @@ impl Findings {
         }
     }
 
-    /// Adds those of another collection, of each line of a file only the first error, or the first warning when it has no
-    /// error. Those beyond the limit are counted as if they were one a line, errors first.
+    /// Adds those of another collection, of each line of a file only the first error, or the first warning when it has
+    /// no error. Those beyond the limit are counted as if they were one a line, errors first.
     pub fn append_one_a_line(&mut self, other: Self, file: FileId, lines: &LineIndex) {
         let severity = |code: Code| other.levels.of(code).unwrap_or(Severity::Warning);
         let mut first: BTreeMap<usize, (Severity, Location, Code)> = BTreeMap::new();

@@ -2,8 +2,8 @@
 
 use super::{Code, Severity};
 
-/// What each code is in this run: an error, a warning, or allowed. Findings carry it from the moment they are added, so that
-/// limits, counts, the exit status and the stream all see the same severity.
+/// What each code is in this run: an error, a warning, or allowed. Findings carry it from the moment they are added, so
+/// that limits, counts, the exit status and the stream all see the same severity.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Levels {
     of: [Option<Severity>; Code::ALL.len()],

@@ -1,7 +1,7 @@
 //! Findings: one registry of codes and texts, the findings of a run, and their renderings.
 //!
-//! A [`Finding`] is a row of the registry with its fields filled in; a [`Diagnostic`] is a finding at a place. There is no
-//! other way to tell a user that something is wrong with a program.
+//! A [`Finding`] is a row of the registry with its fields filled in; a [`Diagnostic`] is a finding at a place. There is
+//! no other way to tell a user that something is wrong with a program.
 
 mod advice;
 mod after_end;

@@ -2,8 +2,8 @@
 //! these rows: `explain`, the reference pages, JSON names, `[lints]`.
 //!
 //! A text is a format string with the fields by name, or an expression in parentheses over the fields that gives a
-//! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says what
-//! to write.
+//! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says
+//! what to write.
 
 use super::advice::{center_help, control_digits, is_exchanged, of_group, other_range, range_cs, unnumbered_line};
 use super::other_controls::foreign_g;

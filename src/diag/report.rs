@@ -17,8 +17,8 @@ pub struct Reported {
 }
 
 /// The findings of all programs of a run, each code once at a place, in the order of output: by file, the files in the
-/// order in which they were added, then by place, then by code. Bounded: of each code [`LIMIT_PER_CODE`] are kept for each
-/// file, the rest is counted. What is found in one file takes no place from another.
+/// order in which they were added, then by place, then by code. Bounded: of each code [`LIMIT_PER_CODE`] are kept for
+/// each file, the rest is counted. What is found in one file takes no place from another.
 #[derive(Debug, Default)]
 pub struct Report {
     sources: Sources,
@@ -108,9 +108,9 @@ impl Report {
         self.add(sources, findings);
     }
 
-    /// Adds findings, whose places are in `sources`, at the levels that they have. A file that another program led to already
-    /// (same name, same text) is one file; what was found in it before is not added again, and has the higher severity of the
-    /// two. Texts that no finding is in are not kept.
+    /// Adds findings, whose places are in `sources`, at the levels that they have. A file that another program led to
+    /// already (same name, same text) is one file; what was found in it before is not added again, and has the higher
+    /// severity of the two. Texts that no finding is in are not kept.
     pub fn add(&mut self, sources: &Sources, findings: Findings) {
         let levels = *findings.levels();
         let beyond: Vec<_> = findings.beyond().collect();
@@ -378,8 +378,8 @@ mod tests {
         assert_eq!(report.sources().get(item.diagnostic.labels[0].at.file).unwrap().name(), "L5");
     }
 
-    /// The number of findings of a code is bounded for each file; what is left out is counted, by its level. A file with many
-    /// takes no place from the next, and a macrocycle of two programs is counted once.
+    /// The number of findings of a code is bounded for each file; what is left out is counted, by its level. A file
+    /// with many takes no place from the next, and a macrocycle of two programs is counted once.
     #[test]
     fn bounded() {
         let many = |file: u32| (0..10_005).map(move |at| empty_block(file, at));

@@ -230,8 +230,8 @@ impl GCode {
         matches!(self, Self::G92 | Self::G93 | Self::G31 | Self::G35 | Self::G36 | Self::G37 | Self::G38 | Self::G39)
     }
 
-    /// Whether the manual marks neither how long it holds nor that it holds after power-up: [`Self::lasting`] is a decision then
-    /// (GRP-3, §7).
+    /// Whether the manual marks neither how long it holds nor that it holds after power-up: [`Self::lasting`] is a
+    /// decision then (GRP-3, §7).
     pub const fn is_lasting_decided(self) -> bool {
         matches!(self.group(), GGroup::G4)
             || matches!(self, Self::G00 | Self::G30 | Self::G53 | Self::G75 | Self::G34 | Self::G79)

@@ -47,8 +47,8 @@ pub(crate) fn capitalized(text: &str) -> String {
     characters.next().into_iter().flat_map(char::to_uppercase).chain(characters).collect()
 }
 
-/// Declares a closed set of texts: an enum whose rows are a name, fields, and the text in English and Czech, both format
-/// strings with the fields by name.
+/// Declares a closed set of texts: an enum whose rows are a name, fields, and the text in English and Czech, both
+/// format strings with the fields by name.
 macro_rules! bilingual {
     ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
         $(#[$doc])*

@@ -63,8 +63,8 @@ pub const BUILDER_GROUPS: std::ops::RangeInclusive<usize> = 10..=14;
 /// Tool change.
 pub const TOOL_CHANGE: u8 = 6;
 
-/// Groups that are switched off while the program stands and at its end, with the functions that do it when no others are
-/// configured: spindle, coolant 1 and 2, coolant 3 and 4 (MFN-6, MFN-8).
+/// Groups that are switched off while the program stands and at its end, with the functions that do it when no others
+/// are configured: spindle, coolant 1 and 2, coolant 3 and 4 (MFN-6, MFN-8).
 pub const HELD_AT_STOP: [(usize, u8); 3] =
     [(SPINDLE_GROUP, SPINDLE_STOP), (COOLANT_12_GROUP, COOLANT_12[1]), (COOLANT_34_GROUP, COOLANT_34[1])];
 

@@ -2,8 +2,8 @@
 
 use super::Decimal;
 
-/// A number of whole millionths: what a record shows of a length, an angle or a position. Programmed values are exact in
-/// it; computed ones are rounded to it once.
+/// A number of whole millionths: what a record shows of a length, an angle or a position. Programmed values are exact
+/// in it; computed ones are rounded to it once.
 #[derive(Clone, Copy, Debug, Default, Eq, Ord, PartialEq, PartialOrd)]
 pub struct Micro(i64);
 

@@ -1,7 +1,8 @@
 //! The language as data: addresses, G functions, M functions, dialects, and the exact numbers of words.
 //!
-//! Every row says what it is in English and Czech, and cites its rule. The parser, the checks, `explain` and the reference
-//! pages read these rows. M functions that rules of execution name are constants beside the rows; so are limits.
+//! Every row says what it is in English and Czech, and cites its rule. The parser, the checks, `explain` and the
+//! reference pages read these rows. M functions that rules of execution name are constants beside the rows; so are
+//! limits.
 
 mod address;
 mod arithmetic;

@@ -131,8 +131,8 @@ impl ValueRange {
 }
 
 impl Address {
-    /// The ranges of its values on a control, unless limits are configured: as many on every control. None of `&`, whose
-    /// digits are no number, and of `/`, which has no value; of R that of the value with a fraction.
+    /// The ranges of its values on a control, unless limits are configured: as many on every control. None of `&`,
+    /// whose digits are no number, and of `/`, which has no value; of R that of the value with a fraction.
     pub const fn ranges(self, dialect: Dialect) -> [Option<ValueRange>; 2] {
         let first = match self.row().form {
             ValueForm::None | ValueForm::CorrectionDigits => return [None, None],

@@ -1,5 +1,5 @@
-//! Applies fixes to the bytes of a file. All that no fix touches stays as it was, byte by byte, in whatever encoding and
-//! with whatever line ends.
+//! Applies fixes to the bytes of a file. All that no fix touches stays as it was, byte by byte, in whatever encoding
+//! and with whatever line ends.
 
 use std::collections::BTreeMap;
 
@@ -18,8 +18,8 @@ pub struct Fixed {
 }
 
 /// Applies `fixes` to `bytes`, of which `source` is the text and `file` its number in the places. A fix is applied as a
-/// whole or not at all: not when one of its edits is in another file, overlaps one that was taken before, or writes letters
-/// that are not ASCII where they do not stand yet.
+/// whole or not at all: not when one of its edits is in another file, overlaps one that was taken before, or writes
+/// letters that are not ASCII where they do not stand yet.
 pub fn apply_fixes<'a>(
     source: &SourceText,
     file: FileId,

@@ -7,8 +7,8 @@ use crate::text::Span;
 /// Most characters of a line.
 const LINE: u32 = 80;
 
-/// The first line, from 1, that gets longer than 80 characters by edits in the order of the text: each replaces a span by so
-/// many ASCII characters. A line that is too long already has its finding.
+/// The first line, from 1, that gets longer than 80 characters by edits in the order of the text: each replaces a span
+/// by so many ASCII characters. A line that is too long already has its finding.
 pub(crate) fn first_long_line(file: &ParsedFile, edits: impl Iterator<Item = (Span, usize)>) -> Option<u32> {
     let lines = file.source.lines();
     let mut hint = 0;

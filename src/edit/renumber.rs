@@ -1,5 +1,5 @@
-//! New numbers for the blocks of a file (REN-1 to REN-5): one sequence through all its units, or through a part of them, with
-//! the jumps rewritten. `%` and the L of calls and subprograms stay.
+//! New numbers for the blocks of a file (REN-1 to REN-5): one sequence through all its units, or through a part of
+//! them, with the jumps rewritten. `%` and the L of calls and subprograms stay.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -61,8 +61,8 @@ pub(crate) struct Renumbering {
 /// The L word of a jump and the block that it leads to, by the block of the jump.
 type Jumps = BTreeMap<BlockId, (Word, BlockId)>;
 
-/// Renumbers the whole file evenly. When ten by ten gives a jump a target that it cannot reach (FLW-5), or a line that is too
-/// long (LEX-7), a smaller step is taken.
+/// Renumbers the whole file evenly. When ten by ten gives a jump a target that it cannot reach (FLW-5), or a line that
+/// is too long (LEX-7), a smaller step is taken.
 ///
 /// # Errors
 /// Why that cannot be done.

@@ -17,8 +17,8 @@ const ENDING: usize = 3;
 /// Letters that are left of a word without its ending.
 const STEM: usize = 4;
 
-/// The pages that have words which begin with those of `query`, in either language; upper and lower case, and letters with
-/// and without accents, are alike. Those with the words in their titles come first.
+/// The pages that have words which begin with those of `query`, in either language; upper and lower case, and letters
+/// with and without accents, are alike. Those with the words in their titles come first.
 pub fn search(query: &str) -> Vec<Hit> {
     pages(&words(query))
 }

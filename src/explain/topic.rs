@@ -67,8 +67,8 @@ impl Topic {
         }
     }
 
-    /// The finding, function or address that a name means: `E0306`, `duplicate-address`, `G73`, `M3`, `&`, `X`, in either
-    /// case.
+    /// The finding, function or address that a name means: `E0306`, `duplicate-address`, `G73`, `M3`, `&`, `X`, in
+    /// either case.
     fn find_word(name: &str) -> Result<Self, Unknown> {
         let name = name.trim();
         if let Some(code) = Code::find(name).or_else(|| Code::find(&name.to_ascii_lowercase())) {
@@ -111,8 +111,8 @@ impl Topic {
         if plain.contains('-') { Key::all().filter(has_name).map(Self::Key).collect() } else { Vec::new() }
     }
 
-    /// The topics of a pattern with `*`: signals of the PLC, and when there are none, names that a part program does not
-    /// determine.
+    /// The topics of a pattern with `*`: signals of the PLC, and when there are none, names that a part program does
+    /// not determine.
     fn signals(name: &str) -> Vec<Self> {
         let pattern = plc::run_time::plain(name.trim());
         if !pattern.contains('*') {
@@ -258,7 +258,8 @@ fn is_value(text: &str) -> bool {
 /// Longest name for which a near one is looked for, in bytes.
 const LONGEST: usize = 100;
 
-/// The code or name of a diagnostic, or the signal, that is most like `name`. `W0306` is E0306: numbers are known better than levels.
+/// The code or name of a diagnostic, or the signal, that is most like `name`. `W0306` is E0306: numbers are known
+/// better than levels.
 pub fn nearest(name: &str) -> Option<&'static str> {
     if name.len() > LONGEST {
         return None;

@@ -1,5 +1,5 @@
-//! How each G function is written, an example, and what follows from other functions: the part of its page that tables do
-//! not give. The examples are executed by a test.
+//! How each G function is written, an example, and what follows from other functions: the part of its page that tables
+//! do not give. The examples are executed by a test.
 
 use crate::dict::{Bilingual, GCode};
 

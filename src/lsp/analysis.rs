@@ -59,8 +59,8 @@ pub(super) fn is_configuration(path: &Path) -> bool {
         || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("xml"))
 }
 
-/// The configuration of the programs in the folder of `path`: the settings of the client over those of the project file;
-/// and what was found in which files.
+/// The configuration of the programs in the folder of `path`: the settings of the client over those of the project
+/// file; and what was found in which files.
 pub(super) fn configuration(path: &Path, files: &EditorFiles, client: &Client) -> (Settings, Sources, Findings) {
     let project = find_project(path.parent().unwrap_or(Path::new("")), files);
     let (mut sources, mut findings) = (Sources::new(), Findings::new());
@@ -69,8 +69,8 @@ pub(super) fn configuration(path: &Path, files: &EditorFiles, client: &Client) -
     (settings, sources, findings)
 }
 
-/// The settings that programs in the folder of `path` are judged by, and whether they are the client's alone: `current` when it
-/// has no errors, else the last ones of the project file that had none, else those of the client.
+/// The settings that programs in the folder of `path` are judged by, and whether they are the client's alone: `current`
+/// when it has no errors, else the last ones of the project file that had none, else those of the client.
 fn judged_by(
     current: Settings,
     has_errors: bool,

@@ -84,8 +84,8 @@ impl Client {
             && (self.has("/workspace/diagnostics/refreshSupport") || self.has("/workspace/diagnostic/refreshSupport"))
     }
 
-    /// Takes the settings of the window, and behind them those of its folders as far as there are. Values that cannot be
-    /// used are left out and returned.
+    /// Takes the settings of the window, and behind them those of its folders as far as there are. Values that cannot
+    /// be used are left out and returned.
     pub(super) fn configure(&mut self, sections: Vec<Value>) -> Vec<String> {
         self.sections = sections;
         let window = self.sections.first().cloned().unwrap_or_default();

@@ -176,7 +176,8 @@ impl<'a> OfDocument<'a> {
         actions
     }
 
-    /// All fixes, of several of one finding the first. Fixes that overlap others wait for a next round, as in `check --fix`.
+    /// All fixes, of several of one finding the first. Fixes that overlap others wait for a next round, as in `check
+    /// --fix`.
     fn fix_all(&self) -> Option<CodeAction> {
         let fixes = self.items().filter_map(|item| item.diagnostic.certain_fix());
         let edits: Vec<(Span, &str)> = compatible_edits(self.source, self.file?, fixes).collect();

@@ -1,5 +1,5 @@
-//! Above a unit: which blocks call it. Above a program: how long it is. Times where motion is configured. Above a tool change:
-//! what holds there.
+//! Above a unit: which blocks call it. Above a program: how long it is. Times where motion is configured. Above a tool
+//! change: what holds there.
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -19,8 +19,8 @@ use crate::text::{FileId, Loader, Overlay};
 use crate::view::{Collector, Keep, Naming, Part, page};
 
 /// The parameters are `textDocument`; `with`, the URI of the old program, without which the saved text is the old one;
-/// `page`, whether a page is wanted. Gives `{ "same", "text", "page"? }`: the text is that of `cnc872c compare`, the page
-/// that of its `-o`.
+/// `page`, whether a page is wanted. Gives `{ "same", "text", "page"? }`: the text is that of `cnc872c compare`, the
+/// page that of its `-o`.
 #[derive(Debug)]
 pub(super) enum CompareRequest {}
 

@@ -59,7 +59,8 @@ impl Server {
         if self.files.buffer(&path).is_none() {
             return Err("not open".to_owned());
         }
-        // The results for the old text are dropped before the text changes: then the text has one owner and is not copied.
+        // The results for the old text are dropped before the text changes: then the text has one owner and is not
+        // copied.
         if let Some(root) = self.roots.get_mut(&path) {
             root.touch();
             let outdated = std::mem::take(&mut root.waiting);

@@ -14,8 +14,8 @@ use crate::query::cursor::DOCUMENT;
 use crate::query::observe::MOST;
 use crate::run::{End, Executed, Sink};
 
-/// A program gives `[{ "line", "dot" }]`: lines from 0, the dot `yellow` or `red`. Where several joints are in a line, or one
-/// is passed in several ways, a red one wins. Null for what is not executed.
+/// A program gives `[{ "line", "dot" }]`: lines from 0, the dot `yellow` or `red`. Where several joints are in a line,
+/// or one is passed in several ways, a red one wins. Null for what is not executed.
 #[derive(Debug)]
 pub(super) enum DotsRequest {}
 

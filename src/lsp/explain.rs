@@ -8,7 +8,8 @@ use super::snapshot::{Answer, Refusal, Snapshot};
 use crate::dict::Lang;
 use crate::explain::Topic;
 
-/// The text of `cnc872c:/explain/LANG/NAME.md`: a finding by its code, a function, an address, a key of the project file.
+/// The text of `cnc872c:/explain/LANG/NAME.md`: a finding by its code, a function, an address, a key of the project
+/// file.
 pub(super) fn text_document_content(
     _: &Snapshot,
     params: TextDocumentContentParams,

@@ -88,7 +88,8 @@ impl EditorFiles {
     }
 
     /// The path of a document: the canonical one, unless the same file is open under another name. What is no file
-    /// (`untitled:`) gets a path in the root of the workspace; what is a file as it was (`git:`) gets one below its folder.
+    /// (`untitled:`) gets a path in the root of the workspace; what is a file as it was (`git:`) gets one below its
+    /// folder.
     pub(super) fn path_of(&self, uri: &Uri) -> PathBuf {
         if let Some((path, _)) = self.open.iter().find(|(_, document)| document.uri == *uri) {
             return path.clone();

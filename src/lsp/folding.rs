@@ -15,8 +15,8 @@ use crate::text::Span;
 /// Most ranges of a document, and of them most loops; editors take no more.
 const MOST: usize = 5_000;
 
-/// `textDocument/foldingRange`, by lines, the longer first where two begin in one line. Ranges that cross others, as loops
-/// may, are left out: editors cannot fold them.
+/// `textDocument/foldingRange`, by lines, the longer first where two begin in one line. Ranges that cross others, as
+/// loops may, are left out: editors cannot fold them.
 pub(super) fn folding_range(
     _: &Snapshot,
     analysis: &Analysis,
@@ -39,8 +39,8 @@ pub(super) fn folding_range(
     Ok(Some(nested(folded)))
 }
 
-/// The sections of a unit by tool; without a tool change, those of its headings. The headings directly before a tool change
-/// stay with it.
+/// The sections of a unit by tool; without a tool change, those of its headings. The headings directly before a tool
+/// change stay with it.
 fn tool_spans(file: &ParsedFile, parts: &[Section]) -> Vec<Span> {
     let by_tool = parts.iter().any(|part| part.kind == SectionKind::Tool);
     let wanted = if by_tool { SectionKind::Tool } else { SectionKind::Heading };

@@ -30,9 +30,9 @@ pub(super) fn range_formatting(
     Ok(edits_of(snapshot, analysis, part))
 }
 
-/// The edits that give a part of the document its layout. Words and blanks change by themselves, so that the cursor stays
-/// where it is; editors are slow with very many edits, so these become one for each run of changed lines. `None` for a text that
-/// is not formatted (FMT-6): its finding says why.
+/// The edits that give a part of the document its layout. Words and blanks change by themselves, so that the cursor
+/// stays where it is; editors are slow with very many edits, so these become one for each run of changed lines. `None`
+/// for a text that is not formatted (FMT-6): its finding says why.
 pub(super) fn edits_of(snapshot: &Snapshot, analysis: &Analysis, part: Part) -> Option<Vec<TextEdit>> {
     let source = analysis.resolved.file(DOCUMENT).map(|file| &file.source)?;
     let changes = changes(&analysis.path, source, &analysis.settings, part).ok()?;

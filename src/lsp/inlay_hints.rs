@@ -1,5 +1,5 @@
-//! What execution shows, between the words: how often a jump's stretch runs, how often a unit is called, what parameters
-//! hold where they are read.
+//! What execution shows, between the words: how often a jump's stretch runs, how often a unit is called, what
+//! parameters hold where they are read.
 
 use gen_lsp_types::{InlayHint, InlayHintParams, Label, Tooltip};
 

@@ -1,8 +1,8 @@
 //! The language server: findings and answers for editors, over the same stages as the command line.
 //!
-//! One thread listens and keeps the documents (`server`, `documents`). A change starts a run over every open document that
-//! it concerns (`analysis`), in a thread; a newer change cancels it. Requests wait for the run's first half and are
-//! answered in threads of their own (`requests`); each kind has its file.
+//! One thread listens and keeps the documents (`server`, `documents`). A change starts a run over every open document
+//! that it concerns (`analysis`), in a thread; a newer change cancels it. Requests wait for the run's first half and
+//! are answered in threads of their own (`requests`); each kind has its file.
 
 mod analysis;
 mod capabilities;

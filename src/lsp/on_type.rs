@@ -14,8 +14,8 @@ use crate::resolve::UnitKind;
 use crate::syntax::{BlockFlags, Kind, ParsedFile, Shape, tokens};
 use crate::text::Span;
 
-/// `textDocument/onTypeFormatting`, after a line end: the line before it in its layout, and `N40 ` on the new line, when a
-/// block may begin there.
+/// `textDocument/onTypeFormatting`, after a line end: the line before it in its layout, and `N40 ` on the new line,
+/// when a block may begin there.
 pub(super) fn on_type_formatting(
     snapshot: &Snapshot,
     analysis: &Analysis,
@@ -40,8 +40,8 @@ pub(super) fn on_type_formatting(
     Ok((!edits.is_empty()).then_some(edits))
 }
 
-/// Whether the line of `at` is empty, the one before is one of a block that is not the last of its unit, or that of `%`,
-/// and the one behind is empty too, or begins with `N`.
+/// Whether the line of `at` is empty, the one before is one of a block that is not the last of its unit, or that of
+/// `%`, and the one behind is empty too, or begins with `N`.
 fn begins_block(analysis: &Analysis, file: &ParsedFile, at: u32) -> bool {
     let source = &file.source;
     let line = source.lines().line_at(at);

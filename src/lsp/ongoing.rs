@@ -33,7 +33,8 @@ impl Server {
         }
     }
 
-    /// Registers watchers for files that were read outside the client's folders: macrocycles elsewhere, a project file above.
+    /// Registers watchers for files that were read outside the client's folders: macrocycles elsewhere, a project file
+    /// above.
     pub(super) fn watch_outside(&mut self, read: &[PathBuf]) {
         if !self.client.has("/workspace/didChangeWatchedFiles/relativePatternSupport")
             || !self.client.has("/workspace/didChangeWatchedFiles/dynamicRegistration")

@@ -13,10 +13,10 @@ use crate::session::Session;
 use crate::text::{FileId, Loader};
 use crate::view::{Collector, Keep, Naming, Part, base64};
 
-/// A program, or a macrocycle that an open program calls, gives `{ "uri", "files", "blocks", "truncated", "data" }`: the program
-/// that is shown, the URIs of its files by the index that the data give them, how many blocks were executed, whether there are
-/// more, and the data of its page in base 64. `blocks` is 0 when the data hold none of them, as of a program with written
-/// errors. Null for what no program executes.
+/// A program, or a macrocycle that an open program calls, gives `{ "uri", "files", "blocks", "truncated", "data" }`:
+/// the program that is shown, the URIs of its files by the index that the data give them, how many blocks were
+/// executed, whether there are more, and the data of its page in base 64. `blocks` is 0 when the data hold none of
+/// them, as of a program with written errors. Null for what no program executes.
 #[derive(Debug)]
 pub(super) enum PathRequest {}
 

@@ -32,8 +32,8 @@ impl Publisher {
         touched.into_iter().filter(|uri| self.unite(uri)).collect()
     }
 
-    /// Puts the findings of a file together anew; whether they changed. Documents that share a macrocycle find the same in
-    /// it.
+    /// Puts the findings of a file together anew; whether they changed. Documents that share a macrocycle find the same
+    /// in it.
     fn unite(&mut self, uri: &Uri) -> bool {
         let mut all: Vec<Diagnostic> = Vec::new();
         for found in self.by_root.values().filter_map(|found| found.get(uri)) {

@@ -14,10 +14,10 @@ use crate::edit::edit_texts::EditText;
 use crate::restart::{self, Made, Nearest, Options, Reason, Restart, Said, refusal_text};
 use crate::session::Session;
 
-/// A place, as that of `cnc872c/state`, gives `{ "name", "text", "message" }`: the new program, and what to say of it. Where no
-/// start is possible it gives `{ "refused", "nearest": { "seq", "n" } }`: why, and the nearest earlier place; `{ "safe" }` when the
-/// height is missing at which the tool is clear of everything; and the same as that request where a block is executed several
-/// times. Null where no block is.
+/// A place, as that of `cnc872c/state`, gives `{ "name", "text", "message" }`: the new program, and what to say of it.
+/// Where no start is possible it gives `{ "refused", "nearest": { "seq", "n" } }`: why, and the nearest earlier place;
+/// `{ "safe" }` when the height is missing at which the tool is clear of everything; and the same as that request where
+/// a block is executed several times. Null where no block is.
 pub(super) fn restart(snapshot: &Snapshot, analysis: &Analysis, params: &Value) -> Answer<Value> {
     let lang = snapshot.client.lang();
     let params = StateParams::of(params)?;

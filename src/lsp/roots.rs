@@ -176,8 +176,8 @@ impl Root {
         matches!(self.known, Known::Judged(..) | Known::Failed(_))
     }
 
-    /// Takes the requests that have what they need. `everything`: all open documents are known; `judged`: those that lead
-    /// here have their findings.
+    /// Takes the requests that have what they need. `everything`: all open documents are known; `judged`: those that
+    /// lead here have their findings.
     pub(super) fn take_ready(&mut self, everything: bool, judged: bool) -> Vec<Waiting> {
         let (ready, waiting) = std::mem::take(&mut self.waiting).into_iter().partition(|waiting| match waiting.needs {
             Needs::Nothing => true,

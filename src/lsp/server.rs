@@ -41,8 +41,8 @@ pub enum Ended {
     Abruptly,
 }
 
-/// Serves a client that writes to `input` and reads `output`, until it leaves. `disk` is where files are that the client
-/// has not open; `lang` is for clients that name no locale.
+/// Serves a client that writes to `input` and reads `output`, until it leaves. `disk` is where files are that the
+/// client has not open; `lang` is for clients that name no locale.
 ///
 /// # Errors
 /// When threads cannot be started.
@@ -419,7 +419,8 @@ impl Server {
             cancel,
         };
         let events = self.events.clone();
-        // However many requests ask for the execution of one program, they keep those of others waiting no longer than two do.
+        // However many requests ask for the execution of one program, they keep those of others waiting no longer than
+        // two do.
         let executes = matches!(needs, Needs::Blocks | Needs::Run);
         let lane = path.filter(|_| executes).map(|path| (path.to_path_buf(), needs));
         self.helpers.run(lane, move || {

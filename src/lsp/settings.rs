@@ -19,8 +19,9 @@ pub(super) struct ClientSettings {
     pub(super) overrides: Overrides,
 }
 
-/// Reads the settings. Folders and files in them are relative to `folder`, the root of the workspace. Values that cannot
-/// be used are left out, and named in what comes with the settings. Keys of others (the extension's own) are left alone.
+/// Reads the settings. Folders and files in them are relative to `folder`, the root of the workspace. Values that
+/// cannot be used are left out, and named in what comes with the settings. Keys of others (the extension's own) are
+/// left alone.
 pub(super) fn read(settings: &Value, folder: &Path) -> (ClientSettings, Vec<String>) {
     let Value::Object(object) = settings else { return (ClientSettings::default(), Vec::new()) };
     let (overrides, mut wrong) = client_overrides(object, folder);

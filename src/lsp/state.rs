@@ -58,9 +58,9 @@ impl StateParams {
     }
 }
 
-/// A place gives `{ "seq", "text", "state" }`: the executed block, the table of `cnc872c state`, and its JSON. A block that is
-/// executed several times gives `{ "count", "message", "passes": [{ "pass", "seq", "text" }] }`: the first of its executions, one
-/// of which is asked for by its `seq`. Null where no block is.
+/// A place gives `{ "seq", "text", "state" }`: the executed block, the table of `cnc872c state`, and its JSON. A block
+/// that is executed several times gives `{ "count", "message", "passes": [{ "pass", "seq", "text" }] }`: the first of
+/// its executions, one of which is asked for by its `seq`. Null where no block is.
 pub(super) fn state(snapshot: &Snapshot, analysis: &Analysis, params: &Value) -> Answer<Value> {
     let lang = snapshot.client.lang();
     let params = StateParams::of(params)?;

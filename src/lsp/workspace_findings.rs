@@ -1,5 +1,5 @@
-//! `workspace/diagnostic`: findings in the programs of the workspace that are not open. A program is checked again when its
-//! text changes, or what programs depend on: configuration and macrocycles.
+//! `workspace/diagnostic`: findings in the programs of the workspace that are not open. A program is checked again when
+//! its text changes, or what programs depend on: configuration and macrocycles.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};

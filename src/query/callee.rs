@@ -23,7 +23,8 @@ pub(crate) fn about<'f>(file: &'f ParsedFile, unit: &Unit) -> Vec<&'f str> {
     above.iter().chain(behind).filter_map(|comment| heading(file, *comment)).take(LINES).collect()
 }
 
-/// The parameters that a unit reads before it gives them a value, its blocks taken in the order in which they are written.
+/// The parameters that a unit reads before it gives them a value, its blocks taken in the order in which they are
+/// written.
 pub(crate) fn inputs(names: &Names<'_>, unit: &Unit) -> Vec<u8> {
     let mut assigned = Vec::new();
     let mut inputs = Vec::new();

@@ -86,7 +86,8 @@ pub(crate) fn content_end(file: &ParsedFile, offset: u32) -> u32 {
     small(before.len())
 }
 
-/// The loops of the document, as the block that a jump goes back to and the block of the jump, in the order of the jumps.
+/// The loops of the document, as the block that a jump goes back to and the block of the jump, in the order of the
+/// jumps.
 pub(crate) fn loops(analysis: &Analysis) -> impl Iterator<Item = (BlockId, BlockId)> + '_ {
     analysis.resolved.targets(DOCUMENT).iter().filter_map(|(jump, target)| match target {
         Target::Block(first) if first <= jump => Some((*first, *jump)),

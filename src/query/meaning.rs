@@ -259,7 +259,8 @@ impl Subject<'_> {
     }
 }
 
-/// `PB06=03h`; values of different passes behind one another. Without execution only the names of signals that depend on it.
+/// `PB06=03h`; values of different passes behind one another. Without execution only the names of signals that depend
+/// on it.
 fn set_signal((signal, values): &plc::SetSignal, executed: bool, more: bool) -> String {
     let mut text = signal.name.clone();
     if !executed && values.iter().all(Option::is_none) {

@@ -181,7 +181,8 @@ pub(crate) fn observe_motion(
     run(cancel, program, observer)
 }
 
-/// What is asked of some blocks, their execution tells; what is asked of the whole program, and how it moves, all of it.
+/// What is asked of some blocks, their execution tells; what is asked of the whole program, and how it moves, all of
+/// it.
 fn run(cancel: &Cancel, program: &Analysis, mut observer: Observer<'_>) -> Option<Observation> {
     let whole = observer.moves.is_some() || observer.observation.blocks.is_empty();
     match program.record.get().filter(|_| !whole) {
@@ -497,8 +498,8 @@ mod tests {
         observed.taken.list(|value| value)
     }
 
-    /// A program whose execution has more blocks than stand between checkpoints, with a part that is executed often, one that is
-    /// seldom, and a macrocycle that only execution finds.
+    /// A program whose execution has more blocks than stand between checkpoints, with a part that is executed often,
+    /// one that is seldom, and a macrocycle that only execution finds.
     fn analysis() -> Analysis {
         let mut text = "%1\nN1 G01 F100 X0 R1=0 R2=1 R20=9001\nN2 G71 L100 Q300\nN3 X5 R3=7\n".to_owned();
         (10..9000).for_each(|n| text += &format!("N{n} X{}.5 Y{}\n", n % 90, n % 7));

@@ -1,12 +1,13 @@
 //! The landmarks of a program for machinists: its units, and in them the tool changes and the headings.
 //!
 //! A heading is a comment alone in its line after the first block, the first of several such lines, without the dashes
-//! around it; or the comment of a block that has nothing but its number. No heading is a comment that holds a block which
-//! was taken out (`"N50 X10"`), and what stands directly above a `G79` block: that is the subprogram's title, unless there
-//! is a comment in its line; without both it is the comment below. Notes before the first block are no headings either.
+//! around it; or the comment of a block that has nothing but its number. No heading is a comment that holds a block
+//! which was taken out (`"N50 X10"`), and what stands directly above a `G79` block: that is the subprogram's title,
+//! unless there is a comment in its line; without both it is the comment below. Notes before the first block are no
+//! headings either.
 //!
-//! A tool change is a block with M06, named by the T of the block or the last one before it in the unit (TEC-4); in a file
-//! without M06, where a macrocycle changes the tool, a block with T.
+//! A tool change is a block with M06, named by the T of the block or the last one before it in the unit (TEC-4); in a
+//! file without M06, where a macrocycle changes the tool, a block with T.
 
 use super::analysis::Analysis;
 use super::cursor::DOCUMENT;

@@ -26,8 +26,8 @@ impl Origin {
         Self { source, place: parsed.at(place), from: if readable { parsed.start } else { first } }
     }
 
-    /// Gives the findings of the program. When there are errors in the file, and its text is for another control, says so,
-    /// and gives one finding of each line.
+    /// Gives the findings of the program. When there are errors in the file, and its text is for another control, says
+    /// so, and gives one finding of each line.
     pub(super) fn give(self, settings: &Settings, found: Findings, findings: &mut Findings) {
         let file = self.place.file;
         // Text after `*` counts too: `*` ends blocks elsewhere. A program number written as elsewhere is one slip, with

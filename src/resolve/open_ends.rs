@@ -212,8 +212,8 @@ impl Context<'_, '_> {
         told
     }
 
-    /// L alone in a block (W0402), with the call that was meant when a macrocycle has its number; none where it begins the
-    /// subprogram without G79 that a call meant.
+    /// L alone in a block (W0402), with the call that was meant when a macrocycle has its number; none where it begins
+    /// the subprogram without G79 that a call meant.
     fn report_lost_calls(&mut self, resolved: &Resolved, lost_calls: Vec<(u32, Diagnostic)>, strays: &[Stray]) {
         for (l, mut diagnostic) in lost_calls {
             let file = resolved.file(diagnostic.at.file);

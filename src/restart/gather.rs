@@ -1,4 +1,5 @@
-//! What the blocks behind the place need: the parameters that they read, and the blocks of open calls and loops written out.
+//! What the blocks behind the place need: the parameters that they read, and the blocks of open calls and loops written
+//! out.
 
 use std::ops::ControlFlow;
 

@@ -61,8 +61,8 @@ impl Numbers {
         Self { low: Run::largest(&used, HIGHEST_L), high: Run::largest(&used, HIGHEST_BLOCK) }
     }
 
-    /// Lines for a preamble and for so many blocks behind it: in the run below 9999 what fits there, in steps of ten where
-    /// these fit.
+    /// Lines for a preamble and for so many blocks behind it: in the run below 9999 what fits there, in steps of ten
+    /// where these fit.
     pub fn lines(&self, behind: u64, line_end: &'static str) -> [Lines; 2] {
         let first = self.run(PREAMBLE);
         let (start, step) = first.start(PREAMBLE);

@@ -1,8 +1,8 @@
 //! A program that starts another one in the middle: `restart` (RST-1 to RST-6).
 //!
-//! The old program is executed to the place and on to its end: what holds there, whether a start is possible, what the rest
-//! needs. A preamble leads to that state, the tool comes back from above, the rest follows. Before anything is given away both
-//! programs are executed side by side.
+//! The old program is executed to the place and on to its end: what holds there, whether a start is possible, what the
+//! rest needs. A preamble leads to that state, the tool comes back from above, the rest follows. Before anything is
+//! given away both programs are executed side by side.
 
 mod approach;
 mod ascii;
@@ -139,8 +139,8 @@ pub fn restart(session: &Session<'_>, path: &Path, name: &str, asked: &Asked, op
     Made { outcome, answer }
 }
 
-/// The tool changes and rapids of a program at which a start is possible, in the order of execution, and how many more there
-/// would be with `--safe`.
+/// The tool changes and rapids of a program at which a start is possible, in the order of execution, and how many more
+/// there would be with `--safe`.
 pub fn list(session: &Session<'_>, path: &Path, name: &str, options: Options) -> (Outcome, Option<(Vec<Spot>, u64)>) {
     let mut scan = Scan::new(session.settings, options, None);
     let run = session.watch(path, name, Purpose::Report, &mut &mut scan);

@@ -64,7 +64,8 @@ pub(super) struct There {
 /// Where the text of the program can go on.
 #[derive(Debug, Default)]
 struct Text {
-    /// Jumps of the main program that are written with digits, by block: the lowest target of each and of all behind it.
+    /// Jumps of the main program that are written with digits, by block: the lowest target of each and of all behind
+    /// it.
     lowest: Vec<(BlockId, BlockId)>,
     from: Option<(u64, BlockId)>,
     /// The jumps that counted there.

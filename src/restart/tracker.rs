@@ -14,7 +14,8 @@ use crate::run::{Executed, MotionType, State};
 /// What the user wants.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Where the tool's axis is clear of everything, as programmed at the place; `None`: where the program itself stood.
+    /// Where the tool's axis is clear of everything, as programmed at the place; `None`: where the program itself
+    /// stood.
     pub safe: Option<Decimal>,
     /// Where the approach changes from rapid to feed: so many mm above the place.
     pub clearance: Decimal,
@@ -22,7 +23,8 @@ pub struct Options {
     pub all_m: bool,
 }
 
-/// The functions of the project's machine that turn or bend space: the letters of the axes do not say where the tool points.
+/// The functions of the project's machine that turn or bend space: the letters of the axes do not say where the tool
+/// points.
 const BENDING: [GCode; 3] = [GCode::G31, GCode::G38, GCode::G39];
 
 /// Functions that copy, or drag an axis.

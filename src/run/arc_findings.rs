@@ -14,8 +14,8 @@ use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
 use crate::syntax::{BlockFlags, BlockId, Word};
 use crate::text::Location;
 
-/// The axes that I and J belong to (MOT-3): in the order of the machine, also for G19, or as configured in that of the plane's
-/// name. Pairs that no plane names keep the order of the machine.
+/// The axes that I and J belong to (MOT-3): in the order of the machine, also for G19, or as configured in that of the
+/// plane's name. Pairs that no plane names keep the order of the machine.
 pub(super) fn center_axes(machine: &Machine, named: [usize; 2]) -> [usize; 2] {
     match machine.arc_centers {
         ArcCenters::PlaneOrder => named,
@@ -42,8 +42,8 @@ pub(super) fn found(
     site.report(because_of(state, words, g, Diagnostic::new(finding, at)));
 }
 
-/// W0616: under a radius correction an arc in other axes than those of the plane in force. The first of such arcs has it,
-/// until a plane is written.
+/// W0616: under a radius correction an arc in other axes than those of the plane in force. The first of such arcs has
+/// it, until a plane is written.
 pub(super) fn check_plane(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, pair: [usize; 2]) {
     let Some(correction) = g.of(GGroup::G3).filter(|code| *code != GCode::G40) else { return };
     let axes = &site.machine().axes;
@@ -65,7 +65,8 @@ pub(super) fn check_plane(site: &mut Site<'_>, state: &mut State, words: &BlockW
     found(site, state, (words, g), finding, words.place_of_motion(site));
 }
 
-/// E0602, with what makes the block an arc when it does not say so itself; then the first of such blocks in a row has it.
+/// E0602, with what makes the block an arc when it does not say so itself; then the first of such blocks in a row has
+/// it.
 pub(super) fn missing_center(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, at: Location) {
     let modal = words.written(GGroup::G0).is_none();
     let centered = words.i.is_some() || words.j.is_some();
@@ -109,8 +110,8 @@ pub(super) fn unknown_start(
     site.report(because_of(state, words, g, diagnostic));
 }
 
-/// E0603 at I, else at J, with start, centre and end, and what I and J probably are. Arcs that fit under the other of G90 and
-/// G91 have it once.
+/// E0603 at I, else at J, with start, centre and end, and what I and J probably are. Arcs that fit under the other of
+/// G90 and G91 have it once.
 pub(super) fn radii(
     site: &mut Site<'_>,
     state: &mut State,

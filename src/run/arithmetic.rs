@@ -3,8 +3,8 @@
 use crate::diag::ArithmeticFault;
 use crate::dict::{Decimal, Operation};
 
-/// Computes one operation. `whole`: whole-number arithmetic, operands and result rounded to whole numbers (PAR-8). All but
-/// trigonometry is exact, then rounded, halves away from zero (§13 Parameters).
+/// Computes one operation. `whole`: whole-number arithmetic, operands and result rounded to whole numbers (PAR-8). All
+/// but trigonometry is exact, then rounded, halves away from zero (§13 Parameters).
 ///
 /// # Errors
 /// What makes the result impossible, or its range (PAR-10).
@@ -92,8 +92,8 @@ fn scaled(value: f64, scale: i128) -> i128 {
     (value * ratio(scale, 1)).round() as i128
 }
 
-/// The sine of an angle in thousandths of a degree, in units of the mode: to 0.001 as the control resolves it, so that the
-/// half of 30° is one, then to whole numbers.
+/// The sine of an angle in thousandths of a degree, in units of the mode: to 0.001 as the control resolves it, so that
+/// the half of 30° is one, then to whole numbers.
 fn of_sine(thousandths: i128, scale: i128) -> i128 {
     divide(scaled(sine(thousandths), 1000), 1000 / scale)
 }

@@ -6,8 +6,8 @@ use super::travel::{Reading, Travel};
 use super::warnings::{check_travel, has_limits, warn_incremental};
 use crate::config::Machine;
 
-/// A rule of arriving axes. Execution passes over motions that nobody looks at where every rule is silent: a new rule says
-/// when it is.
+/// A rule of arriving axes. Execution passes over motions that nobody looks at where every rule is silent: a new rule
+/// says when it is.
 #[derive(Clone, Copy, Debug)]
 enum Rule {
     /// An axis goes some way from where nobody knows (MOT-2).

@@ -4,8 +4,8 @@ use super::{Interpreter, Stop};
 use crate::diag::Findings;
 
 /// Proof that a program was executed to its M02 or M30, and that nothing that was found is an error in this run. Only
-/// `End::of` makes one. No stream has its `end` record without it, `compile` does not succeed without it, and no sink is
-/// asked what it makes of the program: what stops early cannot be taken for a whole.
+/// `End::of` makes one. No stream has its `end` record without it, `compile` does not succeed without it, and no sink
+/// is asked what it makes of the program: what stops early cannot be taken for a whole.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct End {
     m: u8,

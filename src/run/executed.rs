@@ -179,7 +179,8 @@ impl<'r> Executed<'r> {
         self.interpreter.block.opaque_call
     }
 
-    /// Whether something moves in it, or at its end, that nobody knows (TIM-3): a fixed cycle, a macrocycle of the machine.
+    /// Whether something moves in it, or at its end, that nobody knows (TIM-3): a fixed cycle, a macrocycle of the
+    /// machine.
     pub fn is_opaque(&self) -> bool {
         self.opaque_call().is_some() || self.is_unmapped_cycle()
     }
@@ -374,7 +375,8 @@ impl<'r> Executed<'r> {
         self.interpreter.state.d.value()
     }
 
-    /// Whether a word of that address is written in it. Of G and M words, ask [`Self::g_written`] and [`Self::m_written`].
+    /// Whether a word of that address is written in it. Of G and M words, ask [`Self::g_written`] and
+    /// [`Self::m_written`].
     pub fn written(&self, address: Address) -> bool {
         let block = self.interpreter.block.id;
         self.file().is_some_and(|file| file.words(block).iter().any(|word| word.address == address))
@@ -467,8 +469,8 @@ impl<'r> Executed<'r> {
         &self.interpreter.state
     }
 
-    /// Whether it differs from the block executed before it in place, motion, positions and comments alone: a reader that
-    /// keeps what it made of that one need not make the rest anew.
+    /// Whether it differs from the block executed before it in place, motion, positions and comments alone: a reader
+    /// that keeps what it made of that one need not make the rest anew.
     pub(crate) const fn moves_on(&self) -> bool {
         self.interpreter.block.moves_on
     }

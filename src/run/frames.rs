@@ -63,8 +63,8 @@ impl Frame {
         }
     }
 
-    /// An arrival at the counter of `block`: whether the jump is taken, and what is left (FLW-4). `count` is asked when the
-    /// counter is unarmed.
+    /// An arrival at the counter of `block`: whether the jump is taken, and what is left (FLW-4). `count` is asked when
+    /// the counter is unarmed.
     pub(super) fn arrive(&mut self, block: BlockId, count: impl FnOnce() -> u32) -> Option<u32> {
         let counter = self.counters.entry(block).or_insert_with(|| {
             let of = count();

@@ -12,8 +12,8 @@ use crate::resolve::missing_axis;
 use crate::syntax::Word;
 use crate::text::Location;
 
-/// Puts the G functions of the block into force, in `state` what lasts and in `in_force` what holds in the block: x functions
-/// hold in it only.
+/// Puts the G functions of the block into force, in `state` what lasts and in `in_force` what holds in the block: x
+/// functions hold in it only.
 pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, in_force: &mut InForce) {
     for &(code, word) in &words.g {
         match code.lasting() {

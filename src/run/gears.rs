@@ -38,8 +38,8 @@ fn speed(state: &State) -> Option<u32> {
     state.speed.value().and_then(Decimal::as_whole).and_then(|speed| u32::try_from(speed).ok())
 }
 
-/// S outside the range of the gear programmed (E0607), or in no gear that M40 could choose (W0617): in blocks that write S or
-/// M40–M44. Not while the cutting speed is constant: what S means then is in no source.
+/// S outside the range of the gear programmed (E0607), or in no gear that M40 could choose (W0617): in blocks that
+/// write S or M40–M44. Not while the cutting speed is constant: what S means then is in no source.
 pub(super) fn check(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &InForce) {
     let machine = site.machine();
     if machine.gears.is_empty() {

@@ -52,8 +52,9 @@ struct Pending {
     returns: bool,
 }
 
-/// Executes a program. Ask for blocks with [`Self::step`] until it gives none. Its memory is the state in force and the open
-/// calls, however often the program repeats. A copy goes on by itself from where the original stands, over the same [`Program`].
+/// Executes a program. Ask for blocks with [`Self::step`] until it gives none. Its memory is the state in force and the
+/// open calls, however often the program repeats. A copy goes on by itself from where the original stands, over the
+/// same [`Program`].
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     pub(super) state: State,
@@ -111,9 +112,9 @@ impl Interpreter {
         None
     }
 
-    /// Executes at once what comes next of a run of blocks that only move axes straight, at most `most` of them and all but the
-    /// last of the run, when nothing is to be found in them. For a program that nobody looks at block by block. Gives which
-    /// blocks these were.
+    /// Executes at once what comes next of a run of blocks that only move axes straight, at most `most` of them and all
+    /// but the last of the run, when nothing is to be found in them. For a program that nobody looks at block by block.
+    /// Gives which blocks these were.
     #[inline]
     pub fn pass_over(&mut self, program: &Program<'_>, most: u64) -> Option<Stretch> {
         let (None, None, Some(frame)) = (self.stop, &self.pending, self.frames.last_mut()) else { return None };

@@ -131,8 +131,8 @@ fn forget_functions(state: &mut State, words: &BlockWords) {
     }
 }
 
-/// M02 and M30 set the groups to what holds at power-up; those that change are marked, groups 2, 5 and 6 always, since M05,
-/// M09 and M53 are sent (MFN-6, MFN-7).
+/// M02 and M30 set the groups to what holds at power-up; those that change are marked, groups 2, 5 and 6 always, since
+/// M05, M09 and M53 are sent (MFN-6, MFN-7).
 fn reset(machine: &Machine, state: &mut State, changed: &mut [bool; M_GROUPS]) {
     let defaults = machine.m_power_up;
     for (group, ((held, default), changed)) in state.m.iter_mut().zip(defaults).zip(changed).enumerate() {

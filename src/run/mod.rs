@@ -1,7 +1,7 @@
 //! Executes a resolved program block by block: calls, jumps, parameters, modal state, geometry.
 //!
-//! [`Interpreter::step`] gives one [`Executed`] block after the other; a [`Sink`] reads them. The order of the rules in a
-//! block is in `interpreter.rs`; each rule is a function of what it looks at.
+//! [`Interpreter::step`] gives one [`Executed`] block after the other; a [`Sink`] reads them. The order of the rules in
+//! a block is in `interpreter.rs`; each rule is a function of what it looks at.
 
 mod arc;
 mod arc_findings;

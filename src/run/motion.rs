@@ -137,8 +137,8 @@ fn apply_unmapped_cycle(site: &mut Site<'_>, state: &mut State, block: &mut Bloc
     }
 }
 
-/// The axes of the motion whose programmed start is not where the tool stands (MOT-8). `plane`: the axes of the plane in
-/// force, which an arc moves too. The motion of an axis ends that state for it.
+/// The axes of the motion whose programmed start is not where the tool stands (MOT-8). `plane`: the axes of the plane
+/// in force, which an arc moves too. The motion of an axis ends that state for it.
 #[inline]
 pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option<[usize; 2]>) -> AxisSet {
     let mut stale = AxisSet::default();
@@ -156,9 +156,9 @@ pub(super) fn settle_origin(state: &mut State, travels: &[Travel], plane: Option
     stale
 }
 
-/// Whether what the block does depends on a group whose function nobody knows. Two axis words are the plane of their arc
-/// (MOT-3), and what is wrong with it does not depend on a cycle (§13); with others the plane in force counts, with none also
-/// whether G23 takes I.
+/// Whether what the block does depends on a group whose function nobody knows. Two axis words are the plane of their
+/// arc (MOT-3), and what is wrong with it does not depend on a cycle (§13); with others the plane in force counts, with
+/// none also whether G23 takes I.
 fn is_unknown(words: &BlockWords, g: &InForce) -> bool {
     if g.unknown.is_empty() {
         return false;

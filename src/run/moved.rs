@@ -266,8 +266,8 @@ impl<'r> Motion<'r> {
         length.unwrap_or(Length::Missing(Missing::Start))
     }
 
-    /// Whether the motion is measured in degrees (MOT-6): no linear axis is in it, or linear ones are named that do not move,
-    /// beside rotary ones. An arc never is.
+    /// Whether the motion is measured in degrees (MOT-6): no linear axis is in it, or linear ones are named that do not
+    /// move, beside rotary ones. An arc never is.
     pub fn is_in_degrees(&self) -> bool {
         self.moving.is_in_degrees(self.travels)
     }

@@ -27,8 +27,8 @@ fn evaluate(site: &mut Site<'_>, state: &mut State, word: Word) -> Option<Decima
     }
 }
 
-/// The value of a word, which must have the form of its address, wherever it comes from (PAR-3). `feed`: the G6 function that
-/// F is read by, when it is known; `dwell`: Q belongs to G04.
+/// The value of a word, which must have the form of its address, wherever it comes from (PAR-3). `feed`: the G6
+/// function that F is read by, when it is known; `dwell`: Q belongs to G04.
 #[inline]
 pub(super) fn evaluate_form(
     site: &mut Site<'_>,

@@ -1,5 +1,5 @@
-//! Blocks of axis words and nothing else: nearly all blocks of long programs. What they do follows from what is in force,
-//! which is looked up once for a run of them; the rules of motion are those of every block.
+//! Blocks of axis words and nothing else: nearly all blocks of long programs. What they do follows from what is in
+//! force, which is looked up once for a run of them; the rules of motion are those of every block.
 
 use super::arrival::{arrive, is_silent};
 use super::block::{Block, Effect};
@@ -78,9 +78,9 @@ impl Run {
         Self::Straight(moving, Reading::of(site.machine(), state, &block.g))
     }
 
-    /// Executes the points (see [`BlockFlags::is_point`]) that come next but the last of them, at most `most`, all at once:
-    /// axes are where the last word of each has them, when no rule of motion has anything to say of any. Gives how many
-    /// that are; with 0 nothing is done.
+    /// Executes the points (see [`BlockFlags::is_point`]) that come next but the last of them, at most `most`, all at
+    /// once: axes are where the last word of each has them, when no rule of motion has anything to say of any. Gives
+    /// how many that are; with 0 nothing is done.
     pub(super) fn pass_over(self, program: &Program<'_>, frame: &mut Frame, state: &mut State, most: u64) -> u64 {
         let Self::Straight(_, reading) = self else { return 0 };
         let machine = &program.settings.machine;

@@ -15,8 +15,9 @@ pub(super) fn axis(machine: &Machine, state: &State) -> Option<usize> {
     (state.m(SPINDLE_GROUP) == Some(ORIENTED_STOP)).then(|| machine.spindle()).flatten()
 }
 
-/// M19 puts the spindle at its oriented position; M03, M04 and M05 leave it anywhere, when M19 was in force or configuration
-/// says which axis it is. `before`: the function of the group before the block. Comes before the block's own motion.
+/// M19 puts the spindle at its oriented position; M03, M04 and M05 leave it anywhere, when M19 was in force or
+/// configuration says which axis it is. `before`: the function of the group before the block. Comes before the block's
+/// own motion.
 pub(super) fn apply(machine: &Machine, state: &mut State, words: &BlockWords, before: Option<u8>) {
     let group = |m: u8| usize::from(machine.m_functions.group(m));
     let Some(&(written, _)) = words.m.iter().find(|(m, _)| group(*m) == SPINDLE_GROUP) else { return };

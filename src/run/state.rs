@@ -153,12 +153,13 @@ pub(super) struct Said {
     pub(super) no_tool: bool,
     /// W0116 of S under G97.
     pub(super) cutting_speed: bool,
-    /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written, an arc fits under the one in
-    /// force or under neither, or a unit is called.
+    /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written, an arc fits under the one
+    /// in force or under neither, or a unit is called.
     pub(super) arc_mode: bool,
     /// Axes that were unknown at the start of an arc (W0606) and have not moved since.
     pub(super) arc_starts: AxisSet,
-    /// The axes of the last arc that lay in other axes than those of the plane in force (W0616), until a plane is written.
+    /// The axes of the last arc that lay in other axes than those of the plane in force (W0616), until a plane is
+    /// written.
     pub(super) other_axes: Option<[usize; 2]>,
     /// E0602, or E0611 of an arc without I and J.
     pub(super) no_center: LastBlock,
@@ -246,7 +247,8 @@ pub struct State {
     pub(super) corrects: Option<GCode>,
     /// The T that no M06 followed so far, and its word (W0628).
     pub(super) named_tool: Option<(Decimal, Location)>,
-    /// A G53 in place of a zero offset of the work, written with Z alone as other controls retract, is still in force (W0116).
+    /// A G53 in place of a zero offset of the work, written with Z alone as other controls retract, is still in force
+    /// (W0116).
     pub(super) retracted: bool,
     /// For texts.
     pub(super) origins: Origins,

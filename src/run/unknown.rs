@@ -7,7 +7,8 @@ use crate::dict::GGroup;
 pub(super) struct Groups(u16);
 
 impl Groups {
-    /// Those with functions that last: a malformed G leaves them unknown. What holds in its own block only is unknown there.
+    /// Those with functions that last: a malformed G leaves them unknown. What holds in its own block only is unknown
+    /// there.
     pub(super) fn lasting() -> Self {
         let lasting = |group: &GGroup| !matches!(group, GGroup::G4 | GGroup::G7);
         GGroup::ALL.into_iter().filter(lasting).fold(Self::default(), Self::with)

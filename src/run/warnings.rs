@@ -29,8 +29,8 @@ fn check_tool_with_offset(site: &mut Site<'_>, t: Valued) {
     }
 }
 
-/// Reports what a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a spindle that
-/// turns (W0619).
+/// Reports what a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a
+/// spindle that turns (W0619).
 pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &BlockWords, g: &InForce, thread: bool) {
     if state.feed == Held::None && !state.said.feed {
         state.said.feed = true;
@@ -60,8 +60,8 @@ pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &Block
     }
 }
 
-/// Words that are written for what they mean on other controls (W0116): G53 for one block, S under G97 as the speed of the
-/// spindle.
+/// Words that are written for what they mean on other controls (W0116): G53 for one block, S under G97 as the speed of
+/// the spindle.
 pub(super) fn check_other_meanings(site: &mut Site<'_>, state: &mut State, words: &BlockWords) {
     if let Some((origin, _)) = words.written(GGroup::G5) {
         let work = state.modal(GGroup::G5).is_some_and(|before| before != GCode::G53);
@@ -134,8 +134,8 @@ fn lacks_spindle(site: &Site<'_>, state: &mut State, thread: bool) -> bool {
         && (thread || spindle_words(site, state).any)
 }
 
-/// The function that turns the spindle while S is 0 or, `false`, while no S was executed in a program that writes one, when
-/// nobody said so yet (TEC-8). A motion that needs S in any case has W0604.
+/// The function that turns the spindle while S is 0 or, `false`, while no S was executed in a program that writes one,
+/// when nobody said so yet (TEC-8). A motion that needs S in any case has W0604.
 fn lacks_speed(site: &Site<'_>, state: &mut State, g: &InForce) -> Option<(u8, bool)> {
     let m = state.m(SPINDLE_GROUP).filter(|m| SPINDLE_TURNS.contains(m) && !state.said.speed_zero)?;
     let zero = state.speed == Held::Value(Decimal::ZERO);
@@ -144,8 +144,8 @@ fn lacks_speed(site: &Site<'_>, state: &mut State, g: &InForce) -> Option<(u8, b
     lacks.then_some((m, zero))
 }
 
-/// The words of the spindle in the program's file and the macrocycles that written calls lead to. A program without such words
-/// leaves the spindle to others.
+/// The words of the spindle in the program's file and the macrocycles that written calls lead to. A program without
+/// such words leaves the spindle to others.
 fn spindle_words(site: &Site<'_>, state: &mut State) -> SpindleWords {
     *state.spindle_words.get_or_insert_with(|| {
         let mut found = SpindleWords::default();

@@ -155,8 +155,8 @@ impl<'o> Records<'o> {
     }
 }
 
-/// Runs `execute`, and writes to `out` the records that it gives, for a machine with these axes, at the same time. Without
-/// a thread they are written in between.
+/// Runs `execute`, and writes to `out` the records that it gives, for a machine with these axes, at the same time.
+/// Without a thread they are written in between.
 ///
 /// # Errors
 /// What `out` says.

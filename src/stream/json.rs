@@ -34,8 +34,8 @@ impl Part {
     }
 }
 
-/// Writes to `out` the stream of the program that `run` shows to the sink. Its text is made and written in a thread beside
-/// execution, or between its blocks when the system gives no thread.
+/// Writes to `out` the stream of the program that `run` shows to the sink. Its text is made and written in a thread
+/// beside execution, or between its blocks when the system gives no thread.
 ///
 /// # Errors
 /// What `out` says.

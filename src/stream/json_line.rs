@@ -49,8 +49,8 @@ const fn digits(value: u32) -> u64 {
     four_digits(value / 10_000) as u64 | ((four_digits(value % 10_000) as u64) << 32)
 }
 
-/// A line being written. It is handed on by value, so that its end stays in a register: there are sixty things to write in
-/// a record, each of which would wait for the one before.
+/// A line being written. It is handed on by value, so that its end stays in a register: there are sixty things to write
+/// in a record, each of which would wait for the one before.
 pub(super) struct Line<'r> {
     /// Its beginning, and room for more.
     room: &'r mut Vec<u8>,
@@ -111,8 +111,8 @@ impl<'r> Line<'r> {
     }
 
     fn long_int(self, value: u64) -> Self {
-        // All digits are put down, without those before the first that counts, and the end is then taken back: a copy of
-        // fixed length is quicker than one that fits.
+        // All digits are put down, without those before the first that counts, and the end is then taken back: a copy
+        // of fixed length is quicker than one that fits.
         if let Some(value) = u32::try_from(value).ok().filter(|value| *value < 10_000) {
             let digits = four_digits(value);
             let unused = (digits.trailing_zeros() / 8).min(3);

@@ -10,8 +10,8 @@ struct Last {
     place: LineColumn,
 }
 
-/// Remembers the place of the last block of each file: a line may hold any number of blocks, and counting its characters
-/// from its begin for each of them takes long.
+/// Remembers the place of the last block of each file: a line may hold any number of blocks, and counting its
+/// characters from its begin for each of them takes long.
 #[derive(Debug, Default)]
 pub(super) struct Lines {
     /// By file.

@@ -1,5 +1,5 @@
-//! The block stream: a sink that writes executed blocks as records, and their schema. The only serialised form of a program;
-//! its records are nobody else's business.
+//! The block stream: a sink that writes executed blocks as records, and their schema. The only serialised form of a
+//! program; its records are nobody else's business.
 
 mod beside;
 mod json;

@@ -1,5 +1,5 @@
-//! The JSON of records. Each function takes its record apart by pattern, so that a new field does not compile until it is
-//! written.
+//! The JSON of records. Each function takes its record apart by pattern, so that a new field does not compile until it
+//! is written.
 
 use super::json_line::{Line, byte, key};
 use super::records::{
@@ -9,8 +9,8 @@ use super::records::{
 use crate::dict::AxisLetter;
 use crate::run::{Jump, MStop};
 
-/// Writes the fields of a record in this order: a new one does not compile until it is written. Behind a field stands its
-/// kind, or `so` and the code that writes it; a kind with `_if` leaves out what is not there.
+/// Writes the fields of a record in this order: a new one does not compile until it is written. Behind a field stands
+/// its kind, or `so` and the code that writes it; a kind with `_if` leaves out what is not there.
 macro_rules! fields {
     ($json:ident, $record:expr, $type:ident { $($name:ident: $kind:ident $({ $($code:tt)* })?),* $(,)? }) => {
         let $type { $($name),* } = $record;

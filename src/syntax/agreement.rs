@@ -1,5 +1,5 @@
-//! Reading a text in pieces and by the short way gives what lexer and grammar give of the whole text: this is what tests
-//! and fuzzing ask.
+//! Reading a text in pieces and by the short way gives what lexer and grammar give of the whole text: this is what
+//! tests and fuzzing ask.
 
 use std::sync::Arc;
 

@@ -65,8 +65,8 @@ fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
     flow && count
 }
 
-/// The tokens before the first block; text on the line of `%` is one token to the end of the line, with the words in it: a
-/// title without quotes.
+/// The tokens before the first block; text on the line of `%` is one token to the end of the line, with the words in
+/// it: a title without quotes.
 fn with_whole_title(batch: &[Token], text: &str) -> Vec<Token> {
     let mut tokens = batch.to_vec();
     let is_text = |token: &Token| matches!(token.kind, Kind::Junk(Shape::Text) | Kind::Junk(Shape::Unit));

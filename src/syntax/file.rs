@@ -187,8 +187,9 @@ impl ParsedFile {
         start..end
     }
 
-    /// The comments that belong to a block, quotes included, in the order of the text (BLK-9): those between its words and
-    /// behind them on the same line, and those on lines of their own above it. Behind the last block all are its own.
+    /// The comments that belong to a block, quotes included, in the order of the text (BLK-9): those between its words
+    /// and behind them on the same line, and those on lines of their own above it. Behind the last block all are its
+    /// own.
     pub fn comments(&self, block: BlockId) -> &[Span] {
         let start = self.comments_owned_before(block);
         let end = self.comments_owned_before(block.next());
@@ -274,8 +275,8 @@ impl ParsedFile {
         self.comments.get(..self.comments_before(BlockId(0))).sure()
     }
 
-    /// The texts of the program's comments: those between its number and the first `N`, the title included, trimmed, empty
-    /// ones left out (BLK-9).
+    /// The texts of the program's comments: those between its number and the first `N`, the title included, trimmed,
+    /// empty ones left out (BLK-9).
     pub fn program_comments(&self) -> impl Iterator<Item = &str> {
         let number_end = self.program.map_or(u32::MAX, |word| word.span(self.source.text()).end);
         self.comments_before_blocks()

@@ -1,7 +1,7 @@
 //! Whether a text is a program for another control, and for which one: by shapes that nobody writes for this one.
 //!
-//! It is asked only about texts in which something is wrong, and looks at their heads. In a program without findings none
-//! of the shapes stands, and a slip in a program for this control is not enough of them.
+//! It is asked only about texts in which something is wrong, and looks at their heads. In a program without findings
+//! none of the shapes stands, and a slip in a program for this control is not enough of them.
 
 use std::sync::LazyLock;
 
@@ -52,10 +52,10 @@ const fn row(speaks_for: Speaks, weight: i32, shapes: &'static str) -> Row {
 }
 
 /// A shape is compared with a line in upper case and without blanks, of whose comments only the first sign is left:
-/// `"`, `(` or `;`. In it stand, in lower case, `d` for a digit, `n` for digits, `v` for a number with or without sign and
-/// point, `x` for letters, digits, `_` and `-`, `i` for a name of two letters or more, `t` for anything; `|` at its ends
-/// for the ends of the line. Block numbers and `/` before the line's words are not looked at, unless the shape begins
-/// with `||`. A shape that begins with `(` or `;` is compared with the line's comments too.
+/// `"`, `(` or `;`. In it stand, in lower case, `d` for a digit, `n` for digits, `v` for a number with or without sign
+/// and point, `x` for letters, digits, `_` and `-`, `i` for a name of two letters or more, `t` for anything; `|` at its
+/// ends for the ends of the line. Block numbers and `/` before the line's words are not looked at, unless the shape
+/// begins with `||`. A shape that begins with `(` or `;` is compared with the line's comments too.
 const ROWS: &[Row] = &[
     row(FANUC, 2, "||On| ||On(| ||:n| ||:n(|"),
     row(FANUC, 2, "||<x>| ||<x>(|"),

@@ -1,5 +1,5 @@
-//! The grammar of a block: well-formed words over its tokens, as `grammar/part-program.ebnf` shows them. [`super::slips`]
-//! explains the rest.
+//! The grammar of a block: well-formed words over its tokens, as `grammar/part-program.ebnf` shows them.
+//! [`super::slips`] explains the rest.
 
 use super::Word;
 use super::number::Number;
@@ -12,8 +12,8 @@ use crate::text::Span;
 /// The highest parameter is R95.
 pub(super) const PARAMETERS: u8 = 96;
 
-/// The well-formed word that begins with the token at `at`, where it stands, and how many tokens it is made of. `None` when it
-/// is malformed, or when something follows that may belong to it.
+/// The well-formed word that begins with the token at `at`, where it stands, and how many tokens it is made of. `None`
+/// when it is malformed, or when something follows that may belong to it.
 pub(super) fn word(text: &str, tokens: &[Token], at: usize) -> Option<(Word, Span, usize)> {
     let mut next = Cursor::new(tokens, at);
     let first = next.when(|_| true)?;

@@ -8,8 +8,8 @@ use crate::text::{FileId, Location, SourceText, Span};
 /// Most characters of a line (LEX-7).
 const LINE: usize = 80;
 
-/// Reports lines of more than 80 characters, from that of `start` to that of `end`, of which only what stands before `end`
-/// counts (LEX-7).
+/// Reports lines of more than 80 characters, from that of `start` to that of `end`, of which only what stands before
+/// `end` counts (LEX-7).
 pub(super) fn check_lines(file: FileId, source: &SourceText, start: u32, end: u32, findings: &mut Findings) {
     let lines = source.lines();
     let first = lines.line_at(start);
@@ -78,8 +78,9 @@ pub(super) fn text_after_end(file: FileId, text: &str, after: u32, end: u32) -> 
 /// So many tokens behind `*` are looked at for a second program.
 const FAR: usize = 1 << 12;
 
-/// The finding of lower-case addresses, one for all of them (LEX-11): `places` are theirs, `addresses` counts those of the file. Changing them all
-/// is certain where they are the rule; a few of them may stand for something else, as in `X18y.924`.
+/// The finding of lower-case addresses, one for all of them (LEX-11): `places` are theirs, `addresses` counts those of
+/// the file. Changing them all is certain where they are the rule; a few of them may stand for something else, as in
+/// `X18y.924`.
 pub(super) fn case_finding(file: FileId, text: &str, places: &[u32], addresses: usize) -> Option<Diagnostic> {
     let edit = |&place: &u32| {
         let letter = text.as_bytes().get(place as usize).copied().unwrap_or(b'?');

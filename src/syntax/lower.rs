@@ -95,7 +95,8 @@ impl<'t> Lowering<'t> {
         true
     }
 
-    /// Takes what a block was explained as. Words that touch junk are not known, and junk behind other junk belongs to it.
+    /// Takes what a block was explained as. Words that touch junk are not known, and junk behind other junk belongs to
+    /// it.
     fn explained(&mut self, items: Vec<Diagnosis>) {
         let mut runs: Vec<Span> = Vec::new();
         for item in &items {

@@ -1,7 +1,7 @@
 //! From text to the tree of one file: tokens, the grammar of a block, the explanation of slips, words in one arena.
 //!
-//! Nothing here knows a machine. Parsing never fails: every fault becomes a finding, and its block's other words and the
-//! other blocks stay unharmed. Comments and layout survive: each word and comment knows its span.
+//! Nothing here knows a machine. Parsing never fails: every fault becomes a finding, and its block's other words and
+//! the other blocks stay unharmed. Comments and layout survive: each word and comment knows its span.
 
 #[cfg(any(test, fuzzing))]
 mod agreement;

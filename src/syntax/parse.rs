@@ -31,8 +31,8 @@ pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut 
 const LONG: u32 = 1 << 20;
 /// Longer ones are read in pieces of about this many bytes, side by side.
 const PIECE: u32 = 1 << 17;
-/// So many pieces are read before they are put together, while the next are being read: what is in pieces is little beside
-/// what is together.
+/// So many pieces are read before they are put together, while the next are being read: what is in pieces is little
+/// beside what is together.
 const AT_ONCE: usize = 16;
 
 /// Parses in so many pieces, and, unless it is to be compared, takes the short way through plain blocks.
@@ -145,8 +145,8 @@ fn missing_start(file: FileId, source: &SourceText) -> Diagnostic {
     }
 }
 
-/// Where the program begins when the first `%` is one of a remark above it: without a number, and before any block there is
-/// a line that begins with `%` and its number.
+/// Where the program begins when the first `%` is one of a remark above it: without a number, and before any block
+/// there is a line that begins with `%` and its number.
 fn start_behind(text: &str, start: u32) -> Option<u32> {
     let rest = text.get(start as usize + 1..)?;
     let line = rest.trim_start_matches([' ', '\t']);

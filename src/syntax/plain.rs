@@ -1,7 +1,8 @@
-//! Plain blocks, read from their bytes: a block number and words with numbers, as CAM systems write them by the million.
+//! Plain blocks, read from their bytes: a block number and words with numbers, as CAM systems write them by the
+//! million.
 //!
-//! It is a short way through lexer and grammar for what they would read alike (decision 0010). Whatever is not plain, and
-//! whatever could be part of something that is not, is left to them, from the beginning of its block.
+//! It is a short way through lexer and grammar for what they would read alike (decision 0010). Whatever is not plain,
+//! and whatever could be part of something that is not, is left to them, from the beginning of its block.
 
 use super::file::Block;
 use super::lower::Lowering;

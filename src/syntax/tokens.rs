@@ -102,7 +102,8 @@ pub enum Shape {
     NamedValue,
     /// A variable of other controls, with its value or without: `#50=0`.
     Variable,
-    /// The block number behind `G73`, where its target belongs: `G73 N20`. The lexer reads it as a word; its place tells.
+    /// The block number behind `G73`, where its target belongs: `G73 N20`. The lexer reads it as a word; its place
+    /// tells.
     JumpTarget,
     /// A block number with its letter inside: `8N0`. The lexer reads it as a number and a word; its place tells.
     MixedNumber,
@@ -120,7 +121,8 @@ pub enum Shape {
     Text,
     /// The name of a unit: `mm/min`. The lexer reads it as a text.
     Unit,
-    /// `/` or `*` between two operands of an expression: `R10=R11/2`. The lexer reads it as another sign; its place tells.
+    /// `/` or `*` between two operands of an expression: `R10=R11/2`. The lexer reads it as another sign; its place
+    /// tells.
     Operator,
     /// A value between brackets: `Z(R11)`. The lexer reads it as a comment; its place tells.
     Bracketed,
@@ -385,8 +387,8 @@ impl Tokens<'_> {
         matches!(before, None | Some(b'\n' | b'\r'))
     }
 
-    /// A run of letters is text, but its last letter may be the address of a word (`XYZ5`), and letters O after the first
-    /// may stand for digits (`GOOX10`).
+    /// A run of letters is text, but its last letter may be the address of a word (`XYZ5`), and letters O after the
+    /// first may stand for digits (`GOOX10`).
     fn text_token(&mut self, token: Token) -> Token {
         if let Some(token) = self.whole_text(token).or_else(|| self.two_letters(token)) {
             return token;

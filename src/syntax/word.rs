@@ -72,8 +72,8 @@ impl Word {
         word
     }
 
-    /// Takes a number that has no room in `raw`. It is kept exactly as far as any range reaches; beyond that it stays out of
-    /// range, and with a fraction when it has one.
+    /// Takes a number that has no room in `raw`. It is kept exactly as far as any range reaches; beyond that it stays
+    /// out of range, and with a fraction when it has one.
     #[cold]
     fn widen(&mut self, value: Decimal) {
         let thousandths = value.thousandths();
@@ -105,8 +105,8 @@ impl Word {
         word
     }
 
-    /// The same word without its value, which is not one that its address takes: nothing is known of what it would have set
-    /// (§13). What is written can still be asked for: [`Self::refused_number`].
+    /// The same word without its value, which is not one that its address takes: nothing is known of what it would have
+    /// set (§13). What is written can still be asked for: [`Self::refused_number`].
     #[must_use]
     pub fn refused(mut self) -> Self {
         self.flags |= VOID;

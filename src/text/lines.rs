@@ -34,7 +34,8 @@ impl LineIndex {
     /// Follows a change: the bytes of `text` from `from` to `inserted_end` replace those that were between `from` and
     /// `removed_end`.
     pub(super) fn replaced(&mut self, text: &str, from: u32, removed_end: u32, inserted_end: u32) {
-        // The byte before the change may be the CR of a CR LF that comes to be or is no more, and so may the one behind.
+        // The byte before the change may be the CR of a CR LF that comes to be or is no more, and so may the one
+        // behind.
         let window = self.line_at(from.saturating_sub(1));
         let kept_to = self.starts.partition_point(|&start| start <= removed_end.saturating_add(1));
         let behind = self.starts.split_off(kept_to);

@@ -88,7 +88,8 @@ pub trait Loader: Sync {
     /// has the text decoded already, as an editor's buffer is, gives that.
     ///
     /// # Errors
-    /// Those of [`Self::read`], [`io::ErrorKind::FileTooLarge`] from 4 GiB on, and [`NotUtf8`] where `fallback` is UTF-8.
+    /// Those of [`Self::read`], [`io::ErrorKind::FileTooLarge`] from 4 GiB on, and [`NotUtf8`] where `fallback` is
+    /// UTF-8.
     fn load(&self, path: &Path, name: &str, fallback: Encoding) -> io::Result<Arc<SourceText>> {
         let bytes = self.read(path)?;
         let source = SourceText::decode(name, bytes, fallback)?;
@@ -112,8 +113,8 @@ pub trait Loader: Sync {
         path.as_os_str().is_empty() || !self.list(path).is_empty() || !self.folders(path).is_empty()
     }
 
-    /// What `number` makes of the files of these folders. A loader that serves one run keeps it for the next program that
-    /// asks: with many programs in one folder, looking at all files for each of them takes time by the square.
+    /// What `number` makes of the files of these folders. A loader that serves one run keeps it for the next program
+    /// that asks: with many programs in one folder, looking at all files for each of them takes time by the square.
     fn numbered(&self, _folders: &[PathBuf], number: &dyn Fn() -> Numbered) -> Arc<Numbered> {
         Arc::new(number())
     }

@@ -2,8 +2,8 @@
 
 use std::path::{Component, Path, PathBuf};
 
-/// The path for messages, and as the name of its text: bytes that are no UTF-8, as shares of old systems have them, come as
-/// `\\xff`. Two files have two names, so that their findings stay apart.
+/// The path for messages, and as the name of its text: bytes that are no UTF-8, as shares of old systems have them,
+/// come as `\\xff`. Two files have two names, so that their findings stay apart.
 pub fn path_name(path: &Path) -> String {
     if let Some(name) = path.to_str() {
         return name.to_owned();
@@ -26,8 +26,8 @@ pub fn way_back(path: &Path) -> PathBuf {
     path.components().map(|_| Component::ParentDir).collect()
 }
 
-/// The path without the names that it leads into and back out of: `m` for `q/../m`. Where one of them is a link, that may be
-/// another place.
+/// The path without the names that it leads into and back out of: `m` for `q/../m`. Where one of them is a link, that
+/// may be another place.
 pub fn without_ways_back(path: &Path) -> PathBuf {
     let mut short = PathBuf::new();
     for part in path.components() {

@@ -42,12 +42,12 @@ pub struct SourceText {
 }
 
 impl SourceText {
-    /// Decodes `bytes`: as UTF-16 when they are that, as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13). A
-    /// byte-order mark is kept in the text, and skipped by [`Self::first_offset`] (LEX-8).
+    /// Decodes `bytes`: as UTF-16 when they are that, as UTF-8 when they are valid UTF-8, else by `fallback` (LEX-13).
+    /// A byte-order mark is kept in the text, and skipped by [`Self::first_offset`] (LEX-8).
     ///
     /// # Errors
-    /// [`DecodeError::TooLarge`] when the text has 4 GiB or more, [`DecodeError::NotUtf8`] when `fallback` is UTF-8 and the
-    /// bytes are not.
+    /// [`DecodeError::TooLarge`] when the text has 4 GiB or more, [`DecodeError::NotUtf8`] when `fallback` is UTF-8 and
+    /// the bytes are not.
     pub fn decode(name: impl Into<String>, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
         let size = bytes.len();
         let mut exact = true;
@@ -154,13 +154,14 @@ impl SourceText {
         }
     }
 
-    /// How many bytes the file lacks of the characters before `offset`: one at the end of UTF-16 with an odd number of bytes.
+    /// How many bytes the file lacks of the characters before `offset`: one at the end of UTF-16 with an odd number of
+    /// bytes.
     pub fn missing_before(&self, offset: u32) -> u64 {
         u64::from(self.half && offset == self.len())
     }
 
-    /// Replaces the text of `span`, as an editor does; a span that is none of this text, or a text that would reach 4 GiB,
-    /// changes nothing, and `false` comes back.
+    /// Replaces the text of `span`, as an editor does; a span that is none of this text, or a text that would reach 4
+    /// GiB, changes nothing, and `false` comes back.
     pub fn replace(&mut self, span: Span, with: &str) -> bool {
         let grown = u32::try_from(self.text.len() + with.len()).is_ok();
         if !grown || self.text.get(span.range()).is_none() {
@@ -182,9 +183,9 @@ impl SourceText {
         true
     }
 
-    /// The offset of column `column` (from 0, in `unit`s) of line `line` (from 0), both counted from the very start of the
-    /// text. Places behind the end of a line are its end, lines behind the last are the end of the text, and a column
-    /// inside a character is the begin of it.
+    /// The offset of column `column` (from 0, in `unit`s) of line `line` (from 0), both counted from the very start of
+    /// the text. Places behind the end of a line are its end, lines behind the last are the end of the text, and a
+    /// column inside a character is the begin of it.
     pub fn offset_at(&self, line: usize, column: u32, unit: ColumnUnit) -> u32 {
         if line >= self.lines().count() {
             return self.len();

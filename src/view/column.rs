@@ -1,9 +1,9 @@
 //! A column of whole numbers, and how it is packed for the page.
 //!
 //! A column is written as itself, as its first differences, or as its second ones, whichever is shortest; mostly-zero
-//! results as pairs of gap and value. Numbers are zigzag varints, stored by planes: first the lowest seven bits of every
-//! number, then the next seven of those that have more, and so on. Deflate finds much more in planes than in numbers side
-//! by side. `web/src/data/columns.ts` reads this form.
+//! results as pairs of gap and value. Numbers are zigzag varints, stored by planes: first the lowest seven bits of
+//! every number, then the next seven of those that have more, and so on. Deflate finds much more in planes than in
+//! numbers side by side. `web/src/data/columns.ts` reads this form.
 
 /// Whole numbers, one a row.
 #[derive(Clone, Debug)]

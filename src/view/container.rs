@@ -72,8 +72,8 @@ impl Container {
         self.texts.push((name, text));
     }
 
-    /// The stream: the length of the header in four bytes, the header (the object of `fields`, with `columns` and `texts`
-    /// added), the columns, the texts; deflated.
+    /// The stream: the length of the header in four bytes, the header (the object of `fields`, with `columns` and
+    /// `texts` added), the columns, the texts; deflated.
     pub fn finish(self, mut fields: serde_json::Map<String, serde_json::Value>) -> Vec<u8> {
         let forms = self.columns.iter().map(|(name, form)| {
             let Form { count, order, sparse, wide, bytes } = *form;

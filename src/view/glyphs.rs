@@ -1,5 +1,5 @@
-//! Letters of lines, for pictures without fonts: the same on every computer. Drawn for this project on a grid of 4 by 6:
-//! x to the right, y down from the top of capitals; the base line is at 6, and two more are below it.
+//! Letters of lines, for pictures without fonts: the same on every computer. Drawn for this project on a grid of 4 by
+//! 6: x to the right, y down from the top of capitals; the base line is at 6, and two more are below it.
 
 /// The strokes of a character, each a chain of points `xy` in digits; nothing for one that is not drawn.
 const fn strokes(character: char) -> &'static [&'static str] {

@@ -38,8 +38,8 @@ impl Stroke {
     }
 }
 
-/// The position of the tool after each row: X, Y and Z in millimetres. In place of an unknown coordinate it has the next
-/// known one of the axis, or else the last known one, or 0 when none is known.
+/// The position of the tool after each row: X, Y and Z in millimetres. In place of an unknown coordinate it has the
+/// next known one of the axis, or else the last known one, or 0 when none is known.
 #[derive(Debug)]
 pub(super) struct Lines<'r> {
     rows: &'r Rows,
@@ -93,7 +93,8 @@ impl<'r> Lines<'r> {
         }
     }
 
-    /// The points of a line from its start to its end; arcs by chords that are nowhere further from them than `deviation`.
+    /// The points of a line from its start to its end; arcs by chords that are nowhere further from them than
+    /// `deviation`.
     pub fn points(&self, row: usize, deviation: f64, mut each: impl FnMut(Point)) {
         let before = self.rows.row_before(row);
         let (from, to) = (self.point(before), self.point(row));

@@ -9,9 +9,9 @@
 //! | lay out | rows | a still picture: lines, dots, texts | `picture`, with `lines`, `chains`, `projection`, `display` |
 //! | write | a still picture | SVG, PNG | `svg`; `png` with `scan` and `glyphs` |
 //!
-//! What is kept is bounded by what is drawn: a still picture has no records, equal executions share rows and plans, texts are
-//! deflated as they come (`container::Long`), and [`Collector::within`] gives up before memory runs out. `names` keeps folders out of
-//! the page.
+//! What is kept is bounded by what is drawn: a still picture has no records, equal executions share rows and plans,
+//! texts are deflated as they come (`container::Long`), and [`Collector::within`] gives up before memory runs out.
+//! `names` keeps folders out of the page.
 //!
 //! `web/src/data` reads what is packed here; `docs/reference/page-data.md` describes it.
 

@@ -21,7 +21,8 @@ impl Naming<'_> {
         last(self.program)
     }
 
-    /// The name of another file: its path from the program's folder, with slashes; of a file elsewhere its last part alone.
+    /// The name of another file: its path from the program's folder, with slashes; of a file elsewhere its last part
+    /// alone.
     pub fn of(&self, name: &str) -> String {
         let path = Path::new(name);
         if path_name(self.program) == name {

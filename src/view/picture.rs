@@ -234,8 +234,8 @@ impl Seen {
         }
     }
 
-    /// The plane in which the working motions look longest; of nearly equal ones the first: a surface that is milled line by
-    /// line looks a little longer from the side, and shows nothing there.
+    /// The plane in which the working motions look longest; of nearly equal ones the first: a surface that is milled
+    /// line by line looks a little longer from the side, and shows nothing there.
     fn main_plane(self) -> Plane {
         const NEARLY: f64 = 1.1;
         let [xy, xz, yz] = self.working.or(self.rapid).unwrap_or_default();

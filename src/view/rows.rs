@@ -335,7 +335,8 @@ impl Rows {
         equal.is_some()
     }
 
-    /// The part of the block that it shares with others. One that only moves on differs in nothing from the block before.
+    /// The part of the block that it shares with others. One that only moves on differs in nothing from the block
+    /// before.
     fn parts(&mut self, block: &Executed<'_>, special: Special) -> Last {
         let moves_on = block.moves_on() && self.count() > 0;
         let Last { state, feed, context, .. } = if moves_on {
@@ -365,7 +366,8 @@ impl Rows {
             self.visited.resize(place + 1, false);
         }
         let again = self.visited.get_mut(place).is_some_and(|visited| std::mem::replace(visited, true));
-        // The first pass over a text is never equal to anything; what is repeated is remembered from its second pass on.
+        // The first pass over a text is never equal to anything; what is repeated is remembered from its second pass
+        // on.
         if !again {
             return None;
         }

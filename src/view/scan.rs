@@ -1,5 +1,5 @@
-//! Lines of a still picture as an array of how far each pixel is covered. A path has a million of them and more, most of them
-//! shorter than a pixel: outlines that are filled, as tiny-skia strokes, take a hundred times as long.
+//! Lines of a still picture as an array of how far each pixel is covered. A path has a million of them and more, most
+//! of them shorter than a pixel: outlines that are filled, as tiny-skia strokes, take a hundred times as long.
 
 use super::display::Place;
 use crate::parallel;
@@ -131,7 +131,8 @@ impl Coverage {
         }
     }
 
-    /// Paints what is covered over pixels of four bytes, their colours multiplied by their opacity; nothing is covered then.
+    /// Paints what is covered over pixels of four bytes, their colours multiplied by their opacity; nothing is covered
+    /// then.
     pub fn paint(&mut self, pixels: &mut [u8], colour: [u8; 3]) {
         let [first, end] = self.rows;
         let (from, to) = (first.min(end) * self.width as usize, end * self.width as usize);

@@ -3,7 +3,8 @@
 use super::rows::Rows;
 use crate::dict::Micro;
 
-/// The angle between two executed motions where they join, in degrees, by their directions in the first three linear axes.
+/// The angle between two executed motions where they join, in degrees, by their directions in the first three linear
+/// axes.
 pub(super) fn angle_deg(rows: &Rows, before: usize, after: usize) -> f64 {
     let (Some(before), Some(after)) = (rows.row(before), rows.row(after)) else { return 0.0 };
     let [ax, ay, az] = tangent(rows, before, true);

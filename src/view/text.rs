@@ -14,7 +14,8 @@ use crate::text::Span;
 
 /// The first of the characters that replace a number in a skeleton; they differ by [`STYLES`].
 const FIRST_MARK: u32 = 0xE000;
-/// The character for the block number, as written or padded with zeros to as many digits as the characters after it say.
+/// The character for the block number, as written or padded with zeros to as many digits as the characters after it
+/// say.
 const NUMBER_MARK: u32 = FIRST_MARK + 16;
 
 /// How a number is written.

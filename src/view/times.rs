@@ -1,5 +1,5 @@
-//! Velocities, joints and times of executed blocks, packed: what the page can foretell costs nothing, only what differs is
-//! kept. `web/src/data/times.ts` foretells the same way.
+//! Velocities, joints and times of executed blocks, packed: what the page can foretell costs nothing, only what differs
+//! is kept. `web/src/data/times.ts` foretells the same way.
 
 use std::collections::{HashMap, VecDeque};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -359,8 +359,8 @@ impl<'t> Packer<'t> {
         PackedTimes { columns, codes, accels: self.times.accels.clone(), start_s: self.start_s() }
     }
 
-    /// Decides what each joint is foretold from. Joints at a cap first, then those of rising velocity in the order of the
-    /// program, then those of falling velocity backwards; the reader does the same.
+    /// Decides what each joint is foretold from. Joints at a cap first, then those of rising velocity in the order of
+    /// the program, then those of falling velocity backwards; the reader does the same.
     fn plan_joints(&mut self, corrections: &mut Column) {
         let places = self.timed.len();
         let mut ramps = Vec::new();

@@ -1,5 +1,5 @@
-//! Inputs made to bring a program down, on the real binary: whatever they ask for, time and memory stay bounded, and what is
-//! said is short, true, and at its place.
+//! Inputs made to bring a program down, on the real binary: whatever they ask for, time and memory stay bounded, and
+//! what is said is short, true, and at its place.
 #![cfg(unix)]
 
 use std::fmt::Write as _;

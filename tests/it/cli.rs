@@ -1,5 +1,5 @@
-//! The command line on the real binary: help, languages, colours, explanations, wrong usage. Here is also what the other
-//! modules of the kind use.
+//! The command line on the real binary: help, languages, colours, explanations, wrong usage. Here is also what the
+//! other modules of the kind use.
 
 use std::fs;
 use std::io::Write;
@@ -68,7 +68,8 @@ impl Place {
         command
     }
 
-    /// A command that signals end, even where this test was started with them ignored, as `nohup` and shells in the background do.
+    /// A command that signals end, even where this test was started with them ignored, as `nohup` and shells in the
+    /// background do.
     pub fn interruptible(&self, arguments: &[&str]) -> Command {
         let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
         let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:")).unwrap_or("0");

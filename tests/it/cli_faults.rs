@@ -1,5 +1,6 @@
-//! Faults around a run, on the real binary: full disks, files that cannot be read or that change meanwhile, what is no file
-//! at all, readers that go away, interruptions. The old file is whole, the message says what happened, the status is right.
+//! Faults around a run, on the real binary: full disks, files that cannot be read or that change meanwhile, what is no
+//! file at all, readers that go away, interruptions. The old file is whole, the message says what happened, the status
+//! is right.
 #![cfg(unix)]
 
 use std::fs;

@@ -137,8 +137,8 @@ fn surface(blocks: u32, z: impl Fn(u32) -> f64, more: impl Fn(u32) -> String) ->
     format!("%1\nN10 G90 G0 X0 Y0 Z50 T5 M06\nN20 S1000 M3 F200\nN30 G1 X1 Z-1\n{body}N9000000 M30\n")
 }
 
-/// CMP-2: one shift of thousands of blocks is one change with its count, also where blocks come between; what is added between
-/// motions of its kind is what is far from them; tolerances.
+/// CMP-2: one shift of thousands of blocks is one change with its count, also where blocks come between; what is added
+/// between motions of its kind is what is far from them; tolerances.
 #[test]
 fn shifts_and_what_is_near() {
     let plain = |at: u32| -2.0 - f64::from(at % 7) / 10.0;

@@ -1,5 +1,5 @@
-//! Programs of other controls, as shops and CAM systems write them: few findings, and the first says what is the matter.
-//! Programs for this control are never taken for such.
+//! Programs of other controls, as shops and CAM systems write them: few findings, and the first says what is the
+//! matter. Programs for this control are never taken for such.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -87,8 +87,8 @@ fn programs_of_other_controls() {
     settings.bind(|| insta::assert_snapshot!("dialects", table));
 }
 
-/// With its whole text behind a readable `%1`, as somebody makes it who was told that `%` is missing, a program of another
-/// control gives no flood either.
+/// With its whole text behind a readable `%1`, as somebody makes it who was told that `%` is missing, a program of
+/// another control gives no flood either.
 #[test]
 fn with_a_program_number() {
     let mut wrong = Vec::new();
@@ -129,8 +129,8 @@ fn allowed() {
     assert!(!found.codes().contains(&Code::W0113));
 }
 
-/// No false alarm: no sample is taken for a program of another control, even when nothing of it were wrong, and in valid
-/// ones not a single sign of one is seen.
+/// No false alarm: no sample is taken for a program of another control, even when nothing of it were wrong, and in
+/// valid ones not a single sign of one is seen.
 #[test]
 fn own_programs() {
     let mut wrong = Vec::new();

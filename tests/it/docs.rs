@@ -203,9 +203,9 @@ fn markdown() -> Vec<PathBuf> {
     found
 }
 
-/// Terminal sessions in the documents show the program's output: each `$ cnc872c …` in a fence `console`, run in a folder
-/// with the samples and the examples of the guide. A line `…` matches any lines. `DOCS=write cargo test` writes the
-/// output anew.
+/// Terminal sessions in the documents show the program's output: each `$ cnc872c …` in a fence `console`, run in a
+/// folder with the samples and the examples of the guide. A line `…` matches any lines. `DOCS=write cargo test` writes
+/// the output anew.
 #[test]
 fn terminal_sessions() {
     let mut different = Vec::new();

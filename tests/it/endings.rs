@@ -1,4 +1,5 @@
-//! All ways in which a run may end, on the real binary: status 0, the `end` record and no error come together or not at all.
+//! All ways in which a run may end, on the real binary: status 0, the `end` record and no error come together or not at
+//! all.
 
 use std::fmt::Write as _;
 

@@ -108,8 +108,8 @@ fn form_of_all_pages() {
     }
 }
 
-/// A line of a part program without its comments (LEX-6, LEX-12), and with words of prose as one mark: what was meant as a
-/// comment and is none differs too.
+/// A line of a part program without its comments (LEX-6, LEX-12), and with words of prose as one mark: what was meant
+/// as a comment and is none differs too.
 fn without_comments(line: &str) -> String {
     let mut comment = false;
     let mut code = String::new();
@@ -166,8 +166,8 @@ fn no_page_too_many() {
     }
 }
 
-/// The examples of functions are executed. What their pages announce is expected: copying is not modelled, positions are
-/// unknown after G30, a change of origin.
+/// The examples of functions are executed. What their pages announce is expected: copying is not modelled, positions
+/// are unknown after G30, a change of origin.
 #[test]
 fn examples_of_functions() {
     let announced = [Code::W0612, Code::W0605, Code::W0610];

@@ -1,5 +1,5 @@
-//! `format`: what the control executes stays the same, in samples, with slips, in every code page. `rewrites` has the layout of
-//! each rule.
+//! `format`: what the control executes stays the same, in samples, with slips, in every code page. `rewrites` has the
+//! layout of each rule.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -1,5 +1,5 @@
-//! JSON Schema as far as our schemas and that of SARIF use it, so that tests look at every record without a library that
-//! takes a tenth of their build. A keyword that is not known here stops the test.
+//! JSON Schema as far as our schemas and that of SARIF use it, so that tests look at every record without a library
+//! that takes a tenth of their build. A keyword that is not known here stops the test.
 
 use std::collections::BTreeMap;
 
@@ -16,7 +16,8 @@ pub struct Validator {
 const REMARKS: [&str; 8] = ["$schema", "$id", "$defs", "definitions", "title", "description", "default", "examples"];
 
 /// # Panics
-/// When the schema has a keyword or a form of one that is not known here, a reference that leads nowhere, a wrong pattern.
+/// When the schema has a keyword or a form of one that is not known here, a reference that leads nowhere, a wrong
+/// pattern.
 #[track_caller]
 pub fn validator_for(schema: &Value) -> Validator {
     let mut validator = Validator { root: schema.clone(), patterns: BTreeMap::new() };

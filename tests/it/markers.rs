@@ -1,5 +1,5 @@
-//! Marked samples: the findings of a sample are exactly those that its marker lines name, at the places that their carets
-//! cover. A marker is a comment line under the text: `"   ^^^ E0306`, or `"@ LINE:COL-LINE:COL CODE` anywhere.
+//! Marked samples: the findings of a sample are exactly those that its marker lines name, at the places that their
+//! carets cover. A marker is a comment line under the text: `"   ^^^ E0306`, or `"@ LINE:COL-LINE:COL CODE` anywhere.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -141,7 +141,8 @@ const MODEL: &str = "%1200 \"PRIRUBA\"\n\
     N1020 G90 X100 Y20 F260\n\
     N1030 G70\n";
 
-/// Where it is not certain what was meant, `--fix` changes nothing: it would be another move, jump or call without a word.
+/// Where it is not certain what was meant, `--fix` changes nothing: it would be another move, jump or call without a
+/// word.
 #[test]
 fn what_a_fix_would_guess() {
     assert!(check_text(MODEL).is_empty());
@@ -207,8 +208,8 @@ const BROUGHT_TO_LIGHT: [(&str, &[Code]); 6] = [
     ("entry-number-malformed.nc", &[Code::E0404]),
 ];
 
-/// In all samples: what is offered removes its finding, and gives no other. So does what `--fix` writes where one thing is
-/// wrong.
+/// In all samples: what is offered removes its finding, and gives no other. So does what `--fix` writes where one thing
+/// is wrong.
 #[test]
 fn offers_in_samples() {
     let mut tried = 0;

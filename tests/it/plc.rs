@@ -140,7 +140,8 @@ fn table(case: &Case, signals: &str) -> Vec<String> {
     case.rows(&names.join(",")).iter().map(shown).collect()
 }
 
-/// S0 8.2.1 and 8.3.5: each function is in the cell of its group, with the mark of the group; those without a group in 14.
+/// S0 8.2.1 and 8.3.5: each function is in the cell of its group, with the mark of the group; those without a group in
+/// 14.
 #[test]
 fn groups_of_functions() {
     let groups: [(u8, &[u8]); 9] = [
@@ -268,7 +269,8 @@ fn decoded_for_one_block() {
     assert_eq!(table(&program, names), ["1 0 0 0 0 0 0 0", "! 0 0 0 0 0 0 0 0", "0 0 1 0 0 0 0 0"]);
 }
 
-/// S0 8.2.2 to 8.2.4, PLC-11: modes. G30 and functions of other groups in the block do not end what is in force after it.
+/// S0 8.2.2 to 8.2.4, PLC-11: modes. G30 and functions of other groups in the block do not end what is in force after
+/// it.
 #[test]
 fn modes() {
     let program = case("%1\nN10 G0 X0\nN20 G1 X5 F100\nN30 G33 X9 K1 G95 F1 S5\nN40\nN50 G30 X0\nN60\nN70 M30");
@@ -314,7 +316,8 @@ fn h_and_t_as_bytes() {
     assert_eq!(table(&program, "PB07 PB08 PB09 PB10"), cells);
 }
 
-/// S0 8.2.6 and 8.3.1, PLC-2, PLC-12: marks, also when the same function is programmed again, for the length of the block.
+/// S0 8.2.6 and 8.3.1, PLC-2, PLC-12: marks, also when the same function is programmed again, for the length of the
+/// block.
 #[test]
 fn change_marks() {
     let program = configured("%1\nN10 M03 S9\nN20 M03\nN30 M92\nN40 M92\nN50 T5\nN60 T5 H1\nN70 H1\nN80\nN90 M30");
@@ -379,7 +382,8 @@ fn real_numbers_of_the_block() {
     assert_eq!(table(&program, names), cells);
 }
 
-/// S0 8.1.7 and 8.3.1, PLC-4: requests to move. An arc moves both of its axes; beyond the axes of the machine there are none.
+/// S0 8.1.7 and 8.3.1, PLC-4: requests to move. An arc moves both of its axes; beyond the axes of the machine there are
+/// none.
 #[test]
 fn requests_to_move() {
     let program = case("%1\nN10 G0 X0 Y0 Z0\nN20 G2 X10 I5\nN30 G0 Z5 C1\nN40 G92 X1 G54\nN50\nN60 M30");
@@ -402,8 +406,8 @@ fn directions_by_axis() {
     assert_eq!(table(&case(program), "SM_POXPI SM_POYPI"), ["- -", "- -", "- -", "1 -", "- 1", "- -"]);
 }
 
-/// PLC-4, PLC-5: places are those of the machine, `PO_OS` and `SM_PO` say X, Y, Z of these letters: on a lathe with X, Z and C
-/// Z is the second place and `PO_OSZPI`, C is `PO_OS4PI`.
+/// PLC-4, PLC-5: places are those of the machine, `PO_OS` and `SM_PO` say X, Y, Z of these letters: on a lathe with X,
+/// Z and C Z is the second place and `PO_OSZPI`, C is `PO_OS4PI`.
 #[test]
 fn a_lathe() {
     let axes = "[[axes]]\nletter = \"X\"\nkind = \"linear\"\n[[axes]]\nletter = \"Z\"\nkind = \"linear\"\n\

@@ -212,8 +212,8 @@ fn columns(text: &str) -> Vec<BTreeMap<String, String>> {
     lines.map(row).collect()
 }
 
-/// PLC-15, TIM-2, S0 8.4.4: steps start when `motion` says that their blocks do; a stop at the end of its block. TIME_DIST is in
-/// whole ms, in stretches of two blocks or more. In a dump each step is later than the one before.
+/// PLC-15, TIM-2, S0 8.4.4: steps start when `motion` says that their blocks do; a stop at the end of its block.
+/// TIME_DIST is in whole ms, in stretches of two blocks or more. In a dump each step is later than the one before.
 #[test]
 fn times() {
     let place = Place::with(&[("a.nc", CONTINUOUS.as_bytes()), ("cnc872c.toml", MOTION.as_bytes())]);

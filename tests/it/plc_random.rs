@@ -1,5 +1,5 @@
-//! Random programs, without `[motion]` and with it: JSON, CSV and the value change dump say the same, also when steps start, and
-//! change marks are those of the block stream.
+//! Random programs, without `[motion]` and with it: JSON, CSV and the value change dump say the same, also when steps
+//! start, and change marks are those of the block stream.
 
 use std::collections::BTreeMap;
 
@@ -252,7 +252,8 @@ proptest! {
 proptest! {
     #![proptest_config(cases(300))]
 
-    /// PLC-2, PLC-16: all forms say the same; marks are `m_changed`, at a stop and after it those of groups 2, 5 and 6 too.
+    /// PLC-2, PLC-16: all forms say the same; marks are `m_changed`, at a stop and after it those of groups 2, 5 and 6
+    /// too.
     #[test]
     fn all_forms_say_the_same(program in program()) {
         let Some(json) = of_json(&program) else { return Ok(()) };

@@ -1,7 +1,8 @@
-//! Properties of whatever bytes come: no panic, no hang, places inside the files, bounded findings, the same output again.
+//! Properties of whatever bytes come: no panic, no hang, places inside the files, bounded findings, the same output
+//! again.
 //!
-//! The seed is fixed, so that a run is the same everywhere; `PROPTEST_CASES=10000 cargo test --test it properties::` looks
-//! further, with other seeds.
+//! The seed is fixed, so that a run is the same everywhere; `PROPTEST_CASES=10000 cargo test --test it properties::`
+//! looks further, with other seeds.
 
 use std::path::{Path, PathBuf};
 
@@ -430,8 +431,8 @@ proptest! {
     }
 }
 
-/// Checks prefixes of every file of a folder of samples: all of a small one, some of a large one. Dialects and modes take
-/// turns.
+/// Checks prefixes of every file of a folder of samples: all of a small one, some of a large one. Dialects and modes
+/// take turns.
 fn prefixes(folder: &str) {
     let mut entries: Vec<PathBuf> =
         std::fs::read_dir(root().join("samples").join(folder)).unwrap().map(|entry| entry.unwrap().path()).collect();

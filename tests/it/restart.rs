@@ -141,7 +141,8 @@ fn comes_from_above(sample: &Sample, made: &Restart) {
     }
 }
 
-/// RST-1, RST-3, RST-4, RST-5: at places all over the samples a program starts as the full run goes on, or it says why not.
+/// RST-1, RST-3, RST-4, RST-5: at places all over the samples a program starts as the full run goes on, or it says why
+/// not.
 #[test]
 fn starts_all_over_the_samples() {
     let (mut made, mut refused, mut flat) = (0, std::collections::BTreeMap::<String, u32>::new(), 0);

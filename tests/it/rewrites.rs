@@ -1,6 +1,6 @@
-//! Samples of `format` and `renumber`: a program or macrocycle and the text that it becomes, by the rule that the folder's name
-//! begins with. Without `expected.txt` the command refuses the file and leaves it; `arguments.txt` has more arguments,
-//! `says.txt` what stands on standard error.
+//! Samples of `format` and `renumber`: a program or macrocycle and the text that it becomes, by the rule that the
+//! folder's name begins with. Without `expected.txt` the command refuses the file and leaves it; `arguments.txt` has
+//! more arguments, `says.txt` what stands on standard error.
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,5 +1,5 @@
-//! What holds of every formatted file: the program stays the same (FMT-1, FMT-3, FMT-7). The fuzz target `format` has this
-//! file too.
+//! What holds of every formatted file: the program stays the same (FMT-1, FMT-3, FMT-7). The fuzz target `format` has
+//! this file too.
 
 use std::collections::BTreeMap;
 use std::path::Path;

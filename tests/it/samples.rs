@@ -1,5 +1,5 @@
-//! The samples: valid programs have no findings and a complete stream in which every record is valid; findings and streams
-//! are compared with `snapshots/`.
+//! The samples: valid programs have no findings and a complete stream in which every record is valid; findings and
+//! streams are compared with `snapshots/`.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -1,5 +1,5 @@
-//! One slip of the keyboard in a correct program, and what `check --fix` makes of it. The fuzz target `slip` reads this file
-//! too.
+//! One slip of the keyboard in a correct program, and what `check --fix` makes of it. The fuzz target `slip` reads this
+//! file too.
 
 use std::path::Path;
 
@@ -112,8 +112,8 @@ impl Slip {
         (line(text, self.at.end), line(&self.applied(text), self.at.start + self.text.len()))
     }
 
-    /// Whether the reader of the text takes the key for another one, whatever it was meant for: a comma beside a digit is the
-    /// point, O and l alone behind an address are digits, and a blank behind a sign is one too many.
+    /// Whether the reader of the text takes the key for another one, whatever it was meant for: a comma beside a digit
+    /// is the point, O and l alone behind an address are digits, and a blank behind a sign is one too many.
     fn is_taken_for_another(&self, slipped: &str) -> bool {
         let (before, behind) = (&slipped[..self.at.start], &slipped[self.at.start + self.text.len()..]);
         let digit = |neighbour: Option<char>| neighbour.is_some_and(|letter| letter.is_ascii_digit());

@@ -103,7 +103,8 @@ fn state_is_what_the_records_say() {
     assert!(looked_at > 1000);
 }
 
-/// Compares a state with the record of the block before it; `end`: it is behind the program, `at`: the block at the place.
+/// Compares a state with the record of the block before it; `end`: it is behind the program, `at`: the block at the
+/// place.
 fn compare(state: &Value, record: &Value, end: bool, at: &Value, context: &str) {
     for key in SAME {
         if matches!(key, "feed_scale" | "dynamic_set" | "continuous_mode") && end {

@@ -1,5 +1,5 @@
-//! One program with one configuration has one exit status in all commands that execute it (command-line.md). Commands whose
-//! status answers another question have theirs in all of these cases too.
+//! One program with one configuration has one exit status in all commands that execute it (command-line.md). Commands
+//! whose status answers another question have theirs in all of these cases too.
 
 use crate::cli::{BAD, GOOD, Place};
 
@@ -74,9 +74,9 @@ fn one_status_in_all_commands() {
     }
 }
 
-/// The commands that answer another question, with the status that they have where the others have `status`: `state` behind the
-/// last block and `restart` have errors before their place, `compare` cannot compare a program with errors, and facts and layout do not
-/// depend on errors.
+/// The commands that answer another question, with the status that they have where the others have `status`: `state`
+/// behind the last block and `restart` have errors before their place, `compare` cannot compare a program with errors,
+/// and facts and layout do not depend on errors.
 fn others(status: Option<i32>, last: &str) -> [(Vec<&str>, Option<i32>); 8] {
     let compared = Some(if status == Some(0) { 0 } else { 2 });
     [

@@ -1,5 +1,5 @@
-//! Terminal safety: a terminal gets no control character that it would act on from a program, a name, the configuration or
-//! the command line. Every place against every such character, in every form of output.
+//! Terminal safety: a terminal gets no control character that it would act on from a program, a name, the configuration
+//! or the command line. Every place against every such character, in every form of output.
 
 use std::path::Path;
 

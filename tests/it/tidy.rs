@@ -143,7 +143,8 @@ fn layers() {
 /// Limits of the language, without separators.
 const LIMITS: [&str; 7] = ["9999", "99999", "24000", "69999", "69999999", "9999999", "99999999"];
 
-/// The fault of a line of code outside the rows of the language: it holds a limit, or the number of an M function or group.
+/// The fault of a line of code outside the rows of the language: it holds a limit, or the number of an M function or
+/// group.
 fn number_of_the_language(line: &str) -> Option<&str> {
     let code = line.trim_start();
     if code.starts_with("//") {

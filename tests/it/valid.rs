@@ -58,8 +58,8 @@ fn assert_block(record: &Value, wanted: &Executed) {
 proptest! {
     #![proptest_config(cases(500))]
 
-    /// FLW-1…FLW-4, FLW-8, FLW-10, MOT-1, MOT-5, MOT-6, LEX-3, LEX-4, BLK-1, BLK-6, MFN-7: a valid program has no finding;
-    /// its records are those of the reference interpretation, in its order.
+    /// FLW-1…FLW-4, FLW-8, FLW-10, MOT-1, MOT-5, MOT-6, LEX-3, LEX-4, BLK-1, BLK-6, MFN-7: a valid program has no
+    /// finding; its records are those of the reference interpretation, in its order.
     #[test]
     fn streams_of_valid_programs(program in program()) {
         let executed = program.execute();

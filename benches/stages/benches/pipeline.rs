@@ -1,5 +1,5 @@
-//! How fast the stages are, on the programs of `examples/generate.rs`, in bytes or blocks a second. Compare ratios: machines
-//! differ, and the same one differs from hour to hour.
+//! How fast the stages are, on the programs of `examples/generate.rs`, in bytes or blocks a second. Compare ratios:
+//! machines differ, and the same one differs from hour to hour.
 #![allow(missing_docs, reason = "criterion's macros make items without docs")]
 #![expect(clippy::expect_used, reason = "a benchmark that cannot run has nothing to say")]
 
@@ -65,7 +65,8 @@ fn programs(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// Execution alone, in executed blocks a second: as in `check`, where nobody reads, and with the lengths of all motions.
+/// Execution alone, in executed blocks a second: as in `check`, where nobody reads, and with the lengths of all
+/// motions.
 fn expansion(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("expansion");
     group.sample_size(10);

@@ -1,5 +1,5 @@
-//! Which step of one program is which of the other: the same ones first, between them those that move by the same increments,
-//! then those of one kind that are near each other (CMP-2).
+//! Which step of one program is which of the other: the same ones first, between them those that move by the same
+//! increments, then those of one kind that are near each other (CMP-2).
 
 use std::collections::HashMap;
 use std::ops::Range;

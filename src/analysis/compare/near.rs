@@ -14,7 +14,8 @@ const ALONE: f64 = 0.6;
 /// Distance in mm at which a pair costs half of the most that it can cost.
 const HALF_MM: f64 = 5.0;
 
-/// Pairs the steps of two runs so that the sum of distances is least. `false`: the runs are too long, nothing was given.
+/// Pairs the steps of two runs so that the sum of distances is least. `false`: the runs are too long, nothing was
+/// given.
 pub(super) fn by_nearness(
     (first, from): (&Steps, Range<usize>),
     (second, to): (&Steps, Range<usize>),

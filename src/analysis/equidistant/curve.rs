@@ -1,5 +1,5 @@
-//! Lines and arcs in a plane: points, directions, offsets, crossings. Lengths in millimetres, angles in radians; shares of
-//! a curve run from 0 at its start to 1 at its end.
+//! Lines and arcs in a plane: points, directions, offsets, crossings. Lengths in millimetres, angles in radians; shares
+//! of a curve run from 0 at its start to 1 at its end.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
-//! The equidistant: the path of the tool's centre under G41 and G42, from the radii of `[corrections]` (EQU-1…EQU-4), and
-//! what is wrong with it (W0811, W0812).
+//! The equidistant: the path of the tool's centre under G41 and G42, from the radii of `[corrections]` (EQU-1…EQU-4),
+//! and what is wrong with it (W0811, W0812).
 
 mod curve;
 mod path;

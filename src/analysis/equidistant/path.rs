@@ -154,8 +154,8 @@ impl Corrected {
         };
     }
 
-    /// A motion after G40: the first one in the plane leads back to the programmed path (EQU-2), those of the third axis
-    /// alone before it keep the offset (EQU-4).
+    /// A motion after G40: the first one in the plane leads back to the programmed path (EQU-2), those of the third
+    /// axis alone before it keep the offset (EQU-4).
     pub fn leave(&mut self, mark: Mark, leg: Leg) {
         let State::On { element, height } = std::mem::take(&mut self.state) else { return };
         let [_, end] = leg.heights;

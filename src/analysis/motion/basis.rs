@@ -172,8 +172,8 @@ fn of_set(value: SetValue) -> Option<BasisValue> {
     }
 }
 
-/// The values for G00 with its own set, and the path of the key that gives them: those of the set, else those of set 1, else
-/// that of the keys.
+/// The values for G00 with its own set, and the path of the key that gives them: those of the set, else those of set 1,
+/// else that of the keys.
 fn of_rapid(motion: &Motion, key: SetKey) -> Option<(BasisValue, (GivenBy, String))> {
     let own = [0, 1].into_iter().find_map(|set| {
         let given = motion.sets.get(set)?.as_ref()?.get(key)?;

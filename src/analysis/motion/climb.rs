@@ -1,9 +1,9 @@
 //! Climbs: how fast a motion gains velocity from a place that it passes without acceleration, under caps at joints and
 //! limits that change from block to block (VEL-11).
 //!
-//! A climb takes the greatest jerk, then the greatest acceleration. Its only care is that the motion could *relax* at any
-//! time, that is let its acceleration fall to 0, and would pass no joint too fast. Where it is about to lose that, it relaxes
-//! up to the joint in its way, and climbs on from there.
+//! A climb takes the greatest jerk, then the greatest acceleration. Its only care is that the motion could *relax* at
+//! any time, that is let its acceleration fall to 0, and would pass no joint too fast. Where it is about to lose that,
+//! it relaxes up to the joint in its way, and climbs on from there.
 
 #![expect(clippy::indexing_slicing, reason = "links and joints are counted here")]
 
@@ -101,8 +101,8 @@ impl Road {
         sight.clear();
     }
 
-    /// Climbs from a place without acceleration up to the velocity `top`, and no farther than to `end`; under the caps of
-    /// joints when `capped`.
+    /// Climbs from a place without acceleration up to the velocity `top`, and no farther than to `end`; under the caps
+    /// of joints when `capped`.
     pub(super) fn climb(&self, from: State, top: f64, end: f64, capped: bool) -> Climb {
         let (mut legs, mut now) = (Vec::new(), from);
         while now.s < end && now.link < self.limits.len() {
@@ -236,7 +236,8 @@ impl Road {
         )
     }
 
-    /// The time, at most `longest`, after which a motion relaxes to `level`; `guess` gives it where limits do not change.
+    /// The time, at most `longest`, after which a motion relaxes to `level`; `guess` gives it where limits do not
+    /// change.
     fn time_to(&self, level: f64, longest: f64, after: impl Fn(f64) -> State, guess: impl Fn(Limits) -> f64) -> f64 {
         let link = after(0.0).link;
         let change = self.until[link];

@@ -1,5 +1,5 @@
-//! Times of blocks as CSV (RFC 4180): a row a block, empty where a block has no such value. Columns are named as the fields
-//! of the motion stream.
+//! Times of blocks as CSV (RFC 4180): a row a block, empty where a block has no such value. Columns are named as the
+//! fields of the motion stream.
 
 use std::fmt::Write;
 

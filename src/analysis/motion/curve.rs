@@ -1,10 +1,10 @@
-//! The velocity curve of a part of a stretch with the parabolic profile (VEL-11…VEL-13): *places*, which are passed without
-//! acceleration, and between two neighbouring places one rise and one fall.
+//! The velocity curve of a part of a stretch with the parabolic profile (VEL-11…VEL-13): *places*, which are passed
+//! without acceleration, and between two neighbouring places one rise and one fall.
 //!
-//! 1. A joint becomes a place, passed at its cap, when a climb from the place before it comes up to that, and so does a climb
-//!    backwards from the place behind it: seen backwards, a fall is a climb. The other joints lie within a climb.
-//! 2. Between two places the climb from the one and the backward climb from the other are cut at the highest velocity at
-//!    which they leave room for each other; what is left between them is passed at that velocity.
+//! 1. A joint becomes a place, passed at its cap, when a climb from the place before it comes up to that, and so does a
+//!    climb backwards from the place behind it: seen backwards, a fall is a climb. The other joints lie within a climb.
+//! 2. Between two places the climb from the one and the backward climb from the other are cut at the highest velocity
+//!    at which they leave room for each other; what is left between them is passed at that velocity.
 //! 3. A rise between two lowest places that saves too little time is taken back (VEL-12).
 
 #![expect(clippy::indexing_slicing, reason = "places are made here and index the list they were made for")]
@@ -71,8 +71,9 @@ pub(super) struct Curve {
 }
 
 impl Curve {
-    /// Plans the way over `links` from `offset` of the first on, which is passed at `entry` without acceleration, to rest
-    /// at its end. The control sees `look_ahead` blocks from each joint. A rise that does not save `raise_s` is left out.
+    /// Plans the way over `links` from `offset` of the first on, which is passed at `entry` without acceleration, to
+    /// rest at its end. The control sees `look_ahead` blocks from each joint. A rise that does not save `raise_s` is
+    /// left out.
     pub(super) fn plan(&mut self, links: &[Link], offset: f64, entry: f64, look_ahead: usize, raise_s: f64) {
         self.measure(links, look_ahead);
         self.choose_places(offset, entry);
@@ -101,8 +102,8 @@ impl Curve {
         })
     }
 
-    /// Where the plan goes on from when more is known: the last place up to `until`, or `until` itself where the velocity is
-    /// held there; with the velocity.
+    /// Where the plan goes on from when more is known: the last place up to `until`, or `until` itself where the
+    /// velocity is held there; with the velocity.
     pub(super) fn last_rest(&self, until: f64) -> Option<(f64, f64)> {
         let places = std::iter::successors(self.places.first(), |place| self.places.get(place.next));
         let place = places.take_while(|place| place.s <= until).last()?;
@@ -154,8 +155,8 @@ impl Curve {
         self.fastest = links.iter().map(|link| link.limits).reduce(Limits::max);
     }
 
-    /// Makes places of joints, the slowest first: what is slower than a joint decides whether it is a place. Only the first
-    /// place, which is settled, may be faster.
+    /// Makes places of joints, the slowest first: what is slower than a joint decides whether it is a place. Only the
+    /// first place, which is settled, may be faster.
     fn choose_places(&mut self, offset: f64, entry: f64) {
         self.places.clear();
         self.phases.clear();
@@ -202,8 +203,8 @@ impl Curve {
         }
     }
 
-    /// Whether a climb from the slower one of two places comes to the velocity of the other on the way between them; joints
-    /// that are no places, `others`, may be in its way.
+    /// Whether a climb from the slower one of two places comes to the velocity of the other on the way between them;
+    /// joints that are no places, `others`, may be in its way.
     fn fits(&self, left: &Place, right: &Place, others: &Marks) -> bool {
         let way = (right.s - left.s) * (1.0 + 1e-12) + ROUNDING;
         let same = self.limits(left, right);
@@ -256,7 +257,8 @@ impl Curve {
         self.places[left] = Place { peak, time, phases, ..l };
     }
 
-    /// Plans the way between two places by the climbs from both; gives the greatest velocity, which is at least `least`.
+    /// Plans the way between two places by the climbs from both; gives the greatest velocity, which is at least
+    /// `least`.
     fn join_climbs(&mut self, l: &Place, r: &Place, least: f64) -> f64 {
         let Self { ahead, back, phases, .. } = self;
         let way = r.s - l.s;

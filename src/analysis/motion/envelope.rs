@@ -1,5 +1,5 @@
-//! The envelope with constant accelerations (VEL-9): the greatest velocities at the joints of a stretch that respect the
-//! caps, the accelerations and look-ahead. Exact, and in memory for look-ahead and one more part only.
+//! The envelope with constant accelerations (VEL-9): the greatest velocities at the joints of a stretch that respect
+//! the caps, the accelerations and look-ahead. Exact, and in memory for look-ahead and one more part only.
 
 /// Blocks that are planned at once beyond those that are looked ahead over.
 const PART: usize = 1024;
@@ -106,8 +106,8 @@ fn caps_by_look_ahead(links: &[Link], look_ahead: usize, seen: &mut Vec<f64>) {
     }
 }
 
-/// The time and the greatest velocity of a motion from `start` to `end`, both at most `cap`, with constant acceleration.
-/// Without `rise`, its velocity does not go above the higher of both.
+/// The time and the greatest velocity of a motion from `start` to `end`, both at most `cap`, with constant
+/// acceleration. Without `rise`, its velocity does not go above the higher of both.
 pub(super) fn trapezoid(length: f64, start: f64, end: f64, cap: f64, accel: f64, rise: bool) -> (f64, f64) {
     let peak = if rise {
         cap.min(((start * start + end * end) / 2.0 + accel * length).max(0.0).sqrt())

@@ -16,8 +16,8 @@ use crate::text::Location;
 /// Tangents that differ by so many degrees lead back (W0629): an arc of the other direction joins them smoothly.
 const TURNED_BACK_DEG: f64 = 179.0;
 
-/// Looks for joints that break, are slow, or leave no room to stop, and for arcs and blocks that W0629 and W0804 mean. Without any
-/// of these asked for it does nothing.
+/// Looks for joints that break, are slow, or leave no room to stop, and for arcs and blocks that W0629 and W0804 mean.
+/// Without any of these asked for it does nothing.
 #[derive(Debug)]
 pub struct JointFindings {
     planning: Option<(StepReader, Planner)>,

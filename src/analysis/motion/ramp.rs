@@ -184,7 +184,8 @@ pub(super) struct Hump {
 }
 
 impl Hump {
-    /// The fastest way over `way` between two velocities, up to `cap`, which is not below them. A ramp between them fits.
+    /// The fastest way over `way` between two velocities, up to `cap`, which is not below them. A ramp between them
+    /// fits.
     pub(super) fn new(from: f64, to: f64, limits: Limits, way: f64, cap: f64) -> Self {
         let rest = |peak: f64| way - limits.distance(from, peak) - limits.distance(peak, to);
         let peak = if rest(cap) >= 0.0 {

@@ -16,8 +16,8 @@ impl Random {
     }
 }
 
-/// Integrates the acceleration of a ramp that lasts `time`, in so many steps for each stretch between its corners: what it
-/// adds to the velocity, and the way.
+/// Integrates the acceleration of a ramp that lasts `time`, in so many steps for each stretch between its corners: what
+/// it adds to the velocity, and the way.
 fn integrate(limits: Limits, low: f64, time: f64, steps: u32) -> (f64, f64) {
     let acceleration = |at: f64| (limits.jerk * at).min(limits.accel).min(limits.jerk * (time - at)).max(0.0);
     let corner = (limits.accel / limits.jerk).min(time / 2.0);

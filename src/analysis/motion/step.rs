@@ -107,8 +107,8 @@ pub struct Step {
     pub breaks_after: bool,
     /// The longest time of its functions, seconds.
     pub function_s: f64,
-    /// Whether it may be joined to its neighbours when it is short: in G90, no M, S, T, H, P or D word, and no G or F word
-    /// that changes what was in force (CNT-4).
+    /// Whether it may be joined to its neighbours when it is short: in G90, no M, S, T, H, P or D word, and no G or F
+    /// word that changes what was in force (CNT-4).
     pub plain: bool,
     /// It changes the tool, and nobody gave a time for that.
     pub untimed_change: bool,

@@ -42,8 +42,8 @@ impl Blocks {
         }
     }
 
-    /// Brings the facts of the block before to those of one that only moves on; what of them is another. `None`: it does
-    /// more.
+    /// Brings the facts of the block before to those of one that only moves on; what of them is another. `None`: it
+    /// does more.
     #[inline]
     pub(super) fn go_on(&self, block: &Executed<'_>, times: Option<StepTimes>, facts: &mut Facts) -> Option<Onward> {
         let motion = block.motion().filter(|_| self.steady && block.moves_on())?;
@@ -169,8 +169,8 @@ impl Blocks {
     }
 }
 
-/// Whether the servo moves as the programmed coordinates do: beside a function that moves the machine (ChangePos) the way is
-/// another one, and under mirror, scale and rotation so is the direction (S0 8.1.8).
+/// Whether the servo moves as the programmed coordinates do: beside a function that moves the machine (ChangePos) the
+/// way is another one, and under mirror, scale and rotation so is the direction (S0 8.1.8).
 fn keeps_directions(block: &Executed<'_>) -> bool {
     !block.change_pos() && matches!(block.g(GGroup::G11), None | Some(GCode::G34 | GCode::G37))
 }
@@ -206,8 +206,8 @@ fn turns_back(block: &Executed<'_>, motion: &Motion<'_>, arc: &ArcPath, axis: Ax
     Some(goes_beyond(start, end, sweep, clockwise, axis == second))
 }
 
-/// Whether an arc about the origin, from `start` to `end` through `sweep` radians, goes beyond both ends along its first
-/// axis, or the second one. Where the radii differ it is a spiral between them.
+/// Whether an arc about the origin, from `start` to `end` through `sweep` radians, goes beyond both ends along its
+/// first axis, or the second one. Where the radii differ it is a spiral between them.
 fn goes_beyond(start: (f64, f64), end: (f64, f64), sweep: f64, clockwise: bool, second: bool) -> bool {
     use std::f64::consts::{FRAC_PI_2, PI, TAU};
     let (from, to) = if second { (start.1, end.1) } else { (start.0, end.0) };

@@ -1,5 +1,5 @@
-//! Conditions over signals: what `--find` looks for. Three-valued, as in SQL: what depends on an absent value is neither
-//! true nor false.
+//! Conditions over signals: what `--find` looks for. Three-valued, as in SQL: what depends on an absent value is
+//! neither true nor false.
 
 use std::cmp::Ordering;
 

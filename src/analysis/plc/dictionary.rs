@@ -438,8 +438,8 @@ pub const ROWS: &[Row] = &[
 pub const AXIS_NAMES: [&str; AXES as usize] =
     ["X", "Y", "Z", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16"];
 
-/// The place in machine order of the axis that names of signals call X, Y, Z, 4 … 16: the first three are these letters,
-/// the others the other letters in machine order (PLC-4).
+/// The place in machine order of the axis that names of signals call X, Y, Z, 4 … 16: the first three are these
+/// letters, the others the other letters in machine order (PLC-4).
 pub(super) fn place_of(name: u8, machine: &Machine) -> Option<usize> {
     const LETTERS: [AxisLetter; 3] = [AxisLetter::X, AxisLetter::Y, AxisLetter::Z];
     match LETTERS.get(usize::from(name)) {

@@ -161,8 +161,8 @@ impl Facts {
         self.marks |= 1 << group;
     }
 
-    /// PLC-16: the step of a stop after this block. `held` are the values of groups 2, 5, 6 while the program stands, `rapid`
-    /// and `thread` say whether G00 or G33 is in force after the block.
+    /// PLC-16: the step of a stop after this block. `held` are the values of groups 2, 5, 6 while the program stands,
+    /// `rapid` and `thread` say whether G00 or G33 is in force after the block.
     #[must_use]
     pub fn at_stop(&self, held: [u8; 3], rapid: bool, thread: bool) -> Self {
         let mut m = self.m;

@@ -94,8 +94,8 @@ pub(super) fn too_deep(tokens: &[Token]) -> Option<Token> {
     })
 }
 
-/// The condition that the tokens are, or the index of the first token that has no place; their number when the end comes
-/// too early.
+/// The condition that the tokens are, or the index of the first token that has no place; their number when the end
+/// comes too early.
 pub(super) fn parse(tokens: &[Token]) -> Result<Tree, usize> {
     let (tree, errors) = condition().parse(tokens).into_output_errors();
     match (tree, errors.first()) {

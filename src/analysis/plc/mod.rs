@@ -1,5 +1,5 @@
-//! A part program as the PLC program reads it: the command block of CNC872, the compatible one of CNC8x6 and CNC8x9, and
-//! the requests to move (S0 8.1–8.4).
+//! A part program as the PLC program reads it: the command block of CNC872, the compatible one of CNC8x6 and CNC8x9,
+//! and the requests to move (S0 8.1–8.4).
 //!
 //! | stage | from | to | by |
 //! |---|---|---|---|

@@ -80,8 +80,8 @@ pub struct Reader<'w> {
     tracker: Tracker,
     blocks: Blocks,
     fits: Option<Fits>,
-    /// W0901 where it is an error: an error ends the showing of blocks, and each place is to be found, so that it comes at
-    /// the end.
+    /// W0901 where it is an error: an error ends the showing of blocks, and each place is to be found, so that it comes
+    /// at the end.
     held: Option<Findings>,
     range: Range,
     next_file: u32,
@@ -95,8 +95,8 @@ pub struct Reader<'w> {
 }
 
 impl<'w> Reader<'w> {
-    /// Gives the steps of a range, with the values of these signals. What the writer fails with goes to `failed`, and ends
-    /// the reading.
+    /// Gives the steps of a range, with the values of these signals. What the writer fails with goes to `failed`, and
+    /// ends the reading.
     pub fn new(
         signals: Vec<&'static Signal>,
         machine: &Machine,

@@ -165,7 +165,8 @@ impl Tracker {
         self.changed.clear();
     }
 
-    /// Takes over what nearly every block changes: the positions at these places, of the next step or of the current one.
+    /// Takes over what nearly every block changes: the positions at these places, of the next step or of the current
+    /// one.
     #[inline]
     fn take_positions(&mut self, mut moved: u16, next: bool) {
         let facts = if next { &self.next } else { &self.facts };
@@ -222,8 +223,8 @@ mod tests {
     use crate::analysis::plc::dictionary::Flag;
     use crate::dict::{Decimal, Dialect};
 
-    /// A signal keeps its value exactly as long as the facts give the same: what is left out because its part is the same
-    /// would not have changed.
+    /// A signal keeps its value exactly as long as the facts give the same: what is left out because its part is the
+    /// same would not have changed.
     #[test]
     fn parts_hold_all_that_their_signals_depend_on() {
         let machine = Machine::default();

@@ -9,7 +9,8 @@ use crate::dict::{
     SPINDLE_GROUP, gear_function,
 };
 
-/// The value of a signal: bits are 0 and 1, real numbers are millionths, all others the number in the cell. `None`: absent.
+/// The value of a signal: bits are 0 and 1, real numbers are millionths, all others the number in the cell. `None`:
+/// absent.
 pub type Value = Option<i64>;
 
 /// Value of the spindle output at the greatest speed of a gear.
@@ -169,8 +170,8 @@ pub fn fits_byte(h: Decimal) -> bool {
     h.as_whole().is_some_and(|whole| (0..=99).contains(&whole))
 }
 
-/// S as a part of the greatest speed of the gear in force and of its voltage, 0–7FFFh (PLC-8); a speed beyond it is full
-/// output.
+/// S as a part of the greatest speed of the gear in force and of its voltage, 0–7FFFh (PLC-8); a speed beyond it is
+/// full output.
 fn output(facts: &Facts, gears: &[Gear]) -> Value {
     let gear = facts.gear?;
     let gear = gears.iter().find(|row| row.m == gear_function(gear)).filter(|row| row.max > 0)?;

@@ -1,6 +1,6 @@
-//! Steps as a value change dump (IEEE 1364), for waveform viewers: bits as wires, bytes and words as vectors, real numbers
-//! as reals. Declarations are written by the `vcd` crate; times and values, which are nearly all of a long dump, go to the same
-//! place as text made here.
+//! Steps as a value change dump (IEEE 1364), for waveform viewers: bits as wires, bytes and words as vectors, real
+//! numbers as reals. Declarations are written by the `vcd` crate; times and values, which are nearly all of a long
+//! dump, go to the same place as text made here.
 
 use std::fmt;
 use std::io::{self, Write};

@@ -49,9 +49,9 @@ struct Word<'m> {
     machine: &'m Machine,
 }
 
-/// The cells and bits that an M, H, T or S word sets, with what it sets them to; nothing for other words. `seen`: what the
-/// PLC read of its block, at different executions. Without any, what depends on more than the word, the gear under M40 and
-/// the spindle output, has no value here, and is there with `[[gears]]` only.
+/// The cells and bits that an M, H, T or S word sets, with what it sets them to; nothing for other words. `seen`: what
+/// the PLC read of its block, at different executions. Without any, what depends on more than the word, the gear under
+/// M40 and the spindle output, has no value here, and is there with `[[gears]]` only.
 pub fn of_word(address: Address, number: Decimal, machine: &Machine, seen: &[WordsRead]) -> WordSets {
     let whole = number.as_whole().and_then(|number| u8::try_from(number).ok());
     let function = whole.filter(|_| address == Address::M).map(|number| (number, machine.m_functions.group(number)));

@@ -1,5 +1,5 @@
-//! Times before and behind a place. The planner gives the time of a block some blocks later: the place goes with the blocks
-//! to it.
+//! Times before and behind a place. The planner gives the time of a block some blocks later: the place goes with the
+//! blocks to it.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -92,7 +92,8 @@ pub enum Timing {
 }
 
 impl Timing {
-    /// So many blocks at most have times that rest on an assumed machine: planning takes several times as long as executing.
+    /// So many blocks at most have times that rest on an assumed machine: planning takes several times as long as
+    /// executing.
     pub const ASSUMED: u64 = 1_000_000;
 
     fn most(self, settings: &Settings) -> u64 {

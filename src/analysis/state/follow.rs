@@ -174,7 +174,8 @@ impl Follow {
         }
     }
 
-    /// The armed counters of the calls that are open at a block, before or behind it: that of its own jump is what it was.
+    /// The armed counters of the calls that are open at a block, before or behind it: that of its own jump is what it
+    /// was.
     fn counters_at(&self, block: &Executed<'_>, after: bool) -> Vec<CounterAt> {
         let (depth, (file, id)) = (block.depth(), block.at());
         let is_own = |counter: &ArmedCounter| counter.depth == depth && counter.file == file && counter.block == id;

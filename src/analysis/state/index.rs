@@ -1,5 +1,5 @@
-//! Checkpoints of one execution, and the order of its blocks: the state at any block needs only a replay from the checkpoint
-//! before it.
+//! Checkpoints of one execution, and the order of its blocks: the state at any block needs only a replay from the
+//! checkpoint before it.
 
 use std::ops::ControlFlow;
 

@@ -1,7 +1,7 @@
 //! What holds at a place of a program: `state`.
 //!
-//! One execution in constant memory: the reader keeps what was in force before each block, who wrote it, and at the place
-//! that is asked for makes a [`Found`] of it.
+//! One execution in constant memory: the reader keeps what was in force before each block, who wrote it, and at the
+//! place that is asked for makes a [`Found`] of it.
 
 mod before;
 mod clock;

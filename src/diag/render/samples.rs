@@ -59,8 +59,8 @@ pub(super) fn plain() -> Report {
     )
 }
 
-/// A finding in a macrocycle, with a label in the program, the calls that led there, a note and a fix that the help does
-/// not name; the file names hold a blank, a letter beyond ASCII and an escape sequence.
+/// A finding in a macrocycle, with a label in the program, the calls that led there, a note and a fix that the help
+/// does not name; the file names hold a blank, a letter beyond ASCII and an escape sequence.
 pub(super) fn called() -> Report {
     let sources = sources(&[
         (

@@ -36,8 +36,8 @@ struct Sarif<'a> {
     runs: [Run<'a>; 1],
 }
 
-/// The one run of a log. Its results, and the edits of their fixes, are made while they are written: all of them at once
-/// are many times what they are about.
+/// The one run of a log. Its results, and the edits of their fixes, are made while they are written: all of them at
+/// once are many times what they are about.
 struct Run<'a> {
     log: &'a Log<'a>,
     report: &'a Report,

@@ -1,5 +1,5 @@
-//! The part of a block that is on its lines: its words, and the comments between them and behind the last one. Where its
-//! lines are broken (FMT-3).
+//! The part of a block that is on its lines: its words, and the comments between them and behind the last one. Where
+//! its lines are broken (FMT-3).
 
 use super::{LINE, Style, word};
 use crate::syntax::{BlockId, Form, ParsedFile, Word};
@@ -119,8 +119,8 @@ impl Part {
         long
     }
 
-    /// Breaks the line before a piece that does not fit on it: a word goes to the next line, a comment or `/` takes the word
-    /// before it along, where that helps. The length of the new line.
+    /// Breaks the line before a piece that does not fit on it: a word goes to the next line, a comment or `/` takes the
+    /// word before it along, where that helps. The length of the new line.
     fn break_before(&mut self, file: &ParsedFile, at: usize, style: Style) -> Option<usize> {
         let piece = *self.pieces.get(at)?;
         let is_skip = |piece: Piece| file.source.slice(piece.span).starts_with('/');

@@ -24,8 +24,8 @@ impl Changes {
         self.changes.iter().map(|change| (change.old, self.slice(change.new)))
     }
 
-    /// One edit for changes on the same line and on lines one below the other, so that every line is in one edit at most.
-    /// `source` is the old text.
+    /// One edit for changes on the same line and on lines one below the other, so that every line is in one edit at
+    /// most. `source` is the old text.
     pub(crate) fn joined(&self, source: &SourceText) -> Vec<(Span, &str)> {
         let lines = source.lines();
         let mut joined: Vec<Change> = Vec::new();

@@ -1,4 +1,5 @@
-//! What stands between words and comments, and each of them as it is written: the edits of a file in the order of its text.
+//! What stands between words and comments, and each of them as it is written: the edits of a file in the order of its
+//! text.
 
 use super::block::{BLANK, Part, extent, line_ends, without_trailing_blanks};
 use super::kept::{Kept, lines_of};
@@ -156,8 +157,8 @@ impl<'a> Layout<'a> {
         self.empty_lines(BlockId(u32::from(!first)))
     }
 
-    /// Whether a line of the block may be longer than 80 characters when it is formatted: each piece grows by a blank and a
-    /// digit at most, and by its indentation.
+    /// Whether a line of the block may be longer than 80 characters when it is formatted: each piece grows by a blank
+    /// and a digit at most, and by its indentation.
     fn may_be_long(&self, span: Span, pieces: usize) -> bool {
         span.len() as usize + pieces * 2 + usize::from(self.style.indent) > LINE
     }

@@ -10,7 +10,8 @@ use crate::edit::alone;
 use crate::syntax::{BlockFlags, ParsedFile};
 use crate::text::{FileId, Span};
 
-/// The warnings that say that a line, or the file, is perhaps not what was meant. They count when they are allowed, too.
+/// The warnings that say that a line, or the file, is perhaps not what was meant. They count when they are allowed,
+/// too.
 pub(super) const WARNINGS: [Code; 4] = [Code::W0113, Code::W0114, Code::W0213, Code::W0221];
 
 /// Whether a finding says that its line could not be read as it was meant.
@@ -76,7 +77,8 @@ impl Kept {
         self.unread
     }
 
-    /// Whether the line at a place stays. `hint` is the line of a place shortly before, and becomes the one of this place.
+    /// Whether the line at a place stays. `hint` is the line of a place shortly before, and becomes the one of this
+    /// place.
     pub(super) fn has(&self, file: &ParsedFile, at: u32, hint: &mut usize) -> bool {
         if self.is_empty() {
             return false;

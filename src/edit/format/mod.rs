@@ -1,5 +1,5 @@
-//! One layout for programs and macrocycles (FMT-1 to FMT-7): blanks, line ends, the case of addresses and the writing of
-//! numbers change, nothing else. What could not be read stays byte for byte.
+//! One layout for programs and macrocycles (FMT-1 to FMT-7): blanks, line ends, the case of addresses and the writing
+//! of numbers change, nothing else. What could not be read stays byte for byte.
 
 mod block;
 #[cfg(feature = "lsp")]
@@ -40,8 +40,8 @@ pub struct Formatting {
     faulty: bool,
 }
 
-/// Formatting changes what it reads, and whether a line can be read may depend on the lines around it: so often it is done
-/// again before it must have come to an end.
+/// Formatting changes what it reads, and whether a line can be read may depend on the lines around it: so often it is
+/// done again before it must have come to an end.
 const MOST_ROUNDS: usize = 4;
 
 impl Formatting {
@@ -208,8 +208,8 @@ struct Rounds {
     stays: bool,
 }
 
-/// Formats a text, and what becomes of it, until nothing changes any more. `apply` takes the edits, and gives the text that
-/// they make when it is to be formatted again: one with errors, or with lines that stay.
+/// Formats a text, and what becomes of it, until nothing changes any more. `apply` takes the edits, and gives the text
+/// that they make when it is to be formatted again: one with errors, or with lines that stay.
 fn in_rounds(
     path: &Path,
     source: &Arc<SourceText>,
@@ -232,8 +232,8 @@ fn in_rounds(
     Ok(Rounds { left: source.lines().count() - usize::from(ended), stays: true })
 }
 
-/// What keeps a file as it is (FMT-6): UTF-16 (E0115), and programs for other controls (W0113); without a finding there is
-/// nothing to format.
+/// What keeps a file as it is (FMT-6): UTF-16 (E0115), and programs for other controls (W0113); without a finding there
+/// is nothing to format.
 fn obstacle(outcome: Outcome) -> Result<Outcome, Box<Outcome>> {
     let Some(code) = [Code::E0115, Code::W0113].into_iter().find(|code| outcome.findings.has(*code)) else {
         return Ok(outcome);

@@ -159,7 +159,8 @@ fn wanted(text: &str, before: &[Token], at: u32) -> Option<(Wanted, u32)> {
     }
 }
 
-/// Whether the tokens ask for a value: `X`, `X-`, `R11=`, `R11=-`. `None` when not, `Some(None)` when no parameter can be it.
+/// Whether the tokens ask for a value: `X`, `X-`, `R11=`, `R11=-`. `None` when not, `Some(None)` when no parameter can
+/// be it.
 fn value(text: &str, before: &[Token]) -> Option<Option<Wanted>> {
     let (last, rest) = before.split_last()?;
     match last.kind {

@@ -9,8 +9,8 @@ use crate::config::MFunction;
 use crate::dict::{GCode, GGroup, Lasting, MRow, standard_m_functions};
 use crate::resolve::m_number;
 
-/// The G functions whose number begins with the digits typed. Those that the block has no room for come last when a number
-/// is being typed, and not at all among all words.
+/// The G functions whose number begins with the digits typed. Those that the block has no room for come last when a
+/// number is being typed, and not at all among all words.
 pub(super) fn g_functions(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>, all: bool) {
     let lang = source.lang;
     let there: Vec<GCode> = context.words().filter_map(|word| word.g_code()).collect();

@@ -29,8 +29,9 @@ use crate::sure::Sure;
 use crate::syntax::{Form, parse};
 use crate::text::FileId;
 
-/// The characters after which clients ask by themselves. A blank is none: after every word the list would
-/// open, and the line end that often follows would take its first item. Block numbers after a line end are for `textDocument/onTypeFormatting`.
+/// The characters after which clients ask by themselves. A blank is none: after every word the list would open, and the
+/// line end that often follows would take its first item. Block numbers after a line end are for
+/// `textDocument/onTypeFormatting`.
 pub(super) const TRIGGERS: [&str; 12] = ["N", "G", "M", "L", "R", "n", "g", "m", "l", "r", "=", "%"];
 
 /// The sources of items.

@@ -17,8 +17,8 @@ const NEAR: u32 = 8;
 /// How many series are tried before the highest number of the file is passed.
 const TRIES: u32 = 64;
 
-/// Numbers for `count` new blocks at `at`, rising and free: on from the block before, in the step of the last two blocks,
-/// or closer where the block behind leaves less room. A block that begins at `at` itself does not count.
+/// Numbers for `count` new blocks at `at`, rising and free: on from the block before, in the step of the last two
+/// blocks, or closer where the block behind leaves less room. A block that begins at `at` itself does not count.
 pub(crate) fn next_numbers(analysis: &Analysis, file: &ParsedFile, at: u32, count: u32) -> Option<Vec<u32>> {
     let last = previous(file, at);
     let near = |first: u32| (first..first.saturating_add(NEAR)).map(BlockId);

@@ -15,7 +15,8 @@ use crate::syntax::BlockId;
 /// Most values that are offered.
 const MOST: usize = 30;
 
-/// The values that an address has in the blocks around, the most frequent first, for those that begin with the typed digits.
+/// The values that an address has in the blocks around, the most frequent first, for those that begin with the typed
+/// digits.
 pub(super) fn values(source: &Source<'_>, context: &Context<'_>, address: Address, items: &mut Items<'_>) {
     let of_tools = [Address::T, Address::D, Address::F, Address::S, Address::H, Address::P, Address::Correction];
     let (Some(digits), Some(block), true) = (context.digits(), context.block, of_tools.contains(&address)) else {

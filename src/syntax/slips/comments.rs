@@ -69,7 +69,8 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     let is_digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
     let numbered = around.previous().is_some_and(|before| around.address(before) != Some(Address::N));
     if numbered && is_digit(span.start.checked_sub(1)) && is_digit(Some(opening.end)) {
-        // `Y10;5 F300`, `S12(00`: another sign than a point within a number. Neither the number is known nor what follows.
+        // `Y10;5 F300`, `S12(00`: another sign than a point within a number. Neither the number is known nor what
+        // follows.
         let words = tokens(around.text, inside.start, inside.end).filter(|token| token.kind == Kind::Word);
         let diagnosis = Diagnosis::saying(1, around.characters(span, Meant::Number)).debris().junk(opening);
         return Some(unknown(around, diagnosis, words));

@@ -102,8 +102,8 @@ pub(super) fn exchanged_words(around: &Around<'_>) -> Option<Diagnosis> {
     }))
 }
 
-/// `4Y0`: the address follows the first digits of its number. The number that the second piece was taken for goes on with
-/// the word before it.
+/// `4Y0`: the address follows the first digits of its number. The number that the second piece was taken for goes on
+/// with the word before it.
 pub(super) fn exchanged_address(around: &Around<'_>) -> Option<Diagnosis> {
     let split = Split::at(around).filter(|split| !split.apart)?;
     let next = around.tokens.get(around.at + 2).copied().filter(|next| next.start == split.loose.end)?;
@@ -319,8 +319,8 @@ pub(super) fn parameter(around: &Around<'_>) -> Option<Diagnosis> {
     Some(diagnosis.junk(Span::new(last.end, end.end)).debris())
 }
 
-/// `80X 20Y`: two numbers or more, each with its address right behind it, and no number behind the last; how long it is, and
-/// what was meant.
+/// `80X 20Y`: two numbers or more, each with its address right behind it, and no number behind the last; how long it
+/// is, and what was meant.
 fn exchanged_run(text: &str) -> Option<(u32, String)> {
     let bytes = text.as_bytes();
     let mut written: Vec<String> = Vec::new();

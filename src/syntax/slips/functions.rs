@@ -23,8 +23,8 @@ fn function(around: &Around<'_>, codes: &[GCode]) -> Option<(GCode, Word)> {
     around.words.iter().find_map(|word| Some((word.g_code().filter(|code| codes.contains(code))?, *word)))
 }
 
-/// G71, G72, G73 with the words of a turning or drilling cycle of other controls, G70 with those of a finishing cycle: no word
-/// of the block is what it would be here.
+/// G71, G72, G73 with the words of a turning or drilling cycle of other controls, G70 with those of a finishing cycle:
+/// no word of the block is what it would be here.
 pub(super) fn other_cycle(around: &Around<'_>) -> Option<Diagnostic> {
     let has = |address: Address| around.has(address);
     if let Some((_, g)) = function(around, &[GCode::G70]) {
@@ -54,8 +54,8 @@ pub(super) fn in_other_cycle(item: Diagnosis, cycle: &Diagnostic) -> Diagnosis {
     Diagnosis { words, found: own.or(of_comment), ..item }
 }
 
-/// The P of a block that has nothing else but Q, a count: the number of what it calls. With another block number in Q it is a
-/// cycle.
+/// The P of a block that has nothing else but Q, a count: the number of what it calls. With another block number in Q
+/// it is a cycle.
 fn number_in_p(around: &Around<'_>) -> Option<Word> {
     let of = |address: Address| around.words.iter().copied().find(|word| word.address == address);
     let p = of(Address::P)?;
@@ -156,8 +156,8 @@ pub(super) fn beside_height(around: &Around<'_>) -> Option<Diagnosis> {
     (cycle && !arc_in_force(around.text, end)).then(|| Diagnosis::of(tokens).void(word.address, span))
 }
 
-/// Whether the last function of group G0 before `end`, in the order of the text, is G02 or G03. It is asked of the text, not of
-/// the words that were read: another part of a long text is read at the same time.
+/// Whether the last function of group G0 before `end`, in the order of the text, is G02 or G03. It is asked of the
+/// text, not of the words that were read: another part of a long text is read at the same time.
 pub(super) fn arc_in_force(text: &str, end: u32) -> bool {
     let bytes = text.as_bytes();
     let least = end.saturating_sub(FAR) as usize;

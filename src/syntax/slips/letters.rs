@@ -34,7 +34,8 @@ const fn is_unlikely(letter: u8) -> bool {
     matches!(letter, b'Q' | b'E' | b'O' | b'P' | b'T' | b'L')
 }
 
-/// `N13l0 G1`: a small `l` is the address of a word (LEX-12), but behind a block number, where nothing takes an L, it is a digit.
+/// `N13l0 G1`: a small `l` is the address of a word (LEX-12), but behind a block number, where nothing takes an L, it
+/// is a digit.
 pub(super) fn small_l_in_number(around: &Around<'_>) -> Option<Diagnosis> {
     let [n, l] = around.next([Kind::Word, Kind::Word]).filter(|_| around.at == 0)?;
     let digits = |token: Token| around.number(token).bytes().all(|byte| byte.is_ascii_digit());
@@ -51,8 +52,8 @@ pub(super) fn small_l_in_number(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(2, found).with(Word::with_number(Address::N, span, number), span))
 }
 
-/// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words without a
-/// decimal point too the other reading is possible, so that it is offered only.
+/// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words
+/// without a decimal point too the other reading is possible, so that it is offered only.
 pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let [word, letter] = around.next([Kind::Word, Kind::Letter])?;
     let address = around.address(word)?;
@@ -73,8 +74,8 @@ pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(2, found).void(address, span).junk(letter.span()))
 }
 
-/// `G7N`: a letter without a value, right behind a function of one digit, in place of its second one. With a number `N` would
-/// begin a block.
+/// `G7N`: a letter without a value, right behind a function of one digit, in place of its second one. With a number `N`
+/// would begin a block.
 pub(super) fn letter_in_function(around: &Around<'_>) -> Option<Diagnosis> {
     let [word, letter] = around.next([Kind::Word, Kind::Letter])?;
     let function = around.address(word) == Some(Address::G) && word.end - word.start == 2;

@@ -1,7 +1,7 @@
 //! Explains whatever is not a well-formed word: one diagnosis for each slip, and the words of which something is known.
 //!
-//! Each recogniser is a pure function of the tokens from one place on and of their surroundings. The first of the table that
-//! matches decides; nothing revises it later.
+//! Each recogniser is a pure function of the tokens from one place on and of their surroundings. The first of the table
+//! that matches decides; nothing revises it later.
 
 mod comments;
 mod elsewhere;
@@ -397,7 +397,8 @@ impl<'t> Cursor<'t> {
         Some(self.number().or_else(|| self.parameter()).or(sign).unwrap_or(equals))
     }
 
-    /// What may follow the parameter of an assignment: numbers, and values with signs or operators before them, `R51+R52`.
+    /// What may follow the parameter of an assignment: numbers, and values with signs or operators before them,
+    /// `R51+R52`.
     pub(super) fn operands(&mut self) -> Vec<Token> {
         let mut operands = self.numbers();
         let between = |kind: Kind| matches!(kind, Kind::Sign | Kind::Junk(Shape::Operator));

@@ -78,7 +78,8 @@ pub(super) struct Broken<'a> {
 }
 
 impl Broken<'_> {
-    /// Reads it as its fix would write it, and says what is wrong with it. Its value is known only where that fix is certain.
+    /// Reads it as its fix would write it, and says what is wrong with it. Its value is known only where that fix is
+    /// certain.
     pub(super) fn explain(&self, around: &Around<'_>) -> (Option<Number>, Option<Diagnostic>) {
         let Self { address, prefix, run, pieces, span } = *self;
         let joined = pieces.iter().fold(run.to_owned(), |joined, piece| joined + around.slice(piece.span()));
@@ -230,7 +231,8 @@ pub(super) fn valueless(around: &Around<'_>) -> Option<Diagnosis> {
     })
 }
 
-/// An address or a parameter without a value, whatever is around it. A number beyond a line end or comments was meant for it.
+/// An address or a parameter without a value, whatever is around it. A number beyond a line end or comments was meant
+/// for it.
 pub(super) fn without_value(around: &Around<'_>) -> Option<Diagnosis> {
     let mut next = around.cursor();
     let (first, end) = if let Some(letter) = next.one(Kind::Letter) {
@@ -382,7 +384,8 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
     line && number && blanks > 0 && words && (last.is_none_or(whole) || follows_n(bytes, token.start))
 }
 
-/// Whether an `N` without a number stands right before `at`, on the same line or one above: `F140N`, and below it `150 X1`.
+/// Whether an `N` without a number stands right before `at`, on the same line or one above: `F140N`, and below it `150
+/// X1`.
 fn follows_n(bytes: &[u8], at: u32) -> bool {
     matches!(bytes.get(..at as usize).sure().trim_ascii_end().last(), Some(b'N' | b'n'))
 }

@@ -53,8 +53,8 @@ pub(super) fn words_between(text: &str, span: Span) -> Option<Vec<Token>> {
     Some(words)
 }
 
-/// Whether `span` holds a text without a word of a block, so that it is a comment whatever is around it. A number at its
-/// beginning may be one that lost its address.
+/// Whether `span` holds a text without a word of a block, so that it is a comment whatever is around it. A number at
+/// its beginning may be one that lost its address.
 pub(super) fn is_text(text: &str, span: Span) -> bool {
     let inner = text.get(span.range()).sure();
     let begins = inner.chars().find(|character| character.is_alphanumeric()).is_some_and(char::is_alphabetic);
@@ -98,8 +98,8 @@ pub(super) fn words_behind(text: &str, start: u32) -> Option<Span> {
     Some(first.span().to(last.span()))
 }
 
-/// Whether one of the words is N, G, M or an axis; `None` where there is anything but words, or fewer than `least`. `end`: where a
-/// word may begin without a blank before it.
+/// Whether one of the words is N, G, M or an axis; `None` where there is anything but words, or fewer than `least`.
+/// `end`: where a word may begin without a blank before it.
 fn telling(text: &str, tokens: &[Token], least: usize, mut end: Option<u32>) -> Option<bool> {
     let byte = |at: u32| text.as_bytes().get(at as usize).copied().unwrap_or(b' ');
     let (mut at, mut words, mut telling) = (0, 0, false);

@@ -107,8 +107,8 @@ fn set_by_statement(around: &Around<'_>, meant: &TextMeant, span: Span) -> Vec<W
     words
 }
 
-/// A text beside a quote that is one of an odd number: the quote before it is missing, or one within the comment before.
-/// Gives the end of the line whose other quotes are off by one too.
+/// A text beside a quote that is one of an odd number: the quote before it is missing, or one within the comment
+/// before. Gives the end of the line whose other quotes are off by one too.
 fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnostic, Option<u32>)> {
     let text = around.slice(span);
     let rest = around.text.get(span.end as usize..).sure();
@@ -169,8 +169,8 @@ const COMMENT: usize = 240;
 const REMARK: usize = 3;
 
 /// Where the text ends that begins with a token: a statement of other controls, such as `IF[#1 GT 5]GOTO 20`, a line of
-/// text that begins with signs or a number, such as `--- OBRYS ---`, or a comment without its first quote. It ends before
-/// a comment, or with its line.
+/// text that begins with signs or a number, such as `--- OBRYS ---`, or a comment without its first quote. It ends
+/// before a comment, or with its line.
 pub(in crate::syntax) fn statement_end(bytes: &[u8], token: Token) -> Option<u32> {
     if matches!(
         token.kind,
@@ -302,7 +302,8 @@ fn is_remark(bytes: &[u8], token: Token) -> bool {
 mod tests {
     use super::*;
 
-    /// Text that a quote at the end of its line closes. The first `%` begins the program: a quote before it is not read.
+    /// Text that a quote at the end of its line closes. The first `%` begins the program: a quote before it is not
+    /// read.
     #[test]
     fn comments_without_their_first_quote() {
         let length = |text: &str, kind: Kind| before_lone_quote(text.as_bytes(), kind);

@@ -138,8 +138,8 @@ impl Sample {
         parse(FileId(0), &Arc::new(SourceText::from_text("", text)), form, &mut Findings::new())
     }
 
-    /// The findings in the sample itself: the code, and which word they begin at. Renumbering corrects numbers of blocks:
-    /// findings about these are left out.
+    /// The findings in the sample itself: the code, and which word they begin at. Renumbering corrects numbers of
+    /// blocks: findings about these are left out.
     fn found(&self, text: &str) -> Vec<(String, usize)> {
         let parsed = self.parse(text);
         let words: Vec<Word> = parsed.all_words().collect();

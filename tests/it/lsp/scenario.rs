@@ -1,7 +1,7 @@
 //! Scenarios: what a client does, and what it must get, one file each in `tests/lsp`.
 //!
-//! A scenario is a text of sections. Each begins with a line `=== verb argument…`; what follows up to the next such line is
-//! its body:
+//! A scenario is a text of sections. Each begins with a line `=== verb argument…`; what follows up to the next such
+//! line is its body:
 //!
 //! | section | does | body |
 //! |---|---|---|
@@ -18,9 +18,10 @@
 //! | `edited` | applies the `WorkspaceEdit`, `TextEdit`s or first code action of the last answer to the open texts | the text of each document |
 //! | `said METHOD` | waits for a message of the server | its parameters |
 //!
-//! A mark is `‹1›`; it is taken out of the text, also of `file`s, and names a place: in the text as it was opened. `DIR/` in JSON
-//! is the URI of the folder, with which all names begin. Of packed `data` and of a `page` an answer shows only that it is some. Lines of `#` before the first section are a comment.
-//! `LSP=write cargo test --test it lsp` writes what comes into `findings`, `answer`, `edited` and `said`.
+//! A mark is `‹1›`; it is taken out of the text, also of `file`s, and names a place: in the text as it was opened.
+//! `DIR/` in JSON is the URI of the folder, with which all names begin. Of packed `data` and of a `page` an answer
+//! shows only that it is some. Lines of `#` before the first section are a comment. `LSP=write cargo test --test it
+//! lsp` writes what comes into `findings`, `answer`, `edited` and `said`.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -309,7 +310,8 @@ impl Scenario {
     }
 }
 
-/// Changes a text as the protocol says, columns in UTF-16 (texts of scenarios have the same columns in UTF-8 where that counts).
+/// Changes a text as the protocol says, columns in UTF-16 (texts of scenarios have the same columns in UTF-8 where that
+/// counts).
 pub(super) fn apply(text: &mut String, changes: &[Value]) {
     for change in changes {
         let new = change["text"].as_str().unwrap();

@@ -1,5 +1,5 @@
-//! Every sample typed: the server lives, and finds at the end what `check` finds. Every fourth one character by character,
-//! the others word by word; the inside of comments at once.
+//! Every sample typed: the server lives, and finds at the end what `check` finds. Every fourth one character by
+//! character, the others word by word; the inside of comments at once.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -78,9 +78,9 @@ fn type_in(client: &mut Client, path: &Path, each_letter: bool) {
     client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
 }
 
-/// A text as it is typed: a character at a time, and at once what a comment says, after its opening quote and before the
-/// closing one: most of a sample is comments, and their letters are all alike to the server. Words, and spaces between them,
-/// come at once unless each letter is asked for.
+/// A text as it is typed: a character at a time, and at once what a comment says, after its opening quote and before
+/// the closing one: most of a sample is comments, and their letters are all alike to the server. Words, and spaces
+/// between them, come at once unless each letter is asked for.
 fn keystrokes(text: &str, each_letter: bool) -> Vec<&str> {
     let mut strokes = Vec::new();
     let mut rest = text;
@@ -150,7 +150,8 @@ fn ask_everything(client: &mut Client, uri: &str, at: &Value) {
             "options": { "tabSize": 4, "insertSpaces": true },
         });
         let answer = client.request(method, params);
-        // Of errors only refusals with a reason may come: neither a failure of the server nor parameters not understood.
+        // Of errors only refusals with a reason may come: neither a failure of the server nor parameters not
+        // understood.
         let code = &answer["error"]["code"];
         assert!(code.is_null() || code == -32803, "{method} {uri} {at}: {answer}");
     }

@@ -1,4 +1,5 @@
-//! `motion` on the real binary: its forms, and that they agree with one another, with the block stream and with the rules.
+//! `motion` on the real binary: its forms, and that they agree with one another, with the block stream and with the
+//! rules.
 
 use std::collections::BTreeMap;
 

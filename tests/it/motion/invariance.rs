@@ -85,8 +85,8 @@ fn paths(profile: Profile) -> impl Iterator<Item = (Model, Path, Random)> {
 /// How far a parabolic profile may be from one of the same time: it is not optimal (VEL-13).
 const SLACK: f64 = 0.05;
 
-/// What more of something may cost with a parabolic profile, which is near the fastest one (VEL-13): of 10,000 such changes of
-/// random programs eight cost more than a ten thousandth, one more than a hundredth.
+/// What more of something may cost with a parabolic profile, which is near the fastest one (VEL-13): of 10,000 such
+/// changes of random programs eight cost more than a ten thousandth, one more than a hundredth.
 const LOSS: f64 = 1.0 + 1e-4;
 
 const PROFILES: [Profile; 3] = [Profile::Ramps, Profile::Linear, Profile::Parabolic];
@@ -125,8 +125,8 @@ fn reversed_paths_with_sets() {
     }
 }
 
-/// Two lines with a change of sets, and three in which the middle one has the slower set, take no longer for a little more
-/// jerk or when one is cut.
+/// Two lines with a change of sets, and three in which the middle one has the slower set, take no longer for a little
+/// more jerk or when one is cut.
 #[test]
 fn changes_of_sets_do_not_leap() {
     let of = |accel: f64, p: f64, accuracy_um: f64| Dynamics { accel, jerk: p / 32.768, accuracy_um, ..dynamics() };

@@ -115,8 +115,8 @@ fn to_and_fro_without_end() {
     }
 }
 
-/// PLC-15, CNT-5: blocks that are joined lie in the stretch of their piece. Those before its record are at its start, those
-/// behind it at its end.
+/// PLC-15, CNT-5: blocks that are joined lie in the stretch of their piece. Those before its record are at its start,
+/// those behind it at its end.
 #[test]
 fn what_is_joined_lies_in_the_stretch() {
     for lengths in [&[5.0, 0.4, 0.4, 0.4, 5.0, 0.3][..], &[0.4, 0.4], &[5.0, 0.4], &[0.4, 5.0, 0.2, 0.2]] {

@@ -72,7 +72,8 @@ fn constraints_hold_on_long_programs() {
     }
 }
 
-/// Programs in which the dynamic set changes now and then: other accelerations, jerks up to twenty times smaller or larger.
+/// Programs in which the dynamic set changes now and then: other accelerations, jerks up to twenty times smaller or
+/// larger.
 #[test]
 fn constraints_hold_where_sets_change() {
     for seed in 0..300 {

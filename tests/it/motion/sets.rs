@@ -39,8 +39,8 @@ fn a_ramp_takes_the_limits_of_each_block() {
     close(planned.time(), 0.954, 0.05);
 }
 
-/// VEL-12: the rise from 2.496 to 2.545 mm/s in the second block saves a tenth of a millisecond, and those behind it save
-/// little: each is taken back, and the velocity of the first short block holds up to the end.
+/// VEL-12: the rise from 2.496 to 2.545 mm/s in the second block saves a tenth of a millisecond, and those behind it
+/// save little: each is taken back, and the velocity of the first short block holds up to the end.
 #[test]
 fn rises_that_save_little_are_taken_back() {
     let set = set(150_000.0, 200.0, 50.0);

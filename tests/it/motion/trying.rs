@@ -15,10 +15,10 @@ struct Line {
     jerk: f64,
 }
 
-/// The least time of lines in one direction from rest to rest, found by trying: time goes in steps of `dt`, in each of which
-/// the jerk is a whole multiple of `unit`, so that accelerations and velocities lie on a lattice. Of all states with the
-/// same acceleration and velocity in the same hundredth of the way, the one that has come farthest goes on. What it finds
-/// is possible, and up to about `dt` above the least time.
+/// The least time of lines in one direction from rest to rest, found by trying: time goes in steps of `dt`, in each of
+/// which the jerk is a whole multiple of `unit`, so that accelerations and velocities lie on a lattice. Of all states
+/// with the same acceleration and velocity in the same hundredth of the way, the one that has come farthest goes on.
+/// What it finds is possible, and up to about `dt` above the least time.
 fn least_time(lines: &[Line], dt: f64, unit: f64) -> Option<f64> {
     let ends: Vec<f64> = (1..=lines.len()).map(|count| lines[..count].iter().map(|line| line.length).sum()).collect();
     let total = ends[ends.len() - 1];

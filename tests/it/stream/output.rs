@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// Comments of a block: trimmed, in order; those on lines of their own are the next block's; empty ones are left out (BLK-9, LEX-6).
+/// Comments of a block: trimmed, in order; those on lines of their own are the next block's; empty ones are left out
+/// (BLK-9, LEX-6).
 #[test]
 fn comments() {
     let found = blocks(
@@ -42,7 +43,8 @@ fn columns_within_a_line() {
     assert_eq!(column(&found, "line"), json!([2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3]));
 }
 
-/// Sizes that a quadratic step anywhere would make unbearable: blocks of one line, calls, jumps, unknown targets, rings.
+/// Sizes that a quadratic step anywhere would make unbearable: blocks of one line, calls, jumps, unknown targets,
+/// rings.
 #[test]
 fn large_programs() {
     let of = |count: u32, line: &dyn Fn(u32) -> String| (1..=count).map(line).collect::<String>();
