@@ -142,7 +142,7 @@ fn record(old: &Side, new: &Side, changes: &[Change]) -> Record {
     }
 }
 
-/// The comparison for a page: the record with its texts in both languages. Changes beyond the first [`LISTED`] are one
+/// The comparison for a page: the record with its texts in both languages. Changes beyond the first `LISTED` are one
 /// `rest`.
 pub fn for_page(old: &Side, new: &Side, changes: &[Change]) -> Json {
     let (listed, rest) = changes.split_at(changes.len().min(LISTED));
