@@ -9,7 +9,7 @@ use std::sync::Arc;
 use cnc872c::diag::Findings;
 use cnc872c::dict::Address;
 use cnc872c::resolve::Library;
-use cnc872c::syntax::{Form, Kind, parse, tokens};
+use cnc872c::syntax::{Form, Kind, Shape, parse, tokens};
 use cnc872c::text::{Encoding, FileId, SourceText};
 use tree_sitter::Node;
 use tree_sitter_cnc872_check as tree_sitter_cnc872;
@@ -80,7 +80,7 @@ pub fn own(source: &Arc<SourceText>, form: Form) -> (Outline, BTreeSet<String>) 
 }
 
 fn is_comment(kind: Kind) -> bool {
-    matches!(kind, Kind::Comment | Kind::TypographicComment)
+    matches!(kind, Kind::Comment | Kind::Junk(Shape::TypographicComment))
 }
 
 /// Reads the contents from the tree.
