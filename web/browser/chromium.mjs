@@ -48,7 +48,10 @@ export function page(file, ...options) {
 /** The records of a stream, by command: `compile`, `motion`. */
 export function records(command, file, ...options) {
   const format = command === 'motion' ? ['--format', 'json'] : [];
-  return run(command, file, ...format, ...options).stdout.trimEnd().split('\n').map((line) => JSON.parse(line));
+  return run(command, file, ...format, ...options)
+    .stdout.trimEnd()
+    .split('\n')
+    .map((line) => JSON.parse(line));
 }
 
 export function launch() {
@@ -57,7 +60,11 @@ export function launch() {
 }
 
 /** A tab in which anything but files is refused, and whatever goes wrong is kept. */
-export async function open(browser, file, { width = 1280, height = 800, scheme = 'light', hash = '', locale = 'en-GB' } = {}) {
+export async function open(
+  browser,
+  file,
+  { width = 1280, height = 800, scheme = 'light', hash = '', locale = 'en-GB' } = {},
+) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: scheme, locale });
   const wrong = [];
   await context.route('**', (route) => {

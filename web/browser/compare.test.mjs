@@ -139,7 +139,10 @@ test('equal programs, and a page of view', async () => {
   run('view', path.join(folder, 'new.nc'), '-o', out);
   const { tab, close } = await open(browser, out);
   assert.deepEqual(await tab.evaluate(() => [window.cnc872c.changes(), window.cnc872c.change(0)]), [[], false]);
-  await assert.rejects(tab.evaluate(() => window.cnc872c.colour('change')), /RangeError/);
+  await assert.rejects(
+    tab.evaluate(() => window.cnc872c.colour('change')),
+    /RangeError/,
+  );
   assert.equal(await tab.locator('text=Old path').isVisible(), false);
   await close();
 });

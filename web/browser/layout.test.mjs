@@ -23,7 +23,16 @@ function program(name, ...lines) {
 }
 
 test('a program with errors opens on its findings, drawn up to the first', { timeout: 60_000 }, async () => {
-  const file = program('late.nc', '%1', 'N10 G90 G0 X0 Y0 Z0', 'N20 G1 X50 F100', 'N30 Y30', 'N40 X0 X5', 'N50 Y0', 'N60 M30');
+  const file = program(
+    'late.nc',
+    '%1',
+    'N10 G90 G0 X0 Y0 Z0',
+    'N20 G1 X50 F100',
+    'N30 Y30',
+    'N40 X0 X5',
+    'N50 Y0',
+    'N60 M30',
+  );
   const { tab, wrong, close } = await open(browser, page(file));
   const shown = await tab.evaluate(() => ({
     tab: document.querySelector('[role="tab"][aria-selected="true"]').textContent,
@@ -36,7 +45,10 @@ test('a program with errors opens on its findings, drawn up to the first', { tim
   assert.deepEqual(wrong, []);
   await close();
   const fine = await open(browser, page(sample('ok/flange.nc')));
-  assert.equal(await fine.tab.evaluate(() => document.querySelector('[role="tab"][aria-selected="true"]').textContent), 'Block');
+  assert.equal(
+    await fine.tab.evaluate(() => document.querySelector('[role="tab"][aria-selected="true"]').textContent),
+    'Block',
+  );
   await fine.close();
 });
 
@@ -50,7 +62,11 @@ test('a lathe is seen in ZX, with diameters along X', { timeout: 60_000 }, async
       const { motion, position } = api.current();
       const place = api.project(seq);
       if (place !== null && motion.type === 'linear') {
-        places.push({ ...place, X: ((motion.start.X ?? position.X) + position.X) / 2, Z: ((motion.start.Z ?? position.Z) + position.Z) / 2 });
+        places.push({
+          ...place,
+          X: ((motion.start.X ?? position.X) + position.X) / 2,
+          Z: ((motion.start.Z ?? position.Z) + position.Z) / 2,
+        });
       }
     }
     api.view('ZX');
@@ -58,9 +74,13 @@ test('a lathe is seen in ZX, with diameters along X', { timeout: 60_000 }, async
     api.select(seq);
     return { places, state: document.querySelector('.state')?.textContent };
   });
-  const [low, high] = [Math.min, Math.max].map((of) => at.places.find(({ Z }) => Z === of(...at.places.map((place) => place.Z))));
+  const [low, high] = [Math.min, Math.max].map((of) =>
+    at.places.find(({ Z }) => Z === of(...at.places.map((place) => place.Z))),
+  );
   assert.ok(high.x > low.x, 'Z to the right');
-  const [near, far] = [Math.min, Math.max].map((of) => at.places.find(({ X }) => X === of(...at.places.map((place) => place.X))));
+  const [near, far] = [Math.min, Math.max].map((of) =>
+    at.places.find(({ X }) => X === of(...at.places.map((place) => place.X))),
+  );
   assert.ok(far.y < near.y, 'X up');
   await drawn(tab);
   assert.match(await tab.evaluate(() => document.querySelector('.cells').textContent), /X14\.000Ø 28\.000/);
@@ -69,7 +89,15 @@ test('a lathe is seen in ZX, with diameters along X', { timeout: 60_000 }, async
 });
 
 test('fit shows the working motions, and all when pressed again', { timeout: 60_000 }, async () => {
-  const file = program('far.nc', '%1', 'N10 G17 G90 G0 X0 Y0 Z0', 'N20 G1 X20 F100', 'N30 Y20', 'N40 G0 X900 Y900', 'N50 M30');
+  const file = program(
+    'far.nc',
+    '%1',
+    'N10 G17 G90 G0 X0 Y0 Z0',
+    'N20 G1 X20 F100',
+    'N30 Y20',
+    'N40 G0 X900 Y900',
+    'N50 M30',
+  );
   const { tab, wrong, close } = await open(browser, page(file));
   const wide = () => tab.evaluate(() => window.cnc872c.project(2).x - window.cnc872c.project(1).x);
   const first = await wide();
@@ -104,7 +132,8 @@ test('words beside the pointer', { timeout: 60_000 }, async () => {
 
 test('the edge between path and text moves', { timeout: 60_000 }, async () => {
   const { tab, wrong, close } = await open(browser, page(sample('ok/flange.nc')));
-  const widths = () => tab.evaluate(() => ['#path', 'aside'].map((name) => document.querySelector(name).getBoundingClientRect().width));
+  const widths = () =>
+    tab.evaluate(() => ['#path', 'aside'].map((name) => document.querySelector(name).getBoundingClientRect().width));
   const [path0, text0] = await widths();
   const edge = await tab.evaluate(() => {
     const { x, y, width, height } = document.querySelector('.divider').getBoundingClientRect();
@@ -156,7 +185,16 @@ test('the chart has the scale of working motions, with units', { timeout: 60_000
 });
 
 test('what holds at a block: who wrote it, what comes next, how to start there', { timeout: 60_000 }, async () => {
-  const file = program('state.nc', '%1', 'N10 G17 G90 G0 X0 Y0 Z0 R5=12.5', 'N20 G1 X20 F100', 'N30 Y20 R6=3', 'N40 T1 M6', 'N50 G0 X0', 'N60 M30');
+  const file = program(
+    'state.nc',
+    '%1',
+    'N10 G17 G90 G0 X0 Y0 Z0 R5=12.5',
+    'N20 G1 X20 F100',
+    'N30 Y20 R6=3',
+    'N40 T1 M6',
+    'N50 G0 X0',
+    'N60 M30',
+  );
   const { tab, wrong, close } = await open(browser, page(file));
   await tab.evaluate(() => window.cnc872c.select(2));
   await drawn(tab);
@@ -165,10 +203,15 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
   assert.match(state, /next tool change\s+N40/);
   assert.match(state, /next rapid\s+N50/);
   assert.match(state, /blocks left\s+3/);
-  const writer = await tab.evaluate(() => [...document.querySelectorAll('.state .chip')].find((chip) => chip.textContent === 'G01').title);
+  const writer = await tab.evaluate(
+    () => [...document.querySelectorAll('.state .chip')].find((chip) => chip.textContent === 'G01').title,
+  );
   assert.equal(writer, 'written by N20');
   await tab.click('.restart button');
-  assert.equal(await tab.evaluate(() => document.querySelector('.command code').textContent), 'cnc872c restart state.nc --seq 2');
+  assert.equal(
+    await tab.evaluate(() => document.querySelector('.command code').textContent),
+    'cnc872c restart state.nc --seq 2',
+  );
   await tab.evaluate(() => window.cnc872c.colour('depth'));
   assert.deepEqual(wrong, []);
   await close();

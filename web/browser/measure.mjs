@@ -56,23 +56,28 @@ const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
 await tab.mouse.move(x, y);
 await tab.mouse.down();
 await tab.mouse.move(x + 5, y);
-const frames = await tab.evaluate(async ({ count, x, y }) => {
-  const canvas = document.querySelector('#path');
-  const times = [];
-  let last;
-  for (let i = 0; i < count; i += 1) {
-    const at = { bubbles: true, pointerId: 1, pointerType: 'mouse', buttons: 1, clientX: x + 3 * i, clientY: y + i };
-    canvas.dispatchEvent(new PointerEvent('pointermove', at));
-    const now = await new Promise((done) => requestAnimationFrame(done));
-    if (last !== undefined) {
-      times.push(now - last);
+const frames = await tab.evaluate(
+  async ({ count, x, y }) => {
+    const canvas = document.querySelector('#path');
+    const times = [];
+    let last;
+    for (let i = 0; i < count; i += 1) {
+      const at = { bubbles: true, pointerId: 1, pointerType: 'mouse', buttons: 1, clientX: x + 3 * i, clientY: y + i };
+      canvas.dispatchEvent(new PointerEvent('pointermove', at));
+      const now = await new Promise((done) => requestAnimationFrame(done));
+      if (last !== undefined) {
+        times.push(now - last);
+      }
+      last = now;
     }
-    last = now;
-  }
-  return times;
-}, { count: FRAMES, x, y });
+    return times;
+  },
+  { count: FRAMES, x, y },
+);
 await tab.mouse.up();
 row('frame while turning', `${median(frames).toFixed(0)} ms`);
-wrong.forEach((what) => console.error(what));
+for (const what of wrong) {
+  console.error(what);
+}
 await close();
 await browser.close();

@@ -53,7 +53,9 @@ after(() => browser.close(), { timeout: 10_000 });
 
 /** Some of many: the first, the last, and between. */
 function some(list, count) {
-  return list.length <= count ? list : Array.from({ length: count }, (_, i) => list[Math.round((i * (list.length - 1)) / (count - 1))]);
+  return list.length <= count
+    ? list
+    : Array.from({ length: count }, (_, i) => list[Math.round((i * (list.length - 1)) / (count - 1))]);
 }
 
 const FEEDS = ['programmed', 'cap', 'start', 'peak', 'end'];
@@ -97,27 +99,43 @@ function sameAsStreams(name, file) {
     assert.equal(info.from, 0);
     assert.equal(info.drawn, info.segments);
     for (const block of some(blocks, 40)) {
-      const shown = await tab.evaluate((seq) => (window.cnc872c.select(seq) ? window.cnc872c.current() : null), block.seq);
+      const shown = await tab.evaluate(
+        (seq) => (window.cnc872c.select(seq) ? window.cnc872c.current() : null),
+        block.seq,
+      );
       const { start_s, motion: moved, ...rest } = block;
       assert.equal(start_s, undefined);
       for (const [field, value] of Object.entries({ ...rest, ...(moved && { motion: moved }) })) {
         assert.deepEqual(shown[field], value, `${block.seq} ${field}`);
       }
       sameMotion(shown, motions[block.seq]);
-      const passes = blocks.filter((other) => other.file === block.file && other.line === block.line && other !== block);
-      assert.deepEqual(shown.passes, passes.map((other) => other.seq));
+      const passes = blocks.filter(
+        (other) => other.file === block.file && other.line === block.line && other !== block,
+      );
+      assert.deepEqual(
+        shown.passes,
+        passes.map((other) => other.seq),
+      );
     }
     const dots = await tab.evaluate(() => window.cnc872c.dots());
     const expected = motions.filter((record) => record.joint?.dot !== undefined);
-    assert.deepEqual(dots.map(({ seq, n, dot, reason }) => ({ seq, n, dot, reason })), expected.map((record) => ({
-      seq: record.seq,
-      n: record.n,
-      dot: record.joint.dot,
-      reason: record.joint.broken_by ?? record.joint.limited_by,
-    })));
+    assert.deepEqual(
+      dots.map(({ seq, n, dot, reason }) => ({ seq, n, dot, reason })),
+      expected.map((record) => ({
+        seq: record.seq,
+        n: record.n,
+        dot: record.joint.dot,
+        reason: record.joint.broken_by ?? record.joint.limited_by,
+      })),
+    );
     const red = expected.filter((record) => record.joint.dot === 'red');
-    const listed = await tab.evaluate(() => [...document.querySelectorAll('.joints [data-seq]')].map((element) => Number(element.dataset.seq)));
-    assert.deepEqual(listed, red.slice(0, listed.length).map((record) => record.seq));
+    const listed = await tab.evaluate(() =>
+      [...document.querySelectorAll('.joints [data-seq]')].map((element) => Number(element.dataset.seq)),
+    );
+    assert.deepEqual(
+      listed,
+      red.slice(0, listed.length).map((record) => record.seq),
+    );
     assert.ok(listed.length >= Math.min(red.length, 300));
     assert.deepEqual(wrong, []);
     await close();
@@ -160,7 +178,11 @@ test('a line is picked where it is drawn', { timeout: 180_000 }, async () => {
     assert.notEqual(picked, null, `${plane} ${seq}`);
     assert.equal(again, seq, `${plane}: the block in hand comes first`);
   }
-  const nothing = await tab.evaluate(() => [window.cnc872c.pick(2, 2), window.cnc872c.project(0), window.cnc872c.select(99999)]);
+  const nothing = await tab.evaluate(() => [
+    window.cnc872c.pick(2, 2),
+    window.cnc872c.project(0),
+    window.cnc872c.select(99999),
+  ]);
   assert.deepEqual(nothing, [null, null, false]);
   assert.deepEqual(wrong, []);
   await close();
@@ -197,7 +219,10 @@ test('scripts and messages', { timeout: 180_000 }, async () => {
     api.stop();
     return { events: events.slice(0, 2), played: events.length > 2, wrongNames, heading, lang, before: api.select(-1) };
   });
-  assert.deepEqual(told.events.map((event) => event.seq), [5, 7]);
+  assert.deepEqual(
+    told.events.map((event) => event.seq),
+    [5, 7],
+  );
   assert.deepEqual(Object.keys(told.events[0]), ['seq', 'file', 'line']);
   assert.deepEqual(told.wrongNames, [true, true, true]);
   assert.deepEqual([told.heading, told.lang, told.before], ['Rychlost', 'cs', false]);
@@ -207,7 +232,10 @@ test('scripts and messages', { timeout: 180_000 }, async () => {
 
   // An embedding page asks by messages, and hears of each selection.
   const outer = path.join(folder, 'outer.html');
-  writeFileSync(outer, `<!doctype html><script>window.cnc872c = { ready: Promise.resolve() };</script><iframe src="${path.basename(file)}" width="900" height="700"></iframe>`);
+  writeFileSync(
+    outer,
+    `<!doctype html><script>window.cnc872c = { ready: Promise.resolve() };</script><iframe src="${path.basename(file)}" width="900" height="700"></iframe>`,
+  );
   const embedding = await open(browser, outer);
   const answers = await embedding.tab.evaluate(async () => {
     const frame = document.querySelector('iframe');
@@ -231,7 +259,9 @@ test('scripts and messages', { timeout: 180_000 }, async () => {
   });
   assert.ok(answers.some((message) => message.cnc872c === 'info' && message.result.blocks > 10));
   assert.ok(answers.some((message) => message.cnc872c === 'select' && message.detail?.seq === 3));
-  assert.ok(answers.some((message) => message.cnc872c === 'select' && message.result === true && message.id !== undefined));
+  assert.ok(
+    answers.some((message) => message.cnc872c === 'select' && message.result === true && message.id !== undefined),
+  );
   assert.ok(answers.some((message) => message.cnc872c === 'nothing' && typeof message.error === 'string'));
   assert.deepEqual(embedding.wrong, []);
   await embedding.close();
@@ -293,8 +323,12 @@ test('keys alone reach everything', { timeout: 180_000 }, async () => {
   // Tab reaches every control that can be seen, and shows where it is.
   const wanted = await tab.evaluate(() => {
     const controls = [...document.querySelectorAll('button, select, input, [tabindex="0"]')];
-    const seen = controls.filter((element) => !element.disabled && element.tabIndex >= 0 && element.checkVisibility({ visibilityProperty: true }));
-    seen.forEach((element, i) => (element.dataset.reach = String(i)));
+    const seen = controls.filter(
+      (element) => !element.disabled && element.tabIndex >= 0 && element.checkVisibility({ visibilityProperty: true }),
+    );
+    seen.forEach((element, i) => {
+      element.dataset.reach = String(i);
+    });
     document.body.focus();
     document.activeElement.blur();
     return seen.length;
@@ -326,7 +360,9 @@ test('nobody is shut out', { timeout: 180_000 }, async () => {
     for (const panel of ['block', 'joints', 'findings', 'measure', 'filter']) {
       await tab.click(`#tab-${panel}`);
       const { violations } = await tab.evaluate(() => window.axe.run());
-      const told = violations.map(({ id, nodes }) => `${id}: ${nodes.map((node) => `${node.html} ${node.failureSummary}`).join('\n')}`);
+      const told = violations.map(
+        ({ id, nodes }) => `${id}: ${nodes.map((node) => `${node.html} ${node.failureSummary}`).join('\n')}`,
+      );
       assert.deepEqual(told, [], `${scheme} ${panel}`);
     }
     assert.deepEqual(wrong, []);
@@ -349,7 +385,12 @@ test('a program with errors, and a part of one', { timeout: 180_000 }, async () 
   assert.deepEqual(wrong, []);
   await close();
   ({ tab, wrong, close } = await open(browser, page(sample('ok/flange.nc'), '--from', '30', '--blocks', '60')));
-  const part = await tab.evaluate(() => ({ info: window.cnc872c.info(), before: window.cnc872c.select(29), first: window.cnc872c.select(30), current: window.cnc872c.current() }));
+  const part = await tab.evaluate(() => ({
+    info: window.cnc872c.info(),
+    before: window.cnc872c.select(29),
+    first: window.cnc872c.select(30),
+    current: window.cnc872c.current(),
+  }));
   const blocks = records('compile', sample('ok/flange.nc')).filter((record) => record.kind === 'block');
   assert.deepEqual([part.info.from, part.info.blocks, part.before, part.first], [30, blocks.length, false, true]);
   assert.equal(part.info.left_out >= blocks.length - 30, true);
@@ -455,20 +496,28 @@ test('playing goes on from a block that takes no time', { timeout: 180_000 }, as
     return { heard, last, at: api.current().seq };
   });
   assert.equal(seen.at, seen.last);
-  assert.ok(seen.heard.every((seq) => seq >= seen.last - 2), seen.heard.join(' '));
+  assert.ok(
+    seen.heard.every((seq) => seq >= seen.last - 2),
+    seen.heard.join(' '),
+  );
   await close();
 });
 
 test('what is not drawn is said', { timeout: 180_000 }, async () => {
   const said = async (file) => {
     const { tab, wrong, close } = await open(browser, file);
-    const found = await tab.evaluate(() => ({ title: document.querySelector('h1').textContent, notes: document.querySelector('.notes').textContent }));
+    const found = await tab.evaluate(() => ({
+      title: document.querySelector('h1').textContent,
+      notes: document.querySelector('.notes').textContent,
+    }));
     assert.deepEqual(wrong, []);
     await close();
     return found;
   };
   const axes = [...'XYZU'].map((letter) => `[[axes]]\nletter="${letter}"\nkind="linear"\n`).join('');
-  const other = await said(written('u', ['%6 "U"', 'N10 G17 G90 G0 X0 Y0 Z0 U0', 'N20 G1 U50 F100', 'N30 X10', 'N40 M30'], axes));
+  const other = await said(
+    written('u', ['%6 "U"', 'N10 G17 G90 G0 X0 Y0 Z0 U0', 'N20 G1 U50 F100', 'N30 X10', 'N40 M30'], axes),
+  );
   assert.match(other.notes, /axes U is not drawn/);
   const none = await said(written('none', LOOP, '', '--blocks', '0'));
   assert.match(none.notes, /none of the \d+ executed blocks/);
@@ -502,12 +551,18 @@ test('pictures look as before', { timeout: 180_000 }, async () => {
   const known = process.env.PICTURES === 'write' ? {} : JSON.parse(readFileSync(stored, 'utf8'));
   const made = {};
   for (const name of ['ok/flange.nc', 'ok/cam-surface.nc', 'ok/turned-shaft.nc']) {
-    for (const [scheme, plane, by] of [['light', 'iso', 'motion'], ['dark', 'XY', 'velocity']]) {
+    for (const [scheme, plane, by] of [
+      ['light', 'iso', 'motion'],
+      ['dark', 'XY', 'velocity'],
+    ]) {
       const { tab, close } = await open(browser, page(sample(name)), { scheme, width: 1000, height: 700 });
-      await tab.evaluate(([plane, by]) => {
-        window.cnc872c.view(plane);
-        window.cnc872c.colour(by);
-      }, [plane, by]);
+      await tab.evaluate(
+        ([plane, by]) => {
+          window.cnc872c.view(plane);
+          window.cnc872c.colour(by);
+        },
+        [plane, by],
+      );
       await drawn(tab);
       const key = `${name} ${scheme} ${plane} ${by}`;
       made[key] = await coarse(tab);
@@ -551,7 +606,10 @@ test('still pictures open, with every dot', { timeout: 180_000 }, async () => {
     yellow: document.querySelectorAll('.dot.yellow').length,
     numbers: [...document.querySelectorAll('text')].filter((text) => /^N\d+/.test(text.textContent)).length,
   }));
-  assert.deepEqual(seen.red, motions.filter((record) => record.joint.dot === 'red').map((record) => record.seq));
+  assert.deepEqual(
+    seen.red,
+    motions.filter((record) => record.joint.dot === 'red').map((record) => record.seq),
+  );
   assert.equal(seen.yellow, motions.filter((record) => record.joint.dot === 'yellow').length);
   assert.equal(seen.numbers > 0, seen.red.length > 0);
   await context.close();

@@ -32,7 +32,13 @@ export interface Api {
 
 const VIEWS = ['XY', 'XZ', 'YZ', 'ZX', 'iso', 'fit'];
 
-export function api(app: App, view: View, player: Player, setLanguage: (lang: Lang) => void, ready: Promise<void>): Api {
+export function api(
+  app: App,
+  view: View,
+  player: Player,
+  setLanguage: (lang: Lang) => void,
+  ready: Promise<void>,
+): Api {
   const indexOf = (seq: unknown, program = app.program): number | undefined => {
     const index = typeof seq === 'number' && Number.isInteger(seq) ? seq - program.from : -1;
     return index >= 0 && index < program.count ? index : undefined;

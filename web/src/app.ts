@@ -63,7 +63,15 @@ export class App {
   /** Rows of all executions of the block in hand, when all of them are shown; else nothing. */
   together: readonly number[] = [];
   colourBy: ColourBy = 'motion';
-  readonly shown: Shown = { red: true, yellow: true, numbers: true, equidistant: true, rapids: true, grid: true, old: true };
+  readonly shown: Shown = {
+    red: true,
+    yellow: true,
+    numbers: true,
+    equidistant: true,
+    rapids: true,
+    grid: true,
+    old: true,
+  };
   filter: Filter = { tools: new Set(), units: new Set(), from: 0, to: 0 };
   /** Units by what led to a block. */
   readonly #units = new Map<number, string>();

@@ -169,7 +169,10 @@ const TEXTS = {
   ],
   partNone: ['none of the {n} executed blocks is drawn', 'z provedených bloků ({n}) není nakreslen žádný'],
   part: ['blocks {from} to {to} of {n}', 'bloky {from} až {to} z {n}'],
-  notWhole: ['The program has errors: it is drawn as far as it was executed.', 'Program má chyby: je nakreslen, kam až byl proveden.'],
+  notWhole: [
+    'The program has errors: it is drawn as far as it was executed.',
+    'Program má chyby: je nakreslen, kam až byl proveden.',
+  ],
   notDrawn: ['The program has errors: nothing of it is drawn.', 'Program má chyby: nic z něj není nakresleno.'],
   stale: [
     'The program cannot be executed now: this is the path before the last change.',
@@ -220,7 +223,10 @@ const TEXTS = {
   mouseZoom: ['wheel: zoom', 'kolečko: přiblížit'],
   mousePick: ['click: the block of the line', 'klepnutí: blok čáry'],
   shapes: ['Signs', 'Značky'],
-  signRed: ['red, on its corner: continuity breaks, or the velocity drops', 'červená, na rohu: plynulost se přeruší nebo rychlost klesne'],
+  signRed: [
+    'red, on its corner: continuity breaks, or the velocity drops',
+    'červená, na rohu: plynulost se přeruší nebo rychlost klesne',
+  ],
   signYellow: ['yellow, round: blocks join continuously', 'žlutá, kruhová: bloky navazují plynule'],
   signDashed: ['dashed: rapid motion', 'čárkovaně: rychloposuv'],
   broken_start: ['first motion', 'první pohyb'],

@@ -94,7 +94,8 @@ function build(app: App): { view: View; player: Player; say: (lang: Lang) => voi
       ['measure', measure(app, view)],
       ['filter', filter(app)],
     ],
-    (key) => (key === 'findings' ? app.header.findings.length : key === 'changes' ? app.comparison!.compared.changes.length : 0),
+    (key) =>
+      key === 'findings' ? app.header.findings.length : key === 'changes' ? app.comparison!.compared.changes.length : 0,
   );
   app.on('data', details.tell);
   app.on('language', details.tell);
@@ -151,7 +152,8 @@ async function start(): Promise<void> {
   try {
     // A page that holds its data needs no editor, also in one.
     const around = document.getElementById('cnc872c-data') === null ? editor() : undefined;
-    const { data, place } = around === undefined ? { data: ownData('cnc872c-data')!, place: undefined } : await around.first();
+    const { data, place } =
+      around === undefined ? { data: ownData('cnc872c-data')!, place: undefined } : await around.first();
     const old = ownData('cnc872c-old');
     const app = new App(await unpack(data), old && (await unpack(old)));
     shown = app;

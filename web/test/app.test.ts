@@ -49,11 +49,24 @@ test('a pass in the middle of a loop is shown where it alone is chosen', async (
   app.filter.from = executions[2]!;
   app.filter.to = executions[2]! + 3;
   assert.equal(app.shownRows()[row], 1);
-  assert.deepEqual(app.program.executionsOfRow(row).filter((index) => !app.isHidden(index)), [executions[2]]);
+  assert.deepEqual(
+    app.program.executionsOfRow(row).filter((index) => !app.isHidden(index)),
+    [executions[2]],
+  );
 });
 
 test('all executions of a block are together until another block is taken', async () => {
-  const app = new App(await dataOf('N10 G0 G90 G17 X0 Y0 Z0', 'N20 G71 L1 Q4', 'N30 M30', 'N100 G79 L1', 'N110 G91 G1 X10 F100', 'N120 Y5', 'N130 G70'));
+  const app = new App(
+    await dataOf(
+      'N10 G0 G90 G17 X0 Y0 Z0',
+      'N20 G71 L1 Q4',
+      'N30 M30',
+      'N100 G79 L1',
+      'N110 G91 G1 X10 F100',
+      'N120 Y5',
+      'N130 G70',
+    ),
+  );
   app.follow({ file: 0, line: 6 });
   assert.equal(app.together.length, 4);
   app.stepPass(1);
@@ -87,7 +100,9 @@ test('a straight line shows how the velocity rises and falls', async () => {
   assert.equal(colours[0], colours[colours.length - 1], 'at rest at both ends');
   assert.ok(new Set(colours).size > 3);
   const longest = Array.from({ length: count }, (_, i) => first + i).reduce((best, chord) =>
-    lines.points[6 * chord + 3]! - lines.points[6 * chord]! > lines.points[6 * best + 3]! - lines.points[6 * best]! ? chord : best,
+    lines.points[6 * chord + 3]! - lines.points[6 * chord]! > lines.points[6 * best + 3]! - lines.points[6 * best]!
+      ? chord
+      : best,
   );
   assert.equal(lines.colours[2 * longest], lines.colours[2 * longest + 1], 'constant between');
   assert.notEqual(lines.colours[2 * longest], colours[0]);
@@ -95,7 +110,10 @@ test('a straight line shows how the velocity rises and falls', async () => {
 });
 
 test('every tool looks different', async () => {
-  const tools = Array.from({ length: 30 }, (_, i) => [`N${100 * (i + 1)} T${i + 1} M6`, `N${100 * (i + 1) + 10} G1 X${(i % 2) * 50} Y${i} F100`]);
+  const tools = Array.from({ length: 30 }, (_, i) => [
+    `N${100 * (i + 1)} T${i + 1} M6`,
+    `N${100 * (i + 1) + 10} G1 X${(i % 2) * 50} Y${i} F100`,
+  ]);
   const app = new App(await dataOf('N10 G17 G90 G0 X0 Y0 Z0 S100 M3', ...tools.flat(), 'N9000 M30'));
   const { lines, legend } = painted(app, 'tool');
   assert.ok(legend.kind === 'names');
@@ -109,7 +127,14 @@ test('every tool looks different', async () => {
 
 test('feeds that count different things have scales of their own', async () => {
   const app = new App(
-    await dataOf('N10 G17 G90 G0 X0 Y0 Z0 S100 M3', 'N20 G94 G1 X10 F100', 'N30 X20 F400', 'N40 G95 X30 F.06', 'N50 X40 F.3', 'N60 M30'),
+    await dataOf(
+      'N10 G17 G90 G0 X0 Y0 Z0 S100 M3',
+      'N20 G94 G1 X10 F100',
+      'N30 X20 F400',
+      'N40 G95 X30 F.06',
+      'N50 X40 F.3',
+      'N60 M30',
+    ),
   );
   const { legend } = painted(app, 'feed');
   assert.deepEqual(legend, {
@@ -124,11 +149,14 @@ test('feeds that count different things have scales of their own', async () => {
 test('motion of rotary axes alone is degrees a minute; without working motion there is no box of it', async () => {
   writeFileSync(
     path.join(folder, 'cnc872c.toml'),
-    [...'XYZ'].map((letter) => `[[axes]]\nletter="${letter}"\nkind="linear"\n`).join('') + '[[axes]]\nletter="C"\nkind="rotary"\n',
+    `${[...'XYZ'].map((letter) => `[[axes]]\nletter="${letter}"\nkind="linear"\n`).join('')}[[axes]]\nletter="C"\nkind="rotary"\n`,
   );
   try {
     const app = new App(await dataOf('N10 G17 G90 G0 X0 Y0 Z0 C0', 'N20 G0 X5 Y5', 'N30 C90', 'N40 X8 C95', 'N50 M30'));
-    assert.deepEqual([0, 1, 2, 3].map((index) => app.program.turns(app.program.rowOf(index))), [false, false, true, false]);
+    assert.deepEqual(
+      [0, 1, 2, 3].map((index) => app.program.turns(app.program.rowOf(index))),
+      [false, false, true, false],
+    );
     assert.equal(app.path.workingBox, undefined);
   } finally {
     rmSync(path.join(folder, 'cnc872c.toml'));

@@ -34,7 +34,10 @@ for (const [name, box] of BOXES) {
           assert.ok(underlay.colours.length < 600, `${underlay.colours.length} lines`);
           assert.ok(placed.length >= 2, `${width} ${zoom}: ${placed.length} numbers`);
           for (const { text, x, y } of placed) {
-            assert.ok(x >= 0 && y >= 11 && x + 6 * text.length <= width && y <= height, `${width} ${zoom}: ${text} ${x} ${y}`);
+            assert.ok(
+              x >= 0 && y >= 11 && x + 6 * text.length <= width && y <= height,
+              `${width} ${zoom}: ${text} ${x} ${y}`,
+            );
           }
         }
       }

@@ -82,7 +82,10 @@ test('the greatest feeds', () =>
     '[motion]\naccel-mm-s2 = 100000\naccel-continuous-mm-s2 = 100000\n',
     async (file) => {
       const records = stream('motion', file, '--format', 'json');
-      assert.ok(records!.some((record) => (record['programmed'] as number) > 5e5), 'in parts of a mm/min more than 32 bits hold');
+      assert.ok(
+        records!.some((record) => (record['programmed'] as number) > 5e5),
+        'in parts of a mm/min more than 32 bits hold',
+      );
       await check(file);
     },
   ));

@@ -286,7 +286,14 @@ test('CncFixAll mends what can be mended', function()
 end)
 
 test('formatting changes what is loose; the cursor and all other lines stay', function()
-  local loose = { '%4711 "test of an editor"', 'N10 G90 G00 X0 Y0', 'n20  g1 X10   F200', 'N30 X-  5', 'N40 X20 "ř  "  Y 5', 'N50 M30 "Neovim 0.7 wants it long"' }
+  local loose = {
+    '%4711 "test of an editor"',
+    'N10 G90 G00 X0 Y0',
+    'n20  g1 X10   F200',
+    'N30 X-  5',
+    'N40 X20 "ř  "  Y 5',
+    'N50 M30 "Neovim 0.7 wants it long"',
+  }
   vim.api.nvim_buf_set_lines(0, 0, -1, false, loose)
   vim.api.nvim_win_set_cursor(0, { 5, #'N40 X20 "ř  "  ' })
   local changed = {}
@@ -312,7 +319,8 @@ test('formatting changes what is loose; the cursor and all other lines stay', fu
 end)
 
 test('CncRenumber numbers the blocks anew, and the jumps to them', function()
-  local numbered = { '%4711 "test of an editor"', 'N1 G90 G0 X0 Y0', 'N2 G1 X10 F200', 'N7 X20', 'N9 G73 L7 Q2', 'N11 M30' }
+  local numbered =
+    { '%4711 "test of an editor"', 'N1 G90 G0 X0 Y0', 'N2 G1 X10 F200', 'N7 X20', 'N9 G73 L7 Q2', 'N11 M30' }
   vim.api.nvim_buf_set_lines(0, 0, -1, false, numbered)
   until_true('no findings', function()
     return #vim.diagnostic.get(0) == 0
@@ -380,7 +388,8 @@ end)
 test('references that a lens names go to the quickfix list', function()
   local uri = vim.uri_from_bufnr(0)
   local place = { start = { line = 3, character = 4 }, ['end'] = { line = 3, character = 7 } }
-  local command = { command = 'cnc872c.showReferences', arguments = { uri, place.start, { { uri = uri, range = place } } } }
+  local command =
+    { command = 'cnc872c.showReferences', arguments = { uri, place.start, { { uri = uri, range = place } } } }
   vim.lsp.commands['cnc872c.showReferences'](command, { client_id = plugin.client().id })
   local list = vim.fn.getqflist()
   equal({ #list, list[1].lnum, list[1].col }, { 1, 4, 5 })
@@ -399,7 +408,10 @@ test('blocks become comments and come back', function()
 end)
 
 test('no line that becomes a comment gets longer than 80 characters', function()
-  local before = { 'N20 G01 X1.125 Y2.250 Z3.375 F1000 S2000 M03 "hrubování kapsy, čtvrtý průchod, T7"', 'N30' .. (' X1'):rep(25) }
+  local before = {
+    'N20 G01 X1.125 Y2.250 Z3.375 F1000 S2000 M03 "hrubování kapsy, čtvrtý průchod, T7"',
+    'N30' .. (' X1'):rep(25),
+  }
   vim.cmd('enew')
   vim.api.nvim_buf_set_lines(0, 0, -1, false, before)
   plugin.toggle_comment(1, 2)
@@ -420,11 +432,12 @@ end)
 test('newer Neovims get the same as a configuration', function()
   local given, enabled
   local config, enable = vim.lsp.config, vim.lsp.enable
-  vim.lsp.config, vim.lsp.enable = function(name, table)
-    given = { name, table }
-  end, function(name)
-    enabled = name
-  end
+  vim.lsp.config, vim.lsp.enable =
+    function(name, table)
+      given = { name, table }
+    end, function(name)
+      enabled = name
+    end
   plugin.setup({ cmd = { 'server' }, settings = { dialect = 'cnc8x6', limits = { records = 5 } } })
   vim.lsp.config, vim.lsp.enable = config, enable
   equal({ given[1], enabled }, { 'cnc872c', 'cnc872c' })

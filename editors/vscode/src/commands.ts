@@ -77,7 +77,10 @@ function cursor(): { uri: vscode.Uri; position: vscode.Position } | undefined {
 }
 
 /** `[uri, position]` as a code lens has them; undefined for what a menu hands over. */
-function asPlace(server: Server, [uri, position]: unknown[]): { uri: vscode.Uri; position: vscode.Position } | undefined {
+function asPlace(
+  server: Server,
+  [uri, position]: unknown[],
+): { uri: vscode.Uri; position: vscode.Position } | undefined {
   const convert = server.client?.protocol2CodeConverter;
   if (convert === undefined || typeof uri !== 'string') {
     return undefined;

@@ -1,6 +1,6 @@
 // The extension as VS Code calls it: what starts, stops and is registered.
 
-import * as vscode from 'vscode';
+import type * as vscode from 'vscode';
 
 import { Server } from './client';
 import { registerCommands } from './commands';

@@ -44,7 +44,11 @@ export function asSelected(message: unknown): Place | undefined {
 }
 
 /** The page of the panel: nothing but the viewer, which comes with the extension, may run in it. */
-export function pageOf(viewer: { script: string; styles: string; source: string }, nonce: string, lang: string): string {
+export function pageOf(
+  viewer: { script: string; styles: string; source: string },
+  nonce: string,
+  lang: string,
+): string {
   const policy = [
     `default-src 'none'`,
     `script-src 'nonce-${nonce}'`,

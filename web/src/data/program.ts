@@ -205,7 +205,9 @@ export class Program {
   turnsBy(shape: number): boolean {
     const moved = (this.header.shapes[shape]!.m?.['axes'] ?? []) as string[];
     const { axes } = this.header.program;
-    return moved.length > 0 && moved.every((letter) => axes.some((axis) => axis.letter === letter && axis.kind === 'rotary'));
+    return (
+      moved.length > 0 && moved.every((letter) => axes.some((axis) => axis.letter === letter && axis.kind === 'rotary'))
+    );
   }
 
   /** What the velocities of a row count. */
@@ -445,7 +447,9 @@ export class Program {
       }
     }
     const first = this.#firstComment[block]!;
-    return Array.from({ length: own }, (_, place) => unquoted(this.comments.get(first + place))).filter((text) => text !== '');
+    return Array.from({ length: own }, (_, place) => unquoted(this.comments.get(first + place))).filter(
+      (text) => text !== '',
+    );
   }
 
   /** The parameters that a row writes. */
@@ -486,7 +490,12 @@ export class Program {
     const endU = this.positionOf(row, u) - this.positionOf(before, u) - toU;
     const endV = this.positionOf(row, v) - this.positionOf(before, v) - toV;
     // In whole millionths, so that an end on the ray of the start is found.
-    const [fromU, fromV, atU, atV] = [-toU, -toV, endU, endV].map((value) => Math.round(value * 1e6)) as [number, number, number, number];
+    const [fromU, fromV, atU, atV] = [-toU, -toV, endU, endV].map((value) => Math.round(value * 1e6)) as [
+      number,
+      number,
+      number,
+      number,
+    ];
     const cross = fromU * atV - fromV * atU;
     const dot = fromU * atU + fromV * atV;
     const clockwise = shape.m?.['type'] === 'arc_cw';

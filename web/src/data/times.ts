@@ -176,7 +176,11 @@ export class Times {
         const { cap_by: by } = code;
         const free = by === 'feed' || by === 'rapid';
         const length = by === 'shortest_block' ? this.#length(index) : 0;
-        const foretold = free ? this.#programmed.get(index) : by === 'shortest_block' ? Math.round(shortest * length) : limit;
+        const foretold = free
+          ? this.#programmed.get(index)
+          : by === 'shortest_block'
+            ? Math.round(shortest * length)
+            : limit;
         const cap = foretold + caps[nextCap]!;
         nextCap += 1;
         this.#cap.set(index, cap);
@@ -224,7 +228,10 @@ export class Times {
       if (modes[this.#code[index]!] === 1) {
         const before = timed[place - 1]!;
         const from = joint.get(before);
-        joint.set(index, Math.round(Math.sqrt(from * from + gained(this.#accel(this.#codeOf(before)), this.#length(before)))));
+        joint.set(
+          index,
+          Math.round(Math.sqrt(from * from + gained(this.#accel(this.#codeOf(before)), this.#length(before)))),
+        );
       }
     }
     for (let place = timed.length - 1; place >= 0; place -= 1) {

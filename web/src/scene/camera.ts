@@ -102,9 +102,7 @@ export class Camera {
 
   /** Moves the drawing by CSS pixels. */
   pan(x: number, y: number): void {
-    this.target = this.target.map(
-      (value, i) => value - (this.right[i]! * x - this.up[i]! * y) / this.scale,
-    ) as Vector;
+    this.target = this.target.map((value, i) => value - (this.right[i]! * x - this.up[i]! * y) / this.scale) as Vector;
   }
 
   /** Zooms about a point of the canvas. */

@@ -285,9 +285,15 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
       return { kind: 'names', items };
     }
     case 'tool':
-      return byName((row) => state(row, 'tool'), (tool) => (tool === null ? '' : `T${tool}`));
+      return byName(
+        (row) => state(row, 'tool'),
+        (tool) => (tool === null ? '' : `T${tool}`),
+      );
     case 'set':
-      return byName((row) => state(row, 'dynamic_set') ?? 1, (set) => String(set));
+      return byName(
+        (row) => state(row, 'dynamic_set') ?? 1,
+        (set) => String(set),
+      );
     case 'feed': {
       // What feeds count is told apart: a millimetre a revolution is not one a minute.
       const units = new Map<string, { low: number; high: number }>();
@@ -317,7 +323,10 @@ export function paint(app: App, lines: Lines, theme: Theme, by: ColourBy): Legen
         const { low, high } = range;
         return scaled((program.feed[row]! * scale - low) / (high > low ? high - low : 1), theme, order.indexOf(unit));
       });
-      return { kind: 'scale', scales: order.map((unit) => ({ from: units.get(unit)!.low, to: units.get(unit)!.high, unit })) };
+      return {
+        kind: 'scale',
+        scales: order.map((unit) => ({ from: units.get(unit)!.low, to: units.get(unit)!.high, unit })),
+      };
     }
     case 'depth': {
       const box = lines.path.workingBox ?? lines.path.box;

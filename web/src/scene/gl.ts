@@ -111,10 +111,22 @@ export class Gl implements Renderer {
     const y = -2 / h;
     const z = -1 / (reach || 1);
     return new Float32Array([
-      m[0]! * x, m[4]! * y, m[8]! * z, 0,
-      m[1]! * x, m[5]! * y, m[9]! * z, 0,
-      m[2]! * x, m[6]! * y, m[10]! * z, 0,
-      m[3]! * x - 1, m[7]! * y + 1, m[11]! * z * 0.5, 1,
+      m[0]! * x,
+      m[4]! * y,
+      m[8]! * z,
+      0,
+      m[1]! * x,
+      m[5]! * y,
+      m[9]! * z,
+      0,
+      m[2]! * x,
+      m[6]! * y,
+      m[10]! * z,
+      0,
+      m[3]! * x - 1,
+      m[7]! * y + 1,
+      m[11]! * z * 0.5,
+      1,
     ]);
   }
 
@@ -256,7 +268,12 @@ export class Gl implements Renderer {
     twgl.setBuffersAndAttributes(gl, this.#lineProgram, info);
     const flat = frame.matrix.slice();
     flat.fill(0, 8);
-    twgl.setUniforms(this.#lineProgram, { matrix: this.#matrix(flat, 1), scale: 0, dashes: DASHES.flat(), tint: [1, 1, 1, 1] });
+    twgl.setUniforms(this.#lineProgram, {
+      matrix: this.#matrix(flat, 1),
+      scale: 0,
+      dashes: DASHES.flat(),
+      tint: [1, 1, 1, 1],
+    });
     gl.drawArrays(gl.LINES, 0, points.length);
     for (const attribute of Object.values(info.attribs ?? {})) {
       gl.deleteBuffer(attribute.buffer ?? null);

@@ -25,10 +25,18 @@ export function roundStep(least: number): number {
   return power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
 }
 
-export function grid(box: Box, camera: Camera, theme: Theme, diameter = false): { underlay: Underlay; labels: GridLabel[] } {
+export function grid(
+  box: Box,
+  camera: Camera,
+  theme: Theme,
+  diameter = false,
+): { underlay: Underlay; labels: GridLabel[] } {
   const all: [number, number] = [-Infinity, Infinity];
   const towards = camera.towards;
-  const normal = [0, 1, 2].reduce((best, axis) => (Math.abs(towards[axis]!) > Math.abs(towards[best]!) + 1e-9 ? axis : best), 2);
+  const normal = [0, 1, 2].reduce(
+    (best, axis) => (Math.abs(towards[axis]!) > Math.abs(towards[best]!) + 1e-9 ? axis : best),
+    2,
+  );
   const level = towards[normal]! >= 0 ? box.min[normal]! : box.max[normal]!;
   const [a, b] = [0, 1, 2].filter((axis) => axis !== normal) as [number, number];
   const step = roundStep(56 / camera.scale);
@@ -56,7 +64,10 @@ export function grid(box: Box, camera: Camera, theme: Theme, diameter = false): 
   /** Positions along X are radii. */
   const number = (value: number, axis: number): string =>
     String(Number((value * step * (diameter && axis === 0 ? 2 : 1)).toPrecision(12)));
-  const over = ([lowA, highA]: [number, number], [lowB, highB]: [number, number]): { underlay: Underlay; labels: GridLabel[] } => {
+  const over = (
+    [lowA, highA]: [number, number],
+    [lowB, highB]: [number, number],
+  ): { underlay: Underlay; labels: GridLabel[] } => {
     const underlay: Underlay = { points: [], colours: [] };
     const labels: GridLabel[] = [];
     const line = (from: Vector, to: Vector, strong: boolean): void => {
@@ -80,7 +91,8 @@ export function grid(box: Box, camera: Camera, theme: Theme, diameter = false): 
     return { underlay, labels };
   };
   const found = over(within(range(a), seenA), within(range(b), seenB));
-  const isSeen = ({ at, far }: GridLabel): boolean => enters(camera.project(at), camera.project(far), camera) !== undefined;
+  const isSeen = ({ at, far }: GridLabel): boolean =>
+    enters(camera.project(at), camera.project(far), camera) !== undefined;
   // Where the box ends out of sight, as over a part of it, the grid goes on as far as can be seen.
   return found.labels.filter(isSeen).length >= 2 ? found : over(within(all, seenA), within(all, seenB));
 }

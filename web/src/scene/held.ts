@@ -44,7 +44,9 @@ export class Held {
     const tool = camera.project(path.at(row, view.share ?? 1));
     this.#over(view, places, (context) => {
       drawLine(view, context, places);
-      const length = places.slice(1).reduce((sum, at, i) => sum + Math.hypot(at.x - places[i]!.x, at.y - places[i]!.y), 0);
+      const length = places
+        .slice(1)
+        .reduce((sum, at, i) => sum + Math.hypot(at.x - places[i]!.x, at.y - places[i]!.y), 0);
       if (length > ARROW) {
         drawArrow(view, context, camera.project(path.at(row, 0.49)), camera.project(path.at(row, 0.5)));
       }
@@ -85,7 +87,10 @@ function drawLine({ theme }: View, context: CanvasRenderingContext2D, places: Po
     [3.2, theme.selection],
   ] as const) {
     context.beginPath();
-    places.forEach(({ x, y }, i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
+    for (const [i, { x, y }] of places.entries()) {
+      if (i === 0) context.moveTo(x, y);
+      else context.lineTo(x, y);
+    }
     context.lineWidth = width;
     context.strokeStyle = colour;
     context.stroke();

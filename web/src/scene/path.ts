@@ -128,8 +128,10 @@ export class Path {
   isKnown(row: number): boolean {
     const { program } = this;
     const before = program.before[row]!;
-    const ever = (axis: number): boolean => program.header.shapes.some((shape) => shape.k?.includes(program.letters[axis]!));
-    const known = (axis: number): boolean => axis < 0 || !ever(axis) || (program.isKnown(row, axis) && program.isKnown(before, axis));
+    const ever = (axis: number): boolean =>
+      program.header.shapes.some((shape) => shape.k?.includes(program.letters[axis]!));
+    const known = (axis: number): boolean =>
+      axis < 0 || !ever(axis) || (program.isKnown(row, axis) && program.isKnown(before, axis));
     return this.#axes.every(known);
   }
 

@@ -38,7 +38,11 @@ export function changes(app: App, comparison: Comparison, view: View): HTMLEleme
       const show = (): void => showChange(app, view, place);
       return h('li', { class: kind }, h('button', { type: 'button', 'data-change': place, onclick: show }, text));
     });
-    const further = h('button', { type: 'button', class: 'more', onclick: () => more() }, t('more', { n: count - listed }));
+    const further = h(
+      'button',
+      { type: 'button', class: 'more', onclick: () => more() },
+      t('more', { n: count - listed }),
+    );
     const list = h('ol', { 'aria-label': t('changes') }, ...items);
     rebuild(element, ...head, ...(count > 0 ? [list] : []), ...(count > listed ? [further] : []));
     mark();

@@ -17,8 +17,13 @@ const CAPS = 400;
 const LINES = 160;
 
 /** Steps between times on the axis, in seconds, and between blocks. */
-const SECONDS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14_400, 36_000, 86_400, 360_000];
-const COUNTS = [1, 2, 5].flatMap((lead) => Array.from({ length: 8 }, (_, power) => lead * 10 ** power)).sort((a, b) => a - b);
+const SECONDS = [
+  0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200,
+  14_400, 36_000, 86_400, 360_000,
+];
+const COUNTS = [1, 2, 5]
+  .flatMap((lead) => Array.from({ length: 8 }, (_, power) => lead * 10 ** power))
+  .sort((a, b) => a - b);
 const LABEL = '11px system-ui, sans-serif';
 
 /** A time on the axis: h:mm:ss, with as many decimals as the step has. */
@@ -195,7 +200,11 @@ export class Chart {
     }
     const { theme } = this.#view;
     const ink = theme.faint;
-    const axis = { stroke: ink, grid: { stroke: css(theme.gridLine), width: 1 }, ticks: { stroke: css(theme.gridStrong), width: 1 } };
+    const axis = {
+      stroke: ink,
+      grid: { stroke: css(theme.gridLine), width: 1 },
+      ticks: { stroke: css(theme.gridStrong), width: 1 },
+    };
     this.#plot = new uPlot(
       {
         width,
@@ -212,7 +221,8 @@ export class Chart {
             labelGap: 0,
             labelFont: LABEL,
             incrs: () => (this.#overTime ? SECONDS : COUNTS),
-            values: (_, ticks, __, ___, step) => ticks.map((tick) => (this.#overTime ? tickTime(tick, step) : local(tick, 0))),
+            values: (_, ticks, __, ___, step) =>
+              ticks.map((tick) => (this.#overTime ? tickTime(tick, step) : local(tick, 0))),
           },
           {
             ...axis,
@@ -227,7 +237,13 @@ export class Chart {
           {},
           { stroke: css(PROGRAMMED(theme)), width: 1.2, dash: [5, 4], spanGaps: false, points: { show: false } },
           { stroke: css(theme.kinds[2]!), width: 1, dash: [2, 3], spanGaps: false, points: { show: false } },
-          { stroke: css(theme.velocity), width: 1.6, spanGaps: false, points: { show: false }, fill: `${css(theme.velocity)}22` },
+          {
+            stroke: css(theme.velocity),
+            width: 1.6,
+            spanGaps: false,
+            points: { show: false },
+            fill: `${css(theme.velocity)}22`,
+          },
         ],
         hooks: {
           drawClear: [(plot) => this.#drawBlocks(plot)],

@@ -11,7 +11,8 @@ const LINE = 18;
 const TALLEST = 8_000_000;
 
 /** What words are, for their colours. */
-const WORD = /("[^"]*"?)|(N\s*\d*)|([GML]\s*[-+]?\d*)|([XYZABCUVWIJK]\s*=?\s*[-+]?(?:\d*\.?\d*|R\d+))|([FSTHPDQ]\s*=?\s*[-+]?(?:\d*\.?\d*|R\d+))|(R\s*\d+(?:\s*=?\s*[-+]?[\d.]+)?)|(%\s*\d*|\*|\/)/gi;
+const WORD =
+  /("[^"]*"?)|(N\s*\d*)|([GML]\s*[-+]?\d*)|([XYZABCUVWIJK]\s*=?\s*[-+]?(?:\d*\.?\d*|R\d+))|([FSTHPDQ]\s*=?\s*[-+]?(?:\d*\.?\d*|R\d+))|(R\s*\d+(?:\s*=?\s*[-+]?[\d.]+)?)|(%\s*\d*|\*|\/)/gi;
 const CLASSES = ['comment', 'number', 'function', 'axis', 'word', 'parameter', 'frame'];
 
 export class Code {
@@ -88,7 +89,8 @@ export class Code {
       lines.push(this.#line(line));
     }
     this.#lines.replaceChildren(...lines);
-    this.#lines.style.paddingTop = count > SHORT ? `${Math.min((first - 1) * height, count * height - (last - first + 1) * LINE)}px` : '0';
+    this.#lines.style.paddingTop =
+      count > SHORT ? `${Math.min((first - 1) * height, count * height - (last - first + 1) * LINE)}px` : '0';
     this.#mark();
   }
 
@@ -146,7 +148,11 @@ export class Code {
     const from = current === null ? undefined : this.#app.place(current);
     const block = from === undefined || from.file !== this.#file ? program.firstBlock[this.#file]! : from.block;
     const by = event.key === 'ArrowDown' ? 1 : -1;
-    for (let next = from === undefined ? block : block + by; next >= program.firstBlock[this.#file]! && next < program.firstBlock[this.#file + 1]!; next += by) {
+    for (
+      let next = from === undefined ? block : block + by;
+      next >= program.firstBlock[this.#file]! && next < program.firstBlock[this.#file + 1]!;
+      next += by
+    ) {
       const executions = program.executionsOf(next);
       if (executions.length > 0 && !executions.includes(current ?? -1)) {
         this.#app.select(executions[0]!);

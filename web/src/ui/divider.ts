@@ -6,7 +6,10 @@ import { h, labelled } from './dom.ts';
 const LEAST = 200;
 
 export function divider(main: HTMLElement): HTMLElement {
-  const edge = labelled(h('div', { class: 'divider', role: 'separator', 'aria-orientation': 'vertical', tabindex: 0 }), 'divider');
+  const edge = labelled(
+    h('div', { class: 'divider', role: 'separator', 'aria-orientation': 'vertical', tabindex: 0 }),
+    'divider',
+  );
   const side = (): number => main.getBoundingClientRect().right - edge.getBoundingClientRect().right;
   const put = (width: number): void => {
     const most = Math.max(main.clientWidth - LEAST, LEAST);

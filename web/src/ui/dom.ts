@@ -69,7 +69,10 @@ export function rebuild(element: HTMLElement, ...children: Node[]): void {
     return;
   }
   const now = controls(element);
-  const same = name === undefined ? now[Math.min(place, now.length - 1)] : now.find((control) => control.dataset['focus'] === name);
+  const same =
+    name === undefined
+      ? now[Math.min(place, now.length - 1)]
+      : now.find((control) => control.dataset['focus'] === name);
   (same ?? element.closest<HTMLElement>('[tabindex]'))?.focus({ preventScroll: true });
 }
 

@@ -24,13 +24,15 @@ export function filter(app: App): HTMLElement {
     }
     const sorted = [...tools].sort((a, b) => (a ?? -1) - (b ?? -1));
     const units = ['', ...new Set(header.calls.map((call) => `${call.by === 'G71' ? 'G71' : 'G72'} L${call.l}`))];
-    const toggle = <V>(hidden: Set<V>, value: V) => (on: boolean): void => {
-      if (on) {
-        hidden.delete(value);
-      } else {
-        hidden.add(value);
-      }
-    };
+    const toggle =
+      <V>(hidden: Set<V>, value: V) =>
+      (on: boolean): void => {
+        if (on) {
+          hidden.delete(value);
+        } else {
+          hidden.add(value);
+        }
+      };
     const number = (end: 'from' | 'to'): HTMLInputElement => {
       const input = h('input', {
         type: 'number',
@@ -58,13 +60,17 @@ export function filter(app: App): HTMLElement {
         'fieldset',
         {},
         h('legend', {}, t('tools')),
-        ...sorted.map((tool) => box(tool === null ? t('noTool') : `T${tool}`, !filter.tools.has(tool), toggle(filter.tools, tool))),
+        ...sorted.map((tool) =>
+          box(tool === null ? t('noTool') : `T${tool}`, !filter.tools.has(tool), toggle(filter.tools, tool)),
+        ),
       ),
       h(
         'fieldset',
         {},
         h('legend', {}, t('units')),
-        ...units.map((unit) => box(unit === '' ? t('mainProgram') : unit, !filter.units.has(unit), toggle(filter.units, unit))),
+        ...units.map((unit) =>
+          box(unit === '' ? t('mainProgram') : unit, !filter.units.has(unit), toggle(filter.units, unit)),
+        ),
       ),
       h('fieldset', {}, h('legend', {}, t('range')), number('from'), ' – ', number('to')),
       h('button', { type: 'button', 'data-focus': 'reset', onclick: reset }, t('reset')),

@@ -10,7 +10,10 @@ export function words(app: App, index: number): string {
   const { program } = app;
   const row = program.rowOf(index);
   const record = program.record(index);
-  const parts = [`N${program.n[program.block[row]!]!}`, t(String((record['motion'] as { type?: string } | undefined)?.type) as Key)];
+  const parts = [
+    `N${program.n[program.block[row]!]!}`,
+    t(String((record['motion'] as { type?: string } | undefined)?.type) as Key),
+  ];
   if (app.path.kind(row) !== 0 && typeof record['feed'] === 'number') {
     const scale = typeof record['feed_scale'] === 'number' ? ` × ${local(record['feed_scale'])}` : '';
     parts.push(`F ${local(record['feed'], 3)}${scale} ${String(record['feed_unit'] ?? '')}`.trimEnd());

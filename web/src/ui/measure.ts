@@ -44,10 +44,19 @@ export function measure(app: App, view: View): HTMLElement {
     distance.append(
       h(
         'button',
-        { type: 'button', 'data-focus': 'pick', 'aria-pressed': String(view.onPoint !== undefined), onclick: pickPoints },
+        {
+          type: 'button',
+          'data-focus': 'pick',
+          'aria-pressed': String(view.onPoint !== undefined),
+          onclick: pickPoints,
+        },
         t('pickPoints'),
       ),
-      h('button', { type: 'button', 'data-focus': 'clear', onclick: clear, ...idle(measured.length === 0) }, t('clear')),
+      h(
+        'button',
+        { type: 'button', 'data-focus': 'clear', onclick: clear, ...idle(measured.length === 0) },
+        t('clear'),
+      ),
     );
     rebuild(element, distance, stretchPart(), box('boxWorking', path.workingBox), box('boxAll', path.box));
   };
@@ -98,8 +107,16 @@ export function measure(app: App, view: View): HTMLElement {
       section.append(h('dl', {}, ...rows.flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)])));
     }
     section.append(
-      h('button', { type: 'button', 'data-focus': 'from', onclick: set('from'), ...idle(app.current === null) }, t('setFrom')),
-      h('button', { type: 'button', 'data-focus': 'to', onclick: set('to'), ...idle(app.current === null) }, t('setTo')),
+      h(
+        'button',
+        { type: 'button', 'data-focus': 'from', onclick: set('from'), ...idle(app.current === null) },
+        t('setFrom'),
+      ),
+      h(
+        'button',
+        { type: 'button', 'data-focus': 'to', onclick: set('to'), ...idle(app.current === null) },
+        t('setTo'),
+      ),
     );
     return section;
   };

@@ -80,12 +80,21 @@ export class State {
   #head(record: Fields): HTMLElement {
     const { header } = this.#app;
     const file = header.files[record['file'] as number]!;
-    const heading = h('p', { class: 'which' }, h('strong', {}, `N${String(record['n'])}`), ` · seq ${String(record['seq'])} · ${file.name}:${String(record['line'])}`);
+    const heading = h(
+      'p',
+      { class: 'which' },
+      h('strong', {}, `N${String(record['n'])}`),
+      ` · seq ${String(record['seq'])} · ${file.name}:${String(record['line'])}`,
+    );
     const children: Node[] = [heading];
     const calls = (record['calls'] ?? []) as Fields[];
     if (calls.length > 0) {
       const items = calls.map((call) =>
-        h('li', {}, `N${String(call['n'])} ${String(call['by'])} L${String(call['l'])}, ${t('pass')} ${String(call['pass'])} ${t('of')} ${String(call['of'])}`),
+        h(
+          'li',
+          {},
+          `N${String(call['n'])} ${String(call['by'])} L${String(call['l'])}, ${t('pass')} ${String(call['pass'])} ${t('of')} ${String(call['of'])}`,
+        ),
       );
       children.push(h('ol', { class: 'calls', 'aria-label': t('calls') }, ...items));
     }
@@ -93,14 +102,37 @@ export class State {
     if (passes.length > 0) {
       const before = passes.filter((seq) => seq < (record['seq'] as number)).length;
       const text = t('executionOf', { i: before + 1, n: passes.length + 1 });
-      const step = (by: number): (() => void) => () => this.#app.stepPass(by);
+      const step =
+        (by: number): (() => void) =>
+        () =>
+          this.#app.stepPass(by);
       children.push(
         h(
           'p',
           { class: 'passes' },
-          h('button', { type: 'button', 'data-focus': 'previous', 'aria-label': t('previousPass'), onclick: step(-1), ...idle(before === 0) }, '['),
+          h(
+            'button',
+            {
+              type: 'button',
+              'data-focus': 'previous',
+              'aria-label': t('previousPass'),
+              onclick: step(-1),
+              ...idle(before === 0),
+            },
+            '[',
+          ),
           ` ${text} `,
-          h('button', { type: 'button', 'data-focus': 'next', 'aria-label': t('nextPass'), onclick: step(1), ...idle(before === passes.length) }, ']'),
+          h(
+            'button',
+            {
+              type: 'button',
+              'data-focus': 'next',
+              'aria-label': t('nextPass'),
+              onclick: step(1),
+              ...idle(before === passes.length),
+            },
+            ']',
+          ),
         ),
       );
     }
@@ -132,7 +164,11 @@ export class State {
     const { program } = this.#app;
     const { seq, file, line, block } = this.#app.place(index);
     const title = `seq ${seq}, ${this.#app.header.files[file]!.name}:${line}`;
-    return h('button', { type: 'button', class: 'link', title, onclick: () => this.#app.select(index) }, `N${program.n[block]!}`);
+    return h(
+      'button',
+      { type: 'button', class: 'link', title, onclick: () => this.#app.select(index) },
+      `N${program.n[block]!}`,
+    );
   }
 
   #functions(_: Fields, key: Key, letter: string, values: (number | null)[], written: Set<number>): HTMLElement {
@@ -141,7 +177,10 @@ export class State {
     const writers = this.#app.history.writers(this.#app.current!, names);
     const cells = inForce.map((value) => {
       const writer = writers.get(`${letter}${value}`);
-      const by = writer === undefined ? t('powerUp') : `${t('writtenBy')} N${this.#app.program.n[this.#app.place(writer).block]!}`;
+      const by =
+        writer === undefined
+          ? t('powerUp')
+          : `${t('writtenBy')} N${this.#app.program.n[this.#app.place(writer).block]!}`;
       const name = `${letter}${two(value)}`;
       const attributes = { class: written.has(value) ? 'chip written' : 'chip', title: by };
       return writer === undefined
@@ -251,7 +290,10 @@ export class State {
   /** The parameters that the program has written so far. */
   #parameters(): HTMLElement | null {
     const found = this.#app.history.parameters(this.#app.current!);
-    const rows = found.flatMap(([name, value, index]) => [h('dt', {}, name), h('dd', {}, `${value} `, this.#link(index))]);
+    const rows = found.flatMap(([name, value, index]) => [
+      h('dt', {}, name),
+      h('dd', {}, `${value} `, this.#link(index)),
+    ]);
     return rows.length === 0 ? null : this.#section('parameters', h('dl', {}, ...rows));
   }
 
@@ -259,7 +301,9 @@ export class State {
   #ahead(): HTMLElement | null {
     const { history, program, times } = this.#app;
     const index = this.#app.current!;
-    const rows: [Key, string | HTMLElement][] = [['blocksLeft', local(this.#app.header.blocks - program.from - index - 1, 0)]];
+    const rows: [Key, string | HTMLElement][] = [
+      ['blocksLeft', local(this.#app.header.blocks - program.from - index - 1, 0)],
+    ];
     if (times !== undefined) {
       rows.push(['timeLeft', clock(Math.max(times.total - times.startOf(index) - times.durationOf(index), 0))]);
     }
@@ -282,13 +326,22 @@ export class State {
     const name = this.#app.header.program.name;
     const quoted = /^[\w./+-]+$/.test(name) ? name : `"${name}"`;
     const command = `cnc872c restart ${quoted} --seq ${String(record['seq'])}`;
-    const told = h('div', { class: 'command', hidden: !this.#starts }, h('p', {}, t('restartHow')), h('code', {}, command));
+    const told = h(
+      'div',
+      { class: 'command', hidden: !this.#starts },
+      h('p', {}, t('restartHow')),
+      h('code', {}, command),
+    );
     const toggle = (): void => {
       this.#starts = !this.#starts;
       told.hidden = !this.#starts;
       button.setAttribute('aria-expanded', String(this.#starts));
     };
-    const button = h('button', { type: 'button', 'data-focus': 'restart', 'aria-expanded': String(this.#starts), onclick: toggle }, t('restart'));
+    const button = h(
+      'button',
+      { type: 'button', 'data-focus': 'restart', 'aria-expanded': String(this.#starts), onclick: toggle },
+      t('restart'),
+    );
     return h('section', { class: 'restart' }, button, told);
   }
 }

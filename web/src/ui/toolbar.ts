@@ -1,6 +1,6 @@
 // The bar above the path: views, colours, what is shown, language, help.
 
-import { type App, type ColourBy, type Shown } from '../app.ts';
+import type { App, ColourBy, Shown } from '../app.ts';
 import { type Key, language, t } from '../i18n.ts';
 import { css } from '../scene/colours.ts';
 import type { Standard, View } from '../scene/view.ts';
@@ -78,7 +78,17 @@ export function toolbar(app: App, view: View, setLanguage: (lang: 'en' | 'cs') =
   });
   const languages = (['en', 'cs'] as const).map((lang) => {
     const name = lang === 'en' ? 'English' : 'Čeština';
-    const button = h('button', { type: 'button', lang, title: name, 'aria-label': `${lang.toUpperCase()}: ${name}`, onclick: () => setLanguage(lang) }, lang.toUpperCase());
+    const button = h(
+      'button',
+      {
+        type: 'button',
+        lang,
+        title: name,
+        'aria-label': `${lang.toUpperCase()}: ${name}`,
+        onclick: () => setLanguage(lang),
+      },
+      lang.toUpperCase(),
+    );
     const press = (): void => button.setAttribute('aria-pressed', String(language() === lang));
     press();
     app.on('language', press);
@@ -173,7 +183,9 @@ export function legend(app: App, view: View): HTMLElement {
   };
   /** What is so only now. The bar has room for it always, so that the picture keeps its size. */
   const tellNow = (): void => {
-    const said = [facts.yellowHidden ? t('yellowLater') : '', facts.thinned ? t('thinned') : ''].filter((text) => text !== '');
+    const said = [facts.yellowHidden ? t('yellowLater') : '', facts.thinned ? t('thinned') : ''].filter(
+      (text) => text !== '',
+    );
     now.textContent = said.join(' · ');
   };
   view.onLegend = tell;

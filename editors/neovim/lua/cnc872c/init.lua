@@ -48,7 +48,8 @@ end
 local function head(text, room)
   local length, width, blank = 0, 0, 0
   while length < #text do
-    local unit = text:match('^%^[%^\']', length + 1) or text:match('^[%z\1-\127\194-\244][\128-\191]*', length + 1)
+    local unit = text:match("^%^[%^']", length + 1)
+      or text:match('^[%z\1-\127\194-\244][\128-\191]*', length + 1)
       or text:sub(length + 1, length + 1)
     width = width + vim.fn.strchars(unit)
     if width > room then
@@ -82,7 +83,7 @@ end
 -- Adds the line that became that comment to `lines`, or to the last of them.
 local function switch_on(line, lines, goes_on)
   local indent, inside, rest, more = switched_off(line)
-  local text = inside:gsub('%^?[%^\']', { ['^^'] = '^', ["^'"] = "'", ["'"] = '"' }) .. rest
+  local text = inside:gsub("%^?[%^']", { ['^^'] = '^', ["^'"] = "'", ["'"] = '"' }) .. rest
   if more and goes_on then
     lines[#lines] = lines[#lines] .. text
   else

@@ -104,7 +104,12 @@ export async function openEditor({ files, settings, language, first }) {
     throw new Error(`the extension cannot be installed: ${installed.stdout}${installed.stderr}`);
   }
   const port = await freePort();
-  const quietly = ['--disable-telemetry', '--disable-update-check', '--disable-workspace-trust', '--disable-getting-started-override'];
+  const quietly = [
+    '--disable-telemetry',
+    '--disable-update-check',
+    '--disable-workspace-trust',
+    '--disable-getting-started-override',
+  ];
   const server = spawn(
     process.execPath,
     [entry, ...common, '--auth', 'none', '--bind-addr', `127.0.0.1:${port}`, ...quietly],

@@ -21,7 +21,13 @@ const results = { passed: 0, failed: 0, skipped: 0 };
 function capabilities() {
   return new Promise((resolve, reject) => {
     const server = spawn(program, ['lsp'], { stdio: ['pipe', 'pipe', 'ignore'] });
-    const params = { processId: null, rootUri: null, capabilities: { textDocument: { codeAction: { codeActionLiteralSupport: { codeActionKind: { valueSet: [] } } } } } };
+    const params = {
+      processId: null,
+      rootUri: null,
+      capabilities: {
+        textDocument: { codeAction: { codeActionLiteralSupport: { codeActionKind: { valueSet: [] } } } },
+      },
+    };
     const message = JSON.stringify({ jsonrpc: '2.0', id: 1, method: 'initialize', params });
     let answer = '';
     server.on('error', reject);
@@ -154,7 +160,10 @@ try {
     await editor.openFile('plate.nc');
     await squiggles().nth(1).waitFor({ timeout: 30_000 });
     await page.keyboard.press('Control+Shift+KeyM');
-    await page.locator('.markers-panel a', { hasText: 'E0104' }).first().click({ modifiers: ['Control'] });
+    await page
+      .locator('.markers-panel a', { hasText: 'E0104' })
+      .first()
+      .click({ modifiers: ['Control'] });
     // The page is shown as a page, not as its source.
     await page.waitForSelector('.tab[aria-label*="E0104"]', { timeout: 20_000 });
     await page.locator('iframe.webview').first().waitFor({ timeout: 20_000 });

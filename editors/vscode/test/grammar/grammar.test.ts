@@ -40,8 +40,7 @@ async function load(): Promise<IGrammar> {
       createOnigScanner: (patterns) => new oniguruma.OnigScanner(patterns),
       createOnigString: (text) => new oniguruma.OnigString(text),
     }),
-    loadGrammar: (): Promise<IRawGrammar> =>
-      Promise.resolve(parseRawGrammar(readFileSync(GRAMMAR, 'utf8'), GRAMMAR)),
+    loadGrammar: (): Promise<IRawGrammar> => Promise.resolve(parseRawGrammar(readFileSync(GRAMMAR, 'utf8'), GRAMMAR)),
   });
   const grammar = await registry.loadGrammar('source.cnc872');
   assert.ok(grammar);

@@ -31,7 +31,10 @@ test('each line of a selection', () => {
 });
 
 test('no line gets longer than 80 characters (LEX-7)', () => {
-  const long = ['N10 G01 X1.125 Y2.250 Z3.375 F1000 S2000 M03 M08 "hrubovani kapsy, posledni T7"', `N20 "${"'^".repeat(37)}`];
+  const long = [
+    'N10 G01 X1.125 Y2.250 Z3.375 F1000 S2000 M03 M08 "hrubovani kapsy, posledni T7"',
+    `N20 "${"'^".repeat(37)}`,
+  ];
   for (const line of [...long, `N30 X1  "${'x'.repeat(71)}"`, `N40 "${'ž'.repeat(73)}  `]) {
     const off = switchOff(line).split('\n');
     assert.ok(off.length > 1, line);

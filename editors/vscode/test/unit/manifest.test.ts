@@ -56,7 +56,15 @@ test('first lines of programs and macrocycles', () => {
   for (const line of ['%1', '%306 "two targets"', '  % 42', '%', 'N10 G79 L9001', 'n1g079', ' N 1  G79 L5']) {
     assert.equal(first.test(line), !line.includes('g079'), line);
   }
-  for (const line of ['%PDF-1.7', '%!PS-Adobe-3.0', '% a comment of TeX', 'N10 G0 X0', 'N10 G790', '"drawing"', '#!/bin/sh']) {
+  for (const line of [
+    '%PDF-1.7',
+    '%!PS-Adobe-3.0',
+    '% a comment of TeX',
+    'N10 G0 X0',
+    'N10 G790',
+    '"drawing"',
+    '#!/bin/sh',
+  ]) {
     assert.ok(!first.test(line), line);
   }
 });

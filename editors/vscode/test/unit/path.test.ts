@@ -21,7 +21,13 @@ test('answers of the server', () => {
 
 test('what the page says', () => {
   assert.deepEqual(asSelected({ cnc872c: 'select', detail: { seq: 7, file: 1, line: 12 } }), { file: 1, line: 12 });
-  for (const wrong of [null, {}, { cnc872c: 'ready' }, { cnc872c: 'select' }, { cnc872c: 'select', detail: { file: 'x' } }]) {
+  for (const wrong of [
+    null,
+    {},
+    { cnc872c: 'ready' },
+    { cnc872c: 'select' },
+    { cnc872c: 'select', detail: { file: 'x' } },
+  ]) {
     assert.equal(asSelected(wrong), undefined);
   }
 });

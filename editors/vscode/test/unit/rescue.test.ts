@@ -39,7 +39,9 @@ class Document {
 function editor(configured: string | undefined, answer?: string): Editor<Document> {
   return {
     read: async (document) => document.disk,
-    write: async (document, bytes) => void (document.disk = Buffer.from(bytes)),
+    write: async (document, bytes) => {
+      document.disk = Buffer.from(bytes);
+    },
     decode: async (bytes, encoding) => iconv.decode(Buffer.from(bytes), encoding),
     encode: async (text, encoding) => Buffer.from(iconv.encode(text, encoding)),
     configured: () => configured,

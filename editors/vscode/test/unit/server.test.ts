@@ -6,7 +6,12 @@ import { test } from 'node:test';
 import { type Machine, findServer } from '../../src/server';
 
 function machine(programs: string[], env: Machine['env'] = {}, platform: NodeJS.Platform = 'linux'): Machine {
-  return { platform, env, home: platform === 'win32' ? 'C:\\Home' : '/user', isProgram: (file) => programs.includes(file) };
+  return {
+    platform,
+    env,
+    home: platform === 'win32' ? 'C:\\Home' : '/user',
+    isProgram: (file) => programs.includes(file),
+  };
 }
 
 const wishes = { setting: null, extension: '/extension', workspace: '/programs' };

@@ -12,7 +12,10 @@ test('what is not set is null', () => {
   assert.deepEqual(unset['limits'], { records: null });
   assert.ok(Object.values(unset).every((value) => value === null || typeof value === 'object'));
   const empty: Record<string, unknown> = { macrocycles: [], parameters: {}, dialect: '', lints: {} };
-  assert.deepEqual(serverSettings((name) => empty[name]), unset);
+  assert.deepEqual(
+    serverSettings((name) => empty[name]),
+    unset,
+  );
 });
 
 test('what is set goes through as it is', () => {
