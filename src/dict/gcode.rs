@@ -106,6 +106,7 @@ macro_rules! g_functions {
             pub const ALL: &'static [Self] = &[$(Self::$variant),*];
 
             /// The function of that number; `None` when it is in no group (GRP-1).
+            #[inline]
             pub const fn from_number(number: u8) -> Option<Self> {
                 match number {
                     $($number => Some(Self::$variant),)*
@@ -114,16 +115,19 @@ macro_rules! g_functions {
             }
 
             /// Its number.
+            #[inline]
             pub const fn number(self) -> u8 {
                 self as u8
             }
 
             /// Its group.
+            #[inline]
             pub const fn group(self) -> GGroup {
                 match self { $(Self::$variant => GGroup::$group,)* }
             }
 
             /// How long it holds.
+            #[inline]
             pub const fn lasting(self) -> Lasting {
                 match self { $(Self::$variant => Lasting::$lasting,)* }
             }
@@ -221,11 +225,13 @@ impl GCode {
     }
 
     /// Whether it is one of the fixed cycles G81–G89.
+    #[inline]
     pub const fn is_cycle(self) -> bool {
         self.number() >= 81 && self.number() <= 89
     }
 
     /// Whether its block's axis words are data of a table or transformation, and nothing moves (GRP-4).
+    #[inline]
     pub const fn makes_words_data(self) -> bool {
         matches!(self, Self::G92 | Self::G93 | Self::G31 | Self::G35 | Self::G36 | Self::G37 | Self::G38 | Self::G39)
     }
@@ -261,11 +267,13 @@ impl GCode {
     }
 
     /// Whether it calls or jumps: G71, G72, G73.
+    #[inline]
     pub const fn is_flow(self) -> bool {
         matches!(self, Self::G71 | Self::G72 | Self::G73)
     }
 
     /// Whether it names a unit or a block by L: G71, G72, G73, G79.
+    #[inline]
     pub const fn takes_l(self) -> bool {
         self.is_flow() || matches!(self, Self::G79)
     }

@@ -74,7 +74,7 @@ impl Flow<'_, '_> {
             let machine = words.iter().any(|word| word.address == Address::G && self.is_of_machine(*word));
             return if machine { Next::Halt } else { self.lose(None) };
         }
-        let roles = if words.g.is_empty() { Roles::default() } else { words.roles() };
+        let roles = if words.written(GGroup::G7).is_some() { words.roles() } else { Roles::default() };
         let flow = roles.flow();
         if let Some(cycle) = self.mapped_cycle(moved) {
             if ends {

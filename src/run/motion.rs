@@ -68,8 +68,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, block: &mut Block) -
         warnings::check_motion(site, state, words, g, kind == MotionType::Thread);
     }
     let reading = Reading::of(site.machine(), state, g);
-    travels.clear();
-    travels.extend(words.axis_words().filter_map(|(axis, word)| reading.travel(site.machine(), state, axis, word)));
+    reading.travels(site.machine(), state, words, travels);
     spindle::check(site, state, travels);
     let plane = if kind.is_arc() { planes::axes_of(&site.machine().axes, planes::in_force(g)) } else { None };
     let stale = settle_origin(state, travels, plane);
@@ -120,8 +119,7 @@ fn apply_unmapped_cycle(site: &mut Site<'_>, state: &mut State, block: &mut Bloc
         report_unmodelled(site, state, cycle, at);
     }
     let reading = Reading::of(site.machine(), state, g);
-    travels.clear();
-    travels.extend(words.axis_words().filter_map(|(axis, word)| reading.travel(site.machine(), state, axis, word)));
+    reading.travels(site.machine(), state, words, travels);
     spindle::check(site, state, travels);
     for (axis, valued) in words.axis_words() {
         state.set_position(axis, Position::Undetermined);

@@ -108,7 +108,7 @@ fn read_g(site: &mut Site<'_>, state: &mut State, words: &mut BlockWords, word: 
         return;
     }
     if !words.clashes.has(code.group()) {
-        words.g.push((code, word));
+        words.push_g(code, word);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::block::InForce;
 use super::state::{Position, State};
-use super::words::Valued;
+use super::words::{BlockWords, Valued};
 use crate::config::{Axis, Machine};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
 use crate::syntax::Word;
@@ -55,6 +55,16 @@ impl Reading {
     pub(super) fn coordinate(self, axis: usize, value: Decimal) -> Micro {
         let value = Micro::from(value);
         if self.diameter == Some(axis) { value.half() } else { value }
+    }
+
+    /// How the axis words of a block move their axes. `travels` is reused for all blocks.
+    pub(super) fn travels(self, machine: &Machine, state: &State, words: &BlockWords, travels: &mut Vec<Travel>) {
+        travels.clear();
+        for (axis, valued) in words.axis_words() {
+            if let Some(travel) = self.travel(machine, state, axis, valued) {
+                travels.push(travel);
+            }
+        }
     }
 
     /// How an axis word moves its axis from where the state has it.

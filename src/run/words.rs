@@ -34,6 +34,8 @@ pub(super) struct BlockWords {
     pub(super) q: Option<Valued>,
     /// In written order.
     pub(super) g: Vec<(GCode, Word)>,
+    /// The groups of these.
+    g_groups: Groups,
     pub(super) m: Vec<(u8, Word)>,
     /// R words, in written order.
     pub(super) r: Vec<Word>,
@@ -71,6 +73,7 @@ impl BlockWords {
             l,
             q,
             g,
+            g_groups,
             m,
             r,
             unknown_g,
@@ -90,7 +93,7 @@ impl BlockWords {
         m.clear();
         r.clear();
         (*unknown_g, *malformed_g, *malformed_m, *parametric_g) = (false, false, false, false);
-        (*clashes, *lasting_clashes) = (Groups::default(), Groups::default());
+        (*g_groups, *clashes, *lasting_clashes) = Default::default();
         m_clashes.clear();
     }
 
@@ -102,15 +105,29 @@ impl BlockWords {
             self.lasting_clashes = self.lasting_clashes.with(group);
         }
         self.g.retain(|(code, _)| code.group() != group);
+        self.g_groups = self.g_groups.without(group);
+    }
+
+    /// Takes a G word of a group of which none is written yet.
+    pub(super) fn push_g(&mut self, code: GCode, word: Word) {
+        self.g.push((code, word));
+        self.g_groups = self.g_groups.with(code.group());
     }
 
     /// The function of a group written in this block.
+    #[inline]
     pub(super) fn written(&self, group: GGroup) -> Option<(GCode, Word)> {
-        self.g.iter().copied().find(|(code, _)| code.group() == group)
+        if self.g_groups.has(group) { self.find(|code| code.group() == group) } else { None }
     }
 
+    /// The word that writes a function.
+    #[inline]
     pub(super) fn has(&self, code: GCode) -> Option<Word> {
-        self.g.iter().find(|(written, _)| *written == code).map(|(_, word)| *word)
+        if self.g_groups.has(code.group()) { self.find(|written| written == code).map(|(_, word)| word) } else { None }
+    }
+
+    fn find(&self, wanted: impl Fn(GCode) -> bool) -> Option<(GCode, Word)> {
+        self.g.iter().copied().find(|(code, _)| wanted(*code))
     }
 
     /// The first written function that makes the words data (GRP-4).
