@@ -1,12 +1,12 @@
-"""Times the Python package: a million blocks from a file to a polars frame, beside nc-gcode-interpreter, and an archive.
+"""Times the Python package: a program from its file to a polars frame, beside nc-gcode-interpreter, and an archive.
 
     pip install . polars nc-gcode-interpreter
     cargo run --release --example generate -- cam 1000000 > cam.nc
-    python benches/python.py cam.nc                  # frames
-    python benches/python.py cam.nc --archive 100000 # with `stats` of so many programs of 500 blocks, twice; 16 kB each
+    python benches/python.py cam.nc                     # frames
+    python benches/python.py cam.nc --archive 100000    # also `stats` of so many programs of 500 blocks; 16 kB each
 
-Each call is a process of its own; the calls take turns, and the least figures count. The other reader gets the program without its
-title and the `*` at the end, which it does not know. Processor time counts on a busy machine.
+Each call is a process. The calls take turns, and the least figures count; on a busy machine look at the processor time.
+The other reader gets the program without its title and the `*` at the end, which it does not know.
 """
 
 from __future__ import annotations
@@ -19,7 +19,10 @@ import time
 from pathlib import Path
 
 FRAME = "import cnc872c, sys; frame = cnc872c.compile(sys.argv[1]).to_polars(); assert len(frame) > 0"
-PEER = "import nc_gcode_interpreter as peer, sys; frame, _ = peer.nc_to_dataframe(open(sys.argv[1])); assert len(frame) > 0"
+PEER = (
+    "import nc_gcode_interpreter as peer, sys; "
+    "frame, _ = peer.nc_to_dataframe(open(sys.argv[1])); assert len(frame) > 0"
+)
 START = "import cnc872c, polars"
 
 
@@ -27,7 +30,8 @@ def run(arguments: list[str]) -> tuple[float, float, float]:
     """Seconds, seconds of processor, megabytes of a process."""
     begin = time.perf_counter()
     null = os.open(os.devnull, os.O_WRONLY)
-    child = os.posix_spawn(sys.executable, [sys.executable, *arguments], os.environ, file_actions=[(os.POSIX_SPAWN_DUP2, null, 1)])
+    to_nowhere = [(os.POSIX_SPAWN_DUP2, null, 1)]
+    child = os.posix_spawn(sys.executable, [sys.executable, *arguments], os.environ, file_actions=to_nowhere)
     _, status, used = os.wait4(child, 0)
     os.close(null)
     assert status == 0, arguments
@@ -45,7 +49,8 @@ def archive(folder: Path, programs: int) -> None:
     for number in range(programs):
         place = folder / f"{number // 500:03}"
         place.mkdir(exist_ok=True)
-        lines = [f'%{number % 99_999 + 1} "PART {number}"', f"N1 G54 G17 G90 G94 T{number % 30 + 1} M06", "N2 S1000 M03", "N3 G01 F600"]
+        lines = [f'%{number % 99_999 + 1} "PART {number}"', f"N1 G54 G17 G90 G94 T{number % 30 + 1} M06"]
+        lines += ["N2 S1000 M03", "N3 G01 F600"]
         for block in range(4, 499):
             x, y, z = (number * 7 + block * 137) % 100_000, block * 71 % 80_000, block * 13 % 5_000
             lines.append(f"N{block} X{x / 1000:.3f} Y{y / 1000:.3f} Z-{z / 1000:.3f}")

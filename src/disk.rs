@@ -1,6 +1,6 @@
 //! Files of the disk, and standard input: a [`Loader`] of them, and what searches of folders need.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashSet};
 use std::fs::{self, File, FileType};
 use std::io::{self, Read, Seek};
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ pub struct DiskLoader {
     /// Programs that may be pipes. A pipe can be read once, a program may be wanted twice: what it gave is kept.
     named: Vec<(PathBuf, OnceLock<Arc<[u8]>>)>,
     /// The files read, by the paths that led to them.
-    read: Mutex<BTreeSet<PathBuf>>,
+    read: Mutex<HashSet<PathBuf>>,
     /// The macrocycles of folders, looked for once in a run.
     numbered: Mutex<BTreeMap<Vec<PathBuf>, Arc<Numbered>>>,
 }

@@ -7,16 +7,6 @@ from typing import Any, Literal, TypedDict
 from ._tables import Field, Record, by_axis, cell, group
 
 
-def _whole_numbers() -> Any:
-    """A dictionary whose values are whole numbers."""
-
-    def read(record: Record, name: str) -> dict[str, int] | None:
-        values: dict[str, float] | None = record._cells.value(name, record._row)
-        return None if values is None else {key: int(value) for key, value in values.items()}
-
-    return Field(read)
-
-
 Call = TypedDict(
     "Call",
     {"by": str, "l": int, "file": int, "n": int, "line": int, "pass": int, "of": int},
@@ -118,7 +108,7 @@ class Block(Record):
     """M functions written in this block, in written order."""
     m_changed: list[int] | None = cell()
     """Groups with a change mark, ascending."""
-    m_at_stop: dict[str, int] | None = _whole_numbers()
+    m_at_stop: dict[str, int] | None = cell()
     """Values of groups 2, 5, 6 while the program stands."""
     break_cont: bool = cell()
     """Some M of this block breaks continuous motion at its start."""
@@ -331,7 +321,7 @@ class Facts(Record):
     """Macrocycles that run."""
     parameters: list[str] | None = cell()
     """Parameters that are read before the program gives them a value."""
-    findings: dict[str, int] | None = _whole_numbers()
+    findings: dict[str, int] | None = cell()
     """How many findings of each code there are."""
 
 

@@ -30,6 +30,9 @@ use crate::work::{GoesOn, work};
 /// A table, and the findings as JSON.
 type Made = (Table, String);
 
+/// A program: its path, and the text that replaces it.
+pub type Program = (PathBuf, Option<Vec<u8>>);
+
 /// One program under way.
 pub struct One<'a> {
     pub session: Session<'a>,
@@ -42,22 +45,21 @@ pub struct One<'a> {
 /// Configures one program, and does `work` with it, without the interpreter's lock.
 pub fn one<T: Send>(
     py: Python<'_>,
-    (path, text): (PathBuf, Option<Vec<u8>>),
-    options: &Options,
+    program: Program,
+    options: Options,
     run: impl FnOnce(One<'_>) -> Result<T, Fault> + Send,
 ) -> PyResult<T> {
-    let text = text.map(Arc::from);
-    work(py, |goes_on| with_one(&path, text, options, goes_on, run))?.map_err(|fault| fault.raise(py))
+    work(py, |goes_on| with_one(program, &options, goes_on, run))?.map_err(|fault| fault.raise(py))
 }
 
 fn with_one<T>(
-    path: &Path,
-    text: Option<Arc<[u8]>>,
+    (path, text): Program,
     options: &Options,
     goes_on: &GoesOn<'_>,
     run: impl FnOnce(One<'_>) -> Result<T, Fault>,
 ) -> Result<T, Fault> {
-    let mut setup = Setup::new(options, &[path.to_path_buf()], text)?;
+    let path = path.as_path();
+    let mut setup = Setup::new(options, &[path.to_path_buf()], text.map(Arc::from))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     setup.folder(folder);
     let report = setup.report()?;
@@ -101,13 +103,12 @@ impl One<'_> {
 #[pyfunction]
 pub fn compile(
     py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
+    program: Program,
     options: &Bound<'_, PyDict>,
     first: u64,
     limit: Option<u64>,
 ) -> PyResult<Made> {
-    let options = Options::new(options)?;
-    one(py, program, &options, |one| {
+    one(py, program, Options::new(options)?, |one| {
         let (mut kept, mut failed) = (Kept::default(), None);
         let sink = BlockTable::new(Part { from: first, limit }, &mut kept, &mut failed);
         let run = one.session.run(one.path, &one.name, Purpose::Compile, sink);
@@ -119,16 +120,13 @@ pub fn compile(
 #[pyfunction]
 pub fn motion(
     py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
+    program: Program,
     options: &Bound<'_, PyDict>,
     phases: bool,
     set: &Bound<'_, PyAny>,
 ) -> PyResult<Made> {
-    let mut options = Options::new(options)?;
-    options.overrides.motion = tried(set)?;
-    options.overrides.computes_motion = true;
-    let tried = options.overrides.motion.clone();
-    one(py, program, &options, |one| {
+    let tried = tried(set)?;
+    one(py, program, Options::new(options)?.with_motion(tried.clone()), |one| {
         let settings = one.session.settings;
         check_tried(&tried, settings)?;
         let (mut kept, mut failed, mut jerk_free) = (Kept::default(), None, 0);
@@ -190,13 +188,11 @@ pub struct Wanted {
 #[pyfunction]
 pub fn plc(
     py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
+    program: Program,
     options: &Bound<'_, PyDict>,
     wanted: Wanted,
 ) -> PyResult<Made> {
-    let mut options = Options::new(options)?;
-    options.overrides.computes_motion = true;
-    one(py, program, &options, |mut one| {
+    one(py, program, Options::new(options)?.with_motion(Vec::new()), |mut one| {
         let session = one.session;
         let machine = &session.settings.machine;
         let condition = match wanted.find.as_deref().map(|text| (text, Condition::read(text, machine))) {
@@ -263,16 +259,14 @@ pub struct Differences {
 #[pyfunction]
 pub fn compare(
     py: Python<'_>,
-    old: (PathBuf, Option<Vec<u8>>),
-    new: (PathBuf, Option<Vec<u8>>),
+    old: Program,
+    new: Program,
     options: &Bound<'_, PyDict>,
     differences: Differences,
 ) -> PyResult<String> {
     let options = Options::new(options)?;
     let made = work(py, |goes_on| {
-        let read = |(path, text): (PathBuf, Option<Vec<u8>>)| {
-            with_one(&path, text.map(Arc::from), &options, goes_on, |one| steps(one, &differences))
-        };
+        let read = |program| with_one(program, &options, goes_on, |one| steps(one, &differences));
         let (old, new) = rayon::join(|| read(old), || read(new));
         let ((old, old_steps), (new, new_steps)) = (old?, new?);
         let tolerances =
@@ -301,11 +295,10 @@ fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), F
 #[pyfunction]
 pub fn format(
     py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
+    program: Program,
     options: &Bound<'_, PyDict>,
 ) -> PyResult<(Vec<u8>, usize)> {
-    let options = Options::new(options)?;
-    one(py, program, &options, |mut one| {
+    one(py, program, Options::new(options)?, |mut one| {
         let unread = |error| Fault::Io(one.path.into(), error);
         let bytes = one.session.loader.read(one.path).map_err(unread)?;
         let settings = one.session.settings;

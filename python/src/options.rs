@@ -96,6 +96,13 @@ impl Options {
         }
         Ok(made)
     }
+
+    /// The same for a call that computes motion, with keys that are tried.
+    pub fn with_motion(mut self, tried: Vec<(String, String)>) -> Self {
+        self.overrides.motion = tried;
+        self.overrides.computes_motion = true;
+        self
+    }
 }
 
 /// A finding that has a level.

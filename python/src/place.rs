@@ -1,7 +1,5 @@
 //! Functions about a place of a program: what holds there, and a program that starts there.
 
-use std::path::PathBuf;
-
 use cnc872c::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, Timing, fault_text, json as state_json};
 use cnc872c::config::{Purpose, parse_decimal};
 use cnc872c::dict::{Decimal, Micro};
@@ -11,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::fault::Fault;
-use crate::one::{One, one};
+use crate::one::{One, Program, one};
 use crate::options::Options;
 
 /// A place of a program: one of the first five.
@@ -70,12 +68,11 @@ fn no_place(one: &mut One<'_>, outcome: Outcome, fault: &PlaceFault, asked: &Ask
 #[pyfunction]
 pub fn state(
     py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
+    program: Program,
     options: &Bound<'_, PyDict>,
     at: At,
 ) -> PyResult<String> {
-    let options = Options::new(options)?;
-    one(py, program, &options, |mut one| {
+    one(py, program, Options::new(options)?, |mut one| {
         let settings = one.session.settings;
         let asked = at.asked(&mut one)?;
         let mut reader = StateReader::new(settings, asked.clone(), Timing::Configured);
@@ -120,13 +117,12 @@ fn thousandths(name: &str, value: f64) -> Result<Decimal, Fault> {
 #[pyfunction]
 pub fn restart(
     py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
+    program: Program,
     options: &Bound<'_, PyDict>,
     at: At,
     start: Start,
 ) -> PyResult<Vec<u8>> {
-    let options = Options::new(options)?;
-    one(py, program, &options, |mut one| {
+    one(py, program, Options::new(options)?, |mut one| {
         let start = start.options()?;
         let asked = at.asked(&mut one)?;
         let made = starting::restart(&one.session, one.path, &one.name, &asked, start, one.lang);
@@ -150,12 +146,11 @@ type Spots = (Vec<(u64, u32, Option<String>, u32, u64, Option<f64>, bool)>, u64)
 #[pyfunction]
 pub fn restart_places(
     py: Python<'_>,
-    program: (PathBuf, Option<Vec<u8>>),
+    program: Program,
     options: &Bound<'_, PyDict>,
     start: Start,
 ) -> PyResult<Spots> {
-    let options = Options::new(options)?;
-    one(py, program, &options, |mut one| {
+    one(py, program, Options::new(options)?, |mut one| {
         let (outcome, found) = starting::list(&one.session, one.path, &one.name, start.options()?);
         let Some((spots, more)) = found else { return Err(broken(&mut one, outcome)) };
         let plain = |spot: Spot| {

@@ -93,6 +93,10 @@ def of_kind(stream: list[dict[str, Any]], kind: str) -> list[dict[str, Any]]:
 def same(table: Any, expected: list[dict[str, Any]]) -> None:
     """The columns hold these records."""
     arrow = table.to_arrow()
+    # What is absent is null; a flag is false then.
+    for field, column in zip(arrow.schema, arrow.columns, strict=True):
+        assert field.nullable != pyarrow.types.is_boolean(field.type)
+        assert field.nullable or column.null_count == 0
     assert [record.to_dict() for record in table] == expected
     without = [{key: value for key, value in record.items() if key != "kind"} for record in expected]
     assert records(arrow.to_pylist(), arrow.schema) == without
@@ -188,10 +192,11 @@ def test_files(command: str, folder: Path) -> None:
     assert table.schema.equals(expected.schema, check_metadata=True)
     assert table.to_pylist() == expected.to_pylist()
     assert polars.read_ipc_stream(folder / "out.arrow").to_dicts() == polars.DataFrame(expected).to_dicts()
-    if command != "stats":
-        last, metadata = batches[-1]
-        assert last.num_rows == 0
-        assert json.loads(metadata[b"cnc872c.end"])["kind"] in ("end", "total")
+    last, metadata = batches[-1]
+    assert last.num_rows == 0
+    end = json.loads(metadata[b"cnc872c.end"])
+    assert end["kind"] in ("end", "total")
+    assert command != "stats" or end["programs"] == 1
     (folder / "bad.nc").write_text(FAULTY)
     refused = run(command, "bad.nc", "--format", "arrow", "-o", "bad.arrow", cwd=folder)
     assert (refused.returncode, (folder / "bad.arrow").exists()) == ((0, True) if command == "stats" else (1, False))

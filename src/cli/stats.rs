@@ -20,8 +20,8 @@ use super::walk::{Target, targets};
 use super::words::Words;
 use crate::diag::{Format, Report};
 use crate::disk::{DiskLoader, is_stdin};
-use crate::session::Session;
-use crate::stats::{CSV_HEAD, Row, csv, human, json_end, json_head, json_row};
+use crate::session::{Outcome, Session};
+use crate::stats::{CSV_HEAD, Row, csv, human, json_break, json_end, json_head, json_row};
 use crate::text::{Loader, path_name};
 
 /// How many programs are executed before their rows are written in order, and go to the cache.
@@ -51,7 +51,7 @@ pub(super) fn run(args: &StatsArgs, locale: Locale) -> Result<Status, Failure> {
         return Ok(unusable(report, &shown, locale));
     }
     if let Some(output) = output
-        && targets.iter().any(|target| is_input(output, target, &loader))
+        && targets.par_iter().any(|target| is_input(output, target, &loader))
     {
         return Err(Words::OutputIsRead { file: path_name(output) }.into());
     }
@@ -84,10 +84,14 @@ struct Archive<'a> {
 }
 
 impl Archive<'_> {
-    /// The row of a program, and why it cannot be read.
-    fn row(&self, target: &Target) -> (Row, Option<io::Error>) {
+    /// The row of a program, and what is to be told of one that cannot be read.
+    fn row(&self, target: &Target) -> (Row, Option<Outcome>) {
         let name = target.name();
-        let unread = |error| (Row { path: name.clone(), ..Row::default() }, Some(error));
+        let unread = |error| {
+            let outcome = unreadable(&name, &error);
+            let findings = outcome.findings.items().iter().map(|item| (item.code().to_string(), 1)).collect();
+            (Row { path: name.clone(), findings, ..Row::default() }, Some(outcome))
+        };
         if let Some(problem) = &target.problem {
             let again = problem.get_ref().map_or_else(|| problem.kind().into(), |_| crate::text::BrokenLink::error());
             return unread(again);
@@ -121,53 +125,59 @@ fn write(
     let mut first = true;
     match format {
         StatsFormat::Human => {
-            for_each(archive, targets, progress, report, |row| out.write_all(human(row).as_bytes()))?;
+            for_each(archive, targets, progress, report, |row| human(&row), |text| out.write_all(text.as_bytes()))?;
         }
         StatsFormat::Json => {
             out.write_all(json_head().as_bytes())?;
-            for_each(archive, targets, progress, report, |row| {
-                out.write_all(json_row(row, std::mem::take(&mut first)).as_bytes())
-            })?;
+            for_each(
+                archive,
+                targets,
+                progress,
+                report,
+                |row| json_row(&row),
+                |text| {
+                    out.write_all(json_break(std::mem::take(&mut first)).as_bytes())?;
+                    out.write_all(text.as_bytes())
+                },
+            )?;
             out.write_all(json_end().as_bytes())?;
         }
         StatsFormat::Csv => {
             out.write_all(CSV_HEAD.as_bytes())?;
-            for_each(archive, targets, progress, report, |row| out.write_all(csv(row).as_bytes()))?;
+            for_each(archive, targets, progress, report, |row| csv(&row), |text| out.write_all(text.as_bytes()))?;
         }
         #[cfg(feature = "arrow")]
         StatsFormat::Arrow => {
             let (mut columns, mut failed) = (crate::columns::Ipc::new(&mut out), None);
             let mut rows = crate::stats::RowTable::new(&mut columns, &mut failed);
-            for_each(archive, targets, progress, report, |row| rows.row(row))?;
+            for_each(archive, targets, progress, report, |row| row, |row| rows.row(&row))?;
             rows.end()?;
         }
     }
     out.flush()
 }
 
-fn for_each(
+/// Writes what `make` makes of the rows, on several threads.
+fn for_each<T: Send>(
     archive: &Archive<'_>,
     targets: &[Target],
     progress: &Progress,
     report: &mut Report,
-    mut write: impl FnMut(&Row) -> io::Result<()>,
+    make: impl Fn(Row) -> T + Sync,
+    mut write: impl FnMut(T) -> io::Result<()>,
 ) -> io::Result<()> {
     for some in targets.chunks(AT_ONCE) {
         let of = |target| {
-            let row = archive.row(target);
+            let (row, outcome) = archive.row(target);
             progress.advance();
-            row
+            (make(row), outcome)
         };
-        let rows: Vec<_> = some.par_iter().map(of).collect();
-        for (mut row, error) in rows {
-            if let Some(error) = error {
-                let outcome = unreadable(&row.path, &error);
-                for item in outcome.findings.items() {
-                    row.findings.insert(item.code().to_string(), 1);
-                }
+        let made: Vec<_> = some.par_iter().map(of).collect();
+        for (made, outcome) in made {
+            if let Some(outcome) = outcome {
                 report.add_program(&outcome.sources, outcome.findings);
             }
-            write(&row)?;
+            write(made)?;
         }
         if let Some(cache) = archive.cache {
             cache.write()?;

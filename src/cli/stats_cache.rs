@@ -11,6 +11,7 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::replace::Replacement;
@@ -63,6 +64,34 @@ impl std::fmt::Debug for Cache {
     }
 }
 
+/// The entries of a file: id, place and length of each.
+struct Index {
+    file: File,
+    entries: Vec<(String, u64, usize)>,
+    damaged: usize,
+}
+
+#[expect(clippy::disallowed_methods, reason = "the cache is no program")]
+fn index(path: &Path) -> io::Result<Index> {
+    let mut reader = BufReader::with_capacity(1 << 16, File::open(path)?);
+    let (mut line, mut at) = (Vec::new(), 0);
+    let (mut entries, mut damaged) = (Vec::new(), 0);
+    loop {
+        line.clear();
+        let length = reader.read_until(b'\n', &mut line)?;
+        if length == 0 {
+            return Ok(Index { file: reader.into_inner(), entries, damaged });
+        }
+        match read_line(&line) {
+            Some((id, entry)) => {
+                entries.push((id.to_owned(), at + (length - 1 - entry.len()) as u64, entry.len()));
+            }
+            None => damaged += 1,
+        }
+        at += length as u64;
+    }
+}
+
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -90,8 +119,13 @@ impl Cache {
             texts: Mutex::default(),
         };
         let paths = cache.paths()?;
-        for path in &paths {
-            cache.index(path)?;
+        let read: Vec<_> = paths.par_iter().map(|path| index(path)).collect();
+        for read in read {
+            let Index { file, entries, damaged } = read?;
+            let number = cache.files.len();
+            cache.known.extend(entries.into_iter().map(|(id, at, length)| (id, Place { file: number, at, length })));
+            cache.files.push(Mutex::new(file));
+            cache.damaged += damaged;
         }
         if paths.len() > MOST_FILES || cache.damaged > 0 {
             cache.join(&paths)?;
@@ -114,34 +148,6 @@ impl Cache {
         let written = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).ok();
         paths.sort_by_cached_key(|path| (written(path), path.clone()));
         Ok(paths)
-    }
-
-    /// Adds the entries of a file.
-    #[expect(clippy::disallowed_methods, reason = "the cache is no program")]
-    fn index(&mut self, path: &Path) -> io::Result<()> {
-        let mut reader = BufReader::with_capacity(1 << 16, File::open(path)?);
-        let (mut line, mut at) = (Vec::new(), 0);
-        loop {
-            line.clear();
-            let length = reader.read_until(b'\n', &mut line)?;
-            if length == 0 {
-                break;
-            }
-            match read_line(&line) {
-                Some((id, entry)) => {
-                    let place = Place {
-                        file: self.files.len(),
-                        at: at + (length - 1 - entry.len()) as u64,
-                        length: entry.len(),
-                    };
-                    self.known.insert(id.to_owned(), place);
-                }
-                None => self.damaged += 1,
-            }
-            at += length as u64;
-        }
-        self.files.push(Mutex::new(reader.into_inner()));
-        Ok(())
     }
 
     /// Makes one file of the entries, without what is damaged.

@@ -1,6 +1,6 @@
 //! Which programs the user means: files as named, and what a search of the named folders finds.
 
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -85,8 +85,8 @@ pub fn targets(paths: &[PathBuf], extensions: &mut dyn FnMut(&Path) -> Vec<Strin
 #[derive(Default)]
 struct Search {
     found: Found,
-    files: BTreeSet<PathBuf>,
-    folders: BTreeSet<PathBuf>,
+    files: HashSet<PathBuf>,
+    folders: HashSet<PathBuf>,
     /// Whether the folder searched last held something found before.
     met_again: bool,
 }

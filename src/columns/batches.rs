@@ -21,7 +21,7 @@ pub struct End(pub(super) Metadata);
 
 impl End {
     /// `end` is the last record; `files` those about other files.
-    pub(super) fn new(end: &str, files: &[String]) -> Self {
+    pub(crate) fn new(end: &str, files: &[String]) -> Self {
         let mut metadata = Metadata::new().with(END, end.trim_end());
         if !files.is_empty() {
             let files: Vec<&str> = files.iter().map(|file| file.trim_end()).collect();
@@ -55,7 +55,7 @@ pub trait Batches {
     /// What writing gives.
     fn batch(&mut self, batch: RecordBatch) -> io::Result<()>;
 
-    /// The rows are whole. Those of a program have a last record.
+    /// The rows are whole.
     ///
     /// # Errors
     /// What writing gives.

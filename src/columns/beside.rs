@@ -9,7 +9,7 @@ use arrow_schema::{ArrowError, SchemaRef};
 
 use super::batches::Rows;
 use super::blocks::put;
-use super::table::Table;
+use super::table::{ROWS, Table};
 use crate::config::Axis;
 use crate::parallel;
 use crate::stream::BlockRecord;
@@ -19,11 +19,25 @@ const RECORDS: usize = 512;
 /// So many times under way at most: a slow thread makes execution wait, not grow.
 const QUEUE: usize = 4;
 
+/// A record under way.
+#[derive(Default)]
+struct UnderWay {
+    record: BlockRecord,
+    /// It has only what may differ from the row before.
+    follows: bool,
+}
+
+impl UnderWay {
+    fn put(&self, table: &mut Table, axes: &[Axis]) {
+        if self.follows { put::<true>(table, &self.record, axes) } else { put::<false>(table, &self.record, axes) }
+    }
+}
+
 /// What comes back.
 enum Made {
     Batch(Result<RecordBatch, ArrowError>),
     /// Records that were put into rows, for their memory.
-    Used(Vec<BlockRecord>),
+    Used(Vec<UnderWay>),
 }
 
 /// Who puts records into rows.
@@ -33,7 +47,7 @@ enum Way {
     /// There is no thread: who executes does.
     Alone,
     Beside {
-        full: SyncSender<Vec<BlockRecord>>,
+        full: SyncSender<Vec<UnderWay>>,
         made: Receiver<Made>,
         thread: JoinHandle<()>,
     },
@@ -43,31 +57,35 @@ enum Way {
 pub(super) struct Records {
     axes: Vec<Axis>,
     /// The first `used` count; the others are kept for their memory.
-    records: Vec<BlockRecord>,
+    records: Vec<UnderWay>,
     used: usize,
+    /// How many rows the batch under way has.
+    rows: usize,
+    /// The `seq` of its last row.
+    last: Option<u64>,
     way: Way,
 }
 
 impl Records {
     /// None so far, of a machine with these axes.
     pub const fn new(axes: Vec<Axis>) -> Self {
-        Self { axes, records: Vec::new(), used: 0, way: Way::NotYet }
+        Self { axes, records: Vec::new(), used: 0, rows: 0, last: None, way: Way::NotYet }
     }
 
-    /// A record to write over, and the one before it.
+    /// The next record, as `fill` makes it. That is given a record to write over, and the `seq` of the row before in the
+    /// same batch, and says whether it made only what may differ from that.
     #[inline]
-    pub fn next(&mut self) -> (Option<&BlockRecord>, Option<&mut BlockRecord>) {
+    pub fn push(&mut self, rows: &mut Rows<'_>, fill: impl FnOnce(&mut BlockRecord, Option<u64>) -> bool) {
         if self.records.len() == self.used {
-            self.records.push(BlockRecord::default());
+            self.records.push(UnderWay::default());
         }
-        let (before, free) = self.records.split_at_mut(self.used);
+        if let Some(UnderWay { record, follows }) = self.records.get_mut(self.used) {
+            *follows = fill(record, self.last);
+            self.rows = (self.rows + 1) % ROWS;
+            self.last = (self.rows > 0).then_some(record.seq);
+        }
         self.used += 1;
-        (before.last(), free.first_mut())
-    }
-
-    /// Hands the records on when they are many.
-    #[inline]
-    pub fn end_record(&mut self, rows: &mut Rows<'_>) {
+        // Hands the records on when they are many.
         if self.used == RECORDS {
             self.hand_on(rows);
         }
@@ -91,7 +109,7 @@ impl Records {
             }
             Way::NotYet | Way::Alone => {
                 for record in self.records.iter().take(self.used) {
-                    put(&mut rows.table, record, &self.axes);
+                    record.put(&mut rows.table, &self.axes);
                     rows.row();
                 }
             }
@@ -131,17 +149,11 @@ fn start(axes: &[Axis], rows: &mut Rows<'_>) -> Way {
     }
 }
 
-fn build(
-    mut table: Table,
-    schema: &SchemaRef,
-    axes: &[Axis],
-    records: &Receiver<Vec<BlockRecord>>,
-    made: &Sender<Made>,
-) {
+fn build(mut table: Table, schema: &SchemaRef, axes: &[Axis], records: &Receiver<Vec<UnderWay>>, made: &Sender<Made>) {
     // Who executes may want no more.
     for records in records {
         for record in &records {
-            put(&mut table, record, axes);
+            record.put(&mut table, axes);
             if table.end_row() {
                 let _ = made.send(Made::Batch(table.batch(schema)));
             }

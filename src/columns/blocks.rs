@@ -13,7 +13,7 @@ use crate::diag::Findings;
 use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{End, Executed, FeedUnit, Jump, MStop, Missing, MotionType, Program, Sink};
 use crate::stream::{
-    AxisMap, Before, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Part, Record, Rows as Filler,
+    AxisMap, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Part, Record, Rows as Filler,
     program_record, record_text,
 };
 
@@ -58,7 +58,8 @@ impl Sink for BlockTable<'_> {
 
     fn begin(&mut self, program: &Program<'_>) {
         let axes: Vec<Axis> = program.settings.machine.axes.iter().collect();
-        put(&mut self.rows.table, &BlockRecord::default(), &axes);
+        put::<false>(&mut self.rows.table, &BlockRecord::default(), &axes);
+        put::<true>(&mut self.rows.table, &BlockRecord::default(), &axes);
         self.records = Records::new(axes);
         self.rows.begin(PROGRAM, &record_text(&Record::Program(Box::new(program_record(program)))));
     }
@@ -72,12 +73,13 @@ impl Sink for BlockTable<'_> {
             self.totals.add(block);
             return ControlFlow::Continue(());
         }
-        if let (before, Some(record)) = self.records.next() {
-            self.filler.fill(block, record, before.map_or(Before::Nowhere, Before::Beside));
+        let Self { rows, totals, filler, records, .. } = self;
+        records.push(rows, |record, before| {
+            let follows = filler.fill_changes(block, record, before);
             let motion = record.motion.as_ref();
-            self.totals.add_motion(motion.and_then(|motion| Some((motion.kind, motion.length_mm?))));
-        }
-        self.records.end_record(&mut self.rows);
+            totals.add_motion(motion.and_then(|motion| Some((motion.kind, motion.length_mm?))));
+            follows
+        });
         if self.rows.goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     }
 
@@ -120,12 +122,20 @@ fn letters(values: &[(char, Decimal)]) -> impl Iterator<Item = (String, f64)> {
     values.iter().map(|(letter, value)| (letter.to_string(), Micro::from(*value).to_f64()))
 }
 
+/// Marks a field that may differ in a row that follows the one before.
+const MOVES: bool = true;
+
 /// Puts the fields of a record into their columns: a new field does not compile until it has its column. Behind a field
-/// stands the kind of its column, with its unit, or `so` and the code that puts it.
+/// stands the kind of its column, with its unit, or `so` and the code that puts it. A row that follows the one before
+/// has only the fields with the mark [`MOVES`].
 macro_rules! columns {
-    ($table:ident, $record:ident { $($name:ident: $kind:ident $(($unit:literal))? $({ $($code:tt)* })?),* $(,)? }) => {
+    ($follows:ident, $table:ident, $record:ident {
+        $($name:ident $($moves:ident)?: $kind:ident $(($unit:literal))? $({ $($code:tt)* })?),* $(,)?
+    }) => {
         let BlockRecord { $($name),* } = $record;
-        $(column!($table, $name, $kind $(($unit))? $({ $($code)* })?);)*
+        $(if !$follows $(|| $moves)? {
+            column!($table, $name, $kind $(($unit))? $({ $($code)* })?);
+        })*
     };
 }
 
@@ -156,21 +166,22 @@ macro_rules! column {
     };
 }
 
-/// Puts a record into the next row.
-pub(super) fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
-    columns!(table, record {
-        seq: so { table.long("seq", Some(*seq)); },
-        n: whole,
-        file: whole,
-        line: whole,
-        column: whole,
+/// Puts a record into the next row. `FOLLOWS`: only what may differ from the row before.
+pub(super) fn put<const FOLLOWS: bool>(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
+    table.begin_row(FOLLOWS);
+    columns!(FOLLOWS, table, record {
+        seq MOVES: so { table.long("seq", Some(*seq)); },
+        n MOVES: whole,
+        file MOVES: whole,
+        line MOVES: whole,
+        column MOVES: whole,
         calls: so { put_calls(table, calls); },
         jump: so {
             table.whole("jump_to", "", jump.map(|Jump { to, left: _ }| to));
             table.whole("jump_left", "", jump.and_then(|jump| jump.left));
         },
         skippable: flag,
-        first_block: flag,
+        first_block MOVES: flag,
         last_block: flag,
         g: fixed,
         g_set: bytes,
@@ -182,10 +193,10 @@ pub(super) fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
         break_cont_end: flag,
         change_pos: flag,
         gear: byte,
-        motion: so { put_motion(table, motion.as_ref(), axes); },
-        position: so { put_axes(table, "", Some(position), axes); },
+        motion MOVES: so { put_motion(table, motion.as_ref(), axes); },
+        position MOVES: so { put_axes(table, "", Some(position), axes); },
         feed: decimal,
-        feed_unit: so {
+        feed_unit MOVES: so {
             let units = || FeedUnit::ALL.into_iter().map(FeedUnit::name);
             table.name("feed_unit", units, feed_unit.map(|unit| unit as usize));
         },
@@ -220,7 +231,7 @@ pub(super) fn put(table: &mut Table, record: &BlockRecord, axes: &[Axis]) {
             let value = |(index, value): &(u8, Decimal)| (format!("R{index}"), Micro::from(*value).to_f64());
             table.map("params", "", params.iter().map(value));
         },
-        comments: texts,
+        comments MOVES: texts,
     });
 }
 
@@ -235,9 +246,9 @@ fn put_calls(table: &mut Table, calls: &[Call]) {
 
 fn put_m_at_stop(table: &mut Table, m_at_stop: Option<MStop>) {
     let groups = m_at_stop.map(|MStop { spindle, coolant_12, coolant_34 }| {
-        [("2", spindle), ("5", coolant_12), ("6", coolant_34)].map(|(group, m)| (group, f64::from(m)))
+        [("2", spindle), ("5", coolant_12), ("6", coolant_34)].map(|(group, m)| (group, u64::from(m)))
     });
-    table.map("m_at_stop", "", groups.into_iter().flatten());
+    table.counts("m_at_stop", groups.into_iter().flatten());
 }
 
 fn put_axes(table: &mut Table, name: &str, values: Option<&AxisMap>, axes: &[Axis]) {

@@ -32,6 +32,8 @@ pub(super) enum Kind {
     Fixed(usize),
     /// Numbers by name.
     Map,
+    /// Whole numbers by name.
+    Counts,
     /// A name called `name` and six whole numbers.
     Structs {
         name: &'static str,
@@ -51,8 +53,16 @@ fn item(data_type: DataType) -> Arc<Field> {
     Arc::new(Field::new_list_field(data_type, true))
 }
 
-fn map_names() -> MapFieldNames {
-    MapFieldNames { entry: "entries".to_owned(), key: "key".to_owned(), value: "value".to_owned() }
+type Maps<V> = Box<MapBuilder<StringBuilder, V>>;
+
+fn map<V: ArrayBuilder + Default>() -> Maps<V> {
+    let names = MapFieldNames { entry: "entries".to_owned(), key: "key".to_owned(), value: "value".to_owned() };
+    Box::new(MapBuilder::new(Some(names), StringBuilder::new(), V::default()))
+}
+
+fn map_of(value: DataType) -> DataType {
+    let fields = Fields::from_iter([Field::new("key", DataType::Utf8, false), Field::new("value", value, true)]);
+    DataType::Map(Arc::new(Field::new("entries", DataType::Struct(fields), false)), false)
 }
 
 fn struct_fields(name: &str, fields: &[&str]) -> Fields {
@@ -77,12 +87,8 @@ impl Kind {
             Self::Wholes => DataType::List(item(DataType::UInt32)),
             Self::Numbers => DataType::List(item(DataType::Float64)),
             Self::Fixed(count) => DataType::FixedSizeList(item(DataType::UInt8), i32::try_from(*count).unwrap_or(0)),
-            Self::Map => {
-                let fields = [("key", DataType::Utf8, false), ("value", DataType::Float64, true)];
-                let fields: Fields =
-                    fields.into_iter().map(|(name, kind, null)| Field::new(name, kind, null)).collect();
-                DataType::Map(Arc::new(Field::new("entries", DataType::Struct(fields), false)), false)
-            }
+            Self::Map => map_of(DataType::Float64),
+            Self::Counts => map_of(DataType::UInt64),
             Self::Structs { name, fields, .. } => DataType::List(item(DataType::Struct(struct_fields(name, fields)))),
             Self::Quadruples => DataType::List(item(DataType::FixedSizeList(item(DataType::Float64), 4))),
         }
@@ -125,7 +131,8 @@ pub(super) enum Cells {
     Wholes(ListBuilder<UInt32Builder>),
     Numbers(ListBuilder<Float64Builder>),
     Fixed(FixedSizeListBuilder<UInt8Builder>),
-    Map(Box<MapBuilder<StringBuilder, Float64Builder>>),
+    Map(Maps<Float64Builder>),
+    Counts(Maps<UInt64Builder>),
     Structs(Box<(Lists, Int8Builder, [UInt32Builder; 6])>),
     Quadruples(ListBuilder<FixedSizeListBuilder<Float64Builder>>),
 }
@@ -153,16 +160,31 @@ macro_rules! push_list {
     };
 }
 
+macro_rules! push_map {
+    ($($method:ident $variant:ident $value:ty;)*) => {
+        $(pub fn $method<K: AsRef<str>>(&mut self, entries: impl Iterator<Item = (K, $value)>) {
+            if let Self::$variant(builder) = self {
+                for (key, value) in entries {
+                    builder.keys().append_value(key);
+                    builder.values().append_value(value);
+                }
+                // As many keys as values.
+                let _ = builder.append(true);
+            }
+        })*
+    };
+}
+
 impl Cells {
-    /// Without rows.
-    pub fn new(kind: &Kind) -> Self {
+    /// Without rows, of which so many are expected.
+    pub fn new(kind: &Kind, rows: usize) -> Self {
         match kind {
-            Kind::Byte => Self::Byte(UInt8Builder::new()),
-            Kind::Whole => Self::Whole(UInt32Builder::new()),
-            Kind::Long => Self::Long(UInt64Builder::new()),
-            Kind::Number => Self::Number(Float64Builder::new()),
-            Kind::Flag => Self::Flag(BooleanBuilder::new()),
-            Kind::Name(_) => Self::Name(Int8Builder::new()),
+            Kind::Byte => Self::Byte(UInt8Builder::with_capacity(rows)),
+            Kind::Whole => Self::Whole(UInt32Builder::with_capacity(rows)),
+            Kind::Long => Self::Long(UInt64Builder::with_capacity(rows)),
+            Kind::Number => Self::Number(Float64Builder::with_capacity(rows)),
+            Kind::Flag => Self::Flag(BooleanBuilder::with_capacity(rows)),
+            Kind::Name(_) => Self::Name(Int8Builder::with_capacity(rows)),
             Kind::Names(_) => Self::Names(Lists::new(), Int8Builder::new()),
             Kind::Text => Self::Text(StringBuilder::new()),
             Kind::Texts => Self::Texts(ListBuilder::new(StringBuilder::new())),
@@ -173,10 +195,8 @@ impl Cells {
                 let count = i32::try_from(*count).unwrap_or(0);
                 Self::Fixed(FixedSizeListBuilder::new(UInt8Builder::new(), count))
             }
-            Kind::Map => {
-                let (keys, values) = (StringBuilder::new(), Float64Builder::new());
-                Self::Map(Box::new(MapBuilder::new(Some(map_names()), keys, values)))
-            }
+            Kind::Map => Self::Map(map()),
+            Kind::Counts => Self::Counts(map()),
             Kind::Structs { .. } => Self::Structs(Box::new((Lists::new(), Int8Builder::new(), Default::default()))),
             Kind::Quadruples => Self::Quadruples(ListBuilder::new(FixedSizeListBuilder::new(Float64Builder::new(), 4))),
         }
@@ -232,16 +252,9 @@ impl Cells {
         }
     }
 
-    /// Numbers by name.
-    pub fn push_map<K: AsRef<str>>(&mut self, entries: impl Iterator<Item = (K, f64)>) {
-        if let Self::Map(builder) = self {
-            for (key, value) in entries {
-                builder.keys().append_value(key);
-                builder.values().append_value(value);
-            }
-            // As many keys as values.
-            let _ = builder.append(true);
-        }
+    push_map! {
+        push_map Map f64;
+        push_counts Counts u64;
     }
 
     /// Names with their numbers.
@@ -288,9 +301,8 @@ impl Cells {
                 (0..builder.value_length()).for_each(|_| builder.values().append_null());
                 builder.append(false);
             }
-            Self::Map(builder) => {
-                let _ = builder.append(false);
-            }
+            Self::Map(builder) => drop(builder.append(false)),
+            Self::Counts(builder) => drop(builder.append(false)),
             Self::Structs(parts) => parts.0.push(None),
             Self::Quadruples(builder) => builder.append(false),
         }
@@ -311,6 +323,7 @@ impl Cells {
             (Self::Numbers(mut builder), _) => Arc::new(builder.finish()),
             (Self::Fixed(mut builder), _) => Arc::new(builder.finish()),
             (Self::Map(mut builder), _) => Arc::new(builder.finish()),
+            (Self::Counts(mut builder), _) => Arc::new(builder.finish()),
             (Self::Quadruples(mut builder), _) => Arc::new(builder.finish()),
             (Self::Name(mut builder), Kind::Name(names)) => named(builder.finish(), names)?,
             (Self::Names(lists, mut builder), Kind::Names(names)) => {

@@ -59,11 +59,9 @@ impl<W: Write> Batches for Ipc<W> {
             // Dictionaries come before the first batch, whatever is in it.
             writer.write(&RecordBatch::new_empty(SchemaRef::clone(schema))).map_err(io_error)?;
         }
-        if !end.0.is_empty() {
-            let options = IpcWriteOptions::default();
-            let last = last_batch(schema, end, &options).map_err(io_error)?;
-            write_message(writer.get_mut(), last, &options).map_err(io_error)?;
-        }
+        let options = IpcWriteOptions::default();
+        let last = last_batch(schema, end, &options).map_err(io_error)?;
+        write_message(writer.get_mut(), last, &options).map_err(io_error)?;
         writer.finish().map_err(io_error)
     }
 }

@@ -2,12 +2,16 @@
 //!
 //! A row is given field by field, always in the same order: the first row of all declares the columns by it, the others
 //! fill them. So one line has the name of a column, its type and its value.
+//!
+//! A row may follow the one before, and then has only some of the fields, always the same ones; the other columns repeat
+//! what the last whole row has. They get a cell a whole row, and are spread over the rows when the batch is full.
 
 use std::fmt::Display;
 use std::sync::Arc;
 
-use arrow_array::{ArrayRef, RecordBatch, StringArray};
+use arrow_array::{Array, ArrayRef, RecordBatch, StringArray, UInt32Array};
 use arrow_schema::{ArrowError, Field, Metadata, Schema, SchemaRef};
+use arrow_select::take::take;
 
 use super::cells::{Cells, Kind};
 
@@ -19,12 +23,30 @@ pub const ROWS: usize = 1 << 16;
 struct Column {
     field: Field,
     kind: Kind,
+    /// Rows that follow have it too.
+    moves: bool,
+    /// Its cells in a batch where all are the same, for the next such batch.
+    constant: Option<ArrayRef>,
 }
 
-/// Cells after so many rows without a value.
+impl Column {
+    /// The cells of whole rows over all rows, of which `of` says the cell.
+    fn spread(&mut self, cells: ArrayRef, of: &UInt32Array) -> Result<ArrayRef, ArrowError> {
+        let rows = of.len();
+        let known = self.constant.as_ref().filter(|known| cells.len() == 1 && known.len() >= rows);
+        if let Some(known) = known.filter(|known| *known.slice(0, 1) == *cells) {
+            return Ok(known.slice(0, rows));
+        }
+        let spread = take(&cells, of, None)?;
+        self.constant = (cells.len() == 1).then(|| ArrayRef::clone(&spread));
+        Ok(spread)
+    }
+}
+
+/// Cells after so many rows without a value, of as many as are expected.
 #[cold]
-fn after_absent(kind: &Kind, rows: usize) -> Box<Cells> {
-    let mut cells = Cells::new(kind);
+fn after_absent(kind: &Kind, rows: usize, expected: usize) -> Box<Cells> {
+    let mut cells = Cells::new(kind, expected);
     (0..rows).for_each(|_| cells.push_absent());
     Box::new(cells)
 }
@@ -38,6 +60,14 @@ pub(crate) struct Table {
     /// The column of the next field.
     at: usize,
     rows: usize,
+    /// Rows of the batch before.
+    expected: usize,
+    /// The row under way follows the one before.
+    follows: bool,
+    /// The columns of such a row, in order.
+    moving: Vec<usize>,
+    /// Whole rows, by number.
+    whole: Vec<u32>,
     declared: bool,
     /// Columns without any value, by what they hold: shared by all of them and by all batches.
     absent: Vec<(Kind, ArrayRef)>,
@@ -55,24 +85,36 @@ impl Table {
         push: impl FnOnce(&mut Cells, V),
     ) {
         if !self.declared {
-            self.add_column(name, unit, kind());
+            self.declare_column(name, unit, kind());
         }
-        if let (Some(cells), Some(column)) = (self.cells.get_mut(self.at), self.columns.get(self.at)) {
+        let place = if self.follows { self.moving.get(self.at).copied().unwrap_or(usize::MAX) } else { self.at };
+        if let (Some(cells), Some(column)) = (self.cells.get_mut(place), self.columns.get(place)) {
             match (value, cells) {
                 (None, None) => {}
                 (None, Some(cells)) => cells.push_absent(),
                 (Some(value), Some(cells)) => push(cells, value),
-                (Some(value), none) => push(none.insert(after_absent(&column.kind, self.rows)), value),
+                (Some(value), none) => {
+                    let before = if column.moves { self.rows } else { self.whole.len() };
+                    push(none.insert(after_absent(&column.kind, before, self.expected)), value);
+                }
             }
         }
         self.at += 1;
     }
 
     #[cold]
-    fn add_column(&mut self, name: &dyn Display, unit: &str, kind: Kind) {
+    fn declare_column(&mut self, name: &dyn Display, unit: &str, kind: Kind) {
+        if self.follows {
+            let name = name.to_string();
+            if let Some(place) = self.columns.iter().position(|column| *column.field.name() == name) {
+                self.moving.push(place);
+                self.columns.iter_mut().skip(place).take(1).for_each(|column| column.moves = true);
+            }
+            return;
+        }
         let field = Field::new(name.to_string(), kind.data_type(), kind != Kind::Flag);
         let field = if unit.is_empty() { field } else { field.with_metadata(Metadata::new().with("unit", unit)) };
-        self.columns.push(Column { field, kind });
+        self.columns.push(Column { field, kind, moves: false, constant: None });
         self.cells.push(None);
     }
 
@@ -176,6 +218,13 @@ impl Table {
         self.field(&name, unit, || Kind::Map, some, |cells, values| cells.push_map(values));
     }
 
+    /// Whole numbers by name; none of them is absent.
+    pub fn counts<K: AsRef<str>>(&mut self, name: impl Display, values: impl Iterator<Item = (K, u64)>) {
+        let mut values = values.peekable();
+        let some = values.peek().is_some().then_some(values);
+        self.field(&name, "", || Kind::Counts, some, |cells, values| cells.push_counts(values));
+    }
+
     /// Rows of numbers with a name each, `fields` wide; none of them is absent.
     #[inline]
     pub fn structs<N: Iterator<Item: AsRef<str>>>(
@@ -198,10 +247,18 @@ impl Table {
         self.field(&name, "", || Kind::Quadruples, rows, |cells, rows| cells.push_quadruples(rows));
     }
 
-    /// The row in the table has declared the columns; it is no row of the data.
+    /// Before the first field of a row. A row that `follows` has only the fields that the one before the declaration had.
+    #[inline]
+    pub const fn begin_row(&mut self, follows: bool) {
+        self.follows = follows;
+        self.at = 0;
+    }
+
+    /// The row in the table has declared the columns; it is no row of the data. So has one that follows, if there are
+    /// such.
     pub fn declare(&mut self, metadata: Metadata) -> SchemaRef {
         self.declared = true;
-        self.at = 0;
+        self.begin_row(false);
         self.cells.fill_with(|| None);
         let fields: Vec<Field> = self.columns.iter().map(|column| column.field.clone()).collect();
         Arc::new(Schema::new_with_metadata(fields, metadata))
@@ -210,14 +267,20 @@ impl Table {
     /// A table with the same columns, and without rows.
     pub fn another(&self) -> Self {
         let cells = self.columns.iter().map(|_| None).collect();
-        Self { columns: self.columns.clone(), cells, declared: true, ..Self::default() }
+        Self { columns: self.columns.clone(), cells, moving: self.moving.clone(), declared: true, ..Self::default() }
     }
 
     /// After the last field of a row. `true`: the batch is full.
     #[inline]
     pub fn end_row(&mut self) -> bool {
-        debug_assert_eq!(self.at, self.columns.len(), "every row has every field");
-        self.at = 0;
+        let fields = if self.follows { self.moving.len() } else { self.columns.len() };
+        debug_assert_eq!(self.at, fields, "every row has every field");
+        if !self.follows {
+            // A batch has far fewer rows than that.
+            self.whole.push(u32::try_from(self.rows).unwrap_or(u32::MAX));
+        }
+        debug_assert!(!self.whole.is_empty(), "no batch begins with a row that follows");
+        self.begin_row(false);
         self.rows += 1;
         self.rows == ROWS
     }
@@ -230,13 +293,32 @@ impl Table {
     /// A batch of the rows, which the table then has no more.
     pub fn batch(&mut self, schema: &SchemaRef) -> Result<RecordBatch, ArrowError> {
         let rows = std::mem::take(&mut self.rows);
+        self.expected = rows;
+        let whole = std::mem::take(&mut self.whole);
+        let spread = (whole.len() < rows).then(|| cells_of_rows(&whole, rows));
         let Self { columns, cells, absent, .. } = self;
-        let arrays = columns.iter().zip(cells).map(|(column, cells)| match cells.take() {
-            Some(cells) => cells.finish(&column.kind),
-            None => absent_column(absent, &column.kind, rows),
+        let arrays = columns.iter_mut().zip(cells).map(|(column, cells)| match (cells.take(), &spread) {
+            (None, _) => absent_column(absent, &column.kind, rows),
+            (Some(cells), Some(of)) if !column.moves => column.spread(cells.finish(&column.kind)?, of),
+            (Some(cells), _) => cells.finish(&column.kind),
         });
         RecordBatch::try_new(SchemaRef::clone(schema), arrays.collect::<Result<_, _>>()?)
     }
+}
+
+/// The cell of each row, where only these rows have one, and the others repeat the one before.
+fn cells_of_rows(whole: &[u32], rows: usize) -> UInt32Array {
+    let mut later = whole.iter().skip(1).peekable();
+    let mut cell = 0;
+    (0..rows)
+        .map(|row| {
+            if later.next_if(|whole| **whole as usize == row).is_some() {
+                cell += 1;
+            }
+            cell
+        })
+        .collect::<Vec<u32>>()
+        .into()
 }
 
 /// A column without any value.
@@ -244,7 +326,7 @@ fn absent_column(known: &mut Vec<(Kind, ArrayRef)>, kind: &Kind, rows: usize) ->
     if let Some((_, array)) = known.iter().find(|(of, array)| of == kind && array.len() >= rows) {
         return Ok(array.slice(0, rows));
     }
-    let array = after_absent(kind, rows).finish(kind)?;
+    let array = after_absent(kind, rows, rows).finish(kind)?;
     known.retain(|(of, _)| of != kind);
     known.push((kind.clone(), ArrayRef::clone(&array)));
     Ok(array)

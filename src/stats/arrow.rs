@@ -11,7 +11,10 @@ use crate::dict::AxisLetter;
 const FORM: &str = "cnc872c.schema";
 
 /// Rows as columns.
-pub struct RowTable<'o>(Rows<'o>);
+pub struct RowTable<'o> {
+    rows: Rows<'o>,
+    programs: u64,
+}
 
 impl fmt::Debug for RowTable<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -25,7 +28,7 @@ impl<'o> RowTable<'o> {
         let mut rows = Rows::new(out, failed);
         put(&mut rows.table, &Row::default());
         rows.begin(FORM, SCHEMA);
-        Self(rows)
+        Self { rows, programs: 0 }
     }
 
     /// The next row.
@@ -33,18 +36,20 @@ impl<'o> RowTable<'o> {
     /// # Errors
     /// What `out` gives.
     pub fn row(&mut self, row: &Row) -> io::Result<()> {
-        put(&mut self.0.table, row);
-        self.0.row();
-        self.0.result()
+        put(&mut self.rows.table, row);
+        self.rows.row();
+        self.programs += 1;
+        self.rows.result()
     }
 
     /// After the last row.
     ///
     /// # Errors
     /// What `out` gives.
-    pub fn end(mut self) -> io::Result<()> {
-        self.0.end(&End::default());
-        self.0.result()
+    pub fn end(self) -> io::Result<()> {
+        let Self { mut rows, programs } = self;
+        rows.end(&End::new(&format!(r#"{{"kind":"end","programs":{programs}}}"#), &[]));
+        rows.result()
     }
 }
 
@@ -91,8 +96,7 @@ fn put(table: &mut Table, row: &Row) {
     table.wholes("subprograms", subprograms);
     table.wholes("macrocycles", macrocycles);
     table.texts("parameters", parameters);
-    #[expect(clippy::cast_precision_loss, reason = "nobody has so many findings")]
-    table.map("findings", "", findings.iter().map(|(code, count)| (code, *count as f64)));
+    table.counts("findings", findings.iter().map(|(code, count)| (code, *count)));
 }
 
 fn put_reach(table: &mut Table, name: &str, reach: &Reach) {

@@ -9,5 +9,5 @@ mod row;
 #[cfg(feature = "arrow")]
 pub use arrow::RowTable;
 pub use program::{hash, row};
-pub use render::{CSV_HEAD, csv, human, json_end, json_head, json_row};
+pub use render::{CSV_HEAD, csv, human, json_break, json_end, json_head, json_row};
 pub use row::{Extents, Number, Row, SCHEMA, schema};

@@ -1,7 +1,6 @@
 //! From a program to its row.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write as _;
 use std::ops::ControlFlow;
 use std::path::Path;
 
@@ -21,10 +20,8 @@ use crate::text::{FileId, Sources};
 
 /// SHA-256, hexadecimal.
 pub fn hash(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+    let digit = |value: u8| char::from_digit(u32::from(value), 16).unwrap_or('0');
+    Sha256::digest(bytes).iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).collect()
 }
 
 /// G functions, H and T that blocks write.
@@ -39,6 +36,9 @@ impl Sink for Used {
     type Whole = Self;
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        if block.moves_on() {
+            return ControlFlow::Continue(());
+        }
         self.g.extend(block.g_written().map(GCode::number));
         if block.written(Address::H) {
             self.h.extend(block.h());

@@ -13,15 +13,22 @@ pub fn json_head() -> String {
     format!("{{\n  \"schema\": \"{SCHEMA}\",\n  \"programs\": [")
 }
 
-/// A row of JSON; `first`: none stands before it.
-pub fn json_row(row: &Row, first: bool) -> String {
+/// Before a row of JSON; `first`: none stands before it.
+pub const fn json_break(first: bool) -> &'static str {
+    if first { "\n    " } else { ",\n    " }
+}
+
+/// A row of JSON.
+pub fn json_row(row: &Row) -> String {
     // Texts and finite numbers have a JSON.
-    let text = serde_json::to_string(row).unwrap_or_default();
-    format!("{}\n    {}", if first { "" } else { "," }, escaped(&text))
+    escaped(serde_json::to_string(row).unwrap_or_default())
 }
 
 /// Escapes the characters on which a terminal might act.
-fn escaped(text: &str) -> String {
+fn escaped(text: String) -> String {
+    if !text.chars().any(is_unsafe) {
+        return text;
+    }
     let mut safe = String::with_capacity(text.len());
     for character in text.chars() {
         if is_unsafe(character) {

@@ -19,7 +19,7 @@ pub use records::SCHEMA;
 #[cfg(feature = "arrow")]
 pub(crate) use records::{AxisMap, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Record};
 #[cfg(feature = "arrow")]
-pub(crate) use row::{Before, Rows};
+pub(crate) use row::Rows;
 pub use schema::schema;
 #[cfg(feature = "view")]
 pub(crate) use single::SingleRecord;

@@ -33,15 +33,25 @@ impl Rows {
             Before::InPlace => Some(row.seq),
             Before::Beside(other) => Some(other.seq),
         };
-        let follows = known.is_some_and(|seq| seq > 0 && seq + 1 == block.seq()) && block.moves_on();
-        match before {
-            Before::Beside(other) if follows => row.clone_from(other),
-            Before::InPlace if follows => {}
-            Before::Nowhere | Before::InPlace | Before::Beside(_) => fill_whole(block, row),
+        if let Before::Beside(other) = before
+            && follows(block, known)
+        {
+            row.clone_from(other);
+        }
+        self.fill_changes(block, row, known);
+    }
+
+    /// Makes in `row` what may differ from the row before, whose `seq` is `before`, and says so by `true`; else the whole
+    /// row.
+    pub(crate) fn fill_changes(&mut self, block: &Executed<'_>, row: &mut BlockRecord, before: Option<u64>) -> bool {
+        let follows = follows(block, before);
+        if !follows {
+            fill_whole(block, row);
         }
         self.place(block, row);
         row.first_block = block.first();
         fill_motion(block, row);
+        follows
     }
 
     fn place(&mut self, block: &Executed<'_>, row: &mut BlockRecord) {
@@ -57,6 +67,11 @@ impl Rows {
         row.comments.clear();
         row.comments.extend(block.comments().map(str::to_owned));
     }
+}
+
+/// Whether a block only moves axes, as far as rows tell, behind the row with that `seq`.
+fn follows(block: &Executed<'_>, before: Option<u64>) -> bool {
+    before.is_some_and(|seq| seq > 0 && seq + 1 == block.seq()) && block.moves_on()
 }
 
 /// All that does not change while blocks only move axes.
@@ -120,7 +135,7 @@ fn fill_whole(block: &Executed<'_>, row: &mut BlockRecord) {
 }
 
 fn fill_motion(block: &Executed<'_>, row: &mut BlockRecord) {
-    row.feed_unit = row.feed.map(|_| block.feed_unit());
+    row.feed_unit = block.feed().map(|_| block.feed_unit());
     row.motion = block.motion().map(|motion| {
         let mut axes = AxisList::default();
         let [mut start, mut delta, mut center] = [AxisMap::default(); 3];

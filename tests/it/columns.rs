@@ -197,17 +197,48 @@ fn batches() {
     let rows: String = (0..700).map(|at| format!("N{} G1 X{at} F100\n", at * 10 + 20)).collect();
     let program = format!("%1\nN1 G73 L8000 Q200\n{rows}N8000 M30\n").replace("N1 G73 L8000 Q200\n", "N10 G0 G90 X0\n");
     let program = program.replace("N8000 M30", "N8000 G73 L20 Q150\nN8010 M30");
+    for part in [Part::default(), Part { from: 70_000, limit: Some(5) }, Part { from: 0, limit: Some(0) }] {
+        same_columns(&program, part);
+    }
+}
+
+/// Points in a row: batches of nothing else, and some between which more changes.
+#[test]
+fn points() {
+    let row = |at: u32| {
+        let more = match at {
+            100 => " F200 \"faster",
+            101 => " Y7",
+            70_000 => " M08",
+            70_001 | 70_002 => " T5 S300 \"a\"",
+            140_000..140_100 if at.is_multiple_of(3) => " G00",
+            140_000..140_100 if at % 3 == 1 => " G01",
+            _ => "",
+        };
+        format!("N{} X{}{more}\n", at + 20, f64::from(at % 5000) / 10.0)
+    };
+    let rows: String = (0..3 * 65_536 + 50).map(row).collect();
+    let program = format!("%1\nN1 G54 G17 G90 G94 T1 M06\nN2 G00 X0 Y0 Z5\nN3 G01 Z-1 F100\n{rows}N999999 M30\n");
+    same_columns(&program, Part::default());
+    same_columns(&program, Part { from: 65_530, limit: Some(65_600) });
+}
+
+/// The columns of a part of a program hold its records.
+fn same_columns(program: &str, part: Part) {
     let loader = cnc872c::text::MemoryLoader::new().with("a.nc", program);
     let settings = settings(&loader);
     let session = Session { loader: &loader, settings: &settings, progress: None };
-    for part in [Part::default(), Part { from: 70_000, limit: Some(5) }, Part { from: 0, limit: Some(0) }] {
-        let mut text = Vec::new();
-        session.compile(Path::new("a.nc"), "a.nc", part, &mut text).unwrap();
-        let (mut bytes, mut failed) = (Vec::new(), None);
-        let mut out = Ipc::new(&mut bytes);
-        let sink = BlockTable::new(part, &mut out, &mut failed);
-        assert!(session.run(Path::new("a.nc"), "a.nc", Purpose::Compile, sink).whole.is_some());
-        assert_eq!(records(&read(&bytes).1, path, &[]), of_kind(&lines(&text), "block"));
+    let mut text = Vec::new();
+    let whole = session.compile(Path::new("a.nc"), "a.nc", part, &mut text).unwrap().whole;
+    assert!(whole.is_some());
+    let (mut bytes, mut failed) = (Vec::new(), None);
+    let mut out = Ipc::new(&mut bytes);
+    let sink = BlockTable::new(part, &mut out, &mut failed);
+    assert_eq!(session.run(Path::new("a.nc"), "a.nc", Purpose::Compile, sink).whole, whole);
+    let (found, expected) = (records(&read(&bytes).1, path, &[]), of_kind(&lines(&text), "block"));
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.iter().zip(&expected) {
+        assert_eq!(found, expected);
     }
 }
 

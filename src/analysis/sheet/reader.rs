@@ -238,7 +238,7 @@ impl SheetReader {
     }
 
     fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
-        let n = block.n();
+        let (n, moves_on) = (block.n(), block.moves_on());
         self.sheet.head.diameter |= block.g(GGroup::G10) == Some(GCode::G74);
         self.sheet.all.add_motion(motion, n);
         let kind = motion.kind();
@@ -249,13 +249,15 @@ impl SheetReader {
         let Some(tool) = self.tool(block) else { return };
         match kind {
             MotionType::Rapid => tool.rapid.add(length),
-            MotionType::Thread => tool.cuts(block),
             MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw => {
                 tool.working.add(length);
                 tool.extents.add_motion(motion, n);
-                tool.cuts(block);
             }
-            MotionType::Reference => {}
+            MotionType::Thread | MotionType::Reference => {}
+        }
+        // F, S and D are those of the block before.
+        if kind != MotionType::Rapid && kind != MotionType::Reference && !moves_on {
+            tool.cuts(block);
         }
     }
 }
@@ -303,6 +305,12 @@ impl Sink for SheetReader {
     }
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        if block.moves_on()
+            && let Some(motion) = block.motion()
+        {
+            self.motion(block, &motion);
+            return ControlFlow::Continue(());
+        }
         self.calls(block);
         self.words(block);
         if block.tool().is_some()
