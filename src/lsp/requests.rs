@@ -12,8 +12,11 @@ use super::{
     semantic_tokens, signals, signature, state, workspace, workspace_findings, workspace_symbols,
 };
 
-/// Makes the result of a request from its parameters.
-type Run = Box<dyn Fn(&Snapshot, Value) -> Answer<Value> + Send>;
+/// Makes the result of a request from its parameters, as JSON text: a long result costs more as a tree of values.
+type Run = Box<dyn Fn(&Snapshot, Value) -> Answer<String> + Send>;
+
+/// The result where there is none.
+const NULL: &str = "null";
 
 /// How a request is answered.
 pub(super) struct Handler {
@@ -23,6 +26,11 @@ pub(super) struct Handler {
 
 /// The handler of a request; `None` for what the server does not know.
 pub(super) fn handler(method: &str) -> Option<Handler> {
+    of_document(method).or_else(|| of_workspace(method))
+}
+
+/// The handler of a request about one document.
+fn of_document(method: &str) -> Option<Handler> {
     use gen_lsp_types as lsp;
     Some(match method {
         "textDocument/hover" => {
@@ -68,18 +76,6 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
         "textDocument/semanticTokens/range" => {
             document::<lsp::SemanticTokensRangeRequest>(Needs::Analysis, semantic_tokens::range)
         }
-        "workspace/symbol" => {
-            workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
-        }
-        "workspace/diagnostic" => {
-            let run = |snapshot: &Snapshot, params: Value| workspace_findings::workspace_diagnostic(snapshot, &params);
-            Handler { needs: Needs::Nothing, run: Box::new(run) }
-        }
-        "workspace/willRenameFiles" => {
-            let run = |snapshot: &Snapshot, params: Value| workspace::will_rename_files(snapshot, &params);
-            Handler { needs: Needs::Nothing, run: Box::new(run) }
-        }
-        "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
         "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Everything, definition::definition),
         "textDocument/declaration" => document::<lsp::DeclarationRequest>(Needs::Everything, definition::declaration),
         "textDocument/references" => document::<lsp::ReferencesRequest>(Needs::Everything, references::references),
@@ -92,6 +88,20 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
         "textDocument/prepareCallHierarchy" => {
             document::<lsp::CallHierarchyPrepareRequest>(Needs::Everything, hierarchy::prepare)
         }
+        _ => return None,
+    })
+}
+
+/// The handler of a request about all documents and files.
+fn of_workspace(method: &str) -> Option<Handler> {
+    use gen_lsp_types as lsp;
+    Some(match method {
+        "workspace/symbol" => {
+            workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
+        }
+        "workspace/diagnostic" => untyped_workspace(workspace_findings::workspace_diagnostic),
+        "workspace/willRenameFiles" => untyped_workspace(workspace::will_rename_files),
+        "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
         "callHierarchy/incomingCalls" => {
             workspace::<lsp::CallHierarchyIncomingCallsRequest>(Needs::Everything, hierarchy::incoming)
         }
@@ -111,7 +121,7 @@ fn document<R: Request>(needs: Needs, answer: fn(&Snapshot, &Analysis, R::Params
         let params = parameters::<R>(params)?;
         match &snapshot.analysis {
             Some(analysis) => result::<R>(answer(snapshot, analysis, params)?),
-            None => Ok(Value::Null),
+            None => Ok(NULL.to_owned()),
         }
     };
     Handler { needs, run: Box::new(run) }
@@ -121,7 +131,7 @@ fn document<R: Request>(needs: Needs, answer: fn(&Snapshot, &Analysis, R::Params
 fn or_project_file(handler: Handler, answer: fn(&Snapshot, &Value) -> Answer<Value>) -> Handler {
     let Handler { needs, run } = handler;
     let run = move |snapshot: &Snapshot, params: Value| {
-        if snapshot.analysis.is_none() { answer(snapshot, &params) } else { run(snapshot, params) }
+        if snapshot.analysis.is_none() { Ok(answer(snapshot, &params)?.to_string()) } else { run(snapshot, params) }
     };
     Handler { needs, run: Box::new(run) }
 }
@@ -129,10 +139,16 @@ fn or_project_file(handler: Handler, answer: fn(&Snapshot, &Value) -> Answer<Val
 /// A request about one program or macrocycle whose parameters and result are taken as JSON.
 fn untyped(needs: Needs, answer: fn(&Snapshot, &Analysis, &Value) -> Answer<Value>) -> Handler {
     let run = move |snapshot: &Snapshot, params: Value| match &snapshot.analysis {
-        Some(analysis) => answer(snapshot, analysis, &params),
-        None => Ok(Value::Null),
+        Some(analysis) => Ok(answer(snapshot, analysis, &params)?.to_string()),
+        None => Ok(NULL.to_owned()),
     };
     Handler { needs, run: Box::new(run) }
+}
+
+/// A request about everything whose parameters and result are taken as JSON.
+fn untyped_workspace(answer: fn(&Snapshot, &Value) -> Answer<Value>) -> Handler {
+    let run = move |snapshot: &Snapshot, params: Value| Ok(answer(snapshot, &params)?.to_string());
+    Handler { needs: Needs::Nothing, run: Box::new(run) }
 }
 
 /// A request about everything.
@@ -146,6 +162,7 @@ fn parameters<R: Request>(params: Value) -> Answer<R::Params> {
         .map_err(|error| Refusal { code: ErrorCode::InvalidParams, message: error.to_string() })
 }
 
-fn result<R: Request>(result: R::Result) -> Answer<Value> {
-    serde_json::to_value(result).map_err(|error| Refusal { code: ErrorCode::InternalError, message: error.to_string() })
+fn result<R: Request>(result: R::Result) -> Answer<String> {
+    serde_json::to_string(&result)
+        .map_err(|error| Refusal { code: ErrorCode::InternalError, message: error.to_string() })
 }

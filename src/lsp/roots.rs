@@ -40,8 +40,8 @@ pub(super) enum Event {
     Answered {
         /// Which.
         id: RequestId,
-        /// The answer.
-        result: Result<Value, ResponseError>,
+        /// The result as JSON, or why there is none.
+        result: Result<String, ResponseError>,
     },
 }
 

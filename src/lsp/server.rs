@@ -446,9 +446,14 @@ impl Server {
     }
 
     /// The answer of a thread: nothing, when the request was cancelled in between.
-    pub(super) fn answered(&mut self, id: RequestId, result: Result<Value, ResponseError>) {
-        if self.pending.contains_key(&id) {
-            self.answer(id, result);
+    pub(super) fn answered(&mut self, id: RequestId, result: Result<String, ResponseError>) {
+        match result {
+            _ if !self.pending.contains_key(&id) => {}
+            Err(error) => self.answer(id, Err(error)),
+            Ok(result) => {
+                self.pending.remove(&id);
+                let _ = self.outgoing.send(Outgoing::Result { id, result });
+            }
         }
     }
 

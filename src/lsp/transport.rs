@@ -3,7 +3,7 @@
 
 use std::io::{self, BufRead, Read, Write};
 
-use lsp_server::{ErrorCode, Message};
+use lsp_server::{ErrorCode, Message, RequestId};
 use serde_json::{Value, json};
 
 /// Longest content of one message, in bytes: a program of 4 GiB is refused as too large anyway.
@@ -109,6 +109,13 @@ fn malformed(code: ErrorCode, message: &str) -> Incoming {
 pub(super) enum Outgoing {
     /// A message.
     Message(Message),
+    /// The result of a request, as JSON.
+    Result {
+        /// Of which request.
+        id: RequestId,
+        /// The result.
+        result: String,
+    },
     /// An answer to something malformed, whose `id` may be anything.
     Refusal(Value),
 }
@@ -127,12 +134,19 @@ impl Outgoing {
 pub(super) fn write(output: &mut impl Write, outgoing: Outgoing) -> io::Result<()> {
     match outgoing {
         Outgoing::Message(message) => message.write(output),
-        Outgoing::Refusal(value) => {
-            let content = value.to_string();
-            write!(output, "Content-Length: {}\r\n\r\n{content}", content.len())?;
-            output.flush()
+        Outgoing::Result { id, result } => {
+            let head = format!(r#"{{"jsonrpc":"2.0","id":{},"result":"#, json!(id));
+            write_frame(output, &[&head, &result, "}"])
         }
+        Outgoing::Refusal(value) => write_frame(output, &[&value.to_string()]),
     }
+}
+
+fn write_frame(output: &mut impl Write, content: &[&str]) -> io::Result<()> {
+    let length: usize = content.iter().map(|part| part.len()).sum();
+    write!(output, "Content-Length: {length}\r\n\r\n")?;
+    content.iter().try_for_each(|part| output.write_all(part.as_bytes()))?;
+    output.flush()
 }
 
 #[cfg(test)]

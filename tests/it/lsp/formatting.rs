@@ -40,9 +40,10 @@ fn samples_as_on_the_command_line() {
             let params = json!({ "textDocument": { "uri": uri }, "options": { "tabSize": 4, "insertSpaces": true } });
             let answer = client.request("textDocument/formatting", params);
             let given = Arc::new(SourceText::from_text(name.to_string_lossy(), text.as_str()));
-            let expected = match format(&name, &given, text.as_bytes(), &settings) {
-                Ok((Some(bytes), _)) => String::from_utf8(bytes).unwrap(),
-                Ok((None, _)) | Err(_) => text.clone(),
+            let mut made = Vec::new();
+            let expected = match format(&name, &given, &settings, &mut |part| made.extend_from_slice(part)) {
+                Ok(formatted) if formatted.changed => String::from_utf8(made).unwrap(),
+                Ok(_) | Err(_) => text.clone(),
             };
             changed += usize::from(expected != text);
             assert!(answer["error"].is_null(), "{}: {answer}", path.display());
