@@ -248,8 +248,7 @@ fn block<'r>(mut json: Line<'r>, record: &BlockRecord, order: &[AxisLetter], par
         column: int,
         calls: so {
             if !calls.is_empty() {
-                let write = |json: Line<'_>, calls: &Vec<Call>| json.put(key!(calls)).list(calls, call).at;
-                json = json.put_all(parts.calls.of(calls, write));
+                json = json.put_all(parts.calls.of(calls, |json, calls| json.put(key!(calls)).list(calls, call).at));
             }
         },
         jump: so {

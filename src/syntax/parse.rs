@@ -30,7 +30,7 @@ pub fn parse(file: FileId, source: &Arc<SourceText>, form: Form, findings: &mut 
 /// Texts below this many bytes are read in one piece: two threads would not be done sooner.
 const LONG: u32 = 1 << 20;
 /// Longer ones are read in pieces of about this many bytes, side by side.
-const PIECE: u32 = 1 << 17;
+const PIECE: u32 = 1 << 16;
 /// So many pieces are read before they are put together, while the next are being read: what is in pieces is little
 /// beside what is together.
 const AT_ONCE: usize = 16;
@@ -50,27 +50,7 @@ pub(super) fn parse_in(
     if source.encoding().is_utf16() {
         layout::report_utf16(file, source, findings);
     }
-    let start = match form {
-        Form::Macrocycle => source.first_offset(),
-        Form::Program => match memchr::memchr(b'%', text.as_bytes()) {
-            Some(start) => {
-                let start = small(start);
-                match start_behind(text, start) {
-                    Some(behind) => {
-                        let finding = Finding::MissingValue { address: "%".to_owned(), meant: ValueMeant::EarlyStart };
-                        findings.add(Diagnostic::new(finding, at(Span::new(start, start + 1))));
-                        behind
-                    }
-                    None => start,
-                }
-            }
-            None => {
-                findings.add(missing_start(file, source));
-                end
-            }
-        },
-    };
-    let start = start.min(end);
+    let start = start_of(file, source, form, findings).min(end);
     let read = |(from, to): (u32, u32)| {
         let mut reader = Reader::new(text, file, form, from == start, (from, to));
         reader.read(from, to, short_way);
@@ -118,6 +98,22 @@ pub(super) fn parse_in(
     parsed.case = layout::case_finding(file, text, &lowercase, addresses).map(Box::new);
     layout::check_lines(file, source, parsed.start, parsed.end, findings);
     parsed
+}
+
+/// Where what is read of a file begins; the end of the text where a program has no `%`.
+fn start_of(file: FileId, source: &SourceText, form: Form, findings: &mut Findings) -> u32 {
+    let text = source.text();
+    if form == Form::Macrocycle {
+        return source.first_offset();
+    }
+    let Some(start) = memchr::memchr(b'%', text.as_bytes()).map(small) else {
+        findings.add(missing_start(file, source));
+        return source.len();
+    };
+    let Some(behind) = start_behind(text, start) else { return start };
+    let finding = Finding::MissingValue { address: "%".to_owned(), meant: ValueMeant::EarlyStart };
+    findings.add(Diagnostic::new(finding, Location { file, span: Span::new(start, start + 1) }));
+    behind
 }
 
 /// The finding that there is no `%`: with the number that other controls write behind `O` or `:` in the first line.
