@@ -44,6 +44,14 @@ impl DiskLoader {
         read.iter().any(|path| is_same_file(path, file))
     }
 
+    /// Reads a program that is not wanted again: of a pipe nothing is kept.
+    ///
+    /// # Errors
+    /// As [`Loader::read`].
+    pub fn read_once(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if self.is_stream(path) { read_stream(path) } else { self.read(path) }
+    }
+
     /// Whether that program is standard input or a pipe.
     pub fn is_stream(&self, path: &Path) -> bool {
         self.named.iter().any(|(named, _)| named == path)
@@ -60,8 +68,7 @@ impl Loader for DiskLoader {
             if let Some(bytes) = kept.get() {
                 return Ok(bytes.to_vec());
             }
-            let bytes =
-                if is_stdin(path) { read_bounded(io::stdin().lock(), 0)? } else { read_bounded(open(path)?, 0)? };
+            let bytes = read_stream(path)?;
             let _ = kept.set(bytes.as_slice().into());
             return Ok(bytes);
         }
@@ -306,6 +313,11 @@ fn holds(mut file: &File, mut bytes: &[u8]) -> io::Result<bool> {
             None => return Ok(false),
         }
     }
+}
+
+/// Reads standard input or a pipe.
+fn read_stream(path: &Path) -> io::Result<Vec<u8>> {
+    if is_stdin(path) { read_bounded(io::stdin().lock(), 0) } else { read_bounded(open(path)?, 0) }
 }
 
 /// Reads to the end, but not 4 GiB.

@@ -304,8 +304,9 @@ pub fn format(
         let settings = one.session.settings;
         let source = SourceText::decode(one.name.as_str(), bytes.clone(), settings.encoding);
         let source = source.map_err(|error| unread(error.into()))?;
-        match layout(one.path, &Arc::new(source), &bytes, settings) {
-            Ok((made, left)) => Ok((made.unwrap_or(bytes), left)),
+        let mut made = Vec::new();
+        match layout(one.path, &Arc::new(source), settings, &mut |part| made.extend_from_slice(part)) {
+            Ok(formatted) => Ok((if formatted.changed { made } else { bytes }, formatted.lines_left)),
             Err(outcome) => {
                 one.add(*outcome)?;
                 Err(Fault::Program(one.json()))

@@ -265,9 +265,14 @@ fn is_foreign(diagnostic: &Diagnostic) -> bool {
 }
 
 /// Puts the fixed bytes in the place of the file, unless it is no longer as it was read.
-pub(super) fn write(path: &Path, disk: &DiskLoader, before: &[u8], after: &[u8]) -> io::Result<bool> {
+fn write(path: &Path, disk: &DiskLoader, before: &[u8], after: &[u8]) -> io::Result<bool> {
     let mut file = Replacement::begin(path)?;
     file.write_all(after)?;
+    put(file, path, disk, before)
+}
+
+/// Puts a new file in the place of the old one, unless that is no longer as it was read.
+pub(super) fn put(file: Replacement, path: &Path, disk: &DiskLoader, before: &[u8]) -> io::Result<bool> {
     if disk.read(path)? != before {
         return Ok(false);
     }

@@ -9,7 +9,6 @@ use super::status::{Failure, Status};
 use super::walk::Target;
 use super::words::Words;
 use crate::config::Settings;
-use crate::dict::Lang;
 use crate::edit::renumber::{Numbering, Part, Renumbering, renumbered};
 use crate::text::SourceText;
 
@@ -24,34 +23,24 @@ pub(super) fn run(args: &RenumberArgs, locale: Locale) -> Result<Status, Failure
     };
     let width = usize::from(args.width);
     let numbering = Numbering { start: args.start, step: args.step, width, part };
-    let make = |target: &Target, source: &Arc<SourceText>, bytes: &[u8], settings: &Settings| {
-        made(target, source, bytes, settings, numbering, locale.lang)
+    let make = |target: &Target, source: &Arc<SourceText>, settings: &Settings, out: &mut dyn FnMut(&[u8])| {
+        let file = target.name();
+        match renumbered(&target.path, source, settings, numbering, out) {
+            Ok((changed, renumbering)) => Made { changed, said: said(&file, renumbering), ..Made::unchanged() },
+            Err(why) => {
+                let why = why.text(locale.lang);
+                Made { refused: Some(Words::NotRenumbered { file, why }), ..Made::unchanged() }
+            }
+        }
     };
     rewrite::run(&args.paths, &args.rewrite, &args.common, locale, &make)
 }
 
-fn made(
-    target: &Target,
-    source: &Arc<SourceText>,
-    bytes: &[u8],
-    settings: &Settings,
-    numbering: Numbering,
-    lang: Lang,
-) -> Made {
-    let file = target.name();
-    match renumbered(&target.path, source, bytes, settings, numbering) {
-        Ok((bytes, Renumbering { mentions, .. })) => {
-            let more = mentions.len().saturating_sub(MOST_MENTIONS);
-            let mut said: Vec<Words> = mentions
-                .into_iter()
-                .take(MOST_MENTIONS)
-                .map(|(line, old, new)| Words::NumberMentioned { file: file.clone(), line, old, new })
-                .collect();
-            if more > 0 {
-                said.push(Words::MoreMentions { file, more });
-            }
-            Made { bytes, said, ..Made::unchanged() }
-        }
-        Err(why) => Made { refused: Some(Words::NotRenumbered { file, why: why.text(lang) }), ..Made::unchanged() },
-    }
+/// The numbers in comments that stood for blocks (REN-4).
+fn said(file: &str, Renumbering { mentions, .. }: Renumbering) -> Vec<Words> {
+    let more = mentions.len().saturating_sub(MOST_MENTIONS);
+    let listed = mentions.into_iter().take(MOST_MENTIONS);
+    let mentioned = |(line, old, new)| Words::NumberMentioned { file: file.to_owned(), line, old, new };
+    let more = (more > 0).then(|| Words::MoreMentions { file: file.to_owned(), more });
+    listed.map(mentioned).chain(more).collect()
 }

@@ -1,5 +1,6 @@
-//! What `format` and `renumber` have in common: files read, made anew in memory, and replaced whole, or only shown.
+//! What `format` and `renumber` have in common: files read, made anew, and replaced whole, or only shown.
 
+use std::borrow::Cow;
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -12,7 +13,7 @@ use super::common::{Origins, Projects, overrides, print_beside};
 use super::diff;
 use super::fix;
 use super::locale::Locale;
-use super::replace::clean_up_when_interrupted;
+use super::replace::{Replacement, clean_up_when_interrupted};
 use super::status::{Failure, Status, complain, tell};
 use super::threads;
 use super::walk::{Origin, Target, targets};
@@ -20,16 +21,15 @@ use super::words::{Words, reason};
 use crate::config::Settings;
 use crate::diag::{Findings, Format, Report};
 use crate::disk::{DiskLoader, is_stdin};
-use crate::edit::FileBytes;
-use crate::text::{Loader, SourceText, Sources};
+use crate::text::{DecodeError, Encoding, Loader, SourceText, Sources};
 
-/// How many files are made anew before they are written: bounds what is kept of them.
+/// How many files are made anew before they get their names: bounds what is kept of them.
 const AT_ONCE: usize = 64;
 
 /// A command's result for one file.
 pub(super) struct Made {
-    /// Its bytes; `None` when they stay.
-    pub bytes: Option<Vec<u8>>,
+    /// Whether it becomes another one. If not, the bytes given do not count.
+    pub changed: bool,
     /// What to say of it.
     pub said: Vec<Words>,
     /// Findings that keep it as it is.
@@ -41,17 +41,86 @@ pub(super) struct Made {
 impl Made {
     /// As it is, without a word.
     pub(super) const fn unchanged() -> Self {
-        Self { bytes: None, said: Vec::new(), findings: None, refused: None }
+        Self { changed: false, said: Vec::new(), findings: None, refused: None }
     }
 }
 
-/// How a command makes one file anew: its target, its text, its bytes, the settings.
-pub(super) type Make<'a> = dyn Fn(&Target, &Arc<SourceText>, &[u8], &Settings) -> Made + Sync + 'a;
+/// How a command makes one file anew: its target, its text, the settings, and what takes its bytes.
+pub(super) type Make<'a> = dyn Fn(&Target, &Arc<SourceText>, &Settings, &mut dyn FnMut(&[u8])) -> Made + Sync + 'a;
 
 /// A file as it was and as it is to be.
 struct Rewritten {
-    before: FileBytes,
+    before: Before,
     made: Made,
+    after: After,
+}
+
+/// A file as it was.
+struct Before {
+    source: Arc<SourceText>,
+    /// Of a file in UTF-16, which may have lost some when it was decoded. Those of others follow from the text.
+    bytes: Option<Vec<u8>>,
+}
+
+impl Before {
+    fn decode(name: String, bytes: Vec<u8>, fallback: Encoding) -> Result<Self, DecodeError> {
+        let is_wide = Encoding::utf16(&bytes).is_some();
+        let kept = is_wide.then(|| bytes.clone());
+        Ok(Self { source: Arc::new(SourceText::decode(name, bytes, fallback)?), bytes: kept })
+    }
+
+    fn bytes(&self) -> Cow<'_, [u8]> {
+        let encode = || self.source.encoding().encode(self.source.text());
+        self.bytes.as_deref().map_or_else(encode, Cow::Borrowed)
+    }
+}
+
+/// What takes the bytes of a file that is made anew. They are not held beside the tree of its blocks unless they must
+/// be.
+enum After {
+    /// Nobody wants them.
+    Nowhere,
+    /// They are shown, or written when those of the files before it are.
+    Memory(Vec<u8>),
+    /// The only file goes to standard output.
+    Out(io::Result<bool>),
+    /// The file that takes the place of the old one, from the first bytes on.
+    File(PathBuf, Option<io::Result<Box<Replacement>>>),
+}
+
+impl After {
+    fn of(target: &Target, args: &RewriteArgs, loader: &DiskLoader, alone: bool) -> Self {
+        let shows = args.check || args.diff;
+        match is_stdin(&target.path) {
+            _ if args.diff => Self::Memory(Vec::new()),
+            true if !shows && alone => Self::Out(Ok(false)),
+            true if !shows => Self::Memory(Vec::new()),
+            false if !shows && target.origin != Origin::Linked && !loader.is_stream(&target.path) => {
+                Self::File(target.path.clone(), None)
+            }
+            _ => Self::Nowhere,
+        }
+    }
+
+    fn take(&mut self, bytes: &[u8]) {
+        match self {
+            Self::Nowhere => {}
+            Self::Memory(all) => all.extend_from_slice(bytes),
+            Self::Out(written) => {
+                if written.is_ok() {
+                    *written = io::stdout().write_all(bytes).map(|()| true);
+                }
+            }
+            Self::File(path, file) => {
+                let file = file.get_or_insert_with(|| Replacement::begin(path).map(Box::new));
+                if let Ok(open) = file
+                    && let Err(error) = open.write_all(bytes)
+                {
+                    *file = Err(error);
+                }
+            }
+        }
+    }
 }
 
 /// Makes the named files anew, and those found in named folders.
@@ -88,8 +157,10 @@ pub(super) fn run(
         refused: false,
         unusable: found.targets.is_empty(),
     };
+    let alone = found.targets.len() == 1;
+    let after = |target: &Target| After::of(target, args, &loader, alone);
     for some in found.targets.chunks(AT_ONCE) {
-        let one = |target: &Target| rewritten(target, &projects, &loader, make);
+        let one = |target: &Target| rewritten(target, &projects, &loader, after(target), make);
         let all: Vec<_> =
             if some.len() == 1 { some.iter().map(one).collect() } else { some.par_iter().map(one).collect() };
         for (target, rewritten) in some.iter().zip(all) {
@@ -99,16 +170,24 @@ pub(super) fn run(
     rewriting.finish(&shown)
 }
 
-fn rewritten(target: &Target, projects: &Projects, loader: &DiskLoader, make: &Make<'_>) -> io::Result<Rewritten> {
+fn rewritten(
+    target: &Target,
+    projects: &Projects,
+    loader: &DiskLoader,
+    mut after: After,
+    make: &Make<'_>,
+) -> io::Result<Rewritten> {
     if let Some(problem) = &target.problem {
         return Err(io::Error::new(problem.kind(), problem.to_string()));
     }
     let settings = projects.settings(target);
     let encoding = settings.map(|settings| settings.encoding).unwrap_or_default();
-    let before = FileBytes::decode(target.name(), loader.read(&target.path)?, encoding)?;
-    let made = settings.map(|settings| make(target, before.source(), before.bytes(), settings));
+    let only = matches!(after, After::Out(_));
+    let bytes = if only { loader.read_once(&target.path)? } else { loader.read(&target.path)? };
+    let before = Before::decode(target.name(), bytes, encoding)?;
+    let made = settings.map(|settings| make(target, &before.source, settings, &mut |bytes| after.take(bytes)));
     let made = made.unwrap_or_else(Made::unchanged);
-    Ok(Rewritten { before, made })
+    Ok(Rewritten { before, made, after })
 }
 
 /// The files so far.
@@ -128,7 +207,7 @@ impl Rewriting<'_> {
     fn take(&mut self, target: &Target, file: io::Result<Rewritten>, projects: &Projects) -> io::Result<()> {
         let lang = self.locale.lang;
         let name = target.name();
-        let Rewritten { before, made } = match file {
+        let Rewritten { before, made, after } = match file {
             Ok(file) => file,
             Err(error) => {
                 self.unusable = true;
@@ -150,51 +229,64 @@ impl Rewriting<'_> {
         }
         let shows = self.args.check || self.args.diff;
         if is_stdin(&target.path) && !shows {
-            return self.out.write_all(made.bytes.as_deref().unwrap_or(before.bytes()));
+            return match after {
+                After::Out(Err(error)) => Err(error),
+                After::Out(Ok(true)) => Ok(()),
+                After::Memory(after) if made.changed => self.out.write_all(&after),
+                After::Out(Ok(false)) | After::Memory(_) | After::Nowhere | After::File(..) => {
+                    self.out.write_all(&before.bytes())
+                }
+            };
         }
-        let Some(after) = made.bytes else {
+        if !made.changed {
             self.same += 1;
             return Ok(());
-        };
-        self.changed += 1;
-        if self.args.diff {
-            let terminal = io::stdout().is_terminal();
-            let encoding = projects.settings(target).map(|settings| settings.encoding).unwrap_or_default();
-            let lines = |bytes| if terminal { diff::safe_lines(bytes, encoding) } else { diff::lines(bytes) };
-            let colors = self.locale.colors(terminal);
-            return self.out.write_all(&diff::unified(&name, &lines(before.bytes()), &lines(&after), colors));
         }
-        if self.args.check {
-            return writeln!(self.out, "{}", crate::diag::terminal_safe(&name));
+        match after {
+            After::Memory(after) => {
+                self.changed += 1;
+                let terminal = io::stdout().is_terminal();
+                let encoding = projects.settings(target).map(|settings| settings.encoding).unwrap_or_default();
+                let lines = |bytes| if terminal { diff::safe_lines(bytes, encoding) } else { diff::lines(bytes) };
+                let colors = self.locale.colors(terminal);
+                let (before, after) = (lines(&before.bytes()), lines(&after));
+                self.out.write_all(&diff::unified(&name, &before, &after, colors))?;
+            }
+            After::Nowhere | After::Out(_) if self.args.check => {
+                self.changed += 1;
+                writeln!(self.out, "{}", crate::diag::terminal_safe(&name))?;
+            }
+            After::File(_, Some(file)) => self.replace(target, &before.bytes(), file),
+            After::Nowhere | After::Out(_) | After::File(..) => self.leave(target),
         }
-        self.replace(target, before.bytes(), &after);
         Ok(())
     }
 
-    /// Puts the new bytes in the place of the file, unless nobody named it and a link leads there.
-    fn replace(&mut self, target: &Target, before: &[u8], after: &[u8]) {
+    /// Leaves a file that is a stream, or that nobody named and a link leads to.
+    fn leave(&mut self, target: &Target) {
         let (lang, file) = (self.locale.lang, target.name());
         if target.origin == Origin::Linked {
-            (self.changed, self.same) = (self.changed - 1, self.same + 1);
+            self.same += 1;
             tell(&Words::RewriteLink { file }, lang);
-            return;
-        }
-        if self.loader.is_stream(&target.path) {
+        } else {
             self.unusable = true;
             complain(&Words::RewriteNeedsFile { file }, lang);
-            return;
         }
-        match fix::write(&target.path, self.loader, before, after) {
-            Ok(true) => {}
-            Ok(false) => {
-                self.unusable = true;
-                complain(&Words::RewriteChanged { file }, lang);
+    }
+
+    /// Puts the new file in the place of the old one.
+    fn replace(&mut self, target: &Target, before: &[u8], new: io::Result<Box<Replacement>>) {
+        let file = target.name();
+        let problem = match new.and_then(|new| fix::put(*new, &target.path, self.loader, before)) {
+            Ok(true) => {
+                self.changed += 1;
+                return;
             }
-            Err(error) => {
-                self.unusable = true;
-                complain(&Words::CannotWrite { file, reason: reason(&error, lang) }, lang);
-            }
-        }
+            Ok(false) => Words::RewriteChanged { file },
+            Err(error) => Words::CannotWrite { file, reason: reason(&error, self.locale.lang) },
+        };
+        self.unusable = true;
+        complain(&problem, self.locale.lang);
     }
 
     fn finish(mut self, shown: &FindingsArgs) -> Result<Status, Failure> {

@@ -1,14 +1,16 @@
 //! One file read for itself: what it calls does not matter.
 
 use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::config::Settings;
-use crate::diag::Code;
+use crate::diag::{Code, Findings};
 use crate::resolve::Resolved;
 use crate::session::{Outcome, Session};
+use crate::syntax::ParsedFile;
 use crate::text::{Encoding, Loader, SourceText};
 
 /// The findings in a file, and its parts. `path` says whether it is a program or a macrocycle.
@@ -19,29 +21,40 @@ pub(super) fn resolve(path: &Path, source: &Arc<SourceText>, settings: &Settings
     Session { loader: &alone, settings: &settings, progress: None }.resolve(path, source.name())
 }
 
-/// Most blocks that are executed to compare two texts.
-const BLOCKS: u64 = 200_000;
-
-/// Whether a rewritten file has the findings of the old one, but for places and those that layout puts right (FMT-7).
-pub(super) fn same_findings(path: &Path, old: &Arc<SourceText>, new: &Arc<SourceText>, settings: &Settings) -> bool {
-    let [old, new] = [old, new].map(|source| count_findings(path, source, settings));
-    let count = |counts: &BTreeMap<Code, usize>, code| counts.get(code).copied().unwrap_or(0);
-    old.keys().chain(new.keys()).all(|code| {
-        let (before, now) = (count(&old, code), count(&new, code));
-        now == before || (now < before && matches!(code, Code::W0108 | Code::E0109))
-    })
+/// The meaning of a file, without places. Two texts with the same blocks are executed alike.
+#[derive(Debug)]
+pub(super) struct Reading {
+    /// How many findings there are of each code.
+    findings: BTreeMap<Code, usize>,
+    /// A hash of the blocks and comments.
+    blocks: u64,
 }
 
-fn count_findings(path: &Path, source: &Arc<SourceText>, settings: &Settings) -> BTreeMap<Code, usize> {
-    let mut settings = settings.clone();
-    settings.macrocycles.clear();
-    let progress = |executed| executed < BLOCKS;
-    let session = Session { loader: &Alone(source), settings: &settings, progress: Some(&progress) };
-    let findings = session.check(path, source.name()).findings;
-    let mut counts = BTreeMap::new();
-    findings.items().iter().for_each(|item| *counts.entry(item.code()).or_default() += 1);
-    findings.beyond().for_each(|((_, code), beyond)| *counts.entry(code).or_default() += beyond);
-    counts
+impl Reading {
+    /// What was read.
+    pub(super) fn of(file: &ParsedFile, found: &Findings) -> Self {
+        let mut findings = BTreeMap::new();
+        found.items().iter().for_each(|item| *findings.entry(item.code()).or_default() += 1);
+        found.beyond().for_each(|((_, code), beyond)| *findings.entry(code).or_default() += beyond);
+        let mut hash = DefaultHasher::new();
+        (file.words_outside, file.program_end().0).hash(&mut hash);
+        file.block_ids().for_each(|block| (file.flags(block).0, file.words(block).len()).hash(&mut hash));
+        file.all_words().for_each(|word| word.essence().hash(&mut hash));
+        file.all_comments().iter().for_each(|comment| file.comment_text(*comment).hash(&mut hash));
+        Self { findings, blocks: hash.finish() }
+    }
+
+    /// Whether the same is read in the text that was made of this one, with the same findings but for those that layout
+    /// puts right (FMT-7).
+    pub(super) fn stays_in(&self, new: &Self) -> bool {
+        let count = |reading: &Self, code| reading.findings.get(code).copied().unwrap_or(0);
+        let mut codes = self.findings.keys().chain(new.findings.keys());
+        self.blocks == new.blocks
+            && codes.all(|code| {
+                let (before, now) = (count(self, code), count(new, code));
+                now == before || (now < before && matches!(code, Code::W0108 | Code::E0109))
+            })
+    }
 }
 
 /// Whether a finding says that characters could not be read as words (FMT-6, REN-5).

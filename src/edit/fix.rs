@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::splice::{Splice, Written};
+use super::splice::Splice;
 use crate::diag::{Edit, Fix};
 use crate::sure::small;
 use crate::text::{FileId, SourceText, Span};
@@ -28,10 +28,10 @@ pub fn apply_fixes<'a>(
 ) -> Fixed {
     let (edits, applied) = take(source, file, fixes);
     let mut splice = Splice::new(source, bytes);
-    for (&start, &(end, before)) in &edits {
-        splice.write(Written { span: Span::new(start, end), before, copied: None, after: "" });
+    for (&start, &(end, text)) in &edits {
+        splice.write(Span::new(start, end), text);
     }
-    Fixed { bytes: splice.finish().unwrap_or_else(|| bytes.to_vec()), applied }
+    Fixed { bytes: splice.finish(), applied }
 }
 
 /// The edits that [`apply_fixes`] would make, in the order of the text.

@@ -7,11 +7,10 @@ mod fix;
 pub(crate) mod format;
 #[cfg(feature = "lsp")]
 pub(crate) mod line_length;
+mod output;
 #[cfg(feature = "lsp")]
 pub(crate) mod renumber;
 mod splice;
 
 pub use fix::{Fixed, apply_fixes, compatible_edits};
-pub use format::format;
-#[cfg(feature = "cli")]
-pub(crate) use splice::FileBytes;
+pub use format::{Formatted, format};

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::alone;
 use super::edit_texts::EditText;
 use super::line_length::first_long_line;
-use super::splice::{Splice, Written};
+use super::output::{Output, Written};
 use crate::config::Settings;
 use crate::diag::Code;
 use crate::dict::{Address, GCode, HIGHEST_BLOCK, HIGHEST_L};
@@ -85,17 +85,17 @@ pub(crate) fn renumber_evenly(resolved: &Resolved) -> Result<Renumbering, EditTe
     Err(obstacle)
 }
 
-/// The bytes of a renumbered file; `None` when they stay. `bytes` are those of `source`.
+/// Renumbers a file, and gives its bytes to `out`, part by part, unless they stay; whether it becomes another one.
 ///
 /// # Errors
 /// Why that cannot be done.
 pub(crate) fn renumbered(
     path: &Path,
     source: &Arc<SourceText>,
-    bytes: &[u8],
     settings: &Settings,
     numbering: Numbering,
-) -> Result<(Option<Vec<u8>>, Renumbering), EditText> {
+    out: &mut dyn FnMut(&[u8]),
+) -> Result<(bool, Renumbering), EditText> {
     let (outcome, resolved) = alone::resolve(path, source, settings);
     let unread = outcome.findings.items().iter().filter(|item| item.at.file == FILE && is_unread(item.code()));
     if let Some(first) = unread.min_by_key(|item| item.at) {
@@ -103,11 +103,12 @@ pub(crate) fn renumbered(
         return Err(EditText::Unread { line, code: first.code() });
     }
     let renumbering = renumber(&resolved, numbering)?;
-    let mut splice = Splice::new(source, bytes);
+    let mut out = |text: &str| out(&source.encoding().encode(text));
+    let mut output = Output::new(source, &mut out);
     for (span, number) in &renumbering.edits {
-        splice.write(Written { span: *span, before: number, copied: None, after: "" });
+        output.write(Written { span: *span, before: number, copied: None, after: "" });
     }
-    Ok((splice.finish(), renumbering))
+    Ok((output.finish(), renumbering))
 }
 
 /// Whether a finding says that what it is about could not be read: then no number is safe to change (REN-5).

@@ -235,6 +235,13 @@ impl Word {
         self.flags & (POINT | PLUS | MINUS | ROUNDED | PARAMETER | FAULTY | VOID) == 0
     }
 
+    /// Address and value without the place and the decimal point: equal for words that are executed alike.
+    pub fn essence(self) -> u64 {
+        let [flags, _] = (self.flags & !POINT).to_le_bytes();
+        let [a, b, c, d] = self.raw.to_le_bytes();
+        u64::from_le_bytes([a, b, c, d, self.index, flags, self.address as u8, 0])
+    }
+
     /// First byte.
     pub const fn start(self) -> u32 {
         self.start

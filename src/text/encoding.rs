@@ -1,5 +1,9 @@
 //! The code pages that part programs come in (LEX-13).
 
+use std::borrow::Cow;
+
+use crate::sure::Sure;
+
 /// How the bytes of a file become characters, when they are not valid UTF-8.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
@@ -87,6 +91,31 @@ impl Encoding {
         }
     }
 
+    /// The bytes of a text: the way back of decoding, where no byte was lost in it. In the one-byte code pages the text
+    /// has the characters of the page only.
+    pub fn encode(self, text: &str) -> Cow<'_, [u8]> {
+        match self {
+            Self::Utf16Le => return text.encode_utf16().flat_map(u16::to_le_bytes).collect(),
+            Self::Utf16Be => return text.encode_utf16().flat_map(u16::to_be_bytes).collect(),
+            Self::Utf8 => return Cow::Borrowed(text.as_bytes()),
+            Self::Cp852 | Self::Windows1250 | Self::Iso88592 | Self::Kamenicky => {}
+        }
+        if text.is_ascii() {
+            return Cow::Borrowed(text.as_bytes());
+        }
+        let upper = self.decode(&(0x80..=0xff).collect::<Vec<u8>>());
+        let mut bytes: Vec<(char, u8)> = upper.chars().zip(0x80..=0xff).collect();
+        bytes.sort_unstable();
+        let byte = |character: char| match u8::try_from(character) {
+            Ok(ascii) if ascii.is_ascii() => ascii,
+            _ => {
+                let at = bytes.binary_search_by_key(&character, |(known, _)| *known).ok();
+                at.and_then(|at| bytes.get(at)).map(|(_, byte)| *byte).sure()
+            }
+        };
+        text.chars().map(byte).collect()
+    }
+
     /// The encodings that the project file and `--encoding` name, each with its name there.
     pub const NAMED: [(&'static str, Self); 5] = [
         ("cp852", Self::Cp852),
@@ -117,7 +146,7 @@ impl Encoding {
 
     /// UTF-16, when the bytes begin with its byte-order mark, or nearly every second byte of the first lines is zero
     /// (LEX-13).
-    pub(super) fn utf16(bytes: &[u8]) -> Option<Self> {
+    pub fn utf16(bytes: &[u8]) -> Option<Self> {
         match bytes {
             [0xff, 0xfe, ..] => return Some(Self::Utf16Le),
             [0xfe, 0xff, ..] => return Some(Self::Utf16Be),
@@ -154,6 +183,7 @@ mod tests {
             characters.sort_unstable();
             characters.dedup();
             assert_eq!(characters.len(), 256, "{encoding:?} maps two bytes to one character");
+            assert_eq!(*encoding.encode(&text), bytes, "{encoding:?}");
         }
     }
 
@@ -171,6 +201,8 @@ mod tests {
         let text = "%1 \"ř😀\" X5";
         assert_eq!(Encoding::Utf16Le.decode(&units(text, u16::to_le_bytes)), text);
         assert_eq!(Encoding::Utf16Be.length(text), units(text, u16::to_be_bytes).len());
+        assert_eq!(*Encoding::Utf16Be.encode(text), units(text, u16::to_be_bytes));
+        assert_eq!(*Encoding::Utf16Le.encode(text), units(text, u16::to_le_bytes));
     }
 
     #[test]

@@ -80,6 +80,12 @@ impl SourceText {
         Self { name: name.into(), text, encoding, bom, half: false, exact: true, lines: OnceLock::new() }
     }
 
+    /// Another text of the same file.
+    #[must_use]
+    pub fn with_text(&self, text: String) -> Self {
+        Self { encoding: self.encoding, ..Self::from_text(self.name.as_str(), text) }
+    }
+
     /// The file as the user named it.
     pub fn name(&self) -> &str {
         &self.name

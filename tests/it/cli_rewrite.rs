@@ -57,9 +57,47 @@ fn bad_input() {
     place.run(&["renumber", "none.nc"]).ends(2).says("E0112");
 }
 
+/// What stays because it cannot be replaced does not count as changed; other files are done.
+#[test]
+#[cfg(unix)]
+fn a_file_that_cannot_be_replaced() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let place = Place::with(&[("a.nc", UNTIDY), ("b.nc", UNTIDY), ("c.nc", TIDY)]);
+    for name in ["a.nc", "c.nc"] {
+        std::fs::set_permissions(place.path(name), std::fs::Permissions::from_mode(0o444)).unwrap();
+    }
+    let run = place.run(&["format", "a.nc", "b.nc", "c.nc"]).ends(2).says("cannot write a.nc");
+    assert!(run.stderr.ends_with("changed: 1, unchanged: 1\n"), "{}", run.stderr);
+    assert_eq!((place.read("a.nc"), place.read("b.nc")), (UNTIDY.to_vec(), TIDY.to_vec()));
+    assert_eq!(place.list(), ["a.nc", "b.nc", "c.nc"]);
+}
+
+/// FMT-1: a file that comes in many parts, each in the code page of the file, with an error near its end or without.
+#[test]
+fn long_files() {
+    for last in ["M30", "X- 5"] {
+        let block = |number: u32, word: &str| format!("N{number}{word}\"\u{e9}\"\n");
+        let text = |word: &str| {
+            let blocks: String = (1..20_000).map(|number| block(number, word)).collect();
+            format!("%1\n{blocks}N20000 {last}\n")
+                .chars()
+                .map(|letter| u8::try_from(letter).unwrap())
+                .collect::<Vec<u8>>()
+        };
+        let (loose, tidy) = (text("  X1  "), text(" X1 "));
+        let place = Place::with(&[("a.nc", loose.as_slice())]);
+        place.run(&["format", "--encoding", "windows-1250", "a.nc"]).ends(0);
+        assert!(place.read("a.nc") == tidy, "{last}");
+    }
+}
+
 #[test]
 fn standard_input() {
-    let place = Place::with(&[]);
+    let place = Place::with(&[("a.nc", UNTIDY)]);
+    let run = place.run_with_stdin(&["format", "-", "a.nc"], b"%1\nN10  g1 X1\nN20 M30\n").ends(0);
+    assert_eq!(run.stdout, "%1\nN10 G01 X1\nN20 M30\n");
+    assert_eq!(place.read("a.nc"), TIDY);
     let run = place.run_with_stdin(&["format", "-"], b"%1\nN10  g1 X1\nN20 M30\n").ends(0);
     assert_eq!((run.stdout.as_str(), run.stderr.as_str()), ("%1\nN10 G01 X1\nN20 M30\n", ""));
     let run = place.run_with_stdin(&["renumber", "-"], b"%1\nN1 X1\nN2 M30\n").ends(0);

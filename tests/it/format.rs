@@ -1,17 +1,18 @@
-//! `format`: what the control executes stays the same, in samples, with slips, in every code page. `rewrites` has the
-//! layout of each rule.
+//! `format`: what the control executes stays the same, in samples with slips and in generated programs, in every code
+//! page. `rewrites` has the layout of each rule.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use cnc872c::config::{Level, Settings};
+use cnc872c::config::{Codes, Level, Numbers, Settings};
 use cnc872c::diag::Code;
 use cnc872c::dict::Dialect;
 use cnc872c::text::Encoding;
 use proptest::prelude::*;
 
 use crate::markers::files;
-use crate::properties::cases;
+use crate::model::program;
+use crate::properties::{cases, executed, soup};
 use crate::same_program::stays_the_same;
 use crate::samples::root;
 
@@ -107,6 +108,61 @@ fn with_line_ends(bytes: &[u8], ends: &str) -> Vec<u8> {
     text.split(|byte| *byte == b'\n').collect::<Vec<_>>().join(ends.as_bytes())
 }
 
+/// What stands between words and between blocks; comments have letters of every code page.
+const GAPS: &[&str] = &[
+    " ",
+    "",
+    "  ",
+    "\t",
+    "\n",
+    " \n  ",
+    "\n\n\n\n",
+    "\n\n\"příruba\"\n \"šroub\"\n",
+    " \"čep Ž 5\" ",
+    "\n\"open \t\n",
+    "\"a comment that is rather long, as they are\"",
+    " X1 Y2 Z3 A4 B5 C6 S1000 T12 H1 P1 ",
+];
+
+/// Programs, most of which are executed, with other gaps now and then.
+fn loose() -> impl Strategy<Value = String> {
+    let executed = executed().boxed();
+    let soup = soup().prop_map(|soup| format!("%1\nN7 G0 X0 Y0\n{soup}\nN8 M30\n")).boxed();
+    let model = program().prop_map(|program| program.text()).boxed();
+    let gaps = prop::collection::vec(prop::option::weighted(0.2, prop::sample::select(GAPS)), 1..40);
+    (prop_oneof![executed, soup, model], gaps).prop_map(|(text, gaps)| {
+        let mut gaps = gaps.into_iter().cycle();
+        let pieces = text.split_inclusive([' ', '\n']).map(|piece| {
+            let gap = gaps.next().flatten();
+            gap.map_or_else(|| piece.to_owned(), |gap| format!("{}{gap}", piece.trim_end()))
+        });
+        pieces.collect()
+    })
+}
+
+/// Settings of one layout, as the project file can have it.
+fn styled(page: Encoding) -> impl Strategy<Value = Settings> {
+    (0..Codes::NAMED.len(), 0..Numbers::NAMED.len(), 1_u8..5, 0_u8..3).prop_map(
+        move |(codes, numbers, indent, blank)| {
+            let mut settings = settings(Dialect::Cnc872);
+            settings.encoding = page;
+            settings.format.codes = Codes::NAMED[codes].1;
+            settings.format.numbers = Numbers::NAMED[numbers].1;
+            (settings.format.indent, settings.format.blank_lines) = (indent, blank);
+            settings
+        },
+    )
+}
+
+/// The code pages of files that are not in UTF-8.
+fn page() -> impl Strategy<Value = Encoding> {
+    prop::sample::select(vec![Encoding::Cp852, Encoding::Windows1250, Encoding::Iso88592, Encoding::Kamenicky])
+}
+
+fn line_end() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec!["\n", "\r\n", "\r"])
+}
+
 proptest! {
     #![proptest_config(cases(300))]
 
@@ -115,18 +171,29 @@ proptest! {
     fn slips_stay_the_same_programs(
         sample in any::<prop::sample::Index>(),
         slips in prop::collection::vec((any::<prop::sample::Index>(), slip()), 0..5),
-        ends in prop::sample::select(vec!["\n", "\r\n", "\r"]),
-        page in prop::sample::select(vec![Encoding::Cp852, Encoding::Windows1250, Encoding::Kamenicky]),
-        style in (0_u8..3, 0_u8..2, 1_u8..5, 0_u8..3),
+        ends in line_end(),
+        settings in page().prop_flat_map(styled),
     ) {
         let samples = SAMPLES.with(Clone::clone);
         let (name, bytes) = &samples[sample.index(samples.len())];
         let bytes = slipped(&with_line_ends(bytes, ends), &slips);
-        let mut settings = settings(Dialect::Cnc872);
-        settings.encoding = page;
-        settings.format.codes = cnc872c::config::Codes::NAMED[usize::from(style.0)].1;
-        settings.format.numbers = cnc872c::config::Numbers::NAMED[usize::from(style.1)].1;
-        (settings.format.indent, settings.format.blank_lines) = (style.2, style.3);
+        prop_assert_eq!(stays_the_same(name, &bytes, &settings), Ok(()));
+    }
+
+    /// The same of generated programs and macrocycles.
+    #[test]
+    fn generated_programs_stay_the_same(
+        text in loose(),
+        slips in prop::collection::vec((any::<prop::sample::Index>(), slip()), 0..3),
+        ends in line_end(),
+        utf8 in any::<bool>(),
+        name in prop::sample::select(vec!["p.nc", "L1"]),
+        settings in page().prop_flat_map(styled),
+    ) {
+        let encoding = if utf8 { Encoding::Utf8 } else { settings.encoding };
+        // Letters that not every code page has.
+        let text = text.replace(|letter: char| !letter.is_ascii() && !GAPS.concat().contains(letter), "?");
+        let bytes = slipped(&with_line_ends(&encoding.encode(&text), ends), &slips);
         prop_assert_eq!(stays_the_same(name, &bytes, &settings), Ok(()));
     }
 }

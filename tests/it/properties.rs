@@ -289,7 +289,8 @@ const WORDS: &[&str] = &[
     "N6 G70",
 ];
 
-fn soup() -> impl Strategy<Value = String> {
+/// Words and signs in any order.
+pub fn soup() -> impl Strategy<Value = String> {
     let gap = prop::sample::select(&["", " ", " ", " ", "\n", "\r\n", "\t", "\r"][..]);
     prop::collection::vec((prop::sample::select(WORDS), gap), 0..60)
         .prop_map(|pieces| pieces.into_iter().flat_map(|(word, gap)| [word, gap]).collect())
@@ -384,7 +385,8 @@ const RIGHT: &[&str] = &[
     "MR2",
 ];
 
-fn executed() -> impl Strategy<Value = String> {
+/// Programs of which most are executed.
+pub fn executed() -> impl Strategy<Value = String> {
     let blocks = prop::collection::vec(prop::collection::vec(prop::sample::select(RIGHT), 0..6), 1..8);
     (blocks, 0..8_usize).prop_map(|(blocks, main)| {
         let mut text = "%1 \"T\"\n".to_owned();

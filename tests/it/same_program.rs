@@ -15,8 +15,10 @@ use cnc872c::text::{Encoding, FileId, MemoryLoader, SourceText};
 /// The formatted bytes; `None` when a finding keeps the file as it is.
 pub fn formatted(path: &str, bytes: &[u8], settings: &Settings) -> Option<Vec<u8>> {
     let source = source(path, bytes, settings.encoding);
-    let (after, _) = format(Path::new(path), &source, bytes, settings).ok()?;
-    Some(after.unwrap_or_else(|| bytes.to_vec()))
+    let mut after = Vec::new();
+    let formatted = format(Path::new(path), &source, settings, &mut |part| after.extend_from_slice(part)).ok()?;
+    assert!(!formatted.changed || after != bytes, "nothing changed");
+    Some(if formatted.changed { after } else { bytes.to_vec() })
 }
 
 /// Formats a file and compares: the same records but for places, the same findings but for those about layout, the same

@@ -1,6 +1,6 @@
 //! What formatting changes in a text, as pairs of places: for editors, which take edits instead of a new file.
 
-use crate::edit::splice::Written;
+use crate::edit::output::Written;
 use crate::sure::{Sure, small};
 use crate::text::{SourceText, Span};
 

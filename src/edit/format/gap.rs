@@ -4,7 +4,7 @@
 use super::block::{BLANK, Part, extent, line_ends, without_trailing_blanks};
 use super::kept::{Kept, lines_of};
 use super::{LINE, Style, word};
-use crate::edit::splice::Written;
+use crate::edit::output::Written;
 use crate::sure::{Sure, small};
 use crate::syntax::{BlockId, Form, ParsedFile, Word};
 use crate::text::Span;
@@ -124,7 +124,7 @@ impl<'a> Layout<'a> {
         let (text, words) = (file.source.text(), file.words(block));
         let span = Span::new(n.start(), words.last().unwrap_or(&n).span(text).end);
         let bare = self.at > file.start
-            && self.kept.is_empty()
+            && !self.stays(n.start())
             && !self.may_be_long(span, 1 + words.len())
             && memchr::memchr2(b'\n', b'\r', file.source.slice(span).as_bytes()).is_none()
             && memchr::memchr(b'"', file.source.slice(Span::new(n.start(), next.start())).as_bytes()).is_none();

@@ -13,8 +13,8 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::alone;
-use super::splice::{FileBytes, Splice, Written};
+use super::alone::{self, Reading};
+use super::output::{Output, Written};
 use crate::config::{Level, Settings, Style};
 use crate::diag::{Code, Findings};
 use crate::session::Outcome;
@@ -36,8 +36,7 @@ pub struct Formatting {
     file: ParsedFile,
     kept: Kept,
     style: Style,
-    /// The file has errors: they may be others after formatting.
-    faulty: bool,
+    findings: Findings,
 }
 
 /// Formatting changes what it reads, and whether a line can be read may depend on the lines around it: so often it is
@@ -56,8 +55,7 @@ impl Formatting {
         let outcome = obstacle(outcome)?;
         let Some(file) = resolved.into_program() else { return Err(Box::default()) };
         let kept = Kept::of(&file, &outcome.findings);
-        let faulty = outcome.findings.has_errors() || !kept.is_empty();
-        let mut formatting = Self { file, kept, style: settings.format, faulty };
+        let mut formatting = Self { file, kept, style: settings.format, findings: outcome.findings };
         formatting.keep_lines_that_would_grow();
         Ok(formatting)
     }
@@ -67,9 +65,27 @@ impl Formatting {
         self.kept.unread()
     }
 
+    /// Whether the formatted text is read as this one for certain: no line stays, and there are no errors, which may be
+    /// others after formatting.
+    fn is_settled(&self) -> bool {
+        !self.findings.has_errors() && self.kept.is_empty()
+    }
+
+    /// The meaning of the text.
+    fn reading(&self) -> Reading {
+        Reading::of(&self.file, &self.findings)
+    }
+
     /// The edits in the order of the text.
-    pub fn edits(&self, write: &mut dyn FnMut(Written<'_>)) {
+    fn edits(&self, write: &mut dyn FnMut(Written<'_>)) {
         Layout::new(&self.file, &self.kept, self.style).write(write);
+    }
+
+    /// Gives the formatted text to `out`, part by part, unless it is the same; whether it is another one.
+    fn write(&self, source: &SourceText, out: &mut dyn FnMut(&str)) -> bool {
+        let mut output = Output::new(source, out);
+        self.edits(&mut |edit| output.write(edit));
+        output.finish()
     }
 
     /// The place in the text of a part of it; nothing for the whole.
@@ -118,38 +134,47 @@ impl Formatting {
     }
 }
 
-/// The bytes of a formatted file, and how many lines stayed because they could not be read. `None`: formatting changes
-/// nothing. `bytes` are those of `source`.
+/// What came of formatting a file.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Formatted {
+    /// Whether it becomes another one. If not, what was given of it does not count.
+    pub changed: bool,
+    /// How many lines stay because they could not be read.
+    pub lines_left: usize,
+}
+
+/// Formats a file, and gives its bytes to `out`, part by part, as soon as they are known.
 ///
 /// # Errors
 /// The finding that keeps the file as it is.
 pub fn format(
     path: &Path,
     source: &Arc<SourceText>,
-    bytes: &[u8],
     settings: &Settings,
-) -> Result<(Option<Vec<u8>>, usize), Box<Outcome>> {
-    let mut made: Option<FileBytes> = None;
-    let mut last: Option<Vec<u8>> = None;
+    out: &mut dyn FnMut(&[u8]),
+) -> Result<Formatted, Box<Outcome>> {
+    let encoding = source.encoding();
+    let mut out = |text: &str| out(&encoding.encode(text));
+    let mut changed = false;
+    let mut made: Option<Arc<SourceText>> = None;
     let Rounds { left, stays } = in_rounds(path, source, settings, &mut |formatting, source| {
-        let mut splice = Splice::new(source, made.as_ref().map_or(bytes, FileBytes::bytes));
-        formatting.edits(&mut |edit| splice.write(edit));
-        let next = splice.finish()?;
-        if !formatting.faulty && formatting.kept.is_empty() {
-            last = Some(next);
+        if made.is_none() && formatting.is_settled() {
+            changed = formatting.write(source, &mut out);
             return None;
         }
+        let mut text = String::with_capacity(source.text().len() + source.text().len() / 16);
+        let again = formatting.write(source, &mut |part| text.push_str(part));
         // The tree takes more memory than the text.
         drop(formatting);
-        let next = FileBytes::decode(source.name(), next, source.encoding()).ok()?;
-        let again = Arc::clone(next.source());
-        made = Some(next);
-        Some(again)
+        let next = again.then(|| Arc::new(source.with_text(text)))?;
+        made = Some(Arc::clone(&next));
+        Some(next)
     })?;
-    if stays {
-        return Ok((None, left));
+    if let Some(made) = made.filter(|_| !stays) {
+        changed = true;
+        out(made.text());
     }
-    Ok((last.or_else(|| made.map(FileBytes::into_bytes)), left))
+    Ok(Formatted { changed, lines_left: left })
 }
 
 /// What formatting changes in a text, or in a part of it.
@@ -172,7 +197,7 @@ pub(crate) fn changes(
         let mut collector = Collector::new(source);
         formatting.edits(&mut |edit| collector.write(edit));
         let changes = collector.finish();
-        let again = !changes.is_empty() && (formatting.faulty || !formatting.kept.is_empty());
+        let again = !changes.is_empty() && !formatting.is_settled();
         let changes = match all.take() {
             Some(before) => before.then(changes),
             None => changes,
@@ -218,18 +243,18 @@ fn in_rounds(
 ) -> Result<Rounds, Box<Outcome>> {
     let formatting = Formatting::of(path, source, settings)?;
     let left = formatting.lines_left();
+    let first = (!formatting.is_settled()).then(|| formatting.reading());
     let mut next = apply(formatting, source);
-    let mut last = next.clone();
-    for _ in 1..MOST_ROUNDS {
-        let Some(source) = next else { break };
-        next = apply(Formatting::of(path, &source, settings)?, &source);
-        last = next.clone().or(last);
+    for round in 1..=MOST_ROUNDS {
+        let (Some(made), Some(first)) = (next, &first) else { break };
+        let formatting = Formatting::of(path, &made, settings).ok();
+        let Some(formatting) = formatting.filter(|formatting| first.stays_in(&formatting.reading())) else {
+            let ended = source.text().ends_with(['\n', '\r']);
+            return Ok(Rounds { left: source.lines().count() - usize::from(ended), stays: true });
+        };
+        next = if round < MOST_ROUNDS { apply(formatting, &made) } else { None };
     }
-    if last.is_none_or(|last| alone::same_findings(path, source, &last, settings)) {
-        return Ok(Rounds { left, stays: false });
-    }
-    let ended = source.text().ends_with(['\n', '\r']);
-    Ok(Rounds { left: source.lines().count() - usize::from(ended), stays: true })
+    Ok(Rounds { left, stays: false })
 }
 
 /// What keeps a file as it is (FMT-6): UTF-16 (E0115), and programs for other controls (W0113); without a finding there

@@ -1,6 +1,7 @@
 //! How a word is written: its address in upper case, no blanks within, its number by the style (FMT-2, FMT-5).
 
 use crate::config::{Codes, Numbers, Style};
+use crate::dict::Address;
 
 /// Appends a well-formed word as the style writes it; `false`, and nothing is appended, when it is not well-formed.
 pub(super) fn write(word: &str, style: Style, out: &mut String) -> bool {
@@ -103,8 +104,8 @@ impl<'a> Writer<'a, '_> {
             digits => digits,
         };
         let code = matches!(letter, 'G' | 'M') && fraction.is_none();
-        let dimension =
-            matches!(letter, 'X' | 'Y' | 'Z' | 'A' | 'B' | 'C' | 'U' | 'V' | 'W' | 'I' | 'J' | 'K' | 'R' | 'F');
+        let address = u8::try_from(letter).ok().and_then(Address::from_byte);
+        let dimension = address.is_some_and(Address::is_dimensional);
         match (self.style.codes, self.style.numbers) {
             (Codes::TwoDigits, _) if code => {
                 if significant().len() < 2 {
