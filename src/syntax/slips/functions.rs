@@ -42,14 +42,15 @@ pub(super) fn other_cycle(around: &Around<'_>) -> Option<Diagnostic> {
     Some(around.diagnostic(g.span(around.text), Finding::MissingTarget { function, meant }))
 }
 
-/// The rest of an item in the block of another control's cycle: the finding is at the G word.
-pub(super) fn in_other_cycle(item: Diagnosis, cycle: &Diagnostic) -> Diagnosis {
+/// The rest of an item in the block of another control's cycle: the finding is given with the item that has the G word,
+/// `-G71` too.
+pub(super) fn in_other_cycle(item: Diagnosis, cycle: &Diagnostic, has_g: bool) -> Diagnosis {
     let void = |(word, span): (Word, Span)| {
         let bare = Word::bare(word.address, span).faulty();
         (if word.address == Address::N { word } else { bare.assigning(word.target()) }, span)
     };
     let words: Vec<(Word, Span)> = item.words.into_iter().map(void).collect();
-    let own = words.iter().any(|(_, span)| *span == cycle.at.span).then(|| cycle.clone());
+    let own = has_g.then(|| cycle.clone());
     let of_comment = item.found.filter(|found| matches!(found.code(), Code::E0105 | Code::W0114));
     Diagnosis { words, found: own.or(of_comment), ..item }
 }

@@ -171,8 +171,13 @@ pub(super) fn read(text: &str, file: FileId, tokens: &[Token], quotes_off: Optio
     let mut items = Vec::new();
     while around.at < tokens.len() {
         let item = around.item();
-        let item = cycle.iter().fold(item, functions::in_other_cycle);
-        around.at += item.tokens.max(1);
+        let next = around.at + item.tokens.max(1);
+        let behind = tokens.get(next).map_or(u32::MAX, |token| token.start);
+        let begin = tokens.get(around.at).map_or(u32::MAX, |token| token.start);
+        let item = cycle.iter().fold(item, |item, cycle| {
+            functions::in_other_cycle(item, cycle, (begin..behind).contains(&cycle.at.span.start))
+        });
+        around.at = next;
         around.quotes_off = item.quotes_off.or(around.quotes_off);
         items.push(item);
     }
