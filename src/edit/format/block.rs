@@ -102,8 +102,8 @@ impl Part {
         }
     }
 
-    /// How many of the formatted lines are longer than 80 characters.
-    pub(super) fn long_lines(&mut self, file: &ParsedFile, style: Style) -> usize {
+    /// How many of the formatted lines are longer than 80 characters, and the length of the last one.
+    pub(super) fn long_lines(&mut self, file: &ParsedFile, style: Style) -> (usize, usize) {
         let (mut long, mut length) = (0, 0);
         for at in 0..self.pieces.len() {
             let Some(&piece) = self.pieces.get(at).filter(|piece| !piece.moved) else { continue };
@@ -116,7 +116,7 @@ impl Part {
             };
             long += usize::from(length > LINE && (before <= LINE || piece.begins));
         }
-        long
+        (long, length)
     }
 
     /// Breaks the line before a piece that does not fit on it: a word goes to the next line, a comment or `/` takes the

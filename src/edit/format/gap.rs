@@ -186,10 +186,10 @@ impl<'a> Layout<'a> {
         if let Some(before) = text.strip_suffix('*') {
             if before.trim_matches(BLANK).is_empty() && some {
                 let star = Span::new(rest.end - 1, rest.end);
-                let line = self.file.source.line_span(self.file.source.lines().line_at(star.start));
-                let room = self.file.source.slice(Span::new(line.start, star.end)).chars().count() < LINE;
                 // A blank that would make the line too long is left out.
-                if room || !before.is_empty() {
+                let room = |layout: &mut Self| layout.last_length() + 1 + layout.tail().unwrap_or(0) <= LINE;
+                let long = is_long(self.file, self.file.source.lines().line_at(star.start));
+                if !before.is_empty() || long || room(&mut self) {
                     let gap = self.apart(star, false);
                     let stays = self.stays(star.start);
                     self.lay(star, gap, stays, None, write);
@@ -286,7 +286,7 @@ impl<'a> Layout<'a> {
             if self.may_be_long(span, pieces) && !self.stays(span.start) {
                 self.part.read(self.file, block);
                 self.part.wrap(self.file, block, self.style);
-                let long = self.part.long_lines(self.file, self.style);
+                let (long, _) = self.part.long_lines(self.file, self.style);
                 let lines = lines_of(self.file, span);
                 if long > 0 && long > lines.clone().filter(|line| is_long(self.file, *line)).count() {
                     grown.extend(lines);
@@ -297,8 +297,41 @@ impl<'a> Layout<'a> {
                 rows.add(self.file, self.style, without_trailing_blanks(self.file, *comment), true, &mut grown);
             }
         }
+        if self.tail().is_some_and(|tail| self.last_length() + tail > LINE) {
+            let line = self.file.source.lines().line_at(self.file.end);
+            grown.extend((!is_long(self.file, line)).then_some(line));
+        }
         grown.retain(|line| !self.kept.line(*line));
         grown
+    }
+
+    /// The length of what stays behind the last word or comment on its line: `*` with the text behind it, and a blank
+    /// before it where there is some. `None` without, or where `*` has another line.
+    fn tail(&self) -> Option<usize> {
+        let source = &self.file.source;
+        let star =
+            self.file.end.checked_sub(1).filter(|at| source.text().as_bytes().get(*at as usize) == Some(&b'*'))?;
+        let line = source.line_span(source.lines().line_at(star));
+        let before = source.slice(Span::new(line.start, star));
+        let blank = before.ends_with([' ', '\t']);
+        let behind = source.slice(Span::new(star, line.end)).chars().count();
+        (!before.trim_matches(BLANK).is_empty()).then_some(behind + usize::from(blank))
+    }
+
+    /// The length of the last line of words and comments when it is formatted.
+    fn last_length(&mut self) -> usize {
+        let (file, style, mut rows) = (self.file, self.style, Rows::default());
+        let Some(last) = file.block_ids().next_back() else {
+            header(file).for_each(|(span, comment)| rows.add(file, style, span, comment, &mut Vec::new()));
+            return rows.length;
+        };
+        self.part.read(file, last);
+        self.part.wrap(file, last, style);
+        let comments = file.comments_behind(last).get(self.part.comments..).sure();
+        for comment in comments {
+            rows.add(file, style, without_trailing_blanks(file, *comment), true, &mut Vec::new());
+        }
+        if comments.is_empty() { self.part.long_lines(file, style).1 } else { rows.length }
     }
 }
 
