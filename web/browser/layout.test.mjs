@@ -184,6 +184,50 @@ test('the chart has the scale of working motions, with units', { timeout: 60_000
   }
 });
 
+/** How many colours the path's canvas shows. */
+async function colours(tab) {
+  await drawn(tab);
+  return tab.evaluate(async () => {
+    await new Promise(requestAnimationFrame);
+    const image = new Image();
+    image.src = document.querySelector('#path').toDataURL();
+    await image.decode();
+    const context = Object.assign(document.createElement('canvas'), { width: image.width, height: image.height }).getContext('2d');
+    context.drawImage(image, 0, 0);
+    return new Set(new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer)).size;
+  });
+}
+
+test('where nothing can be drawn there is no grid, and the findings are shown', { timeout: 60_000 }, async () => {
+  const file = program('none.nc', '%1', 'N10 G91 G00 X5 X6', 'N20 M30');
+  const { tab, wrong, close } = await open(browser, page(file));
+  const shown = await tab.evaluate(() => [document.querySelector('[role="tab"][aria-selected="true"]').textContent, window.cnc872c.info().drawn]);
+  assert.deepEqual([...shown, await colours(tab)], ['Findings (1)', 0, 1]);
+  assert.deepEqual(wrong, []);
+  await close();
+  const fine = await open(browser, page(sample('ok/flange.nc')));
+  assert.ok((await colours(fine.tab)) > 2);
+  await fine.close();
+});
+
+test('a long comment is read whole, and depth has its legend', { timeout: 60_000 }, async () => {
+  const words = Array.from({ length: 60 }, (_, i) => `word${i}`).join(' ');
+  const file = program('long.nc', '%1', 'N10 G17 G90 G0 X0 Y0 Z5', `N20 G1 X20 Z-3 F100 "${words}"`, 'N30 M30');
+  const { tab, wrong, close } = await open(browser, page(file));
+  await tab.evaluate(() => (window.cnc872c.select(1), window.cnc872c.colour('depth')));
+  await drawn(tab);
+  const seen = await tab.evaluate(() => {
+    const comment = document.querySelector('.comments');
+    const { overflowY, whiteSpace } = getComputedStyle(comment);
+    return { text: comment.textContent, fits: comment.scrollWidth <= comment.clientWidth + 1, overflowY, whiteSpace, legend: document.querySelector('.legend').innerText };
+  });
+  assert.ok(seen.text.includes('word59') && seen.fits, JSON.stringify(seen));
+  assert.deepEqual([seen.overflowY, seen.whiteSpace], ['auto', 'normal']);
+  assert.match(seen.legend, /-3(\.0+)?/);
+  assert.deepEqual(wrong, []);
+  await close();
+});
+
 test('what holds at a block: who wrote it, what comes next, how to start there', { timeout: 60_000 }, async () => {
   const file = program(
     'state.nc',
