@@ -203,6 +203,19 @@ fn lines(bench: &Bench) {
             row(&format!("{name}, {format}"), times);
         }
     }
+    let sizes = bench.sizes(2, 6);
+    head("Per block, all in one line", &sizes);
+    for block in ["X5", "X5.1.2", "X5 (a)", "g1 x5", "G73 N5", "R1=5 XR1"] {
+        for command in [&["check"][..], &["check", "--format", "json"], &["check", "--fix"], &["motion"], &["plc"]] {
+            let times = sizes.iter().map(|&count| {
+                let text = program(count, block).replace('\n', " ").replacen(' ', "\n", 1);
+                let path = bench.file("line.nc", &text);
+                let write = || fs::write(&path, &text).unwrap();
+                (count, bench.time(command, &path, &write))
+            });
+            row(&format!("`{block}`, `{}`", command.join(" ")), times);
+        }
+    }
 }
 
 /// A program with so many lines, each a block.

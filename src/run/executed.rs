@@ -11,8 +11,9 @@ use crate::diag::{CallKind, CallSite, Diagnostic, Finding};
 use crate::dict::{
     Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_STOP,
 };
+use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile};
-use crate::text::{FileId, LineColumn, Location};
+use crate::text::{FileId, LastPlaces, LineColumn, Location};
 
 /// One executed block: what holds in it, what it does, how execution came to it.
 #[derive(Clone, Copy, Debug)]
@@ -140,27 +141,26 @@ impl<'r> Executed<'r> {
 
     /// Line and column of its `N`, from 1; the column in characters.
     pub fn line_column(&self) -> LineColumn {
-        self.line_column_after(0)
+        let start = self.place().span.start;
+        self.file().map_or(LineColumn { line: 1, column: 1 }, |file| file.source.line_column(start))
     }
 
-    /// The same, quick when the line of the block before was line `before`: execution mostly moves on.
-    pub fn line_column_after(&self, before: u32) -> LineColumn {
-        let start = self.place().span.start;
-        let find = |file: &ParsedFile| {
-            let line = file.source.lines().line_near(start, before.saturating_sub(1) as usize);
-            file.source.column_in(line, start)
-        };
-        self.file().map_or(LineColumn { line: 1, column: 1 }, find)
+    /// The same, where the last places of each file are remembered: quick.
+    pub fn line_column_from(&self, places: &mut LastPlaces) -> LineColumn {
+        let at = self.place();
+        self.file().map_or(LineColumn { line: 1, column: 1 }, |file| places.of(at.file, &file.source, at.span.start))
     }
 
     /// The line of its `N`, from 1.
     pub fn line(&self) -> u32 {
-        self.line_column().line
+        self.line_after(0)
     }
 
-    /// The column of its `N` in characters, from 1.
-    pub fn column(&self) -> u32 {
-        self.line_column().column
+    /// The same, quick when the line of the block before was line `before`: execution mostly moves on.
+    pub fn line_after(&self, before: u32) -> u32 {
+        let start = self.place().span.start;
+        let line = |file: &ParsedFile| file.source.lines().line_near(start, before.saturating_sub(1) as usize);
+        self.file().map_or(1, |file| small(line(file) + 1))
     }
 
     /// Axis words under a fixed cycle that is not mapped, and that moves nothing here: nobody knows what moves (TIM-3).
@@ -329,7 +329,7 @@ impl<'r> Executed<'r> {
 
     /// The line of a place in the program or a macrocycle, from 1.
     pub fn line_of(&self, at: Location) -> u32 {
-        self.program.resolved.file(at.file).map_or(1, |file| file.source.line_column(at.span.start).line)
+        self.program.resolved.file(at.file).map_or(1, |file| small(file.source.lines().line_at(at.span.start) + 1))
     }
 
     /// RevFeed: F counts per revolution of the spindle.

@@ -4,7 +4,6 @@
 mod beside;
 mod json;
 mod json_line;
-mod lines;
 mod records;
 mod row;
 mod schema;

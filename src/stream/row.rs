@@ -1,9 +1,9 @@
 //! From an executed block to its row in the stream.
 
-use super::lines::Lines;
 use super::records::{AxisList, AxisMap, BlockRecord, Call, Data, Motion};
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup};
 use crate::run::Executed;
+use crate::text::LastPlaces;
 
 /// What M37 leaves of a feed.
 const REDUCED: Decimal = Decimal::from_thousandths(10);
@@ -22,7 +22,7 @@ pub(crate) enum Before<'r> {
 /// Makes rows, one from the other: hardly anything differs from one block to the next.
 #[derive(Debug, Default)]
 pub(crate) struct Rows {
-    lines: Lines,
+    places: LastPlaces,
 }
 
 impl Rows {
@@ -60,7 +60,8 @@ impl Rows {
         row.n = block.n();
         row.file = block.file_index();
         if let Some(parsed) = block.file() {
-            let place = self.lines.of(file, parsed, id);
+            let start = parsed.n_word(id).map_or(0, |word| word.start());
+            let place = self.places.of(file, &parsed.source, start);
             row.line = place.line;
             row.column = place.column;
         }

@@ -54,15 +54,17 @@ fn is_jump_target(bytes: &[u8], before: &[Token], token: Token) -> bool {
         return false;
     };
     let word = bytes.get(last.span().range()).sure();
-    let flow = matches!(word, [b'G' | b'g', b'7', b'1'..=b'3']);
-    let rest = bytes.get(token.end as usize..).sure();
-    let rest = rest.split(|byte| matches!(byte, b'\r' | b'\n' | b'"')).next().sure().trim_ascii();
-    let count = match rest {
-        [] => true,
-        [b'Q' | b'q', count @ ..] => count.iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b' ' | b'\t')),
-        _ => false,
-    };
-    flow && count
+    matches!(word, [b'G' | b'g', b'7', b'1'..=b'3']) && ends_line(bytes.get(token.end as usize..).sure())
+}
+
+/// Whether the line ends there, or a comment begins, but for a Q with its digits.
+fn ends_line(rest: &[u8]) -> bool {
+    let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t');
+    let mut rest = rest.iter().skip_while(|byte| is_blank(byte)).peekable();
+    if rest.next_if(|byte| matches!(byte, b'Q' | b'q')).is_some() {
+        while rest.next_if(|byte| byte.is_ascii_digit() || is_blank(byte)).is_some() {}
+    }
+    matches!(rest.next(), None | Some(b'\r' | b'\n' | b'"'))
 }
 
 /// The tokens before the first block; text on the line of `%` is one token to the end of the line, with the words in

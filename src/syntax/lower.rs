@@ -121,7 +121,7 @@ impl<'t> Lowering<'t> {
             if item.debris {
                 self.flags.set(BlockFlags::DEBRIS);
             }
-            let part = |at: u32| runs.iter().any(|run| run.start < at && at <= run.end);
+            let part = |at: u32| run_at(&runs, at).is_some_and(|run| run.start < at);
             let of_junk = |code: Code| matches!(code, Code::E0101 | Code::E0103 | Code::E0106 | Code::E0301);
             let belongs = item.junk.is_some_and(|junk| part(junk.start));
             if let Some(found) = item.found.filter(|found| !belongs || !of_junk(found.code())) {
@@ -136,8 +136,9 @@ impl<'t> Lowering<'t> {
 
     /// A word that touches junk has no value. A number that goes on behind the junk may be any that begins so.
     fn beside_junk(&self, word: Word, span: Span, runs: &[Span]) -> (Word, Span) {
-        let run = runs.get(runs.partition_point(|run| run.end < span.start));
-        let Some(run) = run.filter(|run| run.start <= span.end && !word.is_void()) else { return (word, span) };
+        let Some(run) = run_at(runs, span.start).filter(|run| run.start <= span.end && !word.is_void()) else {
+            return (word, span);
+        };
         let digits = self.text.as_bytes().get(run.end as usize..).sure();
         let digits = digits.iter().take(8).take_while(|byte| byte.is_ascii_digit()).count();
         let numbered = matches!(word.address, Address::N | Address::L | Address::G | Address::M);
@@ -199,6 +200,11 @@ impl<'t> Lowering<'t> {
         let source = self.text.get(span.range()).and_then(|word| word.rfind(['R', 'r']));
         self.note_case(span.start + small(source.unwrap_or(0)));
     }
+}
+
+/// The first run that does not end before `at`.
+fn run_at(runs: &[Span], at: u32) -> Option<&Span> {
+    runs.get(runs.partition_point(|run| run.end < at))
 }
 
 /// Whether neither blanks nor line ends stand in a short text.

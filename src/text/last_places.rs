@@ -1,50 +1,48 @@
-//! Lines and columns of blocks for records, quick because execution mostly moves on.
+//! Lines and columns of places in files, quick because readers mostly move on.
 
-use crate::syntax::{BlockId, ParsedFile};
-use crate::text::{FileId, LineColumn, Span};
+use super::{FileId, LineColumn, SourceText, Span};
+use crate::sure::small;
 
-/// Where the last block of a file stood.
+/// Where the last place of a file was.
 #[derive(Clone, Copy, Debug)]
 struct Last {
     offset: u32,
     place: LineColumn,
 }
 
-/// Remembers the place of the last block of each file: a line may hold any number of blocks, and counting its
-/// characters from its begin for each of them takes long.
+/// Remembers the last place of each file: a line may hold any number of blocks, and counting its characters from its
+/// begin for each of them takes long.
 #[derive(Debug, Default)]
-pub(super) struct Lines {
+pub struct LastPlaces {
     /// By file.
     last: Vec<Option<Last>>,
 }
 
-impl Lines {
-    /// Where the `N` of a block stands.
-    pub(super) fn of(&mut self, index: FileId, file: &ParsedFile, block: BlockId) -> LineColumn {
-        let offset = file.n_word(block).map_or(0, |word| word.start());
-        if self.last.len() <= index.0 as usize {
-            self.last.resize(index.0 as usize + 1, None);
+impl LastPlaces {
+    /// Line and column of a place in that file.
+    pub fn of(&mut self, file: FileId, source: &SourceText, offset: u32) -> LineColumn {
+        if self.last.len() <= file.0 as usize {
+            self.last.resize(file.0 as usize + 1, None);
         }
-        let last = self.last.get(index.0 as usize).copied().flatten();
+        let last = self.last.get(file.0 as usize).copied().flatten();
         let hint = last.map_or(0, |last| last.place.line.saturating_sub(1) as usize);
-        let lines = file.source.lines();
+        let lines = source.lines();
         let line = lines.line_near(offset, hint);
         let from_start = offset.saturating_sub(lines.start(line).unwrap_or(0));
         let near = last.filter(|last| line == hint && last.offset.abs_diff(offset) < from_start);
         let place = match near {
             Some(Last { offset: from, place }) => {
-                let between = file.source.slice(Span::new(from.min(offset), from.max(offset))).chars().count();
-                let between = u32::try_from(between).unwrap_or(u32::MAX);
+                let between = source.slice(Span::new(from.min(offset), from.max(offset))).chars().count();
                 let column = if from <= offset {
-                    place.column.saturating_add(between)
+                    place.column.saturating_add(small(between))
                 } else {
-                    place.column.saturating_sub(between)
+                    place.column.saturating_sub(small(between))
                 };
                 LineColumn { line: place.line, column }
             }
-            None => file.source.column_in(line, offset),
+            None => source.column_in(line, offset),
         };
-        if let Some(slot) = self.last.get_mut(index.0 as usize) {
+        if let Some(slot) = self.last.get_mut(file.0 as usize) {
             *slot = Some(Last { offset, place });
         }
         place

@@ -5,6 +5,7 @@
 
 mod columns;
 mod encoding;
+mod last_places;
 mod lines;
 mod loader;
 mod path;
@@ -15,6 +16,7 @@ mod terminal;
 
 pub use columns::ColumnUnit;
 pub use encoding::Encoding;
+pub use last_places::LastPlaces;
 pub use lines::{LineColumn, LineIndex};
 pub use loader::{BrokenLink, Loader, MemoryLoader, NotUtf8, Numbered, Overlay};
 pub use path::{has_way_back, path_name, way_back, without_ways_back};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::column::Column;
 use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile};
-use crate::text::{FileId, SourceText, Span};
+use crate::text::{FileId, LastPlaces, SourceText, Span};
 
 /// One file: its text, and where its blocks begin.
 #[derive(Debug)]
@@ -47,15 +47,14 @@ impl Files {
             let first = small(self.n.len());
             let source = Arc::clone(&parsed.source);
             let (mut starts, mut comments) = (Vec::new(), Vec::new());
-            let mut line = 0;
+            let mut places = LastPlaces::default();
             for block in parsed.block_ids() {
                 self.n.push(i64::from(parsed.shown_number(block)));
                 if self.numbers_only {
                     continue;
                 }
                 let start = parsed.n_word(block).map_or(0, |word| word.start());
-                line = source.lines().line_near(start, line);
-                let place = source.column_in(line, start);
+                let place = places.of(FileId(0), &source, start);
                 self.line.push(i64::from(place.line));
                 self.column.push(i64::from(place.column));
                 starts.push(start);

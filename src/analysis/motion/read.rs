@@ -97,7 +97,7 @@ impl StepReader {
         let approach = motion.is_some_and(|motion| self.approaches(&motion));
         let motion = motion.map(|motion| self.motion(block, &motion));
         self.moved |= motion.is_some_and(|motion| motion.length.is_some());
-        self.line = block.line_column_after(self.line).line;
+        self.line = block.line_after(self.line);
         Step {
             seq: block.seq(),
             n: block.n(),

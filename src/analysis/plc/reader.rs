@@ -11,7 +11,7 @@ use super::steps::{Place, Step, Tracker};
 use crate::config::{Machine, Purpose, Settings};
 use crate::diag::{Code, Findings, Severity};
 use crate::run::{End, Executed, Program, Sink};
-use crate::text::LineColumn;
+use crate::text::{LastPlaces, LineColumn};
 
 /// Facts about a program before its first step.
 #[derive(Clone, Copy, Debug)]
@@ -85,10 +85,8 @@ pub struct Reader<'w> {
     held: Option<Findings>,
     range: Range,
     next_file: u32,
-    /// The writer wants lines and columns.
-    lines: bool,
-    /// Of the block before.
-    line: u32,
+    /// The last ones, when the writer wants lines and columns.
+    places: Option<LastPlaces>,
     writer: &'w mut dyn Writer,
     /// The first error of the writer.
     failed: &'w mut Option<io::Error>,
@@ -111,8 +109,7 @@ impl<'w> Reader<'w> {
             tracker: Tracker::new(signals),
             range,
             next_file: 1,
-            lines: writer.wants_lines(),
-            line: 0,
+            places: writer.wants_lines().then(LastPlaces::default),
             writer,
             failed,
         }
@@ -154,9 +151,8 @@ impl<'w> Reader<'w> {
             self.writer.file(index, block.file_name())?;
         }
         let machine = &block.settings().machine;
-        let LineColumn { line, column } =
-            if self.lines { block.line_column_after(self.line) } else { LineColumn { line: 0, column: 0 } };
-        self.line = line;
+        let place = self.places.as_mut().map(|places| block.line_column_from(places));
+        let LineColumn { line, column } = place.unwrap_or(LineColumn { line: 0, column: 0 });
         let place = Place { seq: block.seq(), n: block.n(), file: index, line, column, stop: false };
         if let Some(onward) = self.blocks.go_on(block, times, self.tracker.current()) {
             self.tracker.go_on(onward, machine);

@@ -184,6 +184,9 @@ pub(super) fn named(around: &Around<'_>) -> Option<Diagnosis> {
     })
 }
 
+/// Longer expressions are none.
+const EXPRESSION: usize = 240;
+
 /// `#50=0`, `#10=#11*2`.
 pub(super) fn variable(around: &Around<'_>) -> Option<Diagnosis> {
     let mut next = around.cursor();
@@ -199,8 +202,9 @@ pub(super) fn variable(around: &Around<'_>) -> Option<Diagnosis> {
         let found = around.characters_as(span, written, |written| Meant::Variable { written });
         return Some(Diagnosis::saying(next.taken, found).with(word.assigning(target), span));
     }
-    let rest = around.text.get(span.end as usize..).sure();
-    let length = if product { rest.find([' ', '\t', '\r', '\n', '"']).unwrap_or(rest.len()) } else { 0 };
+    let rest = around.text.as_bytes().get(span.end as usize..).sure().iter().take(EXPRESSION);
+    let end = rest.take_while(|byte| product && !b" \t\r\n\"".contains(byte)).count();
+    let length = if end < EXPRESSION { end } else { 0 };
     let whole = Span::new(span.start, span.end + small(length));
     let diagnosis = Diagnosis::saying(next.taken, around.characters(whole, Meant::Expression)).debris();
     Some(if target.is_some() { diagnosis.unknown_target(target, span) } else { diagnosis })

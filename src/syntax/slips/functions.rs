@@ -163,7 +163,8 @@ pub(super) fn arc_in_force(text: &str, end: u32) -> bool {
     let bytes = text.as_bytes();
     let least = end.saturating_sub(FAR) as usize;
     let mut to = end as usize;
-    while to > least {
+    // Most slips have no G near: nothing is read then.
+    while memchr::memrchr2(b'G', b'g', bytes.get(least..to).sure()).is_some() {
         let head = bytes.get(least..to.saturating_sub(1)).sure();
         let from = memchr::memrchr2(b'\n', b'\r', head).map_or(least, |at| least + at + 1);
         if let Some(code) = last_motion(text, from, to) {
