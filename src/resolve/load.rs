@@ -20,9 +20,11 @@ pub(super) struct Context<'a, 'l> {
     pub(super) open: OpenEnds,
 }
 
-/// Resolves the program in `source`, and the macrocycles that its written calls lead to.
-pub fn resolve_program(
+/// Resolves the program in `source`, or the macrocycle whose file is named after that number, and the macrocycles that
+/// its written calls lead to.
+pub fn resolve(
     source: &Arc<SourceText>,
+    macrocycle: Option<u32>,
     settings: &Settings,
     library: &mut Library<'_>,
     sources: &mut Sources,
@@ -30,12 +32,17 @@ pub fn resolve_program(
 ) -> Resolved {
     let file = sources.add(Arc::clone(source));
     let mut found = Findings::with_levels(*findings.levels());
-    let mut parsed = parse(file, source, Form::Program, &mut found);
+    let form = if macrocycle.is_some() { Form::Macrocycle } else { Form::Program };
+    let mut parsed = parse(file, source, form, &mut found);
     let case = parsed.take_case();
     let origin = Origin::of(&parsed);
     let mut resolved = Resolved::default();
     let mut context = Context { settings, library, sources, findings: &mut found, open: OpenEnds::default() };
-    if parsed.program.is_some() {
+    if let Some(l) = macrocycle {
+        context.add_macrocycle(&mut resolved, parsed, l);
+        flow::follow_calls(&mut context, &mut resolved);
+        rings::check(&mut context, &resolved);
+    } else if parsed.program.is_some() {
         context.add_program(&mut resolved, parsed);
         flow::follow_calls(&mut context, &mut resolved);
         flow::check_unused(&mut context, &resolved);
@@ -62,29 +69,6 @@ fn add_case(case: Option<Diagnostic>, findings: &mut Findings) {
     if !(single && findings.items().iter().any(of_word)) {
         findings.add(case);
     }
-}
-
-/// Resolves the macrocycle in `source`, whose file is named after number `l`, and those that it calls.
-pub fn resolve_macrocycle(
-    source: &Arc<SourceText>,
-    l: u32,
-    settings: &Settings,
-    library: &mut Library<'_>,
-    sources: &mut Sources,
-    findings: &mut Findings,
-) -> Resolved {
-    let file = sources.add(Arc::clone(source));
-    let mut found = Findings::with_levels(*findings.levels());
-    let mut parsed = parse(file, source, Form::Macrocycle, &mut found);
-    add_case(parsed.take_case(), &mut found);
-    let origin = Origin::of(&parsed);
-    let mut resolved = Resolved::default();
-    let mut context = Context { settings, library, sources, findings: &mut found, open: OpenEnds::default() };
-    context.add_macrocycle(&mut resolved, parsed, l);
-    flow::follow_calls(&mut context, &mut resolved);
-    rings::check(&mut context, &resolved);
-    origin.give(settings, found, findings);
-    resolved
 }
 
 impl Resolved {
@@ -148,7 +132,7 @@ mod tests {
         let (loader, settings) = (MemoryLoader::new(), Settings::default());
         let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
-        let resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+        let resolved = super::resolve(&source, None, &settings, &mut library, &mut sources, &mut findings);
         (source, resolved, findings)
     }
 

@@ -36,7 +36,7 @@ pub use forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 pub use functions::m_number;
 pub use holes::{Known, may_have_end};
 pub use library::{Library, MacrocycleFault};
-pub use load::{resolve_macrocycle, resolve_program};
+pub use load::resolve;
 pub use misnamed::{is_program, report_misnamed};
 pub use planes::missing_axis;
 pub use points::Points;

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use crate::config::{Purpose, Settings};
 use crate::diag::{Code, Diagnostic, Finding, Findings, NotExecuted, Problem, Report, StayedUnknown};
-use crate::resolve::{Library, Resolved, is_program, report_misnamed, resolve_macrocycle, resolve_program};
+use crate::resolve::{Library, Resolved, is_program, report_misnamed, resolve};
 use crate::run::{End, Interpreter, Sink};
 use crate::stream;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
@@ -162,10 +162,8 @@ impl<'a> Session<'a> {
         let mut library = self.library(path);
         let Outcome { sources, findings, .. } = &mut outcome;
         let number = Library::number(path);
-        let resolved = match number.filter(|_| !is_program(&source)) {
-            Some(l) => resolve_macrocycle(&source, l, self.settings, &mut library, sources, findings),
-            None => resolve_program(&source, self.settings, &mut library, sources, findings),
-        };
+        let macrocycle = number.filter(|_| !is_program(&source));
+        let resolved = resolve(&source, macrocycle, self.settings, &mut library, sources, findings);
         if let Some(l) = number {
             report_misnamed(&resolved, l, findings);
         }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use cnc872c::analysis::Totals;
 use cnc872c::config::Settings;
 use cnc872c::diag::Findings;
-use cnc872c::resolve::{Library, resolve_program};
+use cnc872c::resolve::{Library, resolve};
 use cnc872c::run::{Interpreter, Program};
 use cnc872c::session::{Part, Session};
 use cnc872c::syntax::{Form, parse, tokens};
@@ -81,7 +81,7 @@ fn expansion(criterion: &mut Criterion) {
         let source = Arc::new(SourceText::from_text(NAME, String::from_utf8(text).expect("UTF-8")));
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
         let mut library = Library::new(&loader, &settings.macrocycles, Path::new(NAME));
-        let resolved = resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+        let resolved = resolve(&source, None, &settings, &mut library, &mut sources, &mut findings);
         let mut program = Program { resolved, settings: &settings, library, sources };
         let mut execute = |totals: Option<&mut Totals>| {
             let mut interpreter = Interpreter::new(&program);
