@@ -135,7 +135,7 @@ impl Diagnostic {
     /// Which of several findings of its code at one place it is: the operands of a control word are parameters of their
     /// own.
     pub(super) const fn which(&self) -> u8 {
-        if let Finding::UnassignedParameter { parameter } = self.finding { parameter.saturating_add(1) } else { 0 }
+        if let Finding::UnassignedParameter { parameter, .. } = self.finding { parameter.saturating_add(1) } else { 0 }
     }
 
     /// With another place.

@@ -348,11 +348,12 @@ diagnostics! {
         en "R95 is reserved for control functions"
         cs "R95 je vyhrazen pro řídicí funkce"
         help "use another parameter" | "použít jiný parametr"
-    [W0503] UnassignedParameter "unassigned-parameter" Warning { parameter: u8 }
+    [W0503] UnassignedParameter "unassigned-parameter" Warning { parameter: u8, compiled: bool }
         en "R{parameter} is read before the program gives it a value"
         cs "R{parameter} se čte dřív, než mu program dal hodnotu"
         help "assign it first: `R{parameter}=…`, or give the machine's value with `--param R{parameter}=…`" | "nejdřív přiřadit: „R{parameter}=…“, nebo zadat hodnotu ze stroje volbou --param R{parameter}=…"
-        note "its value comes from the machine's parameter table: `check` leaves out what depends on it, `compile` ends here" | "hodnota pochází z tabulky parametrů stroje: co na ní závisí, se nezkontroluje; compile zde skončí"
+        note (if *compiled { "its value comes from the machine's parameter table: without it nothing is written from here on" } else { "its value comes from the machine's parameter table: what depends on it is not checked" })
+           | (if *compiled { "hodnota pochází z tabulky parametrů stroje: bez ní se od tohoto bloku nic nezapíše" } else { "hodnota pochází z tabulky parametrů stroje: co na ní závisí, se nezkontroluje" })
     [W0504] AssignedAndRead "assigned-and-read" Warning { parameter: u8 }
         en "R{parameter} is read here and assigned in the same block: the old value counts"
         cs "R{parameter} se v témže bloku čte i přiřazuje: platí stará hodnota"
@@ -372,12 +373,13 @@ diagnostics! {
         en (match field { Some(number) => format!("the control word names parameter R{number}; there are R0 to R95"), None => "a control word is a whole number of at most eight digits".to_owned() })
         cs (match field { Some(number) => format!("řídicí slovo uvádí parametr R{number}; jsou jen R0 až R95"), None => "řídicí slovo je celé číslo nejvýše o osmi číslicích".to_owned() })
         help "its digits are `oo aa bb rr`: operation, first operand, second operand, result" | "číslice jsou „oo aa bb rr“: operace, první operand, druhý operand, výsledek"
-    [E0508] UnknownOperation "unknown-operation" Error { operation: i64, digits: i64 }
+    [E0508] UnknownOperation "unknown-operation" Error { operation: i64, digits: i64, written: usize }
         en "the configuration does not say what operation {operation:02} means"
         cs "význam kódu operace {operation:02} není v konfiguraci uveden"
-        help "if the control word is right, add the code to cnc872c.toml, by the machine's manual: `[operations]`, `\"{operation:02}\" = \"…\"`" | "je-li řídicí slovo správně, doplnit kód do cnc872c.toml podle příručky stroje: [operations], \"{operation:02}\" = \"…\""
-        note ({ let split = control_digits(*digits); format!("the control word is read as {split}: operation, first operand, second operand, result") })
-           | ({ let split = control_digits(*digits); format!("řídicí slovo se čte jako {split}: operace, první operand, druhý operand, výsledek") })
+        help (if *written > 8 { "a control word has eight digits: `oo aa bb rr`".to_owned() } else { format!("if the control word is right, add the code to cnc872c.toml, by the machine's manual: `[operations]`, `\"{operation:02}\" = \"…\"`") })
+           | (if *written > 8 { "řídicí slovo má osm číslic: „oo aa bb rr“".to_owned() } else { format!("je-li řídicí slovo správně, doplnit kód do cnc872c.toml podle příručky stroje: [operations], \"{operation:02}\" = \"…\"") })
+        note ({ let split = control_digits(*digits); if *written > 8 { format!("{written} digits are written; they are read as {split}: operation, first operand, second operand, result") } else { format!("the control word is read as {split}: operation, first operand, second operand, result") } })
+           | ({ let split = control_digits(*digits); if *written > 8 { format!("je zapsáno {written} číslic; čtou se jako {split}: operace, první operand, druhý operand, výsledek") } else { format!("řídicí slovo se čte jako {split}: operace, první operand, druhý operand, výsledek") } })
     [E0509] ArithmeticError "arithmetic-error" Error { what: ArithmeticFault }
         en (what.text(Lang::En))
         cs (what.text(Lang::Cs))

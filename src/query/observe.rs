@@ -311,8 +311,8 @@ impl<'a> Observer<'a> {
         }
         match executed.motion().map(|motion| motion.length()) {
             Some(Length::Mm(length)) => self.observation.path = self.observation.path.plus(length),
-            Some(Length::Missing(Missing::Start | Missing::Origin)) => self.observation.partly_unknown = true,
-            Some(Length::Deg(_) | Length::Missing(Missing::Reference)) | None => {}
+            Some(Length::Missing(_)) => self.observation.partly_unknown = true,
+            Some(Length::Deg(_)) | None => {}
         }
         let (file, block) = executed.at();
         let document = self.is_document(file, executed);

@@ -167,7 +167,7 @@ impl Doubts<'_> {
     /// What execution found (PAR-5); when nobody wants to know that, what it would find.
     fn read_before_assigned(&self, r: u8) -> bool {
         let analysis = self.reach.analysis;
-        let is_it = |diagnostic: &Diagnostic| matches!(diagnostic.finding, Finding::UnassignedParameter { parameter } if parameter == r);
+        let is_it = |diagnostic: &Diagnostic| matches!(diagnostic.finding, Finding::UnassignedParameter { parameter, .. } if parameter == r);
         if analysis.settings.severity(Code::W0503).is_some() {
             let found = self.found.iter().flat_map(|report| report.items());
             return found.into_iter().any(|item| is_it(&item.diagnostic));

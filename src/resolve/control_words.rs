@@ -30,7 +30,7 @@ pub fn control_word(machine: &Machine, value: Decimal) -> Result<ControlWord, Fi
     let operation_code = digits / 1_000_000;
     let operation = u8::try_from(operation_code).ok().and_then(|code| machine.operations.get(&code)).copied();
     let Some(operation) = operation else {
-        return Err(Finding::UnknownOperation { operation: operation_code, digits });
+        return Err(Finding::UnknownOperation { operation: operation_code, digits, written: 0 });
     };
     let field = |unit: i64| {
         let field = (digits / unit) % 100;

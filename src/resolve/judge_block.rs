@@ -11,10 +11,10 @@ use super::targets::missing_control_words;
 use super::unnumbered::is_first_in_line;
 use super::{Taker, Unit, UnitKind, control_word, l_number, unused_l};
 use crate::config::Settings;
-use crate::diag::{Diagnostic, Finding, LabelText, OtherMeaning, ParameterNeed, TargetMeant, UnusedMeant};
+use crate::diag::{CenterPlace, Diagnostic, Finding, LabelText, OtherMeaning, ParameterNeed, TargetMeant, UnusedMeant};
 use crate::dict::{
-    Address, Decimal, FEED_FUNCTIONS, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, ORIENTED_STOP, PROGRAM_ENDS,
-    RESERVED_PARAMETER,
+    Address, DYNAMIC_SETS, Decimal, FEED_FUNCTIONS, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, Lang, ORIENTED_STOP,
+    PROGRAM_ENDS, RESERVED_PARAMETER,
 };
 use crate::sure::Sure;
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Value, Word};
@@ -23,6 +23,8 @@ use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Value, Word};
 const MOST_G: usize = 11;
 const MOST_M: usize = 10;
 const MOST_R: usize = 95;
+/// In m/min: above what turning works with, so that a speed of the spindle was probably meant.
+const NO_CUTTING_SPEED: i64 = 500;
 /// So many subprograms are named in a help.
 const MOST_NAMED: usize = 5;
 
@@ -80,10 +82,14 @@ impl<'a> BlockJudge<'a> {
             } else {
                 self.judge_word(word, &functions);
             }
+            if word.address == Address::T {
+                self.judge_tool(word);
+            }
         }
         self.judge_plane(&functions);
         self.judge_roles(words, &functions, flags);
         self.judge_other_meanings(words, &functions);
+        self.judge_dynamic_set(words, &functions);
         self.judge_parameters(words, &functions);
         if flags.has(BlockFlags::SKIP) {
             self.check_skip(block, words, &functions, flags, unit);
@@ -121,6 +127,9 @@ impl<'a> BlockJudge<'a> {
             if !simple {
                 all_simple = false;
                 self.judge_word(word, &Functions::default());
+                if word.address == Address::T {
+                    self.judge_tool(word);
+                }
             }
         }
         if repeated {
@@ -322,29 +331,70 @@ impl<'a> BlockJudge<'a> {
             let count = functions.roles.q.and_then(|q| q.whole());
             self.report(m, Finding::OtherMeaning { meant: OtherMeaning::Call { l: number }, count });
         }
-        // `T0101`: the tool and its offset.
-        if let Some(t) = of(Address::T).filter(|t| !t.is_faulty())
-            && let Some(tool) = t.whole().filter(|tool| (101..1000).contains(tool) && tool / 100 == tool % 100)
+        if let (Some((GCode::G73, _)), None, None, Some(p)) =
+            (functions.of_group(GGroup::G7), functions.roles.q, functions.roles.dwell, of(Address::P))
+            && let Some(count) = p.whole()
         {
-            let written = self.file.source.slice(t.span(self.file.source.text()));
-            if written.get(1..).sure().trim_start_matches([' ', '\t']).starts_with('0') {
-                let written = written.to_ascii_uppercase();
-                self.report(
-                    t,
-                    Finding::OtherMeaning { meant: OtherMeaning::ToolWithOffset { written, tool }, count: None },
-                );
+            self.report(p, Finding::OtherMeaning { meant: OtherMeaning::RepeatByP { p: count }, count: None });
+        }
+        if let (Some((GCode::G97, _)), Some(s)) = (functions.of_group(GGroup::G6), of(Address::S))
+            && let Some(speed) = s.whole().filter(|speed| *speed >= NO_CUTTING_SPEED)
+            && self.settings.machine.feed_mode(GCode::G97).is_some_and(|mode| mode.constant_cut)
+            && self.judged.cutting_speed.is_none()
+        {
+            let finding = Finding::OtherMeaning { meant: OtherMeaning::CuttingSpeed { s: speed }, count: None };
+            self.judged.cutting_speed = Some(Diagnostic::new(finding, self.file.word_place(s)));
+        }
+        if let Some((table @ (GCode::G92 | GCode::G93), g)) = functions.of_group(GGroup::G10) {
+            self.judge_table(words, table, g);
+        }
+    }
+
+    /// `T0101`: the tool and its offset.
+    fn judge_tool(&mut self, t: Word) {
+        let pair = |tool: &i64| (101..1000).contains(tool) && tool / 100 == tool % 100;
+        let Some(tool) = t.whole().filter(pair) else { return };
+        let written = self.file.source.slice(t.span(self.file.source.text())).to_ascii_uppercase();
+        if written.get(1..).sure().trim_start_matches([' ', '\t']).starts_with('0') {
+            self.report(
+                t,
+                Finding::OtherMeaning { meant: OtherMeaning::ToolWithOffset { written, tool }, count: None },
+            );
+        }
+    }
+
+    /// G92 or G93 with words that mean something else on other controls, or without values for the table (GRP-4).
+    fn judge_table(&mut self, words: &[Word], table: GCode, g: Word) {
+        let of = |address: Address| words.iter().copied().find(|word| word.address == address);
+        let (axes, s) = (words.iter().any(|word| word.address.axis().is_some()), of(Address::S));
+        let meant = |meant: OtherMeaning| Finding::OtherMeaning { meant, count: None };
+        if table == GCode::G92 && axes && of(Address::F).is_some_and(|f| !f.is_faulty()) {
+            self.report(g, meant(OtherMeaning::Thread));
+        }
+        if let Some(s) = s.filter(|s| table == GCode::G92 && !axes && of(Address::D).is_none() && !s.is_faulty()) {
+            self.report(s, meant(OtherMeaning::SpeedLimit));
+        }
+        if !axes && s.is_none() {
+            self.report(g, Finding::TableWithoutValues { function: table });
+        }
+        for (address, letter) in [(Address::I, 'I'), (Address::J, 'J'), (Address::K, 'K')] {
+            let place = CenterPlace::InTableBlock;
+            if let Some(word) = of(address).filter(|word| !word.is_void()) {
+                self.report(word, Finding::CenterWordNotUsable { letter, place, written: String::new() });
             }
         }
-        let table = functions.of_group(GGroup::G10).is_some_and(|(code, _)| code == GCode::G92);
+    }
+
+    /// I as the dynamic set of G23, in a block that is no arc whatever is in force (GRP-7).
+    fn judge_dynamic_set(&mut self, words: &[Word], functions: &Functions) {
+        let Some((GCode::G23, _)) = functions.of_group(GGroup::G2) else { return };
         let moves = words.iter().any(|word| word.address.axis().is_some());
-        if let (Some(f), Some((_, g))) = (of(Address::F).filter(|_| table && moves), functions.of_group(GGroup::G10))
-            && !f.is_faulty()
-        {
-            self.report(g, Finding::OtherMeaning { meant: OtherMeaning::Thread, count: None });
-        }
-        let only_speed = !words.iter().any(|word| word.address.axis().is_some() || word.address == Address::D);
-        if let Some(s) = of(Address::S).filter(|s| table && only_speed && !s.is_faulty()) {
-            self.report(s, Finding::OtherMeaning { meant: OtherMeaning::SpeedLimit, count: None });
+        let line = functions.of_group(GGroup::G0).is_some_and(|(code, _)| !matches!(code, GCode::G02 | GCode::G03));
+        let set = words.iter().copied().find(|word| word.address == Address::I).filter(|_| line || !moves);
+        let wrong = |set: &Word| set.number().is_some_and(|set| !set.is_whole() || !DYNAMIC_SETS.contains(set));
+        if let Some(set) = set.filter(wrong) {
+            let (range, mode) = (DYNAMIC_SETS.text(Lang::En), Some(GCode::G23));
+            self.report_value(set, Finding::ValueOutOfRange { address: Address::I, range, mode, call: None });
         }
     }
 
@@ -433,9 +483,11 @@ impl<'a> BlockJudge<'a> {
     }
 
     /// An operation that is not configured is reported once for each code.
-    fn report_control_word(&mut self, word: Word, finding: Finding) {
-        if let Finding::UnknownOperation { operation, .. } = finding {
-            let diagnostic = Diagnostic::new(finding, self.file.value_place(word));
+    fn report_control_word(&mut self, word: Word, mut finding: Finding) {
+        if let Finding::UnknownOperation { operation, written, .. } = &mut finding {
+            let (operation, place) = (*operation, self.file.value_place(word));
+            *written = self.file.source.slice(place.span).bytes().filter(u8::is_ascii_digit).count();
+            let diagnostic = Diagnostic::new(finding, place);
             self.judged.operations.push((operation, diagnostic));
         } else {
             self.report_value(word, finding);

@@ -33,6 +33,8 @@ pub(super) struct Judged {
     pub(super) operations: Vec<(i64, Diagnostic)>,
     /// M functions without a meaning on this machine, by number: each is reported once for a program (TEC-8).
     pub(super) meaningless: Vec<(u8, Diagnostic)>,
+    /// The first S under G97 that a speed of the spindle was probably meant by (W0116): reported once for a program.
+    pub(super) cutting_speed: Option<Diagnostic>,
     /// L alone in a block, with its number: a macrocycle of that number was to be called.
     pub(super) lost_calls: Vec<(u32, Diagnostic)>,
     /// The warning that the block before the `*` is empty, which the `*` may explain.
@@ -101,6 +103,10 @@ impl Context<'_, '_> {
             operations.for_each(|(_, diagnostic)| self.findings.add(diagnostic));
             let meaningless = judged.meaningless.into_iter().filter(|(m, _)| resolved.meaningless.insert(*m));
             meaningless.for_each(|(_, diagnostic)| self.findings.add(diagnostic));
+            if let Some(speed) = judged.cutting_speed.filter(|_| !std::mem::replace(&mut resolved.cutting_speed, true))
+            {
+                self.findings.add(speed);
+            }
             self.open.lost_calls.extend(judged.lost_calls);
             told.extend(judged.merged.iter().map(|(start, _)| *start));
             at_star.extend(judged.at_star);
@@ -149,7 +155,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::resolve::{Library, resolve_program};
+    use crate::resolve::{Library, resolve};
     use crate::text::{MemoryLoader, SourceText, Sources};
 
     /// Parts of a long file that are checked side by side leave no block out and check none twice.
@@ -164,7 +170,7 @@ mod tests {
             let (loader, settings) = (MemoryLoader::new(), Settings::default());
             let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
             let (mut sources, mut findings) = (Sources::new(), Findings::new());
-            resolve_program(&source, &settings, &mut library, &mut sources, &mut findings);
+            resolve(&source, None, &settings, &mut library, &mut sources, &mut findings);
             let lines: Vec<u32> =
                 findings.items().iter().map(|found| source.line_column(found.at.span.start).line - 1).collect();
             let expected: Vec<u32> = faulty.into_iter().filter(|n| *n <= last).collect();

@@ -116,6 +116,8 @@ pub struct Resolved {
     pub(super) written_files: usize,
     /// M functions without a meaning on this machine that have been reported (TEC-8).
     pub(super) meaningless: BTreeSet<u8>,
+    /// An S under G97 has its warning (W0116).
+    pub(super) cutting_speed: bool,
 }
 
 impl Resolved {

@@ -188,6 +188,7 @@ impl State {
             last_origin,
             named_tool,
             retracted,
+            compiled: _,
             said,
         } = after;
         (self.g, self.unknown, self.m) = (*g, *unknown, *m);

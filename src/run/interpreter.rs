@@ -94,6 +94,13 @@ impl Interpreter {
         }
     }
 
+    /// The same, for a stream, which ends at a parameter without a value (PAR-5).
+    #[must_use]
+    pub fn compiling(mut self) -> Self {
+        self.state.compiled = true;
+        self
+    }
+
     /// Executes the next block. `None` at the end of the program, or where it cannot go on; [`Self::end`] gives which.
     #[inline]
     pub fn step<'r>(&'r mut self, program: &'r mut Program<'_>, findings: &mut Findings) -> Option<Executed<'r>> {
@@ -218,7 +225,7 @@ impl Interpreter {
             spindle::orient(site.machine(), state);
         }
         reading::read(&mut site, state, &mut block.words);
-        warnings::check_other_meanings(&mut site, state, &block.words);
+        warnings::note_retraction(&site, state, &block.words);
         functions::apply(&mut site, state, &block.words, &mut block.g);
         functions::track_origin(state, &block.words, &block.g);
         technology::hold(&site, state, &block.words);

@@ -216,12 +216,7 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
 /// A block whose words are data (GRP-4): nothing moves.
 fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, function: GCode) {
     let Block { words, g, values, effect, .. } = block;
-    let writes = words.has(GCode::G92).or_else(|| words.has(GCode::G93));
-    let table = writes.is_some();
-    let axes = site.file.words(site.block).iter().any(|word| word.address.axis().is_some());
-    if let Some(word) = writes.filter(|_| !axes && words.s.is_none()) {
-        site.found(Finding::TableWithoutValues { function }, site.word_place(word));
-    }
+    let table = words.has(GCode::G92).or_else(|| words.has(GCode::G93)).is_some();
     for (axis, valued) in words.axis_words() {
         if let (Some(axis), Some(value)) = (site.machine().axes.get(axis), valued.value) {
             values.push((axis.letter.letter(), value));

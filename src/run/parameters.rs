@@ -127,7 +127,7 @@ fn read(site: &mut Site<'_>, state: &mut State, index: u8, place: Location) -> O
         && let Some(said @ false) = state.said.unassigned.get_mut(usize::from(index))
     {
         *said = true;
-        site.found(Finding::UnassignedParameter { parameter: index }, place);
+        site.found(Finding::UnassignedParameter { parameter: index, compiled: state.compiled }, place);
     }
     parameter.value
 }

@@ -162,7 +162,7 @@ mod tests {
     use crate::config::{Axes, Axis, Settings};
     use crate::diag::Findings;
     use crate::dict::Decimal;
-    use crate::resolve::{Library, resolve_program};
+    use crate::resolve::{Library, resolve};
     use crate::run::{Interpreter, Program};
     use crate::text::{MemoryLoader, SourceText, Sources};
 
@@ -214,7 +214,7 @@ mod tests {
         let source = Arc::new(SourceText::from_text("t.nc", format!("%1\nN1 G54 G90\n{body}\nN9000 M30")));
         let mut library = Library::new(&loader, &settings.macrocycles, Path::new("t.nc"));
         let (mut sources, mut findings) = (Sources::new(), Findings::new());
-        let resolved = resolve_program(&source, settings, &mut library, &mut sources, &mut findings);
+        let resolved = resolve(&source, None, settings, &mut library, &mut sources, &mut findings);
         let mut program = Program { resolved, settings, library, sources };
         let made = run(&mut program, &mut findings);
         (made, findings.items().iter().map(|finding| format!("{finding:?}")).collect())

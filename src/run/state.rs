@@ -151,8 +151,6 @@ pub(super) struct Said {
     pub(super) spindle_stopped: bool,
     /// W0620.
     pub(super) no_tool: bool,
-    /// W0116 of S under G97.
-    pub(super) cutting_speed: bool,
     /// An arc that fits under the other of G90 and G91 (E0603), until one of them is written, an arc fits under the one
     /// in force or under neither, or a unit is called.
     pub(super) arc_mode: bool,
@@ -189,7 +187,6 @@ impl Default for Said {
             no_entry: false,
             spindle_stopped: false,
             no_tool: false,
-            cutting_speed: false,
             arc_mode: false,
             arc_starts: AxisSet::default(),
             other_axes: None,
@@ -250,6 +247,8 @@ pub struct State {
     /// A G53 in place of a zero offset of the work, written with Z alone as other controls retract, is still in force
     /// (W0116).
     pub(super) retracted: bool,
+    /// A stream is written: a parameter without a value ends it (PAR-5).
+    pub(super) compiled: bool,
     /// For texts.
     pub(super) origins: Origins,
     /// The G5 and G11 functions of the block before, x functions included (MOT-8).
@@ -303,6 +302,7 @@ impl State {
             corrects: None,
             named_tool: None,
             retracted: false,
+            compiled: false,
             origins: Origins::default(),
             last_origin: (None, None),
             said: Said::default(),

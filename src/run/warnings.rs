@@ -5,7 +5,7 @@ use super::parameters::with_origin;
 use super::site::Site;
 use super::state::{Held, Position, SpindleWords, State};
 use super::travel::Travel;
-use super::words::{BlockWords, Valued};
+use super::words::BlockWords;
 use crate::config::Axis;
 use crate::diag::{Diagnostic, Finding, LabelText, OtherMeaning};
 use crate::dict::{
@@ -13,21 +13,6 @@ use crate::dict::{
     SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
 };
 use crate::resolve::value_or_word;
-
-/// In m/min: above what turning works with, so that a speed of the spindle was probably meant.
-const NO_CUTTING_SPEED: i64 = 500;
-
-/// `T0101`: the tool and its offset (W0116).
-fn check_tool_with_offset(site: &mut Site<'_>, t: Valued) {
-    let Some(tool) = t.value.and_then(Decimal::as_whole) else { return };
-    let at = site.word_place(t.word);
-    let written = site.file.source.slice(at.span).to_ascii_uppercase();
-    let has_zero = written.get(1..).is_some_and(|digits| digits.trim_start_matches([' ', '\t']).starts_with('0'));
-    if has_zero && (101..1000).contains(&tool) && tool / 100 == tool % 100 {
-        let meant = OtherMeaning::ToolWithOffset { written, tool };
-        site.found(Finding::OtherMeaning { meant, count: None }, at);
-    }
-}
 
 /// Reports what a working motion, or a thread, lacks: a feed (W0601), a feed of this unit (W0615), a speed (W0604), a
 /// spindle that turns (W0619).
@@ -60,31 +45,13 @@ pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &Block
     }
 }
 
-/// Words that are written for what they mean on other controls (W0116): G53 for one block, S under G97 as the speed of
-/// the spindle.
-pub(super) fn check_other_meanings(site: &mut Site<'_>, state: &mut State, words: &BlockWords) {
+/// Notes a G53 that is written for one block, as on other controls (W0116).
+pub(super) fn note_retraction(site: &Site<'_>, state: &mut State, words: &BlockWords) {
     if let Some((origin, _)) = words.written(GGroup::G5) {
         let work = state.modal(GGroup::G5).is_some_and(|before| before != GCode::G53);
         let mut axes = words.axis_words().filter_map(|(axis, _)| site.machine().axes.get(axis));
         let only_z = axes.next().is_some_and(|axis| axis.letter == AxisLetter::Z) && axes.next().is_none();
         state.retracted = origin == GCode::G53 && work && only_z && words.data().is_none();
-    }
-    if let (Some(_), None, None, Some(p)) = (words.has(GCode::G73), words.q, words.has(GCode::G04), words.p)
-        && let Some(count) = p.value.and_then(Decimal::as_whole)
-    {
-        let meant = OtherMeaning::RepeatByP { p: count };
-        site.found(Finding::OtherMeaning { meant, count: None }, site.word_place(p.word));
-    }
-    if let Some(t) = words.t {
-        check_tool_with_offset(site, t);
-    }
-    let constant_cut = words.has(GCode::G97).and_then(|_| site.machine().feed_mode(GCode::G97));
-    if let Some(s) = words.s.filter(|_| constant_cut.is_some_and(|mode| mode.constant_cut))
-        && let Some(speed) = s.value.and_then(Decimal::as_whole).filter(|speed| *speed >= NO_CUTTING_SPEED)
-        && !std::mem::replace(&mut state.said.cutting_speed, true)
-    {
-        let meant = OtherMeaning::CuttingSpeed { s: speed };
-        site.found(Finding::OtherMeaning { meant, count: None }, site.word_place(s.word));
     }
 }
 

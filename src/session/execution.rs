@@ -50,6 +50,7 @@ impl<'a> Execution<'a> {
         let sources = std::mem::take(&mut outcome.sources);
         let program = Program { resolved, settings: session.settings, library, sources };
         let interpreter = Interpreter::new(&program);
+        let interpreter = if purpose == Purpose::Compile { interpreter.compiling() } else { interpreter };
         Self {
             session,
             program,

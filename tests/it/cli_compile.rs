@@ -118,6 +118,17 @@ fn a_parameter_without_a_value_is_an_error_in_compile() {
     let place = Place::with(&[("a.nc", b"%1\nN10 G0 G90 XR10\nN20 M30\n")]);
     place.run(&["check", "a.nc"]).ends(0);
     place.run(&["compile", "a.nc", "-A", "W0503"]).ends(1);
+    // What the value is for differs.
+    for (lang, note) in
+        [("en", "without it nothing is written from here on"), ("cs", "bez ní se od tohoto bloku nic nezapíše")]
+    {
+        let compiled = place.run(&["compile", "a.nc", "--lang", lang]);
+        assert!(compiled.stderr.contains(note), "{compiled:?}");
+    }
+    for level in ["-W", "-D"] {
+        let checked = place.run(&["check", "a.nc", level, "W0503"]).stdout;
+        assert!(checked.contains("what depends on it is not checked"), "{checked}");
+    }
     place.run(&["compile", "a.nc", "--param", "R10=5"]).ends(0);
 }
 

@@ -28,7 +28,7 @@ N610 G70
 === said workspace/inlayHint/refresh
 null
 === findings part.nc
-9:4-9:8 W0503 R50 is read before the program gives it a value | note: its value comes from the machine's parameter table: `check` leaves out what depends on it, `compile` ends here | help: assign it first: `R50=…`, or give the machine's value with `--param R50=…`
+9:4-9:8 W0503 R50 is read before the program gives it a value | note: its value comes from the machine's parameter table: what depends on it is not checked | help: assign it first: `R50=…`, or give the machine's value with `--param R50=…`
 15:5-15:8 W0211 no G71 calls subprogram L20 | help: call it with `G71 L20`, or delete it
 === request textDocument/inlayHint part.nc@1..2
 === answer

@@ -10,7 +10,7 @@ N50 G79 L8
 N60 ‹X›X5 G70
 ‹E›
 === findings part.nc
-1:11-1:14 W0503 R1 is read before the program gives it a value | note: its value comes from the machine's parameter table: `check` leaves out what depends on it, `compile` ends here | help: assign it first: `R1=…`, or give the machine's value with `--param R1=…`
+1:11-1:14 W0503 R1 is read before the program gives it a value | note: its value comes from the machine's parameter table: what depends on it is not checked | help: assign it first: `R1=…`, or give the machine's value with `--param R1=…`
 === request textDocument/hover part.nc@X
 === answer
 {

@@ -81,7 +81,7 @@ fn code_page_end_of_file_and_no_file() {
            │
          2 │ N10 "šroub" XR1
            │             ───
-           │ poznámka: hodnota pochází z tabulky parametrů stroje: co na ní závisí, se nezkontroluje; compile zde skončí
+           │ poznámka: hodnota pochází z tabulky parametrů stroje: co na ní závisí, se nezkontroluje
            │ nápověda: nejdřív přiřadit: „R1=…“, nebo zadat hodnotu ze stroje volbou --param R1=…
         ───╯
 

@@ -94,7 +94,10 @@ pub(super) fn mixed() -> Report {
     report(
         &sources,
         [
-            Diagnostic::new(Finding::UnassignedParameter { parameter: 1 }, find(&sources, 0, "XR1", 0)),
+            Diagnostic::new(
+                Finding::UnassignedParameter { parameter: 1, compiled: false },
+                find(&sources, 0, "XR1", 0),
+            ),
             Diagnostic::new(
                 Finding::MissingProgramEnd { skipped: false, late: None, instead: None, unread: None },
                 Location { file: end.file, span: Span::empty(end.span.end) },

@@ -3,7 +3,7 @@
 use super::swallowed;
 use super::{Around, Diagnosis};
 use crate::diag::{Edit, Finding, FixTitle, Meant, TextMeant, shown};
-use crate::dict::Address;
+use crate::dict::{Address, GCode};
 use crate::sure::{Sure, small};
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, METRES_PER_MINUTE, Shape, Token};
@@ -65,7 +65,21 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
         _ => TextMeant::Comment { text: shown_text.clone() },
     });
     let found = around.diagnostic(span, Finding::StrayText { text: shown_text, meant });
+    let diagnosis = needed(around, text).into_iter().fold(diagnosis, |diagnosis, word| diagnosis.void(word, span));
     Some(Diagnosis { found: Some(found), ..diagnosis })
+}
+
+/// `G71 LX`, `G04 QX`, `G02 X5 IX`: the address that a function of the block needs, with a letter in place of its number.
+fn needed(around: &Around<'_>, text: &str) -> Option<Address> {
+    let &[first, _] = text.as_bytes() else { return None };
+    let address = Address::from_byte(first)?;
+    let centre = matches!(address, Address::I | Address::J);
+    let takes = |code: GCode| {
+        address == Address::L && code.takes_l()
+            || address == Address::Q && code == GCode::G04
+            || centre && matches!(code, GCode::G02 | GCode::G03)
+    };
+    around.functions().any(takes).then_some(address)
 }
 
 /// `MSG("text")`
