@@ -81,6 +81,19 @@ fn valid() -> Vec<Sample> {
     samples
 }
 
+/// Forty correct programs from the rules of the manuals, for the mills and lathes of each control, are among the valid
+/// ones.
+#[test]
+fn forty_programs_of_mills_and_lathes() {
+    let programs = |folder: &str| {
+        let is_program = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "nc");
+        files(&root().join("samples/projects").join(folder)).into_iter().filter(is_program).count()
+    };
+    let machines = ["milling-8x6", "milling-8x9", "milling-872", "turning-8x6", "turning-8x9", "turning-872"];
+    let counts = machines.map(programs);
+    assert!(counts.iter().all(|count| *count >= 6) && counts.iter().sum::<usize>() >= 40, "{counts:?}");
+}
+
 /// The erroneous samples: single programs, and of each folder its program, or else its macrocycle.
 fn erroneous() -> Vec<Sample> {
     let mut samples = Vec::new();

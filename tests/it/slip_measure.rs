@@ -112,6 +112,13 @@ impl Slip {
         (line(text, self.at.end), line(&self.applied(text), self.at.start + self.text.len()))
     }
 
+    /// The numbers of the lines that the slip touches.
+    pub fn line_numbers(&self, text: &str) -> std::ops::RangeInclusive<u32> {
+        let line = |at: usize| u32::try_from(text[..at].matches('\n').count()).unwrap_or(u32::MAX) + 1;
+        let joined = text[self.at.clone()].contains('\n') || self.text.contains('\n');
+        line(self.at.start)..=line(self.at.start) + u32::from(joined)
+    }
+
     /// Whether the reader of the text takes the key for another one, whatever it was meant for: a comma beside a digit
     /// is the point, O and l alone behind an address are digits, and a blank behind a sign is one too many.
     fn is_taken_for_another(&self, slipped: &str) -> bool {
@@ -129,14 +136,17 @@ impl Slip {
 /// What came of a slip.
 pub enum Outcome {
     /// No fix is certain.
-    Untouched { found: Vec<Code> },
+    Untouched { found: Vec<Found> },
     /// Something was fixed, and there are findings left. These were there before.
-    Left { found: Vec<Code> },
+    Left { found: Vec<Found> },
     /// Fixed, and the program that was meant.
     Meant,
     /// Fixed, clean, and another program.
     Different { text: String },
 }
+
+/// A finding, and its line.
+pub type Found = (Code, u32);
 
 /// Makes a slip in a program and fixes what is certain.
 pub fn measure(program: &Program, slip: &Slip) -> Outcome {
@@ -156,11 +166,14 @@ pub fn measure(program: &Program, slip: &Slip) -> Outcome {
 }
 
 /// The findings of a text before any fix, and the text after all that is certain.
-fn fix(program: &Program, mut text: String) -> (Vec<Code>, String) {
+fn fix(program: &Program, mut text: String) -> (Vec<Found>, String) {
     let mut first = None;
     loop {
         let (found, sources) = check(program, &text);
-        first.get_or_insert_with(|| found.iter().map(Diagnostic::code).collect());
+        let line = |found: &Diagnostic| {
+            sources.get(found.file()).map_or(0, |source| source.line_column(found.at.span.start).line)
+        };
+        first.get_or_insert_with(|| found.iter().map(|found| (found.code(), line(found))).collect());
         let fixes = found.iter().filter(|item| item.file() == FileId(0)).filter_map(Diagnostic::certain_fix);
         let source = sources.get(FileId(0)).expect("the program");
         let fixed = apply_fixes(source, FileId(0), text.as_bytes(), fixes.collect::<Vec<&Fix>>());
