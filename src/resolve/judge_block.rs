@@ -259,13 +259,23 @@ impl<'a> BlockJudge<'a> {
         }
     }
 
-    /// Whether another finding explains an L or Q without use: that of its value, or of the line that it begins, which
-    /// lacks its block number.
-    fn is_explained(&self, word: Word) -> bool {
+    /// Whether a word of the block that is being judged has a value that its address does not take.
+    fn is_refused(&self, word: Word) -> bool {
         /// So many words of a block are looked at.
         const WORDS: usize = 64;
         self.judged.refused.iter().rev().take(WORDS).any(|start| *start == word.start())
-            || self.around.unnumbered(self.settings).line_before(word.start()) == Some(word.start())
+    }
+
+    /// The first word of an address in the block that is being judged, when its value is one that the address takes.
+    fn right(&self, words: &[Word], address: Address) -> Option<Word> {
+        let word = words.iter().copied().find(|word| word.address == address)?;
+        (!word.is_void() && !self.is_refused(word)).then_some(word)
+    }
+
+    /// Whether another finding explains an L or Q without use: that of its value, or of the line that it begins, which
+    /// lacks its block number.
+    fn is_explained(&self, word: Word) -> bool {
+        self.is_refused(word) || self.around.unnumbered(self.settings).line_before(word.start()) == Some(word.start())
     }
 
     /// Whether the words of a block are a call or jump that lost its function, which has its finding.
@@ -332,12 +342,12 @@ impl<'a> BlockJudge<'a> {
             self.report(m, Finding::OtherMeaning { meant: OtherMeaning::Call { l: number }, count });
         }
         if let (Some((GCode::G73, _)), None, None, Some(p)) =
-            (functions.of_group(GGroup::G7), functions.roles.q, functions.roles.dwell, of(Address::P))
+            (functions.of_group(GGroup::G7), functions.roles.q, functions.roles.dwell, self.right(words, Address::P))
             && let Some(count) = p.whole()
         {
             self.report(p, Finding::OtherMeaning { meant: OtherMeaning::RepeatByP { p: count }, count: None });
         }
-        if let (Some((GCode::G97, _)), Some(s)) = (functions.of_group(GGroup::G6), of(Address::S))
+        if let (Some((GCode::G97, _)), Some(s)) = (functions.of_group(GGroup::G6), self.right(words, Address::S))
             && let Some(speed) = s.whole().filter(|speed| *speed >= NO_CUTTING_SPEED)
             && self.settings.machine.feed_mode(GCode::G97).is_some_and(|mode| mode.constant_cut)
             && self.judged.cutting_speed.is_none()
@@ -379,7 +389,7 @@ impl<'a> BlockJudge<'a> {
         }
         for (address, letter) in [(Address::I, 'I'), (Address::J, 'J'), (Address::K, 'K')] {
             let place = CenterPlace::InTableBlock;
-            if let Some(word) = of(address).filter(|word| !word.is_void()) {
+            if let Some(word) = self.right(words, address) {
                 self.report(word, Finding::CenterWordNotUsable { letter, place, written: String::new() });
             }
         }
@@ -390,7 +400,7 @@ impl<'a> BlockJudge<'a> {
         let Some((GCode::G23, _)) = functions.of_group(GGroup::G2) else { return };
         let moves = words.iter().any(|word| word.address.axis().is_some());
         let line = functions.of_group(GGroup::G0).is_some_and(|(code, _)| !matches!(code, GCode::G02 | GCode::G03));
-        let set = words.iter().copied().find(|word| word.address == Address::I).filter(|_| line || !moves);
+        let set = self.right(words, Address::I).filter(|_| line || !moves);
         let wrong = |set: &Word| set.number().is_some_and(|set| !set.is_whole() || !DYNAMIC_SETS.contains(set));
         if let Some(set) = set.filter(wrong) {
             let (range, mode) = (DYNAMIC_SETS.text(Lang::En), Some(GCode::G23));
