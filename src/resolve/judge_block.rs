@@ -266,9 +266,10 @@ impl<'a> BlockJudge<'a> {
         self.judged.refused.iter().rev().take(WORDS).any(|start| *start == word.start())
     }
 
-    /// The first word of an address in the block that is being judged, when its value is one that the address takes.
+    /// The only word of an address in the block that is being judged, when its value is one that the address takes.
     fn right(&self, words: &[Word], address: Address) -> Option<Word> {
-        let word = words.iter().copied().find(|word| word.address == address)?;
+        let mut of_address = words.iter().copied().filter(|word| word.address == address);
+        let word = of_address.next().filter(|_| of_address.next().is_none())?;
         (!word.is_void() && !self.is_refused(word)).then_some(word)
     }
 
