@@ -186,12 +186,7 @@ pub struct Wanted {
 
 /// The signals of the PLC.
 #[pyfunction]
-pub fn plc(
-    py: Python<'_>,
-    program: Program,
-    options: &Bound<'_, PyDict>,
-    wanted: Wanted,
-) -> PyResult<Made> {
+pub fn plc(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, wanted: Wanted) -> PyResult<Made> {
     one(py, program, Options::new(options)?.with_motion(Vec::new()), |mut one| {
         let session = one.session;
         let machine = &session.settings.machine;
@@ -293,11 +288,7 @@ fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), F
 
 /// A program in one layout, and how many lines stay because they cannot be read.
 #[pyfunction]
-pub fn format(
-    py: Python<'_>,
-    program: Program,
-    options: &Bound<'_, PyDict>,
-) -> PyResult<(Vec<u8>, usize)> {
+pub fn format(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>) -> PyResult<(Vec<u8>, usize)> {
     one(py, program, Options::new(options)?, |mut one| {
         let unread = |error| Fault::Io(one.path.into(), error);
         let bytes = one.session.loader.read(one.path).map_err(unread)?;

@@ -66,12 +66,7 @@ fn no_place(one: &mut One<'_>, outcome: Outcome, fault: &PlaceFault, asked: &Ask
 
 /// What holds at a place, as JSON.
 #[pyfunction]
-pub fn state(
-    py: Python<'_>,
-    program: Program,
-    options: &Bound<'_, PyDict>,
-    at: At,
-) -> PyResult<String> {
+pub fn state(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, at: At) -> PyResult<String> {
     one(py, program, Options::new(options)?, |mut one| {
         let settings = one.session.settings;
         let asked = at.asked(&mut one)?;
@@ -144,12 +139,7 @@ type Spots = (Vec<(u64, u32, Option<String>, u32, u64, Option<f64>, bool)>, u64)
 
 /// The tool changes and rapids at which a start is possible.
 #[pyfunction]
-pub fn restart_places(
-    py: Python<'_>,
-    program: Program,
-    options: &Bound<'_, PyDict>,
-    start: Start,
-) -> PyResult<Spots> {
+pub fn restart_places(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, start: Start) -> PyResult<Spots> {
     one(py, program, Options::new(options)?, |mut one| {
         let (outcome, found) = starting::list(&one.session, one.path, &one.name, start.options()?);
         let Some((spots, more)) = found else { return Err(broken(&mut one, outcome)) };
