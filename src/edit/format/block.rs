@@ -127,7 +127,8 @@ impl Part {
         let mut length = usize::from(style.indent) + self.width(file, piece, style);
         let mut first = at;
         if piece.comment || is_skip(piece) {
-            first = at.checked_sub(1).filter(|before| *before > 0)?;
+            let stays = |before: &usize| self.pieces.get(*before).is_some_and(|piece| !piece.moved);
+            first = (1..at).rev().find(stays)?;
             // A `/` that begins its line reads as that of another block (W0213).
             let takes_along = |piece: &&Piece| !piece.comment && !piece.begins && !is_skip(**piece);
             let word = *self.pieces.get(first).filter(takes_along)?;
