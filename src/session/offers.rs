@@ -362,15 +362,19 @@ fn line_break(text: &str, at: u32) -> &'static str {
 
 /// The lines of a span, when nothing else but blanks is in them.
 fn whole_lines(text: &str, span: Span) -> Option<Span> {
+    // Most places have words before them in their line, which may be long.
+    let blank = |character: char| character.is_whitespace() && !matches!(character, '\r' | '\n');
+    let before = text.get(..span.start as usize)?.trim_end_matches(blank);
+    if !(before.is_empty() || before.ends_with(['\r', '\n'])) {
+        return None;
+    }
     let (first, last) = (line_of(text, span.start), line_of(text, span.end));
-    let blank = |from: u32, to: u32| text.get(from as usize..to as usize).is_some_and(|text| text.trim().is_empty());
     let behind = text.get(last.end as usize..)?;
     let rest = if behind.starts_with("\r\n") { 2 } else { u32::from(behind.starts_with(['\r', '\n'])) };
-    blank(first.start, span.start).then(|| Span::new(first.start, last.end + rest)).filter(|_| {
-        let behind = text.get(span.end as usize..last.end as usize).sure().trim();
-        // A comment behind the words goes with them.
-        behind.is_empty() || (behind.starts_with('"') && behind.len() > 1 && behind.ends_with('"'))
-    })
+    let behind = text.get(span.end as usize..last.end as usize).sure().trim();
+    // A comment behind the words goes with them.
+    let alone = behind.is_empty() || (behind.starts_with('"') && behind.len() > 1 && behind.ends_with('"'));
+    alone.then(|| Span::new(first.start, last.end + rest))
 }
 
 #[cfg(test)]
