@@ -34,7 +34,7 @@ impl Kept {
         let mut kept = Self::default();
         // Characters that are no word have an error, or one of those warnings.
         if !findings.has_errors() && findings.items().iter().all(|item| !is_unread(item.code())) {
-            debug_assert!(debris(file).is_empty());
+            debug_assert!(debris(file).is_empty(), "no finding in {:?}", file.source.text());
             return kept;
         }
         let lines = file.source.lines().count();

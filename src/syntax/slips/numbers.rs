@@ -342,7 +342,7 @@ pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
     let span = token.span();
     let diagnosis = Diagnosis::of(1).void(Address::N, span);
     // The finding of that `N` says it.
-    if follows_n(around.text.as_bytes(), span.start) {
+    if follows_n(around.text.as_bytes(), around.tokens.get(..around.at).sure()) {
         return Some(diagnosis);
     }
     let text = around.slice(span);
@@ -381,11 +381,12 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
         )
     };
     let last = before.iter().rev().find(|token| !matches!(token.kind, Kind::LineEnd | Kind::Comment));
-    line && number && blanks > 0 && words && (last.is_none_or(whole) || follows_n(bytes, token.start))
+    line && number && blanks > 0 && words && (last.is_none_or(whole) || follows_n(bytes, before))
 }
 
-/// Whether an `N` without a number stands right before `at`, on the same line or one above: `F140N`, and below it `150
-/// X1`.
-fn follows_n(bytes: &[u8], at: u32) -> bool {
-    matches!(bytes.get(..at as usize).sure().trim_ascii_end().last(), Some(b'N' | b'n'))
+/// Whether the last token is an `N` without a number, on the same line or one above: `F140N`, and below it `150 X1`.
+fn follows_n(bytes: &[u8], before: &[Token]) -> bool {
+    let last = before.iter().rev().find(|token| token.kind != Kind::LineEnd);
+    let letter = last.filter(|last| last.kind == Kind::Letter).and_then(|last| bytes.get(last.start as usize));
+    letter.is_some_and(|letter| letter.eq_ignore_ascii_case(&b'N'))
 }
