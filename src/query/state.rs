@@ -98,10 +98,10 @@ impl Indexed {
 
     /// What holds before an executed block, or behind it.
     pub(crate) fn at(&self, program: &Analysis, seq: u64, after: bool) -> Option<Found> {
-        let (checkpoint, mut replay) = self.index.from(seq, after)?;
+        let (checkpoint, mut replay) = self.index.from(seq..seq + 1, after)?;
         let read = (&self.resolved, &self.sources);
         program.session().observe_from(&program.path, read, checkpoint, &mut replay);
-        replay.found()
+        replay.found().pop()
     }
 
     /// Whether an error stands before an executed block; `after`: or in it.

@@ -1,9 +1,10 @@
 //! `compare`: what two programs do differently (CMP).
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cnc872c::analysis::compare::{Comparison, StepReader, Steps, Tolerances, compare, schema};
+use cnc872c::analysis::compare::{ChangeKind, Comparison, StepReader, Steps, Tolerances, compare, schema};
 use cnc872c::config::{Purpose, Settings};
 use cnc872c::dict::Micro;
 use cnc872c::session::Session;
@@ -34,43 +35,91 @@ fn of_text(text: &str) -> Steps {
     steps(&Session { loader: &loader, settings: &settings, progress: None }, "a.nc").unwrap()
 }
 
-/// A comparison from the other side.
-fn mirrored(comparison: &Comparison) -> Vec<String> {
-    let mut shown: Vec<String> = comparison
-        .changes
-        .iter()
-        .filter(|change| change.old_blocks.count > 0 && change.new_blocks.count > 0)
-        .map(|change| format!("{:?} {:?} {:?}", change.kind, change.old_blocks, change.new_blocks))
-        .collect();
-    shown.sort();
-    shown
+/// What changed, as a key, and the blocks of both programs.
+type Seen = BTreeMap<String, [BTreeSet<u32>; 2]>;
+
+/// A comparison as it has to be the same from the other side, `mirrored`: that side. The tool of a change, and the
+/// name of a function that replaces another one, are those of the new program: they are left out, so changes that
+/// differ in nothing else are one.
+fn seen(comparison: &Comparison, mirrored: bool) -> Seen {
+    let mut seen = Seen::new();
+    for change in &comparison.changes {
+        let turn = |sides: [String; 2]| if mirrored { [sides[1].clone(), sides[0].clone()] } else { sides };
+        let is_shift = change.kind == ChangeKind::Position && change.delta.is_some();
+        let [old, new] = turn([format!("{:?}", change.old), format!("{:?}", change.new)]);
+        let values = if is_shift { String::new() } else { format!("{old} {new}") };
+        let delta = change.delta.map(|delta| if mirrored { -delta } else { delta });
+        let replaces = change.old.is_some() && change.new.is_some() && change.old != change.new;
+        let named = !matches!(change.kind, ChangeKind::Function | ChangeKind::Stop) || !replaces;
+        let what = change.what.as_ref().filter(|_| named);
+        let [added, removed] = turn(["added".to_owned(), "removed".to_owned()]);
+        let kind = match change.kind {
+            ChangeKind::Added => added,
+            ChangeKind::Removed => removed,
+            kind => kind.name().to_owned(),
+        };
+        let blocks = seen.entry(format!("{kind} {what:?} {delta:?} {values}")).or_default();
+        let sides = if mirrored { [1, 0] } else { [0, 1] };
+        for (side, from) in sides.into_iter().zip([&change.old_blocks, &change.new_blocks]) {
+            blocks[side].extend(from.runs.iter().flat_map(|[from, to]| *from..=*to));
+        }
+    }
+    seen
 }
 
-/// CMP-6: a program is the same as itself, and two compare as they do the other way round.
+/// CMP-6: a program is the same as itself, and two compare as they do the other way round, but for the tool, which is
+/// that of the new program (CMP-4).
 #[test]
 fn the_same_and_the_mirror() {
-    let mut before: Option<Steps> = None;
+    let mut before: Option<(String, Steps)> = None;
     let mut compared = 0;
     for sample in samples() {
         let Some(steps) = of_sample(&sample) else { continue };
         let again = of_sample(&sample).unwrap();
         assert_eq!(compare(&steps, &again, TOLERANCES), Comparison::default(), "{}", sample.name);
-        if let Some(before) = &before {
-            let (there, mut back) = (compare(before, &steps, TOLERANCES), compare(&steps, before, TOLERANCES));
-            for change in &mut back.changes {
-                std::mem::swap(&mut change.old_blocks, &mut change.new_blocks);
-            }
-            let pairs = |comparison: &Comparison| -> u64 { comparison.changes.iter().map(|c| c.count()).sum() };
-            assert_eq!(pairs(&there), pairs(&back), "{}", sample.name);
-            assert_eq!(there.changes.is_empty(), back.changes.is_empty());
-            if there.changes.len() == 1 {
-                assert_eq!(mirrored(&there), mirrored(&back), "{}", sample.name);
-            }
+        if let Some((name, before)) = &before {
+            let (there, back) = (compare(before, &steps, TOLERANCES), compare(&steps, before, TOLERANCES));
+            assert_eq!(seen(&there, false), seen(&back, true), "{name} {}", sample.name);
         }
-        before = Some(steps);
+        before = Some((sample.name.clone(), steps));
         compared += 1;
     }
     assert!(compared > 100);
+    let changed = OLD.replace("Z-1\n", "Z-1.2\n").replace("F200", "F250").replace("N50 M08\n", "N50 M00\n");
+    let (old, new) = (of_text(OLD), of_text(&changed.replace("N65", "N62 X40\nN63 M05\nN65")));
+    let there = compare(&old, &new, TOLERANCES);
+    assert!(there.changes.len() > 4, "{there:#?}");
+    assert_eq!(seen(&there, false), seen(&compare(&new, &old, TOLERANCES), true));
+}
+
+/// CMP-2: programs with nothing alike, with points in another order, or of few different blocks are aligned whatever
+/// their length: blocks that both have in their order are never added or removed.
+#[test]
+fn long_programs_that_differ() {
+    let body = |blocks: &[String]| {
+        let lines: String = blocks.iter().enumerate().map(|(at, block)| format!("N{} {block}\n", at + 50)).collect();
+        of_text(&format!("%1\nN10 G90 G0 X0 Y0 Z50 T5 M06\nN20 S1000 M3 F200\nN30 G1 X1 Z-1\n{lines}N9000000 M30\n"))
+    };
+    let points: Vec<String> =
+        (0..40_000_u32).map(|at| format!("X{} Y{}", at * 37 % 20_011, at * 91 % 15_013)).collect();
+    let shuffled: Vec<String> = (0..40_000).map(|at| points[at * 17_389 % 40_000].clone()).collect();
+    let mut longer = points.clone();
+    longer.splice(20_000..20_000, points[1000..9000].to_vec());
+    let few: Vec<String> = (0..40_000_u32).map(|at| format!("X{}", at.wrapping_mul(2_654_435_761) >> 30)).collect();
+    let [points, shuffled, longer, few] = [points, shuffled, longer, few].map(|blocks| body(&blocks));
+    let counts = |old: &Steps, new: &Steps| {
+        let changes = compare(old, new, TOLERANCES).changes;
+        let count = |kind: ChangeKind| changes.iter().filter(|c| c.kind == kind).map(|c| c.count()).sum::<u64>();
+        (count(ChangeKind::Added), count(ChangeKind::Removed), count(ChangeKind::Position) > 0)
+    };
+    // What stands twice is added once, as a whole.
+    assert_eq!(counts(&points, &longer), (8000, 0, false));
+    assert_eq!(counts(&longer, &points), (0, 8000, false));
+    // The same points in another order: as many blocks come as go.
+    let (added, removed, moved) = counts(&points, &shuffled);
+    assert!(added == removed && moved, "{added} {removed}");
+    assert_eq!(counts(&few, &few), (0, 0, false));
+    assert!(counts(&few, &points).1 > 0 || counts(&few, &points).0 > 0);
 }
 
 /// CMP-6: formatted and renumbered programs do what they did.
@@ -234,7 +283,24 @@ fn planted_changes() {
     assert_eq!(planted("N60 G1 X30", "N60 G1 X30\nN61 G4 Q50"), one("dwell", 1, ""));
     assert_eq!(planted("T5", "T6"), one("tool", 1, "T"));
     assert_eq!(planted("N30 G1 X10", "N30 G23 G1 X10"), one("function", 10, "G23"));
+    assert_eq!(planted("N50 M08\n", ""), one("function", 1, "M08"));
+    // An end that is known in one program alone is no difference of so many mm.
+    let known = compare(&of_text("%1\nN10 G91 X5\nN20 M30\n"), &of_text("%1\nN10 XR1\nN20 M30\n"), TOLERANCES);
+    assert!(known.changes.iter().all(|change| change.delta.is_none()), "{known:#?}");
     assert_eq!(planted("Y5\n", "Y5.001\n"), []);
+    // What M09 and M05 end is not there any more, which changes nothing in them.
+    let ending = OLD.replace("N70 M30", "N68 M09\nN69 M05\nN70 M30");
+    for (gone, word) in [("N50 M08\n", "M08"), (" M3 ", "M03")] {
+        let place = ending.replacen(gone, if gone.ends_with('\n') { "" } else { " " }, 1);
+        for (a, b) in [(&ending, &place), (&place, &ending)] {
+            let changes = compare(&of_text(a), &of_text(b), TOLERANCES).changes;
+            let named: Vec<_> = changes.iter().map(|change| (change.kind, change.what.as_deref())).collect();
+            assert_eq!(named, [(ChangeKind::Function, Some(word))], "{changes:#?}");
+        }
+    }
+    // Written once more where it holds it says nothing; where it is written earlier, it comes earlier.
+    assert_eq!(planted("N60 G1 X30", "N60 G1 X30 M08"), []);
+    assert_eq!(planted("N35 Y5\n", "N33 M08\nN35 Y5\n"), one("function", 1, "M08"));
     // CMP-1: how it is written does not matter.
     assert_eq!(planted("N60 G1 X30", "N60 G01 X30. F200 \"again\""), []);
     assert_eq!(planted("N65 G71 L9 Q2", "N61 G1 Z-1\nN62 G0 Z5\nN63 G1 Z-1\nN64 G0 Z5"), []);

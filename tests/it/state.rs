@@ -1,14 +1,16 @@
 //! `state`: what holds at a place of a program.
 
-use std::collections::BTreeMap;
+use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
-use cnc872c::analysis::state::{Asked, Index, Indexer, Place as At, StateReader, Timing, document, json, schema};
+use cnc872c::analysis::state::{
+    Asked, AtTime, Index, Indexer, Place as At, PlaceFault, Search, StateReader, Timing, document, json, schema,
+};
 use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
-use cnc872c::dict::{GCode, Lasting};
+use cnc872c::dict::{Decimal, GCode, Lasting};
 use cnc872c::resolve::Resolved;
-use cnc872c::run::Sink;
+use cnc872c::run::{End, Executed, Sink};
 use cnc872c::session::{Part, Session};
 use cnc872c::text::{FileId, Sources};
 use serde_json::Value;
@@ -146,11 +148,11 @@ fn indexed(sample: &Sample) -> (Index, Resolved, Sources) {
     (indexer.finish(whole), resolved, sources)
 }
 
-/// What holds before or behind every executed block of every sample, from its checkpoints, is what the records say.
+/// What holds before and behind every executed block of every sample is what the records say: one pass over each
+/// program that asks at every block.
 #[test]
 fn every_block_of_every_sample() {
     let mut looked_at = 0;
-    let all = std::env::var_os("STATE_PLACES").is_some_and(|value| value == "all");
     for sample in samples() {
         let blocks = sample.blocks();
         if blocks.is_empty() {
@@ -158,50 +160,169 @@ fn every_block_of_every_sample() {
         }
         let (index, resolved, sources) = indexed(&sample);
         assert_eq!(index.executed(), blocks.len() as u64);
-        let ids: BTreeMap<u64, u64> =
-            blocks.iter().map(|block| (block["seq"].as_u64().unwrap(), block["n"].as_u64().unwrap())).collect();
-        // Of a long sample a part; with STATE_PLACES all.
-        let step = if all { 1 } else { blocks.len() / 40 + 1 };
-        for (seq, after) in (0..blocks.len()).step_by(step).flat_map(|seq| [(seq, false), (seq, true)]) {
-            let (checkpoint, mut replay) = index.from(seq as u64, after).unwrap();
+        let replayed = |seqs: Range<u64>, after: bool| {
+            let (checkpoint, mut replay) = index.from(seqs, after).unwrap();
             sample.session().observe_from(Path::new(&sample.file), (&resolved, &sources), checkpoint, &mut replay);
-            let state = document(&replay.found().unwrap(), &sample.file, &sample.settings);
-            let context = format!("{} seq {seq} after {after}\n{state:#}", sample.name);
-            assert_eq!(state["progress"]["blocks"], seq + usize::from(after), "{context}");
-            assert_eq!(state["progress"]["blocks_left"], blocks.len() - seq - usize::from(after), "{context}");
-            let next = |field: &str, group: u64| {
-                let is_it = |block: &&Value| {
-                    block["m_set"].as_array().is_some_and(|set| set.contains(&group.into()))
-                        || field == "next_stop" && block.get("m_at_stop").is_some()
-                };
-                blocks.iter().skip(seq + usize::from(after)).find(is_it).map(|block| block["seq"].clone())
-            };
-            assert_eq!(state["progress"].get("next_tool_change"), next("next_tool_change", 6).as_ref(), "{context}");
-            assert_eq!(state["progress"].get("next_stop"), next("next_stop", 255).as_ref(), "{context}");
-            if seq > 0 || after {
-                let at = &blocks[seq];
-                let record = if after { at } else { &blocks[seq - 1] };
-                compare(&state, record, after && seq + 1 == blocks.len(), at, &context);
-                looked_at += 1;
+            replay.found()
+        };
+        for after in [false, true] {
+            let mut all = Vec::new();
+            while all.len() < blocks.len() {
+                all.extend(replayed(all.len() as u64..u64::MAX, after));
+            }
+            let mut next = [None, None];
+            for (seq, found) in all.iter().enumerate().rev() {
+                let state = document(found, &sample.file, &sample.settings);
+                let context = format!("{} seq {seq} after {after}\n{state:#}", sample.name);
+                let (at, progress) = (&blocks[seq], &state["progress"]);
+                assert_eq!(progress["blocks"], seq + usize::from(after), "{context}");
+                assert_eq!(progress["blocks_left"], blocks.len() - seq - usize::from(after), "{context}");
+                let changes = at["m_set"].as_array().is_some_and(|set| set.contains(&6.into()));
+                let comes = [changes, at.get("m_at_stop").is_some()].map(|comes| comes.then(|| &at["seq"]));
+                let told = [progress.get("next_tool_change"), progress.get("next_stop")];
+                let behind = next;
+                next = [comes[0].or(next[0]), comes[1].or(next[1])];
+                assert_eq!(told, if after { behind } else { next }, "{context}");
+                for key in ["seq", "n", "file", "line", "column"] {
+                    assert_eq!(state["place"][key], at[key], "{key} {context}");
+                }
+                if seq > 0 || after {
+                    let record = if after { at } else { &blocks[seq - 1] };
+                    compare(&state, record, after && seq + 1 == blocks.len(), at, &context);
+                    looked_at += 1;
+                }
             }
         }
         // Each block of the program is executed where the records have it.
         let file = resolved.file(FileId(0)).unwrap();
         for id in file.block_ids() {
             let seqs: Vec<u64> = index.executions(FileId(0), id).collect();
-            assert!(seqs.iter().all(|seq| ids[seq] == u64::from(file.shown_number(id))), "{}", sample.name);
-            let (checkpoint, mut arrivals) = match index.arrivals_from(&seqs) {
-                Some(found) => found,
-                None => continue,
-            };
+            let n = |seq: u64| blocks[seq as usize]["n"].as_u64();
+            assert!(seqs.iter().all(|seq| n(*seq) == Some(file.shown_number(id).into())), "{}", sample.name);
+            let Some((checkpoint, mut arrivals)) = index.arrivals_from(&seqs) else { continue };
             sample.session().observe_from(Path::new(&sample.file), (&resolved, &sources), checkpoint, &mut arrivals);
-            let calls = arrivals.found().into_iter().map(|arrival| (arrival.seq, arrival.calls.len()));
-            for (seq, depth) in calls {
-                assert_eq!(blocks[seq as usize]["calls"].as_array().map_or(0, Vec::len), depth, "{}", sample.name);
+            for arrival in arrivals.found() {
+                let calls = blocks[arrival.seq as usize]["calls"].as_array().map_or(0, Vec::len);
+                assert_eq!(calls, arrival.calls.len(), "{}", sample.name);
             }
         }
     }
-    assert!(looked_at > 3000, "{looked_at}");
+    assert!(looked_at > 10_000, "{looked_at}");
+}
+
+/// The facts of each executed block that a place is named by: file, number, line, and the tool of its M06.
+#[derive(Default)]
+struct Facts(Vec<(String, u32, u32, Option<Decimal>)>);
+
+impl Sink for &mut Facts {
+    type Whole = ();
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        let tool = block.m_written().contains(&6).then(|| block.tool()).flatten();
+        self.0.push((block.file_name().to_owned(), block.n(), block.line(), tool));
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, _: End, _: &mut Findings) {}
+}
+
+/// Many places looked for in one execution, each with where it was found.
+struct Searches(Vec<(Search, Option<u64>)>);
+
+impl Sink for &mut Searches {
+    type Whole = ();
+
+    fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        for (search, found) in &mut self.0 {
+            if search.arrives(block) {
+                assert_eq!(found.replace(block.seq()), None);
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn end(self, _: End, _: &mut Findings) {}
+}
+
+/// Every executed block of every sample is found by its number, its line, its seq, and its tool, with its pass; without
+/// a pass only when it is executed once.
+#[test]
+fn every_place_of_every_sample() {
+    let mut found = [0; 4];
+    for sample in samples() {
+        let (session, path) = (sample.session(), Path::new(&sample.file));
+        let mut facts = Facts::default();
+        session.watch(path, &sample.file, Purpose::Report, &mut &mut facts);
+        let facts = facts.0;
+        // Looking for many places in long programs takes long: of those some.
+        let step = facts.len() / 400 + 1;
+        let mut searches = Searches(Vec::new());
+        let mut expected = Vec::new();
+        let mut ask = |kind: usize, place: At, file: &str, same: Vec<usize>, seq: usize| {
+            let file = (file != sample.file).then(|| file.to_owned());
+            let pass = same.iter().position(|other| *other == seq).unwrap() as u64 + 1;
+            for (pass, seq) in [(Some(pass), seq), (None, same[0])] {
+                let asked = Asked { place, file: file.clone(), pass, after: false };
+                searches.0.push((Search::new(asked), None));
+                expected.push((kind, seq, (pass.is_none() && same.len() > 1).then_some(same.len() as u64)));
+            }
+        };
+        for (seq, (file, n, line, tool)) in facts.iter().enumerate().step_by(step) {
+            let all = |is: &dyn Fn(&(String, u32, u32, Option<Decimal>)) -> bool| -> Vec<usize> {
+                facts.iter().enumerate().filter(|(_, fact)| is(fact)).map(|(at, _)| at).collect()
+            };
+            ask(2, At::Seq(seq as u64), &sample.file, vec![seq], seq);
+            if let Some(tool) = tool {
+                ask(3, At::Tool(*tool), &sample.file, all(&|fact| fact.3 == Some(*tool)), seq);
+            }
+            let of_line = all(&|fact| (&fact.0, fact.2) == (file, *line));
+            let of_number = all(&|fact| (&fact.0, fact.1) == (file, *n));
+            // Numbers that stand twice, and lines with two blocks, name the first.
+            // What has no number of its own has no place.
+            if *n > 0 && of_line.iter().all(|at| facts[*at].1 == *n) && of_number.iter().all(|at| facts[*at].2 == *line)
+            {
+                ask(0, At::N(*n), file, of_number, seq);
+                ask(1, At::Line(*line), file, of_line, seq);
+            }
+        }
+        session.watch(path, &sample.file, Purpose::Report, &mut &mut searches);
+        for ((search, at), (kind, seq, several)) in searches.0.into_iter().zip(expected) {
+            let context = format!("{} {:?} {seq}", sample.name, search.asked());
+            assert_eq!(at, Some(seq as u64), "{context}");
+            let fault = search.fault(facts.len() as u64).map(|fault| match fault {
+                PlaceFault::Several { count, .. } => count,
+                fault => panic!("{fault:?} {context}"),
+            });
+            assert_eq!(fault, several, "{context}");
+            found[kind] += 1;
+        }
+    }
+    assert!(found.iter().all(|count| *count > 100), "{found:?}");
+}
+
+/// The block under way in the middle of each block's time is that block: `--time`.
+#[test]
+fn every_time_of_short_samples() {
+    let mut looked_at = 0;
+    for sample in samples() {
+        let path = Path::new(&sample.file);
+        if !(1..=40).contains(&sample.blocks().len()) {
+            continue;
+        }
+        let (index, resolved, sources) = indexed(&sample);
+        let (checkpoint, mut replay) = index.from(0..u64::MAX, true).unwrap();
+        sample.session().observe_from(path, (&resolved, &sources), checkpoint, &mut replay);
+        let ends = replay.found().into_iter().map(|found| found.times.map(|times| times.seconds.done));
+        let Some(ends) = ends.collect::<Option<Vec<f64>>>() else { continue };
+        let starts = std::iter::once(0.0).chain(ends.clone());
+        for (seq, (start, end)) in starts.zip(ends).enumerate().filter(|(_, (start, end))| end - start > 0.002) {
+            let mut at_time = AtTime::new(&sample.settings, (start + end) / 2.0);
+            sample.session().watch(path, &sample.file, Purpose::Report, &mut &mut at_time);
+            assert_eq!(at_time.found(), Ok(seq as u64), "{} {start} {end}", sample.name);
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 30, "{looked_at}");
 }
 
 /// From checkpoints the answer is the same as from the beginning, in a program longer than the distance between them.
@@ -221,9 +342,9 @@ fn checkpoints_tell_the_same() {
     assert!(last > 2 << 12);
     for seq in [0, 1, 3, 8, 4095, 4096, 4097, 8191, 9010, 9011, 9012, last - 1500, last - 2, last] {
         for after in [false, true] {
-            let (checkpoint, mut replay) = index.from(seq, after).unwrap();
+            let (checkpoint, mut replay) = index.from(seq..seq + 1, after).unwrap();
             sample.session().observe_from(Path::new("a.nc"), (&resolved, &sources), checkpoint, &mut replay);
-            let quick = json(&replay.found().unwrap(), "a.nc", &sample.settings);
+            let quick = json(&replay.found()[0], "a.nc", &sample.settings);
             let asked = Asked { place: At::Seq(seq), file: None, pass: None, after };
             let mut reader = StateReader::new(&sample.settings, asked, Timing::Always);
             let run = sample.session().watch(Path::new("a.nc"), "a.nc", Purpose::Report, &mut &mut reader);

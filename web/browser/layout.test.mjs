@@ -252,10 +252,26 @@ test('what holds at a block: who wrote it, what comes next, how to start there',
   );
   assert.equal(writer, 'written by N20');
   await tab.click('.restart button');
+<<<<<<< HEAD
   assert.equal(
     await tab.evaluate(() => document.querySelector('.command code').textContent),
     'cnc872c restart state.nc --seq 2',
   );
+=======
+  assert.equal(await tab.evaluate(() => document.querySelector('.command code').textContent), 'cnc872c restart state.nc --seq 2');
+  // Copied where there is a clipboard, else selected.
+  const clipboard = (value) => tab.evaluate((value) => Object.defineProperty(navigator, 'clipboard', { value: value && { writeText: async (text) => (window.copied = text) }, configurable: true }), value);
+  const copy = async () => {
+    await tab.click('.command button');
+    await tab.waitForFunction(() => document.querySelector('.command [role=status]').textContent !== '');
+    return tab.evaluate(() => [document.querySelector('.command [role=status]').textContent, window.copied, getSelection().toString()]);
+  };
+  await clipboard(true);
+  assert.deepEqual(await copy(), ['copied', 'cnc872c restart state.nc --seq 2', '']);
+  await clipboard(undefined);
+  await tab.evaluate(() => (document.querySelector('.command [role=status]').textContent = ''));
+  assert.deepEqual((await copy()).toSpliced(1, 1), ['selected: copy it with Ctrl+C', 'cnc872c restart state.nc --seq 2']);
+>>>>>>> w-a
   await tab.evaluate(() => window.cnc872c.colour('depth'));
   assert.deepEqual(wrong, []);
   await close();

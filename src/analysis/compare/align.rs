@@ -2,12 +2,14 @@
 //! increments, then those of one kind that are near each other (CMP-2).
 
 use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 
 use imara_diff::{Algorithm, Diff, Token};
 
 use super::near::by_nearness;
 use super::steps::{Steps, increments};
+use crate::sure::small;
 
 /// A step of one program or both, by index.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -30,14 +32,14 @@ pub(super) fn align(old: &Steps, new: &Steps, mut give: impl FnMut(Aligned)) {
     };
     let (first, second) = if swapped { (new, old) } else { (old, new) };
     let (a, b) = if swapped { (b, a) } else { (a, b) };
-    each(&a, &b, |same, before, after| {
+    each(a, b, |same, before, after| {
         if same {
             before.zip(after).for_each(|(a, b)| give(turned(Aligned::Both(a, b))));
             return;
         }
         // A shifted run moves by the same increments.
         let (a, b) = (increments(first, &before), increments(second, &after));
-        each(&a, &b, |same, from, to| {
+        each(a, b, |same, from, to| {
             let from = from.start + before.start..from.end + before.start;
             let to = to.start + after.start..to.end + after.start;
             if same {
@@ -59,7 +61,7 @@ fn pair((first, from): (&Steps, Range<usize>), (second, to): (&Steps, Range<usiz
         steps_in.iter().map(|step| steps.kind(step)).collect::<Vec<_>>()
     };
     let (a, b) = (kinds(first, &from), kinds(second, &to));
-    each(&a, &b, |same, before, after| {
+    each(a, b, |same, before, after| {
         let before = before.start + from.start..before.end + from.start;
         let after = after.start + to.start..after.end + to.start;
         if same {
@@ -71,26 +73,111 @@ fn pair((first, from): (&Steps, Range<usize>), (second, to): (&Steps, Range<usiz
     });
 }
 
-/// Gives the runs of two sequences in order: whether they are the same, and where.
-fn each(a: &[u64], b: &[u64], mut give: impl FnMut(bool, Range<usize>, Range<usize>)) {
+/// Gives the runs of two sequences in order: whether they are the same, and where. The sequences are gone by then.
+fn each(a: Vec<u64>, b: Vec<u64>, mut give: impl FnMut(bool, Range<usize>, Range<usize>)) {
+    let (end_a, end_b) = (a.len(), b.len());
+    let mut same = common(&a, &b);
+    drop((a, b));
+    same.push(Run { a: end_a, b: end_b, length: 0 });
+    let (mut from, mut to) = (0, 0);
+    for Run { a, b, length } in same {
+        if (from, to) != (a, b) {
+            give(false, from..a, to..b);
+        }
+        (from, to) = (a + length, b + length);
+        if length > 0 {
+            give(true, a..from, b..to);
+        }
+    }
+}
+
+/// Where two sequences are the same.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    a: usize,
+    b: usize,
+    length: usize,
+}
+
+/// The longest runs in which two sequences are the same, in their order.
+fn common(a: &[u64], b: &[u64]) -> Vec<Run> {
+    let start = a.iter().zip(b).take_while(|(a, b)| a == b).count();
+    let (rest_a, rest_b) = (a.get(start..).unwrap_or_default(), b.get(start..).unwrap_or_default());
+    let tail = rest_a.iter().rev().zip(rest_b.iter().rev()).take_while(|(a, b)| a == b).count();
+    let middle = |rest: &[u64], other: &[u64]| {
+        let inner = |list: &[u64]| list.len() - tail;
+        labelled(rest.get(..inner(rest)).unwrap_or_default(), other.get(..inner(other)).unwrap_or_default())
+    };
+    let mut found = vec![Run { a: 0, b: 0, length: start }];
+    let mut add = |next: Run| match found.last_mut() {
+        Some(run) if (run.a + run.length, run.b + run.length) == (next.a, next.b) => run.length += next.length,
+        _ => found.push(next),
+    };
+    matched(&middle(rest_a, rest_b), &middle(rest_b, rest_a), &mut |a, b| {
+        add(Run { a: a + start, b: b + start, length: 1 });
+    });
+    add(Run { a: a.len() - tail, b: b.len() - tail, length: tail });
+    found
+}
+
+/// A step that may be matched: equal labels are the same, and where it is.
+type Labelled = (u64, usize);
+
+/// The steps of a list that the other one has too. One that is there often has another label after so many: Myers is
+/// quick where no label is everywhere.
+fn labelled(list: &[u64], other: &[u64]) -> Vec<Labelled> {
+    const OFTEN: u32 = 50;
+    let mut known = other.to_vec();
+    known.sort_unstable();
+    let shared = list.iter().enumerate().filter(|(_, token)| known.binary_search(token).is_ok());
+    let mut counts: HashMap<u64, u32> = HashMap::new();
+    let label = |(at, token): (usize, &u64)| {
+        let count = counts.entry(*token).or_default();
+        *count += 1;
+        let mut hasher = DefaultHasher::new();
+        (token, *count / OFTEN).hash(&mut hasher);
+        (hasher.finish(), at)
+    };
+    shared.map(label).collect()
+}
+
+/// Gives the places of steps that are the same. What is long is matched at a sample of its steps, then between those:
+/// the bound of Myers grows with the length.
+fn matched(x: &[Labelled], y: &[Labelled], give: &mut dyn FnMut(usize, usize)) {
+    const LONG: usize = 1 << 14;
+    const SAMPLE: u64 = 16;
+    let (mut from, mut to) = (0, 0);
+    if x.len().max(y.len()) > LONG {
+        let sample = |list: &[Labelled]| {
+            let sampled = list.iter().zip(0..).filter(|((label, _), _)| label % SAMPLE == 0);
+            sampled.map(|((label, _), at)| (label / SAMPLE, at)).collect::<Vec<_>>()
+        };
+        matched(&sample(x), &sample(y), &mut |a, b| {
+            myers(x.get(from..=a).unwrap_or_default(), y.get(to..=b).unwrap_or_default(), give);
+            (from, to) = (a + 1, b + 1);
+        });
+    }
+    myers(x.get(from..).unwrap_or_default(), y.get(to..).unwrap_or_default(), give);
+}
+
+/// The same for steps as they are.
+fn myers(x: &[Labelled], y: &[Labelled], give: &mut dyn FnMut(usize, usize)) {
     let mut known: HashMap<u64, u32> = HashMap::new();
-    let mut intern = |list: &[u64]| {
-        let token = |value: &u64| {
-            let next = u32::try_from(known.len()).unwrap_or(u32::MAX);
-            Token(*known.entry(*value).or_insert(next))
+    let mut intern = |list: &[Labelled]| {
+        let token = |(label, _): &Labelled| {
+            let next = small(known.len());
+            Token(*known.entry(*label).or_insert(next))
         };
         list.iter().map(token).collect::<Vec<_>>()
     };
-    let (before, after) = (intern(a), intern(b));
-    let count = u32::try_from(known.len()).unwrap_or(u32::MAX);
+    let (before, after) = (intern(x), intern(y));
+    let count = small(known.len());
     let mut diff = Diff::default();
     diff.compute_with(Algorithm::Myers, &before, &after, count);
-    let (mut from, mut to) = (0, 0);
-    for hunk in diff.hunks() {
-        let [old, new] = [&hunk.before, &hunk.after].map(|range| range.start as usize..range.end as usize);
-        give(true, from..old.start, to..new.start);
-        (from, to) = (old.end, new.end);
-        give(false, old, new);
-    }
-    give(true, from..a.len(), to..b.len());
+    let kept = |list: &[Labelled], is_changed: &dyn Fn(u32) -> bool| {
+        let kept = list.iter().zip(0..).filter(|(_, at)| !is_changed(*at));
+        kept.map(|((_, at), _)| *at).collect::<Vec<_>>()
+    };
+    let old = kept(x, &|at| diff.is_removed(at));
+    old.into_iter().zip(kept(y, &|at| diff.is_added(at))).for_each(|(a, b)| give(a, b));
 }

@@ -217,8 +217,8 @@ struct Grouping<'s> {
     groups: Groups,
     /// Steps in a row without counterpart, of the old program and of the new one.
     alone: [Vec<usize>; 2],
-    /// Single events of either program, by place.
-    events: [Vec<usize>; 2],
+    /// Single events of either program, by place; `true`: the other program has it too, where it is in force already.
+    events: [Vec<(usize, bool)>; 2],
     runs: u64,
     /// Contexts that were the same.
     same_context: Option<(u32, u32)>,
@@ -251,13 +251,14 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
         let first = |blocks: &Blocks| blocks.runs.first().map_or(u32::MAX, |run| run[0]);
         (first(&change.new_blocks).min(first(&change.old_blocks)), change.kind)
     };
-    changes.sort_by_key(first);
+    changes.sort_by_cached_key(first);
     Comparison { changes }
 }
 
 impl Grouping<'_> {
     fn alone(&mut self, side: usize, at: usize) {
-        if let Some(alone) = self.alone.get_mut(side) {
+        let acts = self.steps(side).step(at).is_some_and(|step| !step.repeats);
+        if let Some(alone) = self.alone.get_mut(side).filter(|_| acts) {
             alone.push(at);
         }
     }
@@ -274,7 +275,7 @@ impl Grouping<'_> {
             let moves = run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
             if !moves {
                 if let Some(events) = self.events.get_mut(side) {
-                    events.extend(run);
+                    events.extend(run.into_iter().map(|at| (at, false)));
                 }
                 continue;
             }
@@ -289,23 +290,28 @@ impl Grouping<'_> {
 
     /// Words in one program alone: the same ones elsewhere in the other program are one change (CMP-4).
     fn end_events(&mut self) {
-        let [old, new] = std::mem::take(&mut self.events);
-        let mut waiting: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+        let [mut old, mut new] = std::mem::take(&mut self.events);
+        old.sort_unstable();
+        new.sort_unstable();
+        let mut waiting: BTreeMap<u64, Vec<(usize, bool)>> = BTreeMap::new();
         for at in old.iter().rev() {
-            if let Some(step) = self.old.step(*at) {
+            if let Some(step) = self.old.step(at.0) {
                 waiting.entry(step.token).or_default().push(*at);
             }
         }
-        for at in new {
+        for (at, repeated) in new {
             let Some(step) = self.new.step(at) else { continue };
             let moved = waiting.get_mut(&step.token).and_then(Vec::pop);
-            if let Some(event) = event(self.new, step).cloned() {
+            let says_nothing = repeated && moved.is_none_or(|(_, repeated)| repeated);
+            if let Some(event) = event(self.new, step).cloned().filter(|_| !says_nothing) {
                 let old = moved.map(|_| event.value.clone());
                 let runs = if moved.is_some() { self.next_run() } else { 0 };
+                let moved = moved.map(|(at, _)| at);
                 self.note(difference(&event, old, Some(event.value.clone())), moved, Some(at), runs);
             }
         }
-        let mut left: Vec<usize> = waiting.into_values().flatten().collect();
+        let left = waiting.into_values().flatten();
+        let mut left: Vec<usize> = left.filter(|(_, repeated)| !repeated).map(|(at, _)| at).collect();
         left.sort_unstable();
         for at in left {
             let event = self.old.step(at).and_then(|step| event(self.old, step)).cloned();
@@ -330,6 +336,14 @@ impl Grouping<'_> {
                 if old.values() != new.values() || old.axes != new.axes =>
             {
                 self.positions(&old, &new, &mut found);
+            }
+            // What repeats in one program and acts in the other may be a change that stands elsewhere too.
+            (Some(Does::Event(_)), Some(Does::Event(_))) if old.repeats || new.repeats => {
+                let same = old.token == new.token;
+                let acts = [(a, !old.repeats), (b, !new.repeats)];
+                for (events, (at, _)) in self.events.iter_mut().zip(acts).filter(|(_, (_, acts))| *acts) {
+                    events.push((at, same));
+                }
             }
             (Some(Does::Event(old)), Some(Does::Event(new))) if old.value != new.value => {
                 found.push(difference(new, Some(old.value.clone()), Some(new.value.clone())));
@@ -357,7 +371,7 @@ impl Grouping<'_> {
         };
         for letter in AxisLetter::ALL {
             match (old.value(letter), new.value(letter)) {
-                (Some(a), Some(b)) => {
+                (Some(Some(a)), Some(Some(b))) => {
                     if let Some(delta) = deltas.get_mut(letter as usize) {
                         *delta = b.saturating_sub(a);
                     }
@@ -365,9 +379,12 @@ impl Grouping<'_> {
                         add(letter.name(), Some(a), Some(b));
                     }
                 }
+                // Known in one program alone.
+                (Some(Some(a)), Some(None)) => add(letter.name(), Some(a), None),
+                (Some(None), Some(Some(b))) => add(letter.name(), None, Some(b)),
                 // Named in one program alone, where it stays.
-                (Some(a), None) if old.moves(letter) => add(letter.name(), Some(a), None),
-                (None, Some(b)) if new.moves(letter) => add(letter.name(), None, Some(b)),
+                (Some(a), None) if old.moves(letter) => add(letter.name(), a, None),
+                (None, Some(b)) if new.moves(letter) => add(letter.name(), None, b),
                 _ => {}
             }
         }

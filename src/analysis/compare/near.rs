@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use super::align::Aligned;
-use super::steps::{Does, Steps};
+use super::steps::{Does, Step, Steps, Value};
 
 /// Longest runs are paired so while the product of their lengths is no more.
-const MOST: usize = 250_000;
+const MOST: usize = 60_000;
 
 /// What a step without a counterpart costs; two of them cost more than any pair of one kind.
 const ALONE: f64 = 0.6;
@@ -30,6 +30,7 @@ pub(super) fn by_nearness(
     if rows.saturating_mul(columns) > MOST {
         return false;
     }
+    let (rows_ready, columns_ready) = (Point::all(first, &from), Point::all(second, &to));
     // From the ends, so that the way is read from the beginning.
     let width = columns + 1;
     let mut ways = vec![Way::Old; (rows + 1) * width];
@@ -40,11 +41,11 @@ pub(super) fn by_nearness(
             *way = Way::New;
         }
     }
-    for row in (0..rows).rev() {
+    for (row, old_step) in rows_ready.iter().enumerate().rev() {
         let mut right = cost_of(rows - row);
         let mut costs = vec![right; width];
-        for column in (0..columns).rev() {
-            let near = distance((first, from.start + row), (second, to.start + column));
+        for (column, new_step) in columns_ready.iter().enumerate().rev() {
+            let near = distance(old_step, new_step);
             let cost = |list: &[f64], at: usize| list.get(at).copied().unwrap_or(f64::INFINITY);
             let both = near.map_or(f64::INFINITY, |near| near + cost(&below, column + 1));
             let (old, new) = (ALONE + cost(&below, column), ALONE + right);
@@ -93,19 +94,36 @@ fn follow(ways: &[Way], (from, to): (Range<usize>, Range<usize>), give: &mut dyn
     }
 }
 
-/// How far two steps of one kind are from each other, 0 to 1; nothing of two kinds.
-fn distance((first, a): (&Steps, usize), (second, b): (&Steps, usize)) -> Option<f64> {
-    let (a, b) = (first.step(a)?, second.step(b)?);
-    if first.kind(a) != second.kind(b) {
+/// What counts of a step when it is compared with many.
+struct Point<'s> {
+    kind: u64,
+    /// Of a motion, in mm.
+    values: Vec<f64>,
+    event: Option<&'s Value>,
+}
+
+impl<'s> Point<'s> {
+    fn all(steps: &'s Steps, range: &Range<usize>) -> Vec<Self> {
+        let point = |step: &Step| {
+            let (values, event) = match steps.does(step) {
+                Some(Does::Motion(motion)) => (motion.values().iter().map(|value| *value as f64 / 1e6).collect(), None),
+                Some(Does::Event(event)) => (Vec::new(), Some(&event.value)),
+                None => (Vec::new(), None),
+            };
+            Self { kind: steps.kind(step), values, event }
+        };
+        steps.list.get(range.clone()).unwrap_or_default().iter().map(point).collect()
+    }
+}
+
+/// How far two steps are from each other, 0 to 1; nothing of two kinds.
+fn distance(a: &Point<'_>, b: &Point<'_>) -> Option<f64> {
+    if a.kind != b.kind {
         return None;
     }
-    match (first.does(a)?, second.does(b)?) {
-        (Does::Motion(a), Does::Motion(b)) => {
-            let apart = |(a, b): (&i64, &i64)| crate::dict::Micro::from_millionths(a.saturating_sub(*b)).abs().to_f64();
-            let mm: f64 = a.values().iter().zip(b.values()).map(apart).sum();
-            Some(mm / (mm + HALF_MM))
-        }
-        (Does::Event(a), Does::Event(b)) => Some(if a.value == b.value { 0.0 } else { 0.5 }),
-        (Does::Motion(_), Does::Event(_)) | (Does::Event(_), Does::Motion(_)) => None,
+    if a.event.is_some() {
+        return Some(if a.event == b.event { 0.0 } else { 0.5 });
     }
+    let mm: f64 = a.values.iter().zip(&b.values).map(|(a, b)| (a - b).abs()).sum();
+    Some(mm / (mm + HALF_MM))
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::ChangeKind;
-use super::steps::{Context, Event, Motion, Steps, Value};
+use super::steps::{Context, Event, Motion, Steps, UNKNOWN, Value};
 use crate::diag::Findings;
 use crate::dict::{
     AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_ENDS,
@@ -51,8 +51,12 @@ impl StepReader {
     }
 
     fn event(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
+        self.event_that(false, block, kind, slot, value);
+    }
+
+    fn event_that(&mut self, repeats: bool, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
         let event = Event { kind, slot: slot.to_owned(), value };
-        self.steps.add_event(block.seq(), block.n(), self.context, event);
+        self.steps.add_event((block.seq(), block.n()), self.context, event, repeats);
     }
 
     /// Reads the words that act before the motion of a block.
@@ -96,9 +100,7 @@ impl StepReader {
                 continue;
             }
             let stays = standard_m_functions(machine.dialect).any(|row| usize::from(row.group) == group);
-            if stays && before.m.get(group).copied().flatten() == Some(number) {
-                continue;
-            }
+            let repeats = stays && before.m.get(group).copied().flatten() == Some(number);
             if number == TOOL_CHANGE {
                 let tool = block.tool().map_or_else(|| Value::Text(String::new()), Value::from);
                 self.event(block, ChangeKind::Tool, "M06", tool);
@@ -106,7 +108,7 @@ impl StepReader {
             }
             let stop = group == PROGRAM_GROUP && !PROGRAM_ENDS.contains(&number);
             let kind = if stop { ChangeKind::Stop } else { ChangeKind::Function };
-            self.event(block, kind, &format!("m{group}"), Value::Text(format!("M{number:02}")));
+            self.event_that(repeats, block, kind, &format!("m{group}"), Value::Text(format!("M{number:02}")));
         }
     }
 
@@ -165,7 +167,7 @@ impl StepReader {
             if distance == Some(Micro::ZERO) && moves.start(letter).is_some() {
                 motion.still |= bit;
             }
-            motion.push(known.or(distance).map_or(i64::MIN, Micro::millionths));
+            motion.push(known.or(distance).map_or(UNKNOWN, Micro::millionths));
         }
         let arc = moves.arc();
         if let Some((arc, center)) = arc.and_then(|arc| Some((arc, arc.center?))) {

@@ -51,6 +51,9 @@ pub struct Context {
     pub dynamic_set: Option<u8>,
 }
 
+/// The value of an axis of which neither end nor distance is known.
+pub(super) const UNKNOWN: i64 = i64::MIN;
+
 /// Most values of a motion: nine axes and a centre.
 const MOST: usize = AxisLetter::ALL.len() + 2;
 
@@ -93,10 +96,10 @@ impl Motion {
         AxisLetter::ALL.into_iter().filter(move |letter| axes & 1 << (*letter as u16) != 0)
     }
 
-    /// The value of an axis.
-    pub fn value(&self, axis: AxisLetter) -> Option<i64> {
+    /// The value of an axis; `Some(None)`: it moves to where nobody knows.
+    pub fn value(&self, axis: AxisLetter) -> Option<Option<i64>> {
         let at = self.letters().position(|letter| letter == axis)?;
-        self.values.get(at).copied()
+        self.values.get(at).map(|value| Some(*value).filter(|value| *value != UNKNOWN))
     }
 
     /// The centre.
@@ -132,6 +135,8 @@ pub(super) struct Step {
     pub seq: u32,
     pub n: u32,
     context: u32,
+    /// It writes what is in force already: only of interest where it is a change in the other program.
+    pub repeats: bool,
     /// Equal for steps with the same effect.
     pub token: u64,
     what: What,
@@ -199,10 +204,10 @@ impl Steps {
         self.heads.push(Head { kind, axes, still, by, plane, at: index(self.values.len()) });
         self.values.extend_from_slice(motion.values());
         let seq = u32::try_from(seq).unwrap_or(u32::MAX);
-        self.list.push(Step { seq, n, context, token: motion.hash(), what: What::Motion(head) });
+        self.list.push(Step { seq, n, context, repeats: false, token: motion.hash(), what: What::Motion(head) });
     }
 
-    pub(super) fn add_event(&mut self, seq: u64, n: u32, context: u32, event: Event) {
+    pub(super) fn add_event(&mut self, (seq, n): (u64, u32), context: u32, event: Event, repeats: bool) {
         let mut hasher = DefaultHasher::new();
         event.hash(&mut hasher);
         let token = hasher.finish();
@@ -214,7 +219,7 @@ impl Steps {
             new
         });
         let seq = u32::try_from(seq).unwrap_or(u32::MAX);
-        self.list.push(Step { seq, n, context, token, what: What::Event(at) });
+        self.list.push(Step { seq, n, context, repeats, token, what: What::Event(at) });
     }
 
     pub(super) fn step(&self, at: usize) -> Option<&Step> {
@@ -278,7 +283,7 @@ pub(super) fn increments(steps: &Steps, range: &Range<usize>) -> Vec<u64> {
         }
         if let (Some(plane), Some(center)) = (motion.plane, motion.center()) {
             for (letter, center) in plane.into_iter().zip(center) {
-                motion.value(letter).map(|end| center.saturating_sub(end)).hash(&mut hasher);
+                motion.value(letter).flatten().map(|end| center.saturating_sub(end)).hash(&mut hasher);
             }
         }
         hasher.finish()

@@ -1,7 +1,7 @@
 //! Checkpoints of one execution, and the order of its blocks: the state at any block needs only a replay from the
 //! checkpoint before it.
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use super::clock::{Progress, TimedProgress, is_lower_bound};
 use super::errors::Errors;
@@ -105,21 +105,14 @@ impl Index {
         })
     }
 
-    /// From where execution has to go on to come by a block, with what reads it from there.
-    pub fn from(&self, seq: u64, after: bool) -> Option<(&Interpreter, Replay<'_>)> {
-        let at = self.parts.partition_point(|part| part.from.executed() <= seq).checked_sub(1)?;
-        let part = self.parts.get(at).filter(|_| seq < self.executed())?;
+    /// From where execution has to go on to come by some blocks, with what reads them from there: those of `seqs` up to
+    /// the next checkpoint.
+    pub fn from(&self, seqs: Range<u64>, after: bool) -> Option<(&Interpreter, Replay<'_>)> {
+        let at = self.parts.partition_point(|part| part.from.executed() <= seqs.start).checked_sub(1)?;
+        let part = self.parts.get(at).filter(|_| seqs.start < self.executed())?;
         let until = self.parts.get(at + 1).map_or(self.executed(), |next| next.from.executed());
-        let replay = Replay {
-            index: self,
-            at,
-            follow: part.known.clone(),
-            seq,
-            until,
-            after,
-            found: None,
-            next: Next::default(),
-        };
+        let follow = part.known.clone();
+        let replay = Replay { index: self, at, follow, seqs, until, after, found: Vec::new() };
         Some((&part.from, replay))
     }
 
@@ -213,31 +206,44 @@ impl Sink for &mut Indexer {
     }
 }
 
-/// Reads the blocks from a checkpoint up to the next one, for one of them.
+/// Reads the blocks from a checkpoint up to the next one, for some of them.
 #[derive(Debug)]
 pub struct Replay<'a> {
     index: &'a Index,
     /// Which part.
     at: usize,
     follow: Follow,
-    seq: u64,
+    seqs: Range<u64>,
     until: u64,
     after: bool,
-    found: Option<(Found, Tally)>,
-    next: Next,
+    /// Each with what comes between it and the one behind it.
+    found: Vec<(Found, Tally, Next)>,
 }
 
 impl Replay<'_> {
-    /// What holds at the block.
-    pub fn found(self) -> Option<Found> {
-        let (mut found, done) = self.found?;
-        let later = self.index.parts.iter().skip(self.at + 1).map(|part| part.next);
-        let next = later.fold(self.next, Next::or);
-        found.unknown.retain(|(letter, _)| self.index.follow.is_moved(*letter));
-        found.add_left(done, next, self.index.follow.done());
-        found.times = self.index.times.as_ref().map(|times| times.around(found.blocks));
-        found.whole = self.index.whole;
-        Some(found)
+    /// What holds at the blocks.
+    pub fn found(self) -> Vec<Found> {
+        let Self { index, at, found, .. } = self;
+        let later = index.parts.iter().skip(at + 1).map(|part| part.next);
+        let mut next = later.fold(Next::default(), Next::or);
+        let whole = |(mut found, done, own): (Found, Tally, Next)| {
+            next = own.or(next);
+            found.unknown.retain(|(letter, _)| index.follow.is_moved(*letter));
+            found.add_left(done, next, index.follow.done());
+            found.times = index.times.as_ref().map(|times| times.around(found.blocks));
+            found.whole = index.whole;
+            found
+        };
+        let mut all: Vec<Found> = found.into_iter().rev().map(whole).collect();
+        all.reverse();
+        all
+    }
+
+    fn keep(&mut self, block: &Executed<'_>) {
+        if self.seqs.contains(&block.seq()) {
+            let found = self.follow.found(block, self.after);
+            self.found.push((found, self.follow.done(), Next::default()));
+        }
     }
 }
 
@@ -245,19 +251,18 @@ impl Sink for &mut Replay<'_> {
     type Whole = ();
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
-        let seq = block.seq();
         self.follow.arrive(block);
-        if seq == self.seq && !self.after {
-            self.found = Some((self.follow.found(block, false), self.follow.done()));
+        if !self.after {
+            self.keep(block);
         }
-        if self.found.is_some() {
-            self.next.look(block, self.follow.done());
+        if let Some((.., next)) = self.found.last_mut() {
+            next.look(block, self.follow.done());
         }
         self.follow.pass(block);
-        if seq == self.seq && self.after {
-            self.found = Some((self.follow.found(block, true), self.follow.done()));
+        if self.after {
+            self.keep(block);
         }
-        if seq + 1 >= self.until { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        if block.seq() + 1 >= self.until { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn end(self, _: End, _: &mut Findings) {}

@@ -22,7 +22,7 @@ pub use clock::{AtTime, Progress, TimedProgress, Timing};
 pub use found::{CounterAt, Found};
 pub use index::{Arrivals, Index, Indexer, Replay};
 pub use json::{SCHEMA, document, json, schema};
-pub use place::{Arrival, Asked, CallAt, Place, PlaceFault};
+pub use place::{Arrival, Asked, CallAt, Place, PlaceFault, Search};
 pub use reader::StateReader;
 pub use text::text;
 pub use unknown::{Axes, Unknown};

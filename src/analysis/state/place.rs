@@ -123,9 +123,12 @@ pub(super) fn calls(block: &Executed<'_>) -> Vec<CallAt> {
     calls.collect()
 }
 
-/// Tells whether executed blocks are at the place.
+/// Executions of a block that are listed.
+const LISTED: usize = 40;
+
+/// Looks for a place among executed blocks.
 #[derive(Debug)]
-pub(super) struct Finder {
+pub struct Search {
     asked: Asked,
     /// The macrocycle's number.
     macrocycle: Option<u32>,
@@ -133,20 +136,37 @@ pub(super) struct Finder {
     file: Option<FileId>,
     block: Option<BlockId>,
     near: Option<u32>,
+    arrivals: Vec<Arrival>,
+    count: u64,
 }
 
-impl Finder {
+impl Search {
+    /// For what is asked.
     pub fn new(asked: Asked) -> Self {
         let macrocycle = asked.file.as_deref().and_then(|file| Library::number(Path::new(file)));
-        Self { asked, macrocycle, file: None, block: None, near: None }
+        Self { asked, macrocycle, file: None, block: None, near: None, arrivals: Vec::new(), count: 0 }
     }
 
+    /// What is asked.
     pub const fn asked(&self) -> &Asked {
         &self.asked
     }
 
+    /// Whether the next executed block is the place.
+    #[inline]
+    pub fn arrives(&mut self, block: &Executed<'_>) -> bool {
+        if !self.is_here(block) {
+            return false;
+        }
+        self.count += 1;
+        if self.asked.pass.is_none() && self.arrivals.len() < LISTED {
+            self.arrivals.push(Arrival::of(block));
+        }
+        self.count == self.asked.pass.unwrap_or(1)
+    }
+
     /// Whether the block is at the place.
-    pub fn is_here(&mut self, block: &Executed<'_>) -> bool {
+    fn is_here(&mut self, block: &Executed<'_>) -> bool {
         match self.asked.place {
             Place::Seq(seq) => block.seq() == seq,
             Place::Tool(tool) => block.m_written().contains(&TOOL_CHANGE) && block.tool() == Some(tool),
@@ -180,16 +200,19 @@ impl Finder {
         }
     }
 
-    /// Why nothing was found, after so many executed blocks.
-    pub const fn fault(&self, blocks: u64) -> PlaceFault {
-        match self.asked.place {
-            Place::Seq(_) => PlaceFault::Beyond { blocks },
-            Place::Tool(_) => PlaceFault::NotExecuted,
-            Place::N(_) | Place::Line(_) => match (self.file, self.block) {
-                (None, _) => PlaceFault::File,
-                (Some(_), None) => PlaceFault::Missing { near: self.near },
-                (Some(_), Some(_)) => PlaceFault::NotExecuted,
-            },
+    /// Why the place is none, or not one, after all executed blocks; so many were there.
+    pub fn fault(self, blocks: u64) -> Option<PlaceFault> {
+        let is_missing = || match (self.asked.place, self.file, self.block) {
+            (Place::Seq(_), ..) => PlaceFault::Beyond { blocks },
+            (Place::N(_) | Place::Line(_), None, _) => PlaceFault::File,
+            (Place::N(_) | Place::Line(_), Some(_), None) => PlaceFault::Missing { near: self.near },
+            (Place::N(_) | Place::Line(_), Some(_), Some(_)) | (Place::Tool(_), ..) => PlaceFault::NotExecuted,
+        };
+        match (self.asked.pass, self.count) {
+            (_, 0) => Some(is_missing()),
+            (None, 1) => None,
+            (None, count) => Some(PlaceFault::Several { arrivals: self.arrivals, count }),
+            (Some(pass), count) => (pass == 0 || pass > count).then_some(PlaceFault::Passes { count }),
         }
     }
 }

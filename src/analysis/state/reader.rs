@@ -6,23 +6,18 @@ use super::clock::{Clock, Timing};
 use super::errors::Errors;
 use super::follow::{Follow, Next, Tally, changes_tool};
 use super::found::Found;
-use super::place::{Arrival, Asked, Finder, PlaceFault};
+use super::place::{Asked, PlaceFault, Search};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::run::{End, Executed, Sink};
 
-/// Executions of a block that are listed.
-const LISTED: usize = 40;
-
 /// Reads the blocks of one execution, for one place.
 #[derive(Debug)]
 pub struct StateReader {
-    finder: Finder,
+    search: Search,
     clock: Clock,
     errors: Errors,
     follow: Follow,
-    arrivals: Vec<Arrival>,
-    count: u64,
     /// The place, with what is done before it.
     found: Option<(Box<Found>, Tally)>,
     next: Next,
@@ -34,12 +29,10 @@ impl StateReader {
     /// For a program that is executed with these settings.
     pub fn new(settings: &Settings, asked: Asked, timing: Timing) -> Self {
         Self {
-            finder: Finder::new(asked),
+            search: Search::new(asked),
             clock: Clock::new(settings, timing),
             errors: Errors::default(),
             follow: Follow::new(settings),
-            arrivals: Vec::new(),
-            count: 0,
             found: None,
             next: Next::default(),
             left: false,
@@ -51,16 +44,11 @@ impl StateReader {
     /// # Errors
     /// When there is no such place, or several.
     pub fn finish(self, whole: bool) -> Result<Box<Found>, PlaceFault> {
-        let asked = self.finder.asked();
-        let Some((mut found, done)) = self.found else {
-            return Err(match (asked.pass, self.count) {
-                (Some(_), count @ 1..) => PlaceFault::Passes { count },
-                _ => self.finder.fault(self.follow.done().blocks),
-            });
-        };
-        if asked.pass.is_none() && self.count > 1 {
-            return Err(PlaceFault::Several { arrivals: self.arrivals, count: self.count });
+        let blocks = self.follow.done().blocks;
+        if let Some(fault) = self.search.fault(blocks) {
+            return Err(fault);
         }
+        let Some((mut found, done)) = self.found else { return Err(PlaceFault::Beyond { blocks }) };
         found.unknown.retain(|(letter, _)| self.follow.is_moved(*letter));
         found.add_left(done, self.next, self.follow.done());
         found.times = self.clock.finish();
@@ -71,26 +59,13 @@ impl StateReader {
     /// Whether an error stands before the place: that comes first.
     pub fn has_error_before(&self) -> bool {
         let place = self.found.as_ref().map_or(u64::MAX, |(found, _)| found.seq);
-        let after = self.finder.asked().after;
+        let after = self.search.asked().after;
         self.errors.first().is_some_and(|first| first < place || after && first == place)
     }
 
     /// Whether errors were found after the last block, as those of joints are (W0801 to W0804).
     pub fn has_late_error(&self, findings: &Findings) -> bool {
         self.errors.came_late(findings)
-    }
-
-    /// Whether this execution of the block is the one that is asked for.
-    fn arrives(&mut self, block: &Executed<'_>) -> bool {
-        if !self.finder.is_here(block) {
-            return false;
-        }
-        self.count += 1;
-        let asked = self.finder.asked();
-        if asked.pass.is_none() && self.arrivals.len() < LISTED {
-            self.arrivals.push(Arrival::of(block));
-        }
-        self.count == asked.pass.unwrap_or(1)
     }
 
     /// Keeps what holds now, before or behind the block.
@@ -105,8 +80,8 @@ impl Sink for &mut StateReader {
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
         self.errors.look(block, findings);
         self.follow.arrive(block);
-        let arrives = self.arrives(block);
-        let after = self.finder.asked().after;
+        let arrives = self.search.arrives(block);
+        let after = self.search.asked().after;
         let was_found = self.found.is_some();
         if arrives && !after {
             self.keep(block, false);

@@ -86,22 +86,22 @@ impl Axes {
 
     fn note(&mut self, block: &Executed<'_>, before: &State) {
         let after = block.state();
-        let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
+        let by_cycle = block.is_unmapped_cycle();
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
-            let named = block.motion().is_some_and(|motion| motion.moves(axis.letter));
-            let cycle =
-                block.is_unmapped_cycle() && block.words().iter().any(|(letter, _)| *letter == axis.letter.letter());
+            let letter = axis.letter;
+            let (Some(unknown), Some(moved)) = (self.why.get_mut(letter as usize), self.moved.get_mut(letter as usize))
+            else {
+                continue;
+            };
             let was_known = before.axis_position(place).is_some();
-            if let Some(moved) = self.moved.get_mut(axis.letter as usize) {
-                *moved |= cycle || was_known;
-            }
-            let Some(unknown) = self.why.get_mut(axis.letter as usize) else { continue };
-            if unseen.contains(&axis.letter) {
+            let cycle = by_cycle && block.words().iter().any(|(word, _)| *word == letter.letter());
+            *moved |= cycle || was_known;
+            if block.opaque_call().is_some() && block.moved_unseen().any(|unseen| unseen == letter) {
                 *unknown = Unknown::Macrocycle;
             } else if after.axis_position(place).is_some() {
                 *unknown = Unknown::NotProgrammed;
-            } else if was_known || named || cycle {
-                *unknown = why(block, axis.letter, cycle, *unknown);
+            } else if was_known || cycle || block.motion().is_some_and(|motion| motion.moves(letter)) {
+                *unknown = why(block, letter, cycle, *unknown);
             }
         }
     }

@@ -326,11 +326,27 @@ export class State {
     const name = this.#app.header.program.name;
     const quoted = /^[\w./+-]+$/.test(name) ? name : `"${name}"`;
     const command = `cnc872c restart ${quoted} --seq ${String(record['seq'])}`;
+    const code = h('code', {}, command);
+    const copied = h('span', { role: 'status' });
+    // A page from a file may have no clipboard: then the command is selected.
+    const copy = async (): Promise<void> => {
+      try {
+        await navigator.clipboard.writeText(command);
+        copied.textContent = t('copied');
+      } catch {
+        getSelection()?.selectAllChildren(code);
+        copied.textContent = t('selected');
+      }
+    };
+    const copies = h('button', { type: 'button', 'data-focus': 'copy', onclick: () => void copy() }, t('copy'));
     const told = h(
       'div',
       { class: 'command', hidden: !this.#starts },
       h('p', {}, t('restartHow')),
-      h('code', {}, command),
+      code,
+      copies,
+      ' ',
+      copied,
     );
     const toggle = (): void => {
       this.#starts = !this.#starts;
