@@ -53,10 +53,12 @@ fn seen(comparison: &Comparison, mirrored: bool) -> Seen {
         let named = !matches!(change.kind, ChangeKind::Function | ChangeKind::Stop) || !replaces;
         let what = change.what.as_ref().filter(|_| named);
         let [added, removed] = turn(["added".to_owned(), "removed".to_owned()]);
-        let kind = match change.kind {
-            ChangeKind::Added => added,
-            ChangeKind::Removed => removed,
-            kind => kind.name().to_owned(),
+        let kind = if change.kind == ChangeKind::Added {
+            added
+        } else if change.kind == ChangeKind::Removed {
+            removed
+        } else {
+            change.kind.name().to_owned()
         };
         let blocks = seen.entry(format!("{kind} {what:?} {delta:?} {values}")).or_default();
         let sides = if mirrored { [1, 0] } else { [0, 1] };
