@@ -207,8 +207,11 @@ impl<'t> Reader<'t> {
     /// What a token is for the order of blocks, behind the tokens of `batch`, whose blocks begin at its cuts.
     fn role(&self, bytes: &[u8], (batch, cuts): (&[Token], &[usize]), token: Token, has_l: bool) -> Role {
         let header = self.first && self.before_blocks(cuts);
-        if (self.program_seen || self.form == Form::Macrocycle) && !header && slips::lost_number(bytes, batch, token) {
-            return Role::Block(Some(Shape::LostNumber));
+        if (self.program_seen || self.form == Form::Macrocycle)
+            && !header
+            && let Some(shape) = slips::lost_number(bytes, batch, token)
+        {
+            return Role::Block(Some(shape));
         }
         let with_address = matches!(
             token.kind,

@@ -109,6 +109,8 @@ pub enum Shape {
     MixedNumber,
     /// A block number without its letter: `110 G02 X70`. The lexer reads it as a number; its place tells.
     LostNumber,
+    /// The same, and the `N` stands without a number before it: `F140N`, and below it `150 X1`.
+    NumberOfN,
     /// `%` alone, and on the next line a program number as other controls write it: `O2107`.
     ForeignStart,
     /// A comment whose border is a typographic quote (LEX-12).

@@ -296,11 +296,12 @@ impl<'t> Around<'t> {
         while let Some(token) = self.tokens.get(at).filter(|_| words.len() < WORDS) {
             let word = grammar::word(self.text, self.tokens, at);
             at += word.map_or(1, |(_, _, tokens)| tokens);
-            let in_place = if matches!(token.kind, Kind::Junk(Shape::LostNumber | Shape::MixedNumber)) {
-                Some(Address::N)
-            } else {
-                (token.kind == Kind::Junk(Shape::JumpTarget)).then_some(Address::L)
-            };
+            let in_place =
+                if matches!(token.kind, Kind::Junk(Shape::LostNumber | Shape::NumberOfN | Shape::MixedNumber)) {
+                    Some(Address::N)
+                } else {
+                    (token.kind == Kind::Junk(Shape::JumpTarget)).then_some(Address::L)
+                };
             let wordlike = matches!(
                 token.kind,
                 Kind::Word
@@ -433,8 +434,8 @@ mod tests {
         for mut token in tokens(text, 0, u32::try_from(text.len()).unwrap()) {
             if mixed_number(text.as_bytes(), &block, token) {
                 token = Token { kind: Kind::Junk(Shape::MixedNumber), start: block.pop().unwrap().start, ..token };
-            } else if lost_number(text.as_bytes(), &block, token) {
-                token.kind = Kind::Junk(Shape::LostNumber);
+            } else if let Some(shape) = lost_number(text.as_bytes(), &block, token) {
+                token.kind = Kind::Junk(shape);
             } else if text.starts_with("G73") && token.start > 0 {
                 token.kind = Kind::Junk(Shape::JumpTarget);
             }

@@ -338,13 +338,11 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
 
 /// `110 G02 X70`, `(10 G02`: the letter of a block number is missing, or is another sign.
 pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
-    let token = around.junk(Shape::LostNumber)?;
-    let span = token.span();
-    let diagnosis = Diagnosis::of(1).void(Address::N, span);
     // The finding of that `N` says it.
-    if follows_n(around.text.as_bytes(), around.tokens.get(..around.at).sure()) {
-        return Some(diagnosis);
+    if let Some(token) = around.junk(Shape::NumberOfN) {
+        return Some(Diagnosis::of(1).void(Address::N, token.span()));
     }
+    let span = around.junk(Shape::LostNumber)?.span();
     let text = around.slice(span);
     let digits: String = text.chars().filter(char::is_ascii_digit).collect();
     let written = format!("N{digits}");
@@ -354,14 +352,14 @@ pub(super) fn without_n(around: &Around<'_>) -> Option<Diagnosis> {
         around.characters(span, Meant::of(text))
     };
     let found = found.with_offer(write(&written), around.place(span), written);
-    Some(Diagnosis { found: Some(found), ..diagnosis })
+    Some(Diagnosis::saying(1, found).void(Address::N, span))
 }
 
-/// Whether a number, or a sign and a number, begins a line in place of a block number: words follow it on the line, and
-/// what stands before it lacks no number.
-pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Token) -> bool {
+/// The shape of a number, or a sign and a number, that begins a line in place of a block number: words follow it on the
+/// line, and what stands before it lacks no number but `N`.
+pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Token) -> Option<Shape> {
     if !matches!(token.kind, Kind::Number | Kind::Junk(Shape::LooseNumber | Shape::Unknown)) {
-        return false;
+        return None;
     }
     let above = bytes.get(..token.start as usize).sure();
     let line = above.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
@@ -380,13 +378,13 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
             Kind::Word | Kind::Number | Kind::Skip | Kind::Junk(Shape::Text | Shape::Unknown | Shape::LooseWord)
         )
     };
-    let last = before.iter().rev().find(|token| !matches!(token.kind, Kind::LineEnd | Kind::Comment));
-    line && number && blanks > 0 && words && (last.is_none_or(whole) || follows_n(bytes, before))
-}
-
-/// Whether the last token is an `N` without a number, on the same line or one above: `F140N`, and below it `150 X1`.
-fn follows_n(bytes: &[u8], before: &[Token]) -> bool {
-    let last = before.iter().rev().find(|token| token.kind != Kind::LineEnd);
-    let letter = last.filter(|last| last.kind == Kind::Letter).and_then(|last| bytes.get(last.start as usize));
-    letter.is_some_and(|letter| letter.eq_ignore_ascii_case(&b'N'))
+    if !(line && number && blanks > 0 && words) {
+        return None;
+    }
+    let mut last = before.iter().rev().filter(|token| token.kind != Kind::LineEnd).peekable();
+    let letter = last.peek().filter(|last| last.kind == Kind::Letter).and_then(|last| bytes.get(last.start as usize));
+    if letter.is_some_and(|letter| letter.eq_ignore_ascii_case(&b'N')) {
+        return Some(Shape::NumberOfN);
+    }
+    last.find(|token| token.kind != Kind::Comment).is_none_or(whole).then_some(Shape::LostNumber)
 }
