@@ -326,7 +326,7 @@ fn text() -> Value {
     })
 }
 
-/// What is left and cannot be right: decimal commas, the letters that are no address, characters that the control does
+/// The rest, which cannot be right: decimal commas, the letters that are no address, characters that the control does
 /// not know. A letter that still waits for its number is left alone.
 fn illegal() -> Value {
     let mut unknown = String::new();

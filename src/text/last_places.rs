@@ -10,8 +10,8 @@ struct Last {
     place: LineColumn,
 }
 
-/// Remembers the last place of each file: a line may hold any number of blocks, and counting its characters from its
-/// begin for each of them takes long.
+/// Remembers the last place of each file: a line may hold any number of blocks, and counting its characters from the
+/// start for each of them takes long.
 #[derive(Debug, Default)]
 pub struct LastPlaces {
     /// By file.

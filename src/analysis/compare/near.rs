@@ -8,7 +8,7 @@ use super::steps::{Does, Step, Steps, Value};
 /// Longest runs are paired so while the product of their lengths is no more.
 const MOST: usize = 60_000;
 
-/// What a step without a counterpart costs; two of them cost more than any pair of one kind.
+/// The cost of a step without a counterpart; two of them cost more than any pair of one kind.
 const ALONE: f64 = 0.6;
 
 /// Distance in mm at which a pair costs half of the most that it can cost.
