@@ -49,6 +49,14 @@ fn samples_stay_the_same_programs() {
     }
 }
 
+/// FMT-7: a long line never becomes two.
+#[test]
+fn one_long_line_stays() {
+    let comment = "x".repeat(85);
+    let program = format!("%1 N1 G0 G90 X1 \"{comment}\" N2 X2 \"{comment}\" N3 M30\n");
+    assert_eq!(stays_the_same("p.nc", program.as_bytes(), &settings(Dialect::Cnc872)), Ok(()));
+}
+
 /// A change of a text at a place: something that slips of the keyboard and other editors leave.
 #[derive(Clone, Debug)]
 enum Slip {

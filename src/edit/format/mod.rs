@@ -66,9 +66,9 @@ impl Formatting {
     }
 
     /// Whether the formatted text is read as this one for certain: no line stays, and there are no errors, which may be
-    /// others after formatting.
+    /// others after formatting; nor long lines, which may become several.
     fn is_settled(&self) -> bool {
-        !self.findings.has_errors() && self.kept.is_empty()
+        !self.findings.has_errors() && !self.findings.has(Code::E0109) && self.kept.is_empty()
     }
 
     /// The meaning of the text.
