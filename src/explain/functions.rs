@@ -262,8 +262,9 @@ fn lasts(lasting: Lasting, lang: Lang) -> &'static str {
 pub(super) fn add_findings(page: &mut String, word: &str, lang: Lang) {
     let about: Vec<String> = Code::ALL
         .iter()
-        .filter(|code| prose(code.page(lang)).any(|line| holds_word(line, word)))
-        .map(|code| format!("- {code} {}", code.name()))
+        .map(|code| (code, code.page(lang)))
+        .filter(|(_, page)| page.contains(word) && prose(page).any(|line| holds_word(line, word)))
+        .map(|(code, _)| format!("- {code} {}", code.name()))
         .collect();
     if !about.is_empty() {
         let title = pick(lang, "Related findings", "Související hlášení");

@@ -6,7 +6,7 @@ use super::align::Aligned;
 use super::steps::{Does, Step, Steps, Value};
 
 /// Longest runs are paired so while the product of their lengths is no more.
-const MOST: usize = 60_000;
+const MOST: usize = 10_000;
 
 /// The cost of a step without a counterpart; two of them cost more than any pair of one kind.
 const ALONE: f64 = 0.6;
