@@ -418,7 +418,7 @@ fn an_interruption_while_many_programs_are_fixed() {
 #[test]
 fn ignored_signals_stay_ignored() {
     let place = Place::with(&[("a.nc", LONG.as_bytes()), ("bad.nc", BAD.as_bytes())]);
-    let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "1000000"];
+    let line = ["compile", "a.nc", "-o", "out", "--max-blocks", "300000"];
     let child = writing_with_ignored(&place, "HUP INT TERM", &line);
     signal(&child, "HUP");
     let run = Run::of(child.wait_with_output().unwrap()).ends(1);

@@ -195,7 +195,7 @@ fn every_fault() {
 }
 
 proptest! {
-    #![proptest_config(cases(1500))]
+    #![proptest_config(cases(500))]
 
     /// diagnostics.md, Places: one fault injected into a valid program gives its own finding and no other.
     #[test]

@@ -250,7 +250,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(cases(300))]
+    #![proptest_config(cases(120))]
 
     /// PLC-2, PLC-16: all forms say the same; marks are `m_changed`, at a stop and after it those of groups 2, 5 and 6
     /// too.

@@ -457,7 +457,7 @@ fn prefixes(folder: &str) {
             }
             let file = path.strip_prefix(&home).unwrap().to_str().unwrap();
             let bytes = std::fs::read(path).unwrap();
-            let step = if bytes.len() > 100_000 { bytes.len() / 24 } else { bytes.len() / 400 + 1 };
+            let step = if bytes.len() > 100_000 { bytes.len() / 24 } else { bytes.len() / 150 + 1 };
             for (count, length) in (0..=bytes.len()).step_by(step).enumerate() {
                 let loader = loader.clone().with(file, &bytes[..length]);
                 let compile = count % 4 == 3 && !Session::is_macrocycle_name(Path::new(file));

@@ -146,7 +146,7 @@ fn comes_from_above(sample: &Sample, made: &Restart) {
 #[test]
 fn starts_all_over_the_samples() {
     let (mut made, mut refused, mut flat) = (0, std::collections::BTreeMap::<String, u32>::new(), 0);
-    let places: usize = std::env::var("RESTART_PLACES").ok().and_then(|text| text.parse().ok()).unwrap_or(4);
+    let places: usize = std::env::var("RESTART_PLACES").ok().and_then(|text| text.parse().ok()).unwrap_or(2);
     for sample in samples() {
         let blocks = sample.blocks();
         let step = blocks.len() / places + 1;

@@ -27,7 +27,7 @@ fn samples_as_on_the_command_line() {
         let source = SourceText::decode("", std::fs::read(&path).unwrap(), Encoding::default()).unwrap();
         // A client of the tests counts line ends as LF.
         let text = source.text().replace("\r\n", "\n");
-        if !is_program || text.contains('\r') || text.len() > 50_000 {
+        if !is_program || text.contains('\r') || text.len() > 10_000 {
             continue;
         }
         let loose = text.replace(' ', "  ").replace("\nN", " \n\n\n\n n").replace(" G", " \t g");
