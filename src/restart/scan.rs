@@ -33,12 +33,22 @@ pub struct Spot {
     pub changes: bool,
 }
 
-/// A place that was judged, but for what the blocks behind it do.
+/// Axes that are not known, a bit for each place in machine order, as in [`Target`].
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+struct Waits {
+    fresh: u16,
+    lost: u16,
+    below: bool,
+}
+
+/// Places that were judged, but for what the blocks behind them do: it is the same for all that wait for the same.
 #[derive(Debug)]
 struct Pending {
+    /// The latest of them.
     seq: u64,
-    target: Target,
-    spot: Option<Spot>,
+    waits: Waits,
+    /// Those that are listed.
+    spots: Vec<Spot>,
 }
 
 /// What was in force at the place that is asked for, beside its state.
@@ -175,7 +185,7 @@ impl Scan {
         if self.place != Some(pending.seq) {
             self.nearest = self.nearest.max(Some(pending.seq));
         }
-        self.spots.extend(pending.spot);
+        self.spots.extend(pending.spots);
     }
 
     /// Before a block: is it a place to start at?
@@ -205,17 +215,26 @@ impl Scan {
                 return;
             }
         };
-        if !is_place && !lists {
-            // Of two places with the same unknown axes what follows is the same: the later one counts.
-            self.pending.retain(|other| {
-                (other.target.fresh, other.target.lost, other.target.below) != (target.fresh, target.lost, target.below)
-            });
-        }
-        let pending = Pending { seq, target, spot };
-        if !is_place && pending.target.fresh | pending.target.lost == 0 {
+        let Target { fresh, lost, below, .. } = target;
+        let pending = Pending { seq, waits: Waits { fresh, lost, below }, spots: spot.into_iter().collect() };
+        if !is_place && fresh | lost == 0 {
             self.works(pending);
         } else {
-            self.pending.push(pending);
+            self.wait(pending);
+        }
+    }
+
+    /// Keeps places, with those that wait for the same. The place that is asked for waits alone.
+    fn wait(&mut self, pending: Pending) {
+        let asked = self.place;
+        let is_asked = |pending: &Pending| asked == Some(pending.seq);
+        let same = |other: &&mut Pending| other.waits == pending.waits && !is_asked(other) && !is_asked(&pending);
+        match self.pending.iter_mut().find(same) {
+            Some(other) => {
+                other.seq = other.seq.max(pending.seq);
+                other.spots.extend(pending.spots);
+            }
+            None => self.pending.push(pending),
         }
     }
 
@@ -264,7 +283,7 @@ impl Scan {
         }
         let used = Used::of(block, self.tracker.state(), self.tracker.tool_axis());
         for mut pending in std::mem::take(&mut self.pending) {
-            let Target { fresh, lost, below, .. } = &mut pending.target;
+            let Waits { fresh, lost, below } = &mut pending.waits;
             let needed = (*fresh & used.from_there) | (*lost & (used.from_there | used.cut_from));
             let below_others = *below && used.others_first;
             if needed != 0 || below_others {
@@ -279,7 +298,7 @@ impl Scan {
             if *fresh | *lost == 0 && self.place != Some(pending.seq) {
                 self.works(pending);
             } else {
-                self.pending.push(pending);
+                self.wait(pending);
             }
         }
     }
