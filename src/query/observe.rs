@@ -12,7 +12,7 @@ use super::values::Values;
 use crate::analysis::plc::WordsRead;
 use crate::config::Machine;
 use crate::diag::Findings;
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro, PROGRAM_GROUP};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro};
 use crate::resolve::{ControlWord, Library, control_word};
 use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Sink};
 use crate::session::{Record, Session};
@@ -306,9 +306,7 @@ impl<'a> Observer<'a> {
     fn look(&mut self, executed: &Executed<'_>) {
         self.observation.executed = executed.seq() + 1;
         self.observation.last = executed.n();
-        if executed.last() {
-            self.observation.end = executed.m(PROGRAM_GROUP);
-        }
+        self.observation.end = executed.end();
         match executed.motion().map(|motion| motion.length()) {
             Some(Length::Mm(length)) => self.observation.path = self.observation.path.plus(length),
             Some(Length::Missing(_)) => self.observation.partly_unknown = true,
@@ -507,16 +505,46 @@ mod tests {
         text += "N9100 G79 L100\nN9101 G91 X1\nN9102 G26 R10=R1 R11=R2 R15=1112\n";
         (9110..9150).for_each(|n| text += &format!("N{n} G90 Y{}\n", n % 9));
         text += "N9200 G70\n";
-        let path = PathBuf::from("part.nc");
         let loader = MemoryLoader::new().with("part.nc", text).with("L9001", "N1 G79 L9001\nN2 X9\nN3 G70\n");
+        recorded(loader).unwrap()
+    }
+
+    /// A program with the record of its execution.
+    fn recorded(loader: MemoryLoader) -> Option<Analysis> {
+        let path = PathBuf::from("part.nc");
         let (loader, settings) = (Arc::new(loader), Settings::default());
         let session = Session { loader: &*loader, settings: &settings, progress: None };
         let (outcome, resolved) = session.resolve(&path, "part.nc");
         let sources = outcome.sources.clone();
         let (_, record) = session.execute_recorded(&path, resolved.clone(), outcome);
-        let record = Arc::new(OnceLock::from(record.unwrap()));
+        let record = Arc::new(OnceLock::from(record?));
         let state = Arc::default();
-        Analysis { path, loader, settings, sources, resolved, executable: true, certain: true, record, state }
+        Some(Analysis { path, loader, settings, sources, resolved, executable: true, certain: true, record, state })
+    }
+
+    /// Also of programs that have no end, or stop before it.
+    #[test]
+    fn from_checkpoints_in_samples() {
+        let cancel = Cancel::default();
+        let mut compared = 0;
+        for folder in ["err", "ok", "rules", "slips"] {
+            let entries = std::fs::read_dir(format!("{}/samples/{folder}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+            for path in entries.map(|entry| entry.unwrap().path()).filter(|path| path.is_file()) {
+                let bytes = std::fs::read(&path).unwrap();
+                let Some(analysis) = recorded(MemoryLoader::new().with("part.nc", bytes)) else { continue };
+                let blind = from_beginning(&analysis);
+                let Some(file) = analysis.resolved.file(DOCUMENT) else { continue };
+                for block in file.block_ids().take(60).step_by(7) {
+                    let seen = |program: &Analysis| {
+                        let seen = observe_inputs(&cancel, program, program, block, &[1, 3]).unwrap();
+                        format!("{:?} {} {:?} {}", seen.blocks, seen.executed, seen.end, seen.last)
+                    };
+                    assert_eq!(seen(&analysis), seen(&blind), "{} {block:?}", path.display());
+                    compared += 1;
+                }
+            }
+        }
+        assert!(compared > 300, "{compared}");
     }
 
     /// What execution makes of blocks is the same from checkpoints as from the beginning.

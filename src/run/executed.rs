@@ -232,7 +232,12 @@ impl<'r> Executed<'r> {
 
     /// Whether it is the last one: it holds M02 or M30.
     pub fn last(&self) -> bool {
-        self.interpreter.block.m.end.is_some()
+        self.end().is_some()
+    }
+
+    /// M02 or M30 of the last block.
+    pub fn end(&self) -> Option<u8> {
+        self.interpreter.block.m.end
     }
 
     /// The function of a group in this block, functions that hold for one block included.

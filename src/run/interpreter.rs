@@ -12,7 +12,7 @@ use super::state::State;
 use super::{functions, m_functions, motion, parameters, reading, spindle, technology, warnings};
 use crate::diag::{Diagnostic, Finding, Findings};
 use crate::dict::{Decimal, GCode, GGroup};
-use crate::resolve::{Resolved, Target, Unit, UnitKind, may_have_end};
+use crate::resolve::{Target, Unit, UnitKind, may_have_end};
 use crate::syntax::{BlockFlags, BlockId};
 use crate::text::FileId;
 
@@ -150,12 +150,6 @@ impl Interpreter {
     /// The value of a parameter after the last step; `None` when that is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
         self.state.parameter(index)
-    }
-
-    /// The number of the block of the last step; 0 before the first.
-    pub fn last_number(&self, resolved: &Resolved) -> u32 {
-        let file = resolved.file(self.block.file).filter(|_| self.executed > 0);
-        file.map_or(0, |file| file.shown_number(self.block.id))
     }
 
     /// The state after the last step.

@@ -58,7 +58,7 @@ impl Record {
         self.executed
     }
 
-    /// The number of the last executed block.
+    /// The number of the last executed block; 0 when there is none.
     pub fn last(&self) -> u32 {
         self.last
     }
@@ -91,12 +91,14 @@ pub(super) struct Recorder {
     stride: u64,
     /// The stretch of the last part that the last block is in.
     current: usize,
+    /// The last executed block.
+    last: Option<(FileId, BlockId)>,
 }
 
 impl Recorder {
     /// Ready for the first block.
     pub(super) fn new(interpreter: Interpreter) -> Self {
-        Self { parts: vec![Part { from: interpreter, visited: Vec::new() }], stride: STRIDE, current: 0 }
+        Self { parts: vec![Part { from: interpreter, visited: Vec::new() }], stride: STRIDE, current: 0, last: None }
     }
 
     /// How many blocks may be executed at once after so many.
@@ -108,6 +110,7 @@ impl Recorder {
     pub(super) fn block(&mut self, block: &Executed<'_>) {
         let (file, id) = block.at();
         self.visit(Stretch { file, first: id, end: id.next() });
+        self.last = Some((file, id));
         let executed = block.seq() + 1;
         if executed.is_multiple_of(self.stride) {
             self.parts.push(Part { from: block.checkpoint(), visited: Vec::new() });
@@ -153,13 +156,14 @@ impl Recorder {
 
     /// The record of an execution that `interpreter` has come to the end of.
     pub(super) fn finish(self, interpreter: &Interpreter, resolved: &Resolved, sources: &Sources) -> Record {
+        let last = self.last.and_then(|(file, id)| Some(resolved.file(file)?.shown_number(id)));
         Record {
             resolved: resolved.clone(),
             sources: sources.clone(),
             parts: self.parts,
             stop: interpreter.end(),
             executed: interpreter.executed(),
-            last: interpreter.last_number(resolved),
+            last: last.unwrap_or_default(),
         }
     }
 }
