@@ -57,6 +57,13 @@ fn one_long_line_stays() {
     assert_eq!(stays_the_same("p.nc", program.as_bytes(), &settings(Dialect::Cnc872)), Ok(()));
 }
 
+/// FMT-3, FMT-6: characters between the last word and `*` are no word, and so their line stays.
+#[test]
+fn characters_before_the_star_stay() {
+    let program = format!("%1\nN7 G0 X0 Y0\nN20 G1X1Y1\"{}\"G26%*X+5\tg1\n", "x".repeat(53));
+    assert_eq!(stays_the_same("p.nc", program.as_bytes(), &settings(Dialect::Cnc872)), Ok(()));
+}
+
 /// A change of a text at a place: something that slips of the keyboard and other editors leave.
 #[derive(Clone, Debug)]
 enum Slip {

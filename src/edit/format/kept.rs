@@ -146,9 +146,8 @@ fn debris(file: &ParsedFile) -> Vec<usize> {
         from = from.max(item.end);
     }
     let end = file.end.max(from);
-    if !file.source.slice(Span::new(from, end)).ends_with('*') {
-        look(Span::new(from, end));
-    }
+    let star = file.source.slice(Span::new(from, end)).ends_with('*');
+    look(Span::new(from, end - u32::from(star)));
     // A word whose finding is part of another one.
     let mut written = String::new();
     for word in file.all_words().map(|word| word.span(file.source.text())) {
