@@ -524,6 +524,7 @@ mod tests {
 
     /// Also of programs that have no end, or stop before it.
     #[test]
+    #[expect(clippy::disallowed_methods, reason = "the samples are files")]
     fn from_checkpoints_in_samples() {
         let cancel = Cancel::default();
         let mut compared = 0;
