@@ -116,21 +116,12 @@ impl Client {
 
     /// The findings of a document of that version (of a file that is not open: `None`), all older ones passed over.
     pub fn findings(&mut self, uri: &str, version: Option<i64>) -> Value {
-        let version_of = |message: &Value| {
-            let params = &message["params"];
-            let is_one = message["method"] == "textDocument/publishDiagnostics" && params["uri"] == uri;
-            is_one.then(|| params.get("version").and_then(Value::as_i64))
-        };
-        let message =
-            self.wait(&format!("findings of {uri} {version:?}"), |message| version_of(message) == Some(version));
-        self.kept.retain(|message| version_of(message).is_none_or(|of| of > version));
+        let message = self.wait(&format!("findings of {uri} {version:?}"), |message| {
+            message["method"] == "textDocument/publishDiagnostics"
+                && message["params"]["uri"] == uri
+                && message["params"].get("version").and_then(Value::as_i64) == version
+        });
         message["params"]["diagnostics"].clone()
-    }
-
-    /// Nobody will ask for what came so far.
-    #[allow(dead_code, reason = "for the tests")]
-    pub fn forget(&mut self) {
-        self.kept.clear();
     }
 
     /// The first message, of those kept and those to come, that is wanted.
