@@ -181,8 +181,7 @@ pub(crate) fn observe_motion(
     run(cancel, program, observer)
 }
 
-/// What is asked of some blocks, their execution tells; what is asked of the whole program, and how it moves, all of
-/// it.
+/// Executes the blocks in question; the whole program for questions about all of it or about its motion.
 fn run(cancel: &Cancel, program: &Analysis, mut observer: Observer<'_>) -> Option<Observation> {
     let whole = observer.moves.is_some() || observer.observation.blocks.is_empty();
     match program.record.get().filter(|_| !whole) {
@@ -526,7 +525,6 @@ mod tests {
     #[test]
     #[expect(clippy::disallowed_methods, reason = "the samples are files")]
     fn from_checkpoints_in_samples() {
-        let cancel = Cancel::default();
         let mut compared = 0;
         for folder in ["err", "ok", "rules", "slips"] {
             let entries = std::fs::read_dir(format!("{}/samples/{folder}", env!("CARGO_MANIFEST_DIR"))).unwrap();
@@ -536,11 +534,7 @@ mod tests {
                 let blind = from_beginning(&analysis);
                 let Some(file) = analysis.resolved.file(DOCUMENT) else { continue };
                 for block in file.block_ids().take(60).step_by(7) {
-                    let seen = |program: &Analysis| {
-                        let seen = observe_inputs(&cancel, program, program, block, &[1, 3]).unwrap();
-                        format!("{:?} {} {:?} {}", seen.blocks, seen.executed, seen.end, seen.last)
-                    };
-                    assert_eq!(seen(&analysis), seen(&blind), "{} {block:?}", path.display());
+                    assert_eq!(seen(&analysis, block), seen(&blind, block), "{} {block:?}", path.display());
                     compared += 1;
                 }
             }
@@ -555,15 +549,16 @@ mod tests {
         assert!(analysis.record.get().unwrap().executed() > 3 << 13);
         let blind = from_beginning(&analysis);
         let file = analysis.resolved.file(DOCUMENT).unwrap();
-        let cancel = Cancel::default();
         for n in [1, 2, 3, 10, 8191, 8193, 8990, 8995, 9000, 9001, 9002, 9003, 9101, 9102, 9130, 9200] {
             let block = file.block_ids().find(|block| file.number(*block) == Some(n)).unwrap();
-            let seen = |program: &Analysis| {
-                let seen = observe_inputs(&cancel, program, program, block, &[1, 3]).unwrap();
-                format!("{:?} {} {:?} {}", seen.blocks, seen.executed, seen.end, seen.last)
-            };
-            assert_eq!(seen(&analysis), seen(&blind), "N{n}");
+            assert_eq!(seen(&analysis, block), seen(&blind, block), "N{n}");
         }
+    }
+
+    /// What is seen of a block.
+    fn seen(program: &Analysis, block: BlockId) -> String {
+        let seen = observe_inputs(&Cancel::default(), program, program, block, &[1, 3]).unwrap();
+        format!("{:?} {} {:?} {}", seen.blocks, seen.executed, seen.end, seen.last)
     }
 
     fn from_beginning(analysis: &Analysis) -> Analysis {

@@ -6,13 +6,19 @@ use crate::dict::{AxisLetter, Decimal, Micro};
 /// A place where a program can start, as far as what was executed before tells.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Target {
-    /// Axes that were never programmed, a bit for each place in machine order.
-    pub fresh: u16,
-    /// Axes that stand where nobody knows.
-    pub lost: u16,
-    /// The tool's axis is one of them.
-    pub below: bool,
+    pub unknown: UnknownAxes,
     pub approach: Approach,
+}
+
+/// The axes whose positions are not known at a place, a bit for each in machine order.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(super) struct UnknownAxes {
+    /// Never programmed.
+    pub fresh: u16,
+    /// Programmed, and lost.
+    pub lost: u16,
+    /// The tool's axis is lost.
+    pub below: bool,
 }
 
 /// The axes and heights of the approach. Positions in mm or degrees; X as a radius.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 
-use super::approach::Target;
+use super::approach::{Target, UnknownAxes};
 use super::reason::Reason;
 use super::tracker::{Conversion, Options, Tracker};
 use crate::config::Settings;
@@ -33,20 +33,13 @@ pub struct Spot {
     pub changes: bool,
 }
 
-/// Axes that are not known, a bit for each place in machine order, as in [`Target`].
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-struct Waits {
-    fresh: u16,
-    lost: u16,
-    below: bool,
-}
-
-/// Places that were judged, but for what the blocks behind them do: it is the same for all that wait for the same.
+/// Places that work unless a later block needs an axis that is not known: those with the same unknown axes share their
+/// fate.
 #[derive(Debug)]
 struct Pending {
     /// The latest of them.
     seq: u64,
-    waits: Waits,
+    unknown: UnknownAxes,
     /// Those that are listed.
     spots: Vec<Spot>,
 }
@@ -215,20 +208,20 @@ impl Scan {
                 return;
             }
         };
-        let Target { fresh, lost, below, .. } = target;
-        let pending = Pending { seq, waits: Waits { fresh, lost, below }, spots: spot.into_iter().collect() };
-        if !is_place && fresh | lost == 0 {
+        let unknown = target.unknown;
+        let pending = Pending { seq, unknown, spots: spot.into_iter().collect() };
+        if !is_place && unknown.fresh | unknown.lost == 0 {
             self.works(pending);
         } else {
             self.wait(pending);
         }
     }
 
-    /// Keeps places, with those that wait for the same. The place that is asked for waits alone.
+    /// Keeps places together with those that have the same unknown axes. The place that is asked for waits alone.
     fn wait(&mut self, pending: Pending) {
         let asked = self.place;
         let is_asked = |pending: &Pending| asked == Some(pending.seq);
-        let same = |other: &&mut Pending| other.waits == pending.waits && !is_asked(other) && !is_asked(&pending);
+        let same = |other: &&mut Pending| other.unknown == pending.unknown && !is_asked(other) && !is_asked(&pending);
         match self.pending.iter_mut().find(same) {
             Some(other) => {
                 other.seq = other.seq.max(pending.seq);
@@ -276,14 +269,14 @@ impl Scan {
         }
     }
 
-    /// What a block does to the places that wait to know how their unknown axes are used.
+    /// Judges the waiting places by how a block uses their unknown axes.
     fn use_axes(&mut self, block: &Executed<'_>) {
         if self.pending.is_empty() {
             return;
         }
         let used = Used::of(block, self.tracker.state(), self.tracker.tool_axis());
         for mut pending in std::mem::take(&mut self.pending) {
-            let Waits { fresh, lost, below } = &mut pending.waits;
+            let UnknownAxes { fresh, lost, below } = &mut pending.unknown;
             let needed = (*fresh & used.from_there) | (*lost & (used.from_there | used.cut_from));
             let below_others = *below && used.others_first;
             if needed != 0 || below_others {
@@ -321,7 +314,7 @@ impl Scan {
 struct Used {
     /// It goes on from where they stand: G91, an arc, a thread, an origin by G93.
     from_there: u16,
-    /// It cuts from where they stand to a place of its own.
+    /// It cuts from where they stand to a programmed position.
     cut_from: u16,
     /// Where they stand after it does not depend on where they stood.
     known: u16,

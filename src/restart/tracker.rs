@@ -210,19 +210,19 @@ impl Tracker {
             }
             match self.axes.why(axis.letter) {
                 Unknown::Reference => {}
-                Unknown::NotProgrammed => target.fresh |= 1 << at,
+                Unknown::NotProgrammed => target.unknown.fresh |= 1 << at,
                 Unknown::MFunction
                 | Unknown::Cycle
                 | Unknown::Macrocycle
                 | Unknown::Spindle
                 | Unknown::Incremental
                 | Unknown::Value => {
-                    target.lost |= 1 << at;
+                    target.unknown.lost |= 1 << at;
                 }
             }
         }
-        target.below = target.lost & 1 << tool != 0;
-        target.approach = self.approach(settings, tool, target.below)?;
+        target.unknown.below = target.unknown.lost & 1 << tool != 0;
+        target.approach = self.approach(settings, tool, target.unknown.below)?;
         Ok(target)
     }
 

@@ -46,7 +46,7 @@ pub struct Call {
 pub struct Feed {
     /// As programmed.
     pub value: Decimal,
-    /// What it counts in this block.
+    /// Its unit in this block.
     pub unit: FeedUnit,
     /// M37 is in force: the machine moves at a hundredth of it.
     pub hundredth: bool,

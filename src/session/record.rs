@@ -1,5 +1,4 @@
-//! What is kept of an execution, so that a question about some blocks need not begin with the first block of the
-//! program.
+//! The record of an execution: a question about some blocks need not execute the program from its first block.
 
 use std::collections::BTreeSet;
 

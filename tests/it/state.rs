@@ -281,7 +281,7 @@ fn every_place_of_every_sample() {
             let of_line = all(&|fact| (&fact.0, fact.2) == (file, *line));
             let of_number = all(&|fact| (&fact.0, fact.1) == (file, *n));
             // Numbers that stand twice, and lines with two blocks, name the first.
-            // What has no number of its own has no place.
+            // A block without a number of its own cannot be asked for.
             if *n > 0 && of_line.iter().all(|at| facts[*at].1 == *n) && of_number.iter().all(|at| facts[*at].2 == *line)
             {
                 ask(0, At::N(*n), file, of_number, seq);

@@ -44,7 +44,7 @@ impl Kept {
         let unread = findings.items().iter().filter(|item| item.at.file == FileId(0) && is_unread(item.code()));
         kept.add(lines, unread.flat_map(|item| lines_of(file, item.at.span)));
         kept.add(lines, debris(file));
-        // A line without its number reads as a block of its own only where it is not indented.
+        // A line whose number is missing is read as a block only while it is not indented.
         let merged = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::MERGED));
         kept.add(lines, merged.flat_map(|block| lines_of(file, extent(file, block))));
         kept.close(file);

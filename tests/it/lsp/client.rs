@@ -124,6 +124,12 @@ impl Client {
         message["params"]["diagnostics"].clone()
     }
 
+    /// Drops the messages that nobody has asked for.
+    #[allow(dead_code, reason = "for the tests")]
+    pub fn forget(&mut self) {
+        self.kept.clear();
+    }
+
     /// The first message, of those kept and those to come, that is wanted.
     pub fn wait(&mut self, what: &str, wanted: impl Fn(&Value) -> bool) -> Value {
         if let Some(at) = self.kept.iter().position(&wanted) {

@@ -61,7 +61,7 @@ fn type_in(client: &mut Client, path: &Path, each_letter: bool) {
         version += 1;
         let at = json!({ "line": line, "character": column });
         change(client, &uri, version, &json!({ "range": { "start": at, "end": at }, "text": text }));
-        // What comes faster than findings is gathered; each key of a program that is typed by letters is waited for.
+        // Letter by letter each change has its findings; else the server gathers up to four.
         if each_letter || version % 4 == 0 {
             client.findings(&uri, Some(version));
         }
