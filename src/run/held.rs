@@ -1,7 +1,7 @@
 //! The state between two blocks, for readers that ask about a place in a program.
 
 use super::state::{Held, Origin, State};
-use super::{Executed, Feed, FeedUnit};
+use super::{Executed, Feed, FeedUnit, Passed};
 use crate::config::Machine;
 use crate::dict::{Address, Decimal, FEED_GROUP, FeedPer, GCode, GGroup, Micro, REDUCED_FEED};
 use crate::syntax::{BlockId, Value, Word};
@@ -36,6 +36,11 @@ impl State {
     /// Where an axis is, by place in machine order; `None` when that is not known.
     pub fn axis_position(&self, axis: usize) -> Option<Micro> {
         self.position(axis).known()
+    }
+
+    /// Whether every axis is where another state has it, as far as that is known.
+    pub fn stands_as(&self, other: &Self) -> bool {
+        self.positions == other.positions
     }
 
     /// The value of a parameter; `None` when that is not known (PAR-5).
@@ -157,6 +162,12 @@ impl State {
         if !block.moves_on() {
             self.follow_words(block, after);
         }
+    }
+
+    /// The same for points that were executed at once.
+    pub fn follow_points(&mut self, points: &Passed<'_>) {
+        let after = points.state();
+        (self.positions, self.unsettled) = (after.positions, after.unsettled);
     }
 
     /// The parts that words other than those of axes change. Parameters are most of a state, and few blocks have any.

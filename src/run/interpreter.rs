@@ -4,6 +4,7 @@ use super::block::Block;
 use super::executed::Executed;
 use super::flow::{Flow, LostCall, Next, check_late_words};
 use super::frames::Frame;
+use super::passed::Passed;
 use super::points::Run;
 use super::program::Program;
 use super::repeats::Repeats;
@@ -37,6 +38,11 @@ pub struct Stretch {
 }
 
 impl Stretch {
+    /// How many blocks.
+    pub const fn count(self) -> u32 {
+        self.end.0 - self.first.0
+    }
+
     /// Whether another stretch begins in this one, or right behind it.
     pub fn goes_on_with(&self, next: Self) -> bool {
         self.file == next.file && self.first <= next.first && next.first <= self.end
@@ -121,15 +127,19 @@ impl Interpreter {
 
     /// Executes at once what comes next of a run of blocks that only move axes straight, at most `most` of them and all
     /// but the last of the run, when nothing is to be found in them. For a program that nobody looks at block by block.
-    /// Gives which blocks these were.
+    /// Gives what these did.
     #[inline]
-    pub fn pass_over(&mut self, program: &Program<'_>, most: u64) -> Option<Stretch> {
+    pub fn pass_over<'r>(&'r mut self, program: &'r Program<'_>, most: u64) -> Option<Passed<'r>> {
         let (None, None, Some(frame)) = (self.stop, &self.pending, self.frames.last_mut()) else { return None };
         let most = most.min(program.settings.machine.limits.records.saturating_sub(self.executed + 1));
-        let (file, first) = (frame.unit.file, frame.next);
-        let passed = self.run.pass_over(program, frame, &mut self.state, most);
-        self.executed += passed;
-        (passed > 0).then_some(Stretch { file, first, end: frame.next })
+        let points = self.run.pass_over(program, frame, &mut self.state, most)?;
+        self.executed += u64::from(points.stretch.count());
+        Some(Passed { interpreter: self, program, points })
+    }
+
+    /// The block of the text that comes next where no call, jump or return is under way.
+    pub fn next(&self) -> Option<(FileId, BlockId)> {
+        self.frames.last().map(|frame| (frame.unit.file, frame.next))
     }
 
     /// How the program ended; `None` while it runs.

@@ -4,8 +4,10 @@
 use super::arrival::{arrive, is_silent};
 use super::block::{Block, Effect};
 use super::frames::Frame;
+use super::interpreter::Stretch;
 use super::motion::{kind_in_force, settle_origin};
 use super::moved::{MotionType, Moving};
+use super::passed::Points;
 use super::program::Program;
 use super::site::Site;
 use super::state::{AxisSet, State};
@@ -79,40 +81,50 @@ impl Run {
     }
 
     /// Executes the points (see [`BlockFlags::is_point`]) that come next but the last of them, at most `most`, all at
-    /// once: axes are where the last word of each has them, when no rule of motion has anything to say of any. Gives
-    /// how many that are; with 0 nothing is done.
-    pub(super) fn pass_over(self, program: &Program<'_>, frame: &mut Frame, state: &mut State, most: u64) -> u64 {
-        let Self::Straight(_, reading) = self else { return 0 };
+    /// once: axes are where the last word of each has them, when no rule of motion has anything to say of any. With
+    /// `None` nothing is done.
+    pub(super) fn pass_over(
+        self,
+        program: &Program<'_>,
+        frame: &mut Frame,
+        state: &mut State,
+        most: u64,
+    ) -> Option<Points> {
+        let Self::Straight(moving, reading) = self else { return None };
         let machine = &program.settings.machine;
-        let points = program.resolved.points(frame.unit.file).filter(|points| points.are_right());
-        let (Some(points), Some(file)) = (points, program.resolved.file(frame.unit.file)) else { return 0 };
+        let points = program.resolved.points(frame.unit.file).filter(|points| points.are_right())?;
+        let file = program.resolved.file(frame.unit.file)?;
         // A word of an axis that moves by its value says nothing of where the axis is then.
         if reading.is_incremental() || !is_silent(machine, reading) {
-            return 0;
+            return None;
         }
         let first = frame.next;
         let most = u32::try_from(most).unwrap_or(u32::MAX).saturating_add(1);
         let before = BlockId(frame.unit.end.0.min(first.0.saturating_add(most)));
         let passed = file.points_in_a_row(first, before).saturating_sub(1);
         if passed == 0 {
-            return 0;
+            return None;
         }
         frame.next = BlockId(first.0 + passed);
-        let mut unsaid = Address::ALL.iter().filter(|address| points.may_have(**address)).count();
-        let mut said = [false; 9];
-        let words = (first.0..frame.next.0).rev().flat_map(|block| file.words(BlockId(block)).iter().rev());
-        for word in words {
-            let Some(axis) = machine.axes.index_of(word.address) else { continue };
-            let Some(said @ false) = said.get_mut(axis) else { continue };
-            *said = true;
-            state.set_position(axis, reading.target(axis, word.number()));
-            state.unsettled.remove(axis);
-            unsaid -= 1;
-            if unsaid == 0 {
+        let (positions, unsettled) = (state.positions, state.unsettled);
+        let addresses = Address::ALL.iter().filter(|address| points.may_have(**address));
+        let mut unsaid: AxisSet = addresses.filter_map(|address| machine.axes.index_of(*address)).collect();
+        let mut last = [None; 9];
+        for block in (first.0..frame.next.0).rev().map(BlockId) {
+            for word in file.words(block) {
+                let Some(axis) = machine.axes.index_of(word.address) else { continue };
+                let Some(last @ None) = last.get_mut(axis) else { continue };
+                *last = Some(block);
+                state.set_position(axis, reading.target(axis, word.number()));
+                state.unsettled.remove(axis);
+                unsaid.remove(axis);
+            }
+            if unsaid.is_empty() {
                 break;
             }
         }
-        u64::from(passed)
+        let stretch = Stretch { file: frame.unit.file, first, end: frame.next };
+        Some(Points { stretch, kind: moving.kind, reading, positions, unsettled, last })
     }
 
     /// Forgets the facts about blocks of axis words after a block that did more.
@@ -153,6 +165,7 @@ fn read_travels(site: &Site<'_>, state: &State, reading: Reading, travels: &mut 
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
     use std::path::Path;
     use std::sync::Arc;
 
@@ -161,7 +174,7 @@ mod tests {
     use super::*;
     use crate::config::{Axes, Axis, Settings};
     use crate::diag::Findings;
-    use crate::dict::Decimal;
+    use crate::dict::{Decimal, Micro};
     use crate::resolve::{Library, resolve};
     use crate::run::{Interpreter, Program};
     use crate::text::{MemoryLoader, SourceText, Sources};
@@ -186,22 +199,26 @@ mod tests {
         })
     }
 
-    /// The state at the end of a program, after how many blocks, and the findings: with points passed over, at most so
-    /// many at a time, or without.
-    fn end(body: &str, settings: &Settings, most: Option<u64>) -> (String, u64, Vec<String>) {
-        let ((state, executed), findings) = with_program(body, settings, |program, findings| {
+    /// The state at the end of a program, after how many blocks and what path, the last block that moved each axis, and
+    /// the findings: with points passed over, at most so many at a time, or without.
+    fn end(body: &str, settings: &Settings, most: Option<u64>) -> (String, Vec<String>) {
+        with_program(body, settings, |program, findings| {
             let mut interpreter = Interpreter::new(program);
+            let (mut path, mut last) = (Micro::ZERO, BTreeMap::new());
             loop {
-                if let Some(most) = most {
-                    interpreter.pass_over(program, most);
+                if let Some(points) = most.and_then(|most| interpreter.pass_over(program, most)) {
+                    path = path.plus(points.path());
+                    last.extend(points.axes());
                 }
-                if interpreter.step(program, findings).is_none() {
-                    break;
-                }
+                let Some(block) = interpreter.step(program, findings) else { break };
+                path = path.plus(block.motion().and_then(|motion| motion.length().mm()).unwrap_or_default());
+                last.extend(
+                    block.motion().into_iter().flat_map(|motion| motion.axes()).map(|axis| (axis, block.at().1)),
+                );
             }
-            (format!("{:?} {:?}", interpreter.state(), interpreter.end()), interpreter.executed())
-        });
-        (state, executed, findings)
+            let (state, end, executed) = (interpreter.state(), interpreter.end(), interpreter.executed());
+            format!("{state:?} {end:?} {executed} {path:?} {last:?}")
+        })
     }
 
     /// What `run` makes of a program, and the findings.

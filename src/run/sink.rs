@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 
-use super::{End, Executed, Program};
+use super::{End, Executed, Passed, Program};
 use crate::diag::Findings;
+use crate::syntax::BlockId;
+use crate::text::FileId;
 
 /// A reader of executed blocks. One execution may have several: a pair of sinks is a sink.
 ///
@@ -16,6 +18,15 @@ pub trait Sink {
 
     /// Execution begins.
     fn begin(&mut self, _program: &Program<'_>) {}
+
+    /// How many of the blocks that come next, from `next` on, need not be shown one by one where they are points: in a
+    /// program without errors, [`Self::passed`] may show these together.
+    fn spares(&self, _next: (FileId, BlockId)) -> u64 {
+        0
+    }
+
+    /// The next executed blocks: points, none of which has a finding.
+    fn passed(&mut self, _points: &Passed<'_>) {}
 
     /// The next executed block. Findings go to `findings`, those about this execution of the block made by
     /// [`Executed::found`]. `Break`: no more blocks are wanted, and the program is not taken for whole.
@@ -45,6 +56,15 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
     fn begin(&mut self, program: &Program<'_>) {
         self.0.begin(program);
         self.1.begin(program);
+    }
+
+    fn spares(&self, next: (FileId, BlockId)) -> u64 {
+        self.0.spares(next).min(self.1.spares(next))
+    }
+
+    fn passed(&mut self, points: &Passed<'_>) {
+        self.0.passed(points);
+        self.1.passed(points);
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {

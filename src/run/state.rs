@@ -113,6 +113,14 @@ impl AxisSet {
     }
 }
 
+impl FromIterator<usize> for AxisSet {
+    fn from_iter<I: IntoIterator<Item = usize>>(axes: I) -> Self {
+        let mut set = Self::default();
+        axes.into_iter().for_each(|axis| _ = set.insert(axis));
+        set
+    }
+}
+
 /// Words of the spindle in a program and the macrocycles that it names.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) struct SpindleWords {

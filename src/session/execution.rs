@@ -9,7 +9,7 @@ use super::{Outcome, Run, Session, is_stopped, offers};
 use crate::config::Purpose;
 use crate::diag::{Findings, StayedUnknown};
 use crate::resolve::Resolved;
-use crate::run::{End, Executed, Interpreter, LostCall, Program, Sink};
+use crate::run::{End, Executed, Interpreter, LostCall, Passed, Program, Sink};
 use crate::text::FileId;
 
 /// Blocks between two reports of progress.
@@ -150,6 +150,24 @@ impl<'a> Execution<'a> {
         Some((block, &mut self.outcome.findings))
     }
 
+    /// Whether nothing is looked for in each block, and no block may have an error.
+    fn may_pass_over(&self) -> bool {
+        self.checks.is_none() && !self.given_up && !self.outcome.findings.has_errors()
+    }
+
+    /// Executes the points that come next at once, at most so many.
+    #[inline]
+    fn pass_over(&mut self, most: u64) -> Option<Passed<'_>> {
+        let executed = self.interpreter.executed();
+        let room = self.recorder.as_ref().map_or(u64::MAX, |recorder| recorder.room(executed));
+        let most = most.min(room.min(PROGRESS - executed % PROGRESS) - 1);
+        let passed = self.interpreter.pass_over(&self.program, most)?;
+        if let Some(recorder) = &mut self.recorder {
+            recorder.visit(passed.stretch());
+        }
+        Some(passed)
+    }
+
     /// Nobody wants more: the program is not taken for whole.
     pub const fn give_up(&mut self) {
         self.whole = false;
@@ -163,7 +181,15 @@ impl<'a> Execution<'a> {
         }
         sink.begin(&self.program);
         let mut wanted = ControlFlow::Continue(());
-        while let Some((block, findings)) = self.step() {
+        loop {
+            let spared = self.interpreter.next().map_or(0, |next| sink.spares(next));
+            if spared > 0
+                && self.may_pass_over()
+                && let Some(points) = self.pass_over(spared)
+            {
+                sink.passed(&points);
+            }
+            let Some((block, findings)) = self.step() else { break };
             wanted = sink.block(&block, findings);
             if wanted.is_break() {
                 break;
@@ -178,12 +204,9 @@ impl<'a> Execution<'a> {
     /// to its end.
     pub(super) fn end(&mut self) -> Option<End> {
         while !self.is_over(self.interpreter.executed()) {
-            let executed = self.interpreter.executed();
-            let room = self.recorder.as_ref().map_or(u64::MAX, |recorder| recorder.room(executed));
-            let passed = self.interpreter.pass_over(&self.program, room.min(PROGRESS - executed % PROGRESS) - 1);
+            self.pass_over(u64::MAX);
             let Some(block) = self.interpreter.step(&mut self.program, &mut self.outcome.findings) else { break };
             if let Some(recorder) = &mut self.recorder {
-                passed.into_iter().for_each(|stretch| recorder.visit(stretch));
                 recorder.block(&block);
             }
         }

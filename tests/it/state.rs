@@ -4,7 +4,7 @@ use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
 use cnc872c::analysis::state::{
-    Asked, AtTime, Index, Indexer, Place as At, PlaceFault, Search, StateReader, Timing, document, json, schema,
+    Asked, AtTime, Found, Index, Indexer, Place as At, PlaceFault, Search, StateReader, Timing, document, json, schema,
 };
 use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
@@ -32,6 +32,13 @@ pub struct Sample {
 impl Sample {
     pub fn session(&self) -> Session<'_> {
         Session { loader: &self.disk, settings: &self.settings, progress: None }
+    }
+
+    /// What holds at a place.
+    fn found(&self, asked: Asked, timing: Timing) -> Box<Found> {
+        let mut reader = StateReader::new(&self.settings, asked, timing);
+        let run = self.session().watch(Path::new(&self.file), &self.file, Purpose::Report, &mut &mut reader);
+        reader.finish(run.whole.is_some()).unwrap()
     }
 
     /// The block records; none of a program with errors.
@@ -82,11 +89,23 @@ fn state_is_what_the_records_say() {
         let step = blocks.len() / 4 + 1;
         for (seq, after) in (0..blocks.len()).step_by(step).flat_map(|seq| [(seq, false), (seq, true)]) {
             let asked = Asked { place: At::Seq(seq as u64), file: None, pass: None, after };
-            let mut reader = StateReader::new(&sample.settings, asked, Timing::Configured);
-            let run = sample.session().watch(Path::new(&sample.file), &sample.file, Purpose::Report, &mut &mut reader);
-            let found = reader.finish(run.whole.is_some()).unwrap();
-            let state: Value = serde_json::from_str(&json(&found, &sample.file, &sample.settings)).unwrap();
+            let mut found = sample.found(asked.clone(), Timing::Configured);
+            let text = json(&found, &sample.file, &sample.settings);
+            let state: Value = serde_json::from_str(&text).unwrap();
             let context = || format!("{} seq {seq} after {after}\n{state:#}", sample.name);
+            // Without times, points are passed over.
+            found.times = None;
+            let untimed = json(&found, &sample.file, &sample.settings);
+            let of_seq = json(&sample.found(asked.clone(), Timing::Never), &sample.file, &sample.settings);
+            assert_eq!(of_seq, untimed, "{}", context());
+            if blocks[seq]["file"] == 0 {
+                let n = blocks[seq]["n"].as_u64().unwrap() as u32;
+                let is_here = |block: &&Value| block["file"] == 0 && block["n"] == n;
+                let pass = blocks[..=seq].iter().filter(is_here).count() as u64;
+                let asked = Asked { place: At::N(n), pass: Some(pass), ..asked };
+                let of_n = json(&sample.found(asked, Timing::Never), &sample.file, &sample.settings);
+                assert_eq!(of_n, untimed, "N{n} {}", context());
+            }
             assert_eq!(validator.validate(&state), Ok(()), "{}", context());
             assert_eq!(state["progress"]["blocks"], seq + usize::from(after), "{}", context());
             assert_eq!(state["progress"]["blocks_left"], blocks.len() - seq - usize::from(after), "{}", context());
@@ -347,10 +366,12 @@ fn checkpoints_tell_the_same() {
             sample.session().observe_from(Path::new("a.nc"), (&resolved, &sources), checkpoint, &mut replay);
             let quick = json(&replay.found()[0], "a.nc", &sample.settings);
             let asked = Asked { place: At::Seq(seq), file: None, pass: None, after };
-            let mut reader = StateReader::new(&sample.settings, asked, Timing::Always);
-            let run = sample.session().watch(Path::new("a.nc"), "a.nc", Purpose::Report, &mut &mut reader);
-            let slow = json(&reader.finish(run.whole.is_some()).unwrap(), "a.nc", &sample.settings);
-            assert_eq!(quick, slow, "seq {seq} after {after}");
+            let mut found = sample.found(asked.clone(), Timing::Always);
+            assert_eq!(quick, json(&found, "a.nc", &sample.settings), "seq {seq} after {after}");
+            found.times = None;
+            let passed_over = sample.found(asked, Timing::Never);
+            let [stepped, passed_over] = [found, passed_over].map(|found| json(&found, "a.nc", &sample.settings));
+            assert_eq!(stepped, passed_over, "seq {seq} after {after}");
         }
     }
 }

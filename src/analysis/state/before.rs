@@ -3,7 +3,7 @@
 use crate::config::Settings;
 use crate::diag::CallKind;
 use crate::dict::{GCode, GGroup};
-use crate::run::{ArmedCounter, Executed, State};
+use crate::run::{ArmedCounter, Executed, Passed, State};
 
 /// What holds before the next block: call [`Self::arrive`] at a block, ask, then [`Self::pass`] it.
 #[derive(Clone, Debug)]
@@ -54,5 +54,10 @@ impl Before {
             self.counters.extend(block.counters());
         }
         self.state.follow(block);
+    }
+
+    /// Becomes what holds after points.
+    pub fn pass_over(&mut self, points: &Passed<'_>) {
+        self.state.follow_points(points);
     }
 }

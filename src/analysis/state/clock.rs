@@ -8,7 +8,7 @@ use crate::analysis::motion::{BlockTimes, Listener, Model, Planner, Step, StepRe
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::parallel::Fold;
-use crate::run::{End, Executed, Sink};
+use crate::run::{End, Executed, Program, Sink};
 
 /// What was done, and what is left, of one kind of thing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -131,6 +131,20 @@ impl Clock {
         };
         let room = timing.most(settings);
         Self { reader: StepReader::new(settings), planned: (room > 0).then(fold), room }
+    }
+
+    /// A program with more blocks in its text than have times gets none: planning the first of them would be in vain.
+    pub fn begin(&mut self, program: &Program<'_>) {
+        let resolved = &program.resolved;
+        let main = resolved.main().and_then(|id| resolved.unit(id));
+        if main.is_some_and(|main| u64::from(main.end.0 - main.first.0) > self.room) {
+            self.planned = None;
+        }
+    }
+
+    /// Whether the times of the next block are wanted.
+    pub const fn is_planning(&self) -> bool {
+        self.planned.is_some()
     }
 
     /// The next block; `change`: it changes the tool, `first_left`: the place is before it.

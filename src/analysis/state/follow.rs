@@ -8,7 +8,7 @@ use super::unknown::Axes;
 use super::writers::{Slot, Writers};
 use crate::config::Settings;
 use crate::dict::{AxisLetter, Micro, TOOL_CHANGE};
-use crate::run::{ArmedCounter, Executed, MotionType};
+use crate::run::{ArmedCounter, Executed, MotionType, Passed};
 
 /// Blocks that were executed, and their known path.
 #[derive(Clone, Copy, Debug, Default)]
@@ -56,6 +56,13 @@ impl Next {
         }
         if self.stop.is_none() && block.m_at_stop().is_some() {
             self.stop = Some(seq);
+        }
+    }
+
+    /// Looks at points from the place on.
+    pub fn look_at_points(&mut self, points: &Passed<'_>) {
+        if points.kind() == MotionType::Rapid {
+            self.rapid = self.rapid.or(Some(points.first_seq()));
         }
     }
 
@@ -121,6 +128,15 @@ impl Follow {
         self.writers.note(block, self.before.state());
         self.axes.pass(block, self.before.state());
         self.before.pass(block);
+    }
+
+    /// Follows points that were executed at once.
+    pub fn pass_over(&mut self, points: &Passed<'_>) {
+        self.done.blocks += u64::from(points.stretch().count());
+        self.done.path = self.done.path.plus(points.path());
+        self.writers.note_points(points);
+        self.axes.pass_over(points);
+        self.before.pass_over(points);
     }
 
     /// What holds before or behind a block, without what is left.

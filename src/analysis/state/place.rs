@@ -165,6 +165,20 @@ impl Search {
         self.count == self.asked.pass.unwrap_or(1)
     }
 
+    /// How many blocks come before one that may be the place, from `next` on, after so many executed blocks.
+    pub fn spares(&self, (file, block): (FileId, BlockId), executed: u64) -> u64 {
+        match self.asked.place {
+            Place::Seq(seq) => seq.checked_sub(executed).unwrap_or(u64::MAX),
+            // No point changes the tool.
+            Place::Tool(_) => u64::MAX,
+            Place::N(_) | Place::Line(_) => match (self.file, self.block) {
+                (None, _) => 0,
+                (Some(of), Some(wanted)) if of == file => wanted.0.checked_sub(block.0).map_or(u64::MAX, u64::from),
+                (Some(_), _) => u64::MAX,
+            },
+        }
+    }
+
     /// Whether the block is at the place.
     fn is_here(&mut self, block: &Executed<'_>) -> bool {
         match self.asked.place {
@@ -192,8 +206,10 @@ impl Search {
         match self.asked.place {
             Place::N(n) => {
                 self.block = parsed.block_ids().find(|id| parsed.number(*id) == Some(n));
-                let numbers = parsed.block_ids().filter_map(|id| parsed.number(id));
-                self.near = numbers.min_by_key(|number| (number.abs_diff(n), *number));
+                if self.block.is_none() {
+                    let numbers = parsed.block_ids().filter_map(|id| parsed.number(id));
+                    self.near = numbers.min_by_key(|number| (number.abs_diff(n), *number));
+                }
             }
             Place::Line(line) => self.block = block_on_line(parsed, line),
             Place::Seq(_) | Place::Tool(_) => {}

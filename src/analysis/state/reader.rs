@@ -9,7 +9,9 @@ use super::found::Found;
 use super::place::{Asked, PlaceFault, Search};
 use crate::config::Settings;
 use crate::diag::Findings;
-use crate::run::{End, Executed, Sink};
+use crate::run::{End, Executed, Passed, Program, Sink};
+use crate::syntax::BlockId;
+use crate::text::FileId;
 
 /// Reads the blocks of one execution, for one place.
 #[derive(Debug)]
@@ -76,6 +78,21 @@ impl StateReader {
 
 impl Sink for &mut StateReader {
     type Whole = End;
+
+    fn begin(&mut self, program: &Program<'_>) {
+        self.clock.begin(program);
+    }
+
+    fn spares(&self, next: (FileId, BlockId)) -> u64 {
+        if self.clock.is_planning() { 0 } else { self.search.spares(next, self.follow.done().blocks) }
+    }
+
+    fn passed(&mut self, points: &Passed<'_>) {
+        if self.found.is_some() {
+            self.next.look_at_points(points);
+        }
+        self.follow.pass_over(points);
+    }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
         self.errors.look(block, findings);

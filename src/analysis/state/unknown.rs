@@ -1,7 +1,7 @@
 //! Which axes stand where nobody knows, and why.
 
 use crate::dict::{AxisLetter, SPINDLE_GROUP};
-use crate::run::{Executed, MotionType, State};
+use crate::run::{Executed, MotionType, Passed, State};
 
 /// Why the position of an axis is not known.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -84,9 +84,21 @@ impl Axes {
         }
     }
 
+    /// Notes what points do.
+    pub fn pass_over(&mut self, points: &Passed<'_>) {
+        for (axis, _) in points.axes() {
+            if let Some(moved) = self.moved.get_mut(axis as usize) {
+                *moved = true;
+            }
+        }
+    }
+
     fn note(&mut self, block: &Executed<'_>, before: &State) {
         let after = block.state();
         let by_cycle = block.is_unmapped_cycle();
+        if !by_cycle && block.opaque_call().is_none() && block.motion().is_none() && before.stands_as(after) {
+            return;
+        }
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
             let letter = axis.letter;
             let (Some(unknown), Some(moved)) = (self.why.get_mut(letter as usize), self.moved.get_mut(letter as usize))

@@ -2,7 +2,7 @@
 
 use crate::diag::CallKind;
 use crate::dict::{Address, AxisLetter, GCode, Lasting, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
-use crate::run::{Executed, State};
+use crate::run::{Executed, Passed, State};
 use crate::syntax::BlockId;
 use crate::text::FileId;
 
@@ -118,13 +118,21 @@ impl Writers {
     #[inline]
     pub fn note(&mut self, block: &Executed<'_>, before: &State) {
         let (file, id) = block.at();
-        let call = block.calls().last().map(|call| (call.by, call.l));
-        let writer = Writer { seq: block.seq(), file, block: id, call };
+        let writer = Writer { seq: block.seq(), file, block: id, call: call(block) };
         for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
             self.set(Slot::Axis(axis), writer);
         }
         if !block.moves_on() {
             self.note_words(block, before, writer);
+        }
+    }
+
+    /// Notes what points wrote.
+    pub fn note_points(&mut self, points: &Passed<'_>) {
+        let (stretch, call) = (points.stretch(), call(&points.before()));
+        for (axis, block) in points.axes() {
+            let seq = points.first_seq() + u64::from(block.0 - stretch.first.0);
+            self.set(Slot::Axis(axis), Writer { seq, file: stretch.file, block, call });
         }
     }
 
@@ -161,6 +169,9 @@ impl Writers {
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
         let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
+        if stands.is_empty() && before.stands_as(after) {
+            return;
+        }
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
             let named = stands.iter().any(|(letter, _)| *letter == axis.letter.letter());
             if named || before.axis_position(place) != after.axis_position(place) {
@@ -185,6 +196,11 @@ impl Writers {
         };
         slots.filter_map(written).collect()
     }
+}
+
+/// The innermost call that a block was executed in.
+fn call(block: &Executed<'_>) -> Option<(CallKind, u32)> {
+    block.calls().last().map(|call| (call.by, call.l))
 }
 
 /// Whether an M group holds for one block only.
