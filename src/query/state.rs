@@ -1,20 +1,15 @@
 //! What holds at the blocks of a document when its program is executed.
 
-use std::ops::ControlFlow;
-
 use super::analysis::Analysis;
 use super::cancel::Cancel;
 use super::observe::{MOST, is};
 use crate::analysis::state::{Arrival, Found, Index, Indexer};
 use crate::config::Purpose;
 use crate::resolve::Resolved;
-use crate::run::Sink;
+use crate::session::Session;
 use crate::sure::small;
 use crate::syntax::BlockId;
 use crate::text::{FileId, Sources};
-
-/// Executed blocks between two looks at whether the answer is still wanted.
-const PERIOD: u64 = 1 << 12;
 
 /// Executions of a block that are listed.
 const LISTED: usize = 20;
@@ -50,19 +45,13 @@ impl Indexed {
 
     fn make(program: &Analysis, cancel: &Cancel) -> Option<Self> {
         let name = program.path.to_string_lossy();
-        let Ok(execution) = program.session().open(&program.path, &name, Purpose::Report) else { return None };
-        let mut execution = execution.despite_errors();
+        let goes_on = |_| !cancel.is_cancelled();
+        let session = Session { progress: Some(&goes_on), ..program.session() };
+        let mut execution = session.open(&program.path, &name, Purpose::Report).ok()?.despite_errors();
         let mut indexer = Indexer::new(&program.settings, MOST);
-        (&mut indexer).begin(execution.program());
-        while let Some((block, findings)) = execution.step() {
-            let period = block.seq().is_multiple_of(PERIOD);
-            let wanted = (&mut indexer).block(&block, findings);
-            if period && cancel.is_cancelled() {
-                return None;
-            }
-            if wanted == ControlFlow::Break(()) {
-                execution.give_up();
-            }
+        execution.show(&mut &mut indexer);
+        if cancel.is_cancelled() {
+            return None;
         }
         let (resolved, sources) = (execution.program().resolved.clone(), execution.program().sources.clone());
         let whole = execution.finish().whole.is_some();

@@ -175,7 +175,7 @@ impl<'a> Execution<'a> {
     }
 
     /// Shows the blocks to a sink, up to the first that has an error.
-    pub(super) fn show(&mut self, sink: &mut impl Sink) {
+    pub fn show(&mut self, sink: &mut impl Sink) {
         if !(self.whole || self.despite_errors) {
             return;
         }

@@ -158,10 +158,7 @@ fn indexed(sample: &Sample) -> (Index, Resolved, Sources) {
     let session = sample.session();
     let mut execution = session.open(path, &sample.file, Purpose::Report).unwrap().despite_errors();
     let mut indexer = Indexer::new(&sample.settings, u64::MAX);
-    (&mut indexer).begin(execution.program());
-    while let Some((block, findings)) = execution.step() {
-        assert!((&mut indexer).block(&block, findings).is_continue());
-    }
+    execution.show(&mut &mut indexer);
     let (resolved, sources) = (execution.program().resolved.clone(), execution.program().sources.clone());
     let whole = execution.finish().whole.is_some();
     (indexer.finish(whole), resolved, sources)
@@ -351,27 +348,31 @@ fn checkpoints_tell_the_same() {
     let mut text = "%1\nN1 G90 G54 G0 X0 Y0 Z50 T1 M06\nN2 S1000 M3 F500 R1=3 G1 Z-1\nN3 G71 L100 Q7\n".to_owned();
     (10..9000).for_each(|n| text += &format!("N{n} X{}.5 Y{}\n", n % 90, n % 7));
     text += "N9000 T2 M06 G91\nN9001 G0 Z5 M00\nN9002 X1 G73 L8000 Q2\nN9003 M30\nN9100 G79 L100\nN9110 XR1 R2=5\nN9120 M8 G70\n";
-    let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", b"[motion]\naccel-mm-s2 = 300.0\n")]);
-    let disk = TestDisk { root: place.path("") };
-    let project = find_project(Path::new(""), &disk);
-    let (mut sources, mut findings) = (Sources::new(), Findings::new());
-    let settings = configure(project.as_deref(), &Overrides::default(), &disk, &mut sources, &mut findings);
-    let sample = Sample { name: "a.nc".to_owned(), disk, file: "a.nc".to_owned(), settings };
-    let (index, resolved, sources) = indexed(&sample);
-    let last = index.executed() - 1;
-    assert!(last > 2 << 12);
-    for seq in [0, 1, 3, 8, 4095, 4096, 4097, 8191, 9010, 9011, 9012, last - 1500, last - 2, last] {
-        for after in [false, true] {
-            let (checkpoint, mut replay) = index.from(seq..seq + 1, after).unwrap();
-            sample.session().observe_from(Path::new("a.nc"), (&resolved, &sources), checkpoint, &mut replay);
-            let quick = json(&replay.found()[0], "a.nc", &sample.settings);
-            let asked = Asked { place: At::Seq(seq), file: None, pass: None, after };
-            let mut found = sample.found(asked.clone(), Timing::Always);
-            assert_eq!(quick, json(&found, "a.nc", &sample.settings), "seq {seq} after {after}");
-            found.times = None;
-            let passed_over = sample.found(asked, Timing::Never);
-            let [stepped, passed_over] = [found, passed_over].map(|found| json(&found, "a.nc", &sample.settings));
-            assert_eq!(stepped, passed_over, "seq {seq} after {after}");
+    // Without configured motion, points are passed over.
+    for (project, timing) in [("[motion]\naccel-mm-s2 = 300.0\n", Timing::Always), ("", Timing::Never)] {
+        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", project.as_bytes())]);
+        let disk = TestDisk { root: place.path("") };
+        let project = find_project(Path::new(""), &disk);
+        let (mut sources, mut findings) = (Sources::new(), Findings::new());
+        let settings = configure(project.as_deref(), &Overrides::default(), &disk, &mut sources, &mut findings);
+        let sample = Sample { name: "a.nc".to_owned(), disk, file: "a.nc".to_owned(), settings };
+        let (index, resolved, sources) = indexed(&sample);
+        let last = index.executed() - 1;
+        assert!(last > 2 << 12);
+        for seq in [0, 1, 3, 8, 4095, 4096, 4097, 8191, 9010, 9011, 9012, last - 1500, last - 2, last] {
+            for after in [false, true] {
+                let (checkpoint, mut replay) = index.from(seq..seq + 1, after).unwrap();
+                sample.session().observe_from(Path::new("a.nc"), (&resolved, &sources), checkpoint, &mut replay);
+                let quick = json(&replay.found()[0], "a.nc", &sample.settings);
+                let asked = Asked { place: At::Seq(seq), file: None, pass: None, after };
+                let mut stepped = sample.found(asked.clone(), Timing::Always);
+                if timing == Timing::Never {
+                    stepped.times = None;
+                    let passed_over = json(&sample.found(asked, timing), "a.nc", &sample.settings);
+                    assert_eq!(quick, passed_over, "seq {seq} after {after}");
+                }
+                assert_eq!(quick, json(&stepped, "a.nc", &sample.settings), "seq {seq} after {after}");
+            }
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::analysis::motion::{BlockTimes, Listener, Model, Planner, Step, StepRe
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::parallel::Fold;
-use crate::run::{End, Executed, Interpreter, Program, Sink};
+use crate::run::{End, Executed, Interpreter, Passed, Program, Sink, Stretch};
 use crate::syntax::BlockId;
 use crate::text::FileId;
 
@@ -85,6 +85,16 @@ impl Ends {
 }
 
 impl Index {
+    /// Notes which block is executed next.
+    fn go_on(&mut self, seq: u64, file: FileId, id: BlockId) {
+        let goes_on = self.rows.last().is_some_and(|row| {
+            row.file == file && u64::from(id.0) == u64::from(row.first.0) + (seq - u64::from(row.seq))
+        });
+        if !goes_on {
+            self.rows.push(Row { seq: u32::try_from(seq).unwrap_or(u32::MAX), file, first: id });
+        }
+    }
+
     /// How many blocks were executed.
     pub fn executed(&self) -> u64 {
         self.follow.done().blocks
@@ -176,16 +186,27 @@ impl Sink for &mut Indexer {
         parts.push(Part { from: Interpreter::new(program), known: follow.clone(), next: Next::default() });
     }
 
-    fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
-        let Index { rows, parts, follow, errors, .. } = &mut self.index;
-        errors.look(block, findings);
-        let (seq, (file, id)) = (block.seq(), block.at());
-        let goes_on = rows.last().is_some_and(|row| {
-            row.file == file && u64::from(id.0) == u64::from(row.first.0) + (seq - u64::from(row.seq))
-        });
-        if !goes_on {
-            rows.push(Row { seq: u32::try_from(seq).unwrap_or(u32::MAX), file, first: id });
+    fn spares(&self, _: (FileId, BlockId)) -> u64 {
+        let executed = self.index.executed();
+        // Checkpoints follow blocks that are shown.
+        let room = (STRIDE - executed % STRIDE).min(self.most.saturating_sub(executed));
+        if self.planning.is_some() { 0 } else { room.saturating_sub(1) }
+    }
+
+    fn passed(&mut self, points: &Passed<'_>) {
+        let Stretch { file, first, .. } = points.stretch();
+        self.index.go_on(points.first_seq(), file, first);
+        if let Some(part) = self.index.parts.last_mut() {
+            part.next.look_at_points(points);
         }
+        self.index.follow.pass_over(points);
+    }
+
+    fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
+        let (seq, (file, id)) = (block.seq(), block.at());
+        self.index.go_on(seq, file, id);
+        let Index { parts, follow, errors, .. } = &mut self.index;
+        errors.look(block, findings);
         if let Some(Planning { reader, planned }) = &mut self.planning {
             planned.push(reader.read(block));
         }
