@@ -1,5 +1,6 @@
 //! Advice in the texts of some diagnostics, in both languages: closed sets of probable meanings.
 
+use super::CenterPlace;
 use crate::dict::{Address, GCode, HIGHEST_L, Lang, bilingual};
 use crate::sure::Sure;
 
@@ -424,9 +425,24 @@ bilingual! {
     }
 }
 
+/// That some of I, J and K have no use (E0609), and why.
+pub(super) fn unused_centers(letters: &str, place: &CenterPlace, lang: Lang) -> String {
+    let (why, one) = (place.text(lang), letters.len() == 1);
+    let (quote, verb) = match (lang, one) {
+        (Lang::En, true) => ("`", "means nothing here"),
+        (Lang::En, false) => ("`", "mean nothing here"),
+        (Lang::Cs, true) => ("", "zde nemá význam"),
+        (Lang::Cs, false) => ("", "zde nemají význam"),
+    };
+    let letters: Vec<String> = letters.chars().map(|letter| format!("{quote}{letter}{quote}")).collect();
+    format!("{} {verb}: {why}", letters.join(", "))
+}
+
 /// What to write instead of I, J or K without a use (E0609).
-pub(super) fn center_help(written: &str, lang: Lang) -> String {
+pub(super) fn center_help(letters: &str, written: &str, lang: Lang) -> String {
     match (written, lang) {
+        ("", Lang::En) if letters.len() > 1 => "delete them, or program the function that they belong to".to_owned(),
+        ("", Lang::Cs) if letters.len() > 1 => "vymazat je, nebo zadat funkci, ke které patří".to_owned(),
         ("", Lang::En) => "delete it, or program the function that it belongs to".to_owned(),
         ("", Lang::Cs) => "vymazat ho, nebo zadat funkci, ke které patří".to_owned(),
         (written, Lang::En) => format!("write `{written}`"),

@@ -5,7 +5,9 @@
 //! string; an empty help or note is left out. Messages are short and complete alone; the note says why, the help says
 //! what to write.
 
-use super::advice::{center_help, control_digits, is_exchanged, of_group, other_range, range_cs, unnumbered_line};
+use super::advice::{
+    center_help, control_digits, is_exchanged, of_group, other_range, range_cs, unnumbered_line, unused_centers,
+};
 use super::other_controls::foreign_g;
 use super::rows::{Severity, diagnostics, optional_text, text};
 use super::{
@@ -434,10 +436,10 @@ diagnostics! {
         en "this machine is configured without the oriented stop M19"
         cs "stroj nemá podle konfigurace orientovaný stop M19"
         help "use M05; when the machine has it, set `oriented-stop = true`" | "použít M05; má-li ho stroj, nastavit oriented-stop = true"
-    [E0609] CenterWordNotUsable "center-word-not-usable" Error { letter: char, place: CenterPlace, written: String }
-        en ({ let why = place.text(Lang::En); format!("`{letter}` means nothing here: {why}") })
-        cs ({ let why = place.text(Lang::Cs); format!("{letter} zde nemá význam: {why}") })
-        help (center_help(written, Lang::En)) | (center_help(written, Lang::Cs))
+    [E0609] CenterWordNotUsable "center-word-not-usable" Error { letters: String, place: CenterPlace, written: String }
+        en (unused_centers(letters, place, Lang::En))
+        cs (unused_centers(letters, place, Lang::Cs))
+        help (center_help(letters, written, Lang::En)) | (center_help(letters, written, Lang::Cs))
     [W0610] ArcAfterOriginChange "arc-after-origin-change" Warning {}
         en "an arc right after a change of origin or correction: its start is not where the tool is"
         cs "oblouk hned po změně počátku nebo korekce: nezačíná tam, kde stojí nástroj"

@@ -151,7 +151,7 @@ impl<'a> BlockJudge<'a> {
         if self.around.at_star == Some(block) {
             self.judged.at_star.push(warning);
         } else {
-            self.judged.findings.add(warning);
+            self.judged.empty.push((block, warning));
         }
     }
 
@@ -273,10 +273,13 @@ impl<'a> BlockJudge<'a> {
         (!word.is_void() && !self.is_refused(word)).then_some(word)
     }
 
-    /// Whether another finding explains an L or Q without use: that of its value, or of the line that it begins, which
-    /// lacks its block number.
+    /// Whether another finding explains an L or Q without use: that of its value, of an `N` without a number, which may
+    /// be one letter too many in the block before, or of the line that it begins, which lacks its block number.
     fn is_explained(&self, word: Word) -> bool {
-        self.is_refused(word) || self.around.unnumbered(self.settings).line_before(word.start()) == Some(word.start())
+        let n = || self.file.n_word(self.file.block_at(word.start())?);
+        self.is_refused(word)
+            || n().is_some_and(Word::is_void)
+            || self.around.unnumbered(self.settings).line_before(word.start()) == Some(word.start())
     }
 
     /// Whether the words of a block are a call or jump that lost its function, which has its finding.
@@ -388,11 +391,12 @@ impl<'a> BlockJudge<'a> {
         if !axes && s.is_none() {
             self.report(g, Finding::TableWithoutValues { function: table });
         }
-        for (address, letter) in [(Address::I, 'I'), (Address::J, 'J'), (Address::K, 'K')] {
-            let place = CenterPlace::InTableBlock;
-            if let Some(word) = self.right(words, address) {
-                self.report(word, Finding::CenterWordNotUsable { letter, place, written: String::new() });
-            }
+        let centers = [(Address::I, 'I'), (Address::J, 'J'), (Address::K, 'K')];
+        let centers: Vec<(Word, char)> =
+            centers.into_iter().filter_map(|(address, letter)| Some((self.right(words, address)?, letter))).collect();
+        if let Some(&(first, _)) = centers.first() {
+            let (letters, place) = (centers.iter().map(|(_, letter)| *letter).collect(), CenterPlace::InTableBlock);
+            self.report(first, Finding::CenterWordNotUsable { letters, place, written: String::new() });
         }
     }
 

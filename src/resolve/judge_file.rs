@@ -37,6 +37,8 @@ pub(super) struct Judged {
     pub(super) cutting_speed: Option<Diagnostic>,
     /// L alone in a block, with its number: a macrocycle of that number was to be called.
     pub(super) lost_calls: Vec<(u32, Diagnostic)>,
+    /// Blocks without words, each with the warning of it.
+    pub(super) empty: Vec<(BlockId, Diagnostic)>,
     /// The warning that the block before the `*` is empty, which the `*` may explain.
     pub(super) at_star: Vec<Diagnostic>,
     /// Lines without their block number that conflict with those above, by where they begin, and their blocks, which
@@ -108,6 +110,9 @@ impl Context<'_, '_> {
                 self.findings.add(speed);
             }
             self.open.lost_calls.extend(judged.lost_calls);
+            // An empty block whose number stands before is not meant to be one: that has its finding.
+            let is_new = |(block, _): &(BlockId, Diagnostic)| numbered.repeated.binary_search(block).is_err();
+            judged.empty.into_iter().filter(is_new).for_each(|(_, warning)| self.findings.add(warning));
             told.extend(judged.merged.iter().map(|(start, _)| *start));
             at_star.extend(judged.at_star);
             points.join(judged.points);

@@ -9,13 +9,15 @@ use crate::syntax::{BlockId, ParsedFile};
 pub(super) struct Numbered {
     /// Numbers that stand twice.
     pub(super) findings: Findings,
+    /// The blocks whose numbers stand before, in the order of the text.
+    pub(super) repeated: Vec<BlockId>,
     /// The first block of each number that jumps can reach, by number.
     pub(super) reachable: Vec<(u32, BlockId)>,
 }
 
 /// Numbers the blocks of a file, without those of a second program in it.
 pub(super) fn number_blocks(parsed: &ParsedFile) -> Numbered {
-    let mut numbered = Numbered { findings: Findings::new(), reachable: Vec::new() };
+    let mut numbered = Numbered { findings: Findings::new(), repeated: Vec::new(), reachable: Vec::new() };
     let mut rising = true;
     let mut last = 0;
     let blocks = || (0..parsed.program_end().0).map(BlockId);
@@ -45,6 +47,7 @@ pub(super) fn number_blocks(parsed: &ParsedFile) -> Numbered {
     }
     repeated.sort_unstable();
     report(parsed, &repeated, &mut numbered.findings);
+    numbered.repeated = repeated.into_iter().map(|(block, _)| block).collect();
     numbered
 }
 

@@ -190,6 +190,7 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
     // Nobody knows whether it is an arc, or whether G09, G10 or G23 takes the word.
     let taken = g.unknown.has(GGroup::G2) && !(is_arc && words.axis_count == 2);
     let silent = goes_on || taken || !is_arc && g.unknown.has(GGroup::G0);
+    let mut useless = Vec::new();
     for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
         // A malformed word has its finding.
         let Some(valued) = valued.filter(|valued| !valued.word.is_void()) else { continue };
@@ -200,16 +201,18 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
         if kept {
             centers.extend(valued.value.map(|value| (letter, value)));
         } else if !(silent || is_arc && letter != 'K') {
-            let of_arc = circular && letter == 'K';
-            let place = if of_arc { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
-            let finding = Finding::CenterWordNotUsable { letter, place, written: String::new() };
-            let at = site.word_place(valued.word);
-            if of_arc {
-                arc_findings::found(site, state, (words, g), finding, at);
-            } else {
-                site.found(finding, at);
-            }
+            useless.push((letter, site.word_place(valued.word)));
         }
+    }
+    let Some(&(first, at)) = useless.first() else { return };
+    let of_arc = circular && first == 'K';
+    let place = if of_arc { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
+    let letters = useless.iter().map(|(letter, _)| *letter).collect();
+    let finding = Finding::CenterWordNotUsable { letters, place, written: String::new() };
+    if of_arc {
+        arc_findings::found(site, state, (words, g), finding, at);
+    } else {
+        site.found(finding, at);
     }
 }
 
@@ -222,17 +225,10 @@ fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, functio
             values.push((axis.letter.letter(), value));
         }
     }
+    // In a table they have their finding (E0609).
     for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
-        let Some(valued) = valued else { continue };
-        if table {
-            let place = CenterPlace::InTableBlock;
-            site.found(
-                Finding::CenterWordNotUsable { letter, place, written: String::new() },
-                site.word_place(valued.word),
-            );
-        } else {
-            values.extend(valued.value.map(|value| (letter, value)));
-        }
+        let value = valued.filter(|_| !table).and_then(|valued| valued.value);
+        values.extend(value.map(|value| (letter, value)));
     }
     if words.has(GCode::G93).is_some() {
         let reading = Reading::of(site.machine(), state, g);

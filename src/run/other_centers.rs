@@ -50,7 +50,7 @@ pub(super) fn report_k(site: &mut Site<'_>, state: &State, words: &mut BlockWord
     edits.extend(unused.map(|unused| Edit { at: site.word_place(unused.word), text: String::new() }));
     edits.sort_by_key(|edit| edit.at);
     let place = CenterPlace::OtherLetters;
-    let finding = Finding::CenterWordNotUsable { letter: 'K', place, written: shown.clone() };
+    let finding = Finding::CenterWordNotUsable { letters: "K".to_owned(), place, written: shown.clone() };
     let at = site.word_place(k.word);
     let diagnostic = Diagnostic::new(finding, at).with_offers(FixTitle::Write { text: shown }, edits);
     site.report(because_of(state, words, g, diagnostic));
