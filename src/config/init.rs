@@ -117,22 +117,17 @@ fn key(text: &mut String, row: &Row, dialect: Dialect, lang: Lang) {
     line(text, &format!("#{}", row.line(dialect)), row.meaning, lang);
 }
 
-/// A line, with as much of its meaning behind it as there is room for: up to a `;`, a `:` or a `,`.
+/// A line, with its meaning behind it; where there is no room for all of it, up to the first `;` or `:`.
 fn line(text: &mut String, code: &str, meaning: Bilingual, lang: Lang) {
     let meaning = meaning.get(lang).replace('`', "");
     let room = WIDTH.saturating_sub(code.chars().count().max(36) + 4);
-    let parts = [Some(meaning.as_str()), part(&meaning, ';'), part(&meaning, ':'), part(&meaning, ',')];
+    let parts = [Some(meaning.as_str()), meaning.split(';').next(), meaning.split(':').next()];
     let shown = parts.into_iter().flatten().find(|part| part.chars().count() <= room);
     // Writing to a `String` cannot fail.
     let _ = match shown {
         Some(shown) => writeln!(text, "{code:36}  # {shown}"),
         None => writeln!(text, "{code}"),
     };
-}
-
-/// What stands before the first `end`.
-fn part(meaning: &str, end: char) -> Option<&str> {
-    meaning.split_once(end).map(|(part, _)| part)
 }
 
 #[cfg(test)]
@@ -159,6 +154,29 @@ mod tests {
                 assert!(!text.contains(rule), "{text}");
             }
         }
+    }
+
+    /// Each key of `[motion]`, `[format]` and `[restart]` has its meaning beside it: a clause that stands alone, with
+    /// none of its values cut off.
+    #[test]
+    fn keys_say_what_they_are() {
+        let mut looked_at = 0;
+        for (_, _, text) in all() {
+            let mut table = "";
+            for line in text.lines() {
+                if line.starts_with("#[") {
+                    table = line;
+                } else if ["#[motion]", "#[format]", "#[restart]"].iter().any(|name| table.starts_with(name))
+                    && line.contains(" = ")
+                {
+                    looked_at += 1;
+                    let (_, meaning) = line.split_once("  # ").unwrap_or_else(|| panic!("{line} says nothing"));
+                    assert!(meaning.split(' ').count() > 1 || meaning.len() > 12, "{line}");
+                    assert!(!meaning.contains("\":"), "{line}: a value without the others");
+                }
+            }
+        }
+        assert!(looked_at > 80, "{looked_at}");
     }
 
     /// Each key, without its `#` and that of its table, is in a valid file.

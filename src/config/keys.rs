@@ -144,6 +144,6 @@ rows! {
     "tool-axis" "RST-2" example "\"Z\"":
         one_of!(AxisLetter, |it, letter| it.settings.machine.tool_axis = Some(letter)),
         words("`\"Z\"`; none on a lathe (G74)", "`\"Z\"`; na soustruhu (G74) žádná") =>
-        "the axis along which the tool leaves the workpiece and comes back to it, upwards by its greater values",
-        "osa, po které nástroj opouští obrobek a vrací se k němu, nahoru k větším hodnotám";
+        "the axis along which the tool leaves the workpiece; its greater values are up",
+        "osa, po které nástroj opouští obrobek; nahoru vedou větší hodnoty";
 }

@@ -71,19 +71,19 @@ macro_rules! motion {
 motion! {{
     "profile" "VEL-9, VEL-10, VEL-11":
         one_of!(Profile, Draft::set_profile), ByDialect(|dialect| format!("\"{}\"", Profile::of(dialect).name())) =>
-        "course of the velocity: `\"ramps\"`: no envelope velocity; `\"linear\"`; `\"parabolic\"`, which needs P in set 1 (R338)",
-        "průběh rychlosti: `\"ramps\"`: bez obálkové rychlosti; `\"linear\"`; `\"parabolic\"`, které potřebuje P v 1. sadě (R338)";
+        "course of the velocity; `\"ramps\"`: no envelope velocity; `\"linear\"`; `\"parabolic\"`, which needs P in set 1 (R338)",
+        "průběh rychlosti; `\"ramps\"`: bez obálkové rychlosti; `\"linear\"`; `\"parabolic\"`, které potřebuje P v 1. sadě (R338)";
     "recognition" "CNT-3": one_of!(Recognition, Draft::set_recognition), Is("\"automatic\"") =>
-        "how blocks that join continuously are recognised: `\"manual\"`: by G23 and G24 alone; `\"automatic\"`: by the angle too (R97)",
-        "jak se poznává plynulá návaznost bloků: `\"manual\"`: jen podle G23 a G24; `\"automatic\"`: i podle úhlu (R97)";
+        "how blocks that join continuously are recognised; `\"manual\"`: by G23 and G24 alone; `\"automatic\"`: by the angle too (R97)",
+        "jak se poznává plynulá návaznost bloků; `\"manual\"`: jen podle G23 a G24; `\"automatic\"`: i podle úhlu (R97)";
 }
 {
     Cycle "cycle-ms" "VEL-4, VEL-5" example "2": number(ABOVE_ZERO, 1_000_000), Nothing =>
         "interpolation cycle Ts in ms, which no source gives: without it the criteria of accuracy and overload limit nothing",
         "takt interpolace Ts v ms, který prameny neuvádějí: bez něj kritéria přesnosti a přetížení nic neomezují";
     Angle "angle-deg" "CNT-2": number(0, 180_000), Is("60") =>
-        "tolerance angle: an angle between blocks that is not below it breaks continuity (R39)",
-        "toleranční úhel: úhel návaznosti, který není menší, poruší plynulost (R39)";
+        "tolerance angle of a joint: an angle between blocks that is not below it breaks continuity (R39)",
+        "toleranční úhel návaznosti: úhel návaznosti, který není menší, poruší plynulost (R39)";
     Accel "accel-mm-s2" "VEL-8": number(ABOVE_ZERO, EIGHT_DIGITS), Is("500") =>
         "acceleration of working motion outside continuity (R52)",
         "zrychlení pracovního posuvu mimo plynulou návaznost (R52)";
@@ -106,13 +106,13 @@ motion! {{
         "kritérium přesnosti; 0: vypnuto (R384, dekády 1 až 4)";
     Red "red-percent" "DOT-1": number(0, 100_000), Is("20") =>
         "a joint slower than this part of the programmed velocity has a red dot; 0: none for that (R384, R409, decades 5 to 6)",
-        "napojení pomalejší než tolik procent programované rychlosti má červenou tečku; 0: kvůli tomu žádné (R384, R409, dekády 5 až 6)";
+        "napojení pod tolika procenty programované rychlosti má červenou tečku; 0: kvůli tomu žádné (R384, R409, dekády 5 až 6)";
     Overload "overload-mm-s2" "VEL-5": number(0, EIGHT_DIGITS), Is("0") =>
         "dynamic criterion; 0: off (R385, decades 1 to 7)",
         "dynamické kritérium; 0: vypnuto (R385, dekády 1 až 7)";
     RaiseLength "raise-length-mm" "VEL-9": number(-DIMENSION, DIMENSION), Is("0") =>
-        "linear: in a shorter block the velocity does not rise above those of its joints; 0 or negative: off (R386)",
-        "linear: v kratším bloku rychlost nestoupne nad rychlosti v jeho krajích; 0 nebo záporné: vypnuto (R386)";
+        "a shorter block is no faster than its joints; `\"linear\"` alone; 0 or negative: off (R386)",
+        "v kratším bloku rychlost nestoupne nad tu v jeho krajích; jen `\"linear\"`; 0 nebo záporné: vypnuto (R386)";
     Raise "raise-ms" "VEL-9, VEL-12": number(0, EIGHT_DIGITS), Is("500") =>
         "time criterion for a rise of velocity; 0 means 500 (R395)",
         "kritérium času pro nárůst rychlosti; 0 znamená 500 (R395)";
@@ -123,10 +123,10 @@ motion! {{
         "největší odstředivé zrychlení na kruhu; 0: vypnuto (R411, dekády 1 až 7 v desetinách, je-li 8. dekáda 1)";
     ConstantCutting "constant-cutting-rpm" "VEL-1" example "1000": number(ABOVE_ZERO, 99_999_000), Nothing =>
         "spindle speed to assume in G97 where S is a cutting speed",
-        "otáčky vřetena, které se předpokládají při G97, kde S je řezná rychlost";
+        "otáčky vřetena předpokládané při G97, kde S je řezná rychlost";
     Settle "settle-ms" "TIM-1": number(0, 1_000_000_000), Is("0") =>
-        "wait at the end of each motion in G23 and G24 that is not continued: until the tolerance R06–R07 is reached",
-        "čekání na konci každého pohybu při G23 a G24, na který se plynule nenavazuje: na dojetí odchylky R06–R07";
+        "wait at the end of each motion that is not continued (G23, G24): until the tolerance R06–R07 is reached",
+        "čekání na konci pohybu, na který se plynule nenavazuje (G23, G24): na dojetí odchylky R06–R07";
     BlockGap "block-gap-ms" "TIM-1": number(0, 1_000_000_000), Is("0") =>
         "gap before each block in G98", "prodleva před každým blokem při G98";
 }

@@ -9,7 +9,7 @@ use super::names::{Names, code};
 use super::near::nearest;
 use super::number::{parse_decimal, parse_rounding};
 use super::row::{Default, Row};
-use super::sections::{Form, ROOT, Section};
+use super::sections::{Form, ROOT, SECTIONS, Section};
 use super::takes::{HIGHEST_M, List, Takes, lasting};
 use super::toml_problem::toml_problem;
 use super::{Axis, Gear, MayMove};
@@ -181,7 +181,15 @@ impl<'t> Reader<'t> {
     fn values(&mut self, table: Table<'_>, rows: &[Row], known: &[&'static str]) {
         for entry in self.entries(table.table) {
             if !known.contains(&entry.name) {
-                self.unknown(entry.name, entry.key, nearest(entry.name, known.iter().copied()), None);
+                let of = SECTIONS.iter().find(|section| {
+                    let has_it = section.form.rows().iter().any(|row| row.name == entry.name);
+                    has_it && matches!(section.form, Form::Keys(_)) && !section.name.is_empty()
+                });
+                let (near, known) = match of {
+                    Some(section) => (None, Some(KnownNames::OfTable { table: section.name.to_owned() })),
+                    None => (nearest(entry.name, known.iter().copied()), None),
+                };
+                self.unknown(entry.name, entry.key, near, known);
             }
         }
         let mut required = rows.iter().filter(|row| matches!(row.default, Default::Required));

@@ -315,6 +315,10 @@ fn unknown_keys() {
     ] {
         assert_eq!(Run::one(text), (Code::W0705, at.to_owned()), "{text}");
     }
+    for (text, note) in [("angle-deg = 60", "[motion]"), ("[motion]\nindent = 4", "[format]")] {
+        let run = Run::of(text, &Overrides::default());
+        assert!(run.findings[0].finding.note(Lang::Cs).unwrap().contains(note), "{text}");
+    }
     let run = Run::of("block_skip = true", &Overrides::default());
     assert!(run.findings[0].finding.help(Lang::Cs).unwrap().contains("block-skip"));
     assert!(!run.settings.block_skip);

@@ -146,6 +146,7 @@ bilingual! {
         OtherUnit "feeds are in mm/min: write the number for that, without a unit", "posuvy jsou v mm/min: přepočítat číslo a jednotku nepsat";
         Call "there is no such statement; a subprogram is called by `G71 L100`, a macrocycle by `G72 L9001`", "takový příkaz zde není; podprogram se volá „G71 L100“, makrocyklus „G72 L9001“";
         Jump "there is no such statement; a jump, for example to block N190, is `G73 L190`", "takový příkaz zde není; skok například na blok N190 se píše „G73 L190“";
+        JumpTo { l: u32 } "there is no such statement; a jump to block N{l} is `G73 L{l}`", "takový příkaz zde není; skok na blok N{l} se píše „G73 L{l}“";
         Cycle "there is no such statement; fixed cycles are G81 to G89, each written in its block", "takový příkaz zde není; pevné cykly jsou G81 až G89 a píšou se do každého bloku";
         Frame "there is no such statement; origins are chosen by G54 to G59", "takový příkaz zde není; počátky se volí funkcemi G54 až G59";
         Tool "there is no such statement; a tool is called by `T1 M06`", "takový příkaz zde není; nástroj se volá „T1 M06“";
@@ -172,7 +173,9 @@ impl TextMeant {
         let loop_end = numbered.starts_with(|first: char| first.is_ascii_digit());
         Some(match name.to_ascii_uppercase().as_str() {
             "CALL" | "EXTCALL" | "PCALL" => Self::Call,
-            "GOTO" | "GOTOB" | "GOTOF" | "GOTOC" | "GOTOS" | "LBL" => Self::Jump,
+            "GOTO" | "GOTOB" | "GOTOF" | "GOTOC" | "GOTOS" | "LBL" => {
+                jump_in(text).map_or(Self::Jump, |l| Self::JumpTo { l })
+            }
             "TRANS" | "ATRANS" => Self::Frame,
             "TOOL" => Self::Tool,
             "ROT" | "AROT" | "MIRROR" | "AMIRROR" | "SCALE" | "ASCALE" => Self::Transform,
@@ -194,7 +197,7 @@ impl TextMeant {
     }
 }
 
-/// The block that a condition of other controls jumps to: `IF R20<100 GOTO 60`.
+/// The block that a statement of other controls jumps to: `GOTOB N60`, `IF R20<100 GOTO 60`.
 fn jump_in(text: &str) -> Option<u32> {
     let upper = text.to_ascii_uppercase();
     let (_, behind) = upper.split_once("GOTO")?;

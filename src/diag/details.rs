@@ -340,7 +340,7 @@ bilingual! {
 }
 
 bilingual! {
-    /// The names that a table knows, where they are names of the control.
+    /// The names that a table knows, where they are names of the control, or the table that knows a name.
     KnownNames {
         Groups "the groups are G0 to G11 but G4, and M2 to M14 but M7 and M9", "skupiny jsou G0 až G11 kromě G4 a M2 až M14 kromě M7 a M9";
         Parameters "parameters are R0 to R95", "parametry jsou R0 až R95";
@@ -351,6 +351,7 @@ bilingual! {
         Timed "M functions take time, and T, S, H, P, D, F", "čas trvají M funkce a T, S, H, P, D, F";
         Constants "machine constants are R0 to R999", "strojní konstanty jsou R0 až R999";
         Axes "axes are X, Y, Z, A, B, C, U, V, W", "osy jsou X, Y, Z, A, B, C, U, V, W";
+        OfTable { table: String } "the key belongs under `[{table}]`", "klíč patří pod [{table}]";
         Lints "`cnc872c explain` lists all codes and names", "všechny kódy a jména vypíše „cnc872c explain“";
     }
 }

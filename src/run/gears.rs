@@ -53,7 +53,8 @@ pub(super) fn check(site: &mut Site<'_>, state: &State, words: &BlockWords, g: &
         return;
     }
     let finding = if m == GEAR_BY_SPEED {
-        if gear(machine, state).is_some() {
+        // S0 turns nothing, whatever the gear.
+        if s == 0 || gear(machine, state).is_some() {
             return;
         }
         let gears: Vec<String> =

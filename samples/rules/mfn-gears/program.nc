@@ -19,6 +19,7 @@ N120 M40
 "    ^^^ W0617
 N130 S5
 "    ^^ W0617
+N131 S0 "turns in no gear"
 N132 G96
 N134 S7000 "what S means here is in no source"
 N136 G94 S50

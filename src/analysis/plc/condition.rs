@@ -380,7 +380,10 @@ impl Reader<'_> {
             Some((whole, rest)) if rest.bytes().all(|digit| digit == b'0') => whole,
             _ => digits,
         };
-        let whole = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
+        // The cell may have no room for as many digits.
+        let holds = |value: i128| signal.range().is_none_or(|[_, high]| value <= high);
+        let whole =
+            digits.bytes().all(|byte| byte.is_ascii_digit()) && i128::from_str_radix(digits, 16).is_ok_and(holds);
         let right = if whole { format!("{digits}h") } else { String::new() };
         let tool = matches!(signal.cell, Cell::Tool | Cell::ToolByte(_));
         let finding =

@@ -30,7 +30,7 @@ bilingual! {
         Path "path, mm", "dráha, mm";
         Time "time", "čas";
         AtLeast "times and paths are at least these: some are not known", "časy a dráhy jsou nejméně takové: některé nejsou známy";
-        NoTimes { blocks: u64 } "no times: more than {blocks} blocks, and the project file has no [motion]", "bez časů: bloků je víc než {blocks} a soubor projektu nemá [motion]";
+        NoTimes { blocks: u64 } "no times: more than {blocks} blocks, and the project file has no [motion]", "bez časů: bloků je víc než {blocks} a projektový soubor nemá [motion]";
         NextToolChange { seq: u64 } "next tool change: seq {seq}", "příští výměna nástroje: seq {seq}";
         NextStop { seq: u64 } "next stop: seq {seq}", "příští zastavení: seq {seq}";
         NextRapid { seq: u64 } "next rapid traverse: seq {seq}", "příští rychloposuv: seq {seq}";
