@@ -501,6 +501,15 @@ fn a_stop() {
     assert_eq!(rows[2], "! 0 - 5 - 0 0 0 0 07h 1 99 1 1 0 1 1 -");
 }
 
+/// PLC-16, MFN-10: at a stop the oriented spindle stands where its block left it; START orients it again, so that N3
+/// turns it from 0.
+#[test]
+fn an_oriented_spindle_at_a_stop() {
+    let program = case("%1\nN1 M19\nN2 C90 M00\nN3 C100 M01\nN4 M30").args("--optional-stop");
+    let cells = ["0 -", "90 90", "! 90 -", "100 100", "! 100 -", "0 -"];
+    assert_eq!(table(&program, "BLK.AxNC[5] BLK.BlockLen"), cells);
+}
+
 /// PLC-16: the step of a stop belongs to its block.
 #[test]
 fn parts() {

@@ -336,6 +336,22 @@ fn what_is_tried() {
     assert!(second.stderr.contains("[ --set:2:"), "{second:?}");
 }
 
+/// A constant of `--set` whose digits are choices is its digits, though it has no quotes: `10` is no 10.000.
+#[test]
+fn digits_that_are_tried() {
+    let place = place();
+    place.put("9.toml", "dialect = \"cnc8x9\"\n[machine-constants]\nR338 = \"00000000\"\n");
+    let tried =
+        |arguments: &[&str]| place.run(&[&["motion", "a.nc", "--config", "9.toml"], arguments].concat()).ends(0);
+    for (value, profile) in [("10", "linear"), ("00000010", "linear"), ("0", "ramps"), ("10.0", "ramps")] {
+        let set = format!("R338={value}");
+        let run = tried(&["--set", &set, "--lang", "en"]);
+        let basis: Vec<&str> = run.stdout.lines().take(3).filter(|line| line.starts_with("Configured: ")).collect();
+        assert_eq!(basis, [format!("Configured: profile {profile} (--set)")], "{set}");
+    }
+    assert!(tried(&["--set", "R338=10", "--lang", "en"]).stdout.contains("\n  profile ramps → linear\n"));
+}
+
 /// More red joints than are listed.
 #[test]
 fn the_first_twenty() {

@@ -268,6 +268,24 @@ fn the_point_is_moved() {
     assert_eq!(offered("\"60000000\"").0, Decimal::whole(60));
 }
 
+/// `R97 = 2` is 2.000: the note shows how automatic recognition is written, so that it can be taken over.
+#[test]
+fn recognition_as_it_is_written() {
+    let found = findings_of("dialect = \"cnc8x9\"\n[machine-constants]\nR97 = 2\n");
+    let [found] = found.items() else { panic!("{:?}", found.items()) };
+    assert_eq!(found.code().as_str(), "W0707");
+    for lang in [Lang::En, Lang::Cs] {
+        let note = found.finding.note(lang).unwrap();
+        assert!(note.contains("R97 = \"00000002\""), "{note}");
+    }
+    let (settings, codes) = with("R97 = \"00000002\"\n");
+    let recognition = &settings.machine.motion.recognition;
+    assert_eq!(
+        (recognition.value, recognition.from.shown("recognition"), codes),
+        (Recognition::Automatic, "R97".to_owned(), vec![])
+    );
+}
+
 /// Control words: decades 2 to 6 make values those of parameters.
 #[test]
 fn values_by_parameter() {

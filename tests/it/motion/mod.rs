@@ -8,6 +8,7 @@ mod invariance;
 mod joints;
 mod merging;
 mod optimal;
+mod programs;
 mod random;
 mod sets;
 mod trying;
