@@ -192,12 +192,14 @@ fn value(address: Address, lang: Lang) -> String {
     }
 }
 
-/// The marks of the control's own tables.
-const fn mark(lasting: Lasting) -> &'static str {
-    match lasting {
-        Lasting::Modal => "",
-        Lasting::Default => "+",
-        Lasting::Block => "x",
+/// The marks of the control's own tables; in brackets those that they do not have.
+const fn mark(lasting: Lasting, decided: bool) -> &'static str {
+    match (lasting, decided) {
+        (Lasting::Modal, _) => "",
+        (Lasting::Default, false) => "+",
+        (Lasting::Default, true) => "(+)",
+        (Lasting::Block, false) => "x",
+        (Lasting::Block, true) => "(x)",
     }
 }
 
@@ -205,9 +207,9 @@ const fn legend(lang: Lang) -> &'static str {
     text(
         lang,
         "`+` holds after a reset and after M02 and M30; `x` holds in its block only; the others hold until another \
-         function\nof their group.",
+         function\nof their group. A mark in brackets is a decision: the manuals have none there.",
         "`+` platí po vynulování systému a po M02 a M30; `x` platí jen ve svém bloku; ostatní platí do další funkce\nsvé \
-         skupiny.",
+         skupiny. Značka v závorkách je rozhodnutí: manuály tu žádnou nemají.",
     )
 }
 
@@ -227,14 +229,23 @@ fn g_functions(lang: Lang) -> String {
     page.push_str(legend(lang));
     page.push_str(text(
         lang,
-        " Of each group one function stands in a block (GRP-1).\n\n",
-        " Z každé skupiny smí být v bloku jedna funkce (GRP-1).\n\n",
+        "\nOf each group one function stands in a block (GRP-1).\n\n",
+        "\nZ každé skupiny smí být v bloku jedna funkce (GRP-1).\n\n",
     ));
     head_of_functions(&mut page, lang);
     for group in GGroup::ALL {
         for code in GCode::ALL.iter().filter(|code| code.group() == group) {
             let name = format!("{group} {}", group.meaning().get(lang));
-            row(&mut page, &[&name, &code.to_string(), mark(code.lasting()), code.meaning().get(lang), code.rule()]);
+            row(
+                &mut page,
+                &[
+                    &name,
+                    &code.to_string(),
+                    mark(code.lasting(), code.is_lasting_decided()),
+                    code.meaning().get(lang),
+                    code.rule(),
+                ],
+            );
         }
     }
     page
@@ -245,8 +256,8 @@ fn m_functions(lang: Lang) -> String {
     page.push_str(legend(lang));
     page.push_str(text(
         lang,
-        " Of each group one function stands in a block (MFN-1).\n",
-        " Z každé skupiny smí být v bloku jedna funkce (MFN-1).\n",
+        "\nOf each group one function stands in a block (MFN-1).\n",
+        "\nZ každé skupiny smí být v bloku jedna funkce (MFN-1).\n",
     ));
     for dialect in Dialect::ALL {
         let _ = write!(page, "\n## {}\n\n", dialect.title());
@@ -256,7 +267,10 @@ fn m_functions(lang: Lang) -> String {
         for function in rows {
             let number = format!("M{:02}", function.number);
             let group = function.group.to_string();
-            row(&mut page, &[&group, &number, mark(function.lasting), function.meaning.get(lang), function.rule]);
+            row(
+                &mut page,
+                &[&group, &number, mark(function.lasting, false), function.meaning.get(lang), function.rule],
+            );
         }
         let configured = if dialect.has_channel_config() {
             text(lang, "by `MFunctions` of the ChannelConfig", "podle `MFunctions` v ChannelConfig")

@@ -82,8 +82,8 @@ motion! {{
         "interpolation cycle Ts in ms, which no source gives: without it the criteria of accuracy and overload limit nothing",
         "takt interpolace Ts v ms, který prameny neuvádějí: bez něj kritéria přesnosti a přetížení nic neomezují";
     Angle "angle-deg" "CNT-2": number(0, 180_000), Is("60") =>
-        "tolerance angle of a joint: an angle between blocks that is not below it breaks continuity (R39)",
-        "toleranční úhel návaznosti: úhel návaznosti, který není menší, poruší plynulost (R39)";
+        "tolerance angle: an angle between blocks that is not below it breaks continuity (R39)",
+        "toleranční úhel: úhel návaznosti, který není menší, poruší plynulost (R39)";
     Accel "accel-mm-s2" "VEL-8": number(ABOVE_ZERO, EIGHT_DIGITS), Is("500") =>
         "acceleration of working motion outside continuity (R52)",
         "zrychlení pracovního posuvu mimo plynulou návaznost (R52)";

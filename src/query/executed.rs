@@ -199,10 +199,12 @@ impl Subject<'_> {
 
 /// The path of a program: `12.5 mm`, or that nothing is known of it.
 pub(crate) fn path(observation: &Observation, lang: Lang) -> String {
-    if observation.partly_unknown && observation.path == Micro::ZERO {
+    let known = format!("{} mm", rounded(observation.path));
+    let Observation { path, approaches, partly_unknown, .. } = observation;
+    if *path == Micro::ZERO && (*approaches || *partly_unknown) {
         return Said::Unknown.text(lang);
     }
-    format!("{} mm", rounded(observation.path))
+    if *partly_unknown { Said::AtLeast { path: known }.text(lang) } else { known }
 }
 
 /// `G01 G17 G90/G91 …`: one of each group, those of different passes behind one another.

@@ -52,6 +52,7 @@ bilingual! {
         NoProgram "no open program calls this macrocycle: nothing is known of its execution", "žádný otevřený program tento makrocyklus nevolá: o průběhu není nic známo";
         Position "position after the block", "poloha po bloku";
         Unknown "unknown", "neznámá";
+        AtLeast { path: String } "at least {path}", "nejméně {path}";
         Length "length of the motion", "délka pohybu";
         DwellTime "dwell", "prodleva";
         Taken "jump taken", "skok se provede";

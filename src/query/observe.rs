@@ -78,7 +78,9 @@ pub(crate) struct Observation {
     pub(crate) executed: u64,
     /// The sum of the lengths that are known.
     pub(crate) path: Micro,
-    /// There are motions whose length is not known.
+    /// There are motions whose length is not known before the first that is.
+    pub(crate) approaches: bool,
+    /// There are such motions behind it.
     pub(crate) partly_unknown: bool,
     /// M02 or M30, when that was reached.
     pub(crate) end: Option<u8>,
@@ -308,8 +310,10 @@ impl<'a> Observer<'a> {
         self.observation.end = executed.end();
         match executed.motion().map(|motion| motion.length()) {
             Some(Length::Mm(length)) => self.observation.path = self.observation.path.plus(length),
+            Some(Length::Missing(_)) if self.observation.path == Micro::ZERO => self.observation.approaches = true,
             Some(Length::Missing(_)) => self.observation.partly_unknown = true,
-            Some(Length::Deg(_)) | None => {}
+            Some(Length::Deg(_)) => {}
+            None => self.observation.partly_unknown |= executed.is_unmapped_cycle(),
         }
         let (file, block) = executed.at();
         let document = self.is_document(file, executed);

@@ -120,7 +120,11 @@ impl Offers<'_> {
             };
         }
         if let Finding::DuplicateBlockNumber { last: None, .. } = found.finding {
-            let before = file.block_at(at.start)?.0.checked_sub(1).map(BlockId)?;
+            let block = file.block_at(at.start)?;
+            if file.words(block).is_empty() {
+                return self.empty_block(file, at, file.shown_number(block));
+            }
+            let before = block.0.checked_sub(1).map(BlockId)?;
             let free = self.free_behind(file, before)?;
             return Some(write(file, at, format!("N{free}")));
         }

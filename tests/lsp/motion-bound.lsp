@@ -22,7 +22,7 @@ N10 G90 G70
   {
     "command": {
       "command": "",
-      "title": "executed blocks: 18, path 10.05 mm, time at least 0:00:00.6; blocks of unknown time: 9"
+      "title": "executed blocks: 18, path at least 10.05 mm, time at least 0:00:00.6; blocks of unknown time: 9"
     },
     "range": {
       "end": {

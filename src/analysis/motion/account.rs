@@ -6,7 +6,7 @@ use super::times::Untimed;
 use super::trimmed;
 use super::words::{Help, LimitName, Reason, UntimedName, Words};
 use crate::diag::terminal_safe;
-use crate::dict::Lang;
+use crate::dict::{Decimal, Lang};
 use crate::run::MotionType;
 use crate::text::Sources;
 
@@ -189,7 +189,12 @@ impl Account<'_> {
         }
         if summary.by_tool.keys().any(Option::is_some) {
             lines.head(&Words::Tools);
-            for (tool, total) in summary.by_tool.iter().filter(|(_, total)| !total.is_nothing()) {
+            // What is not known is shown with its tool; before the first, the approach alone is not.
+            let counts = |tool: Option<Decimal>, total: &Total| match tool {
+                Some(_) => !total.is_nothing(),
+                None => total.time_s > 0.0 || total.lacks_more_than_approach(),
+            };
+            for (tool, total) in summary.by_tool.iter().filter(|(tool, total)| counts(**tool, total)) {
                 let name = tool.map_or_else(|| Words::NoTool.text(lang), |tool| format!("T{tool}"));
                 let least = if total.lacks_more_than_approach() { Words::Least.text(lang) } else { String::new() };
                 let part = part(total.time_s);

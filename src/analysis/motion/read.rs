@@ -180,7 +180,8 @@ impl StepReader {
         found.function_s = start_s + end_s;
         if correction {
             let digits = block.length_correction();
-            found.plain &= digits == self.correction;
+            // Before the first one nothing is corrected, as with &0000.
+            found.plain &= digits.unwrap_or(0) == self.correction.unwrap_or(0);
             self.correction = digits;
         }
         if self.motion.number(MotionKey::MergeLength) > Decimal::ZERO {
