@@ -7,7 +7,8 @@
 use super::{Unit, UnitKind, spelling};
 use crate::diag::Diagnostic;
 use crate::dict::{Address, GCode, PROGRAM_ENDS};
-use crate::syntax::{BlockId, ParsedFile, Word};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
+use crate::text::Span;
 
 /// The answer to a question about the structure of a program.
 #[derive(Debug)]
@@ -29,6 +30,19 @@ pub(super) fn may_hold(file: &ParsedFile, block: BlockId, address: Address, numb
     };
     let mut words = file.words(block).iter().copied().filter(unread);
     words.any(|word| numbers.iter().any(|number| may_mean(file, word, u32::from(*number))))
+}
+
+/// Whether a block that cannot be read as a whole writes an assignment to a parameter.
+pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
+    let name = format!("R{parameter}");
+    let unread = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::DEBRIS));
+    let start = |block: BlockId| file.n_place(block).span.start;
+    let mut texts = unread.map(|block| {
+        let end = if block.next().0 < file.block_count() { start(block.next()) } else { file.end };
+        file.source.slice(Span::new(start(block), end)).to_ascii_uppercase()
+    });
+    let assigns = |behind: &str| behind.trim_start_matches([' ', '\t']).starts_with('=');
+    texts.any(|text| text.split(&name).skip(1).any(assigns))
 }
 
 /// Whether a unit without an end may have one that cannot be read: M02 or M30, in subprograms and macrocycles G70.

@@ -420,7 +420,9 @@ impl<'a> BlockJudge<'a> {
             return;
         }
         let mut assigned: [Option<Word>; 96] = [None; 96];
-        let mut void = false;
+        // A word of another letter may be one of them, as `P5=3021517` is.
+        let text = |word: Word| self.file.source.slice(self.file.word_place(word).span);
+        let mut void = words.iter().any(|word| word.is_void() && text(*word).contains('='));
         for &word in words.iter().filter(|word| word.address == Address::R) {
             void |= word.is_void();
             if let Some(slot) = assigned.get_mut(usize::from(word.target()))

@@ -34,7 +34,7 @@ mod unused_l;
 pub use control_words::{ControlWord, control_result, control_word};
 pub use forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 pub use functions::m_number;
-pub use holes::{Known, may_have_end};
+pub use holes::{Known, may_assign, may_have_end};
 pub use library::{Library, MacrocycleFault};
 pub use load::resolve;
 pub use misnamed::{is_program, report_misnamed};

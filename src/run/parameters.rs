@@ -8,8 +8,8 @@ use super::words::BlockWords;
 use crate::diag::{ArithmeticFault, Diagnostic, Finding, LabelText, ParameterNeed};
 use crate::dict::{Address, Decimal, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, PROGRAM_ENDS};
 use crate::resolve::{
-    FormFault, check_form, control_result, control_word, feed_mode_before, missing_control_words, value_or_word,
-    with_feed_mode,
+    FormFault, check_form, control_result, control_word, feed_mode_before, may_assign, missing_control_words,
+    value_or_word, with_feed_mode,
 };
 use crate::syntax::{Value, Word};
 use crate::text::Location;
@@ -127,6 +127,10 @@ fn read(site: &mut Site<'_>, state: &mut State, index: u8, place: Location) -> O
         && let Some(said @ false) = state.said.unassigned.get_mut(usize::from(index))
     {
         *said = true;
+        // What cannot be read has its finding.
+        if !state.compiled && may_assign(site.file, index) {
+            return None;
+        }
         site.found(Finding::UnassignedParameter { parameter: index, compiled: state.compiled }, place);
     }
     parameter.value

@@ -23,7 +23,7 @@ use super::tokens::{Kind, Shape, Token};
 use super::{Word, grammar};
 use crate::diag::{Diagnostic, Finding, FixTitle, Meant, NumberMeant, shown};
 use crate::dict::{Address, GCode};
-use crate::sure::Sure;
+use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
 
 /// A recogniser: a diagnosis of what begins at [`Around::at`], or `None` where that is something else.
@@ -256,6 +256,14 @@ impl<'t> Around<'t> {
     fn begins_line(&self, at: u32) -> bool {
         let before = self.text.get(..at as usize).sure();
         matches!(before.trim_end_matches([' ', '\t']).chars().next_back(), None | Some('\n' | '\r'))
+    }
+
+    /// Where the word ends whose number a line break may have cut: that before digits at the beginning of a line, when
+    /// nothing but the break lies between them. Else where the digits begin.
+    fn cut_before(&self, digits: u32) -> u32 {
+        let before = self.text.get(..digits as usize).sure();
+        let line = before.strip_suffix('\n').map_or(before, |line| line.strip_suffix('\r').unwrap_or(line));
+        if line.ends_with(|last: char| last.is_ascii_digit()) { small(line.len()) } else { digits }
     }
 
     fn is_signed(&self, token: Token) -> bool {

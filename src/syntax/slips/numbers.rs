@@ -331,7 +331,8 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
         None if text.contains('=') => NumberMeant::EqualsForm,
         None => NumberMeant::Form,
     };
-    let diagnosis = Diagnosis::saying(next.taken, around.malformed(span, meant)).junk(span).debris();
+    let junk = Span::new(around.cut_before(span.start), span.end);
+    let diagnosis = Diagnosis::saying(next.taken, around.malformed(span, meant)).junk(junk).debris();
     // The parameter is not known.
     Some(if text.contains('=') { diagnosis.void(Address::R, span) } else { diagnosis })
 }
