@@ -385,6 +385,30 @@ fn signals_in_the_middle_of_an_output() {
     }
 }
 
+/// A run that only reads and computes ends by the signal too, and says nothing of what it has not finished.
+#[cfg(target_os = "linux")]
+#[test]
+fn signals_in_the_middle_of_a_computation() {
+    let place = Place::with(&[("a.nc", LONG.as_bytes()), ("b.nc", LONG.as_bytes())]);
+    // Processor time in ticks, of which there are a hundred a second: fields 14 and 15, the name before them is in
+    // brackets.
+    let busy = |child: &Child| -> u64 {
+        let stat = fs::read_to_string(format!("/proc/{}/stat", child.id())).unwrap();
+        let fields: Vec<&str> = stat.rsplit_once(')').unwrap().1.split_whitespace().collect();
+        fields[11].parse::<u64>().unwrap() + fields[12].parse::<u64>().unwrap()
+    };
+    for line in [&["state", "a.nc", "--n", "50"][..], &["compare", "a.nc", "b.nc"], &["motion", "a.nc"]] {
+        let line = [line, &["--max-blocks", "1000000000"]].concat();
+        let child = place.interruptible(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        wait_until("it computes", || busy(&child) >= 10);
+        signal(&child, "TERM");
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.signal(), Some(15), "{line:?}: {output:?}");
+        assert!(output.stdout.is_empty(), "{line:?}: {output:?}");
+        assert_eq!(place.list(), ["a.nc", "b.nc"]);
+    }
+}
+
 /// Interrupted among many files: each is as before or fixed, whole, and no other file is left.
 #[test]
 fn an_interruption_while_many_programs_are_fixed() {

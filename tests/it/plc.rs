@@ -195,6 +195,14 @@ fn spindle() {
     assert_eq!(table(&program.args("--dialect=cnc8x6"), "M03PI M04PI M19PI PB06"), cells);
 }
 
+/// PLC-16, MFN-10: M00 under M19: the place of the spindle as an axis stays through the step of the stop.
+#[test]
+fn a_stop_of_an_oriented_spindle() {
+    let program = case("%1\nN10 G00 C0 S100\nN15 M19\nN20 C720\nN40 G91 C-90 M00\nN50 C10\nN60 M30");
+    let rows = table(&program, "BLK.AxNC[5] BLK.BlockLen SM_PO6PI");
+    assert_eq!(rows[2..6], ["720 720 0", "630 90 1", "! 630 - -", "10 10 0"]);
+}
+
 /// S0 8.2.10, PLC-10: the functions of group 5. The bits go by the functions, whichever coolant these are.
 #[test]
 fn coolant_1_and_2() {

@@ -146,6 +146,21 @@ fn errors_have_their_places_and_fixes() {
     assert_eq!(Condition::read("BLK.T == 5", &Machine::new(Dialect::Cnc8x6)).unwrap_err()[0].code().as_str(), "E0902");
 }
 
+/// Words of programs in place of signals: the help names the signal, or the list where there is none.
+#[test]
+fn words_of_programs() {
+    let list = ("`cnc872c plc --list` shows all signals", "všechny signály vypíše „cnc872c plc --list“");
+    for (text, (en, cs)) in [
+        ("M03", ("perhaps `M03PI` is meant", "možná mělo být „M03PI“")),
+        ("Z<0", ("perhaps `BLK.AxNC[2]` is meant", "možná mělo být „BLK.AxNC[2]“")),
+        ("G01PI", list),
+    ] {
+        let found = Condition::read(text, &Machine::new(Dialect::Cnc872)).unwrap_err();
+        let help = |lang| found[0].finding.help(lang);
+        assert_eq!((found.len(), help(Lang::En).as_deref(), help(Lang::Cs).as_deref()), (1, Some(en), Some(cs)));
+    }
+}
+
 /// Depth is bounded, length is not; `!` of neighbours do not add up.
 #[test]
 fn deep_and_long() {

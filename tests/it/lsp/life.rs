@@ -123,6 +123,33 @@ fn nothing_blocks() {
     assert!(client.request("textDocument/documentSymbol", of_the_long)["result"].is_array(), "needs no execution");
 }
 
+/// One line of 20,000 blocks: it opens, changes and is formatted, each time with one answer about the whole.
+#[test]
+fn one_long_line() {
+    const BLOCKS: u32 = 20_000;
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    let blocks: String = (2..=BLOCKS).map(|n| format!("N{n}0 X1 ")).collect();
+    open(&mut client, &format!("%1\nN10 G00 X0 {blocks}N999999 M30\n"));
+    let codes = |found: &Value| -> Vec<String> {
+        found.as_array().unwrap().iter().map(|one| one["code"].as_str().unwrap().to_owned()).collect()
+    };
+    assert_eq!(codes(&client.findings("file:///p.nc", Some(1))), ["E0109"], "it is long, and that is all");
+    assert!(client.request("textDocument/hover", hover())["result"].is_object());
+    // A second X in the first block, far before the others.
+    let at = json!({ "line": 1, "character": 10 });
+    let change = json!({ "range": { "start": at, "end": at }, "text": " X9" });
+    let document = json!({ "uri": "file:///p.nc", "version": 2 });
+    client.notify("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [change] }));
+    assert_eq!(codes(&client.findings("file:///p.nc", Some(2))), ["E0306", "E0109"]);
+    let params =
+        json!({ "textDocument": { "uri": "file:///p.nc" }, "options": { "tabSize": 4, "insertSpaces": true } });
+    let edits = client.request("textDocument/formatting", params)["result"].clone();
+    let lines: usize =
+        edits.as_array().unwrap().iter().map(|edit| edit["newText"].as_str().unwrap().matches('\n').count()).sum();
+    assert!(lines >= 20_000, "each block has a line of its own: {lines}");
+    assert_eq!(client.end(), 0);
+}
+
 /// A macrocycle that is not there can be made, by clients that create files.
 #[test]
 fn missing_macrocycles_are_created() {

@@ -8,6 +8,7 @@ mod formatting;
 mod life;
 mod rename;
 mod scenario;
+mod tokens;
 mod typing;
 
 use client::Client;

@@ -366,6 +366,43 @@ fn the_first_twenty() {
     assert_eq!(listed(&["--all"]), (31, false));
 }
 
+/// Red joints come in the order of what they cost, the most expensive first.
+#[test]
+fn the_most_expensive_joints_first() {
+    let place = Place::with(&[]);
+    let zigzag = |at: usize| format!("N{} X{at} Y{} F{}\n", at + 30, at % 2 * (at + 1), 300 * (at % 4 + 1));
+    let zigzag: String = (0..8).map(zigzag).collect();
+    place.put("a.nc", format!("%1\nN10 G90 G0 X0 Y0\nN20 G1 G23 X-1 F900\n{zigzag}N99 M30\n"));
+    let run = place.run(&["motion", "a.nc", "--lang", "en"]).ends(0);
+    let costs = run.stdout.lines().filter_map(|line| line.split_once("costs about ")?.1.strip_suffix(" s"));
+    let costs: Vec<f64> = costs.map(|cost| cost.parse().unwrap()).collect();
+    assert!(costs.len() > 5 && costs.is_sorted_by(|one, next| one >= next), "{}", run.stdout);
+    assert!(costs.first() > costs.last(), "they differ: {}", run.stdout);
+}
+
+/// What counts as 0 because its time is not given is said in one line, in both languages.
+#[test]
+fn counted_as_nothing() {
+    let place = Place::with(&[]);
+    place.put("a.nc", "%1\nN10 G90 G0 X0 Y0 T1 M06\nN20 G1 X10 F100\nN30 T2 M06\nN40 X0\nN50 M30\n");
+    let line = |config: &str, lang: &str, start: &str| {
+        place.put("t.toml", config);
+        let run = place.run(&["motion", "a.nc", "--config", "t.toml", "--lang", lang]).ends(0);
+        let line = run.stdout.lines().find(|line| line.starts_with(start)).map(str::to_owned);
+        line.unwrap_or_else(|| panic!("{start}: {}", run.stdout))
+    };
+    let (en, cs) = ("Count as 0, because no time is given: ", "Počítá se 0, protože čas není zadán: ");
+    let (change, change_cs) = ("tool changes (M06 in [motion.times])", "výměny nástroje (M06 v [motion.times])");
+    for config in ["", "[motion.times]\nM03 = 1.5\n"] {
+        assert!(line(config, "en", en).contains(change), "{config}");
+        assert!(line(config, "cs", cs).contains(change_cs), "{config}");
+    }
+    // The time of a change may be given as that of T.
+    for config in ["[motion.times]\nM06 = 6.5\n", "[motion.times]\nT = 6.5\n"] {
+        assert!(!line(config, "en", en).contains("M06"), "{config}");
+    }
+}
+
 /// Exit status, and what is left when a program has no time.
 #[test]
 fn faults() {

@@ -202,6 +202,20 @@ fn macrocycles_of_the_machine() {
     assert_eq!(as_subprogram.errors, ["E0404"]);
 }
 
+/// MFN-10, MFN-8: M00 under M19 stops the program behind its motion, which ends where it is programmed; START puts the
+/// spindle at 0 again.
+#[test]
+fn a_stop_of_an_oriented_spindle() {
+    let found = case("%1\nN10 G00 C0 S100\nN15 M19\nN20 C720\nN40 G91 C-90 M00\nN50 C10\nN60 M30").whole().of("block");
+    assert_eq!(found[2]["position"]["C"], 720);
+    assert_eq!(found[3]["position"]["C"], 630);
+    assert_eq!(found[3]["motion"]["start"]["C"], 720);
+    assert_eq!(found[3]["motion"]["length_deg"], 90);
+    assert_eq!(found[3]["stop"], true);
+    assert_eq!(found[4]["motion"]["start"]["C"], 0);
+    assert_eq!(found[4]["position"]["C"], 10);
+}
+
 /// M19: the spindle is an axis until M03, M04 or M05 (MFN-10, §13 M functions).
 #[test]
 fn oriented_spindle() {

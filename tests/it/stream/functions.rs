@@ -217,3 +217,15 @@ fn technology_words() {
         assert_fields(&found[block], marks);
     }
 }
+
+/// ADR-2: words outside their ranges are errors beside G74 and G75 too, so that the stream has no end.
+#[test]
+fn ranges_beside_diameters() {
+    for word in ["Q0", "Q999990", "L0", "L99999", "D100", "P0", "P100", "H0"] {
+        for function in ["G74", "G75"] {
+            let stream = case(&format!("%1\nN10 {function} {word}\nN20 M30")).args("--dialect=cnc8x6").run();
+            assert_eq!(stream.errors, ["E0302"], "{function} {word}");
+            assert!(stream.of("end").is_empty(), "{function} {word}: {}", stream.text);
+        }
+    }
+}

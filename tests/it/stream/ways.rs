@@ -45,6 +45,17 @@ fn feeds() {
     assert_eq!(found[5]["motion"]["length_mm"], 1);
 }
 
+/// TEC-1, MOT-8: so does the feed of G30, by the axes that it moves, whatever the lengths are.
+#[test]
+fn feeds_of_reference_motions() {
+    for start in [0, 5] {
+        let program = format!("%1\nN10 G00 X0 Z{start} A3 F100\nN20 G91\nN30 G30 Z0 A0\nN40 G30 A0\nN50 M30");
+        let found = raw(&program, "", "");
+        assert_eq!(found[2]["motion"]["type"], "reference");
+        assert_eq!(column(&found, "feed_unit"), json!(["mm/min", "mm/min", "mm/min", "deg/min", "mm/min"]), "{start}");
+    }
+}
+
 /// TEC-4: the tool in the spindle is T at the last M06.
 #[test]
 fn tool() {
