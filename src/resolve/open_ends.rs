@@ -121,7 +121,9 @@ impl Context<'_, '_> {
     /// Gives the findings that had to wait for the calls.
     pub(super) fn report_open_ends(&mut self, resolved: &Resolved) {
         let open = std::mem::take(&mut self.open);
-        let OpenEnds { strays, calls, jumps, missing, early, lost_calls, files, crowded: _ } = open;
+        let OpenEnds { strays, calls, jumps, missing, early, lost_calls, files, crowded } = open;
+        // Asked for once more, when subprograms are counted.
+        self.open.crowded = crowded;
         self.report_calls(resolved, calls);
         let lines = self.report_jumps(resolved, jumps, &files);
         self.report_lost_calls(resolved, lost_calls, &strays);

@@ -1,0 +1,12 @@
+%1 "pismeno v cisle podprogramu"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 S1200 M3 F300
+N30 G71 L100
+N40 G71 L110
+"       ^^^^ E0404
+N50 M30
+N100 G79 L100
+N110 G1 Z-2 G70
+N200 G79 L1F10
+"          ^^^ E0208
+N210 G1 Z-4 G70
