@@ -92,7 +92,8 @@ pub(super) enum Stream {
 
 impl Stream {
     pub fn open(output: Option<&Path>, lang: Lang) -> Result<Self, Failure> {
-        let Some(output) = output else {
+        // Opened by that name, a closed one would swallow the stream.
+        let Some(output) = output.filter(|output| *output != Path::new("/dev/stdout")) else {
             drop(stdout()?);
             return Ok(Self::Stdout(io::stdout()));
         };

@@ -142,7 +142,9 @@ impl<'t> Lowering<'t> {
         let digits = self.text.as_bytes().get(run.end as usize..).sure();
         let digits = digits.iter().take(8).take_while(|byte| byte.is_ascii_digit()).count();
         let numbered = matches!(word.address, Address::N | Address::L | Address::G | Address::M);
-        let end = if numbered { span.end.max(run.end + small(digits)) } else { span.end };
+        // A word stays in its line.
+        let breaks = self.text.get(run.range()).sure().contains(['\n', '\r']);
+        let end = if numbered && !breaks { span.end.max(run.end + small(digits)) } else { span.end };
         let span = Span::new(span.start, end);
         (Word::bare(word.address, span).faulty().assigning(word.target()), span)
     }

@@ -517,6 +517,7 @@ fn a_closed_standard_output() {
         &["check", "a.nc", "--format", "json"],
         &["check", "a.nc", "--diff"],
         &["compile", "a.nc"],
+        &["compile", "a.nc", "-o", "/dev/stdout"],
         &["motion", "a.nc"],
         &["plc", "a.nc"],
         &["plc", "--list"],
