@@ -58,7 +58,11 @@ def test_two_threads_work_at_once() -> None:
     def ready() -> int:
         found = 0
         for task in Path("/proc/self/task").iterdir():
-            name, _, rest = (task / "stat").read_text().partition("(")[2].rpartition(")")
+            try:
+                name, _, rest = (task / "stat").read_text().partition("(")[2].rpartition(")")
+            except (FileNotFoundError, ProcessLookupError):
+                # It ended since it was listed.
+                continue
             found += name.startswith("cnc872c") and rest.split()[0] == "R"
         return found
 
