@@ -7,7 +7,7 @@ use super::functions::{Conflict, Functions, m_number};
 use super::judge_file::{Judged, JudgedFile};
 use super::judge_word::is_out_of_range;
 use super::missing_axis;
-use super::targets::missing_control_words;
+use super::targets::{centers_without_use, missing_control_words};
 use super::unnumbered::is_first_in_line;
 use super::{Taker, Unit, UnitKind, control_word, l_number, unused_l};
 use crate::config::Settings;
@@ -392,11 +392,12 @@ impl<'a> BlockJudge<'a> {
             self.report(g, Finding::TableWithoutValues { function: table });
         }
         let centers = [(Address::I, 'I'), (Address::J, 'J'), (Address::K, 'K')];
-        let centers: Vec<(Word, char)> =
-            centers.into_iter().filter_map(|(address, letter)| Some((self.right(words, address)?, letter))).collect();
-        if let Some(&(first, _)) = centers.first() {
-            let (letters, place) = (centers.iter().map(|(_, letter)| *letter).collect(), CenterPlace::InTableBlock);
-            self.report(first, Finding::CenterWordNotUsable { letters, place, written: String::new() });
+        let useless = centers.into_iter().filter_map(|(address, letter)| {
+            let word = self.right(words, address)?;
+            Some((letter, self.file.word_place(word)))
+        });
+        if let Some((finding, at)) = centers_without_use(&useless.collect::<Vec<_>>(), CenterPlace::InTableBlock) {
+            self.judged.findings.add(Diagnostic::new(finding, at));
         }
     }
 
@@ -422,9 +423,9 @@ impl<'a> BlockJudge<'a> {
         let mut assigned: [Option<Word>; 96] = [None; 96];
         // A word of another letter may be one of them, as `P5=3021517` is.
         let text = |word: Word| self.file.source.slice(self.file.word_place(word).span);
-        let mut void = words.iter().any(|word| word.is_void() && text(*word).contains('='));
+        let is_unread = |word: &Word| word.is_void() && (word.address == Address::R || text(*word).contains('='));
+        let void = words.iter().any(is_unread);
         for &word in words.iter().filter(|word| word.address == Address::R) {
-            void |= word.is_void();
             if let Some(slot) = assigned.get_mut(usize::from(word.target()))
                 && !word.is_void()
                 && slot.is_none()

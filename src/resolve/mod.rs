@@ -44,6 +44,6 @@ pub use program::{Resolved, Target, Unit, UnitId, UnitKind};
 pub use rings::ring_text;
 pub use roles::{Roles, Taker, l_number};
 pub use targets::{
-    Namesake, conflicting_g, conflicting_m, has_block, jump_target, macrocycle_finding, missing_control_words,
-    subprogram, value_or_word,
+    Namesake, centers_without_use, conflicting_g, conflicting_m, has_block, jump_target, macrocycle_finding,
+    missing_control_words, subprogram, value_or_word,
 };

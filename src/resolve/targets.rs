@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use super::{Known, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind};
 use crate::config::Machine;
-use crate::diag::{Diagnostic, Finding, LabelText, Unmodelled, shown};
+use crate::diag::{CenterPlace, Diagnostic, Finding, LabelText, Unmodelled, shown};
 use crate::dict::GCode;
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location};
@@ -57,6 +57,13 @@ pub fn missing_control_words(function: GCode, has: impl Fn(u8) -> bool) -> Optio
         missing: missing.join(", "),
         reference: false,
     })
+}
+
+/// That some of I, J and K have no use in their block (E0609): one finding, at the first of them.
+pub fn centers_without_use(words: &[(char, Location)], place: CenterPlace) -> Option<(Finding, Location)> {
+    let &(_, at) = words.first()?;
+    let letters = words.iter().map(|(letter, _)| *letter).collect();
+    Some((Finding::CenterWordNotUsable { letters, place, written: String::new() }, at))
 }
 
 /// The block that a jump of `unit` to `l` reaches (FLW-5); a finding is at `at`.

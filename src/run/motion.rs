@@ -15,6 +15,7 @@ use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
 use crate::diag::{CenterPlace, Finding};
 use crate::dict::{Address, Decimal, GCode, GGroup, Micro};
+use crate::resolve::centers_without_use;
 use crate::syntax::BlockFlags;
 
 /// Whether a block moved, for the cycles that a motion calls.
@@ -204,15 +205,12 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
             useless.push((letter, site.word_place(valued.word)));
         }
     }
-    let Some(&(first, at)) = useless.first() else { return };
-    let of_arc = circular && first == 'K';
+    let of_arc = circular && matches!(useless.first(), Some(('K', _)));
     let place = if of_arc { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
-    let letters = useless.iter().map(|(letter, _)| *letter).collect();
-    let finding = Finding::CenterWordNotUsable { letters, place, written: String::new() };
-    if of_arc {
-        arc_findings::found(site, state, (words, g), finding, at);
-    } else {
-        site.found(finding, at);
+    match centers_without_use(&useless, place) {
+        Some((finding, at)) if of_arc => arc_findings::found(site, state, (words, g), finding, at),
+        Some((finding, at)) => site.found(finding, at),
+        None => {}
     }
 }
 
@@ -225,10 +223,17 @@ fn apply_data(site: &mut Site<'_>, state: &mut State, block: &mut Block, functio
             values.push((axis.letter.letter(), value));
         }
     }
-    // In a table they have their finding (E0609).
-    for (letter, valued) in [('I', words.i), ('J', words.j), ('K', words.k)] {
-        let value = valued.filter(|_| !table).and_then(|valued| valued.value);
-        values.extend(value.map(|value| (letter, value)));
+    let centers = [('I', words.i), ('J', words.j), ('K', words.k)];
+    let centers = centers.into_iter().filter_map(|(letter, valued)| Some((letter, valued?)));
+    if table {
+        let right = centers.filter(|(_, valued)| !valued.word.is_void());
+        let useless: Vec<_> = right.map(|(letter, valued)| (letter, site.word_place(valued.word))).collect();
+        // Found before execution where the function is written out.
+        if let Some((finding, at)) = centers_without_use(&useless, CenterPlace::InTableBlock) {
+            site.found(finding, at);
+        }
+    } else {
+        values.extend(centers.filter_map(|(letter, valued)| Some((letter, valued.value?))));
     }
     if words.has(GCode::G93).is_some() {
         let reading = Reading::of(site.machine(), state, g);
