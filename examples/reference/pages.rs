@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use cnc872c::diag::{Code, Severity, explain};
 use cnc872c::dict::{
-    Address, Bilingual, Decimal, Dialect, GCode, GGroup, HIGHEST_PARAMETER, Lang, Lasting, M_GROUPS, MRow, ValueForm,
+    Address, Bilingual, Decimal, Dialect, GCode, GGroup, HIGHEST_PARAMETER, Lang, M_GROUPS, MRow, ValueForm,
     standard_m_functions,
 };
 
@@ -192,17 +192,6 @@ fn value(address: Address, lang: Lang) -> String {
     }
 }
 
-/// The marks of the control's own tables; in brackets those that they do not have.
-const fn mark(lasting: Lasting, decided: bool) -> &'static str {
-    match (lasting, decided) {
-        (Lasting::Modal, _) => "",
-        (Lasting::Default, false) => "+",
-        (Lasting::Default, true) => "(+)",
-        (Lasting::Block, false) => "x",
-        (Lasting::Block, true) => "(x)",
-    }
-}
-
 const fn legend(lang: Lang) -> &'static str {
     text(
         lang,
@@ -241,7 +230,7 @@ fn g_functions(lang: Lang) -> String {
                 &[
                     &name,
                     &code.to_string(),
-                    mark(code.lasting(), code.is_lasting_decided()),
+                    code.lasting().mark(code.is_lasting_decided()),
                     code.meaning().get(lang),
                     code.rule(),
                 ],
@@ -267,10 +256,7 @@ fn m_functions(lang: Lang) -> String {
         for function in rows {
             let number = format!("M{:02}", function.number);
             let group = function.group.to_string();
-            row(
-                &mut page,
-                &[&group, &number, mark(function.lasting, false), function.meaning.get(lang), function.rule],
-            );
+            row(&mut page, &[&group, &number, function.lasting.mark(false), function.meaning.get(lang), function.rule]);
         }
         let configured = if dialect.has_channel_config() {
             text(lang, "by `MFunctions` of the ChannelConfig", "podle `MFunctions` v ChannelConfig")

@@ -15,6 +15,19 @@ pub enum Lasting {
     Block,
 }
 
+impl Lasting {
+    /// As in the manual's tables; in brackets where the manual has no mark.
+    pub const fn mark(self, decided: bool) -> &'static str {
+        match (self, decided) {
+            (Self::Modal, _) => "",
+            (Self::Default, false) => "+",
+            (Self::Default, true) => "(+)",
+            (Self::Block, false) => "x",
+            (Self::Block, true) => "(x)",
+        }
+    }
+}
+
 /// A group of G functions; one of each holds at a time.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
 pub enum GGroup {

@@ -19,7 +19,7 @@ pub(super) fn g_page(code: GCode, lang: Lang) -> String {
     let members: Vec<String> = GCode::ALL
         .iter()
         .filter(|other| other.group() == group)
-        .map(|other| format!("{other}{}", mark(other.lasting(), other.is_lasting_decided())))
+        .map(|other| format!("{other}{}", other.lasting().mark(other.is_lasting_decided())))
         .collect();
     let mut page = format!("# {code}: {}\n\n", code.meaning().get(lang));
     let word = pick(lang, "Group", "Skupina");
@@ -108,7 +108,7 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
                     .into_iter()
                     .flat_map(standard_m_functions)
                     .filter(|other| other.group == row.group)
-                    .map(|other| format!("M{:02}{}", other.number, mark(other.lasting, false)))
+                    .map(|other| format!("M{:02}{}", other.number, other.lasting.mark(false)))
                     .collect();
                 members.sort();
                 let group = match lang {
@@ -228,17 +228,6 @@ fn allowed(on: impl Fn(Dialect) -> bool, lang: Lang) -> String {
         0 => pick(lang, "no", "ne").to_owned(),
         count if count == Dialect::ALL.len() => pick(lang, "yes", "ano").to_owned(),
         _ => format!("{} {}", pick(lang, "on", "na"), dialects.join(", ")),
-    }
-}
-
-/// As in the manual's tables; in brackets where the manual has no mark.
-const fn mark(lasting: Lasting, decided: bool) -> &'static str {
-    match (lasting, decided) {
-        (Lasting::Modal, _) => "",
-        (Lasting::Default, false) => "+",
-        (Lasting::Default, true) => "(+)",
-        (Lasting::Block, false) => "x",
-        (Lasting::Block, true) => "(x)",
     }
 }
 

@@ -137,15 +137,13 @@ pub(super) fn check_unused(context: &mut Context<'_, '_>, resolved: &Resolved) {
         let Some(names) = named_by(context, resolved, parsed.words(block)) else { return };
         named.extend(names);
     }
-    // Where other words stand beside the number, another one may be meant (E0208).
-    let is_sure = |unit: &&Unit| {
-        let words = parsed.block_at(unit.entry.span.start).map_or(&[][..], |block| parsed.words(block));
-        !words.iter().any(|word| context.open.crowded.contains(&parsed.word_place(*word)))
-    };
-    let unnamed = resolved.subprograms.iter().filter(|(l, _)| !named.contains(l));
-    let unnamed = unnamed.filter_map(|(l, &UnitId(id))| Some((*l, resolved.units.get(id as usize).filter(is_sure)?)));
-    for (l, unit) in unnamed.collect::<Vec<_>>() {
-        context.report(unit.entry, Finding::UnusedSubprogram { l });
+    for (&l, &UnitId(id)) in &resolved.subprograms {
+        let Some(unit) = resolved.units.get(id as usize).filter(|_| !named.contains(&l)) else { continue };
+        // Where other words stand beside the number, another one may be meant (E0208).
+        let is_crowded = |word: &Word| context.open.crowded.contains(&parsed.word_place(*word));
+        if !parsed.words(unit.first).iter().any(is_crowded) {
+            context.report(unit.entry, Finding::UnusedSubprogram { l });
+        }
     }
 }
 

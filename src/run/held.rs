@@ -38,11 +38,6 @@ impl State {
         self.position(axis).known()
     }
 
-    /// Whether every axis is where another state has it, as far as that is known.
-    pub fn stands_as(&self, other: &Self) -> bool {
-        self.positions == other.positions
-    }
-
     /// The value of a parameter; `None` when that is not known (PAR-5).
     pub fn parameter(&self, index: u8) -> Option<Decimal> {
         self.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)

@@ -195,12 +195,16 @@ fn spindle() {
     assert_eq!(table(&program.args("--dialect=cnc8x6"), "M03PI M04PI M19PI PB06"), cells);
 }
 
-/// PLC-16, MFN-10: M00 under M19: the place of the spindle as an axis stays through the step of the stop.
+/// PLC-16, MFN-10: at a stop the oriented spindle stands where its block left it; START orients it again, so that the
+/// next block turns it from 0.
 #[test]
 fn a_stop_of_an_oriented_spindle() {
     let program = case("%1\nN10 G00 C0 S100\nN15 M19\nN20 C720\nN40 G91 C-90 M00\nN50 C10\nN60 M30");
     let rows = table(&program, "BLK.AxNC[5] BLK.BlockLen SM_PO6PI");
     assert_eq!(rows[2..6], ["720 720 0", "630 90 1", "! 630 - -", "10 10 0"]);
+    let program = case("%1\nN1 M19\nN2 C90 M00\nN3 C100 M01\nN4 M30").args("--optional-stop");
+    let cells = ["0 -", "90 90", "! 90 -", "100 100", "! 100 -", "0 -"];
+    assert_eq!(table(&program, "BLK.AxNC[5] BLK.BlockLen"), cells);
 }
 
 /// S0 8.2.10, PLC-10: the functions of group 5. The bits go by the functions, whichever coolant these are.
@@ -507,15 +511,6 @@ fn a_stop() {
     let rows = table(&program, names);
     assert_eq!(rows[1], "1 5 5 0.05 1 1 1 1 07h 1 99 1 1 0 1 1 0");
     assert_eq!(rows[2], "! 0 - 5 - 0 0 0 0 07h 1 99 1 1 0 1 1 -");
-}
-
-/// PLC-16, MFN-10: at a stop the oriented spindle stands where its block left it; START orients it again, so that N3
-/// turns it from 0.
-#[test]
-fn an_oriented_spindle_at_a_stop() {
-    let program = case("%1\nN1 M19\nN2 C90 M00\nN3 C100 M01\nN4 M30").args("--optional-stop");
-    let cells = ["0 -", "90 90", "! 90 -", "100 100", "! 100 -", "0 -"];
-    assert_eq!(table(&program, "BLK.AxNC[5] BLK.BlockLen"), cells);
 }
 
 /// PLC-16: the step of a stop belongs to its block.

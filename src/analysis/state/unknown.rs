@@ -96,9 +96,6 @@ impl Axes {
     fn note(&mut self, block: &Executed<'_>, before: &State) {
         let after = block.state();
         let by_cycle = block.is_unmapped_cycle();
-        if !by_cycle && block.opaque_call().is_none() && block.motion().is_none() && before.stands_as(after) {
-            return;
-        }
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
             let letter = axis.letter;
             let (Some(unknown), Some(moved)) = (self.why.get_mut(letter as usize), self.moved.get_mut(letter as usize))

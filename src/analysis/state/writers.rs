@@ -169,9 +169,6 @@ impl Writers {
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
         let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
-        if stands.is_empty() && before.stands_as(after) {
-            return;
-        }
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
             let named = stands.iter().any(|(letter, _)| *letter == axis.letter.letter());
             if named || before.axis_position(place) != after.axis_position(place) {
