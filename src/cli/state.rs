@@ -11,7 +11,7 @@ use super::progress::{Counted, Progress};
 use super::status::{Failure, Status, complain, stdout, tell};
 use super::threads;
 use super::words::Words;
-use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, Timing, fault_text, json, text};
+use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, Timing, fault_text, json, text};
 use crate::config::Purpose;
 use crate::diag::Format;
 use crate::session::Session;
@@ -47,11 +47,8 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
     };
     let (outcome, asked, found) = match asked {
         Ok(asked) => {
-            let mut reader = StateReader::new(settings, asked.clone(), Timing::Configured);
-            let run = session.watch(path, &name, Purpose::Report, &mut &mut reader);
-            let error = reader.has_error_before() || reader.has_late_error(&run.outcome.findings);
-            let found = reader.finish(run.whole.is_some());
-            (run.outcome, asked, if error { None } else { Some(found) })
+            let run = session.state(path, &name, asked.clone(), Timing::Configured);
+            (run.outcome, asked, (!run.error_before).then_some(run.found))
         }
         Err((outcome, asked, seconds)) => {
             let found = (!outcome.findings.has_errors()).then_some(Err(PlaceFault::TooLate { seconds }));

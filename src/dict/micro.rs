@@ -16,11 +16,17 @@ impl Micro {
         Self(millionths)
     }
 
-    /// A computed value, rounded to six decimals.
+    /// A computed value, rounded to six decimals, half of one away from zero. Saturates, and a NaN is 0: geometry gives
+    /// neither for values of the language.
+    #[inline]
     pub fn from_f64(value: f64) -> Self {
-        // Saturates, and a NaN is 0: geometry gives neither for values of the language.
+        // `f64::round` is a call, and lengths of millions of blocks are rounded.
+        let millionths = value * 1e6;
         #[expect(clippy::cast_possible_truncation, reason = "saturating, as wanted")]
-        Self((value * 1e6).round() as i64)
+        let whole = millionths as i64;
+        #[expect(clippy::cast_precision_loss, reason = "what has more than 53 bits has no fraction")]
+        let rest = millionths - whole as f64;
+        Self(whole.saturating_add(i64::from(rest >= 0.5) - i64::from(rest <= -0.5)))
     }
 
     /// In millionths.
@@ -87,5 +93,34 @@ impl std::fmt::Display for Micro {
 impl From<Decimal> for Micro {
     fn from(value: Decimal) -> Self {
         Self(value.thousandths().saturating_mul(1000))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn rounded(value: f64) -> Micro {
+        #[expect(clippy::cast_possible_truncation, reason = "saturating, as wanted")]
+        Micro((value * 1e6).round() as i64)
+    }
+
+    #[test]
+    fn values_without_a_millionth() {
+        for value in [0.0, -0.0, 4e-7, 5e-7, -5e-7, 1.5e-6, 1e300, -1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            assert_eq!(Micro::from_f64(value), rounded(value), "{value}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn a_value_is_rounded_to_the_nearest(value: f64, halves in -1_000_000_000_i32..1_000_000_000) {
+            let half = f64::from(halves) / 2e6;
+            for value in [value, half, half.next_down(), half.next_up()] {
+                prop_assert_eq!(Micro::from_f64(value), rounded(value), "{}", value);
+            }
+        }
     }
 }

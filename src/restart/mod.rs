@@ -23,7 +23,7 @@ use preamble::{Preamble, Sources, notes};
 use prove::{Proof, prove};
 use scan::{Scan, There};
 
-use crate::analysis::state::{Asked, Found, Place, PlaceFault, StateReader, Timing};
+use crate::analysis::state::{Asked, Found, Place, PlaceFault, Timing};
 use crate::config::Purpose;
 use crate::dict::Lang;
 use crate::session::{Outcome, Session};
@@ -161,10 +161,8 @@ struct Making<'a> {
 impl Making<'_> {
     /// What holds at a place; nothing in a program with errors.
     fn look(&self, asked: Asked, timing: Timing) -> (Outcome, Option<Result<Box<Found>, PlaceFault>>) {
-        let mut reader = StateReader::new(self.session.settings, asked, timing);
-        let run = self.session.watch(self.path, self.name, Purpose::Report, &mut &mut reader);
-        let found = run.whole.map(|_| reader.finish(true));
-        (run.outcome, found)
+        let run = self.session.state(self.path, self.name, asked, timing);
+        (run.outcome, run.whole.then_some(run.found))
     }
 
     /// Whether a program can start there.
@@ -241,9 +239,10 @@ impl Making<'_> {
     fn nearest(&self, source: &Arc<SourceText>, mut seq: Option<u64>) -> Option<Nearest> {
         for _ in 0..TRIED {
             let asked = Asked { place: Place::Seq(seq?), file: None, pass: None, after: false };
-            let found = self.look(asked, Timing::Always).1?.ok()?;
+            let found = self.look(asked.clone(), Timing::Never).1?.ok()?;
             let there = self.scan(&found)?;
             if self.make(source, &found, &there).is_ok() {
+                let found = self.look(asked, Timing::Always).1?.ok()?;
                 let file = (found.file != 0).then(|| found.file_name.clone());
                 let time_s = found.times?.seconds.done;
                 return Some(Nearest { seq: found.seq, n: found.n, file, line: found.line, time_s });

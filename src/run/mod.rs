@@ -45,7 +45,7 @@ pub use held::ArmedCounter;
 pub use interpreter::{Interpreter, Stop, Stretch};
 pub use m_functions::MStop;
 pub use moved::{ArcPath, Length, Missing, Motion, MotionType};
-pub use passed::Passed;
+pub use passed::{Passed, PointPath, Points};
 pub use program::Program;
 pub use sink::Sink;
 pub use state::State;

@@ -1,5 +1,7 @@
 //! Points that were executed at once, as their readers see them.
 
+use std::ops::Range;
+
 use super::executed::Executed;
 use super::interpreter::Stretch;
 use super::moved::MotionType;
@@ -8,7 +10,7 @@ use super::travel::Reading;
 use super::{Interpreter, Program};
 use crate::config::Machine;
 use crate::dict::{AxisLetter, Micro};
-use crate::syntax::BlockId;
+use crate::syntax::{BlockId, ParsedFile, Word};
 
 /// Blocks that only move axes straight, and that were executed at once: see [`Interpreter::pass_over`].
 #[derive(Clone, Copy, Debug)]
@@ -19,9 +21,9 @@ pub struct Passed<'r> {
     pub(super) points: Points,
 }
 
-/// Which points, and from where they move.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Points {
+/// Which points, and from where they move: the same have the same path.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub struct Points {
     pub(super) stretch: Stretch,
     pub(super) kind: MotionType,
     pub(super) reading: Reading,
@@ -34,6 +36,11 @@ pub(super) struct Points {
 }
 
 impl Passed<'_> {
+    /// Which, and from where.
+    pub const fn points(&self) -> &Points {
+        &self.points
+    }
+
     /// Which blocks.
     pub const fn stretch(&self) -> Stretch {
         self.points.stretch
@@ -65,18 +72,91 @@ impl Passed<'_> {
         axes.filter_map(|(axis, last)| Some((axis.letter, last?)))
     }
 
-    /// How long their path is, the sum of what `Motion::length` gives for each in mm: linear axes alone count, and a
-    /// motion whose start is not known, or not where the tool stands, has no length (MOT-2, MOT-6, MOT-8).
-    pub fn path(&self) -> Micro {
+    /// Their path in so many parts of about the same length, one behind the other.
+    pub fn paths(&self, parts: u32) -> Vec<PointPath<'_>> {
+        let (machine, mut points) = (self.machine(), self.points);
+        let Some(file) = self.program.resolved.file(points.stretch.file) else { return Vec::new() };
+        let axes: AxisSet =
+            points.last.iter().enumerate().filter(|(_, last)| last.is_some()).map(|(at, _)| at).collect();
+        let mut paths = Vec::new();
+        for left in (1..=parts).rev() {
+            let Stretch { first, end, .. } = points.stretch;
+            let next = BlockId(first.0 + (end.0 - first.0).div_ceil(left));
+            paths.push(PointPath { machine, file, points: points.up_to(next) });
+            if left > 1 {
+                points = points.behind(file, machine, next, axes);
+            }
+        }
+        paths
+    }
+
+    const fn machine(&self) -> &Machine {
+        &self.program.settings.machine
+    }
+}
+
+impl Points {
+    /// Those before a block.
+    fn up_to(mut self, end: BlockId) -> Self {
+        self.stretch.end = end;
+        self
+    }
+
+    /// Those from a block on; `axes`: what they move.
+    fn behind(mut self, file: &ParsedFile, machine: &Machine, first: BlockId, axes: AxisSet) -> Self {
+        let last = last_words(file, machine, self.stretch.first..first, axes);
+        for (axis, (position, last)) in self.positions.iter_mut().zip(last).enumerate() {
+            let Some((_, word)) = last else { continue };
+            *position = self.reading.target(axis, word.number());
+            self.unsettled.remove(axis);
+        }
+        self.stretch.first = first;
+        self
+    }
+}
+
+/// For each axis, by place in machine order, its last word in some blocks of axis words, and which block that is in;
+/// `axes`: the only ones that there may be words of.
+pub(super) fn last_words(
+    file: &ParsedFile,
+    machine: &Machine,
+    blocks: Range<BlockId>,
+    mut axes: AxisSet,
+) -> [Option<(BlockId, Word)>; 9] {
+    let mut last = [None; 9];
+    for block in (blocks.start.0..blocks.end.0).rev().map(BlockId) {
+        if axes.is_empty() {
+            break;
+        }
+        for word in file.words(block) {
+            let Some(axis) = machine.axes.index_of(word.address) else { continue };
+            let Some(last @ None) = last.get_mut(axis) else { continue };
+            *last = Some((block, *word));
+            axes.remove(axis);
+        }
+    }
+    last
+}
+
+/// The path of points that come one after the other.
+#[derive(Clone, Copy, Debug)]
+pub struct PointPath<'r> {
+    machine: &'r Machine,
+    file: &'r ParsedFile,
+    points: Points,
+}
+
+impl PointPath<'_> {
+    /// How long it is, the sum of what `Motion::length` gives for each in mm: linear axes alone count, and a motion
+    /// whose start is not known, or not where the tool stands, has no length (MOT-2, MOT-6, MOT-8).
+    pub fn length(self) -> Micro {
         let Points { stretch, reading, mut positions, mut unsettled, .. } = self.points;
-        let (machine, mut path) = (self.machine(), Micro::ZERO);
-        let Some(file) = self.program.resolved.file(stretch.file) else { return path };
-        let rotary: AxisSet =
-            machine.axes.iter().enumerate().filter(|(_, axis)| axis.rotary).map(|(at, _)| at).collect();
+        let (axes, mut length) = (&self.machine.axes, Micro::ZERO);
+        let rotary: AxisSet = axes.iter().enumerate().filter(|(_, axis)| axis.rotary).map(|(at, _)| at).collect();
         for block in stretch.first.0..stretch.end.0 {
             let (mut squares, mut is_known) = (0.0, true);
-            for word in file.words(BlockId(block)) {
-                let Some(axis) = machine.axes.index_of(word.address) else { continue };
+            for word in self.file.words(BlockId(block)) {
+                let Some(axis) = axes.index_of(word.address) else { continue };
                 let Some(position) = positions.get_mut(axis) else { continue };
                 let start = std::mem::replace(position, reading.target(axis, word.number()));
                 is_known &= !unsettled.contains(axis);
@@ -93,13 +173,9 @@ impl Passed<'_> {
                 }
             }
             if is_known {
-                path = path.plus(Micro::from_f64(squares.sqrt()));
+                length = length.plus(Micro::from_f64(squares.sqrt()));
             }
         }
-        path
-    }
-
-    const fn machine(&self) -> &Machine {
-        &self.program.settings.machine
+        length
     }
 }

@@ -7,7 +7,7 @@ use super::frames::Frame;
 use super::interpreter::Stretch;
 use super::motion::{kind_in_force, settle_origin};
 use super::moved::{MotionType, Moving};
-use super::passed::Points;
+use super::passed::{Points, last_words};
 use super::program::Program;
 use super::site::Site;
 use super::state::{AxisSet, State};
@@ -108,21 +108,14 @@ impl Run {
         frame.next = BlockId(first.0 + passed);
         let (positions, unsettled) = (state.positions, state.unsettled);
         let addresses = Address::ALL.iter().filter(|address| points.may_have(**address));
-        let mut unsaid: AxisSet = addresses.filter_map(|address| machine.axes.index_of(*address)).collect();
-        let mut last = [None; 9];
-        for block in (first.0..frame.next.0).rev().map(BlockId) {
-            for word in file.words(block) {
-                let Some(axis) = machine.axes.index_of(word.address) else { continue };
-                let Some(last @ None) = last.get_mut(axis) else { continue };
-                *last = Some(block);
-                state.set_position(axis, reading.target(axis, word.number()));
-                state.unsettled.remove(axis);
-                unsaid.remove(axis);
-            }
-            if unsaid.is_empty() {
-                break;
-            }
+        let axes = addresses.filter_map(|address| machine.axes.index_of(*address)).collect();
+        let last = last_words(file, machine, first..frame.next, axes);
+        for (axis, last) in last.iter().enumerate() {
+            let Some((_, word)) = last else { continue };
+            state.set_position(axis, reading.target(axis, word.number()));
+            state.unsettled.remove(axis);
         }
+        let last = last.map(|last| last.map(|(block, _)| block));
         let stretch = Stretch { file: frame.unit.file, first, end: frame.next };
         Some(Points { stretch, kind: moving.kind, reading, positions, unsettled, last })
     }
@@ -176,7 +169,7 @@ mod tests {
     use crate::diag::Findings;
     use crate::dict::{Decimal, Micro};
     use crate::resolve::{Library, resolve};
-    use crate::run::{Interpreter, Program};
+    use crate::run::{Interpreter, PointPath, Program};
     use crate::text::{MemoryLoader, SourceText, Sources};
 
     /// The state after each block of a program, how each moves, and the findings.
@@ -200,14 +193,14 @@ mod tests {
     }
 
     /// The state at the end of a program, after how many blocks and what path, the last block that moved each axis, and
-    /// the findings: with points passed over, at most so many at a time, or without.
-    fn end(body: &str, settings: &Settings, most: Option<u64>) -> (String, Vec<String>) {
+    /// the findings: with points passed over, at most so many at a time, their path in parts, or without.
+    fn end(body: &str, settings: &Settings, most: Option<u64>, parts: u32) -> (String, Vec<String>) {
         with_program(body, settings, |program, findings| {
             let mut interpreter = Interpreter::new(program);
             let (mut path, mut last) = (Micro::ZERO, BTreeMap::new());
             loop {
                 if let Some(points) = most.and_then(|most| interpreter.pass_over(program, most)) {
-                    path = path.plus(points.path());
+                    path = points.paths(parts).into_iter().map(PointPath::length).fold(path, Micro::plus);
                     last.extend(points.axes());
                 }
                 let Some(block) = interpreter.step(program, findings) else { break };
@@ -321,13 +314,18 @@ mod tests {
             at in 0..12_usize,
             most in 0..12_u64,
             limit in proptest::option::of(0..20_u64),
+            parts in 1..5_u32,
         ) {
             let at = at.min(blocks.len());
             blocks.splice(at..at, points);
             let body = body(&blocks);
             for mut settings in machines() {
                 settings.machine.limits.records = limit.unwrap_or(settings.machine.limits.records);
-                prop_assert_eq!(end(&body, &settings, Some(most)), end(&body, &settings, None), "{}", body);
+                prop_assert_eq!(
+                    end(&body, &settings, Some(most), parts),
+                    end(&body, &settings, None, parts),
+                    "{}", body
+                );
             }
         }
     }

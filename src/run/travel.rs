@@ -22,7 +22,7 @@ pub(super) struct Travel {
 }
 
 /// How the values of axis words are read.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub(super) struct Reading {
     /// G91.
     incremental: bool,

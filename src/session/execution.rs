@@ -13,7 +13,7 @@ use crate::run::{End, Executed, Interpreter, LostCall, Passed, Program, Sink};
 use crate::text::FileId;
 
 /// Blocks between two reports of progress.
-const PROGRESS: u64 = 1 << 16;
+pub(super) const PROGRESS: u64 = 1 << 16;
 
 /// A running execution. [`Session::run`] shows its blocks to a sink; other callers ask for them with [`Self::step`],
 /// and callers that need later blocks before an earlier one follow with a second interpreter: see [`Self::follow`].

@@ -5,6 +5,7 @@ mod execution;
 mod offers;
 mod record;
 mod signals;
+mod state;
 mod timed;
 
 use std::io::{self, Write};
@@ -20,6 +21,7 @@ use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 pub use execution::Execution;
 pub use record::Record;
 pub use signals::TimedSignals;
+pub use state::StateRun;
 pub use timed::{TimedSink, Times};
 
 pub use crate::stream::Part;

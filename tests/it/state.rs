@@ -4,7 +4,7 @@ use std::ops::{ControlFlow, Range};
 use std::path::{Path, PathBuf};
 
 use cnc872c::analysis::state::{
-    Asked, AtTime, Found, Index, Indexer, Place as At, PlaceFault, Search, StateReader, Timing, document, json, schema,
+    Asked, AtTime, Found, Index, Indexer, Place as At, PlaceFault, Search, Timing, document, json, schema,
 };
 use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
@@ -36,9 +36,7 @@ impl Sample {
 
     /// What holds at a place.
     fn found(&self, asked: Asked, timing: Timing) -> Box<Found> {
-        let mut reader = StateReader::new(&self.settings, asked, timing);
-        let run = self.session().watch(Path::new(&self.file), &self.file, Purpose::Report, &mut &mut reader);
-        reader.finish(run.whole.is_some()).unwrap()
+        self.session().state(Path::new(&self.file), &self.file, asked, timing).found.unwrap()
     }
 
     /// The block records; none of a program with errors.

@@ -1,14 +1,12 @@
-//! Times before and behind a place. The planner gives the time of a block some blocks later: the place goes with the
-//! blocks to it.
+//! Times before and behind a place: of a second pass over the blocks, when it is known how many there are.
 
-use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
 use crate::analysis::motion::{BlockTimes, Listener, Model, Planner, Step, StepReader};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::parallel::Fold;
-use crate::run::{End, Executed, Program, Sink};
+use crate::run::{End, Executed, Sink};
 
 /// What was done, and what is left, of one kind of thing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,6 +21,13 @@ pub struct Progress<T> {
     pub tool_left: T,
 }
 
+impl Progress<u64> {
+    /// How many blocks there are before the last tool change, the place, the next tool change and the end.
+    pub(super) const fn ends(self) -> [u64; 4] {
+        [self.done - self.tool_done, self.done, self.done + self.tool_left, self.done + self.left]
+    }
+}
+
 /// Times in seconds, and whether they lack some.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TimedProgress {
@@ -32,62 +37,46 @@ pub struct TimedProgress {
     pub lower_bound: bool,
 }
 
+impl TimedProgress {
+    /// From when the blocks of [`Progress::ends`] end.
+    pub(super) fn around([change, place, next, end]: [f64; 4], lower_bound: bool) -> Self {
+        let seconds = Progress { done: place, left: end - place, tool_done: place - change, tool_left: next - place };
+        Self { seconds, lower_bound }
+    }
+}
+
 /// Whether a block may take longer than its time says.
 pub(super) fn is_lower_bound(block: &BlockTimes) -> bool {
     block.unknown || block.motion.as_ref().is_some_and(|motion| motion.jerk_free)
 }
 
-/// What goes to the planner with a block.
-#[derive(Clone, Debug)]
-struct Item {
-    step: Step,
-    change: bool,
-    /// The first block that is left.
-    first_left: bool,
-}
-
-/// Sums times.
+/// Sums times up to some blocks.
 #[derive(Clone, Debug, Default)]
 struct Sums {
-    place: Option<u64>,
-    changes: VecDeque<u64>,
-    changed: bool,
-    progress: TimedProgress,
+    /// Each number of blocks, and how long so many take.
+    ends: [(u64, f64); 4],
+    lower_bound: bool,
 }
 
 impl Listener for Sums {
     fn block(&mut self, block: &BlockTimes) {
-        let seconds = &mut self.progress.seconds;
-        let left = self.place.is_some_and(|place| block.seq >= place);
-        if self.changes.front() == Some(&block.seq) {
-            self.changes.pop_front();
-            if left {
-                self.changed = true;
-            } else {
-                seconds.tool_done = 0.0;
+        for (end, sum) in &mut self.ends {
+            if block.seq < *end {
+                *sum += block.duration_s;
             }
         }
-        if left {
-            seconds.left += block.duration_s;
-            if !self.changed {
-                seconds.tool_left += block.duration_s;
-            }
-        } else {
-            seconds.done += block.duration_s;
-            seconds.tool_done += block.duration_s;
-        }
-        self.progress.lower_bound |= is_lower_bound(block);
+        self.lower_bound |= is_lower_bound(block);
     }
 }
 
-/// How many executed blocks have their times in the answer.
+/// When the times of a program are wanted.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Timing {
-    /// None: nobody asks.
+    /// Never.
     Never,
-    /// All, where motion is configured. Else a program with more blocks than [`Timing::ASSUMED`] has no times.
+    /// Where motion is configured, and for up to [`Timing::ASSUMED`] executed blocks.
     Configured,
-    /// All.
+    /// Always.
     Always,
 }
 
@@ -96,74 +85,43 @@ impl Timing {
     /// executing.
     pub const ASSUMED: u64 = 1_000_000;
 
-    fn most(self, settings: &Settings) -> u64 {
+    /// Whether those of a program with so many executed blocks are wanted.
+    pub const fn wants(self, settings: &Settings, blocks: u64) -> bool {
         match self {
-            Self::Never => 0,
-            Self::Configured if !settings.machine.motion.configured => Self::ASSUMED,
-            Self::Configured | Self::Always => u64::MAX,
+            Self::Never => false,
+            Self::Configured => settings.machine.motion.configured || blocks <= Self::ASSUMED,
+            Self::Always => true,
         }
     }
 }
 
-/// The times of a program around a place.
+/// Finds the times of a program around a place.
 #[derive(Debug)]
-pub(super) struct Clock {
+pub struct Clock {
     reader: StepReader,
-    /// `None`: there are more blocks than have times.
-    planned: Option<Fold<Item, (Planner, Sums)>>,
-    /// How many more blocks have their times.
-    room: u64,
+    planned: Fold<Step, (Planner, Sums)>,
 }
 
 impl Clock {
-    pub fn new(settings: &Settings, timing: Timing) -> Self {
-        let fold = || {
-            let planner = Planner::new(Model::of(settings), false);
-            Fold::new("planner", (planner, Sums::default()), |(planner, sums), item: &Item| {
-                if item.first_left {
-                    sums.place = Some(item.step.seq);
-                }
-                if item.change {
-                    sums.changes.push_back(item.step.seq);
-                }
-                planner.push(&item.step, sums);
-            })
-        };
-        let room = timing.most(settings);
-        Self { reader: StepReader::new(settings), planned: (room > 0).then(fold), room }
+    /// For a program that is executed with these settings; `blocks`: around the place.
+    pub fn new(settings: &Settings, blocks: Progress<u64>) -> Self {
+        let sums = Sums { ends: blocks.ends().map(|end| (end, 0.0)), lower_bound: false };
+        let planner = (Planner::new(Model::of(settings), false), sums);
+        let planned = Fold::new("planner", planner, |(planner, sums), step| planner.push(step, sums));
+        Self { reader: StepReader::new(settings), planned }
     }
 
-    /// A program with more blocks in its text than have times gets none: planning the first of them would be in vain.
-    pub fn begin(&mut self, program: &Program<'_>) {
-        let resolved = &program.resolved;
-        let main = resolved.main().and_then(|id| resolved.unit(id));
-        if main.is_some_and(|main| u64::from(main.end.0 - main.first.0) > self.room) {
-            self.planned = None;
-        }
-    }
-
-    /// Whether the times of the next block are wanted.
-    pub const fn is_planning(&self) -> bool {
-        self.planned.is_some()
-    }
-
-    /// The next block; `change`: it changes the tool, `first_left`: the place is before it.
+    /// The next executed block.
     #[inline]
-    pub fn push(&mut self, block: &Executed<'_>, change: bool, first_left: bool) {
-        let Some(planned) = &mut self.planned else { return };
-        if self.room == 0 {
-            self.planned = None;
-            return;
-        }
-        self.room -= 1;
-        planned.push(Item { step: self.reader.read(block), change, first_left });
+    pub fn push(&mut self, block: &Executed<'_>) {
+        self.planned.push(self.reader.read(block));
     }
 
-    /// `None`: the program has too many blocks for them.
-    pub fn finish(self) -> Option<TimedProgress> {
-        let (mut planner, mut sums) = self.planned?.finish();
+    /// The times, when all blocks were pushed.
+    pub fn finish(self) -> TimedProgress {
+        let (mut planner, mut sums) = self.planned.finish();
         planner.finish(&mut sums);
-        Some(sums.progress)
+        TimedProgress::around(sums.ends.map(|(_, sum)| sum), sums.lower_bound)
     }
 }
 

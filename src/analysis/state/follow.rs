@@ -8,7 +8,9 @@ use super::unknown::Axes;
 use super::writers::{Slot, Writers};
 use crate::config::Settings;
 use crate::dict::{AxisLetter, Micro, TOOL_CHANGE};
-use crate::run::{ArmedCounter, Executed, MotionType, Passed};
+use crate::parallel::{map, threads};
+use crate::run::{ArmedCounter, Executed, MotionType, Passed, PointPath, Points};
+use crate::sure::small;
 
 /// Blocks that were executed, and their known path.
 #[derive(Clone, Copy, Debug, Default)]
@@ -78,6 +80,31 @@ pub(super) fn changes_tool(block: &Executed<'_>) -> bool {
     block.m_written().contains(&TOOL_CHANGE)
 }
 
+/// How long the paths of points are. Loops come to the same points again and again, mostly from the same position.
+#[derive(Debug, Default)]
+pub(super) struct Lengths {
+    /// Those computed last, by the first block.
+    known: [Option<(Points, Micro)>; 16],
+}
+
+impl Lengths {
+    /// In mm.
+    pub fn of(&mut self, passed: &Passed<'_>) -> Micro {
+        let (points, stretch) = (passed.points(), passed.stretch());
+        let place = stretch.first.index() % self.known.len();
+        if let Some(Some((known, length))) = self.known.get(place)
+            && known == points
+        {
+            return *length;
+        }
+        // Beside each other, where that saves more than it costs.
+        let parts = if stretch.count() < 10_000 { 1 } else { small(threads()) };
+        let length = map(passed.paths(parts), PointPath::length).into_iter().fold(Micro::ZERO, Micro::plus);
+        self.known.iter_mut().skip(place).take(1).for_each(|known| *known = Some((*points, length)));
+        length
+    }
+}
+
 /// State, writers and tallies before the next block: call [`Self::arrive`] at a block, ask, then [`Self::pass`] it.
 #[derive(Clone, Debug)]
 pub(super) struct Follow {
@@ -130,10 +157,10 @@ impl Follow {
         self.before.pass(block);
     }
 
-    /// Follows points that were executed at once.
-    pub fn pass_over(&mut self, points: &Passed<'_>) {
+    /// Follows points that were executed at once; `length`: of their path.
+    pub fn pass_over(&mut self, points: &Passed<'_>, length: Micro) {
         self.done.blocks += u64::from(points.stretch().count());
-        self.done.path = self.done.path.plus(points.path());
+        self.done.path = self.done.path.plus(length);
         self.writers.note_points(points);
         self.axes.pass_over(points);
         self.before.pass_over(points);

@@ -5,7 +5,7 @@ use std::ops::{ControlFlow, Range};
 
 use super::clock::{Progress, TimedProgress, is_lower_bound};
 use super::errors::Errors;
-use super::follow::{Follow, Next, Tally};
+use super::follow::{Follow, Lengths, Next, Tally};
 use super::found::Found;
 use super::place::Arrival;
 use crate::analysis::motion::{BlockTimes, Listener, Model, Planner, Step, StepReader};
@@ -72,15 +72,7 @@ impl Ends {
 
     /// The times around a place with so many blocks before it and behind it.
     fn around(&self, blocks: Progress<u64>) -> TimedProgress {
-        let Progress { done, left, tool_done, tool_left } = blocks;
-        let at = self.of(done);
-        let seconds = Progress {
-            done: at,
-            left: self.of(done + left) - at,
-            tool_done: at - self.of(done - tool_done),
-            tool_left: self.of(done + tool_left) - at,
-        };
-        TimedProgress { seconds, lower_bound: self.lower_bound }
+        TimedProgress::around(blocks.ends().map(|end| self.of(end)), self.lower_bound)
     }
 }
 
@@ -148,6 +140,7 @@ struct Planning {
 #[derive(Debug)]
 pub struct Indexer {
     index: Index,
+    lengths: Lengths,
     most: u64,
     /// Where motion is configured.
     planning: Option<Planning>,
@@ -164,7 +157,7 @@ impl Indexer {
             let planned = Fold::new("planner", planner, |(planner, ends), step| planner.push(step, ends));
             Planning { reader: StepReader::new(settings), planned }
         });
-        Self { index, most: most.min(u64::from(u32::MAX)), planning }
+        Self { index, lengths: Lengths::default(), most: most.min(u64::from(u32::MAX)), planning }
     }
 
     /// The index. `whole`: the program was executed to its end, without errors.
@@ -199,7 +192,7 @@ impl Sink for &mut Indexer {
         if let Some(part) = self.index.parts.last_mut() {
             part.next.look_at_points(points);
         }
-        self.index.follow.pass_over(points);
+        self.index.follow.pass_over(points, self.lengths.of(points));
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {

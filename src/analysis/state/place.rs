@@ -217,7 +217,7 @@ impl Search {
     }
 
     /// Why the place is none, or not one, after all executed blocks; so many were there.
-    pub fn fault(self, blocks: u64) -> Option<PlaceFault> {
+    pub fn fault(&self, blocks: u64) -> Option<PlaceFault> {
         let is_missing = || match (self.asked.place, self.file, self.block) {
             (Place::Seq(_), ..) => PlaceFault::Beyond { blocks },
             (Place::N(_) | Place::Line(_), None, _) => PlaceFault::File,
@@ -227,7 +227,7 @@ impl Search {
         match (self.asked.pass, self.count) {
             (_, 0) => Some(is_missing()),
             (None, 1) => None,
-            (None, count) => Some(PlaceFault::Several { arrivals: self.arrivals, count }),
+            (None, count) => Some(PlaceFault::Several { arrivals: self.arrivals.clone(), count }),
             (Some(pass), count) => (pass == 0 || pass > count).then_some(PlaceFault::Passes { count }),
         }
     }

@@ -2,14 +2,13 @@
 
 use std::ops::ControlFlow;
 
-use super::clock::{Clock, Timing};
 use super::errors::Errors;
-use super::follow::{Follow, Next, Tally, changes_tool};
+use super::follow::{Follow, Lengths, Next, Tally};
 use super::found::Found;
 use super::place::{Asked, PlaceFault, Search};
 use crate::config::Settings;
 use crate::diag::Findings;
-use crate::run::{End, Executed, Passed, Program, Sink};
+use crate::run::{End, Executed, Passed, Sink};
 use crate::syntax::BlockId;
 use crate::text::FileId;
 
@@ -17,44 +16,40 @@ use crate::text::FileId;
 #[derive(Debug)]
 pub struct StateReader {
     search: Search,
-    clock: Clock,
     errors: Errors,
     follow: Follow,
+    lengths: Lengths,
     /// The place, with what is done before it.
     found: Option<(Box<Found>, Tally)>,
     next: Next,
-    /// The block before is behind the place.
-    left: bool,
 }
 
 impl StateReader {
     /// For a program that is executed with these settings.
-    pub fn new(settings: &Settings, asked: Asked, timing: Timing) -> Self {
+    pub fn new(settings: &Settings, asked: Asked) -> Self {
         Self {
             search: Search::new(asked),
-            clock: Clock::new(settings, timing),
             errors: Errors::default(),
             follow: Follow::new(settings),
+            lengths: Lengths::default(),
             found: None,
             next: Next::default(),
-            left: false,
         }
     }
 
-    /// What holds at the place. `whole`: the program was executed to its end, without errors.
+    /// What holds at the place, without times.
     ///
     /// # Errors
     /// When there is no such place, or several.
-    pub fn finish(self, whole: bool) -> Result<Box<Found>, PlaceFault> {
+    pub fn found(&self) -> Result<Box<Found>, PlaceFault> {
         let blocks = self.follow.done().blocks;
         if let Some(fault) = self.search.fault(blocks) {
             return Err(fault);
         }
-        let Some((mut found, done)) = self.found else { return Err(PlaceFault::Beyond { blocks }) };
+        let Some((found, done)) = &self.found else { return Err(PlaceFault::Beyond { blocks }) };
+        let mut found = found.clone();
         found.unknown.retain(|(letter, _)| self.follow.is_moved(*letter));
-        found.add_left(done, self.next, self.follow.done());
-        found.times = self.clock.finish();
-        found.whole = whole;
+        found.add_left(*done, self.next, self.follow.done());
         Ok(found)
     }
 
@@ -79,19 +74,15 @@ impl StateReader {
 impl Sink for &mut StateReader {
     type Whole = End;
 
-    fn begin(&mut self, program: &Program<'_>) {
-        self.clock.begin(program);
-    }
-
     fn spares(&self, next: (FileId, BlockId)) -> u64 {
-        if self.clock.is_planning() { 0 } else { self.search.spares(next, self.follow.done().blocks) }
+        self.search.spares(next, self.follow.done().blocks)
     }
 
     fn passed(&mut self, points: &Passed<'_>) {
         if self.found.is_some() {
             self.next.look_at_points(points);
         }
-        self.follow.pass_over(points);
+        self.follow.pass_over(points, self.lengths.of(points));
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
@@ -103,10 +94,7 @@ impl Sink for &mut StateReader {
         if arrives && !after {
             self.keep(block, false);
         }
-        let is_left = self.found.is_some();
-        self.clock.push(block, changes_tool(block), is_left && !self.left);
-        self.left = is_left;
-        if is_left {
+        if self.found.is_some() {
             self.next.look(block, self.follow.done());
         }
         self.follow.pass(block);
