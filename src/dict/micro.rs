@@ -18,10 +18,13 @@ impl Micro {
 
     /// A computed value, rounded to six decimals, half of one away from zero. Saturates, and a NaN is 0: geometry gives
     /// neither for values of the language.
-    #[inline]
     pub fn from_f64(value: f64) -> Self {
+        Self::from_millionths_f64(value * 1e6)
+    }
+
+    #[inline]
+    fn from_millionths_f64(millionths: f64) -> Self {
         // `f64::round` is a call, and lengths of millions of blocks are rounded.
-        let millionths = value * 1e6;
         #[expect(clippy::cast_possible_truncation, reason = "saturating, as wanted")]
         let whole = millionths as i64;
         #[expect(clippy::cast_precision_loss, reason = "what has more than 53 bits has no fraction")]
@@ -39,6 +42,20 @@ impl Micro {
         #[expect(clippy::cast_precision_loss, reason = "positions have far fewer than 53 bits")]
         let value = self.0 as f64;
         value / 1e6
+    }
+
+    /// Its square, in millionths of a millionth.
+    #[inline]
+    pub fn square(self) -> f64 {
+        #[expect(clippy::cast_precision_loss, reason = "positions have far fewer than 53 bits")]
+        let millionths = self.0 as f64;
+        millionths * millionths
+    }
+
+    /// How long something is whose square is that: the sum of squares of its way in each direction.
+    #[inline]
+    pub fn root(square: f64) -> Self {
+        Self::from_millionths_f64(square.sqrt())
     }
 
     /// The sum; saturates far outside any machine.

@@ -277,10 +277,9 @@ impl<'r> Motion<'r> {
         let linear = !self.is_in_degrees();
         let mut sum = 0.0;
         for travel in self.travels.iter().filter(|travel| self.moving.is_rotary(travel) != linear) {
-            let distance = travel.distance?.to_f64();
-            sum += distance * distance;
+            sum += travel.distance?.square();
         }
-        let length = Micro::from_f64(sum.sqrt());
+        let length = Micro::root(sum);
         Some(if linear { Length::Mm(length) } else { Length::Deg(length) })
     }
 

@@ -72,22 +72,10 @@ impl Passed<'_> {
         axes.filter_map(|(axis, last)| Some((axis.letter, last?)))
     }
 
-    /// Their path in so many parts of about the same length, one behind the other.
-    pub fn paths(&self, parts: u32) -> Vec<PointPath<'_>> {
-        let (machine, mut points) = (self.machine(), self.points);
-        let Some(file) = self.program.resolved.file(points.stretch.file) else { return Vec::new() };
-        let axes: AxisSet =
-            points.last.iter().enumerate().filter(|(_, last)| last.is_some()).map(|(at, _)| at).collect();
-        let mut paths = Vec::new();
-        for left in (1..=parts).rev() {
-            let Stretch { first, end, .. } = points.stretch;
-            let next = BlockId(first.0 + (end.0 - first.0).div_ceil(left));
-            paths.push(PointPath { machine, file, points: points.up_to(next) });
-            if left > 1 {
-                points = points.behind(file, machine, next, axes);
-            }
-        }
-        paths
+    /// Their path.
+    pub fn path(&self) -> Option<PointPath<'_>> {
+        let file = self.program.resolved.file(self.points.stretch.file)?;
+        Some(PointPath { machine: self.machine(), file, points: self.points })
     }
 
     const fn machine(&self) -> &Machine {
@@ -147,6 +135,22 @@ pub struct PointPath<'r> {
 }
 
 impl PointPath<'_> {
+    /// It in so many parts of about the same length, one behind the other.
+    pub fn parts(self, count: u32) -> Vec<Self> {
+        let Self { machine, file, mut points } = self;
+        let axes = points.last.iter().enumerate().filter(|(_, last)| last.is_some()).map(|(at, _)| at).collect();
+        let mut parts = Vec::new();
+        for left in (1..=count).rev() {
+            let Stretch { first, end, .. } = points.stretch;
+            let next = BlockId(first.0 + (end.0 - first.0).div_ceil(left));
+            parts.push(Self { points: points.up_to(next), ..self });
+            if left > 1 {
+                points = points.behind(file, machine, next, axes);
+            }
+        }
+        parts
+    }
+
     /// How long it is, the sum of what `Motion::length` gives for each in mm: linear axes alone count, and a motion
     /// whose start is not known, or not where the tool stands, has no length (MOT-2, MOT-6, MOT-8).
     pub fn length(self) -> Micro {
@@ -166,14 +170,13 @@ impl PointPath<'_> {
                 }
                 match (start, *position) {
                     (Position::Known(start), Position::Known(end)) => {
-                        let distance = end.minus(start).to_f64();
-                        squares += distance * distance;
+                        squares += end.minus(start).square();
                     }
                     _ => is_known = false,
                 }
             }
             if is_known {
-                length = length.plus(Micro::from_f64(squares.sqrt()));
+                length = length.plus(Micro::root(squares));
             }
         }
         length

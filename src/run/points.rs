@@ -200,7 +200,8 @@ mod tests {
             let (mut path, mut last) = (Micro::ZERO, BTreeMap::new());
             loop {
                 if let Some(points) = most.and_then(|most| interpreter.pass_over(program, most)) {
-                    path = points.paths(parts).into_iter().map(PointPath::length).fold(path, Micro::plus);
+                    let parts = points.path().unwrap().parts(parts);
+                    path = parts.into_iter().map(PointPath::length).fold(path, Micro::plus);
                     last.extend(points.axes());
                 }
                 let Some(block) = interpreter.step(program, findings) else { break };

@@ -97,9 +97,11 @@ impl Lengths {
         {
             return *length;
         }
-        // Beside each other, where that saves more than it costs.
-        let parts = if stretch.count() < 10_000 { 1 } else { small(threads()) };
-        let length = map(passed.paths(parts), PointPath::length).into_iter().fold(Micro::ZERO, Micro::plus);
+        let length = passed.path().map_or(Micro::ZERO, |path| match stretch.count() {
+            0..10_000 => path.length(),
+            // Beside each other saves more than it costs.
+            _ => map(path.parts(small(threads())), PointPath::length).into_iter().fold(Micro::ZERO, Micro::plus),
+        });
         self.known.iter_mut().skip(place).take(1).for_each(|known| *known = Some((*points, length)));
         length
     }
