@@ -7,7 +7,7 @@
 use super::{Unit, UnitKind, spelling};
 use crate::diag::Diagnostic;
 use crate::dict::{Address, GCode, PROGRAM_ENDS};
-use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word, swallowed_words};
 use crate::text::Span;
 
 /// The answer to a question about the structure of a program.
@@ -32,16 +32,19 @@ pub(super) fn may_hold(file: &ParsedFile, block: BlockId, address: Address, numb
     words.any(|word| numbers.iter().any(|number| may_mean(file, word, u32::from(*number))))
 }
 
-/// Whether a block that cannot be read as a whole writes an assignment to a parameter.
+/// Whether a block that cannot be read as a whole, or words that a comment swallows (W0114), write an assignment to a
+/// parameter.
 pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
     let name = format!("R{parameter}");
-    let unread = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::DEBRIS));
     let start = |block: BlockId| file.n_place(block).span.start;
-    let mut texts = unread.map(|block| {
+    let unread = file.block_ids().filter(|block| file.flags(*block).has(BlockFlags::DEBRIS)).map(|block| {
         let end = if block.next().0 < file.block_count() { start(block.next()) } else { file.end };
-        file.source.slice(Span::new(start(block), end)).to_ascii_uppercase()
+        Span::new(start(block), end)
     });
+    let comments = file.block_ids().flat_map(|block| file.comments_behind(block));
+    let swallowed = comments.filter_map(|comment| swallowed_words(file.source.text(), *comment));
     let assigns = |behind: &str| behind.trim_start_matches([' ', '\t']).starts_with('=');
+    let mut texts = unread.chain(swallowed).map(|span| file.source.slice(span).to_ascii_uppercase());
     texts.any(|text| text.split(&name).skip(1).any(assigns))
 }
 

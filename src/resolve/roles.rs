@@ -126,6 +126,11 @@ impl Roles {
         }
     }
 
+    /// Whether no function takes its L.
+    pub const fn has_unused_l(&self) -> bool {
+        matches!(self.taker, Taker::Nothing) && self.l.is_some()
+    }
+
     /// Whether it begins a unit: G79, beside which other words have a finding of their own.
     fn begins(&self) -> bool {
         matches!(self.taker, Taker::One(GCode::G79, _))

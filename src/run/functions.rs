@@ -38,8 +38,9 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
         {
             site.report(with_origin(state, Diagnostic::new(finding, site.word_place(word)), word));
         }
-        // GRP-8: what G05–G08 do is not modelled; said once of each.
-        if !code.is_modelled() {
+        // GRP-8: what G05–G08 do is not modelled; said once of each. Beside an L without use one is the rest of a call
+        // or jump, which has its finding (W0402).
+        if !code.is_modelled() && !words.roles().has_unused_l() {
             report_unmodelled(site, state, code, site.word_place(word));
         }
     }

@@ -185,7 +185,8 @@ impl Interpreter {
             if self.frames.len() < 2 {
                 return Err(Stop::Halted);
             }
-            // A unit without its G70 ends with its last block.
+            // A unit without its G70 ends with its last block. What it should have done by then is not known.
+            self.state.lose_by_call();
             self.leave();
             return Ok(false);
         }

@@ -23,5 +23,6 @@ pub use agreement::short_way_agrees;
 pub use file::{Block, BlockFlags, BlockId, ParsedFile};
 pub use foreign::{Foreign, foreign, is_suspicious};
 pub use parse::{Form, parse};
+pub use slips::swallowed_words;
 pub use tokens::{Kind, Shape, Token, tokens};
 pub use word::{Value, Word, WordParts};

@@ -14,14 +14,13 @@ const TYPOGRAPHIC: [char; 3] = ['“', '”', '„'];
 /// `"text"`; without its second quote it may swallow words (LEX-6).
 pub(super) fn quoted(around: &Around<'_>) -> Option<Diagnosis> {
     let [token] = around.next([Kind::Comment])?;
-    let (span, text) = (token.span(), around.slice(token.span()));
+    let span = token.span();
     let diagnosis = Diagnosis { comments: vec![span], ..Diagnosis::of(1) };
     // A quote that closes a comment which nothing opens has a finding.
-    let closes = around.quotes_off.is_some_and(|end| span.start < end);
-    if closes || text.len() > 1 && text.ends_with('"') {
+    if around.quotes_off.is_some_and(|end| span.start < end) {
         return Some(diagnosis);
     }
-    let found = swallowed::words(around.text, Span::new(span.start + 1, span.end)).map(|words| {
+    let found = swallowed::swallowed_words(around.text, span).map(|words| {
         let finding = Finding::CommentSwallowsWords { words: shown(around.slice(words).trim_end()) };
         around.diagnostic(words, finding)
     });

@@ -16,6 +16,7 @@ mod texts;
 pub(super) use functions::has_other_words;
 pub(super) use letters::{look_alike, mixed_number};
 pub(super) use numbers::lost_number;
+pub use swallowed::swallowed_words;
 pub(super) use texts::statement_end;
 
 use super::number::Number;

@@ -26,6 +26,12 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
     Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
 }
 
+/// The words that a comment swallows, which begins with a quote (W0114).
+pub fn swallowed_words(text: &str, comment: Span) -> Option<Span> {
+    let inner = text.get(comment.range())?.strip_prefix('"')?;
+    if inner.ends_with('"') { None } else { words(text, Span::new(comment.start + 1, comment.end)) }
+}
+
 /// The words that `span` holds, when nothing but words and comments is in it.
 pub(super) fn only_words(text: &str, span: Span) -> Option<Vec<Token>> {
     if span.len() > TAIL {
