@@ -1,12 +1,15 @@
-%1 "G70 chybi: kde stroj po volani stoji, neni znamo"
+%1 "hvezdicka uprostred podprogramu: co po volani plati, neni znamo"
 N10 G54 G90 G0 X0 Y0 Z50
 N20 T1 M6
 N30 S1200 M3 F300
 N40 G71 L200
 N50 G2 X10 Y10 I10 J0
-N60 G0 Z50
-N70 M30
+N55 G1 Z-4
+N60 X20
+N70 G0 Z50 M30
 N200 G79 L200
 "    ^^^ E0207
 N210 G91 G1 Z-2
-N220 Y20
+N220 G3 Y20 J10*
+N230 G1 G90 G70
+"@ 14:1-14:16 W0110

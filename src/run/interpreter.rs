@@ -185,8 +185,12 @@ impl Interpreter {
             if self.frames.len() < 2 {
                 return Err(Stop::Halted);
             }
-            // A unit without its G70 ends with its last block. What it should have done by then is not known.
-            self.state.lose_by_call();
+            // A unit without its G70 ends with its last block. What was to come is not known.
+            let call = self.frames.last().and_then(|frame| frame.call);
+            let cut = call.map(|call| LostCall { n: call.n, l: Some(call.l), missing: false });
+            self.lost = self.lost.or(cut);
+            self.state.lose_by_cut();
+            self.run = Run::Unknown;
             self.leave();
             return Ok(false);
         }

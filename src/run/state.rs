@@ -376,6 +376,13 @@ impl State {
         }
     }
 
+    /// The end of a subprogram or macrocycle is missing: nor are the functions in force known after a call of it.
+    pub(super) fn lose_by_cut(&mut self) {
+        self.lose_by_call();
+        self.unknown = self.unknown.and(Groups::lasting());
+        self.m.fill(None);
+    }
+
     /// The function of an M group.
     pub(super) fn m(&self, group: usize) -> Option<u8> {
         self.m.get(group).copied().flatten()
