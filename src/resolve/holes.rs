@@ -45,7 +45,9 @@ pub fn may_assign(file: &ParsedFile, parameter: u8) -> bool {
     let swallowed = comments.filter_map(|comment| swallowed_words(file.source.text(), *comment));
     let assigns = |behind: &str| behind.trim_start_matches([' ', '\t']).starts_with('=');
     let mut texts = unread.chain(swallowed).map(|span| file.source.slice(span).to_ascii_uppercase());
-    texts.any(|text| text.split(&name).skip(1).any(assigns))
+    // The results of arithmetic are named by control words.
+    let computes = |text: &str| ["G26", "G27", "G28", "G29"].iter().any(|function| text.contains(function));
+    texts.any(|text| computes(&text) || text.split(&name).skip(1).any(assigns))
 }
 
 /// Whether a unit without an end may have one that cannot be read: M02 or M30, in subprograms and macrocycles G70.

@@ -308,8 +308,7 @@ impl<'a> BlockJudge<'a> {
                 if meant == UnusedMeant::Target { lost() } else { meant }
             }
         };
-        let alone = words.iter().all(|word| matches!(word.address, Address::L | Address::Q | Address::Skip));
-        let lost = l_number(word).filter(|_| alone && meant == UnusedMeant::Target);
+        let lost = l_number(word).filter(|_| meant == UnusedMeant::Target);
         let diagnostic = Diagnostic::new(Finding::UnusedTarget { meant }, self.file.word_place(word));
         match lost {
             Some(l) => self.judged.lost_calls.push((l, diagnostic)),

@@ -29,7 +29,7 @@ pub(super) struct OpenEnds {
     early: Option<(EarlyEnd, Location)>,
     /// The words too many in blocks that begin subprograms (E0208): a line that they begin has no other finding.
     pub(super) crowded: BTreeSet<Location>,
-    /// L alone in a block (W0402), with its number: its function was lost.
+    /// L without use (W0402), with its number: its function was lost.
     pub(super) lost_calls: Vec<(u32, Diagnostic)>,
     /// What each file leaves open.
     pub(super) files: Vec<OpenFile>,
@@ -214,7 +214,7 @@ impl Context<'_, '_> {
         told
     }
 
-    /// L alone in a block (W0402), with the call that was meant when a macrocycle has its number; none where it begins
+    /// L without use (W0402), with the call that was meant when a macrocycle has its number; none where it begins
     /// the subprogram without G79 that a call meant.
     fn report_lost_calls(&mut self, resolved: &Resolved, lost_calls: Vec<(u32, Diagnostic)>, strays: &[Stray]) {
         for (l, mut diagnostic) in lost_calls {

@@ -1,0 +1,11 @@
+%1 "pismeno misto G v G79: jedna zavada"
+N10 G54 G90 G0 X0 Y0 Z50
+N20 T1 M6
+N30 S1200 M3 F300
+N40 G71 L200
+"        ^^^ E0404
+N50 G0 Z50 M30
+N200 b79 L200
+"    ^ W0108
+N210 G1 Z-2
+N220 Y20 G70
