@@ -1,6 +1,6 @@
 //! Functions about a place of a program: what holds there, and a program that starts there.
 
-use cnc872c::analysis::state::{Asked, AtTime, Place, PlaceFault, StateReader, Timing, fault_text, json as state_json};
+use cnc872c::analysis::state::{Asked, AtTime, Place, PlaceFault, Timing, fault_text, json as state_json};
 use cnc872c::config::{Purpose, parse_decimal};
 use cnc872c::dict::{Decimal, Micro};
 use cnc872c::restart::{self as starting, Answer, Spot, refusal_text};
@@ -70,12 +70,11 @@ pub fn state(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, at: 
     one(py, program, Options::new(options)?, |mut one| {
         let settings = one.session.settings;
         let asked = at.asked(&mut one)?;
-        let mut reader = StateReader::new(settings, asked.clone(), Timing::Configured);
-        let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut &mut reader);
-        if reader.has_error_before() || run.outcome.unusable || run.outcome.not_executed.is_some() {
+        let run = one.session.state(one.path, &one.name, asked.clone(), Timing::Configured);
+        if run.error_before || run.outcome.unusable || run.outcome.not_executed.is_some() {
             return Err(broken(&mut one, run.outcome));
         }
-        match reader.finish(run.whole.is_some()) {
+        match run.found {
             Ok(found) => Ok(state_json(&found, &one.name, settings)),
             Err(fault) => Err(no_place(&mut one, run.outcome, &fault, &asked)),
         }
