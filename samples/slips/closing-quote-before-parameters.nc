@@ -1,4 +1,4 @@
-%1 "uvozovka na konci poznamky chybi: prirazeni nejsou bloku"
+%1 "za poznamkou chybi uvozovka: poznamka spolkla prirazeni"
 N10 G54 G90 G0 X0 Y0 Z50
 N20 T1 M6
 N30 S1200 M3

@@ -52,7 +52,7 @@ impl Micro {
         millionths * millionths
     }
 
-    /// How long something is whose square is that: the sum of squares of its way in each direction.
+    /// The length of a way, from the sum of the squares of its parts along the axes.
     #[inline]
     pub fn root(square: f64) -> Self {
         Self::from_millionths_f64(square.sqrt())

@@ -83,26 +83,6 @@ impl Passed<'_> {
     }
 }
 
-impl Points {
-    /// Those before a block.
-    fn up_to(mut self, end: BlockId) -> Self {
-        self.stretch.end = end;
-        self
-    }
-
-    /// Those from a block on; `axes`: what they move.
-    fn behind(mut self, file: &ParsedFile, machine: &Machine, first: BlockId, axes: AxisSet) -> Self {
-        let last = last_words(file, machine, self.stretch.first..first, axes);
-        for (axis, (position, last)) in self.positions.iter_mut().zip(last).enumerate() {
-            let Some((_, word)) = last else { continue };
-            *position = self.reading.target(axis, word.number());
-            self.unsettled.remove(axis);
-        }
-        self.stretch.first = first;
-        self
-    }
-}
-
 /// For each axis, by place in machine order, its last word in some blocks of axis words, and which block that is in;
 /// `axes`: the only ones that there may be words of.
 pub(super) fn last_words(
@@ -137,18 +117,31 @@ pub struct PointPath<'r> {
 impl PointPath<'_> {
     /// It in so many parts of about the same length, one behind the other.
     pub fn parts(self, count: u32) -> Vec<Self> {
-        let Self { machine, file, mut points } = self;
-        let axes = points.last.iter().enumerate().filter(|(_, last)| last.is_some()).map(|(at, _)| at).collect();
-        let mut parts = Vec::new();
-        for left in (1..=count).rev() {
-            let Stretch { first, end, .. } = points.stretch;
-            let next = BlockId(first.0 + (end.0 - first.0).div_ceil(left));
-            parts.push(Self { points: points.up_to(next), ..self });
-            if left > 1 {
-                points = points.behind(file, machine, next, axes);
-            }
+        let (mut parts, mut rest) = (Vec::new(), self);
+        for left in (2..=count).rev() {
+            let Stretch { first, end, .. } = rest.points.stretch;
+            let (part, behind) = rest.split(BlockId(first.0 + (end.0 - first.0).div_ceil(left)));
+            parts.push(part);
+            rest = behind;
         }
+        parts.push(rest);
         parts
+    }
+
+    /// It up to a block, and from there on.
+    fn split(self, at: BlockId) -> (Self, Self) {
+        let (mut part, mut behind) = (self, self);
+        part.points.stretch.end = at;
+        let points = &mut behind.points;
+        let moved = points.last.iter().enumerate().filter(|(_, last)| last.is_some()).map(|(axis, _)| axis).collect();
+        let last = last_words(self.file, self.machine, points.stretch.first..at, moved);
+        for (axis, (position, last)) in points.positions.iter_mut().zip(last).enumerate() {
+            let Some((_, word)) = last else { continue };
+            *position = points.reading.target(axis, word.number());
+            points.unsettled.remove(axis);
+        }
+        points.stretch.first = at;
+        (part, behind)
     }
 
     /// How long it is, the sum of what `Motion::length` gives for each in mm: linear axes alone count, and a motion

@@ -376,7 +376,7 @@ impl State {
         }
     }
 
-    /// The end of a subprogram or macrocycle is missing: nor are the functions in force known after a call of it.
+    /// A call ended without the G70 of its unit: the functions in force are not known after it, either.
     pub(super) fn lose_by_cut(&mut self) {
         self.lose_by_call();
         self.unknown = self.unknown.and(Groups::lasting());

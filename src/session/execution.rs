@@ -258,7 +258,7 @@ impl<'a> Execution<'a> {
 
     /// Whether no more blocks are executed after so many.
     fn is_over(&mut self, executed: u64) -> bool {
-        if executed.is_multiple_of(PROGRESS) && executed > 0 && !self.session.goes_on(executed) {
+        if !self.session.goes_on(executed) {
             self.give_up();
         }
         self.given_up

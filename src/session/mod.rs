@@ -19,6 +19,7 @@ use crate::run::{End, Interpreter, Sink};
 use crate::stream;
 use crate::text::{FileId, Loader, Location, SourceText, Sources, Span};
 pub use execution::Execution;
+use execution::PROGRESS;
 pub use record::Record;
 pub use signals::TimedSignals;
 pub use state::StateRun;
@@ -234,9 +235,11 @@ impl<'a> Session<'a> {
         Library::number(path).is_some()
     }
 
-    /// Whether the caller wants more after so many blocks.
+    /// Whether the caller wants more after so many blocks, who is asked after each [`PROGRESS`] of them.
+    #[inline]
     fn goes_on(&self, executed: u64) -> bool {
-        self.progress.is_none_or(|progress| progress(executed))
+        let is_asked = executed > 0 && executed.is_multiple_of(PROGRESS);
+        !is_asked || self.progress.is_none_or(|progress| progress(executed))
     }
 
     fn read(&self, path: &Path, name: &str, outcome: &mut Outcome) -> Option<Arc<SourceText>> {

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use super::execution::PROGRESS;
 use super::{Execution, Outcome, Session};
 use crate::analysis::state::{Asked, Clock, Found, PlaceFault, Progress, StateReader, TimedProgress, Timing};
 use crate::config::Purpose;
@@ -35,7 +34,9 @@ impl Session<'_> {
         let start = execution.interpreter();
         execution.show(&mut &mut reader);
         let mut found = reader.found();
+        let error_before = reader.has_error_before();
         if let Ok(found) = &mut found
+            && !error_before
             && timing.wants(self.settings, found.blocks.done + found.blocks.left)
         {
             found.times = self.times(&mut execution, start, found.blocks);
@@ -45,7 +46,7 @@ impl Session<'_> {
         if let Ok(found) = &mut found {
             found.whole = whole;
         }
-        let error_before = reader.has_error_before() || reader.has_late_error(&run.outcome.findings);
+        let error_before = error_before || reader.has_late_error(&run.outcome.findings);
         StateRun { outcome: run.outcome, whole, error_before, found }
     }
 
@@ -58,7 +59,7 @@ impl Session<'_> {
     ) -> Option<TimedProgress> {
         let mut clock = Clock::new(self.settings, blocks);
         while let Some(block) = execution.follow(&mut behind) {
-            if block.seq().is_multiple_of(PROGRESS) && !self.goes_on(block.seq()) {
+            if !self.goes_on(block.seq()) {
                 return None;
             }
             clock.push(&block);

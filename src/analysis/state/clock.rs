@@ -1,4 +1,4 @@
-//! Times before and behind a place: of a second pass over the blocks, when it is known how many there are.
+//! Times before and behind a place, from a second pass over the blocks: by then their number is known.
 
 use std::ops::ControlFlow;
 

@@ -102,7 +102,9 @@ impl Lengths {
             // Beside each other saves more than it costs.
             _ => map(path.parts(small(threads())), PointPath::length).into_iter().fold(Micro::ZERO, Micro::plus),
         });
-        self.known.iter_mut().skip(place).take(1).for_each(|known| *known = Some((*points, length)));
+        if let Some(slot) = self.known.get_mut(place) {
+            *slot = Some((*points, length));
+        }
         length
     }
 }
@@ -219,8 +221,8 @@ impl Follow {
         }
     }
 
-    /// The armed counters of the calls that are open at a block, before or behind it: that of its own jump is what it
-    /// was.
+    /// The armed counters of the calls that are open at a block, before or behind it. Before it, the counter of its own
+    /// jump has not counted yet.
     fn counters_at(&self, block: &Executed<'_>, after: bool) -> Vec<CounterAt> {
         let (depth, (file, id)) = (block.depth(), block.at());
         let is_own = |counter: &ArmedCounter| counter.depth == depth && counter.file == file && counter.block == id;

@@ -21,7 +21,7 @@ pub enum Place {
     Tool(Decimal),
 }
 
-/// What is asked.
+/// A question about a place.
 #[derive(Clone, Debug)]
 pub struct Asked {
     /// Where.
@@ -147,7 +147,7 @@ impl Search {
         Self { asked, macrocycle, file: None, block: None, near: None, arrivals: Vec::new(), count: 0 }
     }
 
-    /// What is asked.
+    /// The question.
     pub const fn asked(&self) -> &Asked {
         &self.asked
     }
