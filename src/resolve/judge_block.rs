@@ -87,7 +87,9 @@ impl<'a> BlockJudge<'a> {
             }
         }
         self.judge_plane(&functions);
-        self.judge_roles(words, &functions, flags);
+        // Another function may have been meant by what is wrong in the block.
+        let clear = !flags.has(BlockFlags::DEBRIS) && !words.iter().any(|word| word.is_void());
+        self.judge_roles(words, &functions, flags, clear);
         self.judge_other_meanings(words, &functions);
         self.judge_dynamic_set(words, &functions);
         self.judge_parameters(words, &functions);
@@ -231,11 +233,15 @@ impl<'a> BlockJudge<'a> {
         }
     }
 
-    /// What L and Q are for (FLW-7), what G04 needs (GRP-5), and that the L of G79 is written out (PRG-3).
-    fn judge_roles(&mut self, words: &[Word], functions: &Functions, flags: BlockFlags) {
+    /// What L and Q are for (FLW-7), what G04 needs (GRP-5), and that the L of G79 is written out (PRG-3). `clear`:
+    /// nothing else is wrong with the block that a function may explain.
+    fn judge_roles(&mut self, words: &[Word], functions: &Functions, flags: BlockFlags, clear: bool) {
         functions.roles.check(flags.has(BlockFlags::END), |word, finding| {
             let unused_l = matches!(finding, Finding::UnusedTarget { .. });
             let unused_q = matches!(finding, Finding::UnusedRepeat {});
+            if (unused_l || unused_q) && !clear {
+                return;
+            }
             if let Finding::MissingTarget { function: function @ GCode::G71, meant } = finding {
                 let only_g = words.iter().all(|word| word.address == Address::G);
                 let known = || self.known_subprograms().unwrap_or(meant);

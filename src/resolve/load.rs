@@ -60,11 +60,13 @@ pub fn resolve(
 /// word is to be looked at anyway (LEX-11).
 fn add_case(case: Option<Diagnostic>, findings: &mut Findings) {
     let Some(case) = case else { return };
-    let of_word = |found: &Diagnostic| {
+    let at_word = |at: Location| {
         // Its letter, or its number.
-        let behind = found.at.span.start.checked_sub(case.at.span.start);
-        found.at.file == case.at.file && matches!(behind, Some(0 | 1))
+        let behind = at.span.start.checked_sub(case.at.span.start);
+        at.file == case.at.file && matches!(behind, Some(0 | 1))
     };
+    // A conflict is a finding of both its words.
+    let of_word = |found: &Diagnostic| at_word(found.at) || found.labels.iter().any(|label| at_word(label.at));
     let single = matches!(case.finding, Finding::LowercaseAddress { count: 1 });
     if !(single && findings.items().iter().any(of_word)) {
         findings.add(case);

@@ -208,7 +208,13 @@ fn use_center_words(site: &mut Site<'_>, state: &mut State, block: &mut Block, i
     let of_arc = circular && matches!(useless.first(), Some(('K', _)));
     let place = if of_arc { CenterPlace::ThirdInArc } else { CenterPlace::NoUse };
     match centers_without_use(&useless, place) {
-        Some((finding, at)) if of_arc => arc_findings::found(site, state, (words, g), finding, at),
+        Some((finding, at)) if of_arc => {
+            arc_findings::found(site, state, (words, g), finding, at);
+            // It may have been meant as the other word of the centre.
+            if words.i.is_some() || words.j.is_some() {
+                words.j = words.k.map(|k| Valued { value: None, ..k });
+            }
+        }
         Some((finding, at)) => site.found(finding, at),
         None => {}
     }
@@ -285,9 +291,6 @@ fn find_arc(
     let centered = !(zero(words.i) && zero(words.j));
     let helical = g.of(GGroup::G2) == Some(GCode::G09) || g.unknown.has(GGroup::G2);
     let off_plane = helix.is_some() && centered && !helical && !unclear;
-    if off_plane {
-        arc_findings::found(site, state, (words, g), Finding::HelixWithoutG09 {}, words.place_of_motion(site));
-    }
     if !unclear {
         arc_findings::check_plane(site, state, words, g, pair);
     }
@@ -295,16 +298,23 @@ fn find_arc(
     let named = planes::named(&machine.axes, pair);
     let [first, second] = named.map(|axis| machine.axes.get(axis).map(|axis| axis.letter));
     let mut arc = ArcFacts { plane: [first?, second?], helix, radius: None, computed: None };
-    let Some(to_center) = center(site, state, words, g, named) else { return Some(arc) };
-    arc.radius = Some(arc::radius(to_center));
-    let Some([start, end]) = ends(site, state, (words, g), named, travels) else { return Some(arc) };
-    let counter_clockwise = moving.kind == MotionType::ArcCcw;
-    let path = Arc { start, end, to_center, counter_clockwise };
-    let computed = path.compute();
+    let to_center = center(site, state, words, g, named);
+    arc.radius = to_center.map(arc::radius);
+    let path = to_center.and_then(|to_center| {
+        let [start, end] = ends(site, state, (words, g), named, travels)?;
+        Some(Arc { start, end, to_center, counter_clockwise: moving.kind == MotionType::ArcCcw })
+    });
     let tolerance = Micro::from(machine.limits.arc_tolerance).to_f64();
-    if !arc::radii_agree(&computed, tolerance) {
+    let computed = path.as_ref().map(Arc::compute);
+    let fits = computed.as_ref().is_none_or(|computed| arc::radii_agree(computed, tolerance));
+    // One of its words was meant as another.
+    if off_plane && fits {
+        arc_findings::found(site, state, (words, g), Finding::HelixWithoutG09 {}, words.place_of_motion(site));
+    }
+    let (Some(path), Some(computed)) = (path, computed) else { return Some(arc) };
+    if !fits {
         arc_findings::radii(site, state, (words, g), words.place_of_motion(site), named, (&path, &computed));
-    } else if start != end {
+    } else if path.start != path.end {
         // The mode in force was meant.
         state.said.arc_mode = false;
     }

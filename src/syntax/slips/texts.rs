@@ -267,12 +267,8 @@ const SENTENCE: usize = 3;
 fn is_sentence(bytes: &[u8], token: Token) -> bool {
     let before = bytes.get(..token.start as usize).sure();
     let before = before.iter().rev().find(|byte| !matches!(byte, b' ' | b'\t'));
-    let begins = match before {
-        None | Some(b'\n' | b'\r') => matches!(token.kind, Kind::Junk(Shape::Text) | Kind::Letter),
-        Some(b'"') => matches!(token.kind, Kind::Junk(Shape::Text) | Kind::Letter | Kind::Parameter | Kind::Number),
-        Some(_) => false,
-    };
-    if !begins {
+    let begins = matches!(before, None | Some(b'\n' | b'\r' | b'"'));
+    if !begins || matches!(token.kind, Kind::Sign | Kind::Equals) {
         return false;
     }
     let rest = bytes.get(token.start as usize..).sure();
