@@ -1,5 +1,5 @@
-//! Every sample typed: the server lives, and finds at the end what `check` finds. Every fourth one character by
-//! character, the others word by word; the inside of comments at once.
+//! Every sample typed: the server lives, and finds at the end what `check` finds. One of sixteen is typed character by
+//! character, half of the others word by word, the rest line by line; the inside of comments at once.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,6 +16,14 @@ use crate::samples::root;
 
 /// Of longer texts the rest is pasted.
 const TYPED: usize = 600;
+
+/// What is typed at once, outside comments.
+#[derive(Clone, Copy, Eq, PartialEq)]
+enum Stroke {
+    Letter,
+    Word,
+    Line,
+}
 
 /// A finding: code, and place from 1.
 type Finding = (String, [u64; 4]);
@@ -40,7 +48,12 @@ fn every_sample() {
                 });
                 let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
                 while let Some((at, path)) = { queue.lock().unwrap().pop() } {
-                    type_in(&mut client, &path, at % 16 == 0);
+                    let stroke = match at % 16 {
+                        0 => Stroke::Letter,
+                        1..8 => Stroke::Word,
+                        _ => Stroke::Line,
+                    };
+                    type_in(&mut client, &path, stroke);
                 }
                 assert_eq!(client.end(), 0);
             });
@@ -48,7 +61,7 @@ fn every_sample() {
     });
 }
 
-fn type_in(client: &mut Client, path: &Path, each_letter: bool) {
+fn type_in(client: &mut Client, path: &Path, stroke: Stroke) {
     let uri = format!("file://{}", path.display());
     let source = SourceText::decode("", std::fs::read(path).unwrap(), Encoding::default()).unwrap();
     let document = json!({ "uri": uri, "languageId": "cnc872", "version": 0, "text": "" });
@@ -57,12 +70,12 @@ fn type_in(client: &mut Client, path: &Path, each_letter: bool) {
     let (mut line, mut column, mut version) = (0, 0, 0);
     let typed = source.text().char_indices().nth(TYPED).map_or(source.text().len(), |(at, _)| at);
     let (first, rest) = source.text().split_at(typed);
-    for text in keystrokes(first, each_letter).into_iter().chain(Some(rest).filter(|rest| !rest.is_empty())) {
+    for text in keystrokes(first, stroke).into_iter().chain(Some(rest).filter(|rest| !rest.is_empty())) {
         version += 1;
         let at = json!({ "line": line, "character": column });
         change(client, &uri, version, &json!({ "range": { "start": at, "end": at }, "text": text }));
         // Letter by letter each change has its findings; else the server gathers up to four.
-        if each_letter || version % 4 == 0 {
+        if stroke == Stroke::Letter || version % 4 == 0 {
             client.findings(&uri, Some(version));
         }
         if version % 32 == 0 {
@@ -82,28 +95,27 @@ fn type_in(client: &mut Client, path: &Path, each_letter: bool) {
     client.forget();
 }
 
-/// A text as it is typed: a character at a time, and at once what a comment says, after its opening quote and before
-/// the closing one: most of a sample is comments, and their letters are all alike to the server. Words, and spaces
-/// between them, come at once unless each letter is asked for.
-fn keystrokes(text: &str, each_letter: bool) -> Vec<&str> {
+/// A text as it is typed, and at once what a comment says, after its opening quote and before the closing one: most of
+/// a sample is comments, and their letters are all alike to the server. Spaces between words come at once.
+fn keystrokes(text: &str, stroke: Stroke) -> Vec<&str> {
     let mut strokes = Vec::new();
     let mut rest = text;
     let mut in_comment = false;
     while let Some(next) = rest.chars().next() {
-        let length = if in_comment {
-            rest.find(['"', '\r', '\n']).unwrap_or(rest.len())
-        } else if each_letter {
-            0
-        } else {
-            rest.find(['"', ' ', '\r', '\n']).unwrap_or(rest.len()).max(rest.len() - rest.trim_start_matches(' ').len())
+        let until = |ends: &[char]| rest.find(ends).unwrap_or(rest.len());
+        let length = match stroke {
+            _ if in_comment => until(&['"', '\r', '\n']),
+            Stroke::Letter => 0,
+            Stroke::Word => until(&['"', ' ', '\r', '\n']).max(rest.len() - rest.trim_start_matches(' ').len()),
+            Stroke::Line => until(&['"', '\r', '\n']),
         };
-        let (stroke, after) = rest.split_at(length.max(next.len_utf8()));
-        in_comment = match stroke {
+        let (typed, after) = rest.split_at(length.max(next.len_utf8()));
+        in_comment = match typed {
             "\"" => !in_comment,
             "\r" | "\n" => false,
             _ => in_comment,
         };
-        strokes.push(stroke);
+        strokes.push(typed);
         rest = after;
     }
     strokes
@@ -113,9 +125,11 @@ fn keystrokes(text: &str, each_letter: bool) -> Vec<&str> {
 fn strokes() {
     let text = "%1\"ab c\"N10  X5\n\"d\r\nX";
     let each = ["%", "1", "\"", "ab c", "\"", "N", "1", "0", " ", " ", "X", "5", "\n", "\"", "d", "\r", "\n", "X"];
-    assert_eq!(keystrokes(text, true), each);
+    assert_eq!(keystrokes(text, Stroke::Letter), each);
     let rows = ["%1", "\"", "ab c", "\"", "N10", "  ", "X5", "\n", "\"", "d", "\r", "\n", "X"];
-    assert_eq!(keystrokes(text, false), rows);
+    assert_eq!(keystrokes(text, Stroke::Word), rows);
+    let rows = ["%1", "\"", "ab c", "\"", "N10  X5", "\n", "\"", "d", "\r", "\n", "X"];
+    assert_eq!(keystrokes(text, Stroke::Line), rows);
 }
 
 fn change(client: &mut Client, uri: &str, version: i64, change: &Value) {
