@@ -9,7 +9,7 @@ use crate::syntax::{BlockId, ParsedFile};
 pub(super) struct Numbered {
     /// Numbers that stand twice.
     pub(super) findings: Findings,
-    /// The blocks whose numbers stand before, in the order of the text.
+    /// The blocks that these are reported at, copies of others included, in the order of the text.
     pub(super) repeated: Vec<BlockId>,
     /// The first block of each number that jumps can reach, by number.
     pub(super) reachable: Vec<(u32, BlockId)>,
@@ -46,13 +46,14 @@ pub(super) fn number_blocks(parsed: &ParsedFile) -> Numbered {
         }
     }
     repeated.sort_unstable();
-    report(parsed, &repeated, &mut numbered.findings);
-    numbered.repeated = repeated.into_iter().map(|(block, _)| block).collect();
+    report(parsed, &repeated, &mut numbered);
+    numbered.repeated.sort_unstable();
     numbered
 }
 
-/// Reports each run of blocks whose numbers are those of as many consecutive blocks before, in order: once.
-fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], findings: &mut Findings) {
+/// Reports each run of blocks whose numbers are those of as many consecutive blocks before, in order: once. Of two
+/// single blocks the second is reported, unless the numbers around the first alone say that it is the wrong one.
+fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], numbered: &mut Numbered) {
     let mut rest = repeated;
     while let Some((&(block, first), _)) = rest.split_first() {
         let follows = |(at, (again, before)): (u32, &(BlockId, BlockId))| {
@@ -62,8 +63,23 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], findings: &mut F
         let last = rest.get(count.saturating_sub(1)).map_or(block, |(last, _)| *last);
         let last = (count > 1).then(|| parsed.shown_number(last));
         let number = parsed.shown_number(block);
-        let diagnostic = Diagnostic::new(Finding::DuplicateBlockNumber { block: number, last }, parsed.n_place(block));
-        findings.add(diagnostic.with_label(parsed.n_place(first), LabelText::FirstBlock { block: number }));
-        rest = rest.get(count.max(1)..).sure();
+        let (at, other, label) = if last.is_none() && !rises(parsed, first) && rises(parsed, block) {
+            (first, block, LabelText::BlockHere { block: number })
+        } else {
+            (block, first, LabelText::FirstBlock { block: number })
+        };
+        let diagnostic = Diagnostic::new(Finding::DuplicateBlockNumber { block: number, last }, parsed.n_place(at));
+        numbered.findings.add(diagnostic.with_label(parsed.n_place(other), label));
+        let (run, behind) = rest.split_at_checked(count.max(1)).sure();
+        numbered.repeated.extend(run.iter().map(|(block, _)| if last.is_none() { at } else { *block }));
+        rest = behind;
     }
+}
+
+/// Whether the number of a block lies between those of its neighbours.
+fn rises(parsed: &ParsedFile, block: BlockId) -> bool {
+    let number = parsed.number(block);
+    let before = block.0.checked_sub(1).and_then(|before| parsed.number(BlockId(before)));
+    let behind = (block.next().0 < parsed.block_count()).then(|| parsed.number(block.next())).flatten();
+    before.is_none_or(|before| Some(before) < number) && behind.is_none_or(|behind| number < Some(behind))
 }
