@@ -14,6 +14,7 @@ use arrow_schema::{ArrowError, Field, Metadata, Schema, SchemaRef};
 use arrow_select::take::take;
 
 use super::cells::{Cells, Kind};
+use crate::sure::small;
 
 /// Rows of a record batch; the last one has fewer.
 pub const ROWS: usize = 1 << 16;
@@ -277,7 +278,7 @@ impl Table {
         debug_assert_eq!(self.at, fields, "every row has every field");
         if !self.follows {
             // A batch has far fewer rows than that.
-            self.whole.push(u32::try_from(self.rows).unwrap_or(u32::MAX));
+            self.whole.push(small(self.rows));
         }
         debug_assert!(!self.whole.is_empty(), "no batch begins with a row that follows");
         self.begin_row(false);
