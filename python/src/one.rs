@@ -283,7 +283,8 @@ fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), F
         return Err(Fault::Program(one.json()));
     }
     let steps = reader.finish();
-    Ok((Side { name: one.name, blocks: steps.blocks, path: steps.path, time_s: clock.found().err() }, steps))
+    let (blocks, path, time_s) = (steps.blocks, steps.path, clock.found().err());
+    Ok((Side { name: one.name, blocks, path, time_s, whole }, steps))
 }
 
 /// A program in one layout, and how many lines stay because they cannot be read.

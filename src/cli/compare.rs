@@ -202,7 +202,8 @@ fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, 
         run.outcome.add_to(&mut report);
         if usable && (run.whole.is_some() || args.partial) {
             let steps = reader.finish();
-            let side = Side { name, blocks: steps.blocks, path: steps.path, time_s: clock.found().err() };
+            let (time_s, whole) = (clock.found().err(), run.whole.is_some());
+            let side = Side { name, blocks: steps.blocks, path: steps.path, time_s, whole };
             found = Some((side, steps));
         }
     }

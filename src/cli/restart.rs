@@ -16,7 +16,7 @@ use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, fault_text};
 use crate::config::Purpose;
 use crate::diag::{Format, terminal_safe};
 use crate::dict::Lang;
-use crate::restart::{Answer, Made, Options, Reason, Restart, Said, Spot, list, refusal_text, restart, spot_text};
+use crate::restart::{Answer, Made, Options, Restart, Said, Spot, list, refusal_text, restart, spot_text};
 use crate::session::{Outcome, Session};
 use crate::text::Loader;
 
@@ -106,7 +106,7 @@ impl End {
             Answer::Program(made) => Some(Self::Program(made)),
             Answer::Place(fault) => Some(Self::Said(fault_text(&fault, asked, locale.lang), Status::Unusable)),
             Answer::Refused { reason, nearest } => {
-                let status = if matches!(reason, Reason::NoSafe { .. }) { Status::Unusable } else { Status::Faulty };
+                let status = if reason.asks_for_safe() { Status::Unusable } else { Status::Faulty };
                 Some(Self::Said(refusal_text(&reason, nearest.as_ref(), locale.lang), status))
             }
         }

@@ -104,7 +104,8 @@ impl Program<'_> {
             });
         }
         let steps = reader.finish();
-        let side = Side { name: name.clone(), blocks: steps.blocks, path: steps.path, time_s: clock.found().err() };
+        let (blocks, path, time_s) = (steps.blocks, steps.path, clock.found().err());
+        let side = Side { name: name.clone(), blocks, path, time_s, whole: true };
         Ok((side, steps))
     }
 

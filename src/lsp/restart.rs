@@ -11,7 +11,7 @@ use crate::config::parse_decimal;
 use crate::diag::Report;
 use crate::dict::Decimal;
 use crate::edit::edit_texts::EditText;
-use crate::restart::{self, Made, Nearest, Options, Reason, Restart, Said, refusal_text};
+use crate::restart::{self, Made, Nearest, Options, Restart, Said, refusal_text};
 use crate::session::Session;
 
 /// A place, as that of `cnc872c/state`, gives `{ "name", "text", "message" }`: the new program, and what to say of it.
@@ -40,7 +40,7 @@ pub(super) fn restart(snapshot: &Snapshot, analysis: &Analysis, params: &Value) 
     }
     Ok(match answer {
         restart::Answer::Program(made) => shown(&made, &name, snapshot),
-        restart::Answer::Refused { reason: reason @ Reason::NoSafe { .. }, .. } => json!({ "safe": reason.text(lang) }),
+        restart::Answer::Refused { reason, .. } if reason.asks_for_safe() => json!({ "safe": reason.text(lang) }),
         restart::Answer::Refused { reason, nearest } => {
             let text = refusal_text(&reason, nearest.as_ref(), lang);
             let nearest = nearest.map(|Nearest { seq, n, .. }| json!({ "seq": seq, "n": n }));

@@ -21,6 +21,18 @@ pub(super) struct UnknownAxes {
     pub below: bool,
 }
 
+/// What says where the other axes move.
+#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+pub(super) enum Height {
+    /// The program: it stood there before.
+    #[default]
+    Highest,
+    /// The user.
+    Safe,
+    /// The place, which the tool came to in rapid, above what the user says.
+    Place,
+}
+
 /// The axes and heights of the approach. Positions in mm or degrees; X as a radius.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Approach {
@@ -32,8 +44,8 @@ pub(super) struct Approach {
     pub others: Vec<(AxisLetter, Micro)>,
     /// Where the other axes move.
     pub top: Micro,
-    /// The user named it.
-    pub by_user: bool,
+    /// What says so.
+    pub height: Height,
     /// How far above the place rapid ends.
     pub clearance: Micro,
     /// X is programmed as a diameter (G74).

@@ -1,11 +1,11 @@
 //! The blocks that lead to the state at the place, in the order of RST-1.
 
-use super::approach::Approach;
+use super::approach::{Approach, Height};
 use super::lines::Lines;
 use super::reason::{Note, Reason};
 use super::scan::There;
 use super::tracker::Options;
-use crate::analysis::state::{Found, Slot, Written};
+use crate::analysis::state::{Found, Slot, Unknown, Written};
 use crate::config::Settings;
 use crate::dict::{
     AxisLetter, BUILDER_GROUPS, FIRST_DYNAMIC_SET, GCode, GEAR_GROUP, GGroup, Lang, M_GROUPS, MOMENTARY_GROUPS,
@@ -220,7 +220,11 @@ impl<'a> Preamble<'a> {
             self.reference(axis);
         }
         if let Some((axis, _)) = approach.tool {
-            let note = if approach.by_user { Note::Safe } else { Note::Highest };
+            let note = match approach.height {
+                Height::Safe => Note::Safe,
+                Height::Place => Note::Level,
+                Height::Highest => Note::Highest,
+            };
             let words = vec![self.rapid(), "G90".to_owned(), position(axis, approach.top)?];
             self.block(words, &note);
         }
@@ -258,11 +262,14 @@ impl<'a> Preamble<'a> {
         let mut words = Vec::new();
         for group in LATE {
             let function = self.in_force(group);
-            let word = self.word(function);
+            words.extend(self.word(function));
             let continuous = group == GGroup::G2 && function == Some(GCode::G23);
-            words.extend(word);
             let set = self.from.found.state.chosen_dynamic_set().filter(|set| continuous && *set != FIRST_DYNAMIC_SET);
-            words.extend(set.map(|set| format!("I{set}")));
+            if let Some(set) = set {
+                // It takes the I in its own block only, also where it is in force from power-up on.
+                words.extend(Some(GCode::G23.to_string()).filter(|g23| !words.contains(g23)));
+                words.push(format!("I{set}"));
+            }
         }
         // Comments before the first block would be those of the program.
         if words.is_empty() && self.lines.blocks == 0 {
@@ -286,7 +293,9 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
     let unknown = from.there.unknown.iter().copied().filter(|axis| Some(*axis) != blind);
     let unknown = unknown.filter(|axis| from.found.unknown.iter().any(|(letter, _)| letter == axis)).chain(blind);
     for axis in unknown.filter(|axis| !reference.contains(axis)) {
-        notes.push(Note::Stands { axis: axis.to_string() });
+        let fresh = Some(axis) != blind && from.found.unknown.contains(&(axis, Unknown::NotProgrammed));
+        let axis = axis.to_string();
+        notes.push(if fresh { Note::Fresh { axis } } else { Note::Stands { axis } });
     }
     for group in BUILDER_GROUPS.filter(|_| !from.options.all_m) {
         let power_up = from.settings.machine.m_power_up.get(group).copied().flatten();

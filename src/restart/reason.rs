@@ -30,6 +30,7 @@ bilingual! {
         TooLong { blocks: u64, limit: u64 } "{blocks} blocks of calls and loops would be written out, --max-blocks allows {limit}", "bylo by rozepsáno bloků volání a smyček: {blocks}, --max-blocks dovoluje {limit}";
         Fails { code: String } "a program from there has the error {code}", "program odtud má chybu {code}";
         Differs { what: String, n: u32 } "a program from there would differ at N{n}: {what}", "program odtud by se lišil v N{n}: {what}";
+        SafeBelow { axis: String } "--safe is below the place: the tool would move across in rapid where it cut in {axis}", "--safe je pod místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";
         NoSafe { axis: String } "--safe is missing: with this tool and origin the program did not stand higher in {axis} before", "chybí --safe: s tímto nástrojem a počátkem program dříve v ose {axis} výš nestál";
     }
 }
@@ -43,6 +44,7 @@ bilingual! {
         NotRestored { m: String, group: usize } "not restored: {m} of group {group} (--all-m)", "neobnoveno: {m} skupiny {group} (--all-m)";
         MachineParameter { r: u8 } "R{r} is read from the machine's table", "R{r} se čte z tabulky stroje";
         Corrections { n: u32 } "corrections that N{n} wrote are not written again", "korekce zapsané v N{n} se znovu nezapisují";
+        Fresh { axis: String } "{axis} was not programmed yet: move it to where the program found it", "{axis} dosud nebyla programována: najet s ní, kam patří na začátku programu";
         Stands { axis: String } "{axis} is not known here: move it clear by hand first", "{axis} zde není známa: nejdřív odjet ručně";
         Parameters "parameters read later", "parametry čtené dále";
         Functions "functions in force", "platné funkce";
@@ -62,6 +64,7 @@ bilingual! {
         Reference { axis: String } "{axis} to its reference point", "{axis} do referenčního bodu";
         Safe "up to --safe", "nahoru na --safe";
         Highest "up to the program's highest with this tool", "nahoru na nejvyšší polohu programu s tímto nástrojem";
+        Level "the height of the place, which is above --safe", "výška místa, které je nad --safe";
         Across "across", "přejezd";
         Down { clearance: String } "down to {clearance} above", "dolů na {clearance} nad místo";
         Place "to the place at F", "na místo s F";
@@ -103,7 +106,7 @@ pub fn spot_text(spot: &Spot, lang: Lang) -> String {
 /// Why there is no start, and where there is one.
 pub fn refusal_text(reason: &Reason, nearest: Option<&Nearest>, lang: Lang) -> String {
     let said = Said::Refused { reason: reason.text(lang) }.text(lang);
-    if matches!(reason, Reason::NoSafe { .. }) {
+    if reason.asks_for_safe() {
         return said;
     }
     let nearest = nearest.map_or(Said::NoNearest, |nearest| {
@@ -115,6 +118,13 @@ pub fn refusal_text(reason: &Reason, nearest: Option<&Nearest>, lang: Lang) -> S
         }
     });
     format!("{said}\n{}", nearest.text(lang))
+}
+
+impl Reason {
+    /// Whether another `--safe` makes a start possible.
+    pub const fn asks_for_safe(&self) -> bool {
+        matches!(self, Self::NoSafe { .. } | Self::SafeBelow { .. })
+    }
 }
 
 impl Note {

@@ -204,7 +204,7 @@ impl Scan {
         let target = match judged {
             Ok(target) => target,
             Err(reason) => {
-                self.lack_safe += u64::from(matches!(reason, Reason::NoSafe { .. }));
+                self.lack_safe += u64::from(reason.asks_for_safe());
                 return;
             }
         };

@@ -1,6 +1,6 @@
 //! What a start at the next block would need: kept while the program is executed, judged before each block.
 
-use super::approach::{Approach, Target};
+use super::approach::{Approach, Height, Target};
 use super::reason::Reason;
 use crate::analysis::state::{Axes, Before, Unknown};
 use crate::config::Settings;
@@ -54,8 +54,10 @@ pub(super) struct Tracker {
     origin_moved: [bool; 9],
     /// The greatest position of the tool's axis with the tool and the origin in force.
     highest: Option<Micro>,
-    /// The tool's axis came to where it is in rapid.
+    /// The tool's axis came to where it is in rapid, and nothing was worked there.
     came_in_rapid: bool,
+    /// G74 was in force.
+    turns: bool,
     /// The function and the block that wrote an origin.
     origin: Option<(GCode, u32)>,
     /// The block that wrote corrections.
@@ -82,6 +84,7 @@ impl Tracker {
             origin_moved: [false; 9],
             highest: None,
             came_in_rapid: true,
+            turns: false,
             origin: None,
             corrections: None,
             feed_mode: None,
@@ -123,11 +126,15 @@ impl Tracker {
             }
         }
         let after = block.state();
-        if let Some(motion) = block.motion().filter(|motion| tool.is_some_and(|tool| motion.moves(tool))) {
-            self.came_in_rapid = motion.kind() == MotionType::Rapid;
+        if let Some(motion) = block.motion() {
+            let (rapid, moves) = (motion.kind() == MotionType::Rapid, tool.is_some_and(|tool| motion.moves(tool)));
+            self.came_in_rapid = rapid && (moves || self.came_in_rapid);
         }
         let stands = self.tool_axis.and_then(|at| after.axis_position(at).filter(|_| !after.is_unsettled(at)));
+        // A motion in the block that changes them settles its axes.
         let changes = block.m_written().contains(&TOOL_CHANGE)
+            || before.origin() != after.origin()
+            || (before.d(), before.length_correction()) != (after.d(), after.length_correction())
             || self.tool_axis.is_some_and(|at| after.is_unsettled(at) && !before.is_unsettled(at));
         self.highest = if changes { stands } else { self.highest.max(stands) };
         self.before.pass(block);
@@ -136,6 +143,7 @@ impl Tracker {
     /// The parts that only blocks with more than axis words change.
     fn note(&mut self, block: &Executed<'_>) {
         let (before, after) = (self.before.state(), block.state());
+        self.turns |= block.g(GGroup::G10) == Some(GCode::G74);
         let mode = block.g(GGroup::G6);
         if block.written(Address::F) {
             self.feed_mode = mode;
@@ -193,8 +201,8 @@ impl Tracker {
         if let Some(address) = state.undetermined().next() {
             return Err(Reason::Value { name: address.row().letter.to_owned() });
         }
-        let lathe = state.g_in_force(GGroup::G10) == Some(GCode::G74)
-            || settings.machine.power_up.get(GGroup::G10.index()).copied().flatten() == Some(GCode::G74);
+        let lathe =
+            self.turns || settings.machine.power_up.get(GGroup::G10.index()).copied().flatten() == Some(GCode::G74);
         if lathe && !self.tool_is_named {
             return Err(Reason::Lathe);
         }
@@ -257,7 +265,9 @@ impl Tracker {
         if let Some(function) = conversion {
             let letter = self.tool_letter.letter();
             let values = self.conversion.as_ref().map_or(&[][..], |conversion| &conversion.values);
-            if BENDING.contains(&function) || values.iter().any(|(axis, _)| *axis == letter) {
+            // I, J and K stand for axes; without words nobody knows which it is.
+            let of_tool = |(axis, _): &(char, Decimal)| *axis == letter || matches!(axis, 'I' | 'J' | 'K');
+            if BENDING.contains(&function) || values.is_empty() || values.iter().any(of_tool) {
                 return Err(Reason::Converted { g: function.to_string() });
             }
         }
@@ -295,7 +305,14 @@ impl Tracker {
             let safe = Micro::from(safe);
             if approach.is_diameter(self.tool_letter) { safe.half() } else { safe }
         });
-        approach.by_user = safe.is_some();
+        if safe.is_some_and(|safe| safe < place) && !self.came_in_rapid {
+            return Err(Reason::SafeBelow { axis: self.tool_letter.to_string() });
+        }
+        approach.height = match safe {
+            Some(safe) if safe < place => Height::Place,
+            Some(_) => Height::Safe,
+            None => Height::Highest,
+        };
         let own = self.highest.filter(|highest| *highest > place || (*highest == place && self.came_in_rapid));
         let Some(top) = safe.or(own) else { return Err(Reason::NoSafe { axis: self.tool_letter.to_string() }) };
         approach.top = top.max(place);

@@ -76,6 +76,8 @@ pub(super) struct Block {
     pub(super) jump: Option<Jump>,
     /// The macrocycle that it calls and only the machine has (FLW-12).
     pub(super) opaque_call: Option<u32>,
+    /// How often it makes its call.
+    pub(super) call_count: u32,
     /// Its motion is measured in degrees; of a block of axis words only.
     pub(super) degrees: bool,
     /// It differs from the block before it in place, motion and positions alone.
@@ -91,6 +93,7 @@ impl Block {
         self.params.clear();
         self.jump = None;
         self.opaque_call = None;
+        self.call_count = 1;
         self.moves_on = false;
     }
 }

@@ -179,6 +179,11 @@ impl<'r> Executed<'r> {
         self.interpreter.block.opaque_call
     }
 
+    /// How often it makes its call: its Q, else once.
+    pub const fn call_count(&self) -> u32 {
+        self.interpreter.block.call_count
+    }
+
     /// Whether something moves in it, or at its end, that nobody knows (TIM-3): a fixed cycle, a macrocycle of the
     /// machine.
     pub fn is_opaque(&self) -> bool {

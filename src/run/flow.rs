@@ -139,6 +139,7 @@ impl Flow<'_, '_> {
             let machine = self.is_of_machine(l.word) || self.repeat_is_of_machine(roles);
             return if machine { Next::Halt } else { self.lose(whole(l.value)) };
         };
+        self.block.call_count = count;
         let place = self.file().map(|file| value_or_word(file, l.word)).unwrap_or_default();
         let by = if function == GCode::G71 { CallKind::Subprogram } else { CallKind::Macrocycle };
         if function == GCode::G71 && word.is_parametric() {

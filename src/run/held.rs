@@ -108,6 +108,11 @@ impl State {
         self.dynamic_set
     }
 
+    /// The G5 and G11 functions of the last block, those that hold for it alone included (MOT-8).
+    pub const fn origin(&self) -> (Option<GCode>, Option<GCode>) {
+        self.last_origin
+    }
+
     /// Whether the programmed position of an axis is not where the tool stands (MOT-8), by place in machine order.
     pub const fn is_unsettled(&self, axis: usize) -> bool {
         self.unsettled.contains(axis)

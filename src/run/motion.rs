@@ -297,10 +297,9 @@ fn find_arc(
     stay(machine, state, pair, travels);
     let named = planes::named(&machine.axes, pair);
     let [first, second] = named.map(|axis| machine.axes.get(axis).map(|axis| axis.letter));
-    let mut arc = ArcFacts { plane: [first?, second?], helix, radius: None, computed: None };
-    let to_center = center(site, state, words, g, named);
-    arc.radius = to_center.map(arc::radius);
-    let path = to_center.and_then(|to_center| {
+    let mut arc = ArcFacts { plane: [first?, second?], helix, to_center: None, computed: None };
+    arc.to_center = center(site, state, words, g, named);
+    let path = arc.to_center.and_then(|to_center| {
         let [start, end] = ends(site, state, (words, g), named, travels)?;
         Some(Arc { start, end, to_center, counter_clockwise: moving.kind == MotionType::ArcCcw })
     });

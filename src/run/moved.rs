@@ -1,6 +1,6 @@
 //! The motion of an executed block: which axes, from where, to where, along what, how long.
 
-use super::arc::Computed;
+use super::arc::{self, Computed};
 use super::state::AxisSet;
 use super::travel::Travel;
 use crate::dict::{AxisLetter, GCode, Micro};
@@ -96,8 +96,8 @@ pub(super) struct ArcFacts {
     pub(super) plane: [AxisLetter; 2],
     /// The axis of the helix, by place in machine order.
     pub(super) helix: Option<usize>,
-    /// At the start, in mm; `None`: unknown.
-    pub(super) radius: Option<f64>,
+    /// From the start; `None`: unknown.
+    pub(super) to_center: Option<[Micro; 2]>,
     /// `None`: the start, the end or the centre is unknown.
     pub(super) computed: Option<Computed>,
 }
@@ -195,6 +195,8 @@ pub struct ArcPath {
     pub plane: [AxisLetter; 2],
     /// The centre along these axes; `None` when the start or the end is not known.
     pub center: Option<[Micro; 2]>,
+    /// The way from the start to the centre along these axes.
+    pub to_center: Option<[Micro; 2]>,
     /// At the start.
     pub radius_mm: Option<Micro>,
     /// Positive, up to 360.
@@ -305,7 +307,8 @@ impl<'r> Motion<'r> {
         Some(ArcPath {
             plane: arc.plane,
             center: arc.computed.map(|computed| computed.center),
-            radius_mm: arc.radius.map(Micro::from_f64),
+            to_center: arc.to_center,
+            radius_mm: arc.to_center.map(|to_center| Micro::from_f64(arc::radius(to_center))),
             sweep_deg: arc.computed.map(|computed| Micro::from_f64(computed.sweep_rad.to_degrees())),
             helix: arc.helix.and_then(letter).map(|travel| travel.definition.letter),
         })

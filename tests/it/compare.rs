@@ -309,6 +309,59 @@ fn planted_changes() {
 }
 
 /// CMP-4, CMP-5: M08 earlier is one change with both places; JSON, exit status.
+/// A part: the frame around the blocks of a case.
+fn framed(blocks: &str) -> String {
+    let numbered: String = blocks.lines().enumerate().map(|(at, block)| format!("N{} {block}\n", 10 + at)).collect();
+    format!("%1\nN1 G90 G54 T1\nN2 M06\nN3 S500 M03 F100\nN4 G00 X0 Y0 Z10\n{numbered}N900 M30\n")
+}
+
+/// CMP-1: what a control does differently is a change, in whatever words it hides: the meaning of S, the frame of an
+/// unmapped cycle, the centre of an arc whose start nobody knows, how often a macrocycle of the machine runs, an M19
+/// that turns the spindle back. The order of M words in a block and a plane without a radius correction are none.
+#[test]
+fn hidden_differences() {
+    let settings = "[machine-macrocycles]\nL7 = {}\n";
+    for (old, new, expected) in [
+        ("G94 S200\nG01 X10", "G96 S200\nG01 X10", "G96 none → G96"),
+        ("G81 X10 Z-5\nX20\nG80", "G91 G81 X10 Z-5\nX20\nG80", "G81 X10 Z-5 → G91 X10 Z-5"),
+        ("G81 X10 Z-5\nG80", "G18 G81 X10 Z-5\nG80", "G81 X10 Z-5 → G18 X10 Z-5"),
+        ("G30 X0 Y0\nG02 X10 Y0 I5 J0", "G30 X0 Y0\nG02 X10 Y0 I50 J0", "I +45 in 1 block"),
+        ("G30 X0 Y0\nG02 I5 J0", "G30 X0 Y0\nG02 I0 J5", "changes 2, in blocks 1"),
+        ("G01 X1\nG72 L7 Q2\nG01 X10", "G01 X1\nG72 L7 Q5\nG01 X10", "G72 L7 Q2 → L7 Q5"),
+        ("M19\nG00 C90\nM19\nG00 Z5", "M19\nG00 C90\nG00 Z5", "M19"),
+        ("G01 X5 M08 M41\nX6", "G01 X5 M41 M08\nX6", "the programs do the same"),
+        ("G01 X5 M08 M77\nX6", "M77 M08 G01 X5\nX6", "the programs do the same"),
+        ("G41 D1 G01 X6\nX8\nG40 G00 X9", "G41 D1 G01 X6\nX8\nG00 X9", "G41 G40 → G41"),
+    ] {
+        let place = Place::with(&[
+            ("o.nc", framed(old).as_bytes()),
+            ("n.nc", framed(new).as_bytes()),
+            ("cnc872c.toml", settings.as_bytes()),
+        ]);
+        let same = expected.ends_with("same");
+        let run = place.run(&["compare", "o.nc", "n.nc", "--lang", "en"]).ends(i32::from(!same));
+        assert!(run.stdout.contains(expected), "{old:?} {new:?}\n{}", run.stdout);
+        assert!(!run.stdout.contains("G17"), "{}", run.stdout);
+    }
+}
+
+/// CMP-3: a block with several changes is one block. CMP-5: of what could not be executed nobody says that it is the
+/// same.
+#[test]
+fn blocks_counted_and_half_programs() {
+    let place = Place::with(&[
+        ("o.nc", framed("G01 X1 Z-1").as_bytes()),
+        ("n.nc", framed("G01 X2 Z-2 F120").as_bytes()),
+        ("a.nc", framed("G71 L7").as_bytes()),
+        ("b.nc", framed("G71 L8").as_bytes()),
+    ]);
+    let run = place.run(&["compare", "o.nc", "n.nc"]).ends(1);
+    assert!(run.stdout.contains("T1: changes 3, in blocks 1\n"), "{}", run.stdout);
+    let run = place.run(&["compare", "a.nc", "b.nc", "--partial"]).ends(0);
+    assert!(run.stdout.contains("as far as the programs could be executed"), "{}", run.stdout);
+    place.run(&["compare", "a.nc", "a.nc"]).ends(2);
+}
+
 #[test]
 fn on_the_command_line() {
     let earlier = OLD.replace("N50 M08\n", "").replace("N35 Y5\n", "N33 M8\nN35 Y5\n");

@@ -278,6 +278,54 @@ fn what_is_refused() {
     assert_eq!(place.read("a.nc"), bytes());
 }
 
+/// RST-2, RST-4: what looks like a start and is none. A height of another origin or correction, of a block that cut, or
+/// a `--safe` below the place is no clear height; an axis that left its reference point is not there; G74 once is a
+/// lathe.
+#[test]
+fn starts_that_would_be_wrong() {
+    let head = "%1\nN10 G54 T1 D1 M06\nN20 G90 G00 X0 Y0 Z50 S800 M03 F200\n";
+    let start = |blocks: &str, arguments: &[&str]| {
+        let place = Place::with(&[("a.nc", format!("{head}{blocks}N900 M30\n").as_bytes())]);
+        place.run(&[&["restart", "a.nc", "--lang", "en", "--n", "70"], arguments].concat())
+    };
+    let across = |blocks: &str, safe: &str| start(blocks, &[safe]).ends(0).stdout;
+    for (blocks, top) in [
+        ("N60 G55 G00 Z5\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z5 "),
+        ("N60 D2 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z8 "),
+        ("N30 G00 Z8\nN60 G55\nN61 Z6\nN62 G54\nN63 Z7\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z7 "),
+    ] {
+        let run = start(blocks, &[]).ends(0);
+        assert!(run.stdout.contains(&format!("G00 G90 {top}\"up to the program's highest")), "{blocks}{}", run.stdout);
+    }
+    let cut = "N30 G01 Z-5\nN40 X40\nN70 X60\n";
+    start(cut, &["--safe=-10"]).ends(2).says("--safe is below the place");
+    assert!(across(cut, "--safe=-5").contains("G00 G90 Z-5 \"up to --safe\""));
+    assert!(across("N70 X60\n", "--safe=10").contains("Z50 \"the height of the place, which is above --safe\""));
+    start("N30 G00 X5\nN40 G01 X10\nN70 X60\n", &[]).ends(2).says("--safe is missing");
+    let lost = "N30 G30 Z0\nN40 G91 G00 Z-120\nN50 G01 X40\nN70 Y20\n";
+    start(lost, &[]).ends(1).says("the position of Z is not known");
+    start("N30 G74 X90\nN40 G01 Z-5\nN50 G75 X40\nN70 Z-9\n", &["--safe", "120"]).ends(1).says("`tool-axis`");
+    for conversion in ["G35 Z1", "G35 K1", "G36 K2"] {
+        start(&format!("N30 {conversion}\nN40 X0 Y0 Z50\nN50 G01 Z-5\nN70 X9\n"), &[]).ends(1).says("is in force");
+    }
+}
+
+/// RST-1: an axis that the program did not move yet has to stand where the program found it; the set of G23 is
+/// restored where G23 is in force from power-up on.
+#[test]
+fn what_holds_from_power_up_on() {
+    let text = "%1\nN10 G54 T1 D1 M06\nN20 G90 G00 X0 Z50 S800 M03 F200\nN30 G23 I2\nN40 G01 Z-2\nN50 X5\nN60 Y9\n\
+        N900 M30\n";
+    let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", b"[power-up]\nG2 = 23\n")]);
+    let run = place.run(&["restart", "a.nc", "--lang", "en", "--n", "50"]).ends(0);
+    assert!(
+        run.stdout.contains("\"Y was not programmed yet: move it to where the program found it\""),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.contains(" G23 I2 \"as at the place\""), "{}", run.stdout);
+}
+
 /// RST-2: a lathe comes to the place along the axis that its project file names, in diameters.
 #[test]
 fn a_lathe() {

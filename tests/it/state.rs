@@ -445,3 +445,16 @@ fn errors_before_and_behind() {
     place.run(&["state", "late.nc", "--n", "30"]).ends(1);
     place.run(&["state", "none.nc", "--n", "30"]).ends(2);
 }
+
+/// Under G74 the table shows the diameter, as programs write it, beside the position of X, which is a radius.
+#[test]
+fn a_lathe() {
+    let lathe = "%1\nN10 G90 G74 G00 X60 Z5\nN20 Z2\nN30 G75 X60\nN40 Z5\nN50 M30\n";
+    let place = Place::with(&[("a.nc", lathe.as_bytes())]);
+    let x = |n: &str| {
+        let run = place.run(&["state", "a.nc", "--n", n]).ends(0);
+        run.stdout.lines().find(|line| line.starts_with("  X ")).unwrap().split("N").next().unwrap().trim().to_owned()
+    };
+    assert_eq!(x("20"), "X  30 (Ø 60)");
+    assert_eq!(x("40"), "X  60");
+}

@@ -426,7 +426,8 @@ impl Grouping<'_> {
             |context: &Context, group: GGroup| context.functions.iter().copied().find(|code| code.group() == group);
         for group in GGroup::ALL {
             let (a, b) = (of(old, group), of(new, group));
-            if a != b {
+            // The plane is that of a radius correction, which both must have.
+            if a != b && !(group == GGroup::G1 && (a.is_none() || b.is_none())) {
                 let text = |code: Option<GCode>| code.map(|code| Value::Text(code.to_string()));
                 let what = b.or(a).map(|code| Cow::Owned(code.to_string()));
                 found.push(Difference { kind: ChangeKind::Function, what, old: text(a), new: text(b) });

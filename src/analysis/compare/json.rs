@@ -28,6 +28,8 @@ pub struct Side {
     pub path: Micro,
     /// The known time.
     pub time_s: Option<f64>,
+    /// It was executed to its end, without errors.
+    pub whole: bool,
 }
 
 /// Two programs compared.
@@ -182,7 +184,7 @@ fn merged(runs: impl Iterator<Item = [u32; 2]>) -> Vec<[u32; 2]> {
 }
 
 fn side(side: &Side) -> SideRecord {
-    let Side { name, blocks, path, time_s } = side;
+    let Side { name, blocks, path, time_s, whole: _ } = side;
     SideRecord { name: name.clone(), blocks: *blocks, path_mm: Number(*path), time_s: time_s.map(Number::from) }
 }
 

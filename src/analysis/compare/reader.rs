@@ -6,8 +6,8 @@ use super::ChangeKind;
 use super::steps::{Context, Event, Motion, Steps, UNKNOWN, Value};
 use crate::diag::Findings;
 use crate::dict::{
-    AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_ENDS,
-    PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_STOP, TOOL_CHANGE, standard_m_functions,
+    AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
+    PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_STOP, TOOL_CHANGE, standard_m_functions,
 };
 use crate::run::{End, Executed, MotionType, Sink, State};
 
@@ -87,20 +87,28 @@ impl StepReader {
             // A fixed cycle that nobody knows, a spiral, a thread.
             let slot = block.g(GGroup::G8).filter(|code| code.is_cycle()).map_or("I J K".to_owned(), |g| g.to_string());
             let words = block.words().iter().map(|(letter, value)| format!("{letter}{value}"));
-            self.event(block, ChangeKind::Data, &slot, Value::Text(words.collect::<Vec<_>>().join(" ")));
+            // What the words of a cycle mean depends on these, and nothing else of the block tells of them.
+            let groups = [GGroup::G1, GGroup::G9, GGroup::G10].into_iter().filter(|_| block.is_unmapped_cycle());
+            let functions = groups.filter_map(|group| block.g(group).filter(|g| Some(*g) != GCode::power_up(group)));
+            let words: Vec<String> = functions.map(|function| function.to_string()).chain(words).collect();
+            self.event(block, ChangeKind::Data, &slot, Value::Text(words.join(" ")));
         }
     }
 
     /// The M functions that act before the motion, or `late`, behind it.
     fn read_functions(&mut self, block: &Executed<'_>, before: &Written, late: bool) {
         let machine = &block.settings().machine;
-        for &number in block.m_written() {
-            let group = usize::from(machine.m_functions.group(number));
-            if is_late(number) != late {
-                continue;
-            }
+        let group_of = |number: u8| machine.m_functions.group(number);
+        // Their order in the block does not matter.
+        let mut written: Vec<u8> =
+            block.m_written().iter().copied().filter(|number| is_late(*number) == late).collect();
+        written.sort_unstable_by_key(|number| (group_of(*number), *number));
+        for number in written {
+            let group = usize::from(group_of(number));
             let stays = standard_m_functions(machine.dialect).any(|row| usize::from(row.group) == group);
-            let repeats = stays && before.m.get(group).copied().flatten() == Some(number);
+            // A second M19 turns the spindle back.
+            let turns = number == ORIENTED_STOP && block.m_changed().contains(&group_of(number));
+            let repeats = stays && !turns && before.m.get(group).copied().flatten() == Some(number);
             if number == TOOL_CHANGE {
                 let tool = block.tool().map_or_else(|| Value::Text(String::new()), Value::from);
                 self.event(block, ChangeKind::Tool, "M06", tool);
@@ -119,7 +127,9 @@ impl StepReader {
             self.event(block, ChangeKind::Dwell, "G04", Value::Number(dwell.millionths()));
         }
         if let Some(l) = block.opaque_call() {
-            self.event(block, ChangeKind::Function, "G72", Value::Text(format!("L{l}")));
+            let count = Some(block.call_count()).filter(|count| *count != 1);
+            let count = count.map_or_else(String::new, |count| format!(" Q{count}"));
+            self.event(block, ChangeKind::Function, "G72", Value::Text(format!("L{l}{count}")));
         }
         if self.parameters {
             for (index, value) in block.params() {
@@ -140,8 +150,10 @@ impl StepReader {
         let feed = block.feed().map(|feed| (feed.value, feed.unit, feed.hundredth));
         let radius = block.g(GGroup::G3).filter(|code| *code != GCode::G40);
         let plane = block.g(GGroup::G1).filter(|_| radius.is_some());
+        // What S means; the unit of F tells of the other functions of the group.
+        let speed = block.g(GGroup::G6).filter(|code| working && matches!(code, GCode::G96 | GCode::G97));
         let groups = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11];
-        let functions = groups.into_iter().filter_map(|group| block.g(group)).chain(plane);
+        let functions = groups.into_iter().filter_map(|group| block.g(group)).chain(plane).chain(speed);
         let context = Context {
             tool: block.tool(),
             working,
@@ -170,7 +182,8 @@ impl StepReader {
             motion.push(known.or(distance).map_or(UNKNOWN, Micro::millionths));
         }
         let arc = moves.arc();
-        if let Some((arc, center)) = arc.and_then(|arc| Some((arc, arc.center?))) {
+        // From a start that nobody knows, the way to the centre counts.
+        if let Some((arc, center)) = arc.and_then(|arc| Some((arc, arc.center.or(arc.to_center)?))) {
             motion.plane = Some(arc.plane);
             center.iter().for_each(|value| motion.push(value.millionths()));
         }

@@ -1,5 +1,7 @@
 //! Changes as lines for people (CMP-3).
 
+use std::collections::BTreeMap;
+
 use super::changes::{Blocks, Change, ChangeKind};
 use super::json::Side;
 use super::steps::Value;
@@ -31,7 +33,8 @@ pub(super) fn head(old: &Side, new: &Side, changes: &[Change], lang: Lang) -> Ve
         lines.push(Words::Time { old: clock(before), new: clock(after), delta }.text(lang));
     }
     if changes.is_empty() {
-        lines.push(Words::Same.text(lang));
+        let words = if old.whole && new.whole { Words::Same } else { Words::SameSoFar };
+        lines.push(words.text(lang));
     }
     lines.extend(by_tool(changes, lang));
     lines
@@ -39,20 +42,33 @@ pub(super) fn head(old: &Side, new: &Side, changes: &[Change], lang: Lang) -> Ve
 
 /// How much differs with each tool, when that is more than one change can say.
 fn by_tool(changes: &[Change], lang: Lang) -> Vec<String> {
-    let mut tools: Vec<(Option<Decimal>, usize, u64)> = Vec::new();
-    for change in changes {
-        match tools.iter_mut().find(|(tool, ..)| *tool == change.tool) {
-            Some((_, count, blocks)) => (*count, *blocks) = (*count + 1, *blocks + change.count()),
-            None => tools.push((change.tool, 1, change.count())),
-        }
+    let mut of_tools: BTreeMap<Option<Decimal>, Vec<&Change>> = BTreeMap::new();
+    for change in changes.iter().filter(|_| changes.len() > 1) {
+        of_tools.entry(change.tool).or_default().push(change);
     }
-    if changes.len() < 2 {
-        tools.clear();
-    }
-    tools.sort_unstable();
+    let tools = of_tools.into_iter().map(|(tool, changes)| (tool, changes.len(), blocks_of(&changes)));
     let named = |tool: Option<Decimal>| tool.map_or_else(|| Words::NoTool.text(lang), |tool| format!("T{tool}"));
     let line = |(tool, changes, blocks)| Words::Tool { tool: named(tool), changes, blocks }.text(lang);
-    tools.into_iter().take(MOST / 4).map(line).collect()
+    tools.take(MOST / 4).map(line).collect()
+}
+
+/// How many blocks some changes are in, one that has several counted once: of the new program, and of the old one where
+/// a change has none in the new one.
+fn blocks_of(changes: &[&Change]) -> u64 {
+    let union = |blocks: &mut dyn Iterator<Item = &Blocks>| {
+        let mut runs: Vec<[u32; 2]> = blocks.flat_map(|blocks| blocks.runs.iter().copied()).collect();
+        runs.sort_unstable();
+        let (mut count, mut next) = (0, 0);
+        for [from, to] in runs {
+            let from = u64::from(from).max(next);
+            next = next.max(u64::from(to) + 1);
+            count += next.saturating_sub(from);
+        }
+        count
+    };
+    let is_new = |change: &&&Change| change.new_blocks.count > 0;
+    let new = union(&mut changes.iter().filter(is_new).map(|change| &change.new_blocks));
+    new + union(&mut changes.iter().filter(|change| !is_new(change)).map(|change| &change.old_blocks))
 }
 
 /// A change.

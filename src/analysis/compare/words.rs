@@ -6,6 +6,7 @@ bilingual! {
     /// Lines.
     Words {
         Same "the programs do the same", "programy dělají totéž";
+        SameSoFar "as far as the programs could be executed, they do the same", "pokud se programy daly provést, dělají totéž";
         Blocks { old: u64, new: u64 } "blocks {old} → {new}", "bloků {old} → {new}";
         Time { old: String, new: String, delta: String } "time {old} → {new} ({delta} s)", "čas {old} → {new} ({delta} s)";
         Shift { what: String, by: String, count: String, places: String } "{what} {by} in {count} {places}", "{what} {by}, {count} {places}";

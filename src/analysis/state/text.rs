@@ -7,7 +7,7 @@ use super::writers::{Slot, Written};
 use crate::analysis::motion::{clock, trimmed};
 use crate::config::Settings;
 use crate::diag::terminal_safe;
-use crate::dict::{GCode, GGroup, Lang, M_GROUPS, Micro, standard_m_functions};
+use crate::dict::{AxisLetter, GCode, GGroup, Lang, M_GROUPS, Micro, standard_m_functions};
 
 /// The table: a title, then sections of rows with a name, a value, and who wrote it.
 pub fn text(found: &Found, name: &str, settings: &Settings, lang: Lang) -> String {
@@ -106,7 +106,11 @@ impl Table<'_> {
             let letter = axis.letter.to_string();
             if let Some(position) = self.found.state.axis_position(place) {
                 let by = self.by(Slot::Axis(axis.letter), &Words::PowerUp);
-                return Some(vec![letter, position.to_string(), by]);
+                // Programs write twice the position (G74).
+                let doubled =
+                    axis.letter == AxisLetter::X && self.found.state.g_in_force(GGroup::G10) == Some(GCode::G74);
+                let diameter = if doubled { format!(" (Ø {})", position.plus(position)) } else { String::new() };
+                return Some(vec![letter, format!("{position}{diameter}"), by]);
             }
             let (_, why) = self.found.unknown.iter().find(|(unknown, _)| *unknown == axis.letter)?;
             let why = self.say(&Words::why(*why));

@@ -109,7 +109,11 @@ impl Axes {
                 *unknown = Unknown::Macrocycle;
             } else if after.axis_position(place).is_some() {
                 *unknown = Unknown::NotProgrammed;
-            } else if was_known || cycle || block.motion().is_some_and(|motion| motion.moves(letter)) {
+            } else if was_known
+                || cycle
+                || block.motion().is_some_and(|motion| motion.moves(letter))
+                || *unknown == Unknown::Reference && block.change_pos()
+            {
                 *unknown = why(block, letter, cycle, *unknown);
             }
         }
@@ -128,7 +132,8 @@ fn why(block: &Executed<'_>, axis: AxisLetter, cycle: bool, before: Unknown) -> 
     } else if cycle {
         Unknown::Cycle
     } else if motion.is_some_and(|motion| motion.delta(axis).is_some()) {
-        if before == Unknown::NotProgrammed { Unknown::Incremental } else { before }
+        // It stands at its reference point no longer.
+        if matches!(before, Unknown::NotProgrammed | Unknown::Reference) { Unknown::Incremental } else { before }
     } else if turned() {
         Unknown::Spindle
     } else {
