@@ -59,6 +59,8 @@ pub const COOLANT_34: [u8; 2] = [52, 53];
 pub const CLAMP_GROUP: u8 = 7;
 /// The groups whose functions have no standard meaning: those of the machine builder.
 pub const BUILDER_GROUPS: std::ops::RangeInclusive<usize> = 10..=14;
+/// The last of these: its functions do not exclude each other, each may hold beside the others (MFN-3).
+pub const OTHER_GROUP: u8 = 14;
 
 /// Tool change.
 pub const TOOL_CHANGE: u8 = 6;

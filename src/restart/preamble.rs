@@ -9,7 +9,7 @@ use crate::analysis::state::{Found, Slot, Unknown, Written};
 use crate::config::Settings;
 use crate::dict::{
     AxisLetter, BUILDER_GROUPS, FIRST_DYNAMIC_SET, GCode, GEAR_GROUP, GGroup, Lang, M_GROUPS, MOMENTARY_GROUPS,
-    SPINDLE_GROUP, standard_m_functions,
+    OTHER_GROUP, SPINDLE_GROUP, standard_m_functions,
 };
 
 /// What the preamble is made of.
@@ -159,7 +159,8 @@ impl<'a> Preamble<'a> {
     /// The other M groups, in the order of their last writing.
     fn m_functions(&mut self) {
         let mut functions: Vec<(u64, u32, u8)> = Vec::new();
-        for group in (0..M_GROUPS).filter(|group| ![SPINDLE_GROUP, GEAR_GROUP].contains(group)) {
+        let apart = [SPINDLE_GROUP, GEAR_GROUP, usize::from(OTHER_GROUP)];
+        for group in (0..M_GROUPS).filter(|group| !apart.contains(group)) {
             let momentary = MOMENTARY_GROUPS.iter().any(|momentary| usize::from(*momentary) == group);
             let builder = BUILDER_GROUPS.contains(&group) && !self.from.options.all_m;
             if let Some(number) = self.m_to_restore(group).filter(|_| !momentary && !builder) {
@@ -167,7 +168,9 @@ impl<'a> Preamble<'a> {
                 functions.push((seq, n, number));
             }
         }
-        functions.extend(self.from.there.clamp.map(|(number, n, seq)| (seq, n, number)));
+        let (m_functions, all_m) = (&self.from.settings.machine.m_functions, self.from.options.all_m);
+        let restored = |(_, _, number): &&(u64, u32, u8)| all_m || m_functions.group(*number) != OTHER_GROUP;
+        functions.extend(self.from.there.apart.iter().filter(restored).copied());
         functions.sort_unstable();
         for (_, n, number) in functions {
             let machine = &self.from.settings.machine;
@@ -279,6 +282,9 @@ impl<'a> Preamble<'a> {
     }
 }
 
+/// So many M functions are named in a comment.
+const NAMED: usize = 8;
+
 /// What the preamble does not restore, as comments (RST-6).
 pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> Vec<Note> {
     let state = &from.found.state;
@@ -297,10 +303,17 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
         let axis = axis.to_string();
         notes.push(if fresh { Note::Fresh { axis } } else { Note::Stands { axis } });
     }
+    let machine = &from.settings.machine;
+    let apart = from.there.apart.iter().map(|(_, _, number)| *number);
+    let others: Vec<u8> = apart.filter(|number| machine.m_functions.group(*number) == OTHER_GROUP).collect();
     for group in BUILDER_GROUPS.filter(|_| !from.options.all_m) {
-        let power_up = from.settings.machine.m_power_up.get(group).copied().flatten();
-        if let Some(number) = state.m_in_force(group).filter(|number| Some(*number) != power_up) {
-            notes.push(Note::NotRestored { m: format!("M{number:02}"), group });
+        let power_up = machine.m_power_up.get(group).copied().flatten();
+        let in_force = state.m_in_force(group).filter(|number| Some(*number) != power_up);
+        let not_restored =
+            if group == usize::from(OTHER_GROUP) { others.clone() } else { in_force.into_iter().collect() };
+        for functions in not_restored.chunks(NAMED) {
+            let names: Vec<String> = functions.iter().map(|number| format!("M{number:02}")).collect();
+            notes.push(Note::NotRestored { m: names.join(", "), group });
         }
     }
     for &r in parameters.iter().filter(|index| state.parameter(**index).is_none()) {

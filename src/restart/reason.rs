@@ -31,7 +31,7 @@ bilingual! {
         Fails { code: String } "a program from there has the error {code}", "program odtud má chybu {code}";
         Differs { what: String, n: u32 } "a program from there would differ at N{n}: {what}", "program odtud by se lišil v N{n}: {what}";
         SafeBelow { axis: String } "--safe is below the place: the tool would move across in rapid where it cut in {axis}", "--safe je pod místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";
-        NoSafe { axis: String } "--safe is missing: with this tool and origin the program did not stand higher in {axis} before", "chybí --safe: s tímto nástrojem a počátkem program dříve v ose {axis} výš nestál";
+        NoSafe { axis: String } "--safe is missing: since tool, origin or correction changed last the program did not stand higher in {axis}", "chybí --safe: od poslední změny nástroje, počátku nebo korekce program v ose {axis} výš nestál";
     }
 }
 

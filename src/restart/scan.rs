@@ -50,7 +50,8 @@ pub(super) struct There {
     pub target: Result<Target, Reason>,
     pub feed_mode: Option<GCode>,
     pub speed_mode: Option<GCode>,
-    pub clamp: Option<(u8, u32, u64)>,
+    /// See [`Tracker::apart`].
+    pub apart: Vec<(u64, u32, u8)>,
     pub conversion: Option<Conversion>,
     pub corrections: Option<u32>,
     /// Which execution of the block this is, and whether there is another.
@@ -250,7 +251,7 @@ impl Scan {
     }
 
     fn there(&self, block: &Executed<'_>, target: Result<Target, Reason>) -> There {
-        let Tracker { feed_mode, speed_mode, clamp, corrections, .. } = self.tracker;
+        let Tracker { feed_mode, speed_mode, corrections, .. } = self.tracker;
         let state = self.tracker.state();
         let axes = block.settings().machine.axes.iter().enumerate();
         let unknown = axes.filter(|(at, _)| state.axis_position(*at).is_none()).map(|(_, axis)| axis.letter);
@@ -258,7 +259,7 @@ impl Scan {
             target,
             feed_mode,
             speed_mode,
-            clamp,
+            apart: self.tracker.apart.clone(),
             conversion: self.tracker.conversion.clone(),
             corrections,
             pass: self.pass,

@@ -6,8 +6,8 @@ use crate::analysis::state::{Axes, Before, Unknown};
 use crate::config::Settings;
 use crate::diag::CallKind;
 use crate::dict::{
-    Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, SPINDLE_GROUP,
-    SPINDLE_TURNS, TOOL_CHANGE,
+    Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, OTHER_GROUP,
+    SPINDLE_GROUP, SPINDLE_TURNS, TOOL_CHANGE,
 };
 use crate::run::{Executed, MotionType, State};
 
@@ -65,8 +65,9 @@ pub(super) struct Tracker {
     /// The G6 function that F and S were written under.
     pub feed_mode: Option<GCode>,
     pub speed_mode: Option<GCode>,
-    /// M10 or M11, whichever was written last, its block and its seq.
-    pub clamp: Option<(u8, u32, u64)>,
+    /// M functions that the state does not keep, in the order of their last writing: seq, block, number. M10 or M11,
+    /// and every one of the last group, where none excludes another.
+    pub apart: Vec<(u64, u32, u8)>,
     pub conversion: Option<Conversion>,
 }
 
@@ -89,7 +90,7 @@ impl Tracker {
             corrections: None,
             feed_mode: None,
             speed_mode: None,
-            clamp: None,
+            apart: Vec::new(),
             conversion: None,
         }
     }
@@ -153,8 +154,11 @@ impl Tracker {
         }
         let functions = &block.settings().machine.m_functions;
         for &number in block.m_written() {
-            if functions.group(number) == CLAMP_GROUP {
-                self.clamp = Some((number, block.n(), block.seq()));
+            let group = functions.group(number);
+            if [CLAMP_GROUP, OTHER_GROUP].contains(&group) {
+                let replaces = |other: u8| other == number || group == CLAMP_GROUP && functions.group(other) == group;
+                self.apart.retain(|(_, _, other)| !replaces(*other));
+                self.apart.push((block.seq(), block.n(), number));
             }
         }
         let data = block.data();

@@ -326,6 +326,23 @@ fn what_holds_from_power_up_on() {
     assert!(run.stdout.contains(" G23 I2 \"as at the place\""), "{}", run.stdout);
 }
 
+/// RST-6: M functions of the last group do not exclude each other: each is named, and written with `--all-m`.
+#[test]
+fn functions_beside_each_other() {
+    let text = "%1\nN10 G54 T1 M06\nN20 G90 G00 Z50 S8 M03 F2 M70\nN25 M71\nN30 M72 M11\nN35 M70\nN40 G01 Z-2\nN50 X5\nN90 M30\n";
+    let place = Place::with(&[("a.nc", text.as_bytes())]);
+    let started =
+        |more: &[&str]| place.run(&[&["restart", "a.nc", "--lang", "en", "--n", "50"], more].concat()).ends(0).stdout;
+    assert!(started(&[]).contains("\"not restored: M71, M72, M70 of group 14 (--all-m)\""), "{}", started(&[]));
+    let all = started(&["--all-m"]);
+    let written: Vec<&str> = all
+        .lines()
+        .filter_map(|line| line.split(' ').find(|word| matches!(word.get(..2), Some("M7" | "M1"))))
+        .collect();
+    assert_eq!(written, ["M71", "M11", "M72", "M70"], "{all}");
+    assert!(!all.contains("not restored"), "{all}");
+}
+
 /// RST-2: a lathe comes to the place along the axis that its project file names, in diameters.
 #[test]
 fn a_lathe() {
