@@ -33,7 +33,7 @@ N50 M30
 === answer
 {
   "same": false,
-  "text": "new.nc → part.nc\nblocks 5 → 5\ntime 0:00:13.5 → 0:00:16.9 (+3.4 s)\nT1: changes 2, in blocks 3\nT1: Z −0.2 in 1 block (N30, was N3)\nT1: F 250 → 200 in 2 blocks (N30–N40, was N3–N4)\n"
+  "text": "new.nc → part.nc\nblocks 5 → 5\ntime 0:00:13.5 → 0:00:16.9 (+3.4 s)\nT1: changes 2, in blocks 2\nT1: Z −0.2 in 1 block (N30, was N3)\nT1: F 250 → 200 in 2 blocks (N30–N40, was N3–N4)\n"
 }
 === request cnc872c/compare part.nc
 { "page": true }

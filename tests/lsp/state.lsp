@@ -442,7 +442,7 @@ N30 M30
 === request cnc872c/restart flat.nc@flat
 === answer
 {
-  "safe": "--safe is missing: with this tool and origin the program did not stand higher in Z before"
+  "safe": "--safe is missing: since tool, origin or correction changed last the program did not stand higher in Z"
 }
 === request cnc872c/restart flat.nc@flat
 { "safe": "50,5" }
