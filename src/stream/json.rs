@@ -11,7 +11,7 @@ use super::row::Rows;
 use crate::analysis::Totals;
 use crate::config::Settings;
 use crate::diag::Findings;
-use crate::dict::{AxisLetter, Micro};
+use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{End, Executed, Program, Sink};
 use crate::text::FileId;
 
@@ -144,7 +144,14 @@ pub(crate) fn program_record(program: &Program<'_>) -> ProgramRecord {
             }
             start
         },
-        gears: machine.gears.iter().map(|gear| GearRecord { m: gear.m, min: gear.min, max: gear.max }).collect(),
+        gears: machine
+            .gears
+            .iter()
+            .map(|gear| {
+                let output = Some(gear.output).filter(|output| *output != Decimal::whole(1));
+                GearRecord { m: gear.m, min: gear.min, max: gear.max, output }
+            })
+            .collect(),
         cycles: machine.cycles.iter().map(|(cycle, macrocycle)| (*cycle, *macrocycle)).collect(),
         g97: machine.g97.name().to_owned(),
         arc_centers: machine.arc_centers.name().to_owned(),

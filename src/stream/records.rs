@@ -91,6 +91,9 @@ pub struct GearRecord {
     pub min: u32,
     /// Greatest speed in rev/min.
     pub max: u32,
+    /// The part of the converter's range at the greatest speed; left out when all of it (PLC-8).
+    #[schemars(with = "Option<f64>")]
+    pub output: Option<Decimal>,
 }
 
 /// An axis of the machine.

@@ -122,9 +122,9 @@ fn axis<'r>(json: Line<'r>, AxisRecord { letter, kind }: &AxisRecord) -> Line<'r
 }
 
 fn gear<'r>(json: Line<'r>, gear: &GearRecord) -> Line<'r> {
-    let GearRecord { m, min, max } = *gear;
+    let GearRecord { m, min, max, output } = *gear;
     let json = json.put(br#"{"m":"#).int(u64::from(m)).int_field(key!(min), u64::from(min));
-    json.int_field(key!(max), u64::from(max)).put(b"}")
+    json.int_field(key!(max), u64::from(max)).decimal_field(key!(output), output).put(b"}")
 }
 
 fn m_function<'r>(json: Line<'r>, function: &MFunctionRecord) -> Line<'r> {

@@ -151,6 +151,7 @@ impl StepReader {
         let times = &self.motion.times;
         let (mut start_s, mut end_s) = (0.0_f64, 0.0_f64);
         let (mut correction, mut changes) = (false, false);
+        let mut tool_s = None;
         for word in file.into_iter().flat_map(|file| file.words(id)) {
             if word.address.axis().is_some() {
                 continue;
@@ -165,15 +166,18 @@ impl StepReader {
             }
             if let Some(time) = times.get(&TimedFunction::Address(word.address.letter())) {
                 start_s = start_s.max(float(time.value));
+                tool_s = tool_s.or(Some(time).filter(|_| word.address == Address::T));
+            } else {
+                // Auxiliary functions, as M functions are.
+                found.untimed_function |= matches!(word.address, Address::H | Address::P);
             }
         }
         for number in block.m_written() {
             match times.get(&TimedFunction::M(u16::from(*number))) {
                 Some(time) if self.at_end.contains(number) => end_s = end_s.max(float(time.value)),
                 Some(time) => start_s = start_s.max(float(time.value)),
-                None if *number == TOOL_CHANGE => {
-                    found.untimed_change |= !times.contains_key(&TimedFunction::Address(Address::T.letter()));
-                }
+                // The time of a T beside it is that of the change.
+                None if *number == TOOL_CHANGE => found.untimed_change |= tool_s.is_none(),
                 None => found.untimed_function |= !STOPS.contains(number),
             }
         }

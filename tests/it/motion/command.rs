@@ -401,6 +401,12 @@ fn counted_as_nothing() {
     for config in ["[motion.times]\nM06 = 6.5\n", "[motion.times]\nT = 6.5\n"] {
         assert!(!line(config, "en", en).contains("M06"), "{config}");
     }
+    // The time of a T in another block is that of the magazine. H and P are functions as M are.
+    place.put("a.nc", "%1\nN10 G90 G0 X0 Y0\nN20 T1\nN30 G1 X10 F100\nN40 M06\nN50 M30\n");
+    assert!(line("[motion.times]\nT = 0.2\n", "en", en).contains(change));
+    place.put("a.nc", "%1\nN10 G90 G0 X0 Y0\nN20 H3\nN30 G1 X10 F100\nN50 M30\n");
+    assert!(line("", "en", en).contains("functions ([motion.times])"));
+    assert!(!line("[motion.times]\nH = 0.2\n", "en", en).contains("functions"));
 }
 
 /// Exit status, and what is left when a program has no time.
