@@ -118,6 +118,20 @@ impl Blocks {
     }
 }
 
+/// Runs in order, those that touch as one.
+pub(super) fn merged(runs: impl Iterator<Item = [u32; 2]>) -> Vec<[u32; 2]> {
+    let mut runs: Vec<[u32; 2]> = runs.collect();
+    runs.sort_unstable();
+    let mut merged: Vec<[u32; 2]> = Vec::new();
+    for [from, to] in runs {
+        match merged.last_mut() {
+            Some([_, end]) if from <= end.saturating_add(1) => *end = to.max(*end),
+            _ => merged.push([from, to]),
+        }
+    }
+    merged
+}
+
 /// One change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {

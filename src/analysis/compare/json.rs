@@ -5,7 +5,7 @@ use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::{Value as Json, json};
 
-use super::changes::{Blocks, Change, ChangeKind};
+use super::changes::{Blocks, Change, ChangeKind, merged};
 use super::steps::Value;
 use super::text::{head, line};
 use crate::analysis::{Number, forbid_null};
@@ -167,20 +167,6 @@ pub fn for_page(old: &Side, new: &Side, changes: &[Change]) -> Json {
         );
     }
     Json::Object(page)
-}
-
-/// Runs in order, those that touch as one.
-fn merged(runs: impl Iterator<Item = [u32; 2]>) -> Vec<[u32; 2]> {
-    let mut runs: Vec<[u32; 2]> = runs.collect();
-    runs.sort_unstable();
-    let mut merged: Vec<[u32; 2]> = Vec::new();
-    for [from, to] in runs {
-        match merged.last_mut() {
-            Some([_, end]) if from <= end.saturating_add(1) => *end = to.max(*end),
-            _ => merged.push([from, to]),
-        }
-    }
-    merged
 }
 
 fn side(side: &Side) -> SideRecord {

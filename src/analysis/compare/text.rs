@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::changes::{Blocks, Change, ChangeKind};
+use super::changes::{Blocks, Change, ChangeKind, merged};
 use super::json::Side;
 use super::steps::Value;
 use super::words::Words;
@@ -55,16 +55,9 @@ fn by_tool(changes: &[Change], lang: Lang) -> Vec<String> {
 /// How many blocks some changes are in, one that has several counted once: of the new program, and of the old one where
 /// a change has none in the new one.
 fn blocks_of(changes: &[&Change]) -> u64 {
-    let union = |blocks: &mut dyn Iterator<Item = &Blocks>| {
-        let mut runs: Vec<[u32; 2]> = blocks.flat_map(|blocks| blocks.runs.iter().copied()).collect();
-        runs.sort_unstable();
-        let (mut count, mut next) = (0, 0);
-        for [from, to] in runs {
-            let from = u64::from(from).max(next);
-            next = next.max(u64::from(to) + 1);
-            count += next.saturating_sub(from);
-        }
-        count
+    let union = |blocks: &mut dyn Iterator<Item = &Blocks>| -> u64 {
+        let runs = merged(blocks.flat_map(|blocks| blocks.runs.iter().copied()));
+        runs.iter().map(|[from, to]| u64::from(to - from) + 1).sum()
     };
     let is_new = |change: &&&Change| change.new_blocks.count > 0;
     let new = union(&mut changes.iter().filter(is_new).map(|change| &change.new_blocks));
