@@ -43,9 +43,9 @@
 //!
 //! # Stability
 //!
-//! What programs read keeps its meaning: exit statuses, the codes of findings, the project file, and the forms whose names
-//! have a version, as `cnc872c.blocks/2`. The Rust interface has version 0: what the example above uses changes only with an
-//! entry in the changelog and a new minor version; everything else may change with any version.
+//! What programs read keeps its meaning: exit statuses, the codes of findings, the project file, and the forms whose
+//! names have a version, as `cnc872c.blocks/2`. The Rust interface has version 0: what the example above uses changes
+//! only with an entry in the changelog and a new minor version; everything else may change with any version.
 
 pub mod analysis;
 #[cfg(feature = "cli")]

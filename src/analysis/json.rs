@@ -13,8 +13,8 @@ use crate::text::is_unsafe;
 /// Name and version of the compiler, as records have it.
 pub const GENERATOR: &str = concat!("cnc872c ", env!("CARGO_PKG_VERSION"));
 
-/// Appends a record, without a line end. Its numbers have no exponent. With `safe`, characters on which a terminal might act
-/// are escaped.
+/// Appends a record, without a line end. Its numbers have no exponent. With `safe`, characters on which a terminal
+/// might act are escaped.
 pub fn push(out: &mut Vec<u8>, record: &impl Serialize, safe: bool) {
     let mut serializer = serde_json::Serializer::with_formatter(out, Plain { safe, digits: String::new() });
     // Records of texts and finite numbers have a JSON, and memory takes it.

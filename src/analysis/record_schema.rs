@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 
 use crate::dict::capitalized;
 
-/// The schema of the records `T`, an enum tagged by `kind`, JSON Schema 2020-12: a definition for each record, named after
-/// its kind. `schema` is name and version of the form.
+/// The schema of the records `T`, an enum tagged by `kind`, JSON Schema 2020-12: a definition for each record, named
+/// after its kind. `schema` is name and version of the form.
 pub fn record_schema<T: JsonSchema>(schema: &str) -> Value {
     let generator = SchemaSettings::draft2020_12().with(|settings| settings.inline_subschemas = true).into_generator();
     let mut root = generator.into_root_schema_for::<T>().to_value();

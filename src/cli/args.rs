@@ -119,9 +119,11 @@ pub(super) struct RewriteArgs {
 pub(super) struct RenumberArgs {
     #[arg(value_name = "PATH", required = true)]
     pub paths: Vec<PathBuf>,
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=i64::from(HIGHEST_BLOCK)))]
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(HIGHEST_BLOCK)))]
     pub step: u32,
-    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=i64::from(HIGHEST_BLOCK)))]
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=i64::from(HIGHEST_BLOCK)))]
     pub start: u32,
     #[arg(long, value_name = "L100", value_parser = unit_number, conflicts_with_all = ["from", "to"])]
     pub unit: Option<u32>,
@@ -375,7 +377,8 @@ pub(super) struct PlaceArgs {
     pub at_tool: Option<String>,
     #[arg(long = "file", value_name = "L", conflicts_with_all = ["seq", "time", "at_tool"])]
     pub file_of: Option<String>,
-    #[arg(long, value_name = "PASS", value_parser = clap::value_parser!(u64).range(1..), conflicts_with_all = ["seq", "time"])]
+    #[arg(long, value_name = "PASS", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(conflicts_with_all = ["seq", "time"])]
     pub pass: Option<u64>,
 }
 

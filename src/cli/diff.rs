@@ -124,8 +124,8 @@ mod tests {
             |x: &str| format!("1\n2\n3\n4\n5 {x}\n6\n7\n8\n9\n10\n11 {x}\n12\n13\n14\n15\n16\n17\n18\n19 {x}\r\n20");
         assert_eq!(
             diff(&text("x"), &text("X")),
-            "--- a.nc\n+++ a.nc\n@@ -2,13 +2,13 @@\n 2\n 3\n 4\n-5 x\n+5 X\n 6\n 7\n 8\n 9\n 10\n-11 x\n+11 X\n 12\n 13\n 14\n\
-             @@ -16,5 +16,5 @@\n 16\n 17\n 18\n-19 x\r\n+19 X\r\n 20\n\\ No newline at end of file\n"
+            "--- a.nc\n+++ a.nc\n@@ -2,13 +2,13 @@\n 2\n 3\n 4\n-5 x\n+5 X\n 6\n 7\n 8\n 9\n 10\n-11 x\n+11 X\n 12\n \
+             13\n 14\n@@ -16,5 +16,5 @@\n 16\n 17\n 18\n-19 x\r\n+19 X\r\n 20\n\\ No newline at end of file\n"
         );
     }
 

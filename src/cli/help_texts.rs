@@ -178,10 +178,10 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "explain",
         "names",
         Arguments,
-        "Codes or names of findings, functions, addresses, keys, signals of the PLC; any other word lists the pages that \
-         have it. None: the list of all findings",
-        "Kódy nebo názvy hlášení, funkce, adresy, klíče, signály PLC; jiné slovo vypíše stránky, kde je. Nic: seznam všech \
-         hlášení",
+        "Codes or names of findings, functions, addresses, keys, signals of the PLC; any other word lists the pages \
+         that have it. None: the list of all findings",
+        "Kódy nebo názvy hlášení, funkce, adresy, klíče, signály PLC; jiné slovo vypíše stránky, kde je. Nic: seznam \
+         všech hlášení",
     ),
     arg("init", "folder", Arguments, "The folder, else this one", "Složka; jinak tato"),
     arg("init", "dialect", Options, "The control, else cnc872", "Řídicí systém; jinak cnc872"),
@@ -206,7 +206,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "check",
         "diff",
         Options,
-        "Show what --fix would change, as a unified diff, and change nothing. Exit with status 1 when there is something",
+        "Show what --fix would change, as a unified diff, and change nothing. Exit with status 1 when there is \
+        something",
         "Ukázat, co by --fix změnilo (unified diff), a nic neměnit. Je-li co měnit, skončit kódem 1",
     ),
     arg(
@@ -434,10 +435,10 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "",
         "config",
         Machine,
-        "The project file, else cnc872c.toml in the program's folder or the nearest folder above it; for standard input \
-         in the working folder",
-        "Projektový soubor; jinak cnc872c.toml ve složce programu nebo v nejbližší nad ní; pro standardní vstup v pracovní \
-         složce",
+        "The project file, else cnc872c.toml in the program's folder or the nearest folder above it; for standard \
+         input in the working folder",
+        "Projektový soubor; jinak cnc872c.toml ve složce programu nebo v nejbližší nad ní; pro standardní vstup v \
+         pracovní složce",
     ),
     arg(
         "",
@@ -481,7 +482,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "deny",
         Levels,
         "Make this warning an error, by code or name (`cnc872c explain` lists them); if repeated, the last one wins",
-        "Z tohoto varování udělat chybu, podle kódu nebo názvu (vypíše je „cnc872c explain“); při opakování platí poslední",
+        "Z tohoto varování udělat chybu, podle kódu nebo názvu (vypíše je „cnc872c explain“); při opakování platí \
+        poslední",
     ),
     arg("", "warn", Levels, "Make it a warning", "Udělat z něj varování"),
     arg("", "allow", Levels, "Do not show it", "Nevypisovat ho"),

@@ -20,7 +20,8 @@ bilingual! {
             "standard output is closed: there is nowhere to write to",
             "standardní výstup je uzavřen: není kam zapisovat";
         OutputIsProgram { file: String }
-            "{file} is what the stream is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "{file} is what the stream is made from (program, macrocycle, project file or ChannelConfig): another \
+            file belongs after -o",
             "z {file} proud bloků vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
         CacheDamaged { folder: String, count: usize }
             "{folder}: {count} damaged entries of the cache are made anew",
@@ -29,7 +30,8 @@ bilingual! {
             "{file} is one of the files that are read: another file belongs after -o",
             "{file} je jeden z čtených souborů: za -o patří jiný soubor";
         RestartIsProgram { file: String }
-            "{file} is what the new program is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "{file} is what the new program is made from (program, macrocycle, project file or ChannelConfig): \
+            another file belongs after -o",
             "z {file} nový program vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
         ColumnsOnTerminal
             "Arrow columns are no text for a terminal: name a file after -o, or a program after |",
@@ -38,7 +40,8 @@ bilingual! {
             "the stream of {file} has no end: execution stopped before M02 or M30",
             "proud bloků programu {file} nemá konec: provádění skončilo před M02 nebo M30";
         PictureIsProgram { file: String }
-            "{file} is what the picture is made from (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "{file} is what the picture is made from (program, macrocycle, project file or ChannelConfig): another \
+            file belongs after -o",
             "z {file} obrázek vzniká (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
         PictureNeedsName
             "a program from standard input has no name for its picture: name a file after -o",
@@ -55,8 +58,8 @@ bilingual! {
         PictureNeedsMemory
             "the program is too long for one picture: it would take more than 2 GB of memory, or more than there is; \
              draw a part of it with --blocks and --from",
-            "na jeden obrázek je program příliš dlouhý: potřeboval by přes 2 GB paměti, nebo víc, než jí je; nakreslit jen část \
-             pomocí --blocks a --from";
+            "na jeden obrázek je program příliš dlouhý: potřeboval by přes 2 GB paměti, nebo víc, než jí je; \
+             nakreslit jen část pomocí --blocks a --from";
         RedLeftOut { count: usize }
             "{count} red dots are not drawn: others stand at the same places, the page has them all",
             "nekreslených červených teček: {count}; na jejich místech už jiné stojí, stránka je má všechny";
@@ -90,8 +93,8 @@ bilingual! {
         NoPrograms { folder: String }
             "no program found in {folder}; programs are files .nc .ncp .mpf .txt (or `extensions` of the project file) \
              with a line that begins with % and a number, and macrocycles L…",
-            "ve složce {folder} není žádný program; hledají se soubory .nc .ncp .mpf .txt (nebo extensions z projektu), \
-             v nichž řádek začíná znakem % a číslem, a makrocykly L…";
+            "ve složce {folder} není žádný program; hledají se soubory .nc .ncp .mpf .txt (nebo extensions z \
+             projektu), v nichž řádek začíná znakem % a číslem, a makrocykly L…";
         OutwardLink { link: String }
             "{link}: not searched, the link leads out of the folder",
             "{link}: neprohledáno, odkaz vede ven ze složky";
@@ -189,10 +192,10 @@ bilingual! {
             "--param {text}: {fault}",
             "--param {text}: {fault}";
         NothingToExplain { name: String }
-            "{name}: there is no such diagnostic, function, address, key or signal, and no page has the word; `cnc872c explain` lists \
-             the diagnostics",
-            "{name}: takové hlášení, funkce, adresa, klíč ani signál není a žádná stránka to slovo nemá; hlášení vypíše „cnc872c \
-             explain“";
+            "{name}: there is no such diagnostic, function, address, key or signal, and no page has the word; \
+             `cnc872c explain` lists the diagnostics",
+            "{name}: takové hlášení, funkce, adresa, klíč ani signál není a žádná stránka to slovo nemá; hlášení \
+             vypíše „cnc872c explain“";
         NothingToExplainNear { name: String, near: String }
             "{name}: there is no such diagnostic, function, address, key or signal; perhaps {near} is meant",
             "{name}: takové hlášení, funkce, adresa, klíč ani signál není; možná mělo být {near}";
@@ -215,7 +218,8 @@ bilingual! {
             "--set {text}: {dialect} takes motion from [motion] and from no constant",
             "--set {text}: u {dialect} se pohyb počítá podle [motion], ne podle konstant";
         JerkFree { blocks: u64 }
-            "P is not known where it counts: the jerk is not limited there, and the time is at least this; such blocks: {blocks}",
+            "P is not known where it counts: the jerk is not limited there, and the time is at least this; such \
+            blocks: {blocks}",
             "P tam, kde platí, není známo: ryv tam není omezen a čas je nejméně takový; takových bloků: {blocks}";
         NoWholeTime { file: String }
             "the time of {file} is not known: execution stopped before M02 or M30",
@@ -239,7 +243,8 @@ bilingual! {
             "compare writes no .{extension}: name a page (.html) after -o",
             "compare nezapisuje .{extension}: za -o uvést stránku (.html)";
         PageIsProgram { file: String }
-            "{file} is read by compare (program, macrocycle, project file or ChannelConfig): another file belongs after -o",
+            "{file} is read by compare (program, macrocycle, project file or ChannelConfig): another file belongs \
+            after -o",
             "{file} příkaz compare čte (program, makrocyklus, projekt nebo ChannelConfig): za -o patří jiný soubor";
         ComparisonNeedsMemory
             "the programs are too long for one page: it would take more than 2 GB of memory, or more than there is; \

@@ -72,8 +72,8 @@ impl Records {
         Self { axes, records: Vec::new(), used: 0, rows: 0, last: None, way: Way::NotYet }
     }
 
-    /// The next record, as `fill` makes it. That is given a record to write over, and the `seq` of the row before in the
-    /// same batch, and says whether it made only what may differ from that.
+    /// The next record, as `fill` makes it. That is given a record to write over, and the `seq` of the row before in
+    /// the same batch, and says whether it made only what may differ from that.
     #[inline]
     pub fn push(&mut self, rows: &mut Rows<'_>, fill: impl FnOnce(&mut BlockRecord, Option<u64>) -> bool) {
         if self.records.len() == self.used {

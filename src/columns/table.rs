@@ -3,8 +3,9 @@
 //! A row is given field by field, always in the same order: the first row of all declares the columns by it, the others
 //! fill them. So one line has the name of a column, its type and its value.
 //!
-//! A row may follow the one before, and then has only some of the fields, always the same ones; the other columns repeat
-//! what the last whole row has. They get a cell a whole row, and are spread over the rows when the batch is full.
+//! A row may follow the one before, and then has only some of the fields, always the same ones; the other columns
+//! repeat what the last whole row has. They get a cell a whole row, and are spread over the rows when the batch is
+//! full.
 
 use std::fmt::Display;
 use std::sync::Arc;
@@ -248,7 +249,8 @@ impl Table {
         self.field(&name, "", || Kind::Quadruples, rows, |cells, rows| cells.push_quadruples(rows));
     }
 
-    /// Before the first field of a row. A row that `follows` has only the fields that the one before the declaration had.
+    /// Before the first field of a row. A row that `follows` has only the fields that the one before the declaration
+    /// had.
     #[inline]
     pub const fn begin_row(&mut self, follows: bool) {
         self.follows = follows;

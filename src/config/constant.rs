@@ -71,7 +71,8 @@ impl Constant {
             pick("Decades", "Dekády"),
             pick(
                 "decade 1 is the rightmost digit of eight; the control shows three decimals, so 00200008 is 200.008",
-                "dekáda 1 je z osmi číslic ta nejvíc vpravo; systém zobrazuje tři desetinná místa, 00200008 je tedy 200.008",
+                "dekáda 1 je z osmi číslic ta nejvíc vpravo; systém zobrazuje tři desetinná místa, 00200008 je tedy \
+                200.008",
             ),
         );
         if let Some(example) = self.example() {

@@ -29,14 +29,16 @@ rows! {
         "the control that the programs are for", "řídicí systém, pro který programy jsou";
     "encoding" "LEX-13" option "--encoding":
         one_of!([Encoding::NAMED], |it, encoding| it.settings.encoding = encoding), Is("\"cp852\"") =>
-        "the code page of programs that are not in UTF-8, which is recognised by itself; `utf-8`: all others are an error",
+        "the code page of programs that are not in UTF-8, which is recognised by itself; `utf-8`: all others are an \
+        error",
         "kódová stránka programů, které nejsou v UTF-8; to se pozná samo; `utf-8`: jiné jsou chyba";
     "channel-config" "MFN-2" option "--channel-config" example "\"Channel.xml\"":
         Takes::Path(|it, path| it.channel_config = Some((path, it.place))), Nothing =>
         "the ChannelConfig whose `MFunctions` give the M functions; CNC872 only",
         "ChannelConfig, jehož `MFunctions` určují M funkce; jen CNC872";
     "macrocycles" "PRG-6" option "-L" example "[\"macros\"]":
-        Takes::Texts(List::Paths, |it, folders| it.macrocycles = folders), words("the program's folder", "složka programu") =>
+        Takes::Texts(List::Paths, |it, folders| it.macrocycles = folders), words("the program's \
+            folder", "složka programu") =>
         "folders to search for macrocycles, in this order; folders in them are not searched",
         "složky, kde se hledají makrocykly, v tomto pořadí; jejich podsložky se neprohledávají";
     "block-skip" "BLK-6" option "--block-skip": Takes::Flag(|it, on| it.settings.block_skip = on), Is("false") =>
@@ -48,7 +50,8 @@ rows! {
         "whether the machine has the oriented spindle stop M19", "zda stroj má orientovaný stop vřetena M19";
     "spindle-axis" "MFN-10" example "\"C\"":
         one_of!([spindle_axes()], |it, axis| it.settings.machine.spindle_axis = axis),
-        words("`\"C\"`, else `\"A\"` or `\"B\"`, if the machine has it", "`\"C\"`, jinak `\"A\"` nebo `\"B\"`, má-li ji stroj") =>
+        words("`\"C\"`, else `\"A\"` or `\"B\"`, if the machine has it", "`\"C\"`, jinak `\"A\"` nebo `\"B\"`, má-li \
+            ji stroj") =>
         "the rotary axis that the spindle is while M19 holds; `\"none\"`: the spindle is no axis",
         "rotační osa, kterou je vřeteno po dobu platnosti M19; `\"none\"`: vřeteno osou není";
     "oriented-position" "MFN-10":
@@ -63,7 +66,8 @@ rows! {
         one_of!(ArcCenters, |it, order| it.settings.machine.arc_centers = order), Is("\"machine-order\"") =>
         "which axes of an arc I and J belong to: in the order of the machine's axes, or of the plane's name (YZ, ZX)",
         "ke kterým osám oblouku patří I a J: v pořadí os stroje, nebo podle názvu roviny (YZ, ZX)";
-    "extensions" "§11": Takes::Texts(List::Extensions, Draft::set_extensions), Is("[\"nc\", \"ncp\", \"mpf\", \"txt\"]") =>
+    "extensions" "§11": Takes::Texts(List::Extensions, Draft::set_extensions), Is("[\"nc\", \"ncp\", \"mpf\", \
+    \"txt\"]") =>
         "extensions of programs, where a folder is searched for them; upper and lower case alike",
         "přípony programů, které se hledají ve složce; na velikosti písmen nezáleží";
 
@@ -73,7 +77,8 @@ rows! {
         "letter of the axis, each once", "písmeno osy, každé jednou";
     "kind" "ADR-4" example "\"linear\"":
         one_of!([AXIS_KINDS], |it, rotary| it.axis.rotary = Some(rotary)),
-        words("`\"rotary\"` for A, B and C, `\"linear\"` for the others", "`\"rotary\"` pro A, B a C, jinak `\"linear\"`") =>
+        words("`\"rotary\"` for A, B and C, `\"linear\"` for the others", "`\"rotary\"` pro A, B a C, jinak \
+            `\"linear\"`") =>
         "whether the axis travels (millimetres) or turns (degrees)",
         "zda osa jezdí (milimetry), nebo se otáčí (stupně)";
     "min" "§11" example "-10.0": number(-DIMENSION, DIMENSION, |it, min| it.axis.min = Some(min)), Nothing =>
@@ -110,7 +115,8 @@ rows! {
     "speed" "§2": whole(1, HIGHEST_SPEED, |it, speed| it.limits().speed = narrow(speed)), Is("9999") =>
         "greatest spindle speed S in rev/min", "nejvyšší otáčky vřetena S v ot/min";
     "arc-tolerance" "MOT-4": number(0, DIMENSION, |it, mm| it.limits().arc_tolerance = mm), Is("0.01") =>
-        "how far the radii at the start and the end of an arc may differ, in mm; a thousandth of the radius where that is more",
+        "how far the radii at the start and the end of an arc may differ, in mm; a thousandth of the radius where \
+        that is more",
         "o kolik se smí lišit poloměr na začátku a na konci oblouku, v mm; tisícina poloměru tam, kde je to víc";
 
     /// One of `[corrections]`.
@@ -132,7 +138,8 @@ rows! {
         "jak se píšou čísla G a M: `G01`, `G1`, nebo beze změny";
     "numbers" "FMT-5":
         one_of!([Numbers::NAMED], |it, numbers| it.settings.format.numbers = numbers), Is("\"keep\"") =>
-        "how coordinates, F and values of R are written: as they are, or without needless zeros (`X036.120` becomes `X36.12`)",
+        "how coordinates, F and values of R are written: as they are, or without needless zeros (`X036.120` becomes \
+        `X36.12`)",
         "jak se píšou souřadnice, F a hodnoty R: beze změny, nebo bez zbytečných nul (z `X036.120` je `X36.12`)";
     "indent" "FMT-3": whole(1, 8, |it, blanks| it.settings.format.indent = narrow(blanks)), Is("2") =>
         "blanks before a line that continues a block", "mezery před řádkem, na kterém blok pokračuje";

@@ -20,7 +20,8 @@ rows! {
     SET:
     "parabolic" "VEL-11" example "50000":
         number(0, EIGHT_DIGITS, |it, value| it.set_of_motion(SetKey::Parabolic, value)), Nothing =>
-        "parabolic acceleration P as the digits of the constant: 50000 where the control shows 50.000; the jerk is P/32.768 mm/s³",
+        "parabolic acceleration P as the digits of the constant: 50000 where the control shows 50.000; the jerk is \
+        P/32.768 mm/s³",
         "parabolické zrychlení P jako číslice konstanty: 50000 tam, kde systém ukazuje 50.000; ryv je P/32.768 mm/s³";
     "linear-mm-s2" "VEL-11" example "600":
         number(0, EIGHT_DIGITS, |it, value| it.set_of_motion(SetKey::Linear, value)), Nothing =>
@@ -41,10 +42,12 @@ pub(super) const RAPID_SET: &[Row] = SET.split_at(2).0;
 
 /// The keys of `[motion]`, in the order of the reference page; those with one number have a name in the code too.
 macro_rules! motion {
-    ({ $($first:literal $first_rule:literal: $first_takes:expr, $first_default:expr => $first_en:literal, $first_cs:literal;)* }
+    ({ $($first:literal $first_rule:literal: $first_takes:expr, $first_default:expr
+        => $first_en:literal, $first_cs:literal;)* }
      { $($key:ident $name:literal $rule:literal $(example $example:literal)?
         : $takes:ident($min:expr, $max:expr), $default:expr => $en:literal, $cs:literal;)* }
-     { $($last:literal $last_rule:literal: $last_takes:expr, $last_default:expr => $last_en:literal, $last_cs:literal;)* }) => {
+     { $($last:literal $last_rule:literal: $last_takes:expr, $last_default:expr
+        => $last_en:literal, $last_cs:literal;)* }) => {
         /// The keys of `[motion]` that hold a number.
         #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
         pub enum MotionKey {
@@ -71,15 +74,20 @@ macro_rules! motion {
 motion! {{
     "profile" "VEL-9, VEL-10, VEL-11":
         one_of!(Profile, Draft::set_profile), ByDialect(|dialect| format!("\"{}\"", Profile::of(dialect).name())) =>
-        "course of the velocity; `\"ramps\"`: no envelope velocity; `\"linear\"`; `\"parabolic\"`, which needs P in set 1 (R338)",
-        "průběh rychlosti; `\"ramps\"`: bez obálkové rychlosti; `\"linear\"`; `\"parabolic\"`, které potřebuje P v 1. sadě (R338)";
+        "course of the velocity; `\"ramps\"`: no envelope velocity; `\"linear\"`; `\"parabolic\"`, which needs P in \
+        set 1 (R338)",
+        "průběh rychlosti; `\"ramps\"`: bez obálkové rychlosti; `\"linear\"`; `\"parabolic\"`, které potřebuje P v 1. \
+        sadě (R338)";
     "recognition" "CNT-3": one_of!(Recognition, Draft::set_recognition), Is("\"automatic\"") =>
-        "how blocks that join continuously are recognised; `\"manual\"`: by G23 and G24 alone; `\"automatic\"`: by the angle too (R97)",
-        "jak se poznává plynulá návaznost bloků; `\"manual\"`: jen podle G23 a G24; `\"automatic\"`: i podle úhlu (R97)";
+        "how blocks that join continuously are recognised; `\"manual\"`: by G23 and G24 alone; `\"automatic\"`: by \
+        the angle too (R97)",
+        "jak se poznává plynulá návaznost bloků; `\"manual\"`: jen podle G23 a G24; `\"automatic\"`: i podle úhlu \
+        (R97)";
 }
 {
     Cycle "cycle-ms" "VEL-4, VEL-5" example "2": number(ABOVE_ZERO, 1_000_000), Nothing =>
-        "interpolation cycle Ts in ms, which no source gives: without it the criteria of accuracy and overload limit nothing",
+        "interpolation cycle Ts in ms, which no source gives: without it the criteria of accuracy and overload limit \
+        nothing",
         "takt interpolace Ts v ms, který prameny neuvádějí: bez něj kritéria přesnosti a přetížení nic neomezují";
     Angle "angle-deg" "CNT-2": number(0, 180_000), Is("60") =>
         "tolerance angle: an angle between blocks that is not below it breaks continuity (R39)",
@@ -105,8 +113,10 @@ motion! {{
         "criterion of accuracy; 0: off (R384, decades 1 to 4)",
         "kritérium přesnosti; 0: vypnuto (R384, dekády 1 až 4)";
     Red "red-percent" "DOT-1": number(0, 100_000), Is("20") =>
-        "a joint slower than this part of the programmed velocity has a red dot; 0: none for that (R384, R409, decades 5 to 6)",
-        "napojení pod tolika procenty programované rychlosti má červenou tečku; 0: kvůli tomu žádné (R384, R409, dekády 5 až 6)";
+        "a joint slower than this part of the programmed velocity has a red dot; 0: none for that (R384, R409, \
+        decades 5 to 6)",
+        "napojení pod tolika procenty programované rychlosti má červenou tečku; 0: kvůli tomu žádné (R384, R409, \
+        dekády 5 až 6)";
     Overload "overload-mm-s2" "VEL-5": number(0, EIGHT_DIGITS), Is("0") =>
         "dynamic criterion; 0: off (R385, decades 1 to 7)",
         "dynamické kritérium; 0: vypnuto (R385, dekády 1 až 7)";
@@ -132,10 +142,16 @@ motion! {{
 }
 {
     "rapid-mm-min" "VEL-2":
-        Takes::Rapid { min: Decimal::from_thousandths(ABOVE_ZERO), max: Decimal::whole(9_999_999), set: Draft::set_rapid },
+        Takes::Rapid {
+            min: Decimal::from_thousandths(ABOVE_ZERO),
+            max: Decimal::whole(9_999_999),
+            set: Draft::set_rapid,
+        },
         Is("10000") =>
-        "velocity of G00: one number along the path, or a table by axis letter, as `{ X = 12000, Z = 6000 }`, with 10000 for those it lacks; deg/min of rotary axes",
-        "rychlost G00: jedno číslo po dráze, nebo tabulka podle písmen os, např. `{ X = 12000, Z = 6000 }`; osy v ní neuvedené mají 10000; u rotačních os st/min";
+        "velocity of G00: one number along the path, or a table by axis letter, as `{ X = 12000, Z = 6000 }`, with \
+        10000 for those it lacks; deg/min of rotary axes",
+        "rychlost G00: jedno číslo po dráze, nebo tabulka podle písmen os, např. `{ X = 12000, Z = 6000 }`; osy v ní \
+        neuvedené mají 10000; u rotačních os st/min";
 }}
 
 impl MotionKey {

@@ -110,8 +110,10 @@ sections! {
     "" "§11": Keys(keys::ROOT) =>
         "the control and its modes", "systém a jeho režimy";
     "axes" "ADR-4": List(keys::AXIS), axis =>
-        "the axes in the order of the machine; without any, all nine letters X Y Z A B C U V W exist; CNC8x6 and CNC8x9 have at most six, the sixth one of A, B, C",
-        "osy v pořadí stroje; není-li uvedena žádná, existuje všech devět písmen X Y Z A B C U V W; CNC8x6 a CNC8x9 mají nejvýše šest os, šestá je A, B nebo C";
+        "the axes in the order of the machine; without any, all nine letters X Y Z A B C U V W exist; CNC8x6 and \
+        CNC8x9 have at most six, the sixth one of A, B, C",
+        "osy v pořadí stroje; není-li uvedena žádná, existuje všech devět písmen X Y Z A B C U V W; CNC8x6 a CNC8x9 \
+        mají nejvýše šest os, šestá je A, B nebo C";
     "start" "MOT-2" example "X = 0.0": Map(Names::Axes) =>
         "programmed positions before the first block, by axis; X is a radius where G74 holds at power-up",
         "programované polohy před prvním blokem, podle os; X je poloměr tam, kde po zapnutí platí G74";
@@ -133,8 +135,12 @@ sections! {
     "gears" "MFN-9": List(keys::GEAR), gear =>
         "the speed ranges of the spindle", "rozsahy otáček vřetena";
     "machine-constants" "MFN-5" example "R340 = 1.0": Map(Names::Constants) =>
-        "machine constants as the control shows them: eight digits as a text, or a number with three decimals; R56 to R59 give M groups 10 to 13 on CNC8x6 and CNC8x9, four functions of two digits each; others give what `[motion]` says",
-        "strojní konstanty, jak je ukazuje systém: osm číslic jako text, nebo číslo se třemi desetinnými místy; R56 až R59 určují u CNC8x6 a CNC8x9 M skupiny 10 až 13, každá čtyři funkce po dvou číslicích; jiné udávají totéž co `[motion]`";
+        "machine constants as the control shows them: eight digits as a text, or a number with three decimals; R56 to \
+        R59 give M groups 10 to 13 on CNC8x6 and CNC8x9, four functions of two digits each; others give what \
+        `[motion]` says",
+        "strojní konstanty, jak je ukazuje systém: osm číslic jako text, nebo číslo se třemi desetinnými místy; R56 \
+        až R59 určují u CNC8x6 a CNC8x9 M skupiny 10 až 13, každá čtyři funkce po dvou číslicích; jiné udávají totéž \
+        co `[motion]`";
     "motion" "CNT, VEL": Keys(motion_keys::MOTION), motion =>
         "what motion is computed with; on CNC8x6 and CNC8x9 the machine constants give the same values, each once",
         "s čím se počítá pohyb; u CNC8x6 a CNC8x9 udávají tytéž hodnoty strojní konstanty, každou jen jednou";
@@ -142,8 +148,10 @@ sections! {
         "seconds that functions take; a block takes the longest of its own",
         "sekundy, které trvají funkce; blok trvá podle té nejdelší z nich";
     "motion.sets" "VEL-14": Keys(&[]) =>
-        "the dynamic sets, which count with the parabolic profile only; a set or value that is missing, or 0, is that of set 1, then that of `[motion]`",
-        "sady pro dynamické řízení, které platí jen při parabolickém průběhu; sada nebo hodnota, která chybí nebo je 0, je z 1. sady, pak z [motion]";
+        "the dynamic sets, which count with the parabolic profile only; a set or value that is missing, or 0, is that \
+        of set 1, then that of `[motion]`",
+        "sady pro dynamické řízení, které platí jen při parabolickém průběhu; sada nebo hodnota, která chybí nebo je \
+        0, je z 1. sady, pak z [motion]";
     "motion.sets.1" "VEL-14": Keys(motion_keys::SET), motion_set =>
         "the set of G23 I1, which holds from the start (R406 to R411)",
         "sada pro G23 I1, platná od začátku (R406 až R411)";
@@ -156,7 +164,8 @@ sections! {
     "motion.sets.rapid" "VEL-8": Keys(motion_keys::RAPID_SET), motion_set =>
         "the set of G00 (R430 to R432)", "sada pro G00 (R430 až R432)";
     "corrections" "EQU-1" example "7": Tables(Names::Corrections, keys::CORRECTION) =>
-        "radius corrections by the number of D, as they are in the control's table; for the picture of the corrected path",
+        "radius corrections by the number of D, as they are in the control's table; for the picture of the corrected \
+        path",
         "poloměrové korekce podle čísla D, jak jsou v tabulce systému; pro obraz korigované dráhy";
     "limits" "§11": Keys(keys::LIMITS) =>
         "where the compiler draws a line", "meze překladače";

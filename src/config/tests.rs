@@ -174,11 +174,12 @@ fn defaults() {
 fn values_are_set() {
     let settings = Run::clean(
         "dialect = 'cnc8x9'\nencoding = 'kamenicky'\nblock-skip = true\noptional-stop = true\noriented-stop = false\n\
-         macrocycles = ['.', '../shared', './own', '/abs']\naxes = [{ letter = 'Z' }, { letter = 'A', kind = 'linear' }, \
-         { letter = 'C' }]\npower-up = { G0 = 1, G1 = 19, G10 = 74 }\nparameters.R0 = -0.001\nparameters.R95 = 99_999_999\n\
-         parameters.R1 = 1.5e1\nparameters.R2 = 0x10\n[operations]\n'2' = 'sqrt'\n[machine-constants]\nR56 = 91\nR57 = '00000092'\n\
-         R06 = -1\nR340 = '0012'\n[[gears]]\nm = 44\nmin = 5\nmax = 5\n[[gears]]\nm = 41\nmin = 0\nmax = 9999\n\
-         [limits]\nnesting = 1000\nfeed = 1\narc-tolerance = 0\n[lints]\nW0214 = 'deny'\nline-too-long = 'warn'\n",
+         macrocycles = ['.', '../shared', './own', '/abs']\naxes = [{ letter = 'Z' }, { letter = 'A', kind = 'linear' \
+         }, { letter = 'C' }]\npower-up = { G0 = 1, G1 = 19, G10 = 74 }\nparameters.R0 = -0.001\nparameters.R95 = \
+         99_999_999\nparameters.R1 = 1.5e1\nparameters.R2 = 0x10\n[operations]\n'2' = \
+         'sqrt'\n[machine-constants]\nR56 = 91\nR57 = '00000092'\nR06 = -1\nR340 = '0012'\n[[gears]]\nm = 44\nmin = \
+         5\nmax = 5\n[[gears]]\nm = 41\nmin = 0\nmax = 9999\n[limits]\nnesting = 1000\nfeed = 1\narc-tolerance = \
+         0\n[lints]\nW0214 = 'deny'\nline-too-long = 'warn'\n",
     );
     let machine = &settings.machine;
     assert_eq!(settings.encoding, Encoding::Kamenicky);

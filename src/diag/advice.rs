@@ -7,29 +7,70 @@ use crate::sure::Sure;
 bilingual! {
     /// What was probably meant by something that is no number (E0106).
     NumberMeant {
-        Form "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its own address", "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí za svou adresou";
+        Form
+            "a number has at most one sign, digits, and at most one decimal point: `X-12.5`; each number follows its \
+            own address",
+            "číslo má nejvýše jedno znaménko, číslice a nejvýše jednu desetinnou tečku: „X-12.5“; každé číslo stojí \
+            za svou adresou";
         NoAddress "write it behind its address, on the same line", "napsat ho za jeho adresu na tentýž řádek";
-        BlockNumber { written: String } "if it is a block number, write `{written}`", "je-li to číslo bloku, napsat „{written}“";
-        Ruler "a line between blocks is a comment, between quotes: `\"-----\"`", "čára mezi bloky se píše jako komentář do uvozovek: \"-----\"";
-        AddressMissing { loose: String, written: String } "an address is missing before `{loose}`: `{written}`?", "před {loose} chybí adresa: „{written}“?";
-        Divided { written: String } "nothing is divided here: write the result, `{written}`", "dělit se zde nedá: napsat výsledek, „{written}“";
-        Undivided "nothing is divided here: write the result; `/` is a block skip and stands behind the block number", "dělit se zde nedá: napsat výsledek; / znamená vypuštění bloku a stojí za číslem bloku";
-        Computed "there are no expressions; G26 to G29 compute with parameters", "výrazy se psát nedají; s parametry počítají G26 až G29";
-        Exponent { written: String } "a number has no exponent: write `{written}`", "číslo se píše bez exponentu: „{written}“";
+        BlockNumber { written: String }
+            "if it is a block number, write `{written}`",
+            "je-li to číslo bloku, napsat „{written}“";
+        Ruler
+            "a line between blocks is a comment, between quotes: `\"-----\"`",
+            "čára mezi bloky se píše jako komentář do uvozovek: \"-----\"";
+        AddressMissing { loose: String, written: String }
+            "an address is missing before `{loose}`: `{written}`?",
+            "před {loose} chybí adresa: „{written}“?";
+        Divided { written: String }
+            "nothing is divided here: write the result, `{written}`",
+            "dělit se zde nedá: napsat výsledek, „{written}“";
+        Undivided
+            "nothing is divided here: write the result; `/` is a block skip and stands behind the block number",
+            "dělit se zde nedá: napsat výsledek; / znamená vypuštění bloku a stojí za číslem bloku";
+        Computed
+            "there are no expressions; G26 to G29 compute with parameters",
+            "výrazy se psát nedají; s parametry počítají G26 až G29";
+        Exponent { written: String }
+            "a number has no exponent: write `{written}`",
+            "číslo se píše bez exponentu: „{written}“";
         ExponentForm "a number has no exponent: write out its digits", "číslo se píše bez exponentu, všemi číslicemi";
-        NotANumber "whatever wrote the file had no value here; write the number that was meant", "program, který soubor vytvořil, zde neměl platnou hodnotu; napsat číslo, které bylo míněno";
-        Fastest "rapid motion is programmed by G00; a feed is a number: `F200`", "rychloposuv se programuje funkcí G00; posuv je číslo: „F200“";
+        NotANumber
+            "whatever wrote the file had no value here; write the number that was meant",
+            "program, který soubor vytvořil, zde neměl platnou hodnotu; napsat číslo, které bylo míněno";
+        Fastest
+            "rapid motion is programmed by G00; a feed is a number: `F200`",
+            "rychloposuv se programuje funkcí G00; posuv je číslo: „F200“";
         Equals { written: String } "write it without `=`: `{written}`", "napsat bez rovnítka: „{written}“";
-        EqualsForm "only an assignment to a parameter has `=`, and only one: `R10=5`; all other words are written without: `X45`", "rovnítko patří jen do přiřazení parametru, a to jediné: „R10=5“; ostatní slova se píší bez něj: „X45“";
-        Distance "write the number without a name: under G91 it is a distance, under G90 a coordinate", "napsat jen číslo: při G91 je to přírůstek, při G90 souřadnice";
-        FromStart "write the number without a name: the distance from the start of the arc to its centre, under G90 too", "napsat jen číslo: vzdálenost od začátku oblouku ke středu, a to i při G90";
-        SignBehind { written: String } "write the sign behind the address: `{written}`", "znaménko psát až za adresu: „{written}“";
-        SignBeforeEquals { written: String } "a sign belongs behind the `=`: `{written}`; to subtract or add, G26 to G29 compute with parameters", "znaménko patří až za rovnítko: „{written}“; odčítat nebo sčítat parametry umí G26 až G29";
-        OneSpindle { written: String } "the control has one spindle: `{written}`", "systém má jediné vřeteno: „{written}“";
+        EqualsForm
+            "only an assignment to a parameter has `=`, and only one: `R10=5`; all other words are written without: \
+            `X45`",
+            "rovnítko patří jen do přiřazení parametru, a to jediné: „R10=5“; ostatní slova se píší bez něj: „X45“";
+        Distance
+            "write the number without a name: under G91 it is a distance, under G90 a coordinate",
+            "napsat jen číslo: při G91 je to přírůstek, při G90 souřadnice";
+        FromStart
+            "write the number without a name: the distance from the start of the arc to its centre, under G90 too",
+            "napsat jen číslo: vzdálenost od začátku oblouku ke středu, a to i při G90";
+        SignBehind { written: String }
+            "write the sign behind the address: `{written}`",
+            "znaménko psát až za adresu: „{written}“";
+        SignBeforeEquals { written: String }
+            "a sign belongs behind the `=`: `{written}`; to subtract or add, G26 to G29 compute with parameters",
+            "znaménko patří až za rovnítko: „{written}“; odčítat nebo sčítat parametry umí G26 až G29";
+        OneSpindle { written: String }
+            "the control has one spindle: `{written}`",
+            "systém má jediné vřeteno: „{written}“";
         ToolName "a tool has a number, not a name: `T1`", "nástroj má číslo, ne jméno: „T1“";
-        LetterTwice { written: String } "the address is written twice: `{written}`", "adresa je napsána dvakrát: „{written}“";
-        Radius "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start", "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
-        Parameter "R takes the number of a parameter, 0 to 95, and its value: `R10=5.5`", "R má číslo parametru 0 až 95 a jeho hodnotu: „R10=5.5“";
+        LetterTwice { written: String }
+            "the address is written twice: `{written}`",
+            "adresa je napsána dvakrát: „{written}“";
+        Radius
+            "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start",
+            "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
+        Parameter
+            "R takes the number of a parameter, 0 to 95, and its value: `R10=5.5`",
+            "R má číslo parametru 0 až 95 a jeho hodnotu: „R10=5.5“";
     }
 }
 
@@ -71,12 +112,22 @@ impl NumberMeant {
 bilingual! {
     /// What was meant by a comma in a number (E0104).
     CommaMeant {
-        Point { written: String } "the control knows the decimal point only: write `{written}`", "systém zná jen desetinnou tečku: napsat „{written}“";
-        Apart { written: String } "write `{written}`, or give the second number an address of its own", "napsat „{written}“, nebo druhému číslu doplnit adresu";
-        Border { written: String } "separate words with blanks, never with commas: write `{written}`", "slova se oddělují mezerami, nikdy čárkami: napsat „{written}“";
+        Point { written: String }
+            "the control knows the decimal point only: write `{written}`",
+            "systém zná jen desetinnou tečku: napsat „{written}“";
+        Apart { written: String }
+            "write `{written}`, or give the second number an address of its own",
+            "napsat „{written}“, nebo druhému číslu doplnit adresu";
+        Border { written: String }
+            "separate words with blanks, never with commas: write `{written}`",
+            "slova se oddělují mezerami, nikdy čárkami: napsat „{written}“";
         Whole { address: Address } "{address} takes whole numbers only", "{address} má jen celá čísla";
-        WholeWritten { written: String } "the number is whole: write `{written}`", "je to celé číslo: napsat „{written}“";
-        Dwell { written: String } "the dwell takes whole units of 10 ms; if seconds are meant, write `{written}`", "prodleva se zadává v celých jednotkách po 10 ms; jsou-li míněny sekundy, napsat „{written}“";
+        WholeWritten { written: String }
+            "the number is whole: write `{written}`",
+            "je to celé číslo: napsat „{written}“";
+        Dwell { written: String }
+            "the dwell takes whole units of 10 ms; if seconds are meant, write `{written}`",
+            "prodleva se zadává v celých jednotkách po 10 ms; jsou-li míněny sekundy, napsat „{written}“";
     }
 }
 
@@ -101,14 +152,28 @@ pub(super) fn is_exchanged(loose: &str) -> bool {
 bilingual! {
     /// What was probably meant by a name that is no address (E0301).
     AddressMeant {
-        Word "delete the word, or write the address that was meant", "slovo vymazat, nebo napsat adresu, která byla míněna";
+        Word
+            "delete the word, or write the address that was meant",
+            "slovo vymazat, nebo napsat adresu, která byla míněna";
         Zero "a program is numbered with `%`; the digit zero is `0`", "číslo programu se píše s %; číslice nula je „0“";
-        Radius "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start", "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
-        Rounding "corners are not rounded or chamfered by a word: write the arc or the line as a block of its own", "zaoblení ani zkosení rohu se slovem nezadává: napsat oblouk nebo úsečku jako samostatný blok";
-        Polar "polar coordinates do not exist here: write those of the axes", "polární souřadnice zde nejsou: napsat souřadnice os";
-        Spindle "M19 orients the spindle; its angle is the word of the spindle axis: `C90`", "vřeteno polohuje M19; úhel udává slovo osy vřetena: „C90“";
-        SpeedLimit "the program cannot limit the speed; `S` is the speed itself", "otáčky zde omezit nelze; S jsou přímo otáčky";
-        Named "an address is one letter; values with names are parameters: `R10=5`", "adresa je jediné písmeno; pojmenované hodnoty jsou zde parametry: „R10=5“";
+        Radius
+            "there is no radius word: write the centre of the arc by `I` and `J`, its distances from the start",
+            "poloměr zde zadat nelze: střed oblouku udávají I a J, vzdálenosti od začátku oblouku";
+        Rounding
+            "corners are not rounded or chamfered by a word: write the arc or the line as a block of its own",
+            "zaoblení ani zkosení rohu se slovem nezadává: napsat oblouk nebo úsečku jako samostatný blok";
+        Polar
+            "polar coordinates do not exist here: write those of the axes",
+            "polární souřadnice zde nejsou: napsat souřadnice os";
+        Spindle
+            "M19 orients the spindle; its angle is the word of the spindle axis: `C90`",
+            "vřeteno polohuje M19; úhel udává slovo osy vřetena: „C90“";
+        SpeedLimit
+            "the program cannot limit the speed; `S` is the speed itself",
+            "otáčky zde omezit nelze; S jsou přímo otáčky";
+        Named
+            "an address is one letter; values with names are parameters: `R10=5`",
+            "adresa je jediné písmeno; pojmenované hodnoty jsou zde parametry: „R10=5“";
     }
 }
 
@@ -138,29 +203,77 @@ impl AddressMeant {
 bilingual! {
     /// What was probably meant by text outside a comment (E0111).
     TextMeant {
-        Comment { text: String } "if it is meant as a comment, put it between quotes: `\"{text}\"`", "má-li to být komentář, dát ho do uvozovek: \"{text}\"";
-        WithWords { text: String, words: String, all: String } "put the comment between quotes: `\"{all}\"`; where `{words}` belongs to the program, `\"{text}\" {words}`", "komentář dát do uvozovek: \"{all}\"; patří-li {words} do programu, tak \"{text}\" {words}";
-        OpenQuote { text: String } "the quote before it is missing: `\"{text}\"`", "chybí uvozovky před ním: \"{text}\"";
-        SwallowedBefore { words: String } "a quote is missing before `{words}`, which the comment before swallows", "chybí uvozovky před „{words}“, které spolkl předchozí komentář";
-        Unit "delete it: lengths are in mm, feeds in mm/min, under G95 in mm/rev", "vymazat: délky jsou v mm, posuvy v mm/min, při G95 v mm/ot";
-        OtherUnit "feeds are in mm/min: write the number for that, without a unit", "posuvy jsou v mm/min: přepočítat číslo a jednotku nepsat";
-        Call "there is no such statement; a subprogram is called by `G71 L100`, a macrocycle by `G72 L9001`", "takový příkaz zde není; podprogram se volá „G71 L100“, makrocyklus „G72 L9001“";
-        Jump "there is no such statement; a jump, for example to block N190, is `G73 L190`", "takový příkaz zde není; skok například na blok N190 se píše „G73 L190“";
-        JumpTo { l: u32 } "there is no such statement; a jump to block N{l} is `G73 L{l}`", "takový příkaz zde není; skok na blok N{l} se píše „G73 L{l}“";
-        Cycle "there is no such statement; fixed cycles are G81 to G89, each written in its block", "takový příkaz zde není; pevné cykly jsou G81 až G89 a píšou se do každého bloku";
-        Frame "there is no such statement; origins are chosen by G54 to G59", "takový příkaz zde není; počátky se volí funkcemi G54 až G59";
-        Tool "there is no such statement; a tool is called by `T1 M06`", "takový příkaz zde není; nástroj se volá „T1 M06“";
-        Transform "there is no such statement; transformations are G31 and G35 to G39", "takový příkaz zde není; transformace jsou G31 a G35 až G39";
-        Center "there is no such statement; the centre of an arc is written in its block by `I` and `J`", "takový příkaz zde není; střed oblouku se píše do jeho bloku adresami I a J";
-        Correction "the radius is corrected by G41 and G42, with a correction `D`", "poloměr korigují funkce G41 a G42 s korekcí D";
+        Comment { text: String }
+            "if it is meant as a comment, put it between quotes: `\"{text}\"`",
+            "má-li to být komentář, dát ho do uvozovek: \"{text}\"";
+        WithWords { text: String, words: String, all: String }
+            "put the comment between quotes: `\"{all}\"`; where `{words}` belongs to the program, `\"{text}\" {words}`",
+            "komentář dát do uvozovek: \"{all}\"; patří-li {words} do programu, tak \"{text}\" {words}";
+        OpenQuote { text: String }
+            "the quote before it is missing: `\"{text}\"`",
+            "chybí uvozovky před ním: \"{text}\"";
+        SwallowedBefore { words: String }
+            "a quote is missing before `{words}`, which the comment before swallows",
+            "chybí uvozovky před „{words}“, které spolkl předchozí komentář";
+        Unit
+            "delete it: lengths are in mm, feeds in mm/min, under G95 in mm/rev",
+            "vymazat: délky jsou v mm, posuvy v mm/min, při G95 v mm/ot";
+        OtherUnit
+            "feeds are in mm/min: write the number for that, without a unit",
+            "posuvy jsou v mm/min: přepočítat číslo a jednotku nepsat";
+        Call
+            "there is no such statement; a subprogram is called by `G71 L100`, a macrocycle by `G72 L9001`",
+            "takový příkaz zde není; podprogram se volá „G71 L100“, makrocyklus „G72 L9001“";
+        Jump
+            "there is no such statement; a jump, for example to block N190, is `G73 L190`",
+            "takový příkaz zde není; skok například na blok N190 se píše „G73 L190“";
+        JumpTo { l: u32 }
+            "there is no such statement; a jump to block N{l} is `G73 L{l}`",
+            "takový příkaz zde není; skok na blok N{l} se píše „G73 L{l}“";
+        Cycle
+            "there is no such statement; fixed cycles are G81 to G89, each written in its block",
+            "takový příkaz zde není; pevné cykly jsou G81 až G89 a píšou se do každého bloku";
+        Frame
+            "there is no such statement; origins are chosen by G54 to G59",
+            "takový příkaz zde není; počátky se volí funkcemi G54 až G59";
+        Tool
+            "there is no such statement; a tool is called by `T1 M06`",
+            "takový příkaz zde není; nástroj se volá „T1 M06“";
+        Transform
+            "there is no such statement; transformations are G31 and G35 to G39",
+            "takový příkaz zde není; transformace jsou G31 a G35 až G39";
+        Center
+            "there is no such statement; the centre of an arc is written in its block by `I` and `J`",
+            "takový příkaz zde není; střed oblouku se píše do jeho bloku adresami I a J";
+        Correction
+            "the radius is corrected by G41 and G42, with a correction `D`",
+            "poloměr korigují funkce G41 a G42 s korekcí D";
         NoNeed "there is no such statement: delete it", "takový příkaz zde není: vymazat ho";
-        Entry "there is no such statement; a subprogram begins with `G79 L100`", "takový příkaz zde není; podprogram začíná „G79 L100“";
-        Definition "values have no names here; parameters are R0 to R95: `R10=5`", "hodnoty zde nemají jména; parametry jsou R0 až R95: „R10=5“";
-        Return "there is no such statement; a subprogram ends with G70", "takový příkaz zde není; podprogram končí funkcí G70";
-        End "there is no such statement; a program ends with M30, a subprogram with G70", "takový příkaz zde není; program končí funkcí M30, podprogram G70";
-        Condition "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`; `G73 L190 Q2` jumps twice, the stretch runs three times", "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“; „G73 L190 Q2“ skočí dvakrát, úsek proběhne třikrát";
-        ConditionTo { l: u32 } "there are no conditions and loops; a jump to block N{l} is `G73 L{l}`; `G73 L{l} Q2` jumps twice, the stretch runs three times", "podmínky ani cykly zde nejsou; skok na blok N{l} se píše „G73 L{l}“; „G73 L{l} Q2“ skočí dvakrát, úsek proběhne třikrát";
-        Message "a message to the operator is a comment here: write the text alone, between quotes", "hlášení pro obsluhu je zde komentář: napsat jen text v uvozovkách";
+        Entry
+            "there is no such statement; a subprogram begins with `G79 L100`",
+            "takový příkaz zde není; podprogram začíná „G79 L100“";
+        Definition
+            "values have no names here; parameters are R0 to R95: `R10=5`",
+            "hodnoty zde nemají jména; parametry jsou R0 až R95: „R10=5“";
+        Return
+            "there is no such statement; a subprogram ends with G70",
+            "takový příkaz zde není; podprogram končí funkcí G70";
+        End
+            "there is no such statement; a program ends with M30, a subprogram with G70",
+            "takový příkaz zde není; program končí funkcí M30, podprogram G70";
+        Condition
+            "there are no conditions and loops; a jump, for example to block N190, is `G73 L190`; `G73 L190 Q2` jumps \
+            twice, the stretch runs three times",
+            "podmínky ani cykly zde nejsou; skok například na blok N190 se píše „G73 L190“; „G73 L190 Q2“ skočí \
+            dvakrát, úsek proběhne třikrát";
+        ConditionTo { l: u32 }
+            "there are no conditions and loops; a jump to block N{l} is `G73 L{l}`; `G73 L{l} Q2` jumps twice, the \
+            stretch runs three times",
+            "podmínky ani cykly zde nejsou; skok na blok N{l} se píše „G73 L{l}“; „G73 L{l} Q2“ skočí dvakrát, úsek \
+            proběhne třikrát";
+        Message
+            "a message to the operator is a comment here: write the text alone, between quotes",
+            "hlášení pro obsluhu je zde komentář: napsat jen text v uvozovkách";
     }
 }
 
@@ -210,13 +323,23 @@ bilingual! {
     /// What was probably meant by a call or jump without L (E0401).
     TargetMeant {
         Subprogram "write the number of the subprogram: `L100`", "doplnit číslo podprogramu: „L100“";
-        OneOf { known: String } "write the number of the subprogram; the file has {known}", "doplnit číslo podprogramu; podprogramy v souboru: {known}";
-        Millimetres "delete it if millimetres are meant: lengths are always in millimetres; if a call is meant, write the number of the subprogram: `L100`", "měla-li být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, doplnit číslo podprogramu: „L100“";
-        InPlace { block: String } "write the number of the subprogram with `L` in place of `{block}`: `L100`", "místo {block} napsat číslo podprogramu s L: „L100“";
+        OneOf { known: String }
+            "write the number of the subprogram; the file has {known}",
+            "doplnit číslo podprogramu; podprogramy v souboru: {known}";
+        Millimetres
+            "delete it if millimetres are meant: lengths are always in millimetres; if a call is meant, write the \
+            number of the subprogram: `L100`",
+            "měla-li být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, \
+            doplnit číslo podprogramu: „L100“";
+        InPlace { block: String }
+            "write the number of the subprogram with `L` in place of `{block}`: `L100`",
+            "místo {block} napsat číslo podprogramu s L: „L100“";
         Macrocycle "write the number of the macrocycle: `L9001`", "doplnit číslo makrocyklu: „L9001“";
         Block "write the number of the block to jump to: `L…`", "doplnit číslo bloku, na který se skáče: „L…“";
         Written { written: String } "the number is written with `L`: `{written}`", "cíl se píše s L: „{written}“";
-        Turning "turning cycles do not exist here: write the passes as blocks, or call a macrocycle by `G72 L…`", "soustružnické cykly zde nejsou: vypsat třísky po blocích, nebo volat makrocyklus „G72 L…“";
+        Turning
+            "turning cycles do not exist here: write the passes as blocks, or call a macrocycle by `G72 L…`",
+            "soustružnické cykly zde nejsou: vypsat třísky po blocích, nebo volat makrocyklus „G72 L…“";
         Drilling "the drilling cycles are G81 to G89 here", "vrtací cykly jsou zde G81 až G89";
     }
 }
@@ -255,143 +378,22 @@ impl TargetMeant {
 bilingual! {
     /// What was probably meant by a dwell without Q (E0411).
     DwellMeant {
-        Seconds { address: Address, written: String } "if {address} is meant as the dwell in seconds, write `{written}` in its place; if not, add the dwell: `Q100` is one second", "je-li {address} míněno jako prodleva v sekundách, napsat místo něj „{written}“; jinak doplnit délku prodlevy: „Q100“ je jedna sekunda";
-        Perhaps { address: Address, written: String } "if {address} is meant in milliseconds, write `{written}` in its place; if it is a coordinate, add the dwell: `Q100` is one second", "je-li {address} míněno v milisekundách, napsat místo něj „{written}“; je-li to souřadnice, doplnit délku prodlevy: „Q100“ je jedna sekunda";
-        Units "write the dwell in units of 10 ms: `Q100` is one second", "doplnit délku prodlevy po 10 ms: „Q100“ je jedna sekunda";
-        Written { written: String } "the dwell is written with `Q`, in units of 10 ms: `{written}`", "délka prodlevy se píše s Q v jednotkách po 10 ms: „{written}“";
-    }
-}
-
-/// Facts about an address without a value (E0103).
-#[derive(Clone, Debug, Eq, PartialEq)]
-pub enum ValueMeant {
-    /// Its number is missing, or the value of a parameter.
-    Number,
-    /// It stands beyond a line end or a comment.
-    Beyond,
-    /// R in a block with an arc.
-    Radius,
-    /// R in a block with a fixed cycle.
-    Height {
-        /// The cycle.
-        cycle: GCode,
-    },
-    /// L before the target of a straight line.
-    Line {
-        /// The function that is meant.
-        function: GCode,
-    },
-    /// The number of the parameter behind an address: `XR`.
-    Parameter,
-    /// What to write.
-    Written {
-        /// The word.
-        written: String,
-    },
-    /// A letter behind it may be a digit: `LI00`.
-    LetterForDigit {
-        /// The letter.
-        letter: String,
-        /// The word with the digit.
-        written: String,
-    },
-    /// A `%` before the line with the number of the program.
-    EarlyStart,
-}
-
-impl ValueMeant {
-    /// What to write.
-    pub(super) fn help(&self, address: &str, lang: Lang) -> String {
-        match (self, lang) {
-            (Self::Written { written }, Lang::En) => format!("write `{written}`"),
-            (Self::Written { written }, Lang::Cs) => format!("napsat „{written}“"),
-            (Self::LetterForDigit { letter, written }, Lang::En) => {
-                format!(
-                    "if `{letter}` is there in place of a digit, write `{written}`; if not, write a value for `{address}`"
-                )
-            }
-            (Self::LetterForDigit { letter, written }, Lang::Cs) => {
-                format!(
-                    "je-li {letter} omylem místo číslice, napsat „{written}“; jinak doplnit hodnotu adresy {address}"
-                )
-            }
-            (Self::EarlyStart, Lang::En) => "delete it; in a remark spell the word `percent`".to_owned(),
-            (Self::EarlyStart, Lang::Cs) => "vymazat ho; v poznámce vypsat slovo procent".to_owned(),
-            (Self::Radius, _) => NumberMeant::Radius.text(lang),
-            (Self::Height { cycle }, Lang::En) => format!(
-                "{cycle} takes the position of the hole; heights, depths and pecks go into the parameters that its macrocycle reads: `R10=2`. The macrocycle is named in the project file: `[cycles]`, `{cycle} = …`"
-            ),
-            (Self::Height { cycle }, Lang::Cs) => format!(
-                "{cycle} má jen polohu díry; výšky, hloubky a úběry se zadávají do parametrů, které čte jeho makrocyklus: „R10=2“. Makrocyklus se uvede v projektovém souboru: [cycles], {cycle} = …"
-            ),
-            (Self::Line { function }, Lang::En) => {
-                format!("a straight line is programmed by `{function}`, without `L`")
-            }
-            (Self::Line { function }, Lang::Cs) => format!("úsečku programuje „{function}“, bez L"),
-            (Self::Number | Self::Beyond | Self::Parameter, _) => value_wanted(address, lang),
-        }
-    }
-
-    /// Why it is so.
-    pub(super) fn note(&self, address: &str, lang: Lang) -> &'static str {
-        match (self, lang) {
-            (Self::Beyond, Lang::En) => {
-                "a line end or a comment between an address and its number leaves the address without a value"
-            }
-            (Self::Beyond, Lang::Cs) => "konec řádku nebo komentář mezi adresou a číslem nechá adresu bez hodnoty",
-            (Self::EarlyStart, Lang::En) => "the program begins with the first `%`, even one between quotes",
-            (Self::EarlyStart, Lang::Cs) => "program začíná prvním %, i když je v uvozovkách",
-            (Self::Number | Self::Radius | Self::Height { .. }, Lang::En) if address.starts_with('R') => {
-                "R is a parameter on this control, never a radius or a height"
-            }
-            (Self::Number | Self::Radius | Self::Height { .. }, Lang::Cs) if address.starts_with('R') => {
-                "R je v tomto systému parametr, nikdy poloměr ani výška"
-            }
-            (
-                Self::Number
-                | Self::Radius
-                | Self::Height { .. }
-                | Self::Line { .. }
-                | Self::Parameter
-                | Self::LetterForDigit { .. }
-                | Self::Written { .. },
-                _,
-            ) => "",
-        }
-    }
-}
-
-/// What to write after an address without a value.
-fn value_wanted(address: &str, lang: Lang) -> String {
-    let (en, cs) = ("write its number on the same line", "napsat číslo na tentýž řádek");
-    let example = match address {
-        "L" => "100",
-        "Q" => "2",
-        "F" => "200",
-        "&" => "0010",
-        "N" | "%" | "G" | "M" | "D" | "H" | "P" => "1",
-        "R" => {
-            return match lang {
-                Lang::En => "write the number of the parameter: `R10`".to_owned(),
-                Lang::Cs => "doplnit číslo parametru: „R10“".to_owned(),
-            };
-        }
-        parameter if parameter.starts_with('R') => {
-            return match lang {
-                Lang::En => format!("write the value that the parameter gets: `{parameter}=…`"),
-                Lang::Cs => format!("doplnit hodnotu, kterou má parametr dostat: „{parameter}=…“"),
-            };
-        }
-        _ => {
-            return match lang {
-                Lang::En => format!("{en}: `{address}0` if zero is meant"),
-                Lang::Cs => format!("{cs}; je-li míněna nula: „{address}0“"),
-            };
-        }
-    };
-    match lang {
-        Lang::En => format!("{en}, for example `{address}{example}`"),
-        Lang::Cs => format!("{cs}, například „{address}{example}“"),
+        Seconds { address: Address, written: String }
+            "if {address} is meant as the dwell in seconds, write `{written}` in its place; if not, add the dwell: \
+            `Q100` is one second",
+            "je-li {address} míněno jako prodleva v sekundách, napsat místo něj „{written}“; jinak doplnit délku \
+            prodlevy: „Q100“ je jedna sekunda";
+        Perhaps { address: Address, written: String }
+            "if {address} is meant in milliseconds, write `{written}` in its place; if it is a coordinate, add the \
+            dwell: `Q100` is one second",
+            "je-li {address} míněno v milisekundách, napsat místo něj „{written}“; je-li to souřadnice, doplnit délku \
+            prodlevy: „Q100“ je jedna sekunda";
+        Units
+            "write the dwell in units of 10 ms: `Q100` is one second",
+            "doplnit délku prodlevy po 10 ms: „Q100“ je jedna sekunda";
+        Written { written: String }
+            "the dwell is written with `Q`, in units of 10 ms: `{written}`",
+            "délka prodlevy se píše s Q v jednotkách po 10 ms: „{written}“";
     }
 }
 
@@ -401,7 +403,9 @@ bilingual! {
         Plain "write a whole number", "napsat celé číslo";
         Whole { written: String } "write `{written}`", "napsat „{written}“";
         Dwell "`Q100` is one second", "„Q100“ je jedna sekunda";
-        Seconds { written: String } "if seconds are meant, write `{written}`", "jsou-li míněny sekundy, napsat „{written}“";
+        Seconds { written: String }
+            "if seconds are meant, write `{written}`",
+            "jsou-li míněny sekundy, napsat „{written}“";
         Origin "the origins are G53 to G59", "počátky jsou G53 až G59";
         Function "functions have whole numbers of two digits", "funkce mají jen dvoumístná celá čísla";
     }
@@ -417,14 +421,29 @@ impl PointMeant {
 bilingual! {
     /// What was probably meant by an L without use (W0402).
     UnusedMeant {
-        Target "`L` goes with a function: G71 calls a subprogram, G72 a macrocycle, G73 jumps to a block", "L patří k funkci: G71 volá podprogram, G72 makrocyklus, G73 skáče na blok";
-        Jump { written: String } "if a jump is meant, write `{written}`; a subprogram is called by G71, a macrocycle by G72", "měl-li to být skok, napsat „{written}“; podprogram volá G71, makrocyklus G72";
-        CallOrJump { call: String, jump: String } "if a call is meant, write `{call}`; if a jump, `{jump}`", "mělo-li to být volání, napsat „{call}“, měl-li to být skok, „{jump}“";
-        Call { written: String } "M98 calls nothing here; a subprogram is called by `{written}`", "M98 zde nevolá podprogram; volá ho „{written}“";
-        Exchanged { written: String } "if a call or jump is meant, write `{written}`", "mělo-li to být volání nebo skok, napsat „{written}“";
-        Alone { written: String } "a subprogram is called by `{written}`; a jump is written with G73, the call of a macrocycle with G72", "podprogram volá „{written}“; skok se píše s G73, volání makrocyklu s G72";
+        Target
+            "`L` goes with a function: G71 calls a subprogram, G72 a macrocycle, G73 jumps to a block",
+            "L patří k funkci: G71 volá podprogram, G72 makrocyklus, G73 skáče na blok";
+        Jump { written: String }
+            "if a jump is meant, write `{written}`; a subprogram is called by G71, a macrocycle by G72",
+            "měl-li to být skok, napsat „{written}“; podprogram volá G71, makrocyklus G72";
+        CallOrJump { call: String, jump: String }
+            "if a call is meant, write `{call}`; if a jump, `{jump}`",
+            "mělo-li to být volání, napsat „{call}“, měl-li to být skok, „{jump}“";
+        Call { written: String }
+            "M98 calls nothing here; a subprogram is called by `{written}`",
+            "M98 zde nevolá podprogram; volá ho „{written}“";
+        Exchanged { written: String }
+            "if a call or jump is meant, write `{written}`",
+            "mělo-li to být volání nebo skok, napsat „{written}“";
+        Alone { written: String }
+            "a subprogram is called by `{written}`; a jump is written with G73, the call of a macrocycle with G72",
+            "podprogram volá „{written}“; skok se píše s G73, volání makrocyklu s G72";
         Macrocycle { written: String } "a macrocycle is called by `{written}`", "makrocyklus volá „{written}“";
-        Tables "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59; X, Y and Z in this block move", "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59; X, Y a Z v tomto bloku jsou pohyb";
+        Tables
+            "G10 is the pitch of a spiral here; origins are written by G92 with G54 to G59; X, Y and Z in this block \
+            move",
+            "G10 je zde stoupání spirály; počátky zapisuje G92 s funkcí G54 až G59; X, Y a Z v tomto bloku jsou pohyb";
     }
 }
 
@@ -458,130 +477,5 @@ pub(super) const fn unnumbered_line(lang: Lang) -> &'static str {
     match lang {
         Lang::En => "the line does not begin with a block number: begin it with `N…`",
         Lang::Cs => "řádek nezačíná číslem bloku: začít ho „N…“",
-    }
-}
-
-/// A range in Czech.
-pub(super) fn range_cs(range: &str) -> String {
-    range.replace("/rev", "/ot").replace("rev/", "ot/")
-}
-
-/// `ze 3.`, `z 8.`: a group of M functions by number, in the genitive with its preposition.
-pub(super) fn of_group(group: u8) -> String {
-    let preposition = if matches!(group, 3 | 4 | 7 | 13 | 14) { "ze" } else { "z" };
-    format!("{preposition} {group}.")
-}
-
-/// The digits of a control word as it is read: `00 01 50 43`.
-pub(super) fn control_digits(digits: i64) -> String {
-    let pair = |unit: i64| format!("{:02}", (digits / unit) % 100);
-    [1_000_000, 10_000, 100, 1].map(pair).join(" ")
-}
-
-/// What was probably meant by a feed that does not fit its range.
-fn other_feed(range: &str, mode: Option<GCode>) -> (&'static str, &'static str) {
-    if range.contains("/min") && range.contains("/rev") {
-        (
-            "mm/rev holds under G95; under G94 the feed is in mm per minute",
-            "mm/ot platí při G95; při G94 je posuv v mm za minutu",
-        )
-    } else if range.ends_with("/rev") {
-        (
-            "the feed is in mm per revolution here: a quarter of a millimetre is `F0.25`; under G94 it is in mm per minute",
-            "posuv je zde v mm na otáčku: čtvrt milimetru je „F0.25“; při G94 je v mm za minutu",
-        )
-    } else if mode == Some(GCode::G96) {
-        (
-            "the feed is in mm per minute here; with constant cutting speed it is in mm per revolution under G97 (key `g97`)",
-            "posuv je zde v mm za minutu; v mm na otáčku je při konstantní řezné rychlosti s G97 (klíč g97)",
-        )
-    } else if mode == Some(GCode::G97) {
-        (
-            "the feed is in mm per minute here, as the key `g97` says; under G95 it is 0.001–99.999 mm/rev",
-            "posuv je zde v mm za minutu, jak určuje klíč g97; při G95 má rozsah 0.001–99.999 mm/ot",
-        )
-    } else {
-        (
-            "the feed is in mm per minute here; under G95 it is 0.001–99.999 mm/rev",
-            "posuv je zde v mm za minutu; při G95 má rozsah 0.001–99.999 mm/ot",
-        )
-    }
-}
-
-/// What was probably meant by a value that the address does not take.
-pub(super) fn other_range(address: Address, range: &str, mode: Option<GCode>, lang: Lang) -> &'static str {
-    let (en, cs) = match address {
-        Address::P => (
-            "P is an auxiliary function here; a call takes `L`, the dwell of G04 is `Q`",
-            "P je zde pomocná funkce; volání má „L“, prodlevu G04 udává „Q“",
-        ),
-        Address::F => other_feed(range, mode),
-        Address::L => (
-            "subprograms, macrocycles and targets of jumps have numbers of at most four digits",
-            "podprogramy, makrocykly a cíle skoků mají nejvýše čtyřmístná čísla",
-        ),
-        Address::D => (
-            "the table of corrections has no other entries; corrections are switched off by `&0000` and G40",
-            "jiné položky tabulka korekcí nemá; korekce se vypínají pomocí „&0000“ a G40",
-        ),
-        Address::G => ("functions have two digits", "funkce mají dvě číslice"),
-        Address::M if range.ends_with("100") => {
-            ("functions have two digits; only M100 has three", "funkce mají dvě číslice; jen M100 má tři")
-        }
-        Address::M => ("functions have two digits", "funkce mají dvě číslice"),
-        Address::N => (
-            "blocks are numbered from N1 on, with at most eight digits",
-            "bloky se číslují od N1, nejvýše osmi číslicemi",
-        ),
-        Address::Program => (
-            "a program has a number of one to six digits, not zero",
-            "číslo programu má jednu až šest číslic a není nula",
-        ),
-        Address::Q if range.contains("ms") => (
-            "the dwell is in units of 10 ms: `Q100` is one second",
-            "prodleva je v jednotkách po 10 ms: „Q100“ je jedna sekunda",
-        ),
-        Address::Q => (
-            "`Q` is the number of calls or jumps; to leave out the block, write `/` after its number",
-            "Q je počet volání nebo skoků; má-li se blok vynechat, napsat za jeho číslo /",
-        ),
-        Address::T => (
-            "a tool has a number of at most eight digits; its correction is chosen by `D`",
-            "číslo nástroje má nejvýše osm číslic; korekce se volí adresou D",
-        ),
-        Address::I | Address::J | Address::K => (
-            "a number without a decimal point counts whole millimetres, not thousandths",
-            "číslo bez desetinné tečky jsou celé milimetry, ne tisíciny",
-        ),
-        Address::R => (
-            "a number with a decimal point has up to five digits before it, one without up to eight digits",
-            "číslo s desetinnou tečkou má před ní nejvýše pět číslic, číslo bez ní nejvýše osm",
-        ),
-        // The limit can be set no higher.
-        Address::S if range.contains("99999") => ("speeds have at most five digits", "otáčky mají nejvýše pět číslic"),
-        Address::S => (
-            "for a machine that turns faster set `speed` under [limits] in cnc872c.toml",
-            "má-li stroj vyšší otáčky, nastavit speed v [limits] v souboru cnc872c.toml",
-        ),
-        address if address.axis().is_some() => (
-            "a number without a decimal point counts whole millimetres or degrees, not thousandths",
-            "číslo bez desetinné tečky jsou celé milimetry nebo stupně, ne tisíciny",
-        ),
-        Address::Skip
-        | Address::X
-        | Address::Y
-        | Address::Z
-        | Address::A
-        | Address::B
-        | Address::C
-        | Address::U
-        | Address::V
-        | Address::W
-        | Address::Correction
-        | Address::H => ("", ""),
-    };
-    match lang {
-        Lang::En => en,
-        Lang::Cs => cs,
     }
 }

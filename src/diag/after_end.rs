@@ -76,8 +76,12 @@ bilingual! {
     AfterEndMeant {
         Text "move it before `*`, or make it a comment", "přesunout před hvězdičku, nebo z něj udělat komentář";
         Program "put it into a file of its own", "dát ho do samostatného souboru";
-        Separator { line: String } "`*` ends the file: a line between blocks is a comment, `\"{line}\"`", "hvězdička ukončuje soubor; řádek mezi bloky se píše jako komentář: \"{line}\"";
-        Product "there are no expressions: products are computed by G26 to G29; `*` ends the file", "výrazy se psát nedají: součiny počítají G26 až G29; hvězdička ukončuje soubor";
+        Separator { line: String }
+            "`*` ends the file: a line between blocks is a comment, `\"{line}\"`",
+            "hvězdička ukončuje soubor; řádek mezi bloky se píše jako komentář: \"{line}\"";
+        Product
+            "there are no expressions: products are computed by G26 to G29; `*` ends the file",
+            "výrazy se psát nedají: součiny počítají G26 až G29; hvězdička ukončuje soubor";
     }
 }
 

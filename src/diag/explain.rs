@@ -264,8 +264,8 @@ mod tests {
         assert!(terminal(&long, false).lines().all(|line| line.chars().count() <= TABLE_WIDTH));
     }
 
-    const PAGE: &str = "# E0000: test-page\n\nUse `N10\nG0` or `X`.\nMore.\n\n## Example\n\n<!-- no example:\nnone -->\n\n\
-        ## Why\n- `a`: b\n```nc expect=E0306,E0307 macro as=L9001\n%1\n\nN10\n```\n```toml\na = 1\n```\n";
+    const PAGE: &str = "# E0000: test-page\n\nUse `N10\nG0` or `X`.\nMore.\n\n## Example\n\n<!-- no example:\nnone \
+        -->\n\n## Why\n- `a`: b\n```nc expect=E0306,E0307 macro as=L9001\n%1\n\nN10\n```\n```toml\na = 1\n```\n";
 
     #[test]
     fn a_page_without_colour() {

@@ -5,19 +5,34 @@ use crate::dict::{Lang, bilingual};
 bilingual! {
     /// What was probably meant by I and J that do not fit.
     ArcMeant {
-        Nothing "correct `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the centre", "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od začátku oblouku, ne souřadnice středu";
-        Coordinates { words: String } "`I` and `J` fit as coordinates of the centre, but they are distances from the start: write `{words}`", "I a J vyhovují jako souřadnice středu, jsou to ale vzdálenosti od začátku oblouku: napsat „{words}“";
-        Exchanged { words: String } "`I` and `J` fit when exchanged: write `{words}`", "I a J vyhovují, když se vymění: napsat „{words}“";
-        Distances "the arc fits if its end is a distance: if that is meant, write G91 (G90 is in force)", "oblouk by vyhověl s koncem zadaným přírůstkově; je-li to záměr, napsat G91 (platí G90)";
-        Positions "the arc fits if its end is a position: if that is meant, write G90 (G91 is in force)", "oblouk by vyhověl s koncem zadaným absolutně; je-li to záměr, napsat G90 (platí G91)";
+        Nothing
+            "correct `I` and `J`, or the end point; `I` and `J` are distances from the start, not coordinates of the \
+            centre",
+            "opravit I a J, nebo koncový bod; I a J jsou vzdálenosti od začátku oblouku, ne souřadnice středu";
+        Coordinates { words: String }
+            "`I` and `J` fit as coordinates of the centre, but they are distances from the start: write `{words}`",
+            "I a J vyhovují jako souřadnice středu, jsou to ale vzdálenosti od začátku oblouku: napsat „{words}“";
+        Exchanged { words: String }
+            "`I` and `J` fit when exchanged: write `{words}`",
+            "I a J vyhovují, když se vymění: napsat „{words}“";
+        Distances
+            "the arc fits if its end is a distance: if that is meant, write G91 (G90 is in force)",
+            "oblouk by vyhověl s koncem zadaným přírůstkově; je-li to záměr, napsat G91 (platí G90)";
+        Positions
+            "the arc fits if its end is a position: if that is meant, write G90 (G91 is in force)",
+            "oblouk by vyhověl s koncem zadaným absolutně; je-li to záměr, napsat G90 (platí G91)";
     }
 }
 
 bilingual! {
     /// Why a word of the spindle's axis cannot be executed.
     SpindleFault {
-        Turning { m: u8 } "it cannot be positioned while M{m:02} turns it", "nelze ho polohovat, když se otáčí (M{m:02})";
-        TooFar { degrees: String } "one block turns it by {degrees}°, and 69999.999° is the most", "jeden blok ho otáčí o {degrees}°, nejvýše smí o 69999.999°";
+        Turning { m: u8 }
+            "it cannot be positioned while M{m:02} turns it",
+            "nelze ho polohovat, když se otáčí (M{m:02})";
+        TooFar { degrees: String }
+            "one block turns it by {degrees}°, and 69999.999° is the most",
+            "jeden blok ho otáčí o {degrees}°, nejvýše smí o 69999.999°";
     }
 }
 
@@ -38,7 +53,9 @@ bilingual! {
     PlaneFault {
         MissingAxis { axis: char } "the machine has no axis {axis}", "stroj nemá osu {axis}";
         MissingFourth "the machine has no 4th axis", "stroj nemá 4. osu";
-        OtherAxes { axes: String, correction: String } "the arc moves {axes}, and {correction} corrects the radius in the plane only", "oblouk se pohybuje v osách {axes} a {correction} koriguje poloměr jen v rovině";
+        OtherAxes { axes: String, correction: String }
+            "the arc moves {axes}, and {correction} corrects the radius in the plane only",
+            "oblouk se pohybuje v osách {axes} a {correction} koriguje poloměr jen v rovině";
     }
 }
 
@@ -86,7 +103,8 @@ impl ArcPoints {
                 "start {start}, centre {center}, end {end}; these X are radii (G74 programs diameters, I is a radius)"
             ),
             (Lang::Cs, true) => format!(
-                "začátek {start}, střed {center}, konec {end}; X jsou zde poloměry (při G74 se programuje průměr, I je poloměr)"
+                "začátek {start}, střed {center}, konec {end}; X jsou zde poloměry (při G74 se programuje průměr, I \
+                je poloměr)"
             ),
         }
     }

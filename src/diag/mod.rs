@@ -16,17 +16,15 @@ mod other_controls;
 mod registry;
 mod render;
 mod report;
-mod rows;
+mod settings;
 mod shown;
+mod values;
 
-pub use advice::{
-    AddressMeant, CommaMeant, DwellMeant, NumberMeant, PointMeant, TargetMeant, TextMeant, UnusedMeant, ValueMeant,
-};
+pub use advice::{AddressMeant, CommaMeant, DwellMeant, NumberMeant, PointMeant, TargetMeant, TextMeant, UnusedMeant};
 pub use after_end::{AfterEndMeant, Star, Unread, UnreadEnd};
 pub use details::{
-    ArithmeticFault, CenterPlace, ConfigNeed, ConfigProblem, ConstantProblem, EarlyEnd, JointBreak, JointLimit,
-    KnownNames, MINUS, Meant, NameKind, NotUsed, OtherControl, ParameterNeed, Problem, Unmodelled, UnusedConstant,
-    is_blank,
+    ArithmeticFault, CenterPlace, EarlyEnd, JointBreak, JointLimit, MINUS, Meant, OtherControl, ParameterNeed, Problem,
+    Unmodelled, is_blank,
 };
 pub use details::{ConditionProblem, RunTimeReason, SignalProblem};
 pub use diagnostic::{CallKind, CallSite, Certain, Diagnostic, Edit, Fix, Label};
@@ -35,8 +33,9 @@ pub use geometry::{ArcMeant, ArcPoints, PlaneFault, SpindleFault};
 pub use labels::{FixTitle, LabelText};
 pub use levels::Levels;
 pub use other_controls::OtherMeaning;
-pub use registry::{Code, Finding};
+pub use registry::{Code, Finding, Severity};
 pub use render::{Format, Shown, render, schema, unshown};
 pub use report::{NotExecuted, Report, Reported, StayedUnknown};
-pub use rows::Severity;
+pub use settings::{ConfigNeed, ConfigProblem, ConstantProblem, KnownNames, NameKind, NotUsed, UnusedConstant};
 pub use shown::{shown, terminal_safe};
+pub use values::ValueMeant;

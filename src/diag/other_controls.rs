@@ -5,12 +5,22 @@ use crate::dict::{Lang, bilingual};
 bilingual! {
     /// A legal word that is written for what it means on other controls (W0116).
     OtherMeaning {
-        Call { l: i64 } "M98 does not call subprogram L{l} on this control", "M98 v tomto systému podprogram L{l} nevolá";
+        Call { l: i64 }
+            "M98 does not call subprogram L{l} on this control",
+            "M98 v tomto systému podprogram L{l} nevolá";
         SpeedLimit "G92 does not limit the speed on this control", "G92 v tomto systému neomezuje otáčky";
-        Thread "G92 cuts no thread on this control: it writes a table", "G92 v tomto systému neřeže závit, ale zapisuje tabulku";
-        ToolWithOffset { written: String, tool: i64 } "`{written}` is tool {tool} on this control", "{written} je v tomto systému nástroj {tool}";
-        ModalOrigin "G53 holds until another zero offset: this motion still counts from it", "G53 platí do dalšího posunutí: i tento pohyb se počítá od něj";
-        CuttingSpeed { s: i64 } "S{s} under G97 is a cutting speed on this control", "S{s} je při G97 v tomto systému řezná rychlost";
+        Thread
+            "G92 cuts no thread on this control: it writes a table",
+            "G92 v tomto systému neřeže závit, ale zapisuje tabulku";
+        ToolWithOffset { written: String, tool: i64 }
+            "`{written}` is tool {tool} on this control",
+            "{written} je v tomto systému nástroj {tool}";
+        ModalOrigin
+            "G53 holds until another zero offset: this motion still counts from it",
+            "G53 platí do dalšího posunutí: i tento pohyb se počítá od něj";
+        CuttingSpeed { s: i64 }
+            "S{s} under G97 is a cutting speed on this control",
+            "S{s} je při G97 v tomto systému řezná rychlost";
         RepeatByP { p: i64 } "P{p} does not repeat the jump on this control", "P{p} v tomto systému skok neopakuje";
     }
 }
@@ -66,7 +76,8 @@ pub(super) fn foreign_g(number: u32, lang: Lang) -> &'static str {
         32 | 76 => ("threads are cut by G33", "závit se řeže funkcí G33"),
         43 | 44 | 49 => ("length corrections are chosen by `&` and `D`", "délkové korekce se volí adresami & a D"),
         50 => (
-            "conversions are cancelled by G34; the program cannot limit the speed, and `S` beside it is the speed itself",
+            "conversions are cancelled by G34; the program cannot limit the speed, and `S` beside it is the speed \
+            itself",
             "přepočty ruší G34; otáčky zde omezit nelze: vymazat G50 i S",
         ),
         51 => ("coordinates are scaled by G36", "měřítko se zadává funkcí G36"),

@@ -84,7 +84,8 @@ impl fmt::Display for AxisLetter {
 }
 
 macro_rules! addresses {
-    ($($variant:ident $letter:literal $byte:literal $form:expr, $sign:literal, $lasting:literal, $rule:literal, $en:literal, $cs:literal;)*) => {
+    ($($variant:ident $letter:literal $byte:literal $form:expr, $sign:literal, $lasting:literal, $rule:literal,
+        $en:literal, $cs:literal;)*) => {
         /// The letter or sign that a word begins with.
         #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
         #[repr(u8)]
@@ -203,18 +204,31 @@ addresses! {
     N "N" b'N' Whole { min: 1, max: HIGHEST_BLOCK as i64 }, false, false, "BLK-7",
         "block number", "číslo bloku";
     Skip "/" b'/' ValueForm::None, false, false, "BLK-6",
-        "block skip: the block is left out while block skip is on", "vynechání bloku: při zapnutém režimu „/“ se blok neprovede";
+        "block skip: the block is left out while block skip is on",
+        "vynechání bloku: při zapnutém režimu „/“ se blok neprovede";
     G "G" b'G' Whole { min: 0, max: 99 }, false, false, "GRP-1",
         "preparatory function", "přípravná funkce";
     X "X" b'X' Dimension, true, true, "MOT-1", "1st axis", "1. osa";
     Y "Y" b'Y' Dimension, true, true, "MOT-1", "2nd axis", "2. osa";
     Z "Z" b'Z' Dimension, true, true, "MOT-1", "3rd axis", "3. osa";
-    A "A" b'A' Dimension, true, true, "ADR-4", "4th to 6th axis, by the machine builder", "4. až 6. osa, podle výrobce stroje";
-    B "B" b'B' Dimension, true, true, "ADR-4", "4th to 6th axis, by the machine builder", "4. až 6. osa, podle výrobce stroje";
-    C "C" b'C' Dimension, true, true, "ADR-4", "4th to 6th axis, by the machine builder", "4. až 6. osa, podle výrobce stroje";
-    U "U" b'U' Dimension, true, true, "ADR-4", "4th or 5th axis, by the machine builder", "4. nebo 5. osa, podle výrobce stroje";
-    V "V" b'V' Dimension, true, true, "ADR-4", "4th or 5th axis, by the machine builder", "4. nebo 5. osa, podle výrobce stroje";
-    W "W" b'W' Dimension, true, true, "ADR-4", "4th or 5th axis, by the machine builder", "4. nebo 5. osa, podle výrobce stroje";
+    A "A" b'A' Dimension, true, true, "ADR-4",
+        "4th to 6th axis, by the machine builder",
+        "4. až 6. osa, podle výrobce stroje";
+    B "B" b'B' Dimension, true, true, "ADR-4",
+        "4th to 6th axis, by the machine builder",
+        "4. až 6. osa, podle výrobce stroje";
+    C "C" b'C' Dimension, true, true, "ADR-4",
+        "4th to 6th axis, by the machine builder",
+        "4. až 6. osa, podle výrobce stroje";
+    U "U" b'U' Dimension, true, true, "ADR-4",
+        "4th or 5th axis, by the machine builder",
+        "4. nebo 5. osa, podle výrobce stroje";
+    V "V" b'V' Dimension, true, true, "ADR-4",
+        "4th or 5th axis, by the machine builder",
+        "4. nebo 5. osa, podle výrobce stroje";
+    W "W" b'W' Dimension, true, true, "ADR-4",
+        "4th or 5th axis, by the machine builder",
+        "4. nebo 5. osa, podle výrobce stroje";
     I "I" b'I' Dimension, true, false, "MOT-3",
         "distance from the start of an arc to its centre along the first interpolated axis; with G23 the dynamic set",
         "vzdálenost středu kružnice od začátku oblouku v první interpolované ose; s G23 sada dynamiky";
@@ -228,18 +242,24 @@ addresses! {
     Correction "&" b'&' CorrectionDigits, false, true, "ADR-2",
         "length corrections: which axis takes which, and in which direction",
         "délkové korekce: která patří do které osy a v jakém směru";
-    D "D" b'D' Whole { min: 1, max: 99 }, false, true, "TEC-7", "entry in the table of corrections", "číslo položky v tabulce korekcí";
+    D "D" b'D' Whole { min: 1, max: 99 }, false, true, "TEC-7",
+        "entry in the table of corrections",
+        "číslo položky v tabulce korekcí";
     F "F" b'F' Feed, false, true, "TEC-1",
         "feed: mm/min under G94 and G96, mm/rev under G95; under G97 by the key `g97`",
         "posuv: při G94 a G96 v mm/min, při G95 v mm/ot; při G97 podle klíče `g97`";
-    S "S" b'S' Whole { min: 0, max: HIGHEST_S as i64 }, false, true, "TEC-3", "spindle speed in rev/min", "otáčky vřetena za minutu";
+    S "S" b'S' Whole { min: 0, max: HIGHEST_S as i64 }, false, true, "TEC-3",
+        "spindle speed in rev/min",
+        "otáčky vřetena za minutu";
     L "L" b'L' Whole { min: 1, max: HIGHEST_L as i64 }, false, false, "FLW-7",
         "number of a subprogram or macrocycle, or the block to jump to",
         "číslo podprogramu nebo makrocyklu, případně bloku, na který se skáče";
     Q "Q" b'Q' Whole { min: 1, max: HIGHEST_Q }, false, false, "FLW-1",
         "repeats of a call or jump; with G04 the dwell in units of 10 ms",
         "počet opakování volání nebo skoku; s G04 časová prodleva po 10 ms";
-    H "H" b'H' Auxiliary, false, true, "ADR-1", "auxiliary function, by the machine builder", "pomocná funkce, podle výrobce stroje";
+    H "H" b'H' Auxiliary, false, true, "ADR-1",
+        "auxiliary function, by the machine builder",
+        "pomocná funkce, podle výrobce stroje";
     P "P" b'P' Whole { min: 1, max: 99 }, false, true, "ADR-2",
         "auxiliary function, by the machine builder", "pomocná funkce, podle výrobce stroje";
     T "T" b'T' Whole { min: 0, max: 69_999_999 }, false, true, "TEC-4",

@@ -179,14 +179,22 @@ g_functions! {
     G10 10 G2 Modal "GRP-8" "pitch of the spiral", "zadání stoupání spirály";
     G23 23 G2 Modal "GRP-7" "continuous path: blocks join without a stop", "plynulá návaznost bloků";
     G24 24 G2 Modal "CNT-1" "tight joining of blocks: a ramp in each", "těsné napojování bloků";
-    G98 98 G2 Default "CNT-1" "basic state of the group: blocks join with ramps", "základní stav skupiny: bloky se napojují s rampami";
+    G98 98 G2 Default "CNT-1"
+        "basic state of the group: blocks join with ramps",
+        "základní stav skupiny: bloky se napojují s rampami";
     G40 40 G3 Default "EQU-1" "radius correction off", "zrušení korekce na poloměr";
     G41 41 G3 Modal "EQU-1" "radius correction, tool left of the path", "korekce na poloměr vlevo";
     G42 42 G3 Modal "EQU-1" "radius correction, tool right of the path", "korekce na poloměr vpravo";
     G26 26 G4 Block "PAR-7" "parameter arithmetic, one operation (R5)", "aritmetika parametrů, jedna operace (R5)";
-    G27 27 G4 Block "PAR-7" "parameter arithmetic, two operations (R5, R6)", "aritmetika parametrů, dvě operace (R5, R6)";
-    G28 28 G4 Block "PAR-7" "parameter arithmetic, three operations (R5–R7)", "aritmetika parametrů, tři operace (R5–R7)";
-    G29 29 G4 Block "PAR-7" "parameter arithmetic, four operations (R5–R8)", "aritmetika parametrů, čtyři operace (R5–R8)";
+    G27 27 G4 Block "PAR-7"
+        "parameter arithmetic, two operations (R5, R6)",
+        "aritmetika parametrů, dvě operace (R5, R6)";
+    G28 28 G4 Block "PAR-7"
+        "parameter arithmetic, three operations (R5–R7)",
+        "aritmetika parametrů, tři operace (R5–R7)";
+    G29 29 G4 Block "PAR-7"
+        "parameter arithmetic, four operations (R5–R8)",
+        "aritmetika parametrů, čtyři operace (R5–R8)";
     G53 53 G5 Default "MOT-8" "zero offset 0", "0. posunutí nulového bodu";
     G54 54 G5 Modal "MOT-8" "zero offset 1", "1. posunutí nulového bodu";
     G55 55 G5 Modal "MOT-8" "zero offset 2", "2. posunutí nulového bodu";

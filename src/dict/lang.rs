@@ -50,7 +50,9 @@ pub(crate) fn capitalized(text: &str) -> String {
 /// Declares a closed set of texts: an enum whose rows are a name, fields, and the text in English and Czech, both
 /// format strings with the fields by name.
 macro_rules! bilingual {
-    ($(#[$doc:meta])* $name:ident { $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)* }) => {
+    ($(#[$doc:meta])* $name:ident {
+        $($variant:ident $({ $($field:ident : $ty:ty),* })? $en:literal, $cs:literal;)*
+    }) => {
         $(#[$doc])*
         #[derive(Clone, Debug, Eq, PartialEq)]
         #[allow(missing_docs, reason = "the texts say it")]

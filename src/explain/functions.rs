@@ -125,8 +125,8 @@ pub(super) fn m_page(number: u8, lang: Lang) -> String {
                 let rest = M_GROUPS - 1;
                 let text = match (lang, old) {
                     (Lang::En, true) => format!(
-                        "No standard function: what it does is up to the machine builder. M group {rest}, or by machine \
-                         constants R56–R59 a group from 10 to 13"
+                        "No standard function: what it does is up to the machine builder. M group {rest}, or by \
+                         machine constants R56–R59 a group from 10 to 13"
                     ),
                     (Lang::Cs, true) => format!(
                         "Není to pevná funkce: co dělá, určuje výrobce stroje. {rest}. skupina M funkcí, nebo podle \
@@ -202,12 +202,12 @@ fn value(address: Address, lang: Lang) -> String {
         }
         (ValueForm::Dimension, Lang::Cs) => format!("Číslo: {ranges}; bez tečky celé jednotky: X3620 je 3620 mm"),
         (ValueForm::Parameter, Lang::En) => format!(
-            "The number of the parameter, 0–{HIGHEST_PARAMETER}, and its value: {ranges}, or a whole number of up to eight \
-             digits. R10=25.5 assigns, XR10 uses"
+            "The number of the parameter, 0–{HIGHEST_PARAMETER}, and its value: {ranges}, or a whole number of up to \
+             eight digits. R10=25.5 assigns, XR10 uses"
         ),
         (ValueForm::Parameter, Lang::Cs) => format!(
-            "Číslo parametru 0–{HIGHEST_PARAMETER} a hodnota: {ranges}, nebo celé číslo nejvýše o osmi číslicích. R10=25.5 \
-             přiřadí, XR10 použije"
+            "Číslo parametru 0–{HIGHEST_PARAMETER} a hodnota: {ranges}, nebo celé číslo nejvýše o osmi číslicích. \
+             R10=25.5 přiřadí, XR10 použije"
         ),
         (ValueForm::None, Lang::En) => "Has no value; digits after it are read and not evaluated".to_owned(),
         (ValueForm::None, Lang::Cs) => "Nemá hodnotu; číslice za ní se přečtou, ale nevyhodnocují".to_owned(),

@@ -22,8 +22,8 @@ const GEAR: &[Bilingual] = &[note(
 
 const STOP: &[Bilingual] = &[
     note(
-        "While the program stands, spindle and coolants are off; START brings back what was in force, unless the block says \
-         otherwise",
+        "While the program stands, spindle and coolants are off; START brings back what was in force, unless the \
+         block says otherwise",
         "Po dobu stání je vypnuto vřeteno i chlazení; START vrátí, co platilo, pokud blok neurčí jinak",
     ),
     note(
@@ -38,9 +38,10 @@ const END: &[Bilingual] = &[
         "M02 a M30 dělají totéž. Funkce G a M skupiny 2 až 6 a 8 se vrátí na to, co platí po zapnutí",
     ),
     note(
-        "Only subprograms may come after it. In a subprogram or macrocycle it ends the whole program (W0215): they end with \
-         G70",
-        "Za ní smějí být jen podprogramy. V podprogramu nebo makrocyklu ukončí celý program (W0215): ty končí funkcí G70",
+        "Only subprograms may come after it. In a subprogram or macrocycle it ends the whole program (W0215): they \
+         end with G70",
+        "Za ní smějí být jen podprogramy. V podprogramu nebo makrocyklu ukončí celý program (W0215): ty končí funkcí \
+        G70",
     ),
 ];
 
@@ -51,10 +52,10 @@ const CLAMP: &[Bilingual] = &[note(
 
 const COOLANT: &[Bilingual] = &[
     note(
-        "M07 and M08 are exchanged between the controls: coolant 2 and 1 on CNC8x6 and CNC8x9, 1 and 2 on CNC872. M09 ends \
-         both, M17 starts both",
-        "M07 a M08 jsou mezi systémy prohozené: chlazení 2 a 1 u CNC8x6 a CNC8x9, 1 a 2 u CNC872. M09 vypne obě, M17 zapne \
-         obě",
+        "M07 and M08 are exchanged between the controls: coolant 2 and 1 on CNC8x6 and CNC8x9, 1 and 2 on CNC872. M09 \
+         ends both, M17 starts both",
+        "M07 a M08 jsou mezi systémy prohozené: chlazení 2 a 1 u CNC8x6 a CNC8x9, 1 a 2 u CNC872. M09 vypne obě, M17 \
+         zapne obě",
     ),
     note(
         "M50, M51, M52 are coolants 3, 4 and both; M53 ends them",
@@ -86,8 +87,8 @@ pub(super) const USAGES: &[Usage<u8>] = &[
                 "T nástroj jen určí, vymění ho M06; bez předchozího T: W0620",
             ),
             note(
-                "Whether the change moves the axes is in the ChannelConfig: `ChangePos`. Then their positions are unknown after \
-                 it",
+                "Whether the change moves the axes is in the ChannelConfig: `ChangePos`. Then their positions are \
+                 unknown after it",
                 "Zda výměna pohne osami, je v ChannelConfigu: `ChangePos`. Polohy os pak nejsou známé",
             ),
         ],
@@ -98,11 +99,14 @@ pub(super) const USAGES: &[Usage<u8>] = &[
         "N10 M19\nN20 G90 G00 C90\nN30 M05",
         &[
             note(
-                "Until M03, M04 or M05 the spindle is a rotary axis, F in degrees per minute: by `spindle-axis`, else C, A or B",
-                "Do M03, M04 nebo M05 je vřeteno rotační osou, F ve stupních za minutu: podle `spindle-axis`, jinak C, A nebo B",
+                "Until M03, M04 or M05 the spindle is a rotary axis, F in degrees per minute: by `spindle-axis`, else \
+                C, A or B",
+                "Do M03, M04 nebo M05 je vřeteno rotační osou, F ve stupních za minutu: podle `spindle-axis`, jinak \
+                C, A nebo B",
             ),
             note(
-                "It puts the spindle at `oriented-position`, 0 unless configured. A machine without it: `oriented-stop = false`",
+                "It puts the spindle at `oriented-position`, 0 unless configured. A machine without it: \
+                `oriented-stop = false`",
                 "Natočí vřeteno do `oriented-position`, není-li nastavena, do 0. Stroj bez ní: `oriented-stop = false`",
             ),
         ],
@@ -114,10 +118,10 @@ pub(super) const USAGES: &[Usage<u8>] = &[
         "M37",
         "N10 G90 G00 X0\nN20 M37 G01 X10 F200\nN30 M36",
         &[note(
-            "CNC8x6 and CNC8x9: M37 reduces the feed to a hundredth, until M36. The stream has F as programmed and `feed_scale` \
-             0.01",
-            "CNC8x6 a CNC8x9: M37 zmenší posuv na setinu, do M36. V proudu bloků je F, jak je naprogramováno, a `feed_scale` \
-             0.01",
+            "CNC8x6 and CNC8x9: M37 reduces the feed to a hundredth, until M36. The stream has F as programmed and \
+             `feed_scale` 0.01",
+            "CNC8x6 a CNC8x9: M37 zmenší posuv na setinu, do M36. V proudu bloků je F, jak je naprogramováno, a \
+             `feed_scale` 0.01",
         )],
     ),
     usage(

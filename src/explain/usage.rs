@@ -35,23 +35,24 @@ pub(super) const fn note(en: &'static str, cs: &'static str) -> Bilingual {
 
 const ARC: &[Bilingual] = &[
     note(
-        "X, Y, Z: the end point, under G91 the distance to it. Without any of them: a full circle in the plane in force",
+        "X, Y, Z: the end point, under G91 the distance to it. Without any of them: a full circle in the plane in \
+        force",
         "X, Y, Z: koncový bod, při G91 vzdálenost k němu. Bez nich: celá kružnice v platné rovině",
     ),
     note(
-        "I, J: the distance from the start of the arc to its centre, never a coordinate, under G90 too. I belongs to the \
-         first of the two axes in the order of the machine, J to the second: in G19 I is along X, J along Z. One that is \
-         missing is 0",
-        "I, J: vzdálenost středu od začátku oblouku, nikdy souřadnice, ani při G90. I patří k té z obou os, která je ve \
-         stroji první, J ke druhé: v G19 je I ve směru X, J ve směru Z. Chybějící je 0",
+        "I, J: the distance from the start of the arc to its centre, never a coordinate, under G90 too. I belongs to \
+         the first of the two axes in the order of the machine, J to the second: in G19 I is along X, J along Z. One \
+         that is missing is 0",
+        "I, J: vzdálenost středu od začátku oblouku, nikdy souřadnice, ani při G90. I patří k té z obou os, která je \
+         ve stroji první, J ke druhé: v G19 je I ve směru X, J ve směru Z. Chybějící je 0",
     ),
     note(
         "There is no radius: R is a parameter. K has no use in an arc",
         "Poloměr se nezadává: R je parametr. K v oblouku nemá význam",
     ),
     note(
-        "Two axis words choose the plane themselves; with one or none it is that of G17, G18 (YZ!), G19 (ZX!), G14, G15, \
-         G16. A third axis word makes a helix: with G09",
+        "Two axis words choose the plane themselves; with one or none it is that of G17, G18 (YZ!), G19 (ZX!), G14, \
+         G15, G16. A third axis word makes a helix: with G09",
         "Dvě slova os rovinu určují sama; s jedním nebo žádným platí rovina podle G17, G18 (YZ!), G19 (ZX!), G14, G15, \
          G16. Třetí slovo osy dělá šroubovici: s G09",
     ),
@@ -61,8 +62,8 @@ const ARC: &[Bilingual] = &[
         "Při pohledu, kde první osa roviny míří vpravo a druhá nahoru (XY, YZ, ZX), jede G02 po směru hodin, G03 proti",
     ),
     note(
-        "The function holds: a block with axis words and without a G00, G01 … is an arc again, and needs I and J of its \
-         own",
+        "The function holds: a block with axis words and without a G00, G01 … is an arc again, and needs I and J of \
+         its own",
         "Funkce platí dál: i další blok se slovy os bez G00, G01 … je oblouk a potřebuje vlastní I a J",
     ),
     note(
@@ -73,21 +74,22 @@ const ARC: &[Bilingual] = &[
 
 const ARITHMETIC: &[Bilingual] = &[
     note(
-        "G26 does one operation, by R5; G27 two, by R5 and R6; G28 three, G29 four, up to R8. These words are in the same \
-         block",
-        "G26 provede jednu operaci podle R5, G27 dvě podle R5 a R6, G28 tři, G29 čtyři až podle R8. Tato slova jsou v témž \
-         bloku",
+        "G26 does one operation, by R5; G27 two, by R5 and R6; G28 three, G29 four, up to R8. These words are in the \
+         same block",
+        "G26 provede jednu operaci podle R5, G27 dvě podle R5 a R6, G28 tři, G29 čtyři až podle R8. Tato slova jsou v \
+         témž bloku",
     ),
     note(
-        "A control word is eight digits, `oo aa bb rr`: the operation, the parameters of its two operands, the parameter \
-         that receives the result. 01 10 11 12: operation 01 with R10 and R11, result in R12. Zeros at the front may be \
-         left out",
-        "Řídicí slovo má osm číslic „oo aa bb rr“: operace, parametry obou operandů, parametr pro výsledek. 01 10 11 12: \
-         operace 01 s R10 a R11, výsledek do R12. Úvodní nuly lze vynechat",
+        "A control word is eight digits, `oo aa bb rr`: the operation, the parameters of its two operands, the \
+         parameter that receives the result. 01 10 11 12: operation 01 with R10 and R11, result in R12. Zeros at the \
+         front may be left out",
+        "Řídicí slovo má osm číslic „oo aa bb rr“: operace, parametry obou operandů, parametr pro výsledek. 01 10 11 \
+         12: operace 01 s R10 a R11, výsledek do R12. Úvodní nuly lze vynechat",
     ),
     note("With `-` before it, it computes in whole numbers", "Se znaménkem - se počítá v celých číslech"),
     note(
-        "Which number is which operation the project file says, under `[operations]`; without it nothing is guessed (E0508)",
+        "Which number is which operation the project file says, under `[operations]`; without it nothing is guessed \
+        (E0508)",
         "Která operace má které číslo, určuje projektový soubor v části `[operations]`; bez ní se nic nehádá (E0508)",
     ),
     note(
@@ -102,16 +104,16 @@ const CYCLE: &[Bilingual] = &[
         "U jiných systémů: vrtání, závitování a vyvrtávání (G81 vrtání, G84 závit, G85 vyvrtávání)",
     ),
     note(
-        "What it does is not in the manuals but for \"by the ISO standard\". So the project file says which macrocycle it \
-         is: `[cycles]`, `G81 = 8100`",
+        "What it does is not in the manuals but for \"by the ISO standard\". So the project file says which \
+         macrocycle it is: `[cycles]`, `G81 = 8100`",
         "Co dělá, příručky neříkají, jen „podle normy ISO“. Makrocyklus proto určuje projektový soubor: `[cycles]`, \
          `G81 = 8100`",
     ),
     note(
-        "While it holds, each block with a motion moves as G00, G01 … say, and then calls the macrocycle once, as a G72 \
-         would. G80 ends it",
-        "Dokud platí, každý blok s pohybem jede podle G00, G01 … a pak jednou zavolá makrocyklus, jako by to udělala G72. \
-         Ukončí ji G80",
+        "While it holds, each block with a motion moves as G00, G01 … say, and then calls the macrocycle once, as a \
+         G72 would. G80 ends it",
+        "Dokud platí, každý blok s pohybem jede podle G00, G01 … a pak jednou zavolá makrocyklus, jako by to udělala \
+         G72. Ukončí ji G80",
     ),
     note(
         "Without `[cycles]` nothing is invented: W0612, the block has no motion, and its axes are unknown after it",
@@ -131,18 +133,18 @@ const OFFSET: &[Bilingual] = &[
         "Počátky jsou v tabulce systému; programy se kontrolují v programovaných souřadnicích, bez nich",
     ),
     note(
-        "After a change the tool is not where the program thinks: go to the next point by a straight line, not by an arc \
-         (W0610)",
+        "After a change the tool is not where the program thinks: go to the next point by a straight line, not by an \
+         arc (W0610)",
         "Po změně nástroj nestojí tam, kde program myslí: další bod najet přímkou, ne obloukem (W0610)",
     ),
 ];
 
 const PLANE: &[Bilingual] = &[
     note(
-        "G17 is XY, G18 is YZ, G19 is ZX: G18 and G19 are the other way round than in ISO 6983, so a lathe with X and Z \
-         needs G19",
-        "G17 je XY, G18 je YZ, G19 je ZX: G18 a G19 jsou oproti ISO 6983 prohozené, soustruh s osami X a Z tedy potřebuje \
-         G19",
+        "G17 is XY, G18 is YZ, G19 is ZX: G18 and G19 are the other way round than in ISO 6983, so a lathe with X and \
+         Z needs G19",
+        "G17 je XY, G18 je YZ, G19 je ZX: G18 a G19 jsou oproti ISO 6983 prohozené, soustruh s osami X a Z tedy \
+         potřebuje G19",
     ),
     note(
         "G14, G15, G16 have the 4th axis in them: the first of the machine that is not X, Y, Z",
@@ -160,10 +162,10 @@ const FEED_MODE: &[Bilingual] = &[
         "Patří k ní nové F: číslo předchozího má jinou jednotku (W0615)",
     ),
     note(
-        "G94 and G96: mm/min; G95: mm/rev, with S. G97 by key `g97`: mm/min on CNC872, mm/rev with constant cutting speed \
-         on CNC8x6 and CNC8x9",
-        "G94 a G96: mm/min; G95: mm/ot, s S. G97 podle klíče `g97`: mm/min u CNC872, mm/ot s konstantní řeznou rychlostí u \
-         CNC8x6 a CNC8x9",
+        "G94 and G96: mm/min; G95: mm/rev, with S. G97 by key `g97`: mm/min on CNC872, mm/rev with constant cutting \
+         speed on CNC8x6 and CNC8x9",
+        "G94 a G96: mm/min; G95: mm/ot, s S. G97 podle klíče `g97`: mm/min u CNC872, mm/ot s konstantní řeznou \
+         rychlostí u CNC8x6 a CNC8x9",
     ),
 ];
 
@@ -220,9 +222,10 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "N10 G30 Z0\nN20 G30 X0 Y0",
         &[
             note(
-                "The words only name the axes, their values are not used. Afterwards the positions of these axes are unknown: \
-                 program them under G90 next",
-                "Slova jen určují osy, jejich hodnoty se nepoužijí. Polohy těchto os pak nejsou známé: nejdřív je zadat při G90",
+                "The words only name the axes, their values are not used. Afterwards the positions of these axes are \
+                 unknown: program them under G90 next",
+                "Slova jen určují osy, jejich hodnoty se nepoužijí. Polohy těchto os pak nejsou známé: nejdřív je \
+                zadat při G90",
             ),
             note(
                 "It holds in its block only; G00, G01 … go on after it",
@@ -236,7 +239,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "N10 G95 S400 M03\nN20 G90 G00 X0 Z2\nN30 G33 Z-20 F1.5",
         &[
             note(
-                "F counts by the G6 function in force; under G95 it is the path per revolution, and S must be in force (W0604)",
+                "F counts by the G6 function in force; under G95 it is the path per revolution, and S must be in \
+                force (W0604)",
                 "F platí podle funkce skupiny G6; při G95 je to dráha na otáčku a musí platit S (W0604)",
             ),
             note(
@@ -269,8 +273,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "N10 G23 I1 G90 G01 X0 F500\nN20 X10\nN30 Y10",
         &[
             note(
-                "I 1 to 4 chooses a dynamic set, when G23 is in the block and the block is no arc; it stays until the next G23 \
-                 with I",
+                "I 1 to 4 chooses a dynamic set, when G23 is in the block and the block is no arc; it stays until the \
+                 next G23 with I",
                 "I 1 až 4 volí sadu dynamiky, je-li G23 v bloku a blok není oblouk; platí do další G23 s I",
             ),
             note(
@@ -293,7 +297,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "G40",
         "N10 T1 M06\nN20 S1000 M03\nN30 G90 G17 G00 X-20 Y0 D1\nN40 G41 G01 X0 Y0 F200\nN50 X50\nN60 G40 X70",
         &[note(
-            "Begin and end the correction on a straight motion (W0624); end it before M06 and the end of the program (W0625)",
+            "Begin and end the correction on a straight motion (W0624); end it before M06 and the end of the program \
+            (W0625)",
             "Korekci začít a ukončit na přímkovém pohybu (W0624); před M06 a koncem programu ji ukončit (W0625)",
         )],
     ),
@@ -321,7 +326,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         ..usage(
             &[G26, G27, G28, G29],
             "G26 R5=oo aa bb rr",
-            "N10 R10=12.5 R11=4\nN20 G26 R5=01101112\nN30 G90 G00 XR12 \"16.5\"\nN40 G27 R5=01101112 R6=02121113\nN50 XR13 \"66\"",
+            "N10 R10=12.5 R11=4\nN20 G26 R5=01101112\nN30 G90 G00 XR12 \"16.5\"\nN40 G27 R5=01101112 R6=02121113\nN50 \
+            XR13 \"66\"",
             ARITHMETIC,
         )
     },
@@ -337,13 +343,14 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "N10 G90 G00 X0 Y0\nN20 G71 L100\nN30 M30\nN40 G79 L100\nN50 G91 G01 X5 F200\nN60 G90 G70",
         &[
             note(
-                "A subprogram begins with a block that holds its number, G79, L and nothing else, and ends with the first \
-                 block that holds G70; that block may do more",
-                "Podprogram začíná blokem, ve kterém je jen jeho číslo, G79 a L, a končí prvním blokem s G70; ten může dělat \
-                 i něco dalšího",
+                "A subprogram begins with a block that holds its number, G79, L and nothing else, and ends with the \
+                 first block that holds G70; that block may do more",
+                "Podprogram začíná blokem, ve kterém je jen jeho číslo, G79 a L, a končí prvním blokem s G70; ten \
+                 může dělat i něco dalšího",
             ),
             note(
-                "It comes after M02 or M30, in the file of its program; a macrocycle is one such unit in a file of its own",
+                "It comes after M02 or M30, in the file of its program; a macrocycle is one such unit in a file of \
+                its own",
                 "Je za M02 nebo M30 v souboru svého programu; makrocyklus je jeden takový celek ve vlastním souboru",
             ),
         ],
@@ -358,8 +365,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
                 "L: číslo za G79; Q: kolikrát, bez něj jednou. S G04 v bloku je Q prodleva",
             ),
             note(
-                "The call comes at the end of its block, after its motion. Functions and parameters stay as the subprogram \
-                 leaves them",
+                "The call comes at the end of its block, after its motion. Functions and parameters stay as the \
+                 subprogram leaves them",
                 "Volání je až na konci bloku, po jeho pohybu. Funkce a parametry zůstanou, jak je podprogram nechá",
             ),
             note(
@@ -391,8 +398,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "N10 G90 G00 X0 Y0\nN20 G91 G01 X5 F200\nN30 G73 L20 Q3 \"N20 runs four times\"\nN40 G90",
         &[
             note(
-                "L is a block number of the same unit, N1 to N9999. Q is the number of jumps: going back, the stretch runs \
-                 Q + 1 times",
+                "L is a block number of the same unit, N1 to N9999. Q is the number of jumps: going back, the stretch \
+                 runs Q + 1 times",
                 "L je číslo bloku téhož celku, N1 až N9999. Q je počet skoků: při skoku zpět proběhne úsek Q + 1krát",
             ),
             note(
@@ -421,9 +428,10 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "N10 G90 G00 X10 Y10\nN20 G91 X5 \"at X15\"\nN30 G90",
         &[
             note(
-                "G90: words are targets. G91: distances from where the axis is; begin with G90, or the position is unknown \
-                 (W0605)",
-                "G90: slova jsou cíle. G91: vzdálenosti od místa, kde osa je; začít G90, jinak poloha není známá (W0605)",
+                "G90: words are targets. G91: distances from where the axis is; begin with G90, or the position is \
+                 unknown (W0605)",
+                "G90: slova jsou cíle. G91: vzdálenosti od místa, kde osa je; začít G90, jinak poloha není známá \
+                (W0605)",
             ),
             note(
                 "They hold across calls: a subprogram with G91 ends with G90",
@@ -449,8 +457,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "N10 G92 G54 X100 Y50\nN20 G92 D1 X5",
         &[
             note(
-                "With a G5 function it writes origins, with D entries of the correction table. Nothing moves; the words are \
-                 data",
+                "With a G5 function it writes origins, with D entries of the correction table. Nothing moves; the \
+                 words are data",
                 "S funkcí skupiny G5 zapisuje počátky, s D položky tabulky korekcí. Nic nejede; slova jsou údaje",
             ),
             note("The next motion is a straight line (W0610)", "Další pohyb má být přímkový (W0610)"),
@@ -461,10 +469,10 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         "G93 X… Y… Z…",
         "N10 G90 G00 X10 Y10\nN20 G93 G54 X0 Y0\nN30 G01 X5 F200",
         &[note(
-            "Writes the origin so that the tool stands at the programmed coordinates; nothing moves. The named axes are known \
-             afterwards",
-            "Zapíše počátek tak, aby nástroj stál na programovaných souřadnicích; nic nejede. Polohy uvedených os jsou pak \
-             známé",
+            "Writes the origin so that the tool stands at the programmed coordinates; nothing moves. The named axes \
+             are known afterwards",
+            "Zapíše počátek tak, aby nástroj stál na programovaných souřadnicích; nic nejede. Polohy uvedených os \
+             jsou pak známé",
         )],
     ),
     usage(
@@ -474,7 +482,8 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
         &[
             note(
                 "G74: X words are diameters, absolute and incremental; I and J stay radii. The stream has radii",
-                "G74: slova X jsou průměry, absolutně i přírůstkově; I a J zůstávají poloměry. V proudu bloků jsou poloměry",
+                "G74: slova X jsou průměry, absolutně i přírůstkově; I a J zůstávají poloměry. V proudu bloků jsou \
+                poloměry",
             ),
             note("G75: X words are radii", "G75: slova X jsou poloměry"),
         ],

@@ -8,9 +8,13 @@ bilingual! {
         Note { note: String } "note: {note}", "poznámka: {note}";
         Help { help: String } "help: {help}", "nápověda: {help}";
         CalledBy { n: u32, by: &'static str, l: u32 } "called by N{n} {by} L{l}", "voláno z bloku N{n} {by} L{l}";
-        NotShown { shown: usize, all: usize } "{shown} of {all} findings are shown", "zobrazeno je {shown} z {all} hlášení";
+        NotShown { shown: usize, all: usize }
+            "{shown} of {all} findings are shown",
+            "zobrazeno je {shown} z {all} hlášení";
         Checking "checking", "kontroluje se";
-        Misconfigured "the configuration has errors; programs are checked with the default settings", "konfigurace obsahuje chyby; programy se kontrolují s výchozím nastavením";
+        Misconfigured
+            "the configuration has errors; programs are checked with the default settings",
+            "konfigurace obsahuje chyby; programy se kontrolují s výchozím nastavením";
         Settings { wrong: String } "these settings cannot be used: {wrong}", "tato nastavení nelze použít: {wrong}";
     }
 }

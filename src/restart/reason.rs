@@ -9,29 +9,58 @@ use crate::dict::{Lang, bilingual};
 bilingual! {
     /// Why there is no start at a place (RST-4).
     Reason {
-        Correction { g: String } "{g} is in force: the tool has to be led to the corrected path by the program", "platí {g}: na korigovanou dráhu musí nástroj navést program";
+        Correction { g: String }
+            "{g} is in force: the tool has to be led to the corrected path by the program",
+            "platí {g}: na korigovanou dráhu musí nástroj navést program";
         Position { axis: String } "the position of {axis} is not known", "poloha osy {axis} není známa";
-        Stale { axis: String } "{axis} has not moved since the origin or the length correction changed: where it stands is not known", "osa {axis} se od změny počátku nebo délkové korekce nepohnula: kde stojí, není známo";
+        Stale { axis: String }
+            "{axis} has not moved since the origin or the length correction changed: where it stands is not known",
+            "osa {axis} se od změny počátku nebo délkové korekce nepohnula: kde stojí, není známo";
         Thread "a thread is being cut (G33)", "řeže se závit (G33)";
         Cycle { g: String } "the fixed cycle {g} is in force", "platí pevný cyklus {g}";
         Origin { g: String, n: u32 } "N{n} wrote an origin by {g}", "N{n} zapsal počátek funkcí {g}";
-        Needed { axis: String, n: u32 } "the position of {axis} is not known, and N{n} goes on from it", "poloha osy {axis} není známa a N{n} z ní pokračuje";
-        Below { axis: String, n: u32 } "the position of {axis}, the tool's axis, is not known, and N{n} moves other axes", "poloha osy nástroje {axis} není známa a N{n} pohybuje jinými osami";
+        Needed { axis: String, n: u32 }
+            "the position of {axis} is not known, and N{n} goes on from it",
+            "poloha osy {axis} není známa a N{n} z ní pokračuje";
+        Below { axis: String, n: u32 }
+            "the position of {axis}, the tool's axis, is not known, and N{n} moves other axes",
+            "poloha osy nástroje {axis} není známa a N{n} pohybuje jinými osami";
         Oriented "the spindle is an axis (M19)", "vřeteno je osou (M19)";
-        Copying { g: String } "{g} is in force, and what it does is not modelled", "platí {g}, jejíž činnost se nemodeluje";
-        InCycle { l: u32 } "the place is inside of L{l}, which a fixed cycle calls", "místo je uvnitř L{l}, který volá pevný cyklus";
-        Converted { g: String } "{g} is in force: the tool's axis is not where it points to", "platí {g}: osa nástroje nemíří tam, kam její písmeno";
+        Copying { g: String }
+            "{g} is in force, and what it does is not modelled",
+            "platí {g}, jejíž činnost se nemodeluje";
+        InCycle { l: u32 }
+            "the place is inside of L{l}, which a fixed cycle calls",
+            "místo je uvnitř L{l}, který volá pevný cyklus";
+        Converted { g: String }
+            "{g} is in force: the tool's axis is not where it points to",
+            "platí {g}: osa nástroje nemíří tam, kam její písmeno";
         Value { name: String } "the value of {name} is not known", "hodnota {name} není známa";
-        Lathe "G74 makes it a lathe: name the axis of the tool by `tool-axis` of `[restart]` in the project file", "podle G74 jde o soustruh: uvést osu nástroje klíčem tool-axis v [restart] projektového souboru";
-        NoAxis { axis: String } "the machine has no {axis}: name the axis of the tool by `tool-axis` of `[restart]` in the project file", "stroj nemá osu {axis}: uvést osu nástroje klíčem tool-axis v [restart] projektového souboru";
+        Lathe
+            "G74 makes it a lathe: name the axis of the tool by `tool-axis` of `[restart]` in the project file",
+            "podle G74 jde o soustruh: uvést osu nástroje klíčem tool-axis v [restart] projektového souboru";
+        NoAxis { axis: String }
+            "the machine has no {axis}: name the axis of the tool by `tool-axis` of `[restart]` in the project file",
+            "stroj nemá osu {axis}: uvést osu nástroje klíčem tool-axis v [restart] projektového souboru";
         NoFeed "no F is in force for the last part of the approach", "pro poslední část najetí neplatí žádné F";
         Standing "F counts per revolution, and the spindle stands", "F je na otáčku a vřeteno stojí";
-        Unwritable { axis: String } "the position of {axis} cannot be written in thousandths", "polohu osy {axis} nelze zapsat v tisícinách";
-        TooLong { blocks: u64, limit: u64 } "{blocks} blocks of calls and loops would be written out, --max-blocks allows {limit}", "bylo by rozepsáno bloků volání a smyček: {blocks}, --max-blocks dovoluje {limit}";
+        Unwritable { axis: String }
+            "the position of {axis} cannot be written in thousandths",
+            "polohu osy {axis} nelze zapsat v tisícinách";
+        TooLong { blocks: u64, limit: u64 }
+            "{blocks} blocks of calls and loops would be written out, --max-blocks allows {limit}",
+            "bylo by rozepsáno bloků volání a smyček: {blocks}, --max-blocks dovoluje {limit}";
         Fails { code: String } "a program from there has the error {code}", "program odtud má chybu {code}";
-        Differs { what: String, n: u32 } "a program from there would differ at N{n}: {what}", "program odtud by se lišil v N{n}: {what}";
-        SafeBelow { axis: String } "--safe is below the place: the tool would move across in rapid where it cut in {axis}", "--safe je pod místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";
-        NoSafe { axis: String } "--safe is missing: since tool, origin or correction changed last the program did not stand higher in {axis}", "chybí --safe: od poslední změny nástroje, počátku nebo korekce program v ose {axis} výš nestál";
+        Differs { what: String, n: u32 }
+            "a program from there would differ at N{n}: {what}",
+            "program odtud by se lišil v N{n}: {what}";
+        SafeBelow { axis: String }
+            "--safe is below the place: the tool would move across in rapid where it cut in {axis}",
+            "--safe je pod místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";
+        NoSafe { axis: String }
+            "--safe is missing: since tool, origin or correction changed last the program did not stand higher in \
+            {axis}",
+            "chybí --safe: od poslední změny nástroje, počátku nebo korekce program v ose {axis} výš nestál";
     }
 }
 
@@ -39,13 +68,25 @@ bilingual! {
     /// What the new program says in its comments; without diacritics there.
     Note {
         Title { name: String, n: u32 } "{name} from N{n}", "{name} od N{n}";
-        TitleOfPass { name: String, n: u32, pass: u64 } "{name} from N{n}, pass {pass}", "{name} od N{n}, průchod {pass}";
-        WrittenOut { blocks: u64 } "calls and loops written out: {blocks} blocks", "rozepsaná volání a smyčky: bloků {blocks}";
-        NotRestored { m: String, group: usize } "not restored: {m} of group {group} (--all-m)", "neobnoveno: {m} skupiny {group} (--all-m)";
+        TitleOfPass { name: String, n: u32, pass: u64 }
+            "{name} from N{n}, pass {pass}",
+            "{name} od N{n}, průchod {pass}";
+        WrittenOut { blocks: u64 }
+            "calls and loops written out: {blocks} blocks",
+            "rozepsaná volání a smyčky: bloků {blocks}";
+        NotRestored { m: String, group: usize }
+            "not restored: {m} of group {group} (--all-m)",
+            "neobnoveno: {m} skupiny {group} (--all-m)";
         MachineParameter { r: u8 } "R{r} is read from the machine's table", "R{r} se čte z tabulky stroje";
-        Corrections { n: u32 } "corrections that N{n} wrote are not written again", "korekce zapsané v N{n} se znovu nezapisují";
-        Fresh { axis: String } "{axis} was not programmed yet: move it to where the program found it", "{axis} dosud nebyla programována: najet s ní, kam patří na začátku programu";
-        Stands { axis: String } "{axis} is not known here: move it clear by hand first", "{axis} zde není známa: nejdřív odjet ručně";
+        Corrections { n: u32 }
+            "corrections that N{n} wrote are not written again",
+            "korekce zapsané v N{n} se znovu nezapisují";
+        Fresh { axis: String }
+            "{axis} was not programmed yet: move it to where the program found it",
+            "{axis} dosud nebyla programována: najet s ní, kam patří na začátku programu";
+        Stands { axis: String }
+            "{axis} is not known here: move it clear by hand first",
+            "{axis} zde není známa: nejdřív odjet ručně";
         Parameters "parameters read later", "parametry čtené dále";
         Functions "functions in force", "platné funkce";
         ToolChange "tool change", "výměna nástroje";
@@ -76,16 +117,29 @@ bilingual! {
     /// What is said of a place beside the reason.
     Said {
         Refused { reason: String } "no start there: {reason}", "odtud začít nelze: {reason}";
-        Nearest { n: u32, line: u32, seq: u64, time: String } "nearest earlier place that works: --seq {seq}, N{n} (line {line}), {time} after program start", "nejbližší dřívější místo, odkud lze začít: --seq {seq}, N{n} (řádek {line}), {time} od startu programu";
-        NearestIn { n: u32, file: String, line: u32, seq: u64, time: String } "nearest earlier place that works: --seq {seq}, N{n} of {file} (line {line}), {time} after program start", "nejbližší dřívější místo, odkud lze začít: --seq {seq}, N{n} v {file} (řádek {line}), {time} od startu programu";
+        Nearest { n: u32, line: u32, seq: u64, time: String }
+            "nearest earlier place that works: --seq {seq}, N{n} (line {line}), {time} after program start",
+            "nejbližší dřívější místo, odkud lze začít: --seq {seq}, N{n} (řádek {line}), {time} od startu programu";
+        NearestIn { n: u32, file: String, line: u32, seq: u64, time: String }
+            "nearest earlier place that works: --seq {seq}, N{n} of {file} (line {line}), {time} after program start",
+            "nejbližší dřívější místo, odkud lze začít: --seq {seq}, N{n} v {file} (řádek {line}), {time} od startu \
+            programu";
         NoNearest "no earlier place works", "odtud ani z dřívějšího místa začít nelze";
-        Written { written_out: u64 } "blocks of calls and loops written out: {written_out}", "rozepsaných bloků volání a smyček: {written_out}";
-        Row { seq: u64, n: u32, line: u32, pass: u64, tool: String, kind: String } "--seq {seq}  N{n}  line {line}  pass {pass}  {tool}  {kind}", "--seq {seq}  N{n}  řádek {line}  průchod {pass}  {tool}  {kind}";
-        RowIn { seq: u64, n: u32, file: String, line: u32, pass: u64, tool: String, kind: String } "--seq {seq}  N{n} of {file}  line {line}  pass {pass}  {tool}  {kind}", "--seq {seq}  N{n} v {file}  řádek {line}  průchod {pass}  {tool}  {kind}";
+        Written { written_out: u64 }
+            "blocks of calls and loops written out: {written_out}",
+            "rozepsaných bloků volání a smyček: {written_out}";
+        Row { seq: u64, n: u32, line: u32, pass: u64, tool: String, kind: String }
+            "--seq {seq}  N{n}  line {line}  pass {pass}  {tool}  {kind}",
+            "--seq {seq}  N{n}  řádek {line}  průchod {pass}  {tool}  {kind}";
+        RowIn { seq: u64, n: u32, file: String, line: u32, pass: u64, tool: String, kind: String }
+            "--seq {seq}  N{n} of {file}  line {line}  pass {pass}  {tool}  {kind}",
+            "--seq {seq}  N{n} v {file}  řádek {line}  průchod {pass}  {tool}  {kind}";
         Change "tool change", "výměna nástroje";
         Rapid "rapid", "rychloposuv";
         NoTool "no tool", "bez nástroje";
-        NoPlaces "there is no tool change and no rapid at which the program can start", "není výměna nástroje ani rychloposuv, kterými lze začít";
+        NoPlaces
+            "there is no tool change and no rapid at which the program can start",
+            "není výměna nástroje ani rychloposuv, kterými lze začít";
         MoreWithSafe { more: u64 } "places that --safe would open: {more}", "míst, která zpřístupní --safe: {more}";
     }
 }

@@ -51,8 +51,8 @@ pub struct Extents {
     pub all: Reach,
 }
 
-/// A program. What execution gives is there only when the program was executed to its end without errors; what is false,
-/// empty or absent is left out.
+/// A program. What execution gives is there only when the program was executed to its end without errors; what is
+/// false, empty or absent is left out.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Row {

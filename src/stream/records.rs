@@ -321,8 +321,8 @@ pub struct BlockRecord {
     pub continuous_mode: bool,
     /// 1–4, once G23 with I chose one (GRP-7).
     pub dynamic_set: Option<u8>,
-    /// The number of the macrocycle that it calls at its end and that only the machine has (FLW-12): the axes that it may
-    /// move are unknown after it.
+    /// The number of the macrocycle that it calls at its end and that only the machine has (FLW-12): the axes that it
+    /// may move are unknown after it.
     pub opaque_call: Option<u32>,
     /// Words that are data (GRP-4).
     pub data: Option<Data>,

@@ -41,8 +41,8 @@ impl Rows {
         self.fill_changes(block, row, known);
     }
 
-    /// Makes in `row` what may differ from the row before, whose `seq` is `before`, and says so by `true`; else the whole
-    /// row.
+    /// Makes in `row` what may differ from the row before, whose `seq` is `before`, and says so by `true`; else the
+    /// whole row.
     pub(crate) fn fill_changes(&mut self, block: &Executed<'_>, row: &mut BlockRecord, before: Option<u64>) -> bool {
         let follows = follows(block, before);
         if !follows {

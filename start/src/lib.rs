@@ -1,9 +1,9 @@
 //! Whether standard output was closed when the process started (`cnc872c check part.nc >&-`).
 //!
-//! Before `main` runs, the Rust runtime opens `/dev/null` for each closed standard stream, so that later nothing tells the
-//! lost output from one that was thrown away on purpose. The loader of an ELF file calls what stands in `.init_array`
-//! before that. The lint `unsafe_code` refuses the attribute for it, which is why this is a package of its own; there is
-//! no unsafe operation in it.
+//! Before `main` runs, the Rust runtime opens `/dev/null` for each closed standard stream, so that later nothing tells
+//! the lost output from one that was thrown away on purpose. The loader of an ELF file calls what stands in
+//! `.init_array` before that. The lint `unsafe_code` refuses the attribute for it, which is why this is a package of
+//! its own; there is no unsafe operation in it.
 
 use std::fs::symlink_metadata;
 use std::sync::atomic::{AtomicBool, Ordering};

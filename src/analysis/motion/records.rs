@@ -1,4 +1,5 @@
-//! The records of the motion stream `cnc872c.motion/1`, in the order in which their fields are written, and their schema.
+//! The records of the motion stream `cnc872c.motion/1`, in the order in which their fields are written, and their
+//! schema.
 //! `json` fills them. What is `false`, empty or absent is left out.
 
 use schemars::JsonSchema;

@@ -215,7 +215,8 @@ fn fixes_help() {
 proptest::proptest! {
     /// No text makes it panic; places lie in the text.
     #[test]
-    fn any_text(text in "([A-Za-z0-9 _.\\[\\]!&|=<>()ř,+-]{0,30}|(M03PI|PB06|BLK\\.H|!|&|\\||\\(|\\)| |==|<|95h|12|rising){0,12})") {
+    fn any_text(text in "([A-Za-z0-9 _.\\[\\]!&|=<>()ř,+-]{0,30}|(M03PI|PB06|BLK\\.H|!|&|\\||\\(|\\)| \
+        |==|<|95h|12|rising){0,12})") {
         if let Err(found) = Condition::read(&text, &Machine::new(Dialect::Cnc872)) {
             assert!(!found.is_empty());
             for diagnostic in found {

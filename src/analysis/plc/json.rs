@@ -79,8 +79,8 @@ struct StepRecord<'a> {
     /// The program waits at the M00 or M01 of this block (PLC-16); else left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     stop: Option<bool>,
-    /// Values by name: of all chosen signals in the first step, after that of those that changed. Absent is `null`; bits are
-    /// 0 and 1.
+    /// Values by name: of all chosen signals in the first step, after that of those that changed. Absent is `null`;
+    /// bits are 0 and 1.
     #[schemars(with = "BTreeMap<String, Option<f64>>")]
     signals: Values<'a>,
 }

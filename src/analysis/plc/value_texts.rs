@@ -7,51 +7,54 @@ use crate::dict::Bilingual;
 pub const fn rule_text(rule: u8) -> Bilingual {
     let (en, cs) = match rule {
         1 => (
-            "The function in force in BCD: M95 is 95h, M100 is 100h. Groups 1, 7 and 9 have a value only in their block; \
-             without a function there is none",
-            "Platná funkce v BCD: M95 je 95h, M100 je 100h. Skupiny 1, 7 a 9 mají hodnotu jen ve svém bloku; bez funkce \
-             hodnota chybí",
+            "The function in force in BCD: M95 is 95h, M100 is 100h. Groups 1, 7 and 9 have a value only in their \
+             block; without a function there is none",
+            "Platná funkce v BCD: M95 je 95h, M100 je 100h. Skupiny 1, 7 a 9 mají hodnotu jen ve svém bloku; bez \
+             funkce hodnota chybí",
         ),
         2 => (
-            "1 for the length of a block that programs the group, even with the same function, and where M02, M30, a stop \
-             or M40 changes it",
-            "1 po dobu bloku, ve kterém je skupina programována, i stejnou funkcí, a tam, kde ji mění M02, M30, stop nebo M40",
+            "1 for the length of a block that programs the group, even with the same function, and where M02, M30, a \
+             stop or M40 changes it",
+            "1 po dobu bloku, ve kterém je skupina programována, i stejnou funkcí, a tam, kde ji mění M02, M30, stop \
+            nebo M40",
         ),
         3 => ("1 in blocks of which it is true", "1 v blocích, pro které to platí"),
         4 => (
-            "1 when the axis is written in a block that moves, or is one of the two of an arc. AxNC counts in the order of the \
-             machine; in PO_OS and SM_PO X, Y, Z are these letters, 4, 5, 6 … the other ones in the order of the machine. \
-             Beyond its axes it is 0",
-            "1, když je osa zapsána v bloku s pohybem nebo je jednou ze dvou os oblouku. AxNC se počítá v pořadí stroje; \
-             v PO_OS a SM_PO jsou X, Y, Z tato písmena, 4, 5, 6 … ostatní v pořadí stroje. Za osami stroje je 0",
+            "1 when the axis is written in a block that moves, or is one of the two of an arc. AxNC counts in the \
+             order of the machine; in PO_OS and SM_PO X, Y, Z are these letters, 4, 5, 6 … the other ones in the \
+             order of the machine. Beyond its axes it is 0",
+            "1, když je osa zapsána v bloku s pohybem nebo je jednou ze dvou os oblouku. AxNC se počítá v pořadí \
+             stroje; v PO_OS a SM_PO jsou X, Y, Z tato písmena, 4, 5, 6 … ostatní v pořadí stroje. Za osami stroje je \
+             0",
         ),
         5 => (
             "1 when the programmed coordinate falls, 0 when it rises. No value when the axis does not move, when its \
              distance is 0 or unknown, when it turns back within the block, or under G31, G35, G36, G38, G39",
-            "1, když programovaná souřadnice klesá, 0, když roste. Bez hodnoty, když se osa nepohybuje, když je její dráha 0 \
-             nebo neznámá, když se v bloku obrací, nebo při G31, G35, G36, G38, G39",
+            "1, když programovaná souřadnice klesá, 0, když roste. Bez hodnoty, když se osa nepohybuje, když je její \
+             dráha 0 nebo neznámá, když se v bloku obrací, nebo při G31, G35, G36, G38, G39",
         ),
         6 => ("As in the block stream: see the cell", "Jako v proudu bloků: viz buňku"),
         7 => (
-            "Two decades in BCD; no value while nothing is programmed. M100, and an H above 99, with a fraction or a sign, \
-             do not fit: 00h and W0901",
+            "Two decades in BCD; no value while nothing is programmed. M100, and an H above 99, with a fraction or a \
+             sign, do not fit: 00h and W0901",
             "Dvě dekády v BCD; bez hodnoty, dokud není nic programováno. M100 a H nad 99, s desetinnou částí nebo se \
              znaménkem se nevejdou: 00h a W0901",
         ),
         8 => (
-            "S / max · output · 7FFFh, both of the gear in force; no value without [[gears]], without a known gear, and where S \
-             is a cutting speed",
-            "S / max · output · 7FFFh, obojí zařazeného stupně; bez hodnoty, když chybí [[gears]], když stupeň není znám \
-             a když je S řezná rychlost",
+            "S / max · output · 7FFFh, both of the gear in force; no value without [[gears]], without a known gear, \
+             and where S is a cutting speed",
+            "S / max · output · 7FFFh, obojí zařazeného stupně; bez hodnoty, když chybí [[gears]], když stupeň není \
+             znám a když je S řezná rychlost",
         ),
         9 => (
             "1 for one block, the one in which the function is written; M01 also when optional stop is off",
             "1 po dobu jednoho bloku, ve kterém je funkce zapsána; M01 i při vypnutém volitelném stopu",
         ),
         10 => (
-            "By the function in force, those of power-up included; ranges under M40 by the gear, without a value when that \
-             is not known",
-            "Podle platné funkce, i té po zapnutí; rozsahy při M40 podle zařazeného stupně, bez hodnoty, když není znám",
+            "By the function in force, those of power-up included; ranges under M40 by the gear, without a value when \
+             that is not known",
+            "Podle platné funkce, i té po zapnutí; rozsahy při M40 podle zařazeného stupně, bez hodnoty, když není \
+            znám",
         ),
         11 => ("While the function is in force; AUTPI always", "Dokud funkce platí; AUTPI vždy"),
         12 => (
@@ -92,34 +95,36 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
             "Q funkce G04 v s, setina zapsaného čísla; bez G04 bez hodnoty",
         ),
         Cell::Position(_) => (
-            "The programmed coordinate after the block; no value while it is not known, and beyond the axes of the machine",
+            "The programmed coordinate after the block; no value while it is not known, and beyond the axes of the \
+            machine",
             "Programovaná souřadnice po bloku; bez hodnoty, dokud není známa, a za osami stroje",
         ),
         Cell::BlockLen => (
-            "Length of the programmed path, `length_mm` of the record, of rotary axes alone `length_deg`; no value without \
-             motion or when the start is unknown",
-            "Délka programované dráhy, `length_mm` záznamu, u samotných rotačních os `length_deg`; bez hodnoty, když se v \
-             bloku nic nepohybuje nebo není znám začátek",
+            "Length of the programmed path, `length_mm` of the record, of rotary axes alone `length_deg`; no value \
+             without motion or when the start is unknown",
+            "Délka programované dráhy, `length_mm` záznamu, u samotných rotačních os `length_deg`; bez hodnoty, když \
+             se v bloku nic nepohybuje nebo není znám začátek",
         ),
         Cell::FeedProgr => (
             "The F in force, also under G00; no value before the first F",
             "Platné F, i při G00; bez hodnoty před prvním F",
         ),
         Cell::SpindleSpeed => (
-            "The S in force, also while the spindle stands; no value before the first S, and where S is a cutting speed",
+            "The S in force, also while the spindle stands; no value before the first S, and where S is a cutting \
+            speed",
             "Platné S, i když vřeteno stojí; bez hodnoty před prvním S a když je S řezná rychlost",
         ),
         Cell::ParabAccel => (
-            "P/500 of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and the profile \
-             parabolic, under G00 or in G23; else no value",
-            "P/500 platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při G00 nebo \
-             G23; jinak bez hodnoty",
+            "P/500 of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and the \
+             profile parabolic, under G00 or in G23; else no value",
+            "P/500 platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při G00 \
+             nebo G23; jinak bez hodnoty",
         ),
         Cell::LinearAccel => (
-            "`linear-mm-s2` of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and the \
-             profile parabolic, under G00 or in G23; else no value",
-            "`linear-mm-s2` platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při \
-             G00 nebo G23; jinak bez hodnoty",
+            "`linear-mm-s2` of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and \
+             the profile parabolic, under G00 or in G23; else no value",
+            "`linear-mm-s2` platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, \
+             při G00 nebo G23; jinak bez hodnoty",
         ),
         Cell::Group(_)
         | Cell::Mark(_)

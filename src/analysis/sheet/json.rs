@@ -29,7 +29,8 @@ struct Reach {
     /// The axes that go at least so far.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     lower_bound_axes: Vec<String>,
-    /// The numbers of the blocks whose motions are missing, in the order in which they are executed first; the first 100.
+    /// The numbers of the blocks whose motions are missing, in the order in which they are executed first; the first
+    /// 100.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     unknown_blocks: Vec<u32>,
 }

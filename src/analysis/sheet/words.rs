@@ -10,7 +10,9 @@ bilingual! {
         Control "Control", "Systém";
         Time "Time", "Čas";
         AtLeast { what: String } "at least {what}", "nejméně {what}";
-        Assumed "estimated for an assumed machine: [motion] is not configured", "odhad pro předpokládaný stroj: [motion] není nastaveno";
+        Assumed
+            "estimated for an assumed machine: [motion] is not configured",
+            "odhad pro předpokládaný stroj: [motion] není nastaveno";
         Work "Size of the work", "Rozměry";
         Motions "Motions", "Pohyby";
         Axis "Axis", "Osa";

@@ -18,8 +18,8 @@ use crate::dict::{GCode, GGroup, M_GROUPS, Micro};
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.state/1";
 
-/// What holds at a place of a program. Of the fields that the block record has as well, those that are `false`, empty or
-/// absent are left out, as there.
+/// What holds at a place of a program. Of the fields that the block record has as well, those that are `false`, empty
+/// or absent are left out, as there.
 #[derive(Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields, title = "State at a place cnc872c.state/1")]
 struct Record {
@@ -178,8 +178,8 @@ struct ProgressRecord {
     path_mm: Number,
     /// The known path from the place on: at least this.
     path_left_mm: Number,
-    /// Time up to the place, as `motion` estimates it. Left out in programs of more than a million executed blocks, unless
-    /// motion is configured.
+    /// Time up to the place, as `motion` estimates it. Left out in programs of more than a million executed blocks,
+    /// unless motion is configured.
     #[serde(skip_serializing_if = "Option::is_none")]
     time_s: Option<Number>,
     /// Time from the place on, likewise.

@@ -11,11 +11,17 @@ bilingual! {
         Before { place: String, name: String } "Before {place} of {name}", "Před {place} v {name}";
         Behind { place: String, name: String } "Behind {place} of {name}", "Za {place} v {name}";
         Block { n: u32, line: u32, seq: u64 } "N{n} (line {line}, seq {seq})", "N{n} (řádek {line}, seq {seq})";
-        BlockIn { n: u32, file: String, line: u32, seq: u64 } "N{n} of {file} (line {line}, seq {seq})", "N{n} v {file} (řádek {line}, seq {seq})";
+        BlockIn { n: u32, file: String, line: u32, seq: u64 }
+            "N{n} of {file} (line {line}, seq {seq})",
+            "N{n} v {file} (řádek {line}, seq {seq})";
         Main "in the main program", "v hlavním programu";
-        Call { l: u32, by: String, n: u32, line: u32, pass: u32, of: u32 } "L{l} called by {by} in N{n} (line {line}), pass {pass} of {of}", "L{l} voláno {by} z N{n} (řádek {line}), průchod {pass} z {of}";
+        Call { l: u32, by: String, n: u32, line: u32, pass: u32, of: u32 }
+            "L{l} called by {by} in N{n} (line {line}), pass {pass} of {of}",
+            "L{l} voláno {by} z N{n} (řádek {line}), průchod {pass} z {of}";
         Calls "Calls", "Volání";
-        Counter { n: u32, line: u32, left: u32, of: u32 } "N{n} (line {line}): {left} of {of} left", "N{n} (řádek {line}): zbývá {left} z {of}";
+        Counter { n: u32, line: u32, left: u32, of: u32 }
+            "N{n} (line {line}): {left} of {of} left",
+            "N{n} (řádek {line}): zbývá {left} z {of}";
         Counters "Jump counters", "Počítadla skoků";
         Position "Position", "Poloha";
         GFunctions "G functions", "G funkce";
@@ -29,8 +35,12 @@ bilingual! {
         Blocks "blocks", "bloků";
         Path "path, mm", "dráha, mm";
         Time "time", "čas";
-        AtLeast "times and paths are at least these: some are not known", "časy a dráhy jsou nejméně takové: některé nejsou známy";
-        NoTimes { blocks: u64 } "no times: more than {blocks} blocks, and the project file has no [motion]", "bez časů: bloků je víc než {blocks} a projektový soubor nemá [motion]";
+        AtLeast
+            "times and paths are at least these: some are not known",
+            "časy a dráhy jsou nejméně takové: některé nejsou známy";
+        NoTimes { blocks: u64 }
+            "no times: more than {blocks} blocks, and the project file has no [motion]",
+            "bez časů: bloků je víc než {blocks} a projektový soubor nemá [motion]";
         NextToolChange { seq: u64 } "next tool change: seq {seq}", "příští výměna nástroje: seq {seq}";
         NextStop { seq: u64 } "next stop: seq {seq}", "příští zastavení: seq {seq}";
         NextRapid { seq: u64 } "next rapid traverse: seq {seq}", "příští rychloposuv: seq {seq}";
@@ -51,15 +61,25 @@ bilingual! {
         Tool "in the spindle", "ve vřetenu";
         DynamicSet "dynamic set", "dynamická sada";
         NoBlock { place: String } "{place}: there is no such block", "{place}: takový blok není";
-        NoBlockNear { place: String, near: u32 } "{place}: there is no such block; the nearest number is N{near}", "{place}: takový blok není; nejbližší číslo je N{near}";
+        NoBlockNear { place: String, near: u32 }
+            "{place}: there is no such block; the nearest number is N{near}",
+            "{place}: takový blok není; nejbližší číslo je N{near}";
         NotExecuted { place: String } "{place} is never executed", "{place} se nikdy neprovede";
-        Beyond { place: String, blocks: u64 } "{place}: blocks that the program executes: {blocks}, the first is seq 0", "{place}: bloků, které program provede: {blocks}, první má seq 0";
+        Beyond { place: String, blocks: u64 }
+            "{place}: blocks that the program executes: {blocks}, the first is seq 0",
+            "{place}: bloků, které program provede: {blocks}, první má seq 0";
         TooLate { time: String } "--time: the program takes {time}", "--time: program trvá {time}";
         Passes { place: String, count: u64 } "{place}: --pass counts to {count}", "{place}: --pass jde do {count}";
-        NoFile { file: String } "--file {file}: no macrocycle of that name is executed", "--file {file}: makrocyklus toho jména se neprovádí";
+        NoFile { file: String }
+            "--file {file}: no macrocycle of that name is executed",
+            "--file {file}: makrocyklus toho jména se neprovádí";
         NoProgram "the program executes no block", "program neprovede žádný blok";
-        Several { place: String, count: u64 } "{place} is executed {count} times; one of them is named by --pass:", "{place} se provede {count}krát; které provedení, určí --pass:";
-        Pass { seq: u64, n: u32, line: u32, calls: String } "N{n}, line {line}, seq {seq}, {calls}", "N{n}, řádek {line}, seq {seq}, {calls}";
+        Several { place: String, count: u64 }
+            "{place} is executed {count} times; one of them is named by --pass:",
+            "{place} se provede {count}krát; které provedení, určí --pass:";
+        Pass { seq: u64, n: u32, line: u32, calls: String }
+            "N{n}, line {line}, seq {seq}, {calls}",
+            "N{n}, řádek {line}, seq {seq}, {calls}";
         MorePasses { more: u64 } "  and {more} more", "  a dalších {more}";
         ShortCall { l: u32, n: u32, pass: u32, of: u32 } "L{l} from N{n} ({pass}/{of})", "L{l} z N{n} ({pass}/{of})";
     }

@@ -69,7 +69,8 @@ fn two_files_and_calls_in_czech() {
         1 program: 1 chyba
         podrobnosti: cnc872c explain E0510
         ");
-    insta::assert_snapshot!(human(&samples::called(), Lang::En).lines().nth(12).unwrap(), @"   │ note: called by N80 G71 L100 (díly/a b.nc:3)");
+    insta::assert_snapshot!(human(&samples::called(), Lang::En).lines().nth(12).unwrap(), @"   │ note: called by N80 \
+        G71 L100 (díly/a b.nc:3)");
 }
 
 /// A program in CP852, a mark behind its last character, a file that cannot be read.

@@ -65,8 +65,8 @@ impl Formatting {
         self.kept.unread()
     }
 
-    /// Whether the formatted text is certain to read like this one. Lines that stay, errors, and long lines leave doubt:
-    /// after formatting there may be others.
+    /// Whether the formatted text is certain to read like this one. Lines that stay, errors, and long lines leave
+    /// doubt: after formatting there may be others.
     fn is_settled(&self) -> bool {
         !self.findings.has_errors() && !self.findings.has(Code::E0109) && self.kept.is_empty()
     }

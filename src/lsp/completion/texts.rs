@@ -16,17 +16,35 @@ bilingual! {
         BreakCont "Breaks continuous motion at the start of the block.", "Přeruší plynulou návaznost na začátku bloku.";
         BreakContEnd "Breaks continuous motion at the end of the block.", "Přeruší plynulou návaznost na konci bloku.";
         ChangePos "Moves the machine: positions are unknown after it.", "Mění polohu stroje: poté jsou polohy neznámé.";
-        NeedsDwell "Needs `Q`, the time in units of 10 ms: `Q50` is half a second.", "Vyžaduje `Q`, dobu po 10 ms: `Q50` je půl sekundy.";
-        NeedsSubprogram "Needs `L`, the number of the subprogram; `Q`: how many times.", "Vyžaduje `L`, číslo podprogramu; `Q`: kolikrát.";
-        NeedsMacrocycle "Needs `L`, the number of the macrocycle; `Q`: how many times.", "Vyžaduje `L`, číslo makrocyklu; `Q`: kolikrát.";
-        NeedsBlock "Needs `L`, the number of the block; `Q`: how many jumps.", "Vyžaduje `L`, číslo bloku; `Q`: počet skoků.";
-        NeedsEntry "Needs `L`, its number; nothing else stands in the block.", "Vyžaduje `L`, své číslo; nic jiného v bloku nestojí.";
-        NeedsCentre "`I` and `J` are the distances from the start to the centre.", "`I` a `J` jsou vzdálenosti středu od začátku oblouku.";
-        NeedsControl { last: usize } "Needs its control words in the same block, `R5` to `R{last}`.", "Vyžaduje řídicí slova v témže bloku, `R5` až `R{last}`.";
+        NeedsDwell
+            "Needs `Q`, the time in units of 10 ms: `Q50` is half a second.",
+            "Vyžaduje `Q`, dobu po 10 ms: `Q50` je půl sekundy.";
+        NeedsSubprogram
+            "Needs `L`, the number of the subprogram; `Q`: how many times.",
+            "Vyžaduje `L`, číslo podprogramu; `Q`: kolikrát.";
+        NeedsMacrocycle
+            "Needs `L`, the number of the macrocycle; `Q`: how many times.",
+            "Vyžaduje `L`, číslo makrocyklu; `Q`: kolikrát.";
+        NeedsBlock
+            "Needs `L`, the number of the block; `Q`: how many jumps.",
+            "Vyžaduje `L`, číslo bloku; `Q`: počet skoků.";
+        NeedsEntry
+            "Needs `L`, its number; nothing else stands in the block.",
+            "Vyžaduje `L`, své číslo; nic jiného v bloku nestojí.";
+        NeedsCentre
+            "`I` and `J` are the distances from the start to the centre.",
+            "`I` a `J` jsou vzdálenosti středu od začátku oblouku.";
+        NeedsControl { last: usize }
+            "Needs its control words in the same block, `R5` to `R{last}`.",
+            "Vyžaduje řídicí slova v témže bloku, `R5` až `R{last}`.";
         NeedsOneControl "Needs its control word `R5` in the same block.", "Vyžaduje řídicí slovo `R5` v témže bloku.";
         DynamicSet "`I1` to `I4` chooses the dynamic set.", "`I1` až `I4` volí sadu dynamiky.";
-        MakesData "The axis words of the block are data; nothing moves.", "Slova os v bloku jsou data; nic se nepohybuje.";
-        CallsMacrocycle { l: u32 } "Calls macrocycle L{l} after every motion.", "Po každém pohybu volá makrocyklus L{l}.";
+        MakesData
+            "The axis words of the block are data; nothing moves.",
+            "Slova os v bloku jsou data; nic se nepohybuje.";
+        CallsMacrocycle { l: u32 }
+            "Calls macrocycle L{l} after every motion.",
+            "Po každém pohybu volá makrocyklus L{l}.";
         Linear "linear axis", "lineární osa";
         Rotary "rotary axis", "rotační osa";
         Range { range: String } "Value: {range}.", "Hodnota: {range}.";
@@ -43,7 +61,11 @@ bilingual! {
         Configured { value: String } "= {value} by configuration", "= {value} podle konfigurace";
         Unassigned "not assigned here", "zde nepřiřazen";
         ControlWord { code: GCode } "control word of {code}", "řídicí slovo {code}";
-        ControlForm "Eight digits `oo aa bb rr`: operation, parameter of the first operand, of the second, of the result. `-` before them: whole-number arithmetic.", "Osm číslic `oo aa bb rr`: operace, parametr prvního operandu, druhého operandu, výsledku. Znaménko `-` před nimi: celočíselná aritmetika.";
+        ControlForm
+            "Eight digits `oo aa bb rr`: operation, parameter of the first operand, of the second, of the result. `-` \
+            before them: whole-number arithmetic.",
+            "Osm číslic `oo aa bb rr`: operace, parametr prvního operandu, druhého operandu, výsledku. Znaménko `-` \
+            před nimi: celočíselná aritmetika.";
         NameProgram "program", "program";
         NameSubprogram "subprogram", "podprogram";
         NameMacrocycle "macrocycle", "makrocyklus";

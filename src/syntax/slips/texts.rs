@@ -69,7 +69,8 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis { found: Some(found), ..diagnosis })
 }
 
-/// `G71 LX`, `G04 QX`, `G02 X5 IX`: the address that a function of the block needs, with a letter in place of its number.
+/// `G71 LX`, `G04 QX`, `G02 X5 IX`: the address that a function of the block needs, with a letter in place of its
+/// number.
 fn needed(around: &Around<'_>, text: &str) -> Option<Address> {
     let &[first, _] = text.as_bytes() else { return None };
     let address = Address::from_byte(first)?;

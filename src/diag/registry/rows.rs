@@ -41,7 +41,7 @@ macro_rules! optional_text {
 
 /// Makes `Code` and `Finding` of the rows.
 macro_rules! diagnostics {
-    ($(
+    ([] $(
         [$code:ident] $variant:ident $name:literal $severity:ident { $($field:ident : $ty:ty),* $(,)? }
             en $en:tt
             cs $cs:tt
@@ -78,9 +78,9 @@ macro_rules! diagnostics {
                 match (self, lang) {
                     $(
                         (Self::$code, Lang::En) =>
-                            include_str!(concat!("../../docs/explain/en/", stringify!($code), ".md")),
+                            include_str!(concat!("../../../docs/explain/en/", stringify!($code), ".md")),
                         (Self::$code, Lang::Cs) =>
-                            include_str!(concat!("../../docs/explain/cs/", stringify!($code), ".md")),
+                            include_str!(concat!("../../../docs/explain/cs/", stringify!($code), ".md")),
                     )*
                 }
             }
