@@ -11,7 +11,7 @@ use super::edit_texts::EditText;
 use super::line_length::first_long_line;
 use super::output::{Output, Written};
 use crate::config::Settings;
-use crate::diag::Code;
+use crate::diag::{Code, Findings};
 use crate::dict::{Address, GCode, HIGHEST_BLOCK, HIGHEST_L};
 use crate::resolve::{Resolved, Roles, Taker, Target, UnitKind};
 use crate::sure::small;
@@ -62,11 +62,14 @@ pub(crate) struct Renumbering {
 type Jumps = BTreeMap<BlockId, (Word, BlockId)>;
 
 /// Renumbers the whole file evenly. When ten by ten gives a jump a target that it cannot reach (FLW-5), or a line that
-/// is too long (LEX-7), a smaller step is taken.
+/// is too long (LEX-7), a smaller step is taken. `unread`: see [`first_unread`].
 ///
 /// # Errors
 /// Why that cannot be done.
-pub(crate) fn renumber_evenly(resolved: &Resolved) -> Result<Renumbering, EditText> {
+pub(crate) fn renumber_evenly(resolved: &Resolved, unread: Option<EditText>) -> Result<Renumbering, EditText> {
+    if let Some(unread) = unread {
+        return Err(unread);
+    }
     let mut obstacle = EditText::NumberedAlready;
     for step in STEPS {
         match renumber(resolved, Numbering { start: step, step, width: 0, part: Part::All }) {
@@ -97,10 +100,8 @@ pub(crate) fn renumbered(
     out: &mut dyn FnMut(&[u8]),
 ) -> Result<(bool, Renumbering), EditText> {
     let (outcome, resolved) = alone::resolve(path, source, settings);
-    let unread = outcome.findings.items().iter().filter(|item| item.at.file == FILE && is_unread(item.code()));
-    if let Some(first) = unread.min_by_key(|item| item.at) {
-        let line = source.line_column(first.at.span.start).line;
-        return Err(EditText::Unread { line, code: first.code() });
+    if let Some(unread) = first_unread(&outcome.findings, source) {
+        return Err(unread);
     }
     let renumbering = renumber(&resolved, numbering)?;
     let mut out = |text: &str| out(&source.encoding().encode(text));
@@ -111,9 +112,12 @@ pub(crate) fn renumbered(
     Ok((output.finish(), renumbering))
 }
 
-/// Whether a finding says that what it is about could not be read: then no number is safe to change (REN-5).
-const fn is_unread(code: Code) -> bool {
-    alone::is_malformed(code) || matches!(code, Code::E0115 | Code::E0203)
+/// The first line of a file that could not be read: then no number is safe to change (REN-5).
+pub(crate) fn first_unread(findings: &Findings, source: &SourceText) -> Option<EditText> {
+    let is_unread = |code| alone::is_malformed(code) || matches!(code, Code::E0115 | Code::E0203);
+    let unread = findings.items().iter().filter(|item| item.at.file == FILE && is_unread(item.code()));
+    let first = unread.min_by_key(|item| item.at)?;
+    Some(EditText::Unread { line: source.line_column(first.at.span.start).line, code: first.code() })
 }
 
 /// Renumbers the file.

@@ -9,10 +9,12 @@ use super::client::Client;
 use super::files::EditorFiles;
 use crate::config::{PROJECT_FILE, Settings, configure, find_project};
 use crate::diag::{Findings, Report};
+use crate::edit::edit_texts::EditText;
+use crate::edit::renumber::first_unread;
 use crate::query;
 use crate::query::cancel::Cancel;
 use crate::session::{Outcome, Session};
-use crate::text::{Loader, Sources};
+use crate::text::{FileId, Loader, Sources};
 
 /// Findings that need no execution are shown after this time, when execution takes longer.
 const PATIENCE: Duration = Duration::from_millis(400);
@@ -24,6 +26,8 @@ pub(super) struct Analysis {
     known: query::analysis::Analysis,
     /// The files as they were.
     pub(super) files: EditorFiles,
+    /// The first line that could not be read, as renumbering says it.
+    pub(super) unread: Option<EditText>,
 }
 
 impl Deref for Analysis {
@@ -152,6 +156,7 @@ pub(super) fn run(
                 state: Arc::default(),
             },
             files: files.clone(),
+            unread: outcome.sources.get(FileId(0)).and_then(|source| first_unread(&outcome.findings, source)),
         },
         [read.clone(), paths(files, &outcome.sources)].concat(),
     );

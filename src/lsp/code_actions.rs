@@ -70,8 +70,8 @@ pub(super) fn resolve(snapshot: &Snapshot, analysis: &Analysis, mut action: Code
         return Err(Refusal { code: ErrorCode::ContentModified, message: "the document has changed".to_owned() });
     }
     if action.kind == Some(CodeActionKind::Custom(RENUMBER.into())) && action.edit.is_none() {
-        let renumbering =
-            renumber_evenly(&analysis.resolved).map_err(|why| Refusal::new(why.text(snapshot.client.lang())))?;
+        let renumbering = renumber_evenly(&analysis.resolved, analysis.unread.clone())
+            .map_err(|why| Refusal::new(why.text(snapshot.client.lang())))?;
         if let Some(source) = analysis.sources.get(FileId(0)) {
             let edits = renumbering.edits.iter().map(|(span, text)| (*span, text.as_str()));
             action.edit = document_edit(snapshot, analysis, source, edits);
@@ -228,7 +228,7 @@ fn renumber_action(snapshot: &Snapshot, analysis: &Analysis, source: &SourceText
     let client = &snapshot.client;
     let kind = Some(CodeActionKind::Custom(RENUMBER.into()));
     let title = |step| EditText::Renumber { step }.text(client.lang());
-    let renumbering = match renumber_evenly(&analysis.resolved) {
+    let renumbering = match renumber_evenly(&analysis.resolved, analysis.unread.clone()) {
         Ok(renumbering) => renumbering,
         Err(why) => {
             let disabled = Some(CodeActionDisabled { reason: why.text(client.lang()) });

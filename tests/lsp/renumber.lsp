@@ -307,7 +307,7 @@ N2 M30
 [
   {
     "disabled": {
-      "reason": "the number of the block in line 2 cannot be read"
+      "reason": "line 2 cannot be read (E0103)"
     },
     "kind": "source.renumber.cnc872c",
     "title": "renumber the blocks 10 by 10"

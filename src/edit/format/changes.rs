@@ -1,5 +1,7 @@
 //! What formatting changes in a text, as pairs of places: for editors, which take edits instead of a new file.
 
+use std::cmp::Ordering;
+
 use crate::edit::output::Written;
 use crate::sure::{Sure, small};
 use crate::text::{SourceText, Span};
@@ -43,9 +45,27 @@ impl Changes {
         joined.iter().map(|change| (change.old, self.slice(change.new))).collect()
     }
 
-    /// Only the changes within a part of the old text.
-    pub(super) fn keep_within(&mut self, part: Span) {
-        self.changes.retain(|change| part.start <= change.old.start && change.old.end <= part.end);
+    /// Only the changes within a part of the old text. A comment that moves before its block comes there by one change
+    /// and leaves by a later one: where one of them is within, both stay.
+    pub(super) fn keep_within(&mut self, source: &SourceText, part: Span) {
+        let quotes = |text: &str| text.bytes().filter(|byte| *byte == b'"').count();
+        let mut kept: Vec<bool> =
+            self.changes.iter().map(|change| part.start <= change.old.start && change.old.end <= part.end).collect();
+        let mut arrival = None;
+        for (at, change) in self.changes.iter().enumerate() {
+            match quotes(self.slice(change.new)).cmp(&quotes(source.slice(change.old))) {
+                Ordering::Greater => arrival = Some(at),
+                Ordering::Less if let Some(arrived) = arrival.take() => {
+                    let moved = [arrived, at];
+                    if moved.iter().any(|at| kept.get(*at) == Some(&true)) {
+                        moved.iter().for_each(|at| kept.get_mut(*at).into_iter().for_each(|kept| *kept = true));
+                    }
+                }
+                Ordering::Less | Ordering::Equal => {}
+            }
+        }
+        let mut kept = kept.into_iter();
+        self.changes.retain(|_| kept.next() == Some(true));
     }
 
     /// Whether nothing changes.

@@ -208,7 +208,7 @@ pub(crate) fn changes(
     })?;
     let mut changes = all.filter(|_| !rounds.stays).unwrap_or_default();
     if let Some(within) = within {
-        changes.keep_within(within);
+        changes.keep_within(source, within);
     }
     Ok(changes)
 }

@@ -55,6 +55,56 @@ fn samples_as_on_the_command_line() {
     assert_eq!(client.end(), 0);
 }
 
+/// FMT-1, FMT-3: a part of a text keeps its comments, whichever line is formatted alone.
+#[test]
+fn parts_keep_their_comments() {
+    let long = "a comment that does not fit behind the words of its block, however it is laid out";
+    let several =
+        format!("%1\nN10 X1\nN30 Y5 \"{long}\"\nN35 X1 X2\n  Y6 \"{long}\"\n\nn40 g1  x5 \"{long}\"\nN50 M30\n");
+    let samples = files(&root().join("samples/format")).into_iter().filter_map(|path| {
+        let source = SourceText::decode("", std::fs::read(&path).ok()?, Encoding::default()).ok()?;
+        Some(source.text().replace("\r\n", "\n").replace('\r', "\n"))
+    });
+    let is_program = |text: &String| text.lines().all(|line| line.matches('"').count() % 2 == 0);
+    let texts: Vec<String> = [several].into_iter().chain(samples.filter(is_program)).collect();
+    let capabilities = json!({ "general": { "positionEncodings": ["utf-16"] } });
+    let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
+    let mut changed = 0;
+    for (number, text) in texts.iter().enumerate() {
+        let uri = format!("file:///part{number}.nc");
+        let document = json!({ "uri": uri, "languageId": "cnc872", "version": 0, "text": text });
+        client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+        for line in 0..text.lines().count() {
+            let at = |line: usize| json!({ "line": line, "character": 0 });
+            let options = json!({ "tabSize": 4, "insertSpaces": true });
+            let document = json!({ "uri": uri });
+            for (method, params) in [
+                (
+                    "textDocument/rangeFormatting",
+                    json!({ "range": { "start": at(line), "end": at(line) }, "textDocument": document, "options": options }),
+                ),
+                (
+                    "textDocument/onTypeFormatting",
+                    json!({ "position": at(line + 1), "ch": "\n", "textDocument": document, "options": options }),
+                ),
+            ] {
+                let made = edited(text, &client.request(method, params)["result"]);
+                changed += usize::from(made != *text);
+                assert_eq!(comments(&made), comments(text), "{method} in line {line} of {text}\ngives {made}");
+            }
+        }
+    }
+    assert!(changed > 60, "{changed}");
+    assert_eq!(client.end(), 0);
+}
+
+/// The comments of a text, sorted.
+fn comments(text: &str) -> Vec<&str> {
+    let mut comments: Vec<&str> = text.lines().flat_map(|line| line.split('"').skip(1).step_by(2)).collect();
+    comments.sort_unstable();
+    comments
+}
+
 fn edited(text: &str, edits: &Value) -> String {
     let mut text = text.to_owned();
     let edits = edits.as_array().into_iter().flatten();
