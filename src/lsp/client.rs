@@ -116,6 +116,11 @@ impl Client {
         good.insert(project.to_path_buf(), settings.clone());
     }
 
+    /// Forgets them: what was typed into a project file was not saved.
+    pub(super) fn forget_good(&self) {
+        self.good.lock().unwrap_or_else(PoisonError::into_inner).clear();
+    }
+
     /// The last configuration of that project file that had no errors.
     pub(super) fn last_good(&self, project: &Path) -> Option<Settings> {
         self.good.lock().unwrap_or_else(PoisonError::into_inner).get(project).cloned()

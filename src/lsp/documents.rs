@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use gen_lsp_types::{
-    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, TextDocumentContentChangeEvent,
-    Uri,
+    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, Range,
+    TextDocumentContentChangeEvent, Uri,
 };
 use lsp_server::{ErrorCode, ResponseError};
+use serde::Deserialize as _;
 use serde_json::{Value, json};
 
 use super::analysis::{self, Found, is_configuration};
@@ -52,6 +53,11 @@ impl Server {
             let path = uri.map(|uri| self.files.path_of(&uri));
             let version = path.and_then(|path| self.files.buffer(&path)).map_or(0, |document| document.version);
             document.insert("version".to_owned(), version.into());
+        }
+        // A change of a part must not be taken for a new text.
+        let changes = params.get("contentChanges").and_then(Value::as_array).into_iter().flatten();
+        for range in changes.filter_map(|change| change.get("range")).filter(|range| !range.is_null()) {
+            Range::deserialize(range).map_err(|error| format!("range: {error}"))?;
         }
         let params: DidChangeTextDocumentParams = serde_json::from_value(params).map_err(|error| error.to_string())?;
         let path = self.files.path_of(&params.text_document.text_document_identifier.uri);
@@ -106,8 +112,10 @@ impl Server {
         let uri = params.text_document.uri;
         let path = self.files.path_of(&uri);
         self.files.forget();
-        if self.files.open_mut().remove(&path).is_none() {
-            return Err("not open".to_owned());
+        let Some(closed) = self.files.open_mut().remove(&path) else { return Err("not open".to_owned()) };
+        if is_configuration(&path) && !std::fs::read(&path).is_ok_and(|saved| saved == closed.source.text().as_bytes())
+        {
+            self.client.forget_good();
         }
         self.checked.changed(false);
         if let Some(root) = self.roots.remove(&path) {

@@ -73,7 +73,36 @@ fn read_content(input: &mut impl BufRead, length: usize) -> io::Result<Incoming>
     if content.len() < length {
         return Err(io::ErrorKind::UnexpectedEof.into());
     }
-    Ok(understand(&content))
+    Ok(match understand(&content) {
+        Incoming::Malformed { code: ErrorCode::ParseError, .. } => understand(&without_half_characters(&content)),
+        understood => understood,
+    })
+}
+
+/// JSON in which half a character, as an editor may cut one in two, is U+FFFD: that is as long in UTF-16, so that all
+/// later places stay right.
+fn without_half_characters(json: &[u8]) -> Vec<u8> {
+    let code = |at: usize| {
+        let digits = json.get(at..at + 6)?.strip_prefix(br"\u")?;
+        u16::from_str_radix(std::str::from_utf8(digits).ok()?, 16).ok()
+    };
+    let mut whole = Vec::with_capacity(json.len());
+    let mut at = 0;
+    while let Some(&byte) = json.get(at) {
+        let length = match (byte, code(at)) {
+            (b'\\', Some(0xD800..=0xDBFF)) if matches!(code(at + 6), Some(0xDC00..=0xDFFF)) => 12,
+            (b'\\', Some(0xD800..=0xDFFF)) => {
+                whole.extend(br"\ufffd");
+                at += 6;
+                continue;
+            }
+            (b'\\', _) => 2,
+            _ => 1,
+        };
+        whole.extend(json.get(at..at + length).unwrap_or_default());
+        at += length;
+    }
+    whole
 }
 
 fn understand(content: &[u8]) -> Incoming {
@@ -168,6 +197,16 @@ mod tests {
 
     fn frame(content: &str) -> String {
         format!("Content-Length: {}\r\n\r\n{content}", content.len())
+    }
+
+    /// Half a character keeps its length; what stands around it stays as it is.
+    #[test]
+    fn half_characters_do_not_lose_a_message() {
+        let text = r#"{"method":"x","params":["\ud83d","a\ude00b","\ud83d\ude00","\\ud83d","\ud83d\ud83d\ude00"]}"#;
+        let Incoming::Message(Message::Notification(read)) = read(&mut frame(text).as_bytes()).unwrap().unwrap() else {
+            panic!("not read");
+        };
+        assert_eq!(read.params, json!(["\u{fffd}", "a\u{fffd}b", "😀", "\\ud83d", "\u{fffd}😀"]));
     }
 
     #[test]

@@ -259,8 +259,10 @@ impl Word {
     /// Where its parts stand in `text`.
     pub fn parts(self, text: &str) -> WordParts {
         let span = self.span(text);
-        let bytes = text.as_bytes().get(span.range()).sure();
-        let mut at = 1;
+        let written = text.get(span.range()).sure();
+        let bytes = written.as_bytes();
+        // The letter may be one with an accent.
+        let mut at = written.chars().next().map_or(1, char::len_utf8);
         let skip = |at: &mut usize, wanted: fn(&u8) -> bool| {
             while bytes.get(*at).is_some_and(wanted) {
                 *at += 1;

@@ -150,6 +150,20 @@ fn one_long_line() {
     assert_eq!(client.end(), 0);
 }
 
+/// A change of a part whose place makes no sense is refused: it is no new text.
+#[test]
+fn a_change_without_a_place_is_refused() {
+    let (mut client, _) = Client::initialized(json!({ "capabilities": {} }));
+    open(&mut client, "%1\nN10 X1\nN30 M30\n");
+    let document = json!({ "uri": "file:///p.nc", "version": 2 });
+    let range = json!({ "start": { "line": -1, "character": 0 }, "end": { "line": 0, "character": 0 } });
+    let change = json!({ "range": range, "text": "x" });
+    client.notify("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [change] }));
+    assert!(client.said("window/logMessage")["params"]["message"].as_str().unwrap().contains("didChange: range"));
+    assert!(client.request("textDocument/hover", hover())["result"].is_object(), "the text is the one that was opened");
+    assert_eq!(client.end(), 0);
+}
+
 /// A macrocycle that is not there can be made, by clients that create files.
 #[test]
 fn missing_macrocycles_are_created() {
