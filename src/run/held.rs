@@ -43,9 +43,9 @@ impl State {
         self.parameters.get(usize::from(index)).and_then(|parameter| parameter.value)
     }
 
-    /// Whether a parameter was read whose value only the machine's table has (PAR-5).
+    /// Whether a parameter was read before the program assigned it: its value is that of the machine's table (PAR-5).
     pub fn is_read_from_machine(&self, index: u8) -> bool {
-        self.said.unassigned.get(usize::from(index)).copied().unwrap_or(false)
+        self.said.read_outside.get(usize::from(index)).copied().unwrap_or(false)
     }
 
     /// F, with what it counts in a motion measured in millimetres.
@@ -213,7 +213,7 @@ impl State {
         let is_parameter = |word: &Word| word.address == Address::R || matches!(word.value(), Value::Parameter { .. });
         if block.g(GGroup::G4).is_some() || words.iter().any(is_parameter) {
             self.parameters = *parameters;
-            self.said.unassigned = said.unassigned;
+            self.said.read_outside = said.read_outside;
         }
     }
 }

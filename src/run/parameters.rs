@@ -119,14 +119,17 @@ pub(super) fn with_origin(state: &State, diagnostic: Diagnostic, word: Word) -> 
     }
 }
 
-/// The value of a parameter read at `place`; reports the first read of one that the program never assigned (PAR-5).
+/// The value of a parameter read at `place`; notes the first read of one that the program never assigned, and reports it
+/// when nobody gave it a value (PAR-5).
 fn read(site: &mut Site<'_>, state: &mut State, index: u8, place: Location) -> Option<Decimal> {
     let parameter = state.parameters.get(usize::from(index)).copied()?;
-    if parameter.value.is_none()
-        && matches!(parameter.origin, Origin::Machine)
-        && let Some(said @ false) = state.said.unassigned.get_mut(usize::from(index))
+    if matches!(parameter.origin, Origin::Machine | Origin::Configured)
+        && let Some(read @ false) = state.said.read_outside.get_mut(usize::from(index))
     {
-        *said = true;
+        *read = true;
+        if parameter.value.is_some() {
+            return parameter.value;
+        }
         // What cannot be read has its finding.
         if !state.compiled && may_assign(site.file, index) {
             return None;

@@ -179,8 +179,8 @@ pub(super) struct Said {
     pub(super) of_machine: BTreeSet<u32>,
     /// Functions that are not modelled (GRP-8).
     pub(super) unmodelled: Vec<GCode>,
-    /// Parameters without a value (PAR-5).
-    pub(super) unassigned: [bool; 96],
+    /// Parameters that were read before the program assigned them (PAR-5).
+    pub(super) read_outside: [bool; 96],
     /// Codes of operations that are not configured (PAR-9).
     pub(super) operations: BTreeSet<i64>,
 }
@@ -204,7 +204,7 @@ impl Default for Said {
             no_macrocycle: BTreeSet::new(),
             of_machine: BTreeSet::new(),
             unmodelled: Vec::new(),
-            unassigned: [false; 96],
+            read_outside: [false; 96],
             operations: BTreeSet::new(),
         }
     }

@@ -82,6 +82,55 @@ fn unknown_paths() {
     assert!(cycle["tools"][0].get("working_mm").is_none(), "{cycle}");
 }
 
+/// Where axes stand while others work is a part of the work; so is the place of a hole that is drilled by Z alone.
+#[test]
+fn axes_that_stand_while_others_work() {
+    let place = place();
+    let extents = |program: &str| -> Value {
+        place.put("reach.nc", format!("%1\n{program}"));
+        let sheet = place.run(&["report", "reach.nc", "--format", "json"]).ends(0).stdout;
+        serde_json::from_str::<Value>(&sheet).unwrap()
+    };
+    let holes = extents(
+        "N1 G90 T1 M6 S900 M3\nN2 G0 X0 Y0 Z10\nN3 G1 Z0 F100\nN4 X10 Y5\nN5 G0 Z10\nN6 X50 Y40\nN7 G1 Z-5\n\
+         N8 G0 Z10\nN9 M30\n",
+    );
+    let expected = json!({ "X": [0, 50], "Y": [0, 40], "Z": [-5, 10] });
+    assert_eq!(holes["extents"]["working"], expected, "{holes}");
+    assert_eq!(holes["tools"][0]["extents"], expected, "{holes}");
+    // Y never moves here, and X stands at a place that nobody knows after its return.
+    let unknown = extents("N1 G90 T1 M6 S900 M3\nN2 G0 X0 Z10\nN3 G1 X5 F100\nN4 G30 X0\nN5 G1 Z-5\nN6 Z-6\nN7 M30\n");
+    let working = &unknown["extents"]["working"];
+    assert_eq!(
+        *working,
+        json!({ "X": [0, 5], "Z": [-6, 10], "lower_bound": true, "lower_bound_axes": ["X"],
+        "unknown_blocks": [5] }),
+        "{unknown}"
+    );
+    // X works before anybody knows where it stands.
+    let early = extents("N1 G90 T1 M6 S900 M3\nN2 G1 Z5 F100\nN3 G0 X7\nN4 G1 Z-5\nN5 M30\n");
+    let working = &early["extents"]["working"];
+    assert_eq!((&working["X"], &working["unknown_blocks"]), (&json!([7, 7]), &json!([2])), "{early}");
+}
+
+/// Operands of arithmetic are read, its results are the program's own; a macrocycle of the machine runs as often as its
+/// Q says; the F of a thread is no feed of working motion.
+#[test]
+fn what_the_sheet_counts() {
+    let place = place();
+    place.put("cnc872c.toml", "[operations]\n\"01\" = \"add\"\n[machine-macrocycles]\nL9001 = {}\n");
+    place.put(
+        "count.nc",
+        "%1\nN1 G54 G90 T1 M06 S100 M03\nN2 G26 R5=01060708\nN3 G00 XR8 Y0\nN4 G94 G01 X5 F200\nN5 R20=1\nN6 XR20\n\
+         N7 G72 L9001 Q7\nN8 G33 X9 F2\nN9 M30\n",
+    );
+    let args = ["report", "count.nc", "--format", "json", "--param", "R7=3"];
+    let sheet: Value = serde_json::from_str(&place.run(&args).ends(0).stdout).unwrap();
+    assert_eq!(sheet["parameters"], json!([{ "r": 6, "n": 2 }, { "r": 7, "n": 2, "value": 3 }]), "{sheet}");
+    assert_eq!(sheet["units"][0]["runs"], 7, "{sheet}");
+    assert_eq!(sheet["tools"][0]["feeds"], json!([{ "min": 200, "max": 200, "unit": "mm/min" }]), "{sheet}");
+}
+
 /// An extent whose motions are not all known says so, by axis and with the blocks, in each form.
 #[test]
 fn unknown_extents() {

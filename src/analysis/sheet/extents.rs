@@ -1,7 +1,7 @@
 //! How far motions reach.
 
 use crate::dict::{AxisLetter, Micro};
-use crate::run::{ArcPath, Motion, MotionType};
+use crate::run::{ArcPath, Executed, Motion, MotionType};
 
 /// How many blocks of unknown reach are named.
 pub const MOST_BLOCKS: usize = 100;
@@ -22,6 +22,8 @@ pub struct Extents {
     /// X is programmed as a diameter.
     diameter: bool,
     unknown: Vec<u32>,
+    /// The first block that works while nobody knows where an axis stands.
+    unseen: [Option<u32>; AxisLetter::ALL.len()],
 }
 
 impl Extents {
@@ -79,6 +81,38 @@ impl Extents {
             }
             self.add_arc(motion, &arc);
         }
+    }
+
+    /// Adds where the linear axes stand that a working motion leaves alone: a hole is where X and Y stand.
+    pub(super) fn add_standing(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
+        let state = block.state();
+        let axes = block.settings().machine.axes.iter().enumerate();
+        for (at, axis) in axes.filter(|(_, axis)| !axis.rotary && !motion.moves(axis.letter)) {
+            match state.axis_position(at).filter(|_| !state.is_unsettled(at)) {
+                Some(position) => self.add(axis.letter, position),
+                None => {
+                    let unseen = self.unseen.get_mut(axis.letter as usize);
+                    unseen.into_iter().for_each(|unseen| *unseen = unseen.or(Some(block.n())));
+                }
+            }
+        }
+    }
+
+    /// At the end of a program that moves as far as `all`: the other axes are left out.
+    pub(super) fn end(&mut self, all: &Self) {
+        for letter in AxisLetter::ALL {
+            let Some(reach) = self.axes.get_mut(letter as usize) else { continue };
+            let unseen = self.unseen.get(letter as usize).copied().flatten();
+            if !all.has_moved(letter) {
+                *reach = Reach::default();
+            } else if let (false, Some(n)) = (reach.lacks, unseen) {
+                self.lack(letter, n);
+            }
+        }
+    }
+
+    fn has_moved(&self, letter: AxisLetter) -> bool {
+        self.axes.get(letter as usize).is_some_and(|reach| reach.known.is_some() || reach.lacks)
     }
 
     /// The quadrant points that an arc passes.

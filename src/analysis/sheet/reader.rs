@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 
 use super::extents::Extents;
 use crate::diag::{CallKind, Findings};
-use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
+use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
 use crate::run::{End, Executed, FeedUnit, Length, Motion, MotionType, Program, Sink};
 use crate::syntax::Value;
 use crate::text::{FileId, Location};
@@ -128,21 +128,13 @@ pub struct Sheet {
 type Pass = (Location, u32, u32);
 
 /// Reads executed blocks for the set-up sheet.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct SheetReader {
     sheet: Sheet,
     /// The tool in the spindle, by place in the sheet.
     tool: Option<usize>,
     /// Passes that are open.
     open: Vec<Pass>,
-    /// Parameters that the program assigned.
-    assigned: [bool; 96],
-}
-
-impl Default for SheetReader {
-    fn default() -> Self {
-        Self { sheet: Sheet::default(), tool: None, open: Vec::new(), assigned: [false; 96] }
-    }
 }
 
 impl SheetReader {
@@ -164,13 +156,13 @@ impl SheetReader {
                     CallKind::Macrocycle | CallKind::Cycle(_) => true,
                 };
                 let units = &mut self.sheet.units;
-                count_run(units, call.l, macrocycle);
+                count_runs(units, call.l, macrocycle, 1);
             }
             depth += 1;
         }
         self.open.truncate(depth);
         if let Some(l) = block.opaque_call() {
-            count_run(&mut self.sheet.units, l, true);
+            count_runs(&mut self.sheet.units, l, true, block.call_count().into());
         }
     }
 
@@ -181,22 +173,13 @@ impl SheetReader {
             known.count += 1;
         }
         let (_, id) = block.at();
-        let words = || block.file().into_iter().flat_map(|file| file.words(id));
-        // All words read the values from before the block (PAR-4).
-        for word in words() {
-            if let Value::Parameter { index, .. } = word.value()
-                && self.assigned.get(usize::from(index)) == Some(&false)
-            {
-                let given = &block.settings().machine.parameters;
-                let value = given.get(&index).copied();
-                self.sheet.parameters.entry(index).or_insert(ParameterUse { value, n: block.n() });
-            }
+        let words = block.file().map_or(&[][..], |file| file.words(id));
+        if !words.iter().any(|word| matches!(word.value(), Value::Parameter { .. })) && block.g(GGroup::G4).is_none() {
+            return;
         }
-        let targets = words().filter(|word| word.address == Address::R).map(|word| word.target());
-        for index in targets.chain(block.params().iter().map(|(index, _)| *index)) {
-            if let Some(slot) = self.assigned.get_mut(usize::from(index)) {
-                *slot = true;
-            }
+        for index in (0..96).filter(|index| block.state().is_read_from_machine(*index)) {
+            let value = block.settings().machine.parameters.get(&index).copied();
+            self.sheet.parameters.entry(index).or_insert(ParameterUse { value, n: block.n() });
         }
     }
 
@@ -242,16 +225,18 @@ impl SheetReader {
         self.sheet.head.diameter |= block.g(GGroup::G10) == Some(GCode::G74);
         self.sheet.all.add_motion(motion, n);
         let kind = motion.kind();
+        let length = motion.length();
         if kind.is_working() {
             self.sheet.working.add_motion(motion, n);
+            self.sheet.working.add_standing(block, motion);
         }
-        let length = motion.length();
         let Some(tool) = self.tool(block) else { return };
         match kind {
             MotionType::Rapid => tool.rapid.add(length),
             MotionType::Linear | MotionType::ArcCw | MotionType::ArcCcw => {
                 tool.working.add(length);
                 tool.extents.add_motion(motion, n);
+                tool.extents.add_standing(block, motion);
             }
             MotionType::Thread | MotionType::Reference => {}
         }
@@ -262,18 +247,20 @@ impl SheetReader {
     }
 }
 
-/// Counts one run of a subprogram or macrocycle.
-fn count_run(units: &mut Vec<UnitUse>, l: u32, macrocycle: bool) {
+/// Counts runs of a subprogram or macrocycle.
+fn count_runs(units: &mut Vec<UnitUse>, l: u32, macrocycle: bool, runs: u64) {
     match units.iter_mut().find(|unit| unit.l == l && unit.macrocycle == macrocycle) {
-        Some(unit) => unit.runs += 1,
-        None => units.push(UnitUse { l, macrocycle, runs: 1 }),
+        Some(unit) => unit.runs += runs,
+        None => units.push(UnitUse { l, macrocycle, runs }),
     }
 }
 
 impl ToolUse {
     /// Takes up F, S and D of a block that cuts.
     fn cuts(&mut self, block: &Executed<'_>) {
-        if let Some(feed) = block.feed() {
+        // That of a thread is its pitch, or the speed of its way.
+        let threads = block.motion().is_some_and(|motion| motion.kind() == MotionType::Thread);
+        if let Some(feed) = block.feed().filter(|_| !threads) {
             let value = Micro::from(feed.value);
             let value = if feed.hundredth { value.hundredth() } else { value };
             let (least, greatest) = self.feeds.entry(feed.unit).or_insert((value, value));
@@ -333,6 +320,9 @@ impl Sink for SheetReader {
     }
 
     fn end(mut self, _: End, _: &mut Findings) -> Sheet {
+        let Sheet { working, all, tools, .. } = &mut self.sheet;
+        let tools = tools.iter_mut().map(|tool| &mut tool.extents);
+        std::iter::once(working).chain(tools).for_each(|extents| extents.end(all));
         if self.sheet.head.diameter {
             let tools = self.sheet.tools.iter_mut().map(|tool| &mut tool.extents);
             [&mut self.sheet.working, &mut self.sheet.all].into_iter().chain(tools).for_each(Extents::in_diameters);
