@@ -5,7 +5,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 
-import { drawn, folder, launch, open, page, root } from './chromium.mjs';
+import { drawn, folder, launch, open, page, root, run } from './chromium.mjs';
 
 const sample = (name) => path.join(root, 'samples', name);
 let browser;
@@ -84,6 +84,20 @@ test('a lathe is seen in ZX, with diameters along X', { timeout: 60_000 }, async
   assert.ok(far.y < near.y, 'X up');
   await drawn(tab);
   assert.match(await tab.evaluate(() => document.querySelector('.cells').textContent), /X14\.000Ø 28\.000/);
+  // The size of the work is that of the set-up sheet, in diameters.
+  await tab.click('#tab-measure');
+  const sizes = await tab.evaluate(() =>
+    [...document.querySelectorAll('.measure table')[0].querySelectorAll('tr')]
+      .slice(1)
+      .map((row) => [...row.children].map((cell) => cell.textContent)),
+  );
+  const { X } = JSON.parse(run('report', sample('ok/turned-shaft.nc'), '--format', 'json').stdout).extents.working;
+  assert.deepEqual(sizes[0], ['ØX', X[0], X[1], X[1] - X[0]].map(String));
+  assert.deepEqual(
+    sizes.map(([name]) => name),
+    ['ØX', 'Z'],
+    'Y never moves',
+  );
   assert.deepEqual(wrong, []);
   await close();
 });

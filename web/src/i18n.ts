@@ -105,7 +105,7 @@ const TEXTS = {
   setFrom: ['From here', 'Odtud'],
   setTo: ['To here', 'Sem'],
   pathLength: ['Path', 'Dráha'],
-  blocks: ['blocks', 'bloků'],
+  blockCount: ['blocks: {n}', 'počet bloků: {n}'],
   tools: ['Tools', 'Nástroje'],
   noTool: ['before the first tool', 'před prvním nástrojem'],
   units: ['Program and subprograms', 'Program a podprogramy'],

@@ -51,14 +51,15 @@ export class Path {
   readonly unknown: number;
   /** Executed blocks with a line. */
   readonly segments: number;
-  readonly #axes: Vector;
+  /** The places of X, Y, Z among the axes of the machine; -1: it has none. */
+  readonly axes: Vector;
   readonly #shapes: (LineShape | undefined)[];
 
   constructor(program: Program) {
     this.program = program;
-    this.#axes = spaceAxes(program);
+    this.axes = spaceAxes(program);
     this.#shapes = program.header.shapes.map(lineOf);
-    const [X, Y, Z] = this.#axes;
+    const [X, Y, Z] = this.axes;
     const rows = new Int32Array(program.rows);
     const none = new Uint8Array(program.rows);
     const [px, py, pz] = [X, Y, Z].map((axis) => program.position[axis] ?? none) as [Numbers, Numbers, Numbers];
@@ -124,20 +125,24 @@ export class Path {
     return low < this.rows.length && this.rows[low] === row;
   }
 
+  /** Whether the position of an axis of the machine is known after some row. */
+  isEverKnown(axis: number): boolean {
+    const { header, letters } = this.program;
+    return axis >= 0 && header.shapes.some((shape) => shape.k?.includes(letters[axis]!));
+  }
+
   /** Whether all of X, Y, Z that are ever known are known before and after a row. */
   isKnown(row: number): boolean {
     const { program } = this;
     const before = program.before[row]!;
-    const ever = (axis: number): boolean =>
-      program.header.shapes.some((shape) => shape.k?.includes(program.letters[axis]!));
     const known = (axis: number): boolean =>
-      axis < 0 || !ever(axis) || (program.isKnown(row, axis) && program.isKnown(before, axis));
-    return this.#axes.every(known);
+      !this.isEverKnown(axis) || (program.isKnown(row, axis) && program.isKnown(before, axis));
+    return this.axes.every(known);
   }
 
   /** Where the tool stands after a row, in millimetres; 0 along an axis that the machine has not. */
   point(row: number): Vector {
-    return this.#axes.map((axis) => (axis < 0 ? 0 : this.program.positionOf(row, axis))) as Vector;
+    return this.axes.map((axis) => (axis < 0 ? 0 : this.program.positionOf(row, axis))) as Vector;
   }
 
   start(row: number): Vector {
@@ -147,8 +152,8 @@ export class Path {
   /** Tells of rows whether the tool stands within so many pixels after them, by the coefficients of a projection. */
   within(m: Float64Array, width: number, height: number): (row: number) => boolean {
     const none = new Uint8Array(0);
-    const [px, py, pz] = this.#axes.map((axis) => this.program.position[axis] ?? none) as [Numbers, Numbers, Numbers];
-    const [sx, sy, sz] = this.#axes.map((axis) => 1 / (this.program.per[axis] ?? 1)) as Vector;
+    const [px, py, pz] = this.axes.map((axis) => this.program.position[axis] ?? none) as [Numbers, Numbers, Numbers];
+    const [sx, sy, sz] = this.axes.map((axis) => 1 / (this.program.per[axis] ?? 1)) as Vector;
     return (row) => {
       const [x, y, z] = [(px[row] ?? 0) * sx, (py[row] ?? 0) * sy, (pz[row] ?? 0) * sz];
       const px0 = m[0]! * x + m[1]! * y + m[2]! * z + m[3]!;
@@ -184,7 +189,7 @@ export class Path {
       [u, x],
       [v, y],
     ] as const) {
-      const place = this.#axes.indexOf(axis);
+      const place = this.axes.indexOf(axis);
       if (place >= 0) {
         point[place] = value;
       }
@@ -244,7 +249,7 @@ export class Path {
     const all = empty();
     const working = empty();
     const { program } = this;
-    const [X, Y, Z] = this.#axes;
+    const [X, Y, Z] = this.axes;
     const include = (box: Box, i: number, value: number): void => {
       if (value < box.min[i]!) {
         box.min[i] = value;

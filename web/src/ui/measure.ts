@@ -14,14 +14,16 @@ export function measure(app: App, view: View): HTMLElement {
       return h('section', {}, h('h2', {}, t(key)), h('p', { class: 'empty' }, t('noMotions')));
     }
     const { min, max } = of;
-    const rows = ['X', 'Y', 'Z'].map((letter, i) =>
-      h(
-        'tr',
-        {},
-        h('th', { scope: 'row' }, letter),
-        ...[min[i]!, max[i]!, max[i]! - min[i]!].map((value) => h('td', {}, shown(value))),
-      ),
-    );
+    const { diameter } = app.header;
+    const rows = ['X', 'Y', 'Z'].map((letter, i) => {
+      if (!app.path.isEverKnown(app.path.axes[i]!)) {
+        return null;
+      }
+      // As the picture's axis counts.
+      const [name, times] = letter === 'X' && diameter ? ['ØX', 2] : [letter, 1];
+      const values = [min[i]!, max[i]!, max[i]! - min[i]!].map((value) => h('td', {}, shown(times * value)));
+      return h('tr', {}, h('th', { scope: 'row' }, name), ...values);
+    });
     const head = ['', t('from'), t('to'), t('size')].map((name) =>
       name === '' ? h('td') : h('th', { scope: 'col' }, name),
     );
@@ -33,10 +35,12 @@ export function measure(app: App, view: View): HTMLElement {
     const distance = h('section', {}, h('h2', {}, t('distance')));
     if (measured.length === 2) {
       const [a, b] = [measured[0]!.point, measured[1]!.point];
-      const parts = a.map((value, i) => shown(Math.abs(b[i]! - value)));
+      const apart = a.map((value, i) => Math.abs(b[i]! - value));
+      const parts = apart.map(shown);
+      const also = app.header.diameter ? ` (Ø ${shown(2 * apart[0]!)})` : '';
       distance.append(
         h('p', { class: 'result' }, `${shown(Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]))} mm`),
-        h('p', {}, `ΔX ${parts[0]} · ΔY ${parts[1]} · ΔZ ${parts[2]}`),
+        h('p', {}, `ΔX ${parts[0]}${also} · ΔY ${parts[1]} · ΔZ ${parts[2]}`),
       );
     } else if (view.onPoint !== undefined) {
       distance.append(h('p', {}, t(measured.length === 0 ? 'pickFirst' : 'pickSecond')));
@@ -98,7 +102,7 @@ export function measure(app: App, view: View): HTMLElement {
       }
       const n = (index: number): string => `N${app.program.n[app.place(index).block]!}`;
       const rows: [string, string][] = [
-        [`${n(from)} … ${n(to)}`, `${to - from + 1} ${t('blocks')}`],
+        [`${n(from)} … ${n(to)}`, t('blockCount', { n: to - from + 1 })],
         [t('pathLength'), `${shown(length)} mm`],
       ];
       if (app.times !== undefined) {

@@ -18,7 +18,7 @@ export function title(app: App): HTMLElement {
     const least = total?.['at_least'] === true ? `${t('lowerBound')} ` : '';
     const approach = total?.['without_approach'] === true ? `, ${t('withoutApproach')}` : '';
     facts.title = program.name;
-    const parts = [program.name.split(/[/\\]/).pop() ?? '', `${local(app.header.blocks)} ${t('blocks')}`];
+    const parts = [program.name.split(/[/\\]/).pop() ?? '', t('blockCount', { n: local(app.header.blocks) })];
     if (typeof time === 'number') {
       parts.push(least + clock(time) + approach);
     }
