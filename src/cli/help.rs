@@ -29,7 +29,7 @@ fn localized(command: Command, lang: Lang) -> Command {
     let name = command.get_name().to_owned();
     let command = match commands().find(|text| text.name == name) {
         Some(text) if text.examples.en.is_empty() => command.about(text.about.get(lang)),
-        Some(text) => command.about(text.about.get(lang)).after_help(text.examples.get(lang).trim_end()),
+        Some(text) => command.about(text.about.get(lang)).after_help(examples(text, lang)),
         None => command,
     };
     let styles = Styles::styled();
@@ -46,6 +46,13 @@ fn localized(command: Command, lang: Lang) -> Command {
         .subcommand_value_name(value)
         .mut_args(|argument| localized_argument(argument, &name, lang))
         .mut_subcommands(|subcommand| localized(subcommand, lang))
+}
+
+/// The examples of a command, without those that this build does not take.
+fn examples(text: &CommandText, lang: Lang) -> String {
+    let lines = text.examples.get(lang).trim_end().lines();
+    let taken: Vec<&str> = lines.filter(|line| cfg!(feature = "arrow") || !line.contains("--format arrow")).collect();
+    taken.join("\n")
 }
 
 fn localized_argument(argument: Arg, command: &str, lang: Lang) -> Arg {

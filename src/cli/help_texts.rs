@@ -405,8 +405,16 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "compile",
         "format",
         Options,
-        "How findings are shown; arrow: the stream is written as Arrow columns",
-        "Jak se hlášení vypíšou; arrow: proud se zapíše jako sloupce Arrow",
+        if cfg!(feature = "arrow") {
+            "How findings are shown; arrow: the stream is written as Arrow columns"
+        } else {
+            "How findings are shown"
+        },
+        if cfg!(feature = "arrow") {
+            "Jak se hlášení vypíšou; arrow: proud se zapíše jako sloupce Arrow"
+        } else {
+            "Jak se hlášení vypíšou"
+        },
     ),
     arg(
         "compile",

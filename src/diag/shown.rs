@@ -71,7 +71,8 @@ fn name_of(code: &str) -> Option<String> {
     Some(format!("{name} ({code:02X}h)"))
 }
 
-/// `text` for a message: control characters and bidirectional marks as `\u{…}`, shortened in the middle of nowhere.
+/// `text` for a message: control characters and bidirectional marks as `\u{…}`, tabs as blanks, shortened in the middle
+/// of nowhere.
 pub fn shown(text: &str) -> String {
     let mut result = String::new();
     for (count, character) in text.chars().enumerate() {
@@ -79,7 +80,7 @@ pub fn shown(text: &str) -> String {
             result.push('…');
             break;
         }
-        push_safe(&mut result, character);
+        push_safe(&mut result, if character == '\t' { ' ' } else { character });
     }
     result
 }
@@ -91,6 +92,7 @@ mod tests {
     #[test]
     fn terminals_get_no_raw_controls() {
         assert_eq!(shown("a\u{1b}[2Jb\u{202e}"), "a\\u{1b}[2Jb\\u{202e}");
+        assert_eq!(shown("N20\tG1"), "N20 G1");
         assert_eq!(shown(&"x".repeat(100)).chars().count(), LONGEST + 1);
     }
 

@@ -229,13 +229,14 @@ pub(super) fn other_range(address: Address, range: &str, mode: Option<GCode>, la
             "a tool has a number of at most eight digits; its correction is chosen by `D`",
             "číslo nástroje má nejvýše osm číslic; korekce se volí adresou D",
         ),
+        Address::I if mode == Some(GCode::G23) => ("I chooses the dynamic set", "I volí dynamickou sadu"),
         Address::I | Address::J | Address::K => (
             "a number without a decimal point counts whole millimetres, not thousandths",
             "číslo bez desetinné tečky jsou celé milimetry, ne tisíciny",
         ),
         Address::R => (
-            "a number with a decimal point has up to five digits before it, one without up to eight digits",
-            "číslo s desetinnou tečkou má před ní nejvýše pět číslic, číslo bez ní nejvýše osm",
+            "a number with decimal places goes up to 69999.999, a whole one up to 99999999",
+            "číslo s desetinnými místy smí být nejvýše 69999.999, celé číslo nejvýše 99999999",
         ),
         // The limit can be set no higher.
         Address::S if range.contains("99999") => ("speeds have at most five digits", "otáčky mají nejvýše pět číslic"),

@@ -11,9 +11,10 @@ use super::edit_texts::EditText;
 use super::line_length::first_long_line;
 use super::output::{Output, Written};
 use crate::config::Settings;
-use crate::diag::{Code, Findings};
+use crate::diag::Code;
 use crate::dict::{Address, GCode, HIGHEST_BLOCK, HIGHEST_L};
 use crate::resolve::{Resolved, Roles, Taker, Target, UnitKind};
+use crate::session::Outcome;
 use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, SourceText, Span};
@@ -100,7 +101,7 @@ pub(crate) fn renumbered(
     out: &mut dyn FnMut(&[u8]),
 ) -> Result<(bool, Renumbering), EditText> {
     let (outcome, resolved) = alone::resolve(path, source, settings);
-    if let Some(unread) = first_unread(&outcome.findings, source) {
+    if let Some(unread) = first_unread(&outcome) {
         return Err(unread);
     }
     let renumbering = renumber(&resolved, numbering)?;
@@ -113,10 +114,11 @@ pub(crate) fn renumbered(
 }
 
 /// The first line of a file that could not be read: then no number is safe to change (REN-5).
-pub(crate) fn first_unread(findings: &Findings, source: &SourceText) -> Option<EditText> {
+pub(crate) fn first_unread(outcome: &Outcome) -> Option<EditText> {
     let is_unread = |code| alone::is_malformed(code) || matches!(code, Code::E0115 | Code::E0203);
-    let unread = findings.items().iter().filter(|item| item.at.file == FILE && is_unread(item.code()));
+    let unread = outcome.findings.items().iter().filter(|item| item.at.file == FILE && is_unread(item.code()));
     let first = unread.min_by_key(|item| item.at)?;
+    let source = outcome.sources.get(FILE)?;
     Some(EditText::Unread { line: source.line_column(first.at.span.start).line, code: first.code() })
 }
 

@@ -14,7 +14,7 @@ use crate::edit::renumber::first_unread;
 use crate::query;
 use crate::query::cancel::Cancel;
 use crate::session::{Outcome, Session};
-use crate::text::{FileId, Loader, Sources};
+use crate::text::{Loader, Sources};
 
 /// Findings that need no execution are shown after this time, when execution takes longer.
 const PATIENCE: Duration = Duration::from_millis(400);
@@ -156,7 +156,7 @@ pub(super) fn run(
                 state: Arc::default(),
             },
             files: files.clone(),
-            unread: outcome.sources.get(FileId(0)).and_then(|source| first_unread(&outcome.findings, source)),
+            unread: first_unread(&outcome),
         },
         [read.clone(), paths(files, &outcome.sources)].concat(),
     );
@@ -171,9 +171,7 @@ pub(super) fn run(
         if cancel.is_cancelled() {
             return None;
         }
-        if let Some(recorded) = recorded {
-            let _ = record.set(recorded);
-        }
+        let _ = recorded.map(|recorded| record.set(recorded));
     }
     read.extend(paths(files, &outcome.sources));
     let Outcome { sources, findings, .. } = outcome;

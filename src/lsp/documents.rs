@@ -20,7 +20,7 @@ use super::server::Server;
 use super::texts::Text;
 use super::workers::guarded;
 use crate::session::Session;
-use crate::text::{SourceText, Span};
+use crate::text::{Loader as _, SourceText, Span};
 
 impl Server {
     pub(super) fn did_open(&mut self, params: Value) -> Result<(), String> {
@@ -113,7 +113,8 @@ impl Server {
         let path = self.files.path_of(&uri);
         self.files.forget();
         let Some(closed) = self.files.open_mut().remove(&path) else { return Err("not open".to_owned()) };
-        if is_configuration(&path) && !std::fs::read(&path).is_ok_and(|saved| saved == closed.source.text().as_bytes())
+        if is_configuration(&path)
+            && !self.files.read(&path).is_ok_and(|saved| saved == closed.source.text().as_bytes())
         {
             self.client.forget_good();
         }

@@ -75,7 +75,7 @@ fn read_content(input: &mut impl BufRead, length: usize) -> io::Result<Incoming>
     }
     Ok(match understand(&content) {
         Incoming::Malformed { code: ErrorCode::ParseError, .. } => understand(&without_half_characters(&content)),
-        understood => understood,
+        understood @ (Incoming::Message(_) | Incoming::Malformed { .. }) => understood,
     })
 }
 

@@ -14,7 +14,7 @@ use super::words::{BlockWords, Valued};
 use super::{arc_findings, planes, spindle, warnings};
 use crate::config::Machine;
 use crate::diag::{CenterPlace, Finding};
-use crate::dict::{Address, Decimal, GCode, GGroup, Micro};
+use crate::dict::{Address, Decimal, GCode, GGroup, Micro, Plane};
 use crate::resolve::centers_without_use;
 use crate::syntax::BlockFlags;
 
@@ -282,8 +282,10 @@ fn find_arc(
         if unclear || goes_on && words.written(GGroup::G0).is_none() {
             return None;
         }
+        let of_machine = |plane: &Plane| planes::axes_of(&machine.axes, *plane).is_some();
+        let other = Plane::ALL.into_iter().find(of_machine).filter(|_| !of_machine(&plane));
         let plane = format!("{} ({})", plane.name, plane.function);
-        let finding = Finding::ArcAxes { plane, many: travels.len() > 3 };
+        let finding = Finding::ArcAxes { plane, many: travels.len() > 3, other };
         arc_findings::found(site, state, (words, g), finding, words.place_of_motion(site));
         return None;
     };
@@ -318,7 +320,9 @@ fn find_arc(
         state.said.arc_mode = false;
     }
     // Of an axis that the arc does not have one finding is enough.
-    if !moving.stale.is_empty() && !unclear && !off_plane {
+    let is_stale =
+        if off_plane { pair.iter().any(|axis| moving.stale.contains(*axis)) } else { !moving.stale.is_empty() };
+    if is_stale && !unclear {
         arc_findings::found(site, state, (words, g), Finding::ArcAfterOriginChange {}, words.place_of_motion(site));
     }
     arc.computed = Some(computed);

@@ -346,8 +346,11 @@ impl State {
 
     /// The machine moved, nobody knows where.
     pub(super) fn lose_positions(&mut self) {
-        self.positions = [Position::Unknown; 9];
-        self.said.arc_starts = AxisSet::default();
+        for (axis, position) in self.positions.iter_mut().enumerate() {
+            if std::mem::replace(position, Position::Unknown) != Position::Unknown {
+                self.said.arc_starts.remove(axis);
+            }
+        }
     }
 
     /// Where a macrocycle of the machine left the axes that it may move is not known (FLW-12).

@@ -33,7 +33,7 @@ pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &Block
         && !state.said.speed
     {
         state.said.speed = true;
-        site.found(Finding::MissingSpindleSpeed { function }, words.place_of_motion(site));
+        site.found(Finding::MissingSpindleSpeed { function, thread }, words.place_of_motion(site));
     }
     if lacks_spindle(site, state, thread) {
         state.said.spindle_stopped = true;

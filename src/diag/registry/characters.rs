@@ -91,7 +91,8 @@ macro_rules! characters {
         [E0107] LetterForDigit "letter-for-digit" Error { fixed: String }
             en "a letter in place of a digit"
             cs "místo číslice je písmeno"
-            help "write `{fixed}`" | "napsat „{fixed}“"
+            help (if fixed.is_empty() { String::new() } else { format!("write `{fixed}`") })
+               | (if fixed.is_empty() { String::new() } else { format!("napsat „{fixed}“") })
         [W0108] LowercaseAddress "lowercase-address" Warning { count: usize }
             en (if *count == 1 {
                 "an address in lower case".to_owned()

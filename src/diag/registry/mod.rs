@@ -31,7 +31,7 @@ use super::{
     NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant,
     TextMeant, Unmodelled, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
-use crate::dict::{Address, Dialect, FeedPer, GCode, GGroup, Lang, Plane};
+use crate::dict::{Address, Dialect, FeedPer, GCode, GGroup, Lang, Plane, REDUCED_FEED};
 use crate::sure::Sure;
 pub use rows::Severity;
 use rows::{diagnostics, optional_text, text};

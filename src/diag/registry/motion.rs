@@ -40,9 +40,17 @@ macro_rules! motion {
             cs "poloměr na začátku oblouku je {start}, na konci {end}"
             help (points.help(meant, Lang::En)) | (points.help(meant, Lang::Cs))
             note (points.text(Lang::En)) | (points.text(Lang::Cs))
-        [W0604] MissingSpindleSpeed "missing-spindle-speed" Warning { function: GCode }
-            en "working motion under {function} before the program sets a spindle speed"
-            cs "pracovní pohyb při {function} dřív, než program zadal otáčky"
+        [W0604] MissingSpindleSpeed "missing-spindle-speed" Warning { function: GCode, thread: bool }
+            en (if *thread {
+                "a thread is cut before the program sets a spindle speed".to_owned()
+            } else {
+                format!("working motion under {function} before the program sets a spindle speed")
+            })
+            cs (if *thread {
+                "řezání závitu dřív, než program zadal otáčky".to_owned()
+            } else {
+                format!("pracovní pohyb při {function} dřív, než program zadal otáčky")
+            })
             help "write `S` in this block or before it" | "zadat S v tomto bloku nebo před ním"
         [W0605] IncrementalFromUnknown "incremental-from-unknown" Warning { axis: char }
             en "{axis} moves by a distance from a position that the program does not know"
@@ -82,7 +90,7 @@ macro_rules! motion {
             en "an arc right after a change of origin or correction: its start is not where the tool is"
             cs "oblouk hned po změně počátku nebo korekce: nezačíná tam, kde stojí nástroj"
             help "move by a straight line (G00, G01) first" | "nejdřív zařadit přímkový pohyb (G00, G01)"
-        [E0611] ArcAxes "arc-axes" Error { plane: String, many: bool }
+        [E0611] ArcAxes "arc-axes" Error { plane: String, many: bool, other: Option<Plane> }
             en (if *many {
                 "an arc takes at most three axis words".to_owned()
             } else {
@@ -93,8 +101,19 @@ macro_rules! motion {
             } else {
                 format!("slova os oblouku nesouhlasí s platnou rovinou {plane}")
             })
-            help "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX"
-               | "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX"
+            help (match other {
+                Some(Plane { name, function, .. }) => {
+                    format!("the machine lacks an axis of this plane: write both axes of {name}, the plane of {function}")
+                }
+                None => "write both axes of the plane, and one more at most for a helix; here G18 is YZ and G19 is ZX"
+                    .to_owned(),
+            })
+               | (match other {
+                   Some(Plane { name, function, .. }) => {
+                       format!("stroj některou osu této roviny nemá: uvést obě osy roviny {name}, kterou volí {function}")
+                   }
+                   None => "uvést obě osy roviny a pro šroubovici nejvýše jednu další; G18 je zde YZ a G19 je ZX".to_owned(),
+               })
         [W0612] FunctionNotModelled "function-not-modelled" Warning { what: Unmodelled }
             en (what.message(Lang::En))
             cs (what.message(Lang::Cs))
@@ -190,26 +209,24 @@ macro_rules! motion {
             help "write the speed `S` before this motion" | "zadat otáčky S před tímto pohybem"
         [W0623] FunctionWithoutMeaning "function-without-meaning" Warning { m: u8, feed: bool }
             en (if *feed {
-                format!(
-                    "M{m} does nothing on CNC872, where CNC8x6 and CNC8x9 take the feed by it: it stays as programmed"
-                )
+                format!("M{m} changes the feed on CNC8x6 and CNC8x9 only: on CNC872 it does nothing")
             } else {
                 format!("the ChannelConfig does not define M{m}")
             })
             cs (if *feed {
-                format!("M{m} na CNC872 nic nedělá: posuv, který mění na CNC8x6 a CNC8x9, zůstává, jak je programován")
+                format!("M{m} mění posuv jen na CNC8x6 a CNC8x9, na CNC872 nedělá nic")
             } else {
                 format!("ChannelConfig funkci M{m} nedefinuje")
             })
-            help (if *feed {
-                "write the feed itself; when the machine has the function, list it in `MFunctions`"
-            } else {
-                "check the number, or list the function in `MFunctions`"
+            help (match (feed, *m) {
+                (true, REDUCED_FEED) => "write the feed itself; when the machine has the function, list it in `MFunctions`",
+                (true, _) => "delete it: `F` holds as programmed; when the machine has the function, list it in `MFunctions`",
+                (false, _) => "check the number, or list the function in `MFunctions`",
             })
-               | (if *feed {
-                   "zadat přímo posuv; má-li stroj tuto funkci, uvést ji v MFunctions"
-               } else {
-                   "zkontrolovat číslo, nebo funkci uvést v MFunctions"
+               | (match (feed, *m) {
+                   (true, REDUCED_FEED) => "zadat přímo posuv; má-li stroj tuto funkci, uvést ji v MFunctions",
+                   (true, _) => "vymazat ji: F platí, jak je programováno; má-li stroj tuto funkci, uvést ji v MFunctions",
+                   (false, _) => "zkontrolovat číslo, nebo funkci uvést v MFunctions",
                })
         [W0624] CorrectionOnArc "correction-on-arc" Warning { function: GCode, sides: bool }
             en (if *sides {

@@ -69,8 +69,12 @@ pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let digit = look_alike(byte).filter(|_| matches!(byte, b'l' | b'S' | b'B') || byte == b'I' && !centre())?;
     let written = format!("{}{digit}", around.slice(word.span()).to_ascii_uppercase());
     let span = word.span().to(letter.span());
-    Number::parse(written.get(1..)?.trim_start_matches([' ', '\t']).as_bytes())?;
-    let found = around.offering(span, Finding::LetterForDigit { fixed: shown(&written) }, written);
+    let number = Number::parse(written.get(1..)?.trim_start_matches([' ', '\t']).as_bytes())?;
+    let found = if address != Address::G || around.may_be_function(word.start, number) {
+        around.offering(span, Finding::LetterForDigit { fixed: shown(&written) }, written)
+    } else {
+        around.diagnostic(span, Finding::LetterForDigit { fixed: String::new() })
+    };
     Some(Diagnosis::saying(2, found).void(address, span).junk(letter.span()))
 }
 
@@ -119,7 +123,11 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
     }
     let sign = head.chars().next_back().filter(|sign| matches!(sign, '+' | '-')).map(String::from).unwrap_or_default();
     let number = digit.map(|digit| format!("{sign}{digit}{}", around.number(behind)));
-    let number = number.filter(|number| Number::parse(number.as_bytes()).is_some());
+    let of_function = Address::from_byte(around.byte(span.start)) == Some(Address::G);
+    let number = number.filter(|number| {
+        Number::parse(number.as_bytes())
+            .is_some_and(|number| !of_function || around.may_be_function(span.start, number))
+    });
     let found = match number.map(|number| format!("{}{number}", head.trim_end_matches(['+', '-']))) {
         Some(written) => {
             let meant = ValueMeant::LetterForDigit { letter: char::from(letter).to_string(), written: shown(&written) };

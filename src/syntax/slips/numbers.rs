@@ -113,6 +113,14 @@ impl Broken<'_> {
                 return (None, Some(around.diagnostic(span, finding)));
             }
         };
+        // A function that does not exist, or that another one of the block excludes, was not meant.
+        if let (None, Some(number)) = (certain, number)
+            && address == Address::G
+            && !around.may_be_function(span.start, number)
+            && let Finding::LetterForDigit { .. } = finding
+        {
+            return (None, Some(around.diagnostic(span, Finding::LetterForDigit { fixed: String::new() })));
+        }
         let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
         let found = around.diagnostic(span, finding).with_edits(certain, write(&fixed), edits);
         (number.filter(|_| certain.is_some()), Some(found))
