@@ -171,7 +171,7 @@ pub(super) fn run(
         if cancel.is_cancelled() {
             return None;
         }
-        let _ = recorded.map(|recorded| record.set(recorded));
+        let _ = recorded.is_none_or(|recorded| record.set(recorded).is_ok());
     }
     read.extend(paths(files, &outcome.sources));
     let Outcome { sources, findings, .. } = outcome;
