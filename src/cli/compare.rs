@@ -104,7 +104,7 @@ fn draw(read: &Read, side: &Side, compared: Option<Value>) -> Result<Vec<u8>, Fa
     let target = job.target();
     let changed = || Failure::from(Words::ProgramChanged { file: path_name(&target.path) });
     let settings = projects.settings(target).ok_or_else(changed)?;
-    let mut collector = Collector::new(settings, Part::default(), Keep::Records).within(memory::room() / 2);
+    let mut collector = Collector::new(settings, Part::default(), Keep::Records).within(|| memory::room() / 2);
     let session = Session { loader: &job.loader, settings, progress: None };
     let outcome = session.draw(&target.path, &target.name(), collector.sink()).outcome;
     if collector.is_too_large() {

@@ -45,7 +45,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let keep = if form == Form::Page { Keep::Records } else { Keep::Geometry };
     let part = Part { from: args.from, blocks: args.blocks };
-    let mut collector = Collector::new(settings, part, keep).within(memory::room());
+    let mut collector = Collector::new(settings, part, keep).within(memory::room);
     let run = session.draw(&job.target().path, &job.target().name(), collector.sink());
     drop(progress);
     if collector.is_too_large() {

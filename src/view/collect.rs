@@ -32,7 +32,9 @@ pub struct Collector {
     planned: Fold<(Step, bool), (Planner, Times)>,
     equidistant: Equidistant,
     errors: Errors,
-    /// Bytes that may be kept.
+    /// Tells, as execution begins, how many bytes may be kept.
+    room: fn() -> usize,
+    /// So many may.
     most: usize,
     too_large: bool,
     /// Whether nothing of the machine's motion is configured.
@@ -78,6 +80,7 @@ impl Collector {
             planned,
             equidistant: Equidistant::new(settings, true),
             errors: Errors::default(),
+            room: || usize::MAX,
             most: usize::MAX,
             too_large: false,
             assumed: !settings.machine.motion.configured,
@@ -87,10 +90,10 @@ impl Collector {
         }
     }
 
-    /// The same; execution is given up when more than so many bytes would have to be kept.
+    /// The same; execution is given up when more bytes would have to be kept than there is room for as it begins.
     #[must_use]
-    pub fn within(self, most: usize) -> Self {
-        Self { most, ..self }
+    pub fn within(self, room: fn() -> usize) -> Self {
+        Self { room, ..self }
     }
 
     /// Whether execution was given up because too much would have to be kept.
@@ -326,6 +329,7 @@ impl Sink for Collect<'_> {
     type Whole = ();
 
     fn begin(&mut self, start: &Program<'_>) {
+        self.collector.most = (self.collector.room)();
         let Collector { rows, program, .. } = &mut *self.collector;
         if let Some(file) = start.resolved.file(FileId(0)) {
             introduce(file, &mut rows.files, program);

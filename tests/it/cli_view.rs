@@ -207,17 +207,17 @@ fn a_picture_gives_up_before_memory_runs_out() {
     let program = format!("%1\nN1 G90 G0 X0 Y0 Z0\nN2 G1 X1 F1000\n{body}N9000 M30\n");
     let loader = cnc872c::text::MemoryLoader::new().with("a.nc", program);
     let settings = cnc872c::config::Settings::default();
-    let too_large = |keep: Keep, part: Part, most: usize| {
-        let mut collector = Collector::new(&settings, part, keep).within(most);
+    let too_large = |keep: Keep, part: Part, room: fn() -> usize| {
+        let mut collector = Collector::new(&settings, part, keep).within(room);
         let session = Session { loader: &loader, settings: &settings, progress: None };
         let run = session.draw(std::path::Path::new("a.nc"), "a.nc", collector.sink());
         (collector.is_too_large(), run.whole.is_some())
     };
     let all = Part { from: 0, blocks: None };
-    assert_eq!(too_large(Keep::Records, all, 100_000), (true, false));
-    assert_eq!(too_large(Keep::Records, all, 100_000_000), (false, true));
+    assert_eq!(too_large(Keep::Records, all, || 100_000), (true, false));
+    assert_eq!(too_large(Keep::Records, all, || 100_000_000), (false, true));
     // Blocks that are not drawn cost nothing but their places in the text.
-    assert_eq!(too_large(Keep::Records, Part { from: 0, blocks: Some(10) }, 500_000), (false, true));
+    assert_eq!(too_large(Keep::Records, Part { from: 0, blocks: Some(10) }, || 500_000), (false, true));
 }
 
 /// Lines that others cover, and red dots at one place, are drawn once; the picture says how many dots that leaves out.
