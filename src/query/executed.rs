@@ -4,7 +4,7 @@ use super::analysis::Analysis;
 use super::hover_texts::Said;
 use super::meaning::{Subject, file_name};
 use super::moves::{JoinedBy, Moved};
-use super::observe::{MOST, Observation, Observed};
+use super::observe::{Observation, Observed};
 use super::page::Page;
 use super::shown::{count, exact, feed_unit, rounded, speed_unit};
 use super::values::Values;
@@ -85,7 +85,7 @@ impl Subject<'_> {
     fn qualified(&self, text: String, observation: &Observation) -> String {
         let remark = match observation.end {
             Some(_) => return text,
-            None if observation.is_cut() => Said::Cut { most: count(MOST) },
+            None if observation.cut => Said::Cut { most: count(observation.executed) },
             None => Said::NoFurther { last: observation.last },
         };
         format!("{text}, {}", remark.text(self.lang))

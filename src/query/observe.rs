@@ -14,7 +14,7 @@ use crate::config::Machine;
 use crate::diag::Findings;
 use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, M_GROUPS, Micro};
 use crate::resolve::{ControlWord, Library, control_word};
-use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Sink};
+use crate::run::{End, Executed, FeedUnit, Jump, Length, Missing, Passed, Sink};
 use crate::session::{Record, Session};
 use crate::sure::small;
 use crate::syntax::{BlockId, ParsedFile, Value, Word};
@@ -22,7 +22,9 @@ use crate::text::FileId;
 
 /// Most blocks that are executed to answer a request.
 pub(crate) const MOST: u64 = 2_000_000;
-/// Executed blocks between two looks at whether the answer is still wanted.
+/// Most blocks that are looked at one by one for a request that somebody waits for at the pointer.
+const SOON: u64 = 1 << 17;
+/// Blocks looked at between two questions whether the answer is still wanted.
 const PERIOD: u64 = 1 << 12;
 
 /// Different things that the PLC reads in one block, as many as are kept.
@@ -88,17 +90,14 @@ pub(crate) struct Observation {
     pub(crate) last: u32,
     /// How the machine moves, where that is asked for and configured, and the program ended.
     pub(crate) moves: Option<Seen>,
+    /// The program was not executed further because it is long.
+    pub(crate) cut: bool,
 }
 
 impl Observation {
     /// What was seen of a block; `None` unless it was asked for.
     pub(crate) fn of(&self, block: BlockId) -> Option<&Observed> {
         self.blocks.get(&block)
-    }
-
-    /// Whether the program was not executed further because it is long.
-    pub(crate) const fn is_cut(&self) -> bool {
-        self.end.is_none() && self.executed >= MOST
     }
 }
 
@@ -160,6 +159,7 @@ pub(crate) fn observe_inputs(
 ) -> Option<Observation> {
     let mut observer = Observer::new(cancel, program, document, [block]);
     observer.watch(inputs);
+    observer.budget = SOON;
     run(cancel, program, observer)
 }
 
@@ -179,6 +179,8 @@ pub(crate) fn observe_motion(
     if program.settings.machine.motion.configured {
         observer.moves = Some(Moves::new(&program.settings, units.len()));
         observer.units = units.to_vec();
+    } else if !observer.observation.blocks.is_empty() {
+        observer.budget = SOON;
     }
     run(cancel, program, observer)
 }
@@ -194,8 +196,9 @@ fn run(cancel: &Cancel, program: &Analysis, mut observer: Observer<'_>) -> Optio
         return None;
     }
     let Observer { mut observation, moves, .. } = observer;
+    observation.cut |= observation.end.is_none() && observation.executed >= MOST;
     observation.moves = moves.filter(|_| observation.end.is_some()).map(Moves::finish);
-    if !observation.is_cut() {
+    if !observation.cut {
         observation.blocks.values_mut().for_each(Observed::disarm);
     }
     Some(observation)
@@ -219,6 +222,10 @@ struct Observer<'a> {
     files: Vec<Option<bool>>,
     /// After so many executed blocks there is nothing more to be seen.
     until: u64,
+    /// The file that the blocks in question are in, when nothing but these is looked at.
+    only: Option<FileId>,
+    /// So many more blocks may be looked at.
+    budget: u64,
 }
 
 impl<'a> Observer<'a> {
@@ -264,6 +271,8 @@ impl<'a> Observer<'a> {
             before,
             files: Vec::new(),
             until: MOST,
+            only: None,
+            budget: MOST,
         }
     }
 
@@ -272,29 +281,34 @@ impl<'a> Observer<'a> {
         let blocks: BTreeSet<BlockId> = self.observation.blocks.keys().copied().collect();
         let read = (record.resolved(), record.sources());
         let mut left = MOST;
-        let mut all = true;
         for (index, (_, source)) in record.sources().iter().enumerate() {
             let file = FileId(small(index));
             if !is(self.program, source.name(), self.document) {
                 continue;
             }
+            self.only = Some(file);
             for (checkpoint, until) in record.visits(file, &blocks) {
                 self.until = until.min(checkpoint.executed() + left);
-                all &= self.until == until;
                 left -= self.until - checkpoint.executed();
-                if self.until == checkpoint.executed() {
+                self.observation.cut |= self.until < until;
+                if self.until > checkpoint.executed() {
+                    self.observation.executed = checkpoint.executed();
+                    for (index, value) in &mut self.before {
+                        *value = checkpoint.parameter(*index);
+                    }
+                    self.program.session().observe_from(&self.program.path, read, checkpoint, &mut *self);
+                }
+                if self.observation.cut {
                     break;
                 }
-                for (index, value) in &mut self.before {
-                    *value = checkpoint.parameter(*index);
-                }
-                self.program.session().observe_from(&self.program.path, read, checkpoint, &mut *self);
             }
         }
         self.observation.last = record.last();
-        // What was not looked at is as if it had not been executed.
-        self.observation.executed = if all { record.executed() } else { MOST };
-        self.observation.end = record.end().filter(|_| all);
+        self.observation.end = None;
+        // Of a part of the execution it counts how far that was looked at.
+        if !self.observation.cut {
+            (self.observation.executed, self.observation.end) = (record.executed(), record.end());
+        }
     }
 
     /// Looks at the values of those parameters after each block, too.
@@ -363,13 +377,24 @@ impl<'a> Observer<'a> {
 impl Sink for &mut Observer<'_> {
     type Whole = ();
 
+    fn spares(&self, (file, next): (FileId, BlockId)) -> u64 {
+        let Some(only) = self.only else { return 0 };
+        let asked = self.observation.blocks.range(next..).next().filter(|_| file == only);
+        let ahead = asked.map_or(u64::MAX, |(block, _)| u64::from(block.0 - next.0));
+        ahead.min(self.until.saturating_sub(self.observation.executed + 1))
+    }
+
+    fn passed(&mut self, points: &Passed<'_>) {
+        self.observation.executed = points.first_seq() + u64::from(points.stretch().count());
+    }
+
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
         self.look(block);
-        let executed = self.observation.executed;
-        if executed >= self.until || (executed.is_multiple_of(PERIOD) && self.cancel.is_cancelled()) {
-            return ControlFlow::Break(());
-        }
-        ControlFlow::Continue(())
+        self.budget = self.budget.saturating_sub(1);
+        let over = self.observation.executed >= self.until;
+        self.observation.cut |= !over && self.budget == 0;
+        let unwanted = self.budget.is_multiple_of(PERIOD) && self.cancel.is_cancelled();
+        if over || self.observation.cut || unwanted { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     fn end(self, _: End, _: &mut Findings) {}

@@ -132,10 +132,13 @@ impl Tracker {
             self.came_in_rapid = rapid && (moves || self.came_in_rapid);
         }
         let stands = self.tool_axis.and_then(|at| after.axis_position(at).filter(|_| !after.is_unsettled(at)));
-        // A motion in the block that changes them settles its axes.
+        // D is the radius alone while no length correction is on (MOT-8). A motion in the block that changes them settles
+        // its axes.
+        let corrections = [before, after].map(|state| (state.d(), state.length_correction().filter(|on| *on != 0)));
+        let corrects = corrections.iter().any(|(_, on)| on.is_some()) && corrections[0] != corrections[1];
         let changes = block.m_written().contains(&TOOL_CHANGE)
             || before.origin() != after.origin()
-            || (before.d(), before.length_correction()) != (after.d(), after.length_correction())
+            || corrects
             || self.tool_axis.is_some_and(|at| after.is_unsettled(at) && !before.is_unsettled(at));
         self.highest = if changes { stands } else { self.highest.max(stands) };
         self.before.pass(block);

@@ -291,7 +291,10 @@ fn starts_that_would_be_wrong() {
     let across = |blocks: &str, safe: &str| start(blocks, &[safe]).ends(0).stdout;
     for (blocks, top) in [
         ("N60 G55 G00 Z5\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z5 "),
-        ("N60 D2 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z8 "),
+        ("N30 &0010 Z40\nN60 D2 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z8 "),
+        // Without length correction D is the radius: the heights stay.
+        ("N60 D2 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
+        ("N60 G01 Z0 D2\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
         ("N30 G00 Z8\nN60 G55\nN61 Z6\nN62 G54\nN63 Z7\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z7 "),
     ] {
         let run = start(blocks, &[]).ends(0);
