@@ -343,8 +343,8 @@ pub(super) struct ReportArgs {
     pub file: PathBuf,
     #[arg(long, short, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    #[arg(long, value_name = "FORMAT", default_value = "human")]
-    pub format: ReportFormat,
+    #[arg(long, value_name = "FORMAT")]
+    pub format: Option<ReportFormat>,
     #[arg(long)]
     pub all: bool,
     #[command(flatten)]
@@ -352,9 +352,8 @@ pub(super) struct ReportArgs {
 }
 
 /// In which form `report` writes.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Eq, PartialEq, ValueEnum)]
 pub(super) enum ReportFormat {
-    #[default]
     Human,
     Json,
     Markdown,
@@ -471,9 +470,9 @@ pub(super) enum StatsFormat {
 /// `compare`.
 #[derive(Debug, Args)]
 pub(super) struct CompareArgs {
-    #[arg(value_name = "OLD")]
+    #[arg(value_name = "OLD", display_order = 1)]
     pub old: PathBuf,
-    #[arg(value_name = "NEW")]
+    #[arg(value_name = "NEW", display_order = 2)]
     pub new: PathBuf,
     #[arg(long, value_name = "MM", default_value_t = 0.001, value_parser = not_negative)]
     pub tolerance: f64,

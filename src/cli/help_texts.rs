@@ -89,7 +89,7 @@ pub(super) const COMMANDS: &[CommandText] = &[
     about!(
         "init",
         "Writes a commented project file cnc872c.toml, never over an existing one",
-        "Zapíše projektový soubor cnc872c.toml s poznámkami, existující nikdy nepřepíše"
+        "Zapíše projektový soubor cnc872c.toml s komentáři, existující nikdy nepřepíše"
     ),
     about!(
         "lsp",
@@ -378,7 +378,13 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Write to this file. It is replaced when all is written, and left as it was otherwise",
         "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
     ),
-    arg("report", "format", Options, "The form of the sheet", "Tvar listu"),
+    arg(
+        "report",
+        "format",
+        Options,
+        "The form of the sheet; else by the name of the output file, and human",
+        "Tvar listu; jinak podle názvu výstupního souboru, a human",
+    ),
     arg(
         "stats",
         "paths",

@@ -50,6 +50,10 @@ fn seconds(text: &str) -> Option<f64> {
     if parts.len() > 3 || !parts.iter().all(|part| digits(part)) {
         return None;
     }
+    let below_60 = |part: &&str| part.parse::<f64>().is_ok_and(|value| value < 60.0);
+    if !parts.iter().skip(1).all(below_60) {
+        return None;
+    }
     parts.iter().try_fold(0.0, |sum, part| part.parse::<f64>().ok().map(|value| sum * 60.0 + value))
 }
 
@@ -62,7 +66,7 @@ mod tests {
         assert_eq!(seconds("0:12:30"), Some(750.0));
         assert_eq!(seconds("12:30.5"), Some(750.5));
         assert_eq!(seconds("750"), Some(750.0));
-        assert!(["", ":", "1::2", "-1", "1:2:3:4", "x"].iter().all(|text| seconds(text).is_none()));
+        assert!(["", ":", "1::2", "-1", "1:2:3:4", "x", "0:70", "1:60:00"].iter().all(|text| seconds(text).is_none()));
         assert_eq!((number("N120", 'N'), number("120", 'N'), number("T120", 'N')), (Some(120), Some(120), None));
     }
 }

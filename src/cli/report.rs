@@ -1,6 +1,8 @@
 //! `report`: the set-up sheet of a program.
 
+use std::ffi::OsStr;
 use std::io::Write;
+use std::path::Path;
 
 use super::args::{FindingsArgs, ReportArgs, ReportFormat};
 use super::common::overrides;
@@ -16,6 +18,17 @@ use crate::analysis::sheet::{SheetReader, document, html, json, markdown, text};
 use crate::config::{Overrides, Purpose};
 use crate::diag::Format;
 use crate::session::{Run, Session};
+
+/// As asked for, else as the name of the file says.
+fn format(args: &ReportArgs) -> ReportFormat {
+    let extension = args.output.as_deref().and_then(Path::extension).map(OsStr::to_ascii_lowercase);
+    args.format.unwrap_or_else(|| match extension.as_deref().and_then(OsStr::to_str) {
+        Some("html" | "htm") => ReportFormat::Html,
+        Some("md") => ReportFormat::Markdown,
+        Some("json") => ReportFormat::Json,
+        _ => ReportFormat::Human,
+    })
+}
 
 pub(super) fn run(args: &ReportArgs, locale: Locale) -> Result<Status, Failure> {
     let overrides = Overrides { computes_motion: true, ..overrides(&args.common, locale.lang)? };
@@ -47,7 +60,7 @@ pub(super) fn run(args: &ReportArgs, locale: Locale) -> Result<Status, Failure> 
     if let Some(((sheet, summary), _)) = &whole {
         let assumed = !settings.machine.motion.configured;
         let page = || document(sheet, summary, assumed, locale.lang);
-        let written = match args.format {
+        let written = match format(args) {
             ReportFormat::Human => text(&page()),
             ReportFormat::Json => json(sheet, summary, assumed),
             ReportFormat::Markdown => markdown(&page()),

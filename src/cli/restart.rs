@@ -16,7 +16,7 @@ use crate::analysis::state::{Asked, AtTime, Place, PlaceFault, fault_text};
 use crate::config::Purpose;
 use crate::diag::{Format, terminal_safe};
 use crate::dict::Lang;
-use crate::restart::{Answer, Made, Options, Restart, Said, Spot, list, refusal_text, restart, spot_text};
+use crate::restart::{Answer, Made, Options, Places, Restart, Said, list, refusal_text, restart, spot_text};
 use crate::session::{Outcome, Session};
 use crate::text::Loader;
 
@@ -41,8 +41,8 @@ pub(super) fn run(args: &RestartArgs, locale: Locale) -> Result<Status, Failure>
     let (path, name) = (&job.target().path, job.target().name());
     let (outcome, end) = match named {
         None => {
-            let (outcome, spots) = list(&session, path, &name, options);
-            (outcome, spots.map(End::List))
+            let (outcome, places) = list(&session, path, &name, options);
+            (outcome, places.map(End::List))
         }
         Some(named) => match place(&session, &job, named, locale.lang) {
             Ok(asked) => {
@@ -63,13 +63,14 @@ pub(super) fn run(args: &RestartArgs, locale: Locale) -> Result<Status, Failure>
             lines.for_each(|line| tell(&line, locale.lang));
             return Ok(status);
         }
-        Some(End::List((spots, more))) => {
+        Some(End::List(Places { spots, with_safe: more, refused })) => {
             let mut out = stdout()?;
             for spot in &spots {
                 writeln!(out, "{}", terminal_safe(&spot_text(spot, locale.lang)))?;
             }
             out.flush()?;
-            let none = spots.is_empty().then_some(Said::NoPlaces);
+            let why = refused.map(|reason| reason.text(locale.lang));
+            let none = spots.is_empty().then(|| why.map_or(Said::NoPlaces, |why| Said::NoPlacesBecause { why }));
             let more = (more > 0).then_some(Said::MoreWithSafe { more });
             none.into_iter().chain(more).for_each(|said| {
                 tell(&Words::Place { text: said.text(locale.lang) }, locale.lang);
@@ -94,7 +95,7 @@ pub(super) fn run(args: &RestartArgs, locale: Locale) -> Result<Status, Failure>
 /// What the command ends with.
 enum End {
     Program(Box<Restart>),
-    List((Vec<Spot>, u64)),
+    List(Places),
     Said(String, Status),
 }
 

@@ -83,8 +83,13 @@ fn what(error: &clap::Error, lang: Lang) -> String {
         }
         ErrorKind::InvalidSubcommand => {
             let command = context(error, ContextKind::InvalidSubcommand);
-            text(format!("there is no command `{command}`"), format!("příkaz „{command}“ není"))
+            text(format!("there is no command `{command}`"), format!("příkaz „{command}“ neexistuje"))
         }
+        // One of the group of places.
+        ErrorKind::MissingRequiredArgument if argument == "--n <N>" => text(
+            "the place is missing: --n, --line, --seq, --time or --at-tool".to_owned(),
+            "chybí místo: --n, --line, --seq, --time nebo --at-tool".to_owned(),
+        ),
         ErrorKind::MissingRequiredArgument => text(format!("{argument} is missing"), format!("chybí {argument}")),
         ErrorKind::MissingSubcommand => text("the command is missing".to_owned(), "chybí příkaz".to_owned()),
         ErrorKind::ArgumentConflict => {
@@ -92,7 +97,7 @@ fn what(error: &clap::Error, lang: Lang) -> String {
             if other == argument || other.is_empty() {
                 text(format!("{argument} is given more than once"), format!("{argument} je zadáno vícekrát"))
             } else {
-                text(format!("{argument} does not go with {other}"), format!("{argument} nelze použít s {other}"))
+                text(format!("{argument} cannot be used with {other}"), format!("{argument} nelze použít s {other}"))
             }
         }
         ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues => {

@@ -63,7 +63,10 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
             tell(words, locale.lang);
         }
     };
-    let drawn = executed > 0 && (view.count() > 0 || report.errors() == 0);
+    let drawn = executed > 0 && view.count() > 0;
+    if executed > 0 && !drawn && report.errors() == 0 {
+        say(&Words::EmptyPart { executed, last: executed - 1 });
+    }
     match output {
         _ if unusable => {}
         // An earlier picture shows more than one of nothing.

@@ -55,6 +55,9 @@ bilingual! {
         PictureKept { file: String }
             "{file} stays as it was: nothing of the program can be drawn",
             "{file} zůstává beze změny: z programu není co nakreslit";
+        EmptyPart { executed: u64, last: u64 }
+            "no block is in that part: the program executes {executed} blocks, seq 0 to {last}",
+            "v té části není žádný blok: provedených bloků: {executed}, seq 0 až {last}";
         PictureNeedsMemory
             "the program is too long for one picture: it would take more than 2 GB of memory, or more than there is; \
              draw a part of it with --blocks and --from",
@@ -145,10 +148,10 @@ bilingual! {
             "{file}: nepřečíslováno: {why}";
         NumberMentioned { file: String, line: u32, old: u32, new: u32 }
             "{file}:{line}: the comment names N{old}, which is N{new} now",
-            "{file}:{line}: poznámka uvádí N{old}, což je teď N{new}";
+            "{file}:{line}: komentář uvádí N{old}, což je teď N{new}";
         MoreMentions { file: String, more: usize }
             "{file}: such comments besides: {more}",
-            "{file}: dalších takových poznámek: {more}";
+            "{file}: dalších takových komentářů: {more}";
         CannotRead { file: String, reason: String }
             "{file}: cannot be read: {reason}",
             "{file}: nelze přečíst: {reason}";
@@ -169,21 +172,21 @@ bilingual! {
             "--channel-config nelze použít s {dialect}: ChannelConfig má jen cnc872";
         Written { file: String }
             "{file} is written; its comments say what to set",
-            "{file} je zapsán; co nastavit, říkají poznámky v něm";
+            "{file} je zapsán; co nastavit, říkají komentáře v něm";
         FileExists { file: String }
             "{file} exists, and stays as it is",
             "{file} už existuje a zůstává, jak je";
         NoSuchFolder { folder: String }
             "{folder}: there is no such folder",
-            "{folder}: taková složka není";
+            "{folder}: složka neexistuje";
         NoFolder { folder: String }
             "-L {folder}: there is no such folder",
-            "-L {folder}: taková složka není";
+            "-L {folder}: složka neexistuje";
         LevelUnknown { option: String, name: String }
-            "{option} {name}: no diagnostic has this code or name; `cnc872c explain` lists them all",
+            "{option} {name}: no finding has this code or name; `cnc872c explain` lists them all",
             "{option} {name}: žádné hlášení nemá tento kód ani název; všechna vypíše „cnc872c explain“";
         LevelUnknownNear { option: String, name: String, near: String }
-            "{option} {name}: no diagnostic has this code or name; perhaps {near} is meant",
+            "{option} {name}: no finding has this code or name; perhaps {near} is meant",
             "{option} {name}: žádné hlášení nemá tento kód ani název; možná mělo být {near}";
         LevelOfError { option: String, name: String }
             "{option} {name}: it is an error and cannot be switched off; only warnings and E0109 have a level",
@@ -193,7 +196,7 @@ bilingual! {
             "--param {text}: {fault}";
         NothingToExplain { name: String }
             "{name}: there is no such diagnostic, function, address, key or signal, and no page has the word; \
-             `cnc872c explain` lists the diagnostics",
+             `cnc872c explain` lists the findings",
             "{name}: takové hlášení, funkce, adresa, klíč ani signál není a žádná stránka to slovo nemá; hlášení \
              vypíše „cnc872c explain“";
         NothingToExplainNear { name: String, near: String }
@@ -206,16 +209,16 @@ bilingual! {
             "--set {text}: write a key of [motion] or a machine constant and its value, as in accuracy-um=4",
             "--set {text}: patří sem klíč z [motion] nebo strojní konstanta s hodnotou, například accuracy-um=4";
         SetUnknown { text: String, key: String }
-            "--set {text}: {key} is no key of [motion] and no machine constant",
+            "--set {text}: {key} is neither a key of [motion] nor a machine constant",
             "--set {text}: {key} není klíč z [motion] ani strojní konstanta";
         SetUnknownNear { text: String, key: String, near: String }
-            "--set {text}: {key} is no key of [motion] and no machine constant; perhaps {near} is meant",
+            "--set {text}: {key} is neither a key of [motion] nor a machine constant; perhaps {near} is meant",
             "--set {text}: {key} není klíč z [motion] ani strojní konstanta; možná mělo být {near}";
         SetConstant { text: String, key: String }
             "--set {text}: motion does not depend on {key}",
             "--set {text}: pohyb na {key} nezávisí";
         SetDialect { text: String, dialect: String }
-            "--set {text}: {dialect} takes motion from [motion] and from no constant",
+            "--set {text}: on {dialect} [motion] describes the machine, not its constants",
             "--set {text}: u {dialect} se pohyb počítá podle [motion], ne podle konstant";
         JerkFree { blocks: u64 }
             "P is not known where it counts: the jerk is not limited there, and the time is at least this; such \
@@ -293,7 +296,7 @@ impl Words {
         let file = path_name(path);
         let reason = match (error.kind(), lang) {
             (io::ErrorKind::NotFound, Lang::En) => "there is no such folder".to_owned(),
-            (io::ErrorKind::NotFound, Lang::Cs) => "taková složka není".to_owned(),
+            (io::ErrorKind::NotFound, Lang::Cs) => "složka neexistuje".to_owned(),
             _ => reason(error, lang),
         };
         Self::CannotWrite { file, reason }

@@ -13,7 +13,7 @@ bilingual! {
             "no such file; the shell passed the pattern on as it is: name the files, or their folder",
             "soubor neexistuje; shell předal vzor tak, jak je: uvést soubory, nebo jejich složku";
         Denied "permission denied", "přístup odepřen";
-        Directory "it is a directory", "je to složka";
+        Directory "it is a folder", "je to složka";
         NotAFile "it is not a regular file", "není to obyčejný soubor";
         Link "it is a link that leads to no file", "je to odkaz, který k žádnému souboru nevede";
         TooLarge "it is larger than 4 GiB", "je větší než 4 GiB";
@@ -396,7 +396,7 @@ bilingual! {
     ConditionProblem {
         Empty "the condition is empty", "podmínka je prázdná";
         Character { written: String } "`{written}` has no meaning in a condition", "„{written}“ nemá v podmínce význam";
-        NoNumber { written: String } "`{written}` is no number", "„{written}“ není číslo";
+        NoNumber { written: String } "`{written}` is not a number", "„{written}“ není číslo";
         NumberTooLong "the number has too many digits", "číslo má příliš mnoho číslic";
         HexadecimalLetter { right: String }
             "a hexadecimal number begins with a digit: `{right}`",
@@ -408,7 +408,7 @@ bilingual! {
             "`!` belongs to the name alone; the opposite of a comparison is `{right}`",
             "„!“ patří jen k názvu signálu; opak porovnání je „{right}“";
         NoBit { name: String, example: String }
-            "`{name}` is no bit and needs a comparison, as in `{name} {example}`",
+            "`{name}` is not a bit and needs a comparison, as in `{name} {example}`",
             "{name} není bit a musí se porovnat, například „{name} {example}“";
         NumberFirst "a comparison begins with a signal: `PB06 == 19h`", "porovnání začíná signálem: „PB06 == 19h“";
         MissingSignal "a signal is missing here", "zde chybí signál";

@@ -63,7 +63,7 @@ bilingual! {
         LessThan "in a value `<` is written `&lt;`", "v hodnotě se < píše &lt;";
         UnknownPrefix { prefix: String } "the prefix `{prefix}` is not declared", "předpona {prefix} není deklarována";
         DeclarationPlace "`<?xml` is only allowed at the very beginning", "<?xml stojí na samém začátku, nebo vůbec ne";
-        CommentForm "a comment must not hold `--`", "poznámka nesmí obsahovat --";
+        CommentForm "a comment must not hold `--`", "komentář nesmí obsahovat --";
         TooMany "it holds more attributes or elements than are read", "má víc atributů nebo elementů, než se čte";
     }
 }
@@ -163,7 +163,7 @@ bilingual! {
         Operations "codes are \"00\" to \"99\"", "kódy jsou \"00\" až \"99\"";
         Cycles "fixed cycles are G81 to G89", "pevné cykly jsou G81 až G89";
         Macrocycles "macrocycles are L1 to L9999", "makrocykly jsou L1 až L9999";
-        Timed "M functions take time, and T, S, H, P, D, F", "čas trvají M funkce a T, S, H, P, D, F";
+        Timed "M functions take time, and T, S, H, P, D, F", "čas lze zadat u M funkcí a u T, S, H, P, D, F";
         Constants "machine constants are R0 to R999", "strojní konstanty jsou R0 až R999";
         Axes "axes are X, Y, Z, A, B, C, U, V, W", "osy jsou X, Y, Z, A, B, C, U, V, W";
         OfTable { table: String } "the key belongs under `[{table}]`", "klíč patří pod [{table}]";

@@ -25,8 +25,8 @@ bilingual! {
         NoSuchBlock { number: u32 } "there is no block N{number} in that place", "blok N{number} tam není";
         NoSuchUnit { l: u32 } "there is no subprogram L{l} in the file", "podprogram L{l} v souboru není";
         NumberTaken { number: u32 }
-            "the new number N{number} belongs to a block outside the part",
-            "nové číslo N{number} už má blok mimo číslovanou část";
+            "the new number N{number} belongs to a block outside the part: name a free one by --start",
+            "nové číslo N{number} už má blok mimo číslovanou část: volné určí --start";
         UnclearJump { line: u32 }
             "it is not clear where the jump in line {line} leads",
             "není jasné, kam vede skok na řádku {line}";

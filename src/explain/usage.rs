@@ -408,7 +408,7 @@ pub(super) const USAGES: &[Usage<GCode>] = &[
             ),
             note(
                 "Each G73 has its counter: an inner loop runs in full in every pass of the outer one",
-                "Každá G73 má své počitadlo: vnitřní smyčka proběhne celá v každém průchodu vnější",
+                "Každá G73 má své počítadlo: vnitřní smyčka proběhne celá v každém průchodu vnější",
             ),
         ],
     ),

@@ -290,7 +290,6 @@ impl<'a> Observer<'a> {
             for (checkpoint, until) in record.visits(file, &blocks) {
                 self.until = until.min(checkpoint.executed() + left);
                 left -= self.until - checkpoint.executed();
-                self.observation.cut |= self.until < until;
                 if self.until > checkpoint.executed() {
                     self.observation.executed = checkpoint.executed();
                     for (index, value) in &mut self.before {
@@ -298,6 +297,7 @@ impl<'a> Observer<'a> {
                     }
                     self.program.session().observe_from(&self.program.path, read, checkpoint, &mut *self);
                 }
+                self.observation.cut |= self.until < until;
                 if self.observation.cut {
                     break;
                 }
@@ -581,6 +581,22 @@ mod tests {
         for n in [1, 2, 3, 10, 8191, 8193, 8990, 8995, 9000, 9001, 9002, 9003, 9101, 9102, 9130, 9200] {
             let block = file.block_ids().find(|block| file.number(*block) == Some(n)).unwrap();
             assert_eq!(seen(&analysis, block), seen(&blind, block), "N{n}");
+        }
+    }
+
+    /// A loop that is executed more often than is looked at: what is seen of its blocks is that of many passes.
+    #[test]
+    fn a_long_loop() {
+        let body: String = (10..60).map(|n| format!("N{n} X{}\n", n % 9)).collect();
+        let each = |g: &str| {
+            format!("%1\nN1 G01 F100 X0\n{}N70 G73 L10 Q9999\nN71 G73 L10 Q4\nN80 M30\n", body.replace(" X", g))
+        };
+        for (text, most) in [(each(" X"), MOST / 2), (each(" G90 X"), SOON)] {
+            let analysis = recorded(MemoryLoader::new().with("part.nc", text)).unwrap();
+            let seen = observe_inputs(&Cancel::default(), &analysis, &analysis, BlockId(5), &[]).unwrap();
+            assert!(seen.cut && seen.end.is_none() && seen.executed >= most, "{}", seen.executed);
+            let observed = seen.of(BlockId(5)).unwrap();
+            assert!(observed.runs.abs_diff(seen.executed / 51) <= 2, "{} of {}", observed.runs, seen.executed);
         }
     }
 

@@ -29,7 +29,7 @@ use crate::dict::Lang;
 use crate::session::{Outcome, Session};
 use crate::text::{FileId, Overlay, SourceText};
 pub use reason::{Note, Reason, Said, refusal_text, spot_text};
-pub use scan::Spot;
+pub use scan::{Places, Spot};
 pub use tracker::Options;
 
 /// Most characters of a title.
@@ -139,13 +139,11 @@ pub fn restart(session: &Session<'_>, path: &Path, name: &str, asked: &Asked, op
     Made { outcome, answer }
 }
 
-/// The tool changes and rapids of a program at which a start is possible, in the order of execution, and how many more
-/// there would be with `--safe`.
-pub fn list(session: &Session<'_>, path: &Path, name: &str, options: Options) -> (Outcome, Option<(Vec<Spot>, u64)>) {
+/// The tool changes and rapids of a program at which a start is possible.
+pub fn list(session: &Session<'_>, path: &Path, name: &str, options: Options) -> (Outcome, Option<Places>) {
     let mut scan = Scan::new(session.settings, options, None);
     let run = session.watch(path, name, Purpose::Report, &mut &mut scan);
-    let more = scan.lack_safe;
-    (run.outcome, run.whole.map(|_| (scan.into_spots(), more)))
+    (run.outcome, run.whole.map(|_| scan.into_places()))
 }
 
 /// One request.

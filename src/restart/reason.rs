@@ -10,7 +10,7 @@ bilingual! {
     /// Why there is no start at a place (RST-4).
     Reason {
         Correction { g: String }
-            "{g} is in force: the tool has to be led to the corrected path by the program",
+            "{g} is in force: only the program itself can lead the tool to the corrected path",
             "platí {g}: na korigovanou dráhu musí nástroj navést program";
         Position { axis: String } "the position of {axis} is not known", "poloha osy {axis} není známa";
         Stale { axis: String }
@@ -30,7 +30,7 @@ bilingual! {
             "{g} is in force, and what it does is not modelled",
             "platí {g}, jejíž činnost se nemodeluje";
         InCycle { l: u32 }
-            "the place is inside of L{l}, which a fixed cycle calls",
+            "the place is inside L{l}, which a fixed cycle calls",
             "místo je uvnitř L{l}, který volá pevný cyklus";
         Converted { g: String }
             "{g} is in force: the tool's axis is not where it points to",
@@ -58,7 +58,7 @@ bilingual! {
             "--safe is below the place: the tool would move across in rapid where it cut in {axis}",
             "--safe je pod místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";
         NoSafe { axis: String }
-            "--safe is missing: since tool, origin or correction changed last the program did not stand higher in \
+            "--safe is missing: since the last change of tool, origin or correction the program was not higher in \
             {axis}",
             "chybí --safe: od poslední změny nástroje, počátku nebo korekce program v ose {axis} výš nestál";
     }
@@ -140,6 +140,9 @@ bilingual! {
         NoPlaces
             "there is no tool change and no rapid at which the program can start",
             "není výměna nástroje ani rychloposuv, kterými lze začít";
+        NoPlacesBecause { why: String }
+            "there is no tool change and no rapid at which the program can start; at the first of them: {why}",
+            "není výměna nástroje ani rychloposuv, kterými lze začít; u prvního z nich: {why}";
         MoreWithSafe { more: u64 } "places that --safe would open: {more}", "míst, která zpřístupní --safe: {more}";
     }
 }

@@ -129,7 +129,20 @@ pub(super) struct Scan {
     text: Text,
     there: Option<There>,
     /// Places that `--safe` would open.
-    pub lack_safe: u64,
+    lack_safe: u64,
+    /// Why the first of the other places is none.
+    refused: Option<Reason>,
+}
+
+/// The places at which a program can start.
+#[derive(Clone, Debug)]
+pub struct Places {
+    /// In the order of execution.
+    pub spots: Vec<Spot>,
+    /// How many more there would be with `--safe`.
+    pub with_safe: u64,
+    /// Why there is none at the first tool change or rapid that is left out for another reason.
+    pub refused: Option<Reason>,
 }
 
 impl Scan {
@@ -148,6 +161,7 @@ impl Scan {
             text: Text::default(),
             there: None,
             lack_safe: 0,
+            refused: None,
         }
     }
 
@@ -162,10 +176,10 @@ impl Scan {
     }
 
     /// All tool changes and rapids at which a start is possible, in the order of execution.
-    pub fn into_spots(mut self) -> Vec<Spot> {
+    pub fn into_places(mut self) -> Places {
         self.settle_all();
         self.spots.sort_by_key(|spot| spot.seq);
-        self.spots
+        Places { spots: self.spots, with_safe: self.lack_safe, refused: self.refused }
     }
 
     /// Nothing more comes: what waited for it works.
@@ -205,7 +219,11 @@ impl Scan {
         let target = match judged {
             Ok(target) => target,
             Err(reason) => {
-                self.lack_safe += u64::from(reason.asks_for_safe());
+                if reason.asks_for_safe() {
+                    self.lack_safe += 1;
+                } else {
+                    self.refused.get_or_insert(reason);
+                }
                 return;
             }
         };

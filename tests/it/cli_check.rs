@@ -244,7 +244,7 @@ fn a_pattern_that_no_shell_expanded() {
     let run = place.run(&["check", "b.nc"]).ends(2);
     assert!(!run.stdout.contains("pattern"), "{run:?}");
     place.run(&["celo.nc"]).ends(2).says("cnc872c check celo.nc");
-    place.run(&["check", "a.nc", "--fix", "--diff"]).ends(2).says("does not go with");
+    place.run(&["check", "a.nc", "--fix", "--diff"]).ends(2).says("cannot be used with");
 }
 
 /// diagnostics.md, "As JSON": which program found it, and in which files it looked.

@@ -7,7 +7,7 @@ use crate::cli::{BAD, GOOD, Place, Run, closed_pipe};
 #[test]
 fn the_output_must_be_a_place_for_a_file() {
     let place = Place::with(&[("a.nc", GOOD.as_bytes()), ("folder/x", b"")]);
-    place.run(&["compile", "a.nc", "-o", "folder"]).ends(2).says("cannot write folder: it is a directory");
+    place.run(&["compile", "a.nc", "-o", "folder"]).ends(2).says("cannot write folder: it is a folder");
     place
         .run(&["compile", "a.nc", "-o", "missing/a.jsonl"])
         .ends(2)
@@ -137,7 +137,7 @@ fn what_is_no_program_gives_status_2() {
     let place = Place::with(&[("L9001", b"N1 G79 L9001 N2 G70"), ("out", b"old")]);
     place.run(&["compile", "L9001", "-o", "out"]).ends(2).says("it is a macrocycle");
     place.run(&["compile", "missing.nc", "-o", "out"]).ends(2).says("E0112");
-    place.run(&["compile", ".", "-o", "out"]).ends(2).says("it is a directory");
+    place.run(&["compile", ".", "-o", "out"]).ends(2).says("it is a folder");
     assert_eq!(place.read("out"), b"old");
 }
 

@@ -224,7 +224,7 @@ fn programs_that_are_no_files() {
         place.run(&["check", "--fix", file]).ends(2);
         place.run(&["compile", file, "-o", "out", "--lang", "cs"]).ends(2).says("je to odkaz");
     }
-    place.run(&["compile", "folder", "-o", "out"]).ends(2).says("it is a directory");
+    place.run(&["compile", "folder", "-o", "out"]).ends(2).says("it is a folder");
     place.run(&["check", "--fix", "folder"]).ends(2).says("no program found in folder");
     assert_eq!(place.read("out"), b"old");
 }

@@ -243,13 +243,17 @@ fn a_part_of_the_program() {
         (&["--blocks", "4"], 0, 4),
         (&["--from", "3"], 3, 8),
         (&["--from", "3", "--blocks", "5"], 3, 2),
-        (&["--from", "50"], 50, 0),
     ] {
         place.run(&[&["view", "a.nc"], options].concat()).ends(0);
         let header = header(&place.read("a.nc.html"));
         assert_eq!((&header["from"], &header["count"]), (&from.into(), &count.into()), "{options:?}");
         assert_eq!((&header["blocks"], &header["whole"]), (&11.into(), &true.into()));
     }
+    // A picture of nothing takes no other's place, and says so.
+    let before = place.read("a.nc.html");
+    let run = place.run(&["view", "a.nc", "--from", "50"]).ends(0);
+    run.says("the program executes 11 blocks, seq 0 to 10").says("a.nc.html stays as it was");
+    assert_eq!(place.read("a.nc.html"), before);
 }
 
 /// The second pass of a subprogram that leaves everything as it was adds no rows.

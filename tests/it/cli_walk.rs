@@ -89,7 +89,7 @@ fn fixes_are_listed_and_shown() {
     );
     assert_eq!(place.read("a.nc"), FIXABLE);
     place.run(&["check", "--diff", "b.nc"]).ends(0);
-    place.run(&["check", "--diff", "--fix", "a.nc"]).ends(2).says("--diff does not go with --fix");
+    place.run(&["check", "--diff", "--fix", "a.nc"]).ends(2).says("--diff cannot be used with --fix");
     assert_eq!(place.read("a.nc"), FIXABLE);
     place.run(&["check", "--diff", "missing.nc"]).ends(2).says("missing.nc: cannot be read");
     let run = place.run(&["check", "--fix", "a.nc"]).ends(0);

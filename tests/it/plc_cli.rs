@@ -112,7 +112,7 @@ fn conditions() {
     assert!(!wrong.stderr.contains("check --fix"));
     place.run(&["plc", "a.nc", "--find", "STOPPI", "--lang", "cs"]).ends(2).says("nastavuje ji sám PLC program");
     place.run(&["plc", "a.nc", "--find", "BLK.M1", "--dialect", "cnc8x6"]).ends(2).says("no command block");
-    place.run(&["plc", "a.nc", "--find", "M03PI", "--format", "json"]).ends(2).says("does not go with");
+    place.run(&["plc", "a.nc", "--find", "M03PI", "--format", "json"]).ends(2).says("cannot be used with");
     place.run(&["plc", "a.nc", "--find", "M03PI", "-o", "found.txt"]).ends(0);
     assert!(String::from_utf8(place.read("found.txt")).unwrap().starts_with("a.nc:4:1: N30"));
     place.run(&["plc", "a.nc", "--find", "M19PI", "-o", "found.txt"]).ends(1);

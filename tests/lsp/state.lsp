@@ -381,7 +381,7 @@ null
     "n": 80,
     "seq": 15
   },
-  "refused": "no start there: G41 is in force: the tool has to be led to the corrected path by the program\nnearest earlier place that works: --seq 15, N80 (line 9), 0:00:06.6 after program start"
+  "refused": "no start there: G41 is in force: only the program itself can lead the tool to the corrected path\nnearest earlier place that works: --seq 15, N80 (line 9), 0:00:06.6 after program start"
 }
 === request cnc872c/restart part.nc@loop
 { "seq": 11 }
@@ -442,7 +442,7 @@ N30 M30
 === request cnc872c/restart flat.nc@flat
 === answer
 {
-  "safe": "--safe is missing: since tool, origin or correction changed last the program did not stand higher in Z"
+  "safe": "--safe is missing: since the last change of tool, origin or correction the program was not higher in Z"
 }
 === request cnc872c/restart flat.nc@flat
 { "safe": "50,5" }

@@ -78,7 +78,7 @@ bilingual! {
         MoreRed "There are more; --all lists them", "Jsou i další; vypíše je --all";
         NoRed "No joint has a red dot", "Žádné napojení nemá červenou tečku";
         After { n: u32, with: u32 } "N{n} after N{with}", "N{n} po N{with}";
-        Costs { seconds: String } "costs about {seconds} s", "stojí asi {seconds} s";
+        Costs { seconds: String } "costs about {seconds} s", "ztráta asi {seconds} s";
         Times { times: u64 } "{times} times", "{times}krát";
         Angle { angle: String } "{angle}°", "{angle}°";
         Stops "stop", "zastavení";

@@ -49,7 +49,7 @@ bilingual! {
         Value "taken as", "předpokládá se";
         Unknown "not known", "neznámo";
         Units "Subprograms and macrocycles", "Podprogramy a makrocykly";
-        Unit "Unit", "Jednotka";
+        Unit "Unit", "Celek";
         Subprogram { l: u32 } "subprogram L{l}", "podprogram L{l}";
         Macrocycle { l: u32 } "macrocycle L{l}", "makrocyklus L{l}";
         Runs "runs", "průchodů";

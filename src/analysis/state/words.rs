@@ -60,10 +60,10 @@ bilingual! {
         Gear "gear", "převod";
         Tool "in the spindle", "ve vřetenu";
         DynamicSet "dynamic set", "dynamická sada";
-        NoBlock { place: String } "{place}: there is no such block", "{place}: takový blok není";
+        NoBlock { place: String } "{place}: there is no such block", "{place}: takový blok neexistuje";
         NoBlockNear { place: String, near: u32 }
             "{place}: there is no such block; the nearest number is N{near}",
-            "{place}: takový blok není; nejbližší číslo je N{near}";
+            "{place}: takový blok neexistuje; nejbližší číslo je N{near}";
         NotExecuted { place: String } "{place} is never executed", "{place} se nikdy neprovede";
         Beyond { place: String, blocks: u64 }
             "{place}: blocks that the program executes: {blocks}, the first is seq 0",

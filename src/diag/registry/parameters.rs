@@ -88,7 +88,7 @@ macro_rules! parameters {
                    "řídicí slovo má osm číslic: „oo aa bb rr“".to_owned()
                } else {
                    format!(
-                       "je-li řídicí slovo správně, doplnit kód do cnc872c.toml podle příručky stroje: [operations], \
+                       "je-li řídicí slovo správné, doplnit kód do cnc872c.toml podle příručky stroje: [operations], \
                        \"{operation:02}\" = \"…\""
                    )
                })

@@ -98,7 +98,7 @@ macro_rules! settings {
             note "the byte has two decades in BCD: 00 to 99, without a fraction and a sign"
                | "bajt má dvě dekády v BCD: 00 až 99, bez desetinné části a znaménka"
         [E0902] UnknownSignal "unknown-signal" Error { name: String, why: super::SignalProblem }
-            en "`{name}` is no signal that follows from a part program"
+            en "`{name}` is not a signal that a part program determines"
             cs "{name} není signál, který plyne z partprogramu"
             help (why.help(Lang::En)) | (why.help(Lang::Cs))
             note (why.note(Lang::En)) | (why.note(Lang::Cs))

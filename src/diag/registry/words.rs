@@ -29,8 +29,8 @@ macro_rules! words {
                    None => other_range(*address, range, *mode, Lang::Cs).to_owned(),
                })
         [W0303] FinerThanResolution "finer-than-resolution" Warning { rounded: String }
-            en "more than three decimals: the control takes {rounded}"
-            cs "víc než tři desetinná místa: systém vezme {rounded}"
+            en "more than three decimals: {rounded} is used here"
+            cs "víc než tři desetinná místa: počítá se zde s {rounded}"
             help "write three decimals at most" | "psát nejvýše tři desetinná místa"
         [E0304] PointNotAllowed "decimal-point-not-allowed" Error { address: Address, meant: PointMeant }
             en (if meant.is_dwell() {

@@ -325,9 +325,9 @@ fn what_is_tried() {
         assert_eq!(run.stdout, "");
         run.stderr
     };
-    assert!(said("foo=1").contains("--set foo=1: foo is no key of [motion] and no machine constant\n"));
+    assert!(said("foo=1").contains("--set foo=1: foo is neither a key of [motion] nor a machine constant\n"));
     assert!(said("accuracy=1").contains("perhaps accuracy-um is meant"));
-    assert!(said("R384=00200008").contains("cnc872 takes motion from [motion]"));
+    assert!(said("R384=00200008").contains("on cnc872 [motion] describes the machine"));
     place.put("9.toml", "dialect = \"cnc8x9\"\n");
     let run = place.run(&["motion", "a.nc", "--config", "9.toml", "--set", "R56=91"]).ends(2);
     assert!(run.stderr.contains("--set R56=91: motion does not depend on R56"), "{run:?}");
