@@ -22,13 +22,21 @@ use crate::text::FileId;
 
 /// Most blocks that are executed to answer a request.
 pub(crate) const MOST: u64 = 2_000_000;
-/// Most blocks that are looked at one by one for a request that somebody waits for at the pointer.
-const SOON: u64 = 1 << 17;
+/// For a request that somebody waits for at the pointer, beside others: most blocks that are executed, and most that are
+/// looked at one by one.
+const SOON: Limits = Limits { executed: 1 << 19, looked_at: 1 << 15 };
 /// Blocks looked at between two questions whether the answer is still wanted.
 const PERIOD: u64 = 1 << 12;
 
 /// Different things that the PLC reads in one block, as many as are kept.
 const READS: usize = 4;
+
+/// How much of a program is executed for a request.
+#[derive(Clone, Copy)]
+struct Limits {
+    executed: u64,
+    looked_at: u64,
+}
 
 /// What was seen of one block.
 #[derive(Clone, Debug, Default)]
@@ -159,7 +167,7 @@ pub(crate) fn observe_inputs(
 ) -> Option<Observation> {
     let mut observer = Observer::new(cancel, program, document, [block]);
     observer.watch(inputs);
-    observer.budget = SOON;
+    observer.limits = SOON;
     run(cancel, program, observer)
 }
 
@@ -180,7 +188,7 @@ pub(crate) fn observe_motion(
         observer.moves = Some(Moves::new(&program.settings, units.len()));
         observer.units = units.to_vec();
     } else if !observer.observation.blocks.is_empty() {
-        observer.budget = SOON;
+        observer.limits = SOON;
     }
     run(cancel, program, observer)
 }
@@ -224,8 +232,9 @@ struct Observer<'a> {
     until: u64,
     /// The file that the blocks in question are in, when nothing but these is looked at.
     only: Option<FileId>,
-    /// So many more blocks may be looked at.
-    budget: u64,
+    limits: Limits,
+    /// Blocks looked at.
+    looked_at: u64,
 }
 
 impl<'a> Observer<'a> {
@@ -272,7 +281,8 @@ impl<'a> Observer<'a> {
             files: Vec::new(),
             until: MOST,
             only: None,
-            budget: MOST,
+            limits: Limits { executed: MOST, looked_at: MOST },
+            looked_at: 0,
         }
     }
 
@@ -280,7 +290,7 @@ impl<'a> Observer<'a> {
     fn look_from(&mut self, record: &Record) {
         let blocks: BTreeSet<BlockId> = self.observation.blocks.keys().copied().collect();
         let read = (record.resolved(), record.sources());
-        let mut left = MOST;
+        let mut left = self.limits.executed;
         for (index, (_, source)) in record.sources().iter().enumerate() {
             let file = FileId(small(index));
             if !is(self.program, source.name(), self.document) {
@@ -390,10 +400,10 @@ impl Sink for &mut Observer<'_> {
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
         self.look(block);
-        self.budget = self.budget.saturating_sub(1);
+        self.looked_at += 1;
         let over = self.observation.executed >= self.until;
-        self.observation.cut |= !over && self.budget == 0;
-        let unwanted = self.budget.is_multiple_of(PERIOD) && self.cancel.is_cancelled();
+        self.observation.cut |= !over && self.looked_at >= self.limits.looked_at;
+        let unwanted = self.looked_at.is_multiple_of(PERIOD) && self.cancel.is_cancelled();
         if over || self.observation.cut || unwanted { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
@@ -591,7 +601,7 @@ mod tests {
         let each = |g: &str| {
             format!("%1\nN1 G01 F100 X0\n{}N70 G73 L10 Q9999\nN71 G73 L10 Q4\nN80 M30\n", body.replace(" X", g))
         };
-        for (text, most) in [(each(" X"), MOST / 2), (each(" G90 X"), SOON)] {
+        for (text, most) in [(each(" X"), 10 * SOON.looked_at), (each(" G90 X"), SOON.looked_at)] {
             let analysis = recorded(MemoryLoader::new().with("part.nc", text)).unwrap();
             let seen = observe_inputs(&Cancel::default(), &analysis, &analysis, BlockId(5), &[]).unwrap();
             assert!(seen.cut && seen.end.is_none() && seen.executed >= most, "{}", seen.executed);

@@ -43,6 +43,9 @@ bilingual! {
             "the machine has no {axis}: name the axis of the tool by `tool-axis` of `[restart]` in the project file",
             "stroj nemá osu {axis}: uvést osu nástroje klíčem tool-axis v [restart] projektového souboru";
         NoFeed "no F is in force for the last part of the approach", "pro poslední část najetí neplatí žádné F";
+        FeedUnit { g: String }
+            "F was written under {g} and counts otherwise here: the last part of the approach needs an F of its own",
+            "F bylo zadáno při {g} a zde má jinou jednotku: poslední část najetí potřebuje vlastní F";
         Standing "F counts per revolution, and the spindle stands", "F je na otáčku a vřeteno stojí";
         Unwritable { axis: String }
             "the position of {axis} cannot be written in thousandths",

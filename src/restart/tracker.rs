@@ -50,6 +50,8 @@ pub(super) struct Tracker {
     axes: Axes,
     /// By place in machine order: a motion or a block of data gave it its position.
     named: [bool; 9],
+    /// By place in machine order: G91 moved it on from where it was unsettled, so that its place is not known (MOT-8).
+    drifted: [bool; 9],
     /// By place in machine order: of what left it unsettled, a length correction is not all.
     origin_moved: [bool; 9],
     /// The greatest position of the tool's axis with the tool and the origin in force.
@@ -82,6 +84,7 @@ impl Tracker {
             before: Before::new(settings),
             axes: Axes::default(),
             named: [false; 9],
+            drifted: [false; 9],
             origin_moved: [false; 9],
             highest: None,
             came_in_rapid: true,
@@ -121,16 +124,28 @@ impl Tracker {
             self.note(block);
         }
         let before = self.before.state();
+        let by_distance = block.g(GGroup::G9) == Some(GCode::G91);
         for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
-            if let Some(named) = block.settings().machine.axes.index(axis).and_then(|at| self.named.get_mut(at)) {
-                *named = true;
-            }
+            let Some(at) = block.settings().machine.axes.index(axis) else { continue };
+            let places = (self.named.get_mut(at), self.drifted.get_mut(at));
+            let (Some(named), Some(drifted)) = places else { continue };
+            *named = true;
+            *drifted = by_distance && (*drifted || before.is_unsettled(at));
         }
         let after = block.state();
-        if let Some(motion) = block.motion() {
-            let (rapid, moves) = (motion.kind() == MotionType::Rapid, tool.is_some_and(|tool| motion.moves(tool)));
-            self.came_in_rapid = rapid && (moves || self.came_in_rapid);
-        }
+        // A height at which the program came by cutting down is none to move at in rapid.
+        let clear = match block.motion() {
+            None => self.came_in_rapid,
+            Some(motion) => {
+                let (rapid, moves) = (motion.kind() == MotionType::Rapid, tool.is_some_and(|tool| motion.moves(tool)));
+                self.came_in_rapid = rapid && (moves || self.came_in_rapid);
+                rapid
+                    || self.tool_axis.is_some_and(|at| {
+                        let [start, end] = [before, after].map(|state| state.axis_position(at));
+                        !before.is_unsettled(at) && start.is_some() && start < end
+                    })
+            }
+        };
         let stands = self.tool_axis.and_then(|at| after.axis_position(at).filter(|_| !after.is_unsettled(at)));
         // D is the radius alone while no length correction is on (MOT-8). A motion in the block that changes them settles
         // its axes.
@@ -140,6 +155,7 @@ impl Tracker {
             || before.origin() != after.origin()
             || corrects
             || self.tool_axis.is_some_and(|at| after.is_unsettled(at) && !before.is_unsettled(at));
+        let stands = stands.filter(|_| clear);
         self.highest = if changes { stands } else { self.highest.max(stands) };
         self.before.pass(block);
     }
@@ -218,7 +234,8 @@ impl Tracker {
         for (at, axis) in settings.machine.axes.iter().enumerate() {
             if state.axis_position(at).is_some() {
                 let rotary = axis.rotary && !self.origin_moved.get(at).copied().unwrap_or(false);
-                if state.is_unsettled(at) && self.is_named(at) && !rotary {
+                let drifted = self.drifted.get(at).copied().unwrap_or(false);
+                if (drifted || state.is_unsettled(at)) && self.is_named(at) && !rotary {
                     return Err(Reason::Stale { axis: axis.letter.to_string() });
                 }
                 continue;
@@ -328,8 +345,11 @@ impl Tracker {
             if state.feed(machine).is_none() {
                 return Err(Reason::NoFeed);
             }
-            let per =
-                state.g_in_force(GGroup::G6).and_then(|function| machine.feed_mode(function)).map(|mode| mode.per);
+            let per = |mode: Option<GCode>| mode.and_then(|mode| machine.feed_mode(mode)).map(|mode| mode.per);
+            if let Some(mode) = self.feed_mode.filter(|mode| per(Some(*mode)) != per(state.g_in_force(GGroup::G6))) {
+                return Err(Reason::FeedUnit { g: mode.to_string() });
+            }
+            let per = per(state.g_in_force(GGroup::G6));
             let turns = state.m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
             if per == Some(FeedPer::Revolution) && !turns {
                 return Err(Reason::Standing);

@@ -329,6 +329,12 @@ fn hidden_differences() {
         ("G30 X0 Y0\nG02 I5 J0", "G30 X0 Y0\nG02 I0 J5", "changes 2, in blocks 1"),
         ("G01 X1\nG72 L7 Q2\nG01 X10", "G01 X1\nG72 L7 Q5\nG01 X10", "G72 L7 Q2 → L7 Q5"),
         ("M19\nG00 C90\nM19\nG00 Z5", "M19\nG00 C90\nG00 Z5", "M19"),
+        // After a change of origin a motion to the same words is one.
+        ("G01 Z5\nG55\nG00 X0 Y0\nG01 Z0", "G01 Z5\nG55\nG01 Z0", "1 block removed"),
+        ("G55\nG01 X5 Y0", "G55\nG01 X5", "changes"),
+        ("G55\nG01 X5", "G55\nG91 G01 X5", "changes"),
+        ("G55\nG02 X10 Y0 I5 J0", "G55\nG91 G02 X10 Y0 I5 J0", "changes"),
+        ("G55\nG01 X5\nX5", "G55\nG01 X5", "the programs do the same"),
         ("G01 X5 M08 M41\nX6", "G01 X5 M41 M08\nX6", "the programs do the same"),
         ("G01 X5 M08 M77\nX6", "M77 M08 G01 X5\nX6", "the programs do the same"),
         ("G41 D1 G01 X6\nX8\nG40 G00 X9", "G41 D1 G01 X6\nX8\nG00 X9", "G41 G40 → G41"),

@@ -300,6 +300,17 @@ fn starts_that_would_be_wrong() {
         let run = start(blocks, &[]).ends(0);
         assert!(run.stdout.contains(&format!("G00 G90 {top}\"up to the program's highest")), "{blocks}{}", run.stdout);
     }
+    // The program came to Z-5 and Z-10 by cutting only; what rises clears.
+    let fell = "N30 G53 Z0\nN40 G54 X50 Y50\nN50 G01 Z-5\nN60 X80\nN65 Z-10\nN70 X50\n";
+    start(fell, &[]).ends(2).says("--safe is missing");
+    let rises = "N30 G53 Z0\nN40 G54 X50 Y50 Z-9\nN50 G01 Z5\nN60 Z-10\nN65 X9\nN70 X50\n";
+    assert!(start(rises, &[]).ends(0).stdout.contains("G00 G90 Z5 \"up to"), "{rises}");
+    // F in mm/min is none in mm/rev.
+    let unit = "N30 G94 G01 Z5 F600\nN40 G95\nN60 G00 X20\nN70 G01 X25 F0.2\n";
+    start(unit, &["--safe", "70"]).ends(1).says("F was written under G94");
+    // By a distance from where the origin changed nobody knows where the axis comes to.
+    let drift = "N30 G55\nN40 G91 X5 Y5 Z-20\nN70 G01 Z-5\n";
+    start(drift, &["--safe", "70"]).ends(1).says("has not moved since the origin");
     let cut = "N30 G01 Z-5\nN40 X40\nN70 X60\n";
     start(cut, &["--safe=-10"]).ends(2).says("--safe is below the place");
     assert!(across(cut, "--safe=-5").contains("G00 G90 Z-5 \"up to --safe\""));

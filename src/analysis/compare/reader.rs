@@ -9,7 +9,7 @@ use crate::dict::{
     AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
     PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_STOP, TOOL_CHANGE, standard_m_functions,
 };
-use crate::run::{End, Executed, MotionType, Sink, State};
+use crate::run::{ArcPath, End, Executed, MotionType, Sink, State};
 
 /// Reads the steps of a program.
 #[derive(Debug)]
@@ -168,22 +168,27 @@ impl StepReader {
     fn read_motion(&mut self, block: &Executed<'_>) {
         let Some(moves) = block.motion() else { return };
         let mut motion = Motion::new(moves.kind());
+        let by_distance = block.g(GGroup::G9) == Some(GCode::G91);
         for letter in AxisLetter::ALL.into_iter().filter(|letter| moves.moves(*letter)) {
             let bit = 1 << (letter as u16);
-            let known = moves.end(letter);
+            // From where an origin or a correction left it, an axis moves though its position stays, and by distances it
+            // comes where nobody knows (MOT-8).
+            let stale = moves.is_stale_along(letter);
+            let known = moves.end(letter).filter(|_| !(stale && by_distance));
             let distance = moves.distance(letter);
             motion.axes |= bit;
             if known.is_none() {
                 motion.by |= bit;
             }
-            if distance == Some(Micro::ZERO) && moves.start(letter).is_some() {
+            if distance == Some(Micro::ZERO) && moves.start(letter).is_some() && !stale {
                 motion.still |= bit;
             }
             motion.push(known.or(distance).map_or(UNKNOWN, Micro::millionths));
         }
         let arc = moves.arc();
         // From a start that nobody knows, the way to the centre counts.
-        if let Some((arc, center)) = arc.and_then(|arc| Some((arc, arc.center.or(arc.to_center)?))) {
+        let center = |arc: &ArcPath| arc.center.filter(|_| !moves.is_stale()).or(arc.to_center);
+        if let Some((arc, center)) = arc.and_then(|arc| Some((arc, center(&arc)?))) {
             motion.plane = Some(arc.plane);
             center.iter().for_each(|value| motion.push(value.millionths()));
         }
