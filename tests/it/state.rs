@@ -399,6 +399,8 @@ fn places_and_their_parts() {
     let state = answer(&place, &["--n", "30", "--pass", "2"]);
     assert_eq!(state["counters"], serde_json::json!([{ "n": 40, "file": 0, "line": 5, "left": 1, "of": 2 }]));
     // Before its own jump, which lowers it, and behind it.
+    let again = Place::with(&[("a.nc", b"%1\nN10 G00 X0\nN20 G23 I2\nN30 G23 I2\nN40 X1\nN50 M30\n")]);
+    assert_eq!(answer(&again, &["--n", "40"])["written"]["dynamic_set"]["n"], 30, "the same set, chosen again");
     let left = |state: &Value| state["counters"][0]["left"].clone();
     assert_eq!(left(&answer(&place, &["--n", "40", "--pass", "1"])), Value::Null);
     assert_eq!(left(&answer(&place, &["--n", "40", "--pass", "2"])), 1);

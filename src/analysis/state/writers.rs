@@ -164,7 +164,9 @@ impl Writers {
             }
         }
         let after = block.state();
-        if before.dynamic_set() != after.dynamic_set() {
+        let arc = block.motion().is_some_and(|motion| motion.kind().is_arc());
+        let chooses = !arc && block.written(Address::I) && block.g_written().any(|code| code == GCode::G23);
+        if chooses || before.dynamic_set() != after.dynamic_set() {
             self.set(Slot::value("dynamic_set"), writer);
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
