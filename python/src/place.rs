@@ -141,7 +141,9 @@ type Spots = (Vec<(u64, u32, Option<String>, u32, u64, Option<f64>, bool)>, u64)
 pub fn restart_places(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, start: Start) -> PyResult<Spots> {
     one(py, program, Options::new(options)?, |mut one| {
         let (outcome, found) = starting::list(&one.session, one.path, &one.name, start.options()?);
-        let Some(starting::Places { spots, with_safe: more, .. }) = found else { return Err(broken(&mut one, outcome)) };
+        let Some(starting::Places { spots, with_safe: more, .. }) = found else {
+            return Err(broken(&mut one, outcome));
+        };
         let plain = |spot: Spot| {
             let Spot { seq, n, file, line, pass, tool, changes } = spot;
             let tool = tool.map(|tool| Micro::from(tool).to_f64());
