@@ -63,14 +63,11 @@ pub(crate) struct Renumbering {
 type Jumps = BTreeMap<BlockId, (Word, BlockId)>;
 
 /// Renumbers the whole file evenly. When ten by ten gives a jump a target that it cannot reach (FLW-5), or a line that
-/// is too long (LEX-7), a smaller step is taken. `unread`: see [`first_unread`].
+/// is too long (LEX-7), a smaller step is taken. Of a file that was read whole: see [`first_unread`].
 ///
 /// # Errors
 /// Why that cannot be done.
-pub(crate) fn renumber_evenly(resolved: &Resolved, unread: Option<EditText>) -> Result<Renumbering, EditText> {
-    if let Some(unread) = unread {
-        return Err(unread);
-    }
+pub(crate) fn renumber_evenly(resolved: &Resolved) -> Result<Renumbering, EditText> {
     let mut obstacle = EditText::NumberedAlready;
     for step in STEPS {
         match renumber(resolved, Numbering { start: step, step, width: 0, part: Part::All }) {

@@ -10,7 +10,7 @@ use super::files::EditorFiles;
 use crate::config::{PROJECT_FILE, Settings, configure, find_project};
 use crate::diag::{Findings, Report};
 use crate::edit::edit_texts::EditText;
-use crate::edit::renumber::first_unread;
+use crate::edit::renumber::{Renumbering, first_unread, renumber_evenly};
 use crate::query;
 use crate::query::cancel::Cancel;
 use crate::session::{Outcome, Session};
@@ -27,7 +27,20 @@ pub(super) struct Analysis {
     /// The files as they were.
     pub(super) files: EditorFiles,
     /// The first line that could not be read, as renumbering says it.
-    pub(super) unread: Option<EditText>,
+    unread: Option<EditText>,
+}
+
+impl Analysis {
+    /// New numbers for the blocks of the document.
+    ///
+    /// # Errors
+    /// Why there are none.
+    pub(super) fn renumbering(&self) -> Result<Renumbering, EditText> {
+        match &self.unread {
+            Some(unread) => Err(unread.clone()),
+            None => renumber_evenly(&self.resolved),
+        }
+    }
 }
 
 impl Deref for Analysis {

@@ -18,7 +18,6 @@ use super::snapshot::{Answer, Refusal, Snapshot};
 use crate::diag::Reported;
 use crate::edit::compatible_edits;
 use crate::edit::edit_texts::EditText;
-use crate::edit::renumber::renumber_evenly;
 use crate::query;
 use crate::session::Session;
 use crate::sure::{Sure, small};
@@ -70,8 +69,7 @@ pub(super) fn resolve(snapshot: &Snapshot, analysis: &Analysis, mut action: Code
         return Err(Refusal { code: ErrorCode::ContentModified, message: "the document has changed".to_owned() });
     }
     if action.kind == Some(CodeActionKind::Custom(RENUMBER.into())) && action.edit.is_none() {
-        let renumbering = renumber_evenly(&analysis.resolved, analysis.unread.clone())
-            .map_err(|why| Refusal::new(why.text(snapshot.client.lang())))?;
+        let renumbering = analysis.renumbering().map_err(|why| Refusal::new(why.text(snapshot.client.lang())))?;
         if let Some(source) = analysis.sources.get(FileId(0)) {
             let edits = renumbering.edits.iter().map(|(span, text)| (*span, text.as_str()));
             action.edit = document_edit(snapshot, analysis, source, edits);
@@ -228,7 +226,7 @@ fn renumber_action(snapshot: &Snapshot, analysis: &Analysis, source: &SourceText
     let client = &snapshot.client;
     let kind = Some(CodeActionKind::Custom(RENUMBER.into()));
     let title = |step| EditText::Renumber { step }.text(client.lang());
-    let renumbering = match renumber_evenly(&analysis.resolved, analysis.unread.clone()) {
+    let renumbering = match analysis.renumbering() {
         Ok(renumbering) => renumbering,
         Err(why) => {
             let disabled = Some(CodeActionDisabled { reason: why.text(client.lang()) });

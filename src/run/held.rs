@@ -209,9 +209,7 @@ impl State {
         (self.feed_per, self.feed_reduced, self.gear) = (*feed_per, *feed_reduced, *gear);
         (self.corrects, self.origins, self.last_origin) = (*corrects, *origins, *last_origin);
         (self.named_tool, self.retracted) = (*named_tool, *retracted);
-        let words = block.file().map_or(&[][..], |file| file.words(block.at().1));
-        let is_parameter = |word: &Word| word.address == Address::R || matches!(word.value(), Value::Parameter { .. });
-        if block.g(GGroup::G4).is_some() || words.iter().any(is_parameter) {
+        if block.has_parameters() {
             self.parameters = *parameters;
             self.said.read_outside = said.read_outside;
         }
@@ -219,6 +217,13 @@ impl State {
 }
 
 impl Executed<'_> {
+    /// Whether it may read or write parameters.
+    pub fn has_parameters(&self) -> bool {
+        let words = self.file().map_or(&[][..], |file| file.words(self.at().1));
+        let is_parameter = |word: &Word| word.address == Address::R || matches!(word.value(), Value::Parameter { .. });
+        self.g(GGroup::G4).is_some() || words.iter().any(is_parameter)
+    }
+
     /// The counters that are armed after it, outermost call first.
     pub fn counters(&self) -> impl Iterator<Item = ArmedCounter> + '_ {
         self.interpreter.frames.iter().enumerate().flat_map(|(depth, frame)| {

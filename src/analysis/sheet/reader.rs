@@ -7,7 +7,6 @@ use super::extents::Extents;
 use crate::diag::{CallKind, Findings};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
 use crate::run::{End, Executed, FeedUnit, Length, Motion, MotionType, Program, Sink};
-use crate::syntax::Value;
 use crate::text::{FileId, Location};
 
 /// What stands above the first block.
@@ -172,9 +171,7 @@ impl SheetReader {
             let known = self.sheet.m_functions.entry(*number).or_insert(MUse { count: 0, n: block.n() });
             known.count += 1;
         }
-        let (_, id) = block.at();
-        let words = block.file().map_or(&[][..], |file| file.words(id));
-        if !words.iter().any(|word| matches!(word.value(), Value::Parameter { .. })) && block.g(GGroup::G4).is_none() {
+        if !block.has_parameters() {
             return;
         }
         for index in (0..96).filter(|index| block.state().is_read_from_machine(*index)) {

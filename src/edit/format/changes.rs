@@ -56,9 +56,9 @@ impl Changes {
             match quotes(self.slice(change.new)).cmp(&quotes(source.slice(change.old))) {
                 Ordering::Greater => arrival = Some(at),
                 Ordering::Less if let Some(arrived) = arrival.take() => {
-                    let moved = [arrived, at];
-                    if moved.iter().any(|at| kept.get(*at) == Some(&true)) {
-                        moved.iter().for_each(|at| kept.get_mut(*at).into_iter().for_each(|kept| *kept = true));
+                    if let Ok([arrives, leaves]) = kept.get_disjoint_mut([arrived, at]) {
+                        let moves = *arrives || *leaves;
+                        (*arrives, *leaves) = (moves, moves);
                     }
                 }
                 Ordering::Less | Ordering::Equal => {}

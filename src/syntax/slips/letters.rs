@@ -70,7 +70,7 @@ pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let written = format!("{}{digit}", around.slice(word.span()).to_ascii_uppercase());
     let span = word.span().to(letter.span());
     let number = Number::parse(written.get(1..)?.trim_start_matches([' ', '\t']).as_bytes())?;
-    let found = if address != Address::G || around.may_be_function(word.start, number) {
+    let found = if around.may_mean(address, word.start, number) {
         around.offering(span, Finding::LetterForDigit { fixed: shown(&written) }, written)
     } else {
         around.diagnostic(span, Finding::LetterForDigit { fixed: String::new() })
@@ -123,10 +123,10 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
     }
     let sign = head.chars().next_back().filter(|sign| matches!(sign, '+' | '-')).map(String::from).unwrap_or_default();
     let number = digit.map(|digit| format!("{sign}{digit}{}", around.number(behind)));
-    let of_function = Address::from_byte(around.byte(span.start)) == Some(Address::G);
+    let address = Address::from_byte(around.byte(span.start));
     let number = number.filter(|number| {
         Number::parse(number.as_bytes())
-            .is_some_and(|number| !of_function || around.may_be_function(span.start, number))
+            .is_some_and(|number| address.is_none_or(|address| around.may_mean(address, span.start, number)))
     });
     let found = match number.map(|number| format!("{}{number}", head.trim_end_matches(['+', '-']))) {
         Some(written) => {

@@ -340,12 +340,12 @@ impl<'t> Around<'t> {
         self.words.iter().filter_map(|word| word.g_code())
     }
 
-    /// Whether the word at a place may have meant the G function of that number: there is one, and the others of the
-    /// block leave room for it.
-    fn may_be_function(&self, at: u32, number: Number) -> bool {
+    /// Whether the word at a place may have meant that number: there is such a G function, and the others of the block
+    /// leave room for it.
+    fn may_mean(&self, address: Address, at: u32, number: Number) -> bool {
         let code = number.value.as_whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number);
         let mut others = self.words.iter().filter(|word| word.start() != at).filter_map(|word| word.g_code());
-        code.is_some_and(|code| others.all(|other| other.group() != code.group()))
+        address != Address::G || code.is_some_and(|code| others.all(|other| other.group() != code.group()))
     }
 
     /// Whether the block has an `N`, or something in its place.

@@ -115,8 +115,7 @@ impl Broken<'_> {
         };
         // A function that does not exist, or that another one of the block excludes, was not meant.
         if let (None, Some(number)) = (certain, number)
-            && address == Address::G
-            && !around.may_be_function(span.start, number)
+            && !around.may_mean(address, span.start, number)
             && let Finding::LetterForDigit { .. } = finding
         {
             return (None, Some(around.diagnostic(span, Finding::LetterForDigit { fixed: String::new() })));
