@@ -10,15 +10,36 @@ pub(super) struct Target {
     pub approach: Approach,
 }
 
+/// Why an axis is not where the program says that it is.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Lack {
+    /// It was never programmed.
+    Fresh,
+    /// It was never programmed, and a macrocycle that may move any axis was called.
+    Unseen,
+    /// It stands where `[start]` of the project file has it, and the program has not moved it since the origin or a
+    /// correction changed, or has not moved anything.
+    FromStart,
+    /// It was moved to where nobody knows.
+    Lost,
+}
+
 /// The axes whose positions are not known at a place, a bit for each in machine order.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) struct UnknownAxes {
-    /// Never programmed.
+    /// See [`Lack::Fresh`] and [`Lack::Unseen`].
     pub fresh: u16,
-    /// Programmed, and lost.
+    /// See [`Lack::FromStart`].
+    pub from_start: u16,
+    /// See [`Lack::Lost`].
     pub lost: u16,
-    /// The tool's axis is lost.
-    pub below: bool,
+}
+
+impl UnknownAxes {
+    /// Whether there is none.
+    pub const fn is_empty(self) -> bool {
+        self.fresh | self.from_start | self.lost == 0
+    }
 }
 
 /// What says where the other axes move.

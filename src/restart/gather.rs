@@ -92,6 +92,10 @@ impl Gather {
                 *written = true;
             }
         }
+        // Nobody knows what a macrocycle of the machine reads: whatever the program assigned.
+        if block.is_opaque() {
+            (0..96).filter(|index| block.state().is_assigned(*index)).for_each(|index| self.read(index));
+        }
     }
 }
 

@@ -1,11 +1,11 @@
 //! The blocks that lead to the state at the place, in the order of RST-1.
 
-use super::approach::{Approach, Height};
+use super::approach::{Approach, Height, Lack};
 use super::lines::Lines;
 use super::reason::{Note, Reason};
 use super::scan::There;
 use super::tracker::Options;
-use crate::analysis::state::{Found, Slot, Unknown, Written};
+use crate::analysis::state::{Found, Slot, Written};
 use crate::config::Settings;
 use crate::dict::{
     AxisLetter, BUILDER_GROUPS, FIRST_DYNAMIC_SET, GCode, GEAR_GROUP, GGroup, Lang, M_GROUPS, MOMENTARY_GROUPS,
@@ -296,12 +296,21 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
     // Other axes move in rapid, and the program never says where the tool's axis is.
     let blind =
         (tool.is_none() && !others.is_empty()).then(|| from.settings.machine.tool_axis.unwrap_or(AxisLetter::Z));
-    let unknown = from.there.unknown.iter().copied().filter(|axis| Some(*axis) != blind);
-    let unknown = unknown.filter(|axis| from.found.unknown.iter().any(|(letter, _)| letter == axis)).chain(blind);
-    for axis in unknown.filter(|axis| !reference.contains(axis)) {
-        let fresh = Some(axis) != blind && from.found.unknown.contains(&(axis, Unknown::NotProgrammed));
-        let axis = axis.to_string();
-        notes.push(if fresh { Note::Fresh { axis } } else { Note::Stands { axis } });
+    let is_moved = |axis| from.found.unknown.iter().any(|(letter, _)| *letter == axis);
+    let unknown =
+        from.there.unknown.iter().copied().filter(|(axis, _)| Some(*axis) != blind && !reference.contains(axis));
+    let (unseen, unknown): (Vec<_>, Vec<_>) = unknown.partition(|(_, lack)| *lack == Lack::Unseen);
+    for (axis, lack) in unknown.into_iter().chain(blind.map(|axis| (axis, Lack::Lost))) {
+        let letter = axis.to_string();
+        match lack {
+            Lack::Fresh if !is_moved(axis) => {}
+            Lack::Fresh | Lack::FromStart => notes.push(Note::Fresh { axis: letter }),
+            Lack::Lost | Lack::Unseen => notes.push(Note::Stands { axis: letter }),
+        }
+    }
+    if !unseen.is_empty() {
+        let axes: Vec<String> = unseen.iter().map(|(axis, _)| axis.to_string()).collect();
+        notes.push(Note::Unseen { axes: axes.join(", ") });
     }
     let machine = &from.settings.machine;
     let apart = from.there.apart.iter().map(|(_, _, number)| *number);

@@ -22,9 +22,9 @@ bilingual! {
         Needed { axis: String, n: u32 }
             "the position of {axis} is not known, and N{n} goes on from it",
             "poloha osy {axis} není známa a N{n} z ní pokračuje";
-        Below { axis: String, n: u32 }
-            "the position of {axis}, the tool's axis, is not known, and N{n} moves other axes",
-            "poloha osy nástroje {axis} není známa a N{n} pohybuje jinými osami";
+        Stands { axis: String, n: u32 }
+            "the position of {axis} is not known, and N{n} moves other axes",
+            "poloha osy {axis} není známa a N{n} pohybuje jinými osami";
         Oriented "the spindle is an axis (M19)", "vřeteno je osou (M19)";
         Copying { g: String }
             "{g} is in force, and what it does is not modelled",
@@ -90,6 +90,9 @@ bilingual! {
         Stands { axis: String }
             "{axis} is not known here: move it clear by hand first",
             "{axis} zde není známa: nejdřív odjet ručně";
+        Unseen { axes: String }
+            "a macrocycle of the machine may have moved {axes}: move them as it left them",
+            "makrocyklus stroje mohl pohnout osami {axes}: najet s nimi, kde je nechal";
         Parameters "parameters read later", "parametry čtené dále";
         Functions "functions in force", "platné funkce";
         ToolChange "tool change", "výměna nástroje";

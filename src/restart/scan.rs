@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 
-use super::approach::{Target, UnknownAxes};
+use super::approach::{Lack, Target, UnknownAxes};
 use super::reason::Reason;
 use super::tracker::{Conversion, Options, Tracker};
 use crate::config::Settings;
@@ -61,8 +61,8 @@ pub(super) struct There {
     pub text: Option<(u64, BlockId)>,
     /// The latest earlier place that works.
     pub nearest: Option<u64>,
-    /// Axes that are not known there.
-    pub unknown: Vec<AxisLetter>,
+    /// Axes that are not known there, and why.
+    pub unknown: Vec<(AxisLetter, Lack)>,
 }
 
 /// Where the text of the program can go on.
@@ -229,7 +229,7 @@ impl Scan {
         };
         let unknown = target.unknown;
         let pending = Pending { seq, unknown, spots: spot.into_iter().collect() };
-        if !is_place && unknown.fresh | unknown.lost == 0 {
+        if !is_place && unknown.is_empty() {
             self.works(pending);
         } else {
             self.wait(pending);
@@ -270,9 +270,8 @@ impl Scan {
 
     fn there(&self, block: &Executed<'_>, target: Result<Target, Reason>) -> There {
         let Tracker { feed_mode, speed_mode, corrections, .. } = self.tracker;
-        let state = self.tracker.state();
         let axes = block.settings().machine.axes.iter().enumerate();
-        let unknown = axes.filter(|(at, _)| state.axis_position(*at).is_none()).map(|(_, axis)| axis.letter);
+        let unknown = axes.filter_map(|(at, axis)| Some((axis.letter, self.tracker.lack(at, axis)?)));
         There {
             target,
             feed_mode,
@@ -293,21 +292,22 @@ impl Scan {
         if self.pending.is_empty() {
             return;
         }
-        let used = Used::of(block, self.tracker.state(), self.tracker.tool_axis());
+        let used = Used::of(block, self.tracker.state());
         for mut pending in std::mem::take(&mut self.pending) {
-            let UnknownAxes { fresh, lost, below } = &mut pending.unknown;
-            let needed = (*fresh & used.from_there) | (*lost & (used.from_there | used.cut_from));
-            let below_others = *below && used.others_first;
-            if needed != 0 || below_others {
+            let UnknownAxes { fresh, from_start, lost } = &mut pending.unknown;
+            let cut = (*from_start | *lost) & used.cut_from;
+            let needed = (*fresh | *from_start | *lost) & used.from_there | cut;
+            let stays = if used.moved == 0 { 0 } else { *lost & !used.moved };
+            if needed | stays != 0 {
                 if self.place == Some(pending.seq) {
-                    self.refuse(block, needed);
+                    self.refuse(block, needed, stays);
                 }
                 continue;
             }
-            *fresh &= !used.known;
-            *lost &= !used.known;
-            *below &= !used.tool_known;
-            if *fresh | *lost == 0 && self.place != Some(pending.seq) {
+            for axes in [fresh, from_start, lost] {
+                *axes &= !used.known;
+            }
+            if pending.unknown.is_empty() && self.place != Some(pending.seq) {
                 self.works(pending);
             } else {
                 self.wait(pending);
@@ -315,13 +315,17 @@ impl Scan {
         }
     }
 
-    /// The place does not work: the block needs axes that are not known.
-    fn refuse(&mut self, block: &Executed<'_>, needed: u16) {
-        let axes = &block.settings().machine.axes;
-        let at = if needed == 0 { self.tracker.tool_axis() } else { Some(needed.trailing_zeros() as usize) };
-        let axis = at.and_then(|at| axes.get(at)).map_or_else(String::new, |axis| axis.letter.to_string());
+    /// The place does not work: the block needs axes that are not known, or moves others while such ones stand.
+    fn refuse(&mut self, block: &Executed<'_>, needed: u16, stays: u16) {
+        let of = |axes: u16| {
+            let axis = block.settings().machine.axes.get(axes.trailing_zeros() as usize);
+            axis.map_or_else(String::new, |axis| axis.letter.to_string())
+        };
         let n = block.n();
-        let reason = if needed == 0 { Reason::Below { axis, n } } else { Reason::Needed { axis, n } };
+        let reason = match needed {
+            0 => Reason::Stands { axis: of(stays), n },
+            _ => Reason::Needed { axis: of(needed), n },
+        };
         if let Some(there) = &mut self.there {
             there.target = Err(reason);
         }
@@ -335,24 +339,22 @@ struct Used {
     from_there: u16,
     /// It cuts from where they stand to a programmed position.
     cut_from: u16,
+    /// It moves them.
+    moved: u16,
     /// Where they stand after it does not depend on where they stood.
     known: u16,
-    tool_known: bool,
-    /// It moves other axes, and not the tool's.
-    others_first: bool,
 }
 
 impl Used {
-    fn of(block: &Executed<'_>, before: &State, tool: Option<usize>) -> Self {
+    fn of(block: &Executed<'_>, before: &State) -> Self {
         let mut used = Self::default();
         let machine = &block.settings().machine;
         let incremental = block.g(GGroup::G9) == Some(GCode::G91);
         let bit = |letter: AxisLetter| machine.axes.index(letter).map_or(0, |at| 1_u16 << at);
-        let mut moved = 0;
         if let Some(motion) = block.motion() {
             let kind = motion.kind();
             for letter in motion.axes() {
-                moved |= bit(letter);
+                used.moved |= bit(letter);
                 if kind == MotionType::Reference {
                     continue;
                 }
@@ -370,7 +372,7 @@ impl Used {
         };
         if block.is_unmapped_cycle() {
             let named = letters(block.words());
-            moved |= named;
+            used.moved |= named;
             used.cut_from |= named;
             used.from_there |= if incremental { named } else { 0 };
         }
@@ -381,11 +383,9 @@ impl Used {
             let found = before.axis_position(at).is_none() && block.state().axis_position(at).is_some();
             used.known |= if found { 1 << at } else { 0 };
         }
-        let tool = tool.map_or(0, |at| 1 << at);
-        used.others_first = moved & !tool != 0 && moved & tool == 0;
-        used.known |= block.moved_unseen().fold(0, |all, axis| all | bit(axis));
-        used.known |= if block.change_pos() { u16::MAX } else { moved };
-        used.tool_known = used.known & tool != 0;
+        used.moved |= block.moved_unseen().fold(0, |all, axis| all | bit(axis));
+        used.moved |= if block.change_pos() { u16::MAX } else { 0 };
+        used.known |= used.moved;
         used
     }
 }

@@ -1,9 +1,9 @@
 //! What a start at the next block would need: kept while the program is executed, judged before each block.
 
-use super::approach::{Approach, Height, Target};
+use super::approach::{Approach, Height, Lack, Target};
 use super::reason::Reason;
 use crate::analysis::state::{Axes, Before, Unknown};
-use crate::config::Settings;
+use crate::config::{Axis, MayMove, Settings};
 use crate::diag::CallKind;
 use crate::dict::{
     Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, OTHER_GROUP,
@@ -54,6 +54,9 @@ pub(super) struct Tracker {
     drifted: [bool; 9],
     /// By place in machine order: of what left it unsettled, a length correction is not all.
     origin_moved: [bool; 9],
+    /// Axes that the program never moved itself, and a macrocycle that may move any axis, a bit for each place in
+    /// machine order.
+    unseen: u16,
     /// The greatest position of the tool's axis with the tool and the origin in force.
     highest: Option<Micro>,
     /// The tool's axis came to where it is in rapid, and nothing was worked there.
@@ -82,10 +85,11 @@ impl Tracker {
             tool_axis: settings.machine.axes.index(tool_letter),
             tool_is_named: settings.machine.tool_axis.is_some(),
             before: Before::new(settings),
-            axes: Axes::default(),
+            axes: Axes::new(settings),
             named: [false; 9],
             drifted: [false; 9],
             origin_moved: [false; 9],
+            unseen: 0,
             highest: None,
             came_in_rapid: true,
             turns: false,
@@ -107,10 +111,6 @@ impl Tracker {
         &self.before
     }
 
-    pub const fn tool_axis(&self) -> Option<usize> {
-        self.tool_axis
-    }
-
     /// What a call of the cycle map changes before a block.
     pub fn arrive(&mut self, block: &Executed<'_>) {
         self.before.arrive(block);
@@ -118,7 +118,7 @@ impl Tracker {
 
     /// Follows a block.
     pub fn pass(&mut self, block: &Executed<'_>) {
-        self.axes.pass(block, self.before.state());
+        self.axes.pass(block, self.before.elsewhere(block));
         let tool = self.tool_axis.and_then(|at| block.settings().machine.axes.get(at)).map(|axis| axis.letter);
         if !block.moves_on() {
             self.note(block);
@@ -193,14 +193,19 @@ impl Tracker {
             let values = data.map(|data| data.values.to_vec()).unwrap_or_default();
             self.conversion = Some(Conversion { function, values });
         }
+        let machine = &block.settings().machine;
         let moves_origin = data.is_some()
             || block.g(GGroup::G5) != before.g_in_force(GGroup::G5)
-            || block.g(GGroup::G11) != before.g_in_force(GGroup::G11)
-            || !(block.written(Address::D) || block.written(Address::Correction));
-        for (at, _) in block.settings().machine.axes.iter().enumerate() {
+            || block.g(GGroup::G11) != before.g_in_force(GGroup::G11);
+        let corrects = block.written(Address::D) || block.written(Address::Correction);
+        let any = block.opaque_call().is_some_and(|l| machine.macrocycles.get(&l) == Some(&MayMove::All));
+        for (at, _) in machine.axes.iter().enumerate() {
             let (was, is) = (before.is_unsettled(at), after.is_unsettled(at));
             if let Some(moved) = self.origin_moved.get_mut(at) {
-                *moved = is && (*moved || (moves_origin && !was) || data.is_some());
+                *moved = is && (*moved || moves_origin || !was && !corrects);
+            }
+            if any && !self.is_named(at) {
+                self.unseen |= 1 << at;
             }
             if let Some(named) = self.named.get_mut(at) {
                 *named |= before.axis_position(at) != after.axis_position(at);
@@ -211,6 +216,37 @@ impl Tracker {
     /// Whether the program gave the axis its position.
     pub fn is_named(&self, at: usize) -> bool {
         self.named.get(at).copied().unwrap_or(false)
+    }
+
+    /// Whether the program gave no axis a position so far: a start here is one at its beginning.
+    fn begins(&self) -> bool {
+        !self.named.contains(&true)
+    }
+
+    /// Whether an axis is not where the program says, or has it from the project file, after a change of origin or
+    /// correction (MOT-8). The length of the tool is none of a rotary axis.
+    fn is_stale(&self, at: usize, rotary: bool) -> bool {
+        let is = |of: &[bool; 9]| of.get(at).copied().unwrap_or(false);
+        (is(&self.drifted) || self.state().is_unsettled(at)) && (!rotary || is(&self.origin_moved))
+    }
+
+    /// Why an axis is not where the program says it is, if it is not known.
+    pub fn lack(&self, at: usize, axis: Axis) -> Option<Lack> {
+        if self.state().axis_position(at).is_some() {
+            let from_start = !self.is_named(at) && (self.begins() || self.is_stale(at, axis.rotary));
+            return from_start.then_some(Lack::FromStart);
+        }
+        match self.axes.why(axis.letter) {
+            Unknown::Reference => None,
+            Unknown::NotProgrammed => Some(Lack::Fresh),
+            Unknown::Macrocycle if !self.is_named(at) && self.unseen & 1 << at != 0 => Some(Lack::Unseen),
+            Unknown::Macrocycle
+            | Unknown::MFunction
+            | Unknown::Cycle
+            | Unknown::Spindle
+            | Unknown::Incremental
+            | Unknown::Value => Some(Lack::Lost),
+        }
     }
 
     /// How a start at the block can be approached, with the axes that are not known there.
@@ -232,29 +268,19 @@ impl Tracker {
         let Some(tool) = self.tool_axis else { return Err(Reason::NoAxis { axis: self.tool_letter.to_string() }) };
         let mut target = Target::default();
         for (at, axis) in settings.machine.axes.iter().enumerate() {
-            if state.axis_position(at).is_some() {
-                let rotary = axis.rotary && !self.origin_moved.get(at).copied().unwrap_or(false);
-                let drifted = self.drifted.get(at).copied().unwrap_or(false);
-                if (drifted || state.is_unsettled(at)) && self.is_named(at) && !rotary {
-                    return Err(Reason::Stale { axis: axis.letter.to_string() });
-                }
-                continue;
+            if self.is_named(at) && state.axis_position(at).is_some() && self.is_stale(at, axis.rotary) {
+                return Err(Reason::Stale { axis: axis.letter.to_string() });
             }
-            match self.axes.why(axis.letter) {
-                Unknown::Reference => {}
-                Unknown::NotProgrammed => target.unknown.fresh |= 1 << at,
-                Unknown::MFunction
-                | Unknown::Cycle
-                | Unknown::Macrocycle
-                | Unknown::Spindle
-                | Unknown::Incremental
-                | Unknown::Value => {
-                    target.unknown.lost |= 1 << at;
-                }
+            let unknown = &mut target.unknown;
+            match self.lack(at, axis) {
+                Some(Lack::Lost) => unknown.lost |= 1 << at,
+                Some(Lack::FromStart) if !self.begins() => unknown.from_start |= 1 << at,
+                Some(Lack::Fresh | Lack::Unseen) => unknown.fresh |= 1 << at,
+                Some(Lack::FromStart) | None => {}
             }
         }
-        target.unknown.below = target.unknown.lost & 1 << tool != 0;
-        target.approach = self.approach(settings, tool, target.unknown.below)?;
+        let below = (target.unknown.lost | target.unknown.from_start) & 1 << tool != 0;
+        target.approach = self.approach(settings, tool, below)?;
         Ok(target)
     }
 
@@ -303,13 +329,11 @@ impl Tracker {
         let state = self.state();
         let machine = &settings.machine;
         let diameters = state.g_in_force(GGroup::G10) == Some(GCode::G74);
-        let moved = || machine.axes.iter().enumerate().filter(|(at, _)| self.is_named(*at));
+        let is_known = |at: usize, axis: Axis| !self.begins() && self.lack(at, axis).is_none();
         let mut approach = Approach { diameters, ..Approach::default() };
-        for (at, axis) in moved() {
+        for (at, axis) in machine.axes.iter().enumerate().filter(|(at, axis)| is_known(*at, *axis)) {
             let Some(position) = state.axis_position(at) else {
-                if self.axes.why(axis.letter) == Unknown::Reference {
-                    approach.reference.push(axis.letter);
-                }
+                approach.reference.push(axis.letter);
                 continue;
             };
             approach.written(axis.letter, position)?;
@@ -320,10 +344,8 @@ impl Tracker {
         if below && !approach.others.is_empty() {
             return Err(Reason::Position { axis: self.tool_letter.to_string() });
         }
-        let is_needed = !(approach.others.is_empty() && approach.reference.is_empty());
-        let Some(place) = state.axis_position(tool).filter(|_| self.is_named(tool) || is_needed) else {
-            return Ok(approach);
-        };
+        let is_known = machine.axes.get(tool).is_some_and(|axis| is_known(tool, axis));
+        let Some(place) = state.axis_position(tool).filter(|_| is_known) else { return Ok(approach) };
         approach.tool = Some((self.tool_letter, place));
         let safe = self.options.safe.map(|safe| {
             let safe = Micro::from(safe);

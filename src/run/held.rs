@@ -1,6 +1,6 @@
 //! The state between two blocks, for readers that ask about a place in a program.
 
-use super::state::{Held, Origin, State};
+use super::state::{AxisSet, Held, Origin, State};
 use super::{Executed, Feed, FeedUnit, Passed};
 use crate::config::Machine;
 use crate::dict::{Address, Decimal, FEED_GROUP, FeedPer, GCode, GGroup, Micro, REDUCED_FEED};
@@ -36,6 +36,12 @@ impl State {
     /// Where an axis is, by place in machine order; `None` when that is not known.
     pub fn axis_position(&self, axis: usize) -> Option<Micro> {
         self.position(axis).known()
+    }
+
+    /// The axes that stand elsewhere than in another state, or of which only one of the two knows where.
+    pub fn axes_elsewhere(&self, other: &Self) -> AxisSet {
+        let pairs = self.positions.iter().zip(&other.positions).enumerate();
+        pairs.filter(|(_, (here, there))| here.known() != there.known()).map(|(axis, _)| axis).collect()
     }
 
     /// The value of a parameter; `None` when that is not known (PAR-5).
@@ -137,6 +143,11 @@ impl State {
     pub fn is_lost(&self, index: u8) -> bool {
         let parameter = self.parameters.get(usize::from(index));
         parameter.is_some_and(|parameter| parameter.value.is_none() && parameter.origin != Origin::Machine)
+    }
+
+    /// Whether the program gave a parameter its value, known or not.
+    pub fn is_assigned(&self, index: u8) -> bool {
+        self.parameters.get(usize::from(index)).is_some_and(|parameter| matches!(parameter.origin, Origin::Word(_)))
     }
 
     /// What M02 and M30 leave of the G functions: those of power-up (MFN-7).

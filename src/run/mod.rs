@@ -48,4 +48,4 @@ pub use moved::{ArcPath, Length, Missing, Motion, MotionType};
 pub use passed::{Passed, PointPath, Points};
 pub use program::Program;
 pub use sink::Sink;
-pub use state::State;
+pub use state::{AxisSet, State};

@@ -86,14 +86,14 @@ pub(super) struct Origins {
 
 /// Axes, a bit for each place in machine order.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub(super) struct AxisSet(u16);
+pub struct AxisSet(u16);
 
 impl AxisSet {
     /// Every axis.
     pub(super) const ALL: Self = Self(u16::MAX);
 
     /// Whether no axis is in it.
-    pub(super) const fn is_empty(self) -> bool {
+    pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
@@ -108,7 +108,8 @@ impl AxisSet {
         self.0 &= !(1 << axis);
     }
 
-    pub(super) const fn contains(self, axis: usize) -> bool {
+    /// Whether the axis at a place in machine order is in it.
+    pub const fn contains(self, axis: usize) -> bool {
         self.0 & (1 << axis) != 0
     }
 }

@@ -324,6 +324,63 @@ fn starts_that_would_be_wrong() {
     }
 }
 
+/// RST-4, RST-6: an axis that stands where nobody knows is no axis to go on beside: what a macrocycle of the machine,
+/// a distance or an M function left it at, whether the program names it later or not.
+#[test]
+fn axes_that_stand_where_nobody_knows() {
+    let head = "%1\nN10 T2 M06\nN20 G90 G00 X0 Y0 Z50\nN30 S900 M03 F300\n";
+    let start = |config: &str, blocks: &str, n: &str| {
+        let text = format!("{head}{blocks}N900 M30\n");
+        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
+        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "60"])
+    };
+    let table = "[machine-macrocycles]\nL9002 = { axes = [\"B\"] }\n";
+    let cut = "N40 R1=90\nN50 G72 L9002\nN60 G01 Z-5\nN70 X40\nN80 G00 Z50\n";
+    let refused = start(table, cut, "70").ends(1);
+    refused.says("the position of B is not known, and N70 moves other axes").says("--seq 4, N50");
+    // What the program assigned is written for the macrocycle that may read it, whatever the text after it reads.
+    let before = start(table, cut, "50").ends(0).stdout;
+    assert!(before.contains("R1=90 \"parameters read later\""), "{before}");
+    let any = "[machine-macrocycles]\nL9002 = {}\n";
+    let after = start(any, "N50 G72 L9002\nN55 G00 X0 Y0 Z50\nN60 G01 Z-5\nN70 X40\n", "70").ends(0).stdout;
+    assert!(after.contains("\"a macrocycle of the machine may have moved A, B, C, U, V, W:"), "{after}");
+    for (config, lost) in [
+        ("[machine-macrocycles]\nL9002 = { axes = [\"Y\"] }\n", "N40 G72 L9002\n"),
+        ("", "N40 G81 Y9 Z-5\nN45 G80\nN46 Z50\n"),
+    ] {
+        let refused = start(config, &format!("{lost}N50 G90 G01 Z-5\nN60 X20\nN70 X40\nN76 G00 Z50\n"), "70");
+        refused.ends(1).says("the position of Y is not known, and N70 moves other axes");
+    }
+    // The length of the tool is none of a rotary axis, its origin is.
+    let turned = |blocks: &str| start("", &format!("N32 B88\n{blocks}N50 G00 X5 Y5 Z20\nN60 G01 Z-2\nN70 X30\n"), "70");
+    turned("N35 &0100\nN40 G55\n").ends(1).says("B has not moved since the origin");
+    turned("N35 G55\nN40 &0100\n").ends(1).says("B has not moved since the origin");
+    assert!(turned("N35 &0100\n").ends(0).stdout.contains("B88 \"across\""));
+}
+
+/// RST-2: axes stand where `[start]` has them before the program moves any; later they are moved there like others,
+/// and where the origin has changed since, they are none to cut from.
+#[test]
+fn axes_from_the_project_file() {
+    let start = |blocks: &str, n: &str| {
+        let text = format!("%1\nN10 T3 M06\nN20 S900 M03 F300\n{blocks}N900 M30\n");
+        let config = b"[start]\nX = 1\nY = 2\nZ = 80\n";
+        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config)]);
+        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "90"])
+    };
+    let cut = "N30 G90 G00 Z10\nN40 G01 Z-5\nN50 X20\nN60 Y30\nN70 G00 Z50\n";
+    let across = start(cut, "50").ends(0).stdout;
+    assert!(across.contains("G00 X1 Y2 \"across\""), "{across}");
+    let begin = start(cut, "20").ends(0).stdout;
+    assert!(!begin.contains("G00 ") || begin.contains("N30 G90 G00 Z10"), "{begin}");
+    assert!(begin.contains("\"Z was not programmed yet"), "{begin}");
+    let moved = format!("N25 G54 G00 Z10\n{cut}");
+    start(&moved, "50").ends(1).says("the position of X is not known, and N50 goes on from it");
+    start("N25 G54\nN30 G90 G00 X5 Y5\nN40 X9\nN50 Z3\nN60 G01 Z-5\n", "40")
+        .ends(1)
+        .says("the position of Z is not known");
+}
+
 /// RST-1: an axis that the program did not move yet has to stand where the program found it; the set of G23 is
 /// restored where G23 is in force from power-up on.
 #[test]

@@ -3,7 +3,7 @@
 use crate::config::Settings;
 use crate::diag::CallKind;
 use crate::dict::{GCode, GGroup};
-use crate::run::{ArmedCounter, Executed, Passed, State};
+use crate::run::{ArmedCounter, AxisSet, Executed, Passed, State};
 
 /// What holds before the next block: call [`Self::arrive`] at a block, ask, then [`Self::pass`] it.
 #[derive(Clone, Debug)]
@@ -44,6 +44,12 @@ impl Before {
             self.state.set_cycle(cycle);
         }
         self.state.pass_machine_call();
+    }
+
+    /// The axes that a block left elsewhere; those of points are not looked up.
+    #[inline]
+    pub fn elsewhere(&self, block: &Executed<'_>) -> AxisSet {
+        if block.moves_on() { AxisSet::default() } else { block.state().axes_elsewhere(&self.state) }
     }
 
     /// Becomes what holds after the block.

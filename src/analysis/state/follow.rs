@@ -127,7 +127,7 @@ impl Follow {
         Self {
             before: Before::new(settings),
             writers: Writers::default(),
-            axes: Axes::default(),
+            axes: Axes::new(settings),
             done: Tally::default(),
             change: Tally::default(),
         }
@@ -156,18 +156,31 @@ impl Follow {
             self.change = self.done;
         }
         self.done.add(block);
-        self.writers.note(block, self.before.state());
-        self.axes.pass(block, self.before.state());
+        let elsewhere = self.before.elsewhere(block);
+        self.writers.note(block, self.before.state(), elsewhere);
+        self.axes.pass(block, elsewhere);
         self.before.pass(block);
+    }
+
+    /// Counts a block, and notes what it moves: nobody asks any more what is in force.
+    #[inline]
+    pub fn count(&mut self, block: &Executed<'_>) {
+        self.done.add(block);
+        self.axes.note_moves(block);
     }
 
     /// Follows points that were executed at once; `length`: of their path.
     pub fn pass_over(&mut self, points: &Passed<'_>, length: Micro) {
+        self.count_points(points, length);
+        self.writers.note_points(points);
+        self.before.pass_over(points);
+    }
+
+    /// Counts points, and notes what they move.
+    pub fn count_points(&mut self, points: &Passed<'_>, length: Micro) {
         self.done.blocks += u64::from(points.stretch().count());
         self.done.path = self.done.path.plus(length);
-        self.writers.note_points(points);
         self.axes.pass_over(points);
-        self.before.pass_over(points);
     }
 
     /// What holds before or behind a block, without what is left.

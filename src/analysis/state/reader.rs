@@ -79,26 +79,30 @@ impl Sink for &mut StateReader {
     }
 
     fn passed(&mut self, points: &Passed<'_>) {
+        let length = self.lengths.of(points);
         if self.found.is_some() {
             self.next.look_at_points(points);
+            self.follow.count_points(points, length);
+        } else {
+            self.follow.pass_over(points, length);
         }
-        self.follow.pass_over(points, self.lengths.of(points));
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
         self.errors.look(block, findings);
-        self.follow.arrive(block);
-        let arrives = self.search.arrives(block);
-        let after = self.search.asked().after;
-        let was_found = self.found.is_some();
+        let (arrives, after) = (self.search.arrives(block), self.search.asked().after);
         if arrives && !after {
+            self.follow.arrive(block);
             self.keep(block, false);
         }
         if self.found.is_some() {
             self.next.look(block, self.follow.done());
+            self.follow.count(block);
+            return ControlFlow::Continue(());
         }
+        self.follow.arrive(block);
         self.follow.pass(block);
-        if arrives && after && !was_found {
+        if arrives {
             self.keep(block, true);
         }
         ControlFlow::Continue(())

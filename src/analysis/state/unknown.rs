@@ -1,7 +1,8 @@
 //! Which axes stand where nobody knows, and why.
 
-use crate::dict::{AxisLetter, SPINDLE_GROUP};
-use crate::run::{Executed, MotionType, Passed, State};
+use crate::config::Settings;
+use crate::dict::{AxisLetter, GCode, SPINDLE_GROUP};
+use crate::run::{AxisSet, Executed, MotionType, Passed};
 
 /// Why the position of an axis is not known.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
@@ -54,66 +55,82 @@ impl Unknown {
 }
 
 /// What execution does to the axes.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Axes {
     why: [Unknown; AxisLetter::ALL.len()],
     moved: [bool; AxisLetter::ALL.len()],
 }
 
 impl Axes {
+    /// Before the first block of a program that is executed with these settings.
+    pub fn new(settings: &Settings) -> Self {
+        let (why, moved) = ([Unknown::default(); AxisLetter::ALL.len()], [false; AxisLetter::ALL.len()]);
+        let mut axes = Self { why, moved };
+        settings.machine.start.keys().for_each(|axis| axes.note_moved(*axis));
+        axes
+    }
+
     /// Why an axis is not known, if it is not.
     pub fn why(&self, letter: AxisLetter) -> Unknown {
         self.why.get(letter as usize).copied().unwrap_or_default()
     }
 
-    /// Whether the program has moved it.
+    /// Whether the program has moved it, or where it stands was said.
     pub fn is_moved(&self, letter: AxisLetter) -> bool {
         self.moved.get(letter as usize).copied().unwrap_or(false)
     }
 
-    /// Notes what a block does; `before`: what was in force before it.
+    /// Notes what a block does; `elsewhere`: the axes that it left elsewhere.
     #[inline]
-    pub fn pass(&mut self, block: &Executed<'_>, before: &State) {
-        for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
-            if let Some(moved) = self.moved.get_mut(axis as usize) {
-                *moved = true;
-            }
-        }
+    pub fn pass(&mut self, block: &Executed<'_>, elsewhere: AxisSet) {
+        self.note_moves(block);
         if !block.moves_on() {
-            self.note(block, before);
+            self.note(block, elsewhere);
+        }
+    }
+
+    /// Notes which axes a block moves, and of which it says where they stand: no more is wanted.
+    #[inline]
+    pub fn note_moves(&mut self, block: &Executed<'_>) {
+        block.motion().into_iter().flat_map(|motion| motion.axes()).for_each(|axis| self.note_moved(axis));
+        if block.moves_on() || block.motion().is_some() {
+            return;
+        }
+        let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
+        let cycle = if block.is_unmapped_cycle() { block.words() } else { &[] };
+        let letters = stands.iter().chain(cycle).map(|(letter, _)| *letter);
+        letters.filter_map(AxisLetter::from_letter).for_each(|axis| self.note_moved(axis));
+    }
+
+    fn note_moved(&mut self, axis: AxisLetter) {
+        if let Some(moved) = self.moved.get_mut(axis as usize) {
+            *moved = true;
         }
     }
 
     /// Notes what points do.
     pub fn pass_over(&mut self, points: &Passed<'_>) {
-        for (axis, _) in points.axes() {
-            if let Some(moved) = self.moved.get_mut(axis as usize) {
-                *moved = true;
-            }
-        }
+        points.axes().for_each(|(axis, _)| self.note_moved(axis));
     }
 
-    fn note(&mut self, block: &Executed<'_>, before: &State) {
-        let after = block.state();
+    fn note(&mut self, block: &Executed<'_>, elsewhere: AxisSet) {
+        let (after, motion) = (block.state(), block.motion());
         let by_cycle = block.is_unmapped_cycle();
+        // Nearly all blocks of programs do nothing else to axes than move them.
+        let is_unseen = by_cycle || block.opaque_call().is_some() || block.change_pos();
+        if !is_unseen && elsewhere.is_empty() && motion.is_none() {
+            return;
+        }
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
             let letter = axis.letter;
-            let (Some(unknown), Some(moved)) = (self.why.get_mut(letter as usize), self.moved.get_mut(letter as usize))
-            else {
-                continue;
-            };
-            let was_known = before.axis_position(place).is_some();
+            let moves = elsewhere.contains(place) || motion.is_some_and(|motion| motion.moves(letter));
+            let Some(unknown) = self.why.get_mut(letter as usize).filter(|_| moves || is_unseen) else { continue };
             let cycle = by_cycle && block.words().iter().any(|(word, _)| *word == letter.letter());
-            *moved |= cycle || was_known;
-            if block.opaque_call().is_some() && block.moved_unseen().any(|unseen| unseen == letter) {
+            if block.moved_unseen().any(|unseen| unseen == letter) {
                 *unknown = Unknown::Macrocycle;
             } else if after.axis_position(place).is_some() {
                 *unknown = Unknown::NotProgrammed;
-            } else if was_known
-                || cycle
-                || block.motion().is_some_and(|motion| motion.moves(letter))
-                || *unknown == Unknown::Reference && block.change_pos()
-            {
+            } else if moves || cycle || *unknown == Unknown::Reference && block.change_pos() {
                 *unknown = why(block, letter, cycle, *unknown);
             }
         }

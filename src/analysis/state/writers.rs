@@ -2,22 +2,22 @@
 
 use crate::diag::CallKind;
 use crate::dict::{Address, AxisLetter, GCode, Lasting, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
-use crate::run::{Executed, Passed, State};
+use crate::run::{AxisSet, Executed, Passed, State};
 use crate::syntax::BlockId;
 use crate::text::FileId;
 
-/// The values beside G, M, parameters and axes that blocks write, in the order of records.
-pub(super) const VALUES: [&str; 9] = ["feed", "tool", "s", "t", "h", "p", "d", "length_correction", "dynamic_set"];
-
-/// Those that a word of an address writes.
-const BY_WORD: [(Address, &str); 7] = [
-    (Address::F, "feed"),
-    (Address::S, "s"),
-    (Address::T, "t"),
-    (Address::H, "h"),
-    (Address::P, "p"),
-    (Address::D, "d"),
-    (Address::Correction, "length_correction"),
+/// The values beside G, M, parameters and axes that blocks write, in the order of records, each with the address whose
+/// words write it.
+const VALUES: [(&str, Option<Address>); 9] = [
+    ("feed", Some(Address::F)),
+    ("tool", None),
+    ("s", Some(Address::S)),
+    ("t", Some(Address::T)),
+    ("h", Some(Address::H)),
+    ("p", Some(Address::P)),
+    ("d", Some(Address::D)),
+    ("length_correction", Some(Address::Correction)),
+    ("dynamic_set", None),
 ];
 
 /// Something that a block writes.
@@ -47,7 +47,7 @@ impl Slot {
         match self {
             Self::G(group) => format!("g{group}"),
             Self::M(group) => format!("m{group}"),
-            Self::Value(at) => VALUES.get(at).copied().unwrap_or_default().to_owned(),
+            Self::Value(at) => VALUES.get(at).map_or("", |(name, _)| *name).to_owned(),
             Self::R(index) => format!("R{index}"),
             Self::Axis(letter) => letter.to_string(),
         }
@@ -55,7 +55,13 @@ impl Slot {
 
     /// The value of that name.
     pub fn value(name: &str) -> Self {
-        Self::Value(VALUES.iter().position(|value| *value == name).unwrap_or(0))
+        Self::Value(VALUES.iter().position(|(value, _)| *value == name).unwrap_or(0))
+    }
+
+    /// The value that words of an address write.
+    #[inline]
+    fn by_word(address: Address) -> Option<Self> {
+        VALUES.iter().position(|(_, by)| *by == Some(address)).map(Self::Value)
     }
 
     fn index(self) -> usize {
@@ -114,16 +120,16 @@ impl Default for Writers {
 }
 
 impl Writers {
-    /// Notes what a block wrote; `before`: what was in force before it.
+    /// Notes what a block wrote; `before`: what was in force before it; `elsewhere`: the axes that it left elsewhere.
     #[inline]
-    pub fn note(&mut self, block: &Executed<'_>, before: &State) {
+    pub fn note(&mut self, block: &Executed<'_>, before: &State, elsewhere: AxisSet) {
         let (file, id) = block.at();
         let writer = Writer { seq: block.seq(), file, block: id, call: call(block) };
         for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
             self.set(Slot::Axis(axis), writer);
         }
         if !block.moves_on() {
-            self.note_words(block, before, writer);
+            self.note_words(block, before, elsewhere, writer);
         }
     }
 
@@ -142,7 +148,7 @@ impl Writers {
         }
     }
 
-    fn note_words(&mut self, block: &Executed<'_>, before: &State, writer: Writer) {
+    fn note_words(&mut self, block: &Executed<'_>, before: &State, elsewhere: AxisSet, writer: Writer) {
         // What holds for its block alone is no more in force, and what it hid was written by another.
         let lasting = block.g_written().filter(|code| code.lasting() != Lasting::Block);
         lasting.for_each(|code| self.set(Slot::G(code.group().index()), writer));
@@ -159,21 +165,24 @@ impl Writers {
         }
         let block_id = block.at().1;
         for word in block.file().into_iter().flat_map(|file| file.words(block_id)) {
-            if let Some((_, value)) = BY_WORD.iter().find(|(address, _)| *address == word.address) {
-                self.set(Slot::value(value), writer);
+            if let Some(slot) = Slot::by_word(word.address) {
+                self.set(slot, writer);
             }
         }
         let after = block.state();
-        let arc = block.motion().is_some_and(|motion| motion.kind().is_arc());
-        let chooses = !arc && block.written(Address::I) && block.g_written().any(|code| code == GCode::G23);
-        if chooses || before.dynamic_set() != after.dynamic_set() {
+        let arc = || block.motion().is_some_and(|motion| motion.kind().is_arc());
+        let chooses = || block.g_written().any(|code| code == GCode::G23) && block.written(Address::I) && !arc();
+        if before.dynamic_set() != after.dynamic_set() || chooses() {
             self.set(Slot::value("dynamic_set"), writer);
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
         let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
+        if elsewhere.is_empty() && stands.is_empty() {
+            return;
+        }
         for (place, axis) in block.settings().machine.axes.iter().enumerate() {
             let named = stands.iter().any(|(letter, _)| *letter == axis.letter.letter());
-            if named || before.axis_position(place) != after.axis_position(place) {
+            if named || elsewhere.contains(place) {
                 self.set(Slot::Axis(axis.letter), writer);
             }
         }
