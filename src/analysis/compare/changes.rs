@@ -5,10 +5,14 @@ use std::collections::{BTreeMap, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use super::align::{Aligned, align};
+use super::reader::INHERITED;
 use super::steps::{Context, Does, Event, Motion, Step, Steps, Value};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
-use crate::run::FeedUnit;
+use crate::run::{FeedUnit, MotionType};
 use crate::sure::small;
+
+/// Of an arc, in millionths of degrees.
+const HALF_TURN: u64 = 180_000_000;
 
 /// What differs.
 #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
@@ -352,8 +356,8 @@ impl Grouping<'_> {
                 self.positions(&old, &new, &mut found);
             }
             // What repeats in one program and acts in the other may be a change that stands elsewhere too.
-            (Some(Does::Event(_)), Some(Does::Event(_))) if old.repeats || new.repeats => {
-                let same = old.token == new.token;
+            (Some(Does::Event(said)), Some(Does::Event(says))) if old.repeats || new.repeats => {
+                let same = said == says;
                 let acts = [(a, !old.repeats), (b, !new.repeats)];
                 for (events, (at, _)) in self.events.iter_mut().zip(acts).filter(|(_, (_, acts))| *acts) {
                     events.push((at, same));
@@ -405,9 +409,16 @@ impl Grouping<'_> {
         let (Some(plane), Some(a), Some(b)) = (new.plane, old.center(), new.center()) else { return };
         for ((letter, what), (a, b)) in plane.into_iter().zip(["I", "J"]).zip(a.into_iter().zip(b)) {
             let shift = deltas.get(letter as usize).copied().unwrap_or(0);
-            if beyond(a.saturating_add(shift), b) {
+            if beyond(a, b) && beyond(a.saturating_add(shift), b) {
                 add(what, Some(a), Some(b));
             }
+        }
+        // A whole circle ends near where an arc of no length does.
+        let turns = [old.sweep(), new.sweep()].map(Option::unwrap_or_default);
+        if found.is_empty() && turns[0].abs_diff(turns[1]) > HALF_TURN {
+            let [a, b] = turns.map(|turn| Some(Value::Text(format!("{}°", Micro::from_millionths(turn).rounded()))));
+            let what = Some(Cow::Borrowed(if new.kind == MotionType::ArcCw { "G02" } else { "G03" }));
+            found.push(Difference { kind: ChangeKind::Position, what, old: a, new: b });
         }
     }
 
@@ -440,8 +451,9 @@ impl Grouping<'_> {
             |context: &Context, group: GGroup| context.functions.iter().copied().find(|code| code.group() == group);
         for group in GGroup::ALL {
             let (a, b) = (of(old, group), of(new, group));
-            // The plane is that of a radius correction, which both must have.
-            if a != b && !(group == GGroup::G1 && (a.is_none() || b.is_none())) {
+            // These count where both programs have them: the plane under a radius correction, all beside a macrocycle.
+            let counts = !INHERITED.contains(&group) || (a.is_some() && b.is_some());
+            if a != b && counts {
                 let text = |code: Option<GCode>| code.map(|code| Value::Text(code.to_string()));
                 let what = b.or(a).map(|code| Cow::Owned(code.to_string()));
                 found.push(Difference { kind: ChangeKind::Function, what, old: text(a), new: text(b) });

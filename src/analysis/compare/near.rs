@@ -106,7 +106,7 @@ impl<'s> Point<'s> {
     fn all(steps: &'s Steps, range: &Range<usize>) -> Vec<Self> {
         let point = |step: &Step| {
             let (values, event) = match steps.does(step) {
-                Some(Does::Motion(motion)) => (motion.values().iter().map(|value| *value as f64 / 1e6).collect(), None),
+                Some(Does::Motion(motion)) => (motion.places().iter().map(|value| *value as f64 / 1e6).collect(), None),
                 Some(Does::Event(event)) => (Vec::new(), Some(&event.value)),
                 None => (Vec::new(), None),
             };

@@ -1,5 +1,6 @@
 //! From executed blocks to steps.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use super::ChangeKind;
@@ -18,6 +19,10 @@ pub struct StepReader {
     parameters: bool,
     context: u32,
     before: Option<Written>,
+    /// The sums of distances, by axis, since nobody knows where it is.
+    way: [Micro; AxisLetter::ALL.len()],
+    /// The parameters that a macrocycle of the machine was called with last.
+    handed: BTreeMap<u8, Value>,
 }
 
 /// What lasts, as a change of it counts and its repetition does not.
@@ -42,7 +47,14 @@ impl Written {
 impl StepReader {
     /// `parameters`: also what is assigned to parameters, and jumps.
     pub fn new(parameters: bool) -> Self {
-        Self { steps: Steps::default(), parameters, context: 0, before: None }
+        Self {
+            steps: Steps::default(),
+            parameters,
+            context: 0,
+            before: None,
+            way: Default::default(),
+            handed: BTreeMap::new(),
+        }
     }
 
     /// The steps read.
@@ -87,10 +99,7 @@ impl StepReader {
             // A fixed cycle that nobody knows, a spiral, a thread.
             let slot = block.g(GGroup::G8).filter(|code| code.is_cycle()).map_or("I J K".to_owned(), |g| g.to_string());
             let words = block.words().iter().map(|(letter, value)| format!("{letter}{value}"));
-            // What the words of a cycle mean depends on these, and nothing else of the block tells of them.
-            let groups = [GGroup::G1, GGroup::G9, GGroup::G10].into_iter().filter(|_| block.is_unmapped_cycle());
-            let functions = groups.filter_map(|group| block.g(group).filter(|g| Some(*g) != GCode::power_up(group)));
-            let words: Vec<String> = functions.map(|function| function.to_string()).chain(words).collect();
+            let words: Vec<String> = words.collect();
             self.event(block, ChangeKind::Data, &slot, Value::Text(words.join(" ")));
         }
     }
@@ -129,6 +138,7 @@ impl StepReader {
         if let Some(l) = block.opaque_call() {
             let count = Some(block.call_count()).filter(|count| *count != 1);
             let count = count.map_or_else(String::new, |count| format!(" Q{count}"));
+            self.read_parameters(block);
             self.event(block, ChangeKind::Function, "G72", Value::Text(format!("L{l}{count}")));
         }
         if self.parameters {
@@ -144,6 +154,19 @@ impl StepReader {
         }
     }
 
+    /// The parameters that the program assigned, and that a macrocycle of the machine may read.
+    fn read_parameters(&mut self, block: &Executed<'_>) {
+        if self.parameters {
+            return;
+        }
+        for index in (0..96).filter(|index| block.state().is_assigned(*index)) {
+            let value = block.parameter(index).map_or_else(|| Value::Text("?".to_owned()), Value::from);
+            if self.handed.insert(index, value.clone()).as_ref() != Some(&value) {
+                self.event(block, ChangeKind::Parameter, &format!("R{index}"), value);
+            }
+        }
+    }
+
     fn note_context(&mut self, block: &Executed<'_>) {
         let kind = block.motion().map(|motion| motion.kind());
         let working = kind.is_some_and(|kind| kind.is_working() || kind == MotionType::Thread) || block.is_opaque();
@@ -152,8 +175,12 @@ impl StepReader {
         let plane = block.g(GGroup::G1).filter(|_| radius.is_some());
         // What S means; the unit of F tells of the other functions of the group.
         let speed = block.g(GGroup::G6).filter(|code| working && matches!(code, GCode::G96 | GCode::G97));
-        let groups = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11];
-        let functions = groups.into_iter().filter_map(|group| block.g(group)).chain(plane).chain(speed);
+        let motion = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11].into_iter();
+        let inherited = INHERITED.into_iter().filter(|group| match group {
+            GGroup::G0 => block.opaque_call().is_some(),
+            _ => block.is_opaque(),
+        });
+        let functions = motion.chain(inherited).filter_map(|group| block.g(group)).chain(plane).chain(speed);
         let context = Context {
             tool: block.tool(),
             working,
@@ -176,6 +203,11 @@ impl StepReader {
             let stale = moves.is_stale_along(letter);
             let known = moves.end(letter).filter(|_| !(stale && by_distance));
             let distance = moves.distance(letter);
+            let way = self.way.get_mut(letter as usize).map(|way| {
+                *way = if known.is_some() { Micro::ZERO } else { way.plus(distance.unwrap_or_default()) };
+                *way
+            });
+            let way = way.filter(|_| distance.is_some());
             motion.axes |= bit;
             if known.is_none() {
                 motion.by |= bit;
@@ -183,14 +215,14 @@ impl StepReader {
             if distance == Some(Micro::ZERO) && moves.start(letter).is_some() && !stale {
                 motion.still |= bit;
             }
-            motion.push(known.or(distance).map_or(UNKNOWN, Micro::millionths));
+            motion.push(known.or(way).map_or(UNKNOWN, Micro::millionths));
         }
         let arc = moves.arc();
         // From a start that nobody knows, the way to the centre counts.
         let center = |arc: &ArcPath| arc.center.filter(|_| !moves.is_stale()).or(arc.to_center);
         if let Some((arc, center)) = arc.and_then(|arc| Some((arc, center(&arc)?))) {
             motion.plane = Some(arc.plane);
-            center.iter().for_each(|value| motion.push(value.millionths()));
+            center.iter().chain(&arc.sweep_deg).for_each(|value| motion.push(value.millionths()));
         }
         let moves_nothing = motion.still == motion.axes && arc.is_none() && moves.kind() != MotionType::Reference;
         if !moves_nothing {
@@ -198,6 +230,10 @@ impl StepReader {
         }
     }
 }
+
+/// What a macrocycle of the machine and a fixed cycle go by (FLW-10), and no motion tells of. Of a cycle the first is
+/// none: it moves by itself.
+pub(super) const INHERITED: [GGroup; 4] = [GGroup::G0, GGroup::G1, GGroup::G9, GGroup::G10];
 
 /// Whether a function acts behind the motion of its block.
 fn is_late(number: u8) -> bool {
@@ -218,6 +254,9 @@ impl Sink for &mut StepReader {
             return ControlFlow::Continue(());
         }
         let before = self.before.take().unwrap_or_else(|| Written::of(&State::new(block.settings())));
+        if block.change_pos() {
+            self.way = Default::default();
+        }
         self.note_context(block);
         self.read_before(block, &before);
         self.read_motion(block);

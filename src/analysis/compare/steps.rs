@@ -54,8 +54,8 @@ pub struct Context {
 /// The value of an axis of which neither end nor distance is known.
 pub(super) const UNKNOWN: i64 = i64::MIN;
 
-/// Most values of a motion: nine axes and a centre.
-const MOST: usize = AxisLetter::ALL.len() + 2;
+/// Most values of a motion: nine axes, a centre and an angle.
+const MOST: usize = AxisLetter::ALL.len() + 3;
 
 /// A motion, as it is read.
 #[derive(Clone, Copy, Debug)]
@@ -65,11 +65,12 @@ pub(super) struct Motion {
     pub axes: u16,
     /// Those that stay where they are.
     pub still: u16,
-    /// Those of which the distance is known, not the end.
+    /// Those of which distances are known, not the end.
     pub by: u16,
     /// The axes of the plane of an arc whose centre is known.
     pub plane: Option<[AxisLetter; 2]>,
-    /// End or distance by axis, then the centre.
+    /// End by axis, or the sum of distances since nobody knows where the axis is; then the centre, and how far the arc
+    /// turns.
     pub values: [i64; MOST],
     pub count: usize,
 }
@@ -90,6 +91,12 @@ impl Motion {
         self.values.get(..self.count).unwrap_or_default()
     }
 
+    /// Those that are places along axes.
+    pub fn places(&self) -> &[i64] {
+        let center = if self.plane.is_some() { 2 } else { 0 };
+        self.values.get(..self.axes.count_ones() as usize + center).unwrap_or_default()
+    }
+
     /// The axes in the order of their values.
     pub fn letters(&self) -> impl Iterator<Item = AxisLetter> {
         let axes = self.axes;
@@ -106,6 +113,11 @@ impl Motion {
     pub fn center(&self) -> Option<[i64; 2]> {
         let at = self.axes.count_ones() as usize;
         self.plane.and_then(|_| Some([*self.values.get(at)?, *self.values.get(at + 1)?]))
+    }
+
+    /// How far an arc turns, in millionths of degrees.
+    pub fn sweep(&self) -> Option<i64> {
+        self.plane.and_then(|_| self.values.get(self.axes.count_ones() as usize + 2).copied())
     }
 
     /// Hash of its effect: axes that stay are left out.
@@ -209,7 +221,7 @@ impl Steps {
 
     pub(super) fn add_event(&mut self, (seq, n): (u64, u32), context: u32, event: Event, repeats: bool) {
         let mut hasher = DefaultHasher::new();
-        event.hash(&mut hasher);
+        (&event, repeats).hash(&mut hasher);
         let token = hasher.finish();
         let known = self.event_at.get(&event).copied();
         let at = known.unwrap_or_else(|| {
