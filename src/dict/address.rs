@@ -191,6 +191,8 @@ pub const FIRST_CONTROL: u8 = 5;
 pub const LAST_CONTROL: u8 = 8;
 /// The most repeats, and the longest dwell in units of 10 ms (GRP-5).
 pub const HIGHEST_Q: i64 = 9999;
+/// The highest P (ADR-2).
+pub const HIGHEST_P: i64 = 99;
 /// The highest spindle speed, unless configured.
 pub const HIGHEST_S: u32 = 9999;
 /// The range of F per revolution, in mm (TEC-1).
@@ -260,7 +262,7 @@ addresses! {
     H "H" b'H' Auxiliary, false, true, "ADR-1",
         "auxiliary function, by the machine builder",
         "pomocná funkce, podle výrobce stroje";
-    P "P" b'P' Whole { min: 1, max: 99 }, false, true, "ADR-2",
+    P "P" b'P' Whole { min: 1, max: HIGHEST_P }, false, true, "ADR-2",
         "auxiliary function, by the machine builder", "pomocná funkce, podle výrobce stroje";
     T "T" b'T' Whole { min: 0, max: 69_999_999 }, false, true, "TEC-4",
         "tool number; M06 changes the tool", "číslo nástroje; vymění ho až M06";

@@ -17,8 +17,8 @@ mod plane;
 mod range;
 
 pub use address::{
-    Address, AddressRow, AxisLetter, FEED_PER_REVOLUTION, FIRST_CONTROL, HIGHEST_BLOCK, HIGHEST_L, HIGHEST_PARAMETER,
-    HIGHEST_Q, HIGHEST_S, LAST_CONTROL, RESERVED_PARAMETER, ValueForm,
+    Address, AddressRow, AxisLetter, FEED_PER_REVOLUTION, FIRST_CONTROL, HIGHEST_BLOCK, HIGHEST_L, HIGHEST_P,
+    HIGHEST_PARAMETER, HIGHEST_Q, HIGHEST_S, LAST_CONTROL, RESERVED_PARAMETER, ValueForm,
 };
 pub use arithmetic::Operation;
 pub use decimal::Decimal;

@@ -247,7 +247,9 @@ impl Context<'_, '_> {
             if parsed.flags(block).has(BlockFlags::RETURN)
                 && let Some(&word) = parsed.words(block).iter().find(|word| word.g_code() == Some(GCode::G70))
             {
-                self.report(parsed.word_place(word), Finding::EndOutsideSubprogram { finishing: false });
+                let has = |address: Address| parsed.words(block).iter().any(|word| word.address == address);
+                let finishing = has(Address::P) && has(Address::Q);
+                self.report(parsed.word_place(word), Finding::EndOutsideSubprogram { finishing });
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{Around, Diagnosis, write};
 use crate::diag::{Code, Diagnostic, DwellMeant, Finding, NumberMeant, TargetMeant, ValueMeant, shown};
-use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_Q};
+use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_P, HIGHEST_Q};
 use crate::sure::{Sure, small};
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, tokens};
@@ -28,8 +28,11 @@ fn function(around: &Around<'_>, codes: &[GCode]) -> Option<(GCode, Word)> {
 pub(super) fn other_cycle(around: &Around<'_>) -> Option<Diagnostic> {
     let has = |address: Address| around.has(address);
     if let Some((_, g)) = function(around, &[GCode::G70]) {
+        // P up to 99 is one of this control.
+        let number = around.words.iter().find(|word| word.address == Address::P).and_then(|p| p.whole());
+        let is_cycle = has(Address::Q) && number.is_some_and(|number| number > HIGHEST_P);
         let finding = Finding::EndOutsideSubprogram { finishing: true };
-        return (has(Address::P) && has(Address::Q)).then(|| around.diagnostic(g.span(around.text), finding));
+        return is_cycle.then(|| around.diagnostic(g.span(around.text), finding));
     }
     let (function, g) = function(around, &[GCode::G71, GCode::G72, GCode::G73])?;
     let radius = around.words.iter().any(|word| word.address == Address::R && word.is_void());
