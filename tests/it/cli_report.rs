@@ -111,6 +111,10 @@ fn axes_that_stand_while_others_work() {
     let early = extents("N1 G90 T1 M6 S900 M3\nN2 G1 Z5 F100\nN3 G0 X7\nN4 G1 Z-5\nN5 M30\n");
     let working = &early["extents"]["working"];
     assert_eq!((&working["X"], &working["unknown_blocks"]), (&json!([7, 7]), &json!([2])), "{early}");
+    // All motions reach as far as those that work.
+    place.put("cnc872c.toml", "[start]\nX = 1\nY = 2\nZ = 80\n");
+    let start = extents("N1 G90 T2 M6 S900 M3\nN2 G0 X10 Z50\nN3 G82 X3 Z-4\nN4 G80\nN5 G1 X5 Z5 F300\nN6 M30\n");
+    assert_eq!([&start["extents"]["working"]["Y"], &start["extents"]["all"]["Y"]], [&json!([2, 2]); 2], "{start}");
 }
 
 /// Operands of arithmetic are read, its results are the program's own; a macrocycle of the machine runs as often as its

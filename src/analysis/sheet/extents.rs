@@ -111,6 +111,14 @@ impl Extents {
         }
     }
 
+    /// Adds how far a part of these motions goes.
+    pub(super) fn cover(&mut self, part: &Self) {
+        for (letter, reach) in AxisLetter::ALL.into_iter().zip(part.axes) {
+            let ends = reach.known.into_iter().flat_map(|(least, greatest)| [least, greatest]);
+            ends.for_each(|position| self.add(letter, position));
+        }
+    }
+
     fn has_moved(&self, letter: AxisLetter) -> bool {
         self.axes.get(letter as usize).is_some_and(|reach| reach.known.is_some() || reach.lacks)
     }

@@ -319,7 +319,8 @@ impl Sink for SheetReader {
     fn end(mut self, _: End, _: &mut Findings) -> Sheet {
         let Sheet { working, all, tools, .. } = &mut self.sheet;
         let tools = tools.iter_mut().map(|tool| &mut tool.extents);
-        std::iter::once(working).chain(tools).for_each(|extents| extents.end(all));
+        std::iter::once(&mut *working).chain(tools).for_each(|extents| extents.end(all));
+        all.cover(working);
         if self.sheet.head.diameter {
             let tools = self.sheet.tools.iter_mut().map(|tool| &mut tool.extents);
             [&mut self.sheet.working, &mut self.sheet.all].into_iter().chain(tools).for_each(Extents::in_diameters);
