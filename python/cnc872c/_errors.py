@@ -62,7 +62,8 @@ def _message(report: Report, otherwise: str) -> str:
 def program_error(text: str) -> ProgramError:
     """The exception for findings as JSON."""
     report = Report.from_json(text)
-    return ProgramError(_message(report, "the program was not executed to its end"), report.findings)
+    otherwise = str(report.findings[0]) if report.findings else "the program was not executed to its end"
+    return ProgramError(_message(report, otherwise), report.findings)
 
 
 def config_error(text: str) -> ConfigError:

@@ -167,7 +167,7 @@ class Block(Record):
     continuous_mode: bool = cell()
     """G23 in force."""
     dynamic_set: int | None = cell()
-    """1–4, once G23 with I chose one."""
+    """Under G23: 1, until G23 with I chooses another, 1–4."""
     opaque_call: int | None = cell()
     """The macrocycle that it calls at its end and that only the machine has: the axes that it may move are unknown after it."""
     data: Data | None = group(Data, "data_", "data_g")

@@ -24,6 +24,8 @@ pub enum Fault {
     Place(String),
     /// Named folders that hold no programs.
     Barren(PathBuf),
+    /// No program is named.
+    None,
 }
 
 /// Numbers of errors that are the same on all systems that the package is for.
@@ -39,6 +41,7 @@ impl Fault {
                 let words = (NOT_FOUND, "the folder holds no programs", path_name(&folder));
                 Ok(PyOSError::new_err(words))
             }
+            Self::None => Ok(PyOSError::new_err((NOT_FOUND, "no program is named"))),
             Self::Option(words) => exception(py, "ConfigError", &words),
             Self::Place(words) => exception(py, "PlaceError", &words),
             Self::Config(report) => exception(py, "config_error", &report),

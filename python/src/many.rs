@@ -41,6 +41,9 @@ struct Search {
 impl<'o> Many<'o> {
     /// The programs that `paths` mean. A text replaces the only one.
     fn new(paths: Vec<PathBuf>, text: Option<Arc<[u8]>>, options: &'o Options, search: &Search) -> Result<Self, Fault> {
+        if paths.is_empty() && !search.empty {
+            return Err(Fault::None);
+        }
         let given = text.is_some();
         let mut setup = Setup::new(options, &paths, text)?;
         let mut found = if given {

@@ -155,26 +155,39 @@ fn config(value: &Bound<'_, PyAny>) -> PyResult<Config> {
     if let Ok(dictionary) = value.cast::<PyDict>() {
         let mut document = DocumentMut::new();
         for (key, value) in dictionary {
-            document.insert(&key.extract::<String>()?, item(&value)?);
+            document.insert(&key.extract::<String>()?, item(&value, DEPTH)?);
         }
         return Ok(Config::Text(DICTIONARY.into(), document.to_string().into_bytes().into()));
     }
     Ok(Config::File(value.extract()?))
 }
 
+/// No project file is nested deeper.
+const DEPTH: usize = 16;
+
+/// So much deeper a value may be nested.
+///
+/// # Errors
+/// `ConfigError` when it is nested too deeply, as one that contains itself.
+fn deeper(value: &Bound<'_, PyAny>, depth: usize) -> PyResult<usize> {
+    depth.checked_sub(1).ok_or_else(|| wrong(value.py(), "config: nested too deeply".to_owned()))
+}
+
 /// A value at the top of the project file: dictionaries are tables, lists of them are arrays of tables.
-fn item(value: &Bound<'_, PyAny>) -> PyResult<toml_edit::Item> {
+fn item(value: &Bound<'_, PyAny>, depth: usize) -> PyResult<toml_edit::Item> {
+    let depth = deeper(value, depth)?;
     if let Ok(dictionary) = value.cast::<PyDict>() {
         let mut table = toml_edit::Table::new();
         for (key, value) in dictionary {
-            table.insert(&key.extract::<String>()?, item(&value)?);
+            table.insert(&key.extract::<String>()?, item(&value, depth)?);
         }
         return Ok(table.into());
     }
-    Ok(toml_edit::Item::Value(toml(value)?))
+    Ok(toml_edit::Item::Value(toml(value, depth)?))
 }
 
-fn toml(value: &Bound<'_, PyAny>) -> PyResult<Value> {
+fn toml(value: &Bound<'_, PyAny>, depth: usize) -> PyResult<Value> {
+    let depth = deeper(value, depth)?;
     // Booleans are whole numbers to Python.
     if value.is_instance_of::<PyBool>() {
         return Ok(value.extract::<bool>()?.into());
@@ -189,13 +202,13 @@ fn toml(value: &Bound<'_, PyAny>) -> PyResult<Value> {
         return Ok(value.extract::<String>()?.into());
     }
     if value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>() {
-        let items = value.try_iter()?.map(|item| toml(&item?)).collect::<PyResult<Array>>()?;
+        let items = value.try_iter()?.map(|item| toml(&item?, depth)).collect::<PyResult<Array>>()?;
         return Ok(items.into());
     }
     if let Ok(dictionary) = value.cast::<PyDict>() {
         let mut table = InlineTable::new();
         for (key, value) in dictionary {
-            table.insert(&key.extract::<String>()?, toml(&value)?);
+            table.insert(&key.extract::<String>()?, toml(&value, depth)?);
         }
         return Ok(table.into());
     }

@@ -38,6 +38,9 @@ impl At {
         };
         let mut asked = Asked { place, file: self.file, pass: self.pass_number, after: self.after };
         if let Some(seconds) = self.time {
+            if !(seconds.is_finite() && seconds >= 0.0) {
+                return Err(Fault::Place(format!("time: {seconds} is no time in seconds")));
+            }
             let mut at_time = AtTime::new(one.session.settings, seconds);
             let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut &mut at_time);
             match at_time.found() {

@@ -254,3 +254,32 @@ def test_the_command(folder: Path) -> None:
     assert run("check", "missing.nc").returncode == 2
     toml = (ROOT / "Cargo.toml").read_text()
     assert f'version = "{cnc872c.__version__}"' in toml
+
+
+def test_values_that_cannot_be() -> None:
+    text = "%1\nN10 G90 G00 X0 Y0\nN20 G01 X3 Y4 F100\nN30 M30"
+    other = text.replace("X3", "X3.5")
+    for wrong in (-1.0, float("nan"), float("inf")):
+        for name in ("tolerance", "feed_tolerance"):
+            with pytest.raises(cnc872c.ConfigError, match=name):
+                cnc872c.compare(old_text=text, new_text=other, **{name: wrong})  # type: ignore[arg-type]
+        with pytest.raises(cnc872c.PlaceError, match="no time"):
+            cnc872c.state(text=text, time=wrong)
+    endless: dict[str, object] = {}
+    endless["a"] = endless
+    deep: list[object] = []
+    for _ in range(100_000):
+        deep = [deep]
+    for config in (endless, {"a": deep}):
+        with pytest.raises(cnc872c.ConfigError, match="nested too deeply"):
+            cnc872c.check(text=text, config=config)  # type: ignore[arg-type]
+    for function in (cnc872c.check, cnc872c.stats):
+        with pytest.raises(FileNotFoundError, match="no program is named"):
+            function([])
+    assert cnc872c.check([], allow_empty=True).ok
+
+
+def test_what_is_not_formatted() -> None:
+    for text in ("", "N1 G79 L9001\nN2 G1X5\nN3 G70\n"):
+        assert cnc872c.format(text=text) == text
+    assert "G01 X5" in cnc872c.format("L9001", text="N1 G79 L9001\nN2 G1X5\nN3 G70\n")

@@ -65,12 +65,12 @@ fn put(table: &mut Table, step: &Step<'_>, signals: &[&'static Signal]) {
     table.number("start_s", "s", step.start_s.map(Micro::to_f64));
     table.flag("stop", place.stop);
     for (signal, value) in signals.iter().zip(step.values) {
-        let value: Value = *value;
+        let (value, unit): (Value, _) = (*value, signal.cell.unit());
         match signal.form() {
-            Form::Real => table.number(&signal.name, "", value.map(|value| Micro::from_millionths(value).to_f64())),
+            Form::Real => table.number(&signal.name, unit, value.map(|value| Micro::from_millionths(value).to_f64())),
             Form::Bit | Form::Byte => table.byte(&signal.name, value.and_then(|value| u8::try_from(value).ok())),
             Form::Word | Form::DWord => {
-                table.whole(&signal.name, "", value.and_then(|value| u32::try_from(value).ok()));
+                table.whole(&signal.name, unit, value.and_then(|value| u32::try_from(value).ok()));
             }
         }
     }

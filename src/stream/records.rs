@@ -319,7 +319,7 @@ pub struct BlockRecord {
     /// ContinuousMode: G23 in force.
     #[schemars(default)]
     pub continuous_mode: bool,
-    /// 1–4, once G23 with I chose one (GRP-7).
+    /// Under G23: 1, until G23 with I chooses another, 1–4 (GRP-7).
     pub dynamic_set: Option<u8>,
     /// The number of the macrocycle that it calls at its end and that only the machine has (FLW-12): the axes that it
     /// may move are unknown after it.

@@ -62,6 +62,19 @@ pub enum Cell {
     TimeDist,
 }
 
+impl Cell {
+    /// The unit of its numbers; empty where they have none, or where it depends on the axes that move.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Delay => "s",
+            Self::SpindleSpeed => "rev/min",
+            Self::LinearAccel => "mm/s2",
+            Self::TimeDist => "ms",
+            _ => "",
+        }
+    }
+}
+
 /// Facts of a block that are true or not.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 #[repr(u8)]
