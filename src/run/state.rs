@@ -97,6 +97,16 @@ impl AxisSet {
         self.0 == 0
     }
 
+    /// The places of its axes.
+    pub fn places(self) -> impl Iterator<Item = usize> {
+        let mut left = self.0;
+        std::iter::from_fn(move || {
+            let place = left.trailing_zeros() as usize;
+            left &= left.wrapping_sub(1);
+            (place < 16).then_some(place)
+        })
+    }
+
     /// Gives whether it was not in the set.
     pub(super) const fn insert(&mut self, axis: usize) -> bool {
         let new = !self.contains(axis);

@@ -49,15 +49,8 @@ const KAMENICKY: [char; 128] = [
 
 impl Encoding {
     /// Every one.
-    pub const ALL: [Self; 7] = [
-        Self::Utf8,
-        Self::Cp852,
-        Self::Windows1250,
-        Self::Iso88592,
-        Self::Kamenicky,
-        Self::Utf16Le,
-        Self::Utf16Be,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Utf8, Self::Cp852, Self::Windows1250, Self::Iso88592, Self::Kamenicky, Self::Utf16Le, Self::Utf16Be];
 
     /// As options and tables call it.
     pub const fn name(self) -> &'static str {

@@ -176,10 +176,8 @@ impl StepReader {
         // What S means; the unit of F tells of the other functions of the group.
         let speed = block.g(GGroup::G6).filter(|code| working && matches!(code, GCode::G96 | GCode::G97));
         let motion = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11].into_iter();
-        let inherited = INHERITED.into_iter().filter(|group| match group {
-            GGroup::G0 => block.opaque_call().is_some(),
-            _ => block.is_opaque(),
-        });
+        let counts = |group: &GGroup| block.is_opaque() && (*group != GGroup::G0 || block.opaque_call().is_some());
+        let inherited = INHERITED.into_iter().filter(counts);
         let functions = motion.chain(inherited).filter_map(|group| block.g(group)).chain(plane).chain(speed);
         let context = Context {
             tool: block.tool(),

@@ -70,7 +70,29 @@ impl Cell {
             Self::SpindleSpeed => "rev/min",
             Self::LinearAccel => "mm/s2",
             Self::TimeDist => "ms",
-            _ => "",
+            Self::Group(_)
+            | Self::Mark(_)
+            | Self::Flag(_)
+            | Self::Moves(_)
+            | Self::Request(_)
+            | Self::Backwards(_)
+            | Self::Tool
+            | Self::H
+            | Self::Position(_)
+            | Self::BlockLen
+            | Self::FeedProgr
+            | Self::ParabAccel
+            | Self::GroupByte(_)
+            | Self::HByte
+            | Self::ToolByte(_)
+            | Self::SpeedByte { .. }
+            | Self::Written(_)
+            | Self::Spindle(_)
+            | Self::Range(_)
+            | Self::Coolant12(_)
+            | Self::Coolant34(_)
+            | Self::Gear
+            | Self::Stretch => "",
         }
     }
 }

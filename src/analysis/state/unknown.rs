@@ -116,12 +116,15 @@ impl Axes {
     fn note(&mut self, block: &Executed<'_>, elsewhere: AxisSet) {
         let (after, motion) = (block.state(), block.motion());
         let by_cycle = block.is_unmapped_cycle();
-        // Nearly all blocks of programs do nothing else to axes than move them.
         let is_unseen = by_cycle || block.opaque_call().is_some() || block.change_pos();
-        if !is_unseen && elsewhere.is_empty() && motion.is_none() {
+        let axes = &block.settings().machine.axes;
+        let is_lost = |place: usize| after.axis_position(place).is_none();
+        let moved = || motion.into_iter().flat_map(|motion| motion.axes()).filter_map(|axis| axes.index(axis));
+        // Nearly all blocks of programs do nothing else to axes than move them to known places.
+        if !is_unseen && !moved().any(is_lost) && !elsewhere.places().any(is_lost) {
             return;
         }
-        for (place, axis) in block.settings().machine.axes.iter().enumerate() {
+        for (place, axis) in axes.iter().enumerate() {
             let letter = axis.letter;
             let moves = elsewhere.contains(place) || motion.is_some_and(|motion| motion.moves(letter));
             let Some(unknown) = self.why.get_mut(letter as usize).filter(|_| moves || is_unseen) else { continue };

@@ -20,6 +20,20 @@ const VALUES: [(&str, Option<Address>); 9] = [
     ("dynamic_set", None),
 ];
 
+/// The places in [`VALUES`] of what words write, by address.
+#[expect(clippy::indexing_slicing, reason = "a constant: the compiler computes it")]
+const BY_WORD: [Option<usize>; Address::ALL.len()] = {
+    let mut places = [None; Address::ALL.len()];
+    let mut at = 0;
+    while at < VALUES.len() {
+        if let Some(address) = VALUES[at].1 {
+            places[address as usize] = Some(at);
+        }
+        at += 1;
+    }
+    places
+};
+
 /// Something that a block writes.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Slot {
@@ -61,7 +75,7 @@ impl Slot {
     /// The value that words of an address write.
     #[inline]
     fn by_word(address: Address) -> Option<Self> {
-        VALUES.iter().position(|(_, by)| *by == Some(address)).map(Self::Value)
+        BY_WORD.get(address as usize).copied().flatten().map(Self::Value)
     }
 
     fn index(self) -> usize {
