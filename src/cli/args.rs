@@ -511,7 +511,7 @@ pub(super) struct FindingsArgs {
 /// show.
 #[derive(Debug, Args)]
 pub(super) struct CommonArgs {
-    #[arg(long, value_name = "DIALECT")]
+    #[arg(long, value_name = "DIALECT", ignore_case = true)]
     pub dialect: Option<Dialect>,
     #[arg(long, value_name = "FILE")]
     pub config: Option<PathBuf>,
@@ -525,7 +525,7 @@ pub(super) struct CommonArgs {
     pub block_skip: bool,
     #[arg(long)]
     pub optional_stop: bool,
-    #[arg(long, value_name = "ENCODING")]
+    #[arg(long, value_name = "ENCODING", ignore_case = true)]
     pub encoding: Option<Encoding>,
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub max_blocks: Option<u64>,
@@ -591,7 +591,7 @@ pub(super) struct ExplainArgs {
 pub(super) struct InitArgs {
     #[arg(value_name = "DIR")]
     pub folder: Option<PathBuf>,
-    #[arg(long, value_name = "DIALECT")]
+    #[arg(long, value_name = "DIALECT", ignore_case = true)]
     pub dialect: Option<Dialect>,
 }
 

@@ -71,7 +71,8 @@ impl Topic {
     /// either case.
     fn find_word(name: &str) -> Result<Self, Unknown> {
         let name = name.trim();
-        if let Some(code) = Code::find(name).or_else(|| Code::find(&name.to_ascii_lowercase())) {
+        let code = Code::find(name).or_else(|| Code::find(&name.to_ascii_lowercase()));
+        if let Some(code) = code.or_else(|| Code::find(&four_digits(name))) {
             return Ok(Self::Finding(code));
         }
         if let Some(topic) = Self::signal(name) {
@@ -248,6 +249,12 @@ fn is_parameter(name: &str) -> bool {
 fn looks_like_code(name: &str) -> bool {
     let digits = name.strip_prefix(['E', 'e', 'W', 'w']).unwrap_or_default();
     digits.len() == 4 && digits.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+/// `W801` as `W0801`.
+fn four_digits(name: &str) -> String {
+    let (letter, digits) = name.split_at_checked(1).unwrap_or_default();
+    if digits.len() == 3 { format!("{letter}0{digits}") } else { String::new() }
 }
 
 /// Whether it is a value, as of a word copied from a program.

@@ -16,13 +16,13 @@ pub enum Encoding {
     #[cfg_attr(feature = "cli", value(name = "cp852"))]
     Cp852,
     /// Windows, Central European.
-    #[cfg_attr(feature = "cli", value(name = "windows-1250"))]
+    #[cfg_attr(feature = "cli", value(name = "windows-1250", aliases = ["cp1250", "win1250"]))]
     Windows1250,
     /// ISO Latin 2.
     #[cfg_attr(feature = "cli", value(name = "iso-8859-2"))]
     Iso88592,
     /// The code of the Kamenický brothers (CP895), of Czech DOS machines.
-    #[cfg_attr(feature = "cli", value(name = "kamenicky"))]
+    #[cfg_attr(feature = "cli", value(name = "kamenicky", alias = "cp895"))]
     Kamenicky,
     /// UTF-16, the lower byte of each unit first: told by its bytes, and no encoding of part programs.
     #[cfg_attr(feature = "cli", value(skip))]

@@ -209,6 +209,11 @@ fn explanations_of_findings_functions_and_addresses() {
     let explain = |arguments: &[&str]| place.run(&[&["explain"], arguments].concat()).ends(0).stdout;
     assert!(explain(&["E0306"]).contains("duplicate-address"));
     assert_eq!(explain(&["E0306"]), explain(&["duplicate-address"]));
+    assert_eq!([explain(&["e306"]), explain(&["W801"])], [explain(&["E0306"]), explain(&["W0801"])]);
+    place.put("a.nc", "%1\nN10 M30\n");
+    for other in [["--dialect", "CNC8x9"], ["--encoding", "cp1250"], ["--encoding", "Windows-1250"]] {
+        place.run(&[&["check", "a.nc"], &other[..]].concat()).ends(0);
+    }
     assert!(explain(&["E0306", "--lang", "cs"]).contains("Proč"));
     assert!(explain(&["G73"]).contains("Group G7, calls and jumps"));
     assert!(explain(&["M19"]).contains("oriented spindle stop"));
