@@ -191,15 +191,11 @@ impl Writers {
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
         let stands = block.data().filter(|data| data.g == GCode::G93).map_or(&[][..], |data| data.values);
-        if elsewhere.is_empty() && stands.is_empty() {
-            return;
-        }
-        for (place, axis) in block.settings().machine.axes.iter().enumerate() {
-            let named = stands.iter().any(|(letter, _)| *letter == axis.letter.letter());
-            if named || elsewhere.contains(place) {
-                self.set(Slot::Axis(axis.letter), writer);
-            }
-        }
+        let stands = stands.iter().filter_map(|(letter, _)| AxisLetter::from_letter(*letter));
+        stands.for_each(|axis| self.set(Slot::Axis(axis), writer));
+        let axes = &block.settings().machine.axes;
+        let left = elsewhere.places().filter_map(|place| axes.get(place));
+        left.for_each(|axis| self.set(Slot::Axis(axis.letter), writer));
     }
 
     /// Who wrote each of `slots`, as far as somebody did. `block`: one of the same execution.
