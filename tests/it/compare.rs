@@ -309,6 +309,27 @@ fn planted_changes() {
 }
 
 /// CMP-4, CMP-5: M08 earlier is one change with both places; JSON, exit status.
+/// CMP-4: a word that is written earlier or later is one change with both places, over however many motions.
+#[test]
+fn words_that_moved() {
+    let part = |at: usize, words: &str| {
+        let mut blocks: Vec<String> = (1..8).map(|x| format!("G01 X{x} Y{}", x % 3)).collect();
+        blocks.insert(at, words.to_owned());
+        of_text(&framed(&format!("M08\n{}", blocks.join("\n"))))
+    };
+    for words in ["M09", "M05", "M09 M05", "M12 M09", "G04 Q10", "M70", "D2", "T2 M06"] {
+        for (from, to) in (0..7).flat_map(|from| (0..7).map(move |to| (from, to))).filter(|(from, to)| from != to) {
+            let changes = compare(&part(from, words), &part(to, words), TOLERANCES).changes;
+            let told: Vec<_> = changes.iter().map(|change| (change.kind, change.what.clone())).collect();
+            let moved = changes.iter().all(|change| {
+                !matches!(change.kind, ChangeKind::Added | ChangeKind::Removed | ChangeKind::Position)
+                    && change.old_blocks.count == change.new_blocks.count
+            });
+            assert!(moved && !told.is_empty(), "{words} from {from} to {to}: {told:?}");
+        }
+    }
+}
+
 /// A part: the frame around the blocks of a case.
 fn framed(blocks: &str) -> String {
     let numbered: String = blocks.lines().enumerate().map(|(at, block)| format!("N{} {block}\n", 10 + at)).collect();

@@ -9,6 +9,7 @@ use imara_diff::{Algorithm, Diff, Token};
 
 use super::near::by_nearness;
 use super::steps::{Steps, increments};
+use super::straight::Straight;
 use crate::sure::small;
 
 /// A step of one program or both, by index.
@@ -20,7 +21,8 @@ pub(super) enum Aligned {
 }
 
 /// Gives both programs step by step. It is the mirror image of what the exchanged programs give.
-pub(super) fn align(old: &Steps, new: &Steps, mut give: impl FnMut(Aligned)) {
+pub(super) fn align(old: &Steps, new: &Steps, give: impl FnMut(Aligned)) {
+    let mut straight = Straight::new([old, new], give);
     let tokens = |steps: &Steps| steps.list.iter().map(|step| step.token).collect::<Vec<_>>();
     let (a, b) = (tokens(old), tokens(new));
     let swapped = a > b;
@@ -34,7 +36,7 @@ pub(super) fn align(old: &Steps, new: &Steps, mut give: impl FnMut(Aligned)) {
     let (a, b) = if swapped { (b, a) } else { (a, b) };
     each(a, b, |same, before, after| {
         if same {
-            before.zip(after).for_each(|(a, b)| give(turned(Aligned::Both(a, b))));
+            before.zip(after).for_each(|(a, b)| straight.push(turned(Aligned::Both(a, b))));
             return;
         }
         // A shifted run moves by the same increments.
@@ -43,12 +45,13 @@ pub(super) fn align(old: &Steps, new: &Steps, mut give: impl FnMut(Aligned)) {
             let from = from.start + before.start..from.end + before.start;
             let to = to.start + after.start..to.end + after.start;
             if same {
-                from.zip(to).for_each(|(a, b)| give(turned(Aligned::Both(a, b))));
+                from.zip(to).for_each(|(a, b)| straight.push(turned(Aligned::Both(a, b))));
             } else {
-                pair((first, from), (second, to), &mut |aligned| give(turned(aligned)));
+                pair((first, from), (second, to), &mut |aligned| straight.push(turned(aligned)));
             }
         });
     });
+    straight.flush();
 }
 
 /// Pairs steps of one kind: in short runs the nearest ones, in long ones in their order.

@@ -13,6 +13,7 @@ mod json;
 mod near;
 mod reader;
 mod steps;
+mod straight;
 mod table;
 mod text;
 mod words;
