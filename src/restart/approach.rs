@@ -20,6 +20,8 @@ pub(super) enum Lack {
     /// It stands where `[start]` of the project file has it, and the program has not moved it since the origin or a
     /// correction changed, or has not moved anything.
     FromStart,
+    /// The spindle turned.
+    Turned,
     /// It was moved to where nobody knows.
     Lost,
 }
@@ -27,7 +29,7 @@ pub(super) enum Lack {
 /// The axes whose positions are not known at a place, a bit for each in machine order.
 #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
 pub(super) struct UnknownAxes {
-    /// See [`Lack::Fresh`] and [`Lack::Unseen`].
+    /// See [`Lack::Fresh`], [`Lack::Unseen`] and [`Lack::Turned`].
     pub fresh: u16,
     /// See [`Lack::FromStart`].
     pub from_start: u16,

@@ -8,8 +8,8 @@ use super::tracker::Options;
 use crate::analysis::state::{Found, Slot, Written};
 use crate::config::Settings;
 use crate::dict::{
-    AxisLetter, BUILDER_GROUPS, FIRST_DYNAMIC_SET, GCode, GEAR_GROUP, GGroup, Lang, M_GROUPS, MOMENTARY_GROUPS,
-    OTHER_GROUP, SPINDLE_GROUP, standard_m_functions,
+    AxisLetter, BUILDER_GROUPS, FIRST_DYNAMIC_SET, FeedMode, GCode, GEAR_GROUP, GGroup, Lang, M_GROUPS,
+    MOMENTARY_GROUPS, OTHER_GROUP, SPINDLE_GROUP, standard_m_functions,
 };
 
 /// What the preamble is made of.
@@ -47,6 +47,11 @@ impl<'a> Preamble<'a> {
         self.parameters(parameters);
         self.functions();
         self.tool();
+        // F of a constant cutting speed, or beside one, before the spindle turns: S would count otherwise.
+        let before = self.feed_function().is_some_and(|function| self.cuts_otherwise(function));
+        if before {
+            self.feed();
+        }
         self.spindle();
         let state = &self.from.found.state;
         let auxiliary = [("H", state.h()), ("P", state.p())];
@@ -54,7 +59,9 @@ impl<'a> Preamble<'a> {
         self.block(words.collect(), &Note::Auxiliary);
         self.m_functions();
         self.dynamic_set();
-        self.feed();
+        if !before {
+            self.feed();
+        }
         self.approach()?;
         self.last();
         Ok(self.lines)
@@ -139,15 +146,35 @@ impl<'a> Preamble<'a> {
         self.from.found.state.m_in_force(group).filter(|number| Some(*number) != power_up)
     }
 
+    fn mode(&self, function: GCode) -> Option<FeedMode> {
+        self.from.settings.machine.feed_mode(function)
+    }
+
+    /// Whether S counts otherwise under a function of group 6 than under the one in force.
+    fn cuts_otherwise(&self, function: GCode) -> bool {
+        let cuts = |function: GCode| self.mode(function).is_some_and(|mode| mode.constant_cut);
+        self.in_force(GGroup::G6).is_some_and(|in_force| cuts(in_force) != cuts(function))
+    }
+
+    /// The function that F has to be written under, where F counts otherwise under the one in force.
+    fn feed_function(&self) -> Option<GCode> {
+        let per = |function: GCode| self.mode(function).map(|mode| mode.per);
+        let in_force = self.in_force(GGroup::G6);
+        self.from.there.feed_mode.filter(|function| in_force.and_then(per) != per(*function))
+    }
+
     fn spindle(&mut self) {
         let state = &self.from.found.state;
         let speed = state.s();
-        let mut words = Vec::new();
-        if speed.is_some() {
-            words.extend(self.word(self.from.there.speed_mode));
-        }
-        words.extend(self.m_to_restore(GEAR_GROUP).map(|m| format!("M{m:02}")));
+        let mut words: Vec<String> = self.m_to_restore(GEAR_GROUP).map(|m| format!("M{m:02}")).into_iter().collect();
         words.extend(speed.map(|s| format!("S{s}")));
+        let function = self.from.there.speed_mode.filter(|function| speed.is_some() && self.cuts_otherwise(*function));
+        if let Some(word) = self.word(function) {
+            words.insert(0, word);
+            self.block(std::mem::take(&mut words), &Note::Spindle);
+            let in_force = self.in_force(GGroup::G6);
+            words.extend(self.word(in_force));
+        }
         words.extend(self.m_to_restore(SPINDLE_GROUP).map(|m| format!("M{m:02}")));
         let note = match self.writer(Slot::M(SPINDLE_GROUP)) {
             Some(written) => Note::SpindleOf { n: written.n },
@@ -198,7 +225,8 @@ impl<'a> Preamble<'a> {
     fn feed(&mut self) {
         let state = &self.from.found.state;
         if let Some(feed) = state.feed(&self.from.settings.machine) {
-            let mut words: Vec<String> = self.word(self.from.there.feed_mode).into_iter().collect();
+            let function = self.feed_function();
+            let mut words: Vec<String> = self.word(function).into_iter().collect();
             words.push(format!("F{}", feed.value));
             let note = match self.writer(Slot::value("feed")) {
                 Some(written) => Note::FeedOf { n: written.n },
@@ -304,6 +332,7 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
         let letter = axis.to_string();
         match lack {
             Lack::Fresh if !is_moved(axis) => {}
+            Lack::Turned => {}
             Lack::Fresh | Lack::FromStart => notes.push(Note::Fresh { axis: letter }),
             Lack::Lost | Lack::Unseen => notes.push(Note::Stands { axis: letter }),
         }

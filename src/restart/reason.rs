@@ -35,6 +35,9 @@ bilingual! {
         Converted { g: String }
             "{g} is in force: the tool's axis is not where it points to",
             "platí {g}: osa nástroje nemíří tam, kam její písmeno";
+        Conversions { g: String }
+            "conversions of coordinates were written one after the other ({g} last): whether they add up is not known",
+            "přepočty souřadnic byly zapsány po sobě (poslední {g}): zda se sčítají, není známo";
         Value { name: String } "the value of {name} is not known", "hodnota {name} není známa";
         Lathe
             "G74 makes it a lathe: name the axis of the tool by `tool-axis` of `[restart]` in the project file",

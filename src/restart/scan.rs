@@ -337,7 +337,7 @@ impl Scan {
 struct Used {
     /// It goes on from where they stand: G91, an arc, a thread, an origin by G93.
     from_there: u16,
-    /// It cuts from where they stand to a programmed position.
+    /// It cuts from where they stand to a programmed position, or a macrocycle of the machine begins there.
     cut_from: u16,
     /// It moves them.
     moved: u16,
@@ -383,7 +383,10 @@ impl Used {
             let found = before.axis_position(at).is_none() && block.state().axis_position(at).is_some();
             used.known |= if found { 1 << at } else { 0 };
         }
-        used.moved |= block.moved_unseen().fold(0, |all, axis| all | bit(axis));
+        // What a macrocycle of the machine does may depend on where it begins.
+        let unseen = block.moved_unseen().fold(0, |all, axis| all | bit(axis));
+        used.moved |= unseen;
+        used.cut_from |= unseen;
         used.moved |= if block.change_pos() { u16::MAX } else { 0 };
         used.known |= used.moved;
         used

@@ -35,6 +35,8 @@ const COPYING: [GCode; 4] = [GCode::G05, GCode::G06, GCode::G07, GCode::G08];
 pub(super) struct Conversion {
     pub function: GCode,
     pub values: Vec<(char, Decimal)>,
+    /// Another one was in force.
+    pub adds: bool,
 }
 
 /// Follows an execution: call [`Self::arrive`] at a block, judge, then [`Self::pass`] it.
@@ -191,7 +193,10 @@ impl Tracker {
         }
         if let Some(function) = block.g_written().find(|code| code.group() == GGroup::G11) {
             let values = data.map(|data| data.values.to_vec()).unwrap_or_default();
-            self.conversion = Some(Conversion { function, values });
+            let in_force = before.g_in_force(GGroup::G11) != GCode::power_up(GGroup::G11);
+            let last = self.conversion.as_ref().filter(|_| in_force);
+            let adds = last.is_some_and(|last| last.adds || (last.function, &last.values) != (function, &values));
+            self.conversion = Some(Conversion { function, values, adds });
         }
         let machine = &block.settings().machine;
         let moves_origin = data.is_some()
@@ -240,12 +245,10 @@ impl Tracker {
             Unknown::Reference => None,
             Unknown::NotProgrammed => Some(Lack::Fresh),
             Unknown::Macrocycle if !self.is_named(at) && self.unseen & 1 << at != 0 => Some(Lack::Unseen),
-            Unknown::Macrocycle
-            | Unknown::MFunction
-            | Unknown::Cycle
-            | Unknown::Spindle
-            | Unknown::Incremental
-            | Unknown::Value => Some(Lack::Lost),
+            Unknown::Spindle => Some(Lack::Turned),
+            Unknown::Macrocycle | Unknown::MFunction | Unknown::Cycle | Unknown::Incremental | Unknown::Value => {
+                Some(Lack::Lost)
+            }
         }
     }
 
@@ -275,7 +278,7 @@ impl Tracker {
             match self.lack(at, axis) {
                 Some(Lack::Lost) => unknown.lost |= 1 << at,
                 Some(Lack::FromStart) if !self.begins() => unknown.from_start |= 1 << at,
-                Some(Lack::Fresh | Lack::Unseen) => unknown.fresh |= 1 << at,
+                Some(Lack::Fresh | Lack::Unseen | Lack::Turned) => unknown.fresh |= 1 << at,
                 Some(Lack::FromStart) | None => {}
             }
         }
@@ -319,6 +322,9 @@ impl Tracker {
             let of_tool = |(axis, _): &(char, Decimal)| *axis == letter || matches!(axis, 'I' | 'J' | 'K');
             if BENDING.contains(&function) || values.is_empty() || values.iter().any(of_tool) {
                 return Err(Reason::Converted { g: function.to_string() });
+            }
+            if self.conversion.as_ref().is_some_and(|conversion| conversion.adds) {
+                return Err(Reason::Conversions { g: function.to_string() });
             }
         }
         Ok(())

@@ -358,6 +358,43 @@ fn axes_that_stand_where_nobody_knows() {
     assert!(turned("N35 &0100\n").ends(0).stdout.contains("B88 \"across\""));
 }
 
+/// RST-1: S of a spindle that turns never counts otherwise than in the program; RST-4: what a macrocycle of the machine
+/// left is none to call another one from, a spindle that turned is no axis to wait for, conversions may add up.
+#[test]
+fn spindles_macrocycles_and_conversions() {
+    let start = |config: &str, blocks: &str, n: &str| {
+        let text = format!("%1\nN10 T1 D1 M06\n{blocks}N900 M30\n");
+        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
+        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "100"])
+    };
+    let cutting = |first: &str, then: &str| {
+        format!(
+            "N20 {first} M03\nN30 G00 X60 Y0 Z50\nN40 G01 Z1\nN50 G00 Z60\nN60 {then}\nN70 G00 X20 Z2\nN80 G01 Z-3\n"
+        )
+    };
+    for (first, then, blocks) in [
+        ("G96 S250 F180", "G97 S800", ["S800 M03", "F180"]),
+        ("G96 S250 F180", "G97", ["G96 S250", "G97 M03"]),
+        ("G94 S800 F180", "G96 S150", ["S150 M03", "F180"]),
+        ("G95 S800 F2", "G96 S150 F90", ["S150 M03", "F90"]),
+    ] {
+        let made = start("", &cutting(first, then), "80").ends(0).stdout;
+        let at = |block: &str| made.find(&format!(" {block} \"")).unwrap_or_else(|| panic!("{block}: {made}"));
+        assert!(at(blocks[0]) < at(blocks[1]), "{made}");
+        assert!(first.contains("G95") || !made.contains("G96 F") && !made.contains("G94 F"), "{made}");
+    }
+    let any = "[machine-macrocycles]\nL9001 = {}\n";
+    let moved = "N30 G00 X0 Y0 Z50\nN60 G72 L9001\nN70 G91\nN80 G72 L9001\nN90 G01 X5 F100\n";
+    start(any, moved, "80").ends(1).says("the position of X is not known, and N80 goes on from it");
+    let turned = "N30 S9 M03\nN40 G00 X0 Y0 Z50\nN50 M19\nN60 S500 M03\nN70 G00 Z3\nN80 G01 X7 F100\nN90 X20\n";
+    let made = start("", turned, "90").ends(0).stdout;
+    assert!(!made.contains("\"C "), "{made}");
+    let converted = |blocks: &str| start("", &format!("{blocks}N50 G00 X0 Y0 Z50\nN70 G01 Z5 F100\nN80 X7\n"), "80");
+    converted("N30 G35 X1\nN40 G35 Y1\n").ends(1).says("whether they add up");
+    converted("N30 G35 X1\nN40 G34\nN41 G35 Y1\n").ends(0);
+    converted("N30 G35 X1\nN40 G35 X1\n").ends(0);
+}
+
 /// RST-2: axes stand where `[start]` has them before the program moves any; later they are moved there like others,
 /// and where the origin has changed since, they are none to cut from.
 #[test]
