@@ -34,6 +34,11 @@ pub(super) struct Named {
 
 /// The files of the workspace, and the open ones, that name macrocycle `l`, where that is the file at `target`.
 pub(super) fn naming(snapshot: &Snapshot, l: u32, target: &Path) -> Vec<Named> {
+    naming_of(snapshot, l, l, target)
+}
+
+/// The same of the files for which macrocycle `l` is the file at `target`, with the places that name `wanted`.
+fn naming_of(snapshot: &Snapshot, l: u32, wanted: u32, target: &Path) -> Vec<Named> {
     let mut settings: BTreeMap<PathBuf, Settings> = BTreeMap::new();
     let mut seen: BTreeSet<PathBuf> = BTreeSet::new();
     let open = snapshot.analyses.iter().map(|analysis| analysis.path.clone());
@@ -50,16 +55,16 @@ pub(super) fn naming(snapshot: &Snapshot, l: u32, target: &Path) -> Vec<Named> {
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let settings =
             settings.entry(folder).or_insert_with(|| configuration(&path, &snapshot.files, &snapshot.client).0);
-        found.extend(named(snapshot, &path, settings, l, target));
+        found.extend(named(snapshot, &path, settings, [l, wanted], target));
     }
     found
 }
 
-fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, l: u32, target: &Path) -> Option<Named> {
+fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, wanted]: [u32; 2], target: &Path) -> Option<Named> {
     let own = Library::number(path);
     let source = snapshot.files.load(path, &path.to_string_lossy(), settings.encoding).ok()?;
-    let digits = l.to_string();
-    let mapped = settings.machine.cycles.values().any(|mapped| *mapped == l);
+    let digits = wanted.to_string();
+    let mapped = settings.machine.cycles.values().any(|mapped| *mapped == wanted);
     if !mapped && memchr::memmem::find(source.text().as_bytes(), digits.as_bytes()).is_none() {
         return None;
     }
@@ -74,7 +79,7 @@ fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, l: u32, target: 
     let form = if own.is_some() { Form::Macrocycle } else { Form::Program };
     let file = parse(FileId(0), &source, form, &mut Findings::new());
     let names = Names { machine: &settings.machine, file: &file, macrocycle: own };
-    let wanted = |name| name == Name::Macrocycle(l);
+    let wanted = |name| name == Name::Macrocycle(wanted);
     // Another file of that number names itself in its first block.
     let is_meant = |naming: &Naming| path == target || naming.usage != Usage::Definition;
     let namings = file.block_ids().flat_map(|block| names.of_block(block, wanted)).filter(is_meant).collect();
@@ -132,17 +137,38 @@ pub(super) fn can_rename(snapshot: &Snapshot) -> bool {
 /// Why it cannot have that.
 pub(super) fn rename(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Value, NavigationText> {
     let renamed = renamed(target, l, new).ok_or(NavigationText::MacrocycleFile { l })?;
-    let folder = target.parent().unwrap_or(Path::new(""));
-    let taken = snapshot.files.list(folder).iter().any(|path| Library::number(path) == Some(new));
-    if taken && new != l {
-        return Err(NavigationText::MacrocycleExists { l: new });
-    }
+    against(snapshot, l, new, target, &[]).map_or(Ok(()), Err)?;
     let mut changes = edits(snapshot, l, new, target)?;
     let uris = snapshot.files.uri_of(target).zip(Uri::from_file_path(renamed).ok());
     if let Some((old, new)) = uris {
         changes.push(json!({ "kind": "rename", "oldUri": old, "newUri": new }));
     }
     Ok(json!({ "documentChanges": changes }))
+}
+
+/// Why macrocycle `l` in the file at `target` cannot be number `new`: another one has it, or something means it already.
+/// `renamed`: the numbers that get others at the same time.
+fn against(snapshot: &Snapshot, l: u32, new: u32, target: &Path, renamed: &[u32]) -> Option<NavigationText> {
+    if new == l {
+        return None;
+    }
+    let machine = configuration(target, &snapshot.files, &snapshot.client).0.machine;
+    if machine.cycles.values().any(|mapped| *mapped == l) {
+        return Some(NavigationText::MacrocycleFile { l });
+    }
+    if renamed.contains(&new) {
+        return None;
+    }
+    let folder = target.parent().unwrap_or(Path::new(""));
+    let taken = snapshot.files.list(folder).iter().any(|path| Library::number(path) == Some(new));
+    if taken || machine.macrocycles.contains_key(&new) {
+        return Some(NavigationText::MacrocycleExists { l: new });
+    }
+    // The file itself may name that number too.
+    let named = naming_of(snapshot, l, new, target).into_iter().find(|named| !named.namings.is_empty())?;
+    let name = named.file.source.name();
+    let file = Path::new(name).file_name().map_or(name.into(), |name| name.to_string_lossy());
+    Some(NavigationText::WouldLeadHere { call: format!("L{new} ({file})") })
 }
 
 /// The file of a macrocycle with another number.
@@ -156,18 +182,23 @@ fn renamed(path: &Path, l: u32, new: u32) -> Option<PathBuf> {
 
 /// `workspace/willRenameFiles`: the calls of a macrocycle follow its file.
 pub(super) fn will_rename_files(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
-    let mut changes = Vec::new();
-    for file in params.get("files").and_then(Value::as_array).into_iter().flatten() {
+    let renamed = |file: &Value| {
         let path = |key: &str| Uri::parse(file.get(key)?.as_str()?).ok()?.to_file_path().ok();
-        let (Some(old), Some(new)) = (path("oldUri"), path("newUri")) else { continue };
-        let numbers = (Library::number(&old), Library::number(&new));
-        let (Some(l), Some(number)) = numbers else { continue };
+        let (old, new) = (path("oldUri")?, path("newUri")?);
+        let (l, number) = (Library::number(&old)?, Library::number(&new)?);
         // In another folder it may be another machine's.
-        if l == number || old.parent() != new.parent() {
-            continue;
-        }
+        (l != number && old.parent() == new.parent()).then_some((old, l, number))
+    };
+    let files = params.get("files").and_then(Value::as_array);
+    let files: Vec<(PathBuf, u32, u32)> = files.into_iter().flatten().filter_map(renamed).collect();
+    let numbers: Vec<u32> = files.iter().map(|(_, l, _)| *l).collect();
+    let mut changes = Vec::new();
+    for (old, l, number) in files {
+        let target = snapshot.files.canonical(&old);
         // What keeps the edits from being made leaves the file to the user all the same.
-        changes.extend(edits(snapshot, l, number, &snapshot.files.canonical(&old)).unwrap_or_default());
+        if against(snapshot, l, number, &target, &numbers).is_none() {
+            changes.extend(edits(snapshot, l, number, &target).unwrap_or_default());
+        }
     }
     if changes.is_empty() || !snapshot.client.has("/workspace/workspaceEdit/documentChanges") {
         return Ok(Value::Null);
