@@ -14,7 +14,7 @@ use super::diff;
 use super::fix;
 use super::locale::Locale;
 use super::replace::{Replacement, clean_up_when_interrupted};
-use super::status::{Failure, Status, complain, tell};
+use super::status::{Failure, Status, complain, stdout, tell};
 use super::threads;
 use super::walk::{Origin, Target, targets};
 use super::words::{Words, reason};
@@ -145,12 +145,14 @@ pub(super) fn run(
         print_beside(&shown, &report, locale);
         return Ok(Status::Unusable);
     }
+    let writes = args.diff || !args.check && found.targets.iter().any(|target| is_stdin(&target.path));
+    let out = if writes { stdout()? } else { io::stdout().lock() };
     clean_up_when_interrupted(locale.lang);
     let mut rewriting = Rewriting {
         args,
         locale,
         loader: &loader,
-        out: BufWriter::with_capacity(1 << 16, io::stdout().lock()),
+        out: BufWriter::with_capacity(1 << 16, out),
         report,
         changed: 0,
         same: 0,

@@ -64,11 +64,12 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
         }
     };
     let drawn = executed > 0 && view.count() > 0;
-    if executed > 0 && !drawn && report.errors() == 0 {
+    let empty = executed > 0 && !drawn && report.errors() == 0;
+    if empty {
         say(&Words::EmptyPart { executed, last: executed - 1 });
     }
     match output {
-        _ if unusable => {}
+        _ if unusable || empty => {}
         // An earlier picture shows more than one of nothing.
         Some(output) if !drawn && std::fs::metadata(output).is_ok_and(|data| data.is_file()) => {
             say(&Words::PictureKept { file: path_name(output) });
@@ -95,7 +96,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
     }
     print_beside(&args.shown, &report, locale);
     Ok(match report.errors() > 0 {
-        _ if unusable || lacks_file => Status::Unusable,
+        _ if unusable || lacks_file || empty => Status::Unusable,
         true => Status::Faulty,
         false => Status::Fine,
     })

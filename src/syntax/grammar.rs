@@ -26,9 +26,10 @@ pub(super) fn word(text: &str, tokens: &[Token], at: usize) -> Option<(Word, Spa
             // `N13l0`: a small `l` is the digit there.
             let digit = byte(first.start) == b'l' && glued.is_some_and(|before| byte(before.start) == b'N');
             let address = Address::from_byte(byte(first.start))?;
-            // `Z-24/2` divides nothing.
+            // `Z-24/2` divides nothing; the `/` of `Z-24/ 2` is a word.
             let divided = next.peek().is_some_and(|next| {
-                next.kind == Kind::Skip && next.start == first.end && next.end > next.start + 1 && address != Address::N
+                let digits = next.kind == Kind::Skip && byte(next.start + 1).is_ascii_digit();
+                digits && next.start == first.end && address != Address::N
             });
             let whole = next.number().is_none() && !digit && !divided;
             let word = Word::with_number(address, first.span(), number);

@@ -523,6 +523,7 @@ fn a_closed_standard_output() {
         &["plc", "--list"],
         &["report", "a.nc"],
         &["view", "a.nc", "-o", "-"],
+        &["format", "-"],
         &["explain", "G01"],
         &["schema"],
         &["man"],

@@ -249,11 +249,14 @@ fn a_part_of_the_program() {
         assert_eq!((&header["from"], &header["count"]), (&from.into(), &count.into()), "{options:?}");
         assert_eq!((&header["blocks"], &header["whole"]), (&11.into(), &true.into()));
     }
-    // A picture of nothing takes no other's place, and says so.
+    // Nothing is drawn of nothing.
     let before = place.read("a.nc.html");
-    let run = place.run(&["view", "a.nc", "--from", "50"]).ends(0);
-    run.says("the program executes 11 blocks, seq 0 to 10").says("a.nc.html stays as it was");
-    assert_eq!(place.read("a.nc.html"), before);
+    for empty in [&["--from", "50"][..], &["--blocks", "0"]] {
+        let run = place.run(&[&["view", "a.nc"], empty].concat()).ends(2);
+        run.says("the program executes 11 blocks, seq 0 to 10");
+        place.run(&[&["view", "a.nc", "-o", "new.svg"], empty].concat()).ends(2);
+    }
+    assert!(place.read("a.nc.html") == before && !place.list().contains(&"new.svg".to_owned()));
 }
 
 /// The second pass of a subprogram that leaves everything as it was adds no rows.

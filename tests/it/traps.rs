@@ -122,6 +122,24 @@ fn a_slash_before_n_skips_the_block_before() {
     assert_eq!(order(&self::blocks("--block-skip", meant)), [10, 20, 40]);
 }
 
+/// LEX-10, BLK-11: digits behind `/` are not read where a blank is before them, and the word in front keeps its value.
+/// LEX-12: a small `l` behind a block number is L where a function takes one.
+#[test]
+fn words_glued_to_others() {
+    let program = "%1\nN1 G90 G0/ 1 X0 Y0 Z0 F9\nN2 X5/ 1\nN3 Y7/ 1 Z5\nN4 M8/\t1\nN5 S500/ 2 M3\nN6l10 G71\nN7 M30\nN8l10 G79\nN9 G70\n";
+    let at = |n: u32, program: &str| blocks("", program).into_iter().find(|block| block["n"] == n).unwrap();
+    let apart = program.replace('/', " / ").replace('l', " L");
+    for n in [1, 2, 3, 4, 5, 6, 9] {
+        let [mut glued, mut apart] = [program, apart.as_str()].map(|program| at(n, program));
+        for block in [&mut glued, &mut apart] {
+            block.as_object_mut().unwrap().remove("column");
+        }
+        assert_eq!(glued, apart, "N{n}");
+    }
+    assert_eq!([&at(3, program)["position"], &at(4, program)["m_set"]], [&json!({"X": 5, "Y": 7, "Z": 5}), &json!([8])]);
+    assert_eq!(checked("", program), [found("W0108", "l")]);
+}
+
 /// FLW-3, FLW-4: k is the number of jumps; an inner loop runs in full in every pass of the outer one.
 #[test]
 fn counters_of_nested_jumps() {

@@ -45,8 +45,14 @@ pub(super) fn small_l_in_number(around: &Around<'_>) -> Option<Diagnosis> {
     let others = around.words.iter().skip(2);
     let taken = others.clone().any(|word| word.g_code().is_some_and(GCode::takes_l))
         && !others.clone().any(|word| word.address == Address::L);
+    if taken {
+        let read = |token: Token| Number::parse(around.number(token).as_bytes());
+        let n_word = Word::with_number(Address::N, n.span(), read(n)?);
+        let l_word = Word::with_number(Address::L, l.span(), read(l)?);
+        return Some(Diagnosis { words: vec![(n_word, n.span()), (l_word, l.span())], ..Diagnosis::of(2) });
+    }
     let written = format!("{}1{}", around.slice(n.span()), around.slice(l.span()).get(1..).sure());
-    let number = Number::parse(written.get(1..)?.as_bytes()).filter(|_| !taken)?;
+    let number = Number::parse(written.get(1..)?.as_bytes())?;
     let span = n.span().to(l.span());
     let found = around.offering(span, Finding::LetterForDigit { fixed: written.clone() }, written);
     Some(Diagnosis::saying(2, found).with(Word::with_number(Address::N, span, number), span))
