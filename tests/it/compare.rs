@@ -20,7 +20,7 @@ use crate::state::{Sample, samples};
 const TOLERANCES: Tolerances = Tolerances { position: Micro::from_millionths(1000), percent: 0.0 };
 
 fn steps(session: &Session<'_>, file: &str) -> Option<Steps> {
-    let mut reader = StepReader::new(true);
+    let mut reader = StepReader::new(true, TOLERANCES.position);
     let run = session.watch(Path::new(file), file, Purpose::Report, &mut &mut reader);
     run.whole.map(|_| reader.finish())
 }
@@ -309,6 +309,47 @@ fn planted_changes() {
 }
 
 /// CMP-4, CMP-5: M08 earlier is one change with both places; JSON, exit status.
+/// CMP-2: positions up to the tolerance apart are the same, also where an axis would else stand still; small steps add
+/// up. A shift is one change, though some of its points are points of the other program too.
+#[test]
+fn tolerances_and_shifts() {
+    let same = |old: &str, new: &str, tolerance: &str| {
+        let place = Place::with(&[("o.nc", framed(old).as_bytes()), ("n.nc", framed(new).as_bytes())]);
+        let run = |one: &str, other: &str| place.run(&["compare", one, other, "--tolerance", tolerance]);
+        let both = [run("o.nc", "n.nc"), run("n.nc", "o.nc")].map(|run| run.code == Some(0));
+        assert_eq!(both[0], both[1], "{old:?} {new:?}");
+        both[0]
+    };
+    let part = "G01 Z2\nX50 Y20 Z2\nX80 Y20\nX80 Y40\nX70 Y40\nG17 G02 X80 Y40 I5 J0\nG01 X99";
+    for (from, to, tolerance, expected) in [
+        ("Y20 Z2\n", "Y20 Z2.001\n", "0.001", true),
+        ("Y20 Z2\n", "Y20 Z2.002\n", "0.001", false),
+        ("Y20 Z2\n", "Y20 Z2.005\n", "0.01", true),
+        ("X80 Y20\n", "X80 Y20.001\n", "0.1", true),
+        ("X80 Y40\n", "X80.05 Y40\n", "0.1", true),
+        ("X80 Y40\n", "X80 Y40\nX80 Y40.05\n", "0.1", true),
+        ("X80 Y40\n", "X80 Y40\nX80 Y40.05\n", "0.01", false),
+        ("X80 Y40 I5", "X80 Y40 Z2 I5", "0", true),
+        ("X80 Y40 I5", "X80 I5", "0", true),
+        ("X80 Y40 I5", "X80 Y40 Z3 I5", "0.001", false),
+    ] {
+        assert!(part.contains(from), "{from}");
+        assert_eq!(same(part, &part.replace(from, to), tolerance), expected, "{from:?} {to:?} {tolerance}");
+    }
+    let drift: String = (1..9).map(|x| format!("\nX{x} Z{}", 2.0 - f64::from(x) * 0.001)).collect();
+    let flat: String = (1..9).map(|x| format!("\nX{x} Z2")).collect();
+    assert!(!same(&format!("G01 Z2{flat}"), &format!("G01 Z2{drift}"), "0.001"));
+    // N65 of the new program is N60 of the old one.
+    let points = [(10, 1, -1), (11, 5, 0), (15, 9, -1), (21, 2, 0), (28, 7, -1), (10, 1, 0), (33, 8, -1), (37, 3, 0)];
+    let path = |by: i32| {
+        let blocks = points.map(|(x, y, z)| format!("G01 X{x} Y{y} Z{}", z - by));
+        of_text(&framed(&format!("G01 Z2\n{}", blocks.join("\n"))))
+    };
+    let changes = compare(&path(0), &path(1), TOLERANCES).changes;
+    let told: Vec<_> = changes.iter().map(|change| (change.kind, change.what.as_deref(), change.count())).collect();
+    assert_eq!(told, [(ChangeKind::Position, Some("Z"), 8)]);
+}
+
 /// CMP-4: a word that is written earlier or later is one change with both places, over however many motions.
 #[test]
 fn words_that_moved() {

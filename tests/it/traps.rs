@@ -136,7 +136,10 @@ fn words_glued_to_others() {
         }
         assert_eq!(glued, apart, "N{n}");
     }
-    assert_eq!([&at(3, program)["position"], &at(4, program)["m_set"]], [&json!({"X": 5, "Y": 7, "Z": 5}), &json!([8])]);
+    assert_eq!(
+        [&at(3, program)["position"], &at(4, program)["m_set"]],
+        [&json!({"X": 5, "Y": 7, "Z": 5}), &json!([8])]
+    );
     assert_eq!(checked("", program), [found("W0108", "l")]);
 }
 

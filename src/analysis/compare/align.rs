@@ -34,7 +34,8 @@ pub(super) fn align(old: &Steps, new: &Steps, give: impl FnMut(Aligned)) {
     };
     let (first, second) = if swapped { (new, old) } else { (old, new) };
     let (a, b) = if swapped { (b, a) } else { (a, b) };
-    each(a, b, |same, before, after| {
+    let shifted = shifted((first, &a), (second, &b));
+    let mut part = |same: bool, before: Range<usize>, after: Range<usize>| {
         if same {
             before.zip(after).for_each(|(a, b)| straight.push(turned(Aligned::Both(a, b))));
             return;
@@ -50,8 +51,31 @@ pub(super) fn align(old: &Steps, new: &Steps, give: impl FnMut(Aligned)) {
                 pair((first, from), (second, to), &mut |aligned| straight.push(turned(aligned)));
             }
         });
-    });
+    };
+    match shifted {
+        Some(middle) => {
+            let end = a.len();
+            part(true, 0..middle.start, 0..middle.start);
+            part(false, middle.clone(), middle.clone());
+            part(true, middle.end..end, middle.end..end);
+        }
+        None => each(a, b, part),
+    }
     straight.flush();
+}
+
+/// The steps that two programs differ in, where most of them move by the same increments in their places: a shift. Some
+/// of the shifted points may be points of the other program too, elsewhere.
+fn shifted((first, a): (&Steps, &[u64]), (second, b): (&Steps, &[u64])) -> Option<Range<usize>> {
+    if a.len() != b.len() {
+        return None;
+    }
+    let start = a.iter().zip(b).take_while(|(a, b)| a == b).count();
+    let tail = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count();
+    let middle = start..(a.len() - tail).max(start);
+    let (old, new) = (increments(first, &middle), increments(second, &middle));
+    let same = old.iter().zip(&new).filter(|(old, new)| old == new).count();
+    (!middle.is_empty() && same * 2 > middle.len()).then_some(middle)
 }
 
 /// Pairs steps of one kind: in short runs the nearest ones, in long ones in their order.

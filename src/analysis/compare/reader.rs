@@ -17,6 +17,10 @@ use crate::run::{ArcPath, End, Executed, MotionType, Sink, State};
 pub struct StepReader {
     steps: Steps,
     parameters: bool,
+    /// Positions up to so much apart are the same.
+    tolerance: Micro,
+    /// Where motions left each axis that they moved by more.
+    left: [Option<Micro>; AxisLetter::ALL.len()],
     context: u32,
     before: Option<Written>,
     /// The sums of distances, by axis, since nobody knows where it is.
@@ -45,11 +49,14 @@ impl Written {
 }
 
 impl StepReader {
-    /// `parameters`: also what is assigned to parameters, and jumps.
-    pub fn new(parameters: bool) -> Self {
+    /// `parameters`: also what is assigned to parameters, and jumps; `tolerance`: positions up to so much apart are the
+    /// same.
+    pub fn new(parameters: bool, tolerance: Micro) -> Self {
         Self {
             steps: Steps::default(),
             parameters,
+            tolerance,
+            left: Default::default(),
             context: 0,
             before: None,
             way: Default::default(),
@@ -194,38 +201,55 @@ impl StepReader {
         let Some(moves) = block.motion() else { return };
         let mut motion = Motion::new(moves.kind());
         let by_distance = block.g(GGroup::G9) == Some(GCode::G91);
-        for letter in AxisLetter::ALL.into_iter().filter(|letter| moves.moves(*letter)) {
+        // From a start that nobody knows, the way to the centre counts.
+        let center = |arc: &ArcPath| arc.center.filter(|_| !moves.is_stale()).or(arc.to_center);
+        let arc = moves.arc().and_then(|arc| Some((arc, center(&arc)?)));
+        // An arc ends somewhere along both axes of its plane, named or not.
+        let plane = arc.map(|(arc, _)| arc.plane);
+        let ends = |letter: &AxisLetter| moves.moves(*letter) || plane.is_some_and(|plane| plane.contains(letter));
+        for letter in AxisLetter::ALL.into_iter().filter(ends) {
             let bit = 1 << (letter as u16);
             // From where an origin or a correction left it, an axis moves though its position stays, and by distances it
             // comes where nobody knows (MOT-8).
             let stale = moves.is_stale_along(letter);
-            let known = moves.end(letter).filter(|_| !(stale && by_distance));
-            let distance = moves.distance(letter);
-            let way = self.way.get_mut(letter as usize).map(|way| {
-                *way = if known.is_some() { Micro::ZERO } else { way.plus(distance.unwrap_or_default()) };
-                *way
-            });
-            let way = way.filter(|_| distance.is_some());
+            let end = if moves.moves(letter) { moves.end(letter) } else { block.position(letter) };
+            let known = end.filter(|_| !(stale && by_distance));
+            let way = self.follow(letter, known, moves.distance(letter));
             motion.axes |= bit;
             if known.is_none() {
                 motion.by |= bit;
             }
-            if distance == Some(Micro::ZERO) && moves.start(letter).is_some() && !stale {
+            if !stale && self.stays(letter, moves.start(letter), known) {
                 motion.still |= bit;
             }
             motion.push(known.or(way).map_or(UNKNOWN, Micro::millionths));
         }
-        let arc = moves.arc();
-        // From a start that nobody knows, the way to the centre counts.
-        let center = |arc: &ArcPath| arc.center.filter(|_| !moves.is_stale()).or(arc.to_center);
-        if let Some((arc, center)) = arc.and_then(|arc| Some((arc, center(&arc)?))) {
+        if let Some((arc, center)) = arc {
             motion.plane = Some(arc.plane);
             center.iter().chain(&arc.sweep_deg).for_each(|value| motion.push(value.millionths()));
         }
-        let moves_nothing = motion.still == motion.axes && arc.is_none() && moves.kind() != MotionType::Reference;
-        if !moves_nothing {
+        let (is_arc, returns) = (moves.arc().is_some(), moves.kind() == MotionType::Reference);
+        if motion.still != motion.axes || is_arc || returns {
             self.steps.add_motion(block.seq(), block.n(), self.context, &motion);
         }
+    }
+
+    /// The sum of distances since nobody knows where an axis is.
+    fn follow(&mut self, letter: AxisLetter, known: Option<Micro>, distance: Option<Micro>) -> Option<Micro> {
+        let way = self.way.get_mut(letter as usize)?;
+        *way = if known.is_some() { Micro::ZERO } else { way.plus(distance.unwrap_or_default()) };
+        distance.map(|_| *way)
+    }
+
+    /// Whether an axis ends where it stood, up to the tolerance. Small steps add up: they are measured from where the
+    /// last that counted has left it.
+    fn stays(&mut self, letter: AxisLetter, start: Option<Micro>, end: Option<Micro>) -> bool {
+        let Some(left) = self.left.get_mut(letter as usize) else { return false };
+        let near = |a: Micro, b: Micro| a.minus(b).abs() <= self.tolerance;
+        let from = left.filter(|left| start.is_some_and(|start| near(*left, start))).or(start);
+        let stays = from.zip(end).is_some_and(|(from, end)| near(from, end));
+        *left = if stays { from } else { end };
+        stays
     }
 }
 

@@ -131,12 +131,14 @@ impl Motion {
     }
 
     pub fn moves(&self, letter: AxisLetter) -> bool {
-        self.kind.is_arc() || self.still & 1 << (letter as u16) == 0
+        let turns = self.kind.is_arc() && self.plane.is_none_or(|plane| plane.contains(&letter));
+        turns || self.still & 1 << (letter as u16) == 0
     }
 
     /// Motions with another key are never the same motion with other values.
     fn kind_key(&self) -> (MotionType, u16, u16, Option<[AxisLetter; 2]>) {
-        let moving = if self.kind.is_arc() { self.axes } else { self.axes & !self.still };
+        let moving =
+            self.letters().filter(|letter| self.moves(*letter)).fold(0, |all, letter| all | 1 << (letter as u16));
         (self.kind, moving, self.by & moving, self.plane)
     }
 }
