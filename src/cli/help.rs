@@ -48,11 +48,19 @@ fn localized(command: Command, lang: Lang) -> Command {
         .mut_subcommands(|subcommand| localized(subcommand, lang))
 }
 
-/// The examples of a command, without those that this build does not take.
+/// The examples of a command, without those that this build does not take, and what is said of it: a paragraph is one
+/// line, which the terminal's width breaks.
 fn examples(text: &CommandText, lang: Lang) -> String {
     let lines = text.examples.get(lang).trim_end().lines();
-    let taken: Vec<&str> = lines.filter(|line| cfg!(feature = "arrow") || !line.contains("--format arrow")).collect();
-    taken.join("\n")
+    let taken = lines.filter(|line| cfg!(feature = "arrow") || !line.contains("--format arrow"));
+    let (mut joined, mut goes_on) = (String::new(), false);
+    for line in taken {
+        let is_text = !line.is_empty() && !line.starts_with(' ');
+        joined.push_str(if goes_on && is_text { " " } else { "\n" });
+        joined.push_str(line);
+        goes_on = is_text && !line.ends_with(':');
+    }
+    joined.trim_start_matches('\n').to_owned()
 }
 
 fn localized_argument(argument: Arg, command: &str, lang: Lang) -> Arg {

@@ -111,7 +111,11 @@ fn what(error: &clap::Error, lang: Lang) -> String {
 /// Why a value cannot be read: the library speaks English only.
 fn reason(why: &str, lang: Lang) -> String {
     let (en, cs) = match why.rsplit_once(" is not in ").and_then(|(_, range)| range.split_once("..")) {
-        Some((least, _)) => (format!("it is at least {least}"), format!("nejmenší hodnota je {least}")),
+        // What has a greatest value that is no matter of the computer.
+        Some((least, most)) => match most.trim_start_matches('=').parse::<u8>() {
+            Ok(most) => (format!("it is {least} to {most}"), format!("smí to být {least} až {most}")),
+            Err(_) => (format!("it is at least {least}"), format!("nejmenší hodnota je {least}")),
+        },
         None if why.contains("invalid digit") || why.contains("from empty string") => {
             ("it is a whole number".to_owned(), "má to být celé číslo".to_owned())
         }
