@@ -519,11 +519,6 @@ test('what is not drawn is said', { timeout: 180_000 }, async () => {
     written('u', ['%6 "U"', 'N10 G17 G90 G0 X0 Y0 Z0 U0', 'N20 G1 U50 F100', 'N30 X10', 'N40 M30'], axes),
   );
   assert.match(other.notes, /axes U is not drawn/);
-  const none = await said(written('none', LOOP, '', '--blocks', '0'));
-  assert.match(none.notes, /none of the \d+ executed blocks/);
-  assert.doesNotMatch(none.notes, /blocks 0 to/);
-  const beyond = await said(written('none', LOOP, '', '--from', '9999'));
-  assert.doesNotMatch(beyond.notes, /9999/);
   const broken = await said(written('broken', ['%5 "LOOP"', 'N5 G0 X0 X1', ...LOOP.slice(1)]));
   assert.equal(broken.title, '%5 LOOP');
   assert.match(broken.notes, /nothing of it is drawn/);
