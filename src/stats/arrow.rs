@@ -5,7 +5,7 @@ use std::io;
 
 use super::row::{Reach, Row, SCHEMA};
 use crate::columns::{Batches, End, Rows, Table};
-use crate::dict::{AxisLetter, Dialect};
+use crate::dict::AxisLetter;
 use crate::text::Encoding;
 
 /// Key of the schema's name in the metadata of the columns.
@@ -81,12 +81,9 @@ fn put(table: &mut Table, row: &Row) {
     table.text("hash", hash.as_deref());
     table.whole("number", "", *number);
     table.text("title", title.as_deref());
-    let at = |mut names: std::slice::Iter<'_, &str>, value: &Option<String>| {
-        value.as_deref().and_then(|value| names.position(|name| *name == value))
-    };
-    let (dialects, encodings) = (Dialect::ALL.map(Dialect::name), Encoding::ALL.map(Encoding::name));
-    table.name("dialect", || dialects.iter(), at(dialects.iter(), dialect));
-    table.name("encoding", || encodings.iter(), at(encodings.iter(), encoding));
+    table.text("dialect", dialect.as_deref());
+    let at = encoding.as_deref().and_then(|name| Encoding::ALL.iter().position(|known| known.name() == name));
+    table.name("encoding", || Encoding::ALL.map(Encoding::name).into_iter(), at);
     table.long("blocks", Some(*blocks));
     table.long("executed", *executed);
     table.number("time_s", "s", time_s.map(|time| time.0));
