@@ -70,9 +70,8 @@ fn shifted((first, a): (&Steps, &[u64]), (second, b): (&Steps, &[u64])) -> Optio
     if a.len() != b.len() {
         return None;
     }
-    let start = a.iter().zip(b).take_while(|(a, b)| a == b).count();
-    let tail = a.iter().rev().zip(b.iter().rev()).take_while(|(a, b)| a == b).count();
-    let middle = start..(a.len() - tail).max(start);
+    let (start, tail) = alike(a, b);
+    let middle = start..a.len() - tail;
     let (old, new) = (increments(first, &middle), increments(second, &middle));
     let same = old.iter().zip(&new).filter(|(old, new)| old == new).count();
     (!middle.is_empty() && same * 2 > middle.len()).then_some(middle)
@@ -126,11 +125,17 @@ struct Run {
     length: usize,
 }
 
-/// The longest runs in which two sequences are the same, in their order.
-fn common(a: &[u64], b: &[u64]) -> Vec<Run> {
+/// How far two sequences are the same from their beginnings, and behind that from their ends.
+fn alike(a: &[u64], b: &[u64]) -> (usize, usize) {
     let start = a.iter().zip(b).take_while(|(a, b)| a == b).count();
     let (rest_a, rest_b) = (a.get(start..).unwrap_or_default(), b.get(start..).unwrap_or_default());
-    let tail = rest_a.iter().rev().zip(rest_b.iter().rev()).take_while(|(a, b)| a == b).count();
+    (start, rest_a.iter().rev().zip(rest_b.iter().rev()).take_while(|(a, b)| a == b).count())
+}
+
+/// The longest runs in which two sequences are the same, in their order.
+fn common(a: &[u64], b: &[u64]) -> Vec<Run> {
+    let (start, tail) = alike(a, b);
+    let (rest_a, rest_b) = (a.get(start..).unwrap_or_default(), b.get(start..).unwrap_or_default());
     let middle = |rest: &[u64], other: &[u64]| {
         let inner = |list: &[u64]| list.len() - tail;
         labelled(rest.get(..inner(rest)).unwrap_or_default(), other.get(..inner(other)).unwrap_or_default())

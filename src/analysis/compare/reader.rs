@@ -253,8 +253,8 @@ impl StepReader {
     }
 }
 
-/// What a macrocycle of the machine and a fixed cycle go by (FLW-10), and no motion tells of. Of a cycle the first is
-/// none: it moves by itself.
+/// The groups whose functions a macrocycle of the machine and a fixed cycle inherit (FLW-10). A cycle does not inherit the
+/// first: it moves by itself.
 pub(super) const INHERITED: [GGroup; 4] = [GGroup::G0, GGroup::G1, GGroup::G9, GGroup::G10];
 
 /// Whether a function acts behind the motion of its block.
