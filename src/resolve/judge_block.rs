@@ -61,7 +61,7 @@ impl<'a> BlockJudge<'a> {
             numbered = self.judge_word(word, &Functions::default());
         }
         let words = self.file.words(block);
-        if !flags.has(BlockFlags::RICH) {
+        if !flags.has(BlockFlags::RICH) && (flags.is_point() || flags.straight().is_none()) {
             let (addresses, right) = self.judge_plain_words(block, words);
             if flags.is_point() {
                 self.judged.points.add(addresses, right);
@@ -109,7 +109,8 @@ impl<'a> BlockJudge<'a> {
     }
 
     /// A block of axis, feed and the like: its words are plain numbers, and nothing else can be wrong with it. Gives
-    /// the addresses of its words, and whether each is an axis word, or I or J, with which nothing is wrong.
+    /// the addresses of its words, and whether each is an axis word, I, J or the G of a point, with which nothing is
+    /// wrong.
     #[inline]
     fn judge_plain_words(&mut self, block: BlockId, words: &[Word]) -> (u32, bool) {
         let mut seen = 0_u32;
@@ -123,8 +124,8 @@ impl<'a> BlockJudge<'a> {
             let simple = in_range
                 && !word.is_rounded()
                 && self.surplus & bit == 0
-                && (word.address == Address::I
-                    || word.address == Address::J
+                // A G is the G00 or G01 of a point.
+                && (matches!(word.address, Address::G | Address::I | Address::J)
                     || self.settings.machine.axes.index_of(word.address).is_some());
             if !simple {
                 all_simple = false;

@@ -1,4 +1,4 @@
-//! Facts about the points of a file together: its blocks with axis words only, nearly all of a long program.
+//! Facts about the points of a file together: its blocks with axis words and at most a G00 or G01, nearly all of a long program.
 
 use super::axis_letters::bit;
 use crate::dict::Address;
@@ -24,8 +24,8 @@ impl Points {
         self.add(other.addresses, !other.faulty);
     }
 
-    /// Whether each of their words has an axis of the machine and a value in its range, and none stands twice in a
-    /// block.
+    /// Whether each of their axis words has an axis of the machine and a value in its range, and none stands twice in
+    /// a block.
     pub const fn are_right(self) -> bool {
         !self.faulty
     }

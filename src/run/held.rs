@@ -165,7 +165,8 @@ impl State {
         self.lose_moved_unseen();
     }
 
-    /// Becomes what is in force after `block`, from what was before it; what findings said already is left out.
+    /// Becomes what is in force after `block`, from what was before it; what findings name and what they said already is
+    /// left out.
     #[inline]
     pub fn follow(&mut self, block: &Executed<'_>) {
         let after = block.state();
@@ -206,7 +207,7 @@ impl State {
             gear,
             spindle_words: _,
             corrects,
-            origins,
+            origins: _,
             last_origin,
             named_tool,
             retracted,
@@ -218,7 +219,7 @@ impl State {
         (self.h, self.p, self.d, self.correction) = (*h, *p, *d, *correction);
         (self.dynamic_set, self.orients, self.moved_unseen) = (*dynamic_set, *orients, *moved_unseen);
         (self.feed_per, self.feed_reduced, self.gear) = (*feed_per, *feed_reduced, *gear);
-        (self.corrects, self.origins, self.last_origin) = (*corrects, *origins, *last_origin);
+        (self.corrects, self.last_origin) = (*corrects, *last_origin);
         (self.named_tool, self.retracted) = (*named_tool, *retracted);
         if block.has_parameters() {
             self.parameters = *parameters;

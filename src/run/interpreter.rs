@@ -204,11 +204,11 @@ impl Interpreter {
             return Err(Stop::Halted);
         }
         self.count_file(unit.file);
-        if !flags.has(BlockFlags::RICH) {
+        if flags.is_point() {
             let Self { state, frames, block: in_hand, run, .. } = self;
             let mut site =
                 Site { resolved: &program.resolved, file, block, settings: program.settings, frames, findings };
-            if run.execute(&mut site, state, in_hand) {
+            if run.execute(&mut site, state, in_hand, flags.straight()) {
                 self.executed += 1;
                 if let Some(frame) = self.frames.last_mut() {
                     frame.next = block.next();

@@ -33,6 +33,8 @@ pub struct Points {
     pub(super) unsettled: AxisSet,
     /// The last block that moves each axis.
     pub(super) last: [Option<BlockId>; 9],
+    /// The last block that writes the G00 or G01 in force again.
+    pub(super) function: Option<BlockId>,
 }
 
 impl Passed<'_> {
@@ -72,6 +74,11 @@ impl Passed<'_> {
         axes.filter_map(|(axis, last)| Some((axis.letter, last?)))
     }
 
+    /// The last block that writes the G00 or G01 in force again.
+    pub const fn function(&self) -> Option<BlockId> {
+        self.points.function
+    }
+
     /// Their path.
     pub fn path(&self) -> Option<PointPath<'_>> {
         let file = self.program.resolved.file(self.points.stretch.file)?;
@@ -83,7 +90,7 @@ impl Passed<'_> {
     }
 }
 
-/// For each axis, by place in machine order, its last word in some blocks of axis words, and which block that is in;
+/// For each axis, by place in machine order, its last word in some points, and which block that is in;
 /// `axes`: the only ones that there may be words of.
 pub(super) fn last_words(
     file: &ParsedFile,

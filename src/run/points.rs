@@ -1,5 +1,6 @@
-//! Blocks of axis words and nothing else: nearly all blocks of long programs. What they do follows from what is in
-//! force, which is looked up once for a run of them; the rules of motion are those of every block.
+//! Blocks of axis words and nothing else but, again, the G00 or G01 in force: nearly all blocks of long programs. What
+//! they do follows from what is in force, which is looked up once for a run of them; the rules of motion are those of
+//! every block.
 
 use super::arrival::{arrive, is_silent};
 use super::block::{Block, Effect};
@@ -31,10 +32,19 @@ pub(super) enum Run {
 }
 
 impl Run {
-    /// Executes a block that has no G, M, L, Q, R, `/` or `&` word and no parameter, when it only moves axes straight.
-    /// `false`: it does more, and nothing is done yet.
+    /// Executes a point, with the function that it writes, when it only moves axes straight. `false`: it does more, and
+    /// nothing is done yet.
     #[inline]
-    pub(super) fn execute(&mut self, site: &mut Site<'_>, state: &mut State, block: &mut Block) -> bool {
+    pub(super) fn execute(
+        &mut self,
+        site: &mut Site<'_>,
+        state: &mut State,
+        block: &mut Block,
+        written: Option<GCode>,
+    ) -> bool {
+        if written.is_some() && written != state.modal(GGroup::G0) {
+            return false;
+        }
         let settled = !matches!(self, Self::Unknown);
         if !settled {
             *self = Self::settle(site, state, block);
@@ -47,8 +57,12 @@ impl Run {
         block.effect = Effect::Motion(Moving { stale, ..moving });
         // The unit of the feed may differ from the point before.
         let degrees = moving.is_in_degrees(&block.travels);
-        block.moves_on = settled && degrees == block.degrees;
+        let word = written.and_then(|function| Some((function, site.file.g_word(site.block)?)));
+        block.moves_on = block.words.write_again(word) && settled && degrees == block.degrees;
         block.degrees = degrees;
+        if let Some((_, word)) = word {
+            state.origins.motion = Some((site.file.shown_number(site.block), site.word_place(word)));
+        }
         state.corrects = None;
         arrive(site, state, &block.travels);
         true
@@ -101,11 +115,17 @@ impl Run {
         let first = frame.next;
         let most = u32::try_from(most).unwrap_or(u32::MAX).saturating_add(1);
         let before = BlockId(frame.unit.end.0.min(first.0.saturating_add(most)));
-        let passed = file.points_in_a_row(first, before).saturating_sub(1);
+        let in_force = state.modal(GGroup::G0).map_or(BlockFlags::default(), BlockFlags::of_straight);
+        let passed = file.points_in_a_row(first, before, in_force).saturating_sub(1);
         if passed == 0 {
             return None;
         }
         frame.next = BlockId(first.0 + passed);
+        let has_function = points.may_have(Address::G) && in_force != BlockFlags::default();
+        let function = if has_function { file.last_straight(first..frame.next, in_force) } else { None };
+        if let Some((block, word)) = function {
+            state.origins.motion = Some((file.shown_number(block), file.word_place(word)));
+        }
         let (positions, unsettled) = (state.positions, state.unsettled);
         let addresses = Address::ALL.iter().filter(|address| points.may_have(**address));
         let axes = addresses.filter_map(|address| machine.axes.index_of(*address)).collect();
@@ -117,14 +137,15 @@ impl Run {
         }
         let last = last.map(|last| last.map(|(block, _)| block));
         let stretch = Stretch { file: frame.unit.file, first, end: frame.next };
-        Some(Points { stretch, kind: moving.kind, reading, positions, unsettled, last })
+        let function = function.map(|(block, _)| block);
+        Some(Points { stretch, kind: moving.kind, reading, positions, unsettled, last, function })
     }
 
     /// Forgets the facts about blocks of axis words after a block that did more.
     #[inline]
     pub(super) fn unsettle(&mut self, flags: BlockFlags, block: &Block) {
-        // A block that is not rich has no G, M or other word that changes what is in force.
-        let plain = !flags.has(BlockFlags::RICH);
+        // Such a block has no G, M or other word that changes what is in force.
+        let plain = !flags.has(BlockFlags::RICH) && flags.straight().is_none();
         let lasts = matches!(self, Self::Involved) && plain && block.words.f.is_none() && block.words.s.is_none();
         if !lasts {
             *self = Self::Unknown;
@@ -138,6 +159,10 @@ fn read_travels(site: &Site<'_>, state: &State, reading: Reading, travels: &mut 
     travels.clear();
     let machine = site.machine();
     for &word in site.file.words(site.block) {
+        // The function in force.
+        if word.address == Address::G {
+            continue;
+        }
         let Some(axis) = machine.axes.index_of(word.address) else { return false };
         let valued = Valued { word, value: word.number() };
         let Some(travel) = reading.travel(machine, state, axis, valued) else { return false };
@@ -183,7 +208,8 @@ mod tests {
                     interpreter.run = Run::Involved;
                 }
                 let Some(block) = interpreter.step(program, findings) else { break };
-                let facts = (block.motion(), block.feed(), block.m_written(), block.m_changed(), block.dwell());
+                let written = (block.g_written().collect::<Vec<_>>(), block.m_written());
+                let facts = (block.motion(), block.feed(), written, block.m_changed(), block.dwell());
                 // When the words of the spindle are looked up decides nothing.
                 let state = State { spindle_words: None, ..block.state().clone() };
                 known.push(format!("{:?} {facts:?} {state:?} {:?}", block.at(), block.data()));
@@ -244,7 +270,7 @@ mod tests {
         [plain, limited]
     }
 
-    const BLOCKS: [&str; 27] = [
+    const BLOCKS: [&str; 38] = [
         "",
         "F",
         "X1.5",
@@ -252,7 +278,18 @@ mod tests {
         "Z+3 Y1",
         "X1 A5",
         "X2 Z.5",
+        "G0 X3",
+        "X4 G1",
+        "G01 Y5 Z1",
+        "G1 X6 A2",
         "G91",
+        "G1 X7 F50",
+        "G0 G1 X8",
+        "G1 G40 X9",
+        "G1. X2",
+        "G2 G0 X3",
+        "G1 X3 X4",
+        "G33 X2 F1",
         "G90",
         "G0",
         "G1",
@@ -295,6 +332,9 @@ mod tests {
         assert_eq!(passed(["X1", "X2", "Y1", "F100", "X6", "Y7"], &plain), 1);
         assert_eq!(passed(["X1", "X2", "Y1", "Z1 X5", "X6", "Y7"], &limited), 0);
         assert_eq!(passed(["X1", "X2", "Y1", "X5 X5", "X6", "Y7"], &plain), 0);
+        assert_eq!(passed(["X1", "G0 X2", "Y1", "G00 Z1 X5", "X6", "Y7"], &plain), 4);
+        assert_eq!(passed(["X1", "G0 X2", "Y1", "G1 Z1 X5", "X6", "Y7"], &plain), 1);
+        assert_eq!(passed(["X1", "G0 X2", "Y1", "G0 X5 F1", "X6", "Y7"], &plain), 1);
     }
 
     proptest! {
@@ -311,7 +351,7 @@ mod tests {
         #[test]
         fn passing_over_leaves_the_same(
             mut blocks in proptest::collection::vec(proptest::sample::select(&BLOCKS), 0..12),
-            points in proptest::collection::vec(proptest::sample::select(&BLOCKS[2..7]), 0..12),
+            points in proptest::collection::vec(proptest::sample::select(&BLOCKS[2..11]), 0..12),
             at in 0..12_usize,
             most in 0..12_u64,
             limit in proptest::option::of(0..20_u64),

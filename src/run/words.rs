@@ -114,6 +114,19 @@ impl BlockWords {
         self.g_groups = self.g_groups.with(code.group());
     }
 
+    /// Takes the function in force that a point writes, or writes no more, in place of that of the point before. Gives
+    /// whether both write one, or neither does.
+    #[inline]
+    pub(super) fn write_again(&mut self, function: Option<(GCode, Word)>) -> bool {
+        let same = function.is_some() != self.g.is_empty();
+        self.g.clear();
+        self.g_groups = Groups::default();
+        if let Some((code, word)) = function {
+            self.push_g(code, word);
+        }
+        same
+    }
+
     /// The function of a group written in this block.
     #[inline]
     pub(super) fn written(&self, group: GGroup) -> Option<(GCode, Word)> {

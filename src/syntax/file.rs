@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::{Form, Word};
 use crate::diag::Diagnostic;
-use crate::dict::HIGHEST_BLOCK;
+use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, SourceText, Span};
 
@@ -35,7 +35,8 @@ impl BlockFlags {
     pub const SKIP: Self = Self(1);
     /// Something in it has no word: characters or text that mean nothing.
     pub const DEBRIS: Self = Self(1 << 1);
-    /// Has a G, M, L or Q word, a parameter, or a faulty word: more than axis words, F, S and the like.
+    /// Has a G, M, L or Q word, a parameter, or a faulty word: more than axis words, F, S and the like, and one G00 or
+    /// G01.
     pub const RICH: Self = Self(1 << 2);
     /// A comment belongs to it (BLK-9).
     pub const COMMENT: Self = Self(1 << 3);
@@ -47,19 +48,48 @@ impl BlockFlags {
     pub const ENTRY: Self = Self(1 << 6);
     /// Has an axis word.
     pub const AXES: Self = Self(1 << 7);
-    /// Has a word besides `N` and axis words.
+    /// Has a word besides `N`, axis words and one G00 or G01.
     pub const OTHERS: Self = Self(1 << 8);
     /// Is two blocks: a line of it lacks its block number. Set after parsing.
     pub const MERGED: Self = Self(1 << 9);
+    /// Its first G word is a G00 in digits.
+    pub const RAPID: Self = Self(1 << 10);
+    /// Its first G word is a G01 in digits.
+    pub const LINEAR: Self = Self(1 << 11);
 
     /// Whether all of `flags` are set.
     pub const fn has(self, flags: Self) -> bool {
         self.0 & flags.0 == flags.0
     }
 
-    /// Whether it is a point: a block of axis words and no others, with nothing that has no word.
+    /// Whether it is a point: a block of axis words and no others but a G00 or G01, with nothing that has no word.
     pub const fn is_point(self) -> bool {
-        self.0 & !Self::COMMENT.0 == Self::AXES.0
+        self.0 & !(Self::COMMENT.0 | Self::RAPID.0 | Self::LINEAR.0) == Self::AXES.0
+    }
+
+    /// Whether it is a point that has no function but, again, the one that `in_force` tells.
+    const fn goes_on(self, in_force: Self) -> bool {
+        self.0 & !(Self::COMMENT.0 | in_force.0) == Self::AXES.0
+    }
+
+    /// That of a function that moves straight; of others none.
+    pub const fn of_straight(function: GCode) -> Self {
+        match function.number() {
+            0 => Self::RAPID,
+            1 => Self::LINEAR,
+            _ => Self(0),
+        }
+    }
+
+    /// The function of [`Self::RAPID`] or [`Self::LINEAR`].
+    pub const fn straight(self) -> Option<GCode> {
+        if self.has(Self::RAPID) {
+            Some(GCode::G00)
+        } else if self.has(Self::LINEAR) {
+            Some(GCode::G01)
+        } else {
+            None
+        }
     }
 
     /// Takes `flags` away.
@@ -291,11 +321,25 @@ impl ParsedFile {
         &self.comments
     }
 
-    /// How many points (see [`BlockFlags::is_point`]) follow each other from a block on, before another one.
-    pub fn points_in_a_row(&self, from: BlockId, before: BlockId) -> u32 {
+    /// How many points (see [`BlockFlags::is_point`]) follow each other from a block on, before another one, that have
+    /// no function but, again, the one that `in_force` tells.
+    pub fn points_in_a_row(&self, from: BlockId, before: BlockId, in_force: BlockFlags) -> u32 {
         let blocks = self.blocks.get(from.index()..before.index()).sure();
-        let count = blocks.iter().take_while(|block| block.flags.is_point()).count();
+        let count = blocks.iter().take_while(|block| block.flags.goes_on(in_force)).count();
         small(count)
+    }
+
+    /// The last of some blocks whose function these flags tell, with its word.
+    pub fn last_straight(&self, blocks: Range<BlockId>, function: BlockFlags) -> Option<(BlockId, Word)> {
+        let found = self.blocks.get(blocks.start.index()..blocks.end.index()).sure();
+        let last = found.iter().rposition(|block| block.flags.has(function))?;
+        let block = BlockId(blocks.start.0 + small(last));
+        Some((block, self.g_word(block)?))
+    }
+
+    /// The first G word of a block.
+    pub fn g_word(&self, block: BlockId) -> Option<Word> {
+        self.words(block).iter().copied().find(|word| word.address == Address::G)
     }
 
     /// The facts about a block.

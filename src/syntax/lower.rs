@@ -167,6 +167,13 @@ impl<'t> Lowering<'t> {
     #[expect(clippy::inline_always, reason = "a word of four fields, handed over in memory, waits for its stores")]
     #[inline(always)]
     fn note(&mut self, word: Word) {
+        if word.address == Address::G && word.is_digits() && self.flags.straight().is_none() {
+            let straight = word.g_code().map_or(BlockFlags::default(), BlockFlags::of_straight);
+            if straight != BlockFlags::default() {
+                self.flags.set(straight);
+                return;
+            }
+        }
         self.flags.set(made_of(word.address));
         if !word.is_plain() {
             self.flags.set(BlockFlags::RICH);

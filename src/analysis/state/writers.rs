@@ -1,7 +1,7 @@
 //! Which block wrote what is in force last.
 
 use crate::diag::CallKind;
-use crate::dict::{Address, AxisLetter, GCode, Lasting, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
+use crate::dict::{Address, AxisLetter, GCode, GGroup, Lasting, M_GROUPS, MOMENTARY_GROUPS, TOOL_CHANGE};
 use crate::run::{AxisSet, Executed, Passed, State};
 use crate::syntax::BlockId;
 use crate::text::FileId;
@@ -142,6 +142,9 @@ impl Writers {
         for axis in block.motion().into_iter().flat_map(|motion| motion.axes()) {
             self.set(Slot::Axis(axis), writer);
         }
+        // What holds for its block alone is no more in force, and what it hid was written by another.
+        let lasting = block.g_written().filter(|code| code.lasting() != Lasting::Block);
+        lasting.for_each(|code| self.set(Slot::G(code.group().index()), writer));
         if !block.moves_on() {
             self.note_words(block, before, elsewhere, writer);
         }
@@ -150,9 +153,10 @@ impl Writers {
     /// Notes what points wrote.
     pub fn note_points(&mut self, points: &Passed<'_>) {
         let (stretch, call) = (points.stretch(), call(&points.before()));
-        for (axis, block) in points.axes() {
+        let function = points.function().map(|block| (Slot::G(GGroup::G0.index()), block));
+        for (slot, block) in points.axes().map(|(axis, block)| (Slot::Axis(axis), block)).chain(function) {
             let seq = points.first_seq() + u64::from(block.0 - stretch.first.0);
-            self.set(Slot::Axis(axis), Writer { seq, file: stretch.file, block, call });
+            self.set(slot, Writer { seq, file: stretch.file, block, call });
         }
     }
 
@@ -163,9 +167,6 @@ impl Writers {
     }
 
     fn note_words(&mut self, block: &Executed<'_>, before: &State, elsewhere: AxisSet, writer: Writer) {
-        // What holds for its block alone is no more in force, and what it hid was written by another.
-        let lasting = block.g_written().filter(|code| code.lasting() != Lasting::Block);
-        lasting.for_each(|code| self.set(Slot::G(code.group().index()), writer));
         let functions = &block.settings().machine.m_functions;
         for &number in block.m_written() {
             self.set(Slot::M(usize::from(functions.group(number))), writer);
