@@ -201,7 +201,7 @@ impl Making<'_> {
         head.push_str(&flat.text);
         let text_from = there.text.map(|(seq, _)| seq);
         let restart = Restart { n: found.n, head, rest, source: Arc::clone(source), written_out, preamble, text_from };
-        self.prove(&restart, found.seq)?;
+        self.prove(&restart, found)?;
         Ok(restart)
     }
 
@@ -221,15 +221,21 @@ impl Making<'_> {
     }
 
     /// RST-5, before anything is given away.
-    fn prove(&self, restart: &Restart, place: u64) -> Result<(), Reason> {
+    fn prove(&self, restart: &Restart, found: &Found) -> Result<(), Reason> {
         let text = restart.text();
         let overlay = Overlay { below: self.session.loader, path: self.path, bytes: text.as_bytes() };
-        let session = Session { loader: &overlay, progress: None, ..*self.session };
+        // An axis of which nobody knows where it is at the place does not stand where `[start]` has it.
+        let mut settings = self.session.settings.clone();
+        let axes = settings.machine.axes.iter().enumerate();
+        for (_, axis) in axes.filter(|(at, _)| found.state.axis_position(*at).is_none()) {
+            settings.machine.start.remove(&axis.letter);
+        }
+        let session = Session { loader: &overlay, settings: &settings, progress: None, ..*self.session };
         let old = self.session.open(self.path, self.name, Purpose::Report);
         let new = session.open(self.path, self.name, Purpose::Report);
         let (Ok(old), Ok(new)) = (old, new) else { return Err(Reason::Fails { code: String::new() }) };
         let text = restart.text_from.unwrap_or(u64::MAX);
-        let proof = Proof { place, text, all_m: self.options.all_m, preamble: restart.preamble };
+        let proof = Proof { place: found.seq, text, all_m: self.options.all_m, preamble: restart.preamble };
         prove(old, new, proof)
     }
 

@@ -8,8 +8,8 @@ use super::tracker::Options;
 use crate::analysis::state::{Found, Slot, Written};
 use crate::config::Settings;
 use crate::dict::{
-    AxisLetter, BUILDER_GROUPS, FIRST_DYNAMIC_SET, FeedMode, GCode, GEAR_GROUP, GGroup, Lang, M_GROUPS,
-    MOMENTARY_GROUPS, OTHER_GROUP, SPINDLE_GROUP, standard_m_functions,
+    AxisLetter, BUILDER_GROUPS, Decimal, FIRST_DYNAMIC_SET, FeedMode, GCode, GEAR_BY_SPEED, GEAR_GROUP, GGroup, Lang,
+    M_GROUPS, MOMENTARY_GROUPS, OTHER_GROUP, SPINDLE_GROUP, standard_m_functions,
 };
 
 /// What the preamble is made of.
@@ -163,10 +163,25 @@ impl<'a> Preamble<'a> {
         self.from.there.feed_mode.filter(|function| in_force.and_then(per) != per(*function))
     }
 
+    /// The speed that the gear follows from, with its G6 function, where S is a cutting speed (MFN-9).
+    fn turning(&self) -> Option<(GCode, Decimal)> {
+        let of_cut = self.from.there.speed_mode.is_some_and(|function| !self.cuts_otherwise(function));
+        let follows = self.from.found.state.m_in_force(GEAR_GROUP) == Some(GEAR_BY_SPEED);
+        let geared = self.from.found.state.gear_in_force().is_some() && follows;
+        self.from.there.turning.filter(|(function, _)| geared && of_cut && self.cuts_otherwise(*function))
+    }
+
     fn spindle(&mut self) {
         let state = &self.from.found.state;
         let speed = state.s();
         let mut words: Vec<String> = self.m_to_restore(GEAR_GROUP).map(|m| format!("M{m:02}")).into_iter().collect();
+        if let Some((function, s)) = self.turning() {
+            words.extend(self.word(Some(function)));
+            words.push(format!("S{s}"));
+            self.block(std::mem::take(&mut words), &Note::Gear);
+            let in_force = self.in_force(GGroup::G6);
+            words.extend(self.word(in_force));
+        }
         words.extend(speed.map(|s| format!("S{s}")));
         let function = self.from.there.speed_mode.filter(|function| speed.is_some() && self.cuts_otherwise(*function));
         if let Some(word) = self.word(function) {

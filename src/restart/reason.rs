@@ -102,6 +102,7 @@ bilingual! {
         ToolChangeOf { n: u32 } "tool change, N{n}", "výměna nástroje, N{n}";
         Tool "tool and corrections", "nástroj a korekce";
         NextTool "next tool", "další nástroj";
+        Gear "speed for the spindle range", "otáčky pro rozsah vřetena";
         Spindle "spindle", "vřeteno";
         SpindleOf { n: u32 } "spindle, N{n}", "vřeteno, N{n}";
         Auxiliary "auxiliary functions", "pomocné funkce";
@@ -133,7 +134,7 @@ bilingual! {
             "nearest earlier place that works: --seq {seq}, N{n} of {file} (line {line}), {time} after program start",
             "nejbližší dřívější místo, odkud lze začít: --seq {seq}, N{n} v {file} (řádek {line}), {time} od startu \
             programu";
-        NoNearest "no earlier place works", "odtud ani z dřívějšího místa začít nelze";
+        NoNearest "no earlier place was found", "dřívější místo, odkud lze začít, se nenašlo";
         Written { written_out: u64 }
             "blocks of calls and loops written out: {written_out}",
             "rozepsaných bloků volání a smyček: {written_out}";

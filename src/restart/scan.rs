@@ -50,6 +50,8 @@ pub(super) struct There {
     pub target: Result<Target, Reason>,
     pub feed_mode: Option<GCode>,
     pub speed_mode: Option<GCode>,
+    /// See [`Tracker::turning`].
+    pub turning: Option<(GCode, Decimal)>,
     /// See [`Tracker::apart`].
     pub apart: Vec<(u64, u32, u8)>,
     pub conversion: Option<Conversion>,
@@ -269,13 +271,14 @@ impl Scan {
     }
 
     fn there(&self, block: &Executed<'_>, target: Result<Target, Reason>) -> There {
-        let Tracker { feed_mode, speed_mode, corrections, .. } = self.tracker;
+        let Tracker { feed_mode, speed_mode, turning, corrections, .. } = self.tracker;
         let axes = block.settings().machine.axes.iter().enumerate();
         let unknown = axes.filter_map(|(at, axis)| Some((axis.letter, self.tracker.lack(at, axis)?)));
         There {
             target,
             feed_mode,
             speed_mode,
+            turning,
             apart: self.tracker.apart.clone(),
             conversion: self.tracker.conversion.clone(),
             corrections,
@@ -398,6 +401,7 @@ impl Sink for &mut Scan {
 
     fn begin(&mut self, program: &Program<'_>) {
         self.text = Text::of(program);
+        self.tracker.begin(program);
     }
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {

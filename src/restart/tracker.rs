@@ -9,7 +9,8 @@ use crate::dict::{
     Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, OTHER_GROUP,
     SPINDLE_GROUP, SPINDLE_TURNS, TOOL_CHANGE,
 };
-use crate::run::{Executed, MotionType, State};
+use crate::run::{Executed, MotionType, Program, State};
+use crate::syntax::Word;
 
 /// What the user wants.
 #[derive(Clone, Copy, Debug)]
@@ -48,6 +49,8 @@ pub(super) struct Tracker {
     tool_axis: Option<usize>,
     /// Whether the project file names it.
     tool_is_named: bool,
+    /// Whether a block of the program moves it.
+    tool_is_moved: bool,
     before: Before,
     axes: Axes,
     /// By place in machine order: a motion or a block of data gave it its position.
@@ -72,6 +75,9 @@ pub(super) struct Tracker {
     /// The G6 function that F and S were written under.
     pub feed_mode: Option<GCode>,
     pub speed_mode: Option<GCode>,
+    /// The last S that was a speed of the spindle, and the G6 function that it was written under: the gear follows
+    /// from it (MFN-9).
+    pub turning: Option<(GCode, Decimal)>,
     /// M functions that the state does not keep, in the order of their last writing: seq, block, number. M10 or M11,
     /// and every one of the last group, where none excludes another.
     pub apart: Vec<(u64, u32, u8)>,
@@ -86,6 +92,7 @@ impl Tracker {
             tool_letter,
             tool_axis: settings.machine.axes.index(tool_letter),
             tool_is_named: settings.machine.tool_axis.is_some(),
+            tool_is_moved: false,
             before: Before::new(settings),
             axes: Axes::new(settings),
             named: [false; 9],
@@ -99,9 +106,17 @@ impl Tracker {
             corrections: None,
             feed_mode: None,
             speed_mode: None,
+            turning: None,
             apart: Vec::new(),
             conversion: None,
         }
+    }
+
+    /// Looks at the program before it is executed.
+    pub fn begin(&mut self, program: &Program<'_>) {
+        let moves = |word: &Word| word.address.axis() == Some(self.tool_letter);
+        let mut files = program.resolved.written_files();
+        self.tool_is_moved = files.any(|file| file.block_ids().any(|block| file.words(block).iter().any(moves)));
     }
 
     /// What is in force.
@@ -172,6 +187,9 @@ impl Tracker {
         }
         if block.written(Address::S) {
             self.speed_mode = mode;
+            let turns =
+                |function: &GCode| block.settings().machine.feed_mode(*function).is_some_and(|mode| !mode.constant_cut);
+            self.turning = mode.filter(turns).zip(block.s()).or(self.turning);
         }
         let functions = &block.settings().machine.m_functions;
         for &number in block.m_written() {
@@ -282,7 +300,9 @@ impl Tracker {
                 Some(Lack::FromStart) | None => {}
             }
         }
-        let below = (target.unknown.lost | target.unknown.from_start) & 1 << tool != 0;
+        // Of one that never moves, nobody but the user knows.
+        let fresh = if self.tool_is_moved { target.unknown.fresh } else { 0 };
+        let below = (target.unknown.lost | target.unknown.from_start | fresh) & 1 << tool != 0;
         target.approach = self.approach(settings, tool, below)?;
         Ok(target)
     }

@@ -418,6 +418,46 @@ fn axes_from_the_project_file() {
         .says("the position of Z is not known");
 }
 
+/// RST-4: what nobody knows stays unknown, whatever `[start]` says of the beginning; an axis that a distance took from
+/// its reference point is lost, in whatever blocks; the tool's axis is known before others move in rapid.
+#[test]
+fn axes_that_are_lost_stay_lost() {
+    let start = |config: &str, blocks: &str, n: &str| {
+        let text = format!("%1\nN10 G90 T1 D1 F9\n{blocks}N900 M30\n");
+        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
+        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "100"])
+    };
+    let table = "[start]\nX = 0\nY = 0\nZ = 300\n[machine-macrocycles]\nL9001 = {}\n";
+    let changes =
+        "N20 G72 L9001\nN30 M06\nN40 S9 M03\nN50 G00 X0 Y0 Z50\nN60 T2\nN70 G72 L9001\nN80 M06\nN85 G00 X1 Y1 Z9\n";
+    for n in ["30", "80", "85"] {
+        start(table, changes, n).ends(0);
+    }
+    let turned = "spindle-axis = \"C\"\n[start]\nX = 0\nY = 0\nZ = 300\nC = 0\n";
+    start(turned, "N20 S9 M03\nN30 G00 X1 Y1 Z5\nN40 M05\nN50 T2 M06\nN60 S8 M03\nN65 G00 X2 Y2 Z3\n", "50").ends(0);
+    for falls in ["Z-20", "Z-20 F9", "G01 Z-20"] {
+        let blocks =
+            format!("N20 G01 X0 Y0 Z0 F9\nN30 G30 Z0\nN40 G01 G91 X1\nN50 X1\nN60 {falls}\nN70 X1\nN80 X5 Z-1\n");
+        start("", &blocks, "70").ends(1).says("the position of Z is not known");
+    }
+    let blind = "N20 S9 M03\nN30 G00 X1 Y1\nN40 G00 X50 Y5\n";
+    start("", &format!("{blind}N50 Z50 F9\nN60 G01 Z-1\n"), "50").ends(1).says("the position of Z is not known");
+    // Nothing but the user moves it.
+    assert!(start("", &format!("{blind}N50 G01 X9 F9\n"), "50").ends(0).stdout.contains("Z is not known here"));
+}
+
+/// MFN-9: under M40 the gear follows from the last speed of the spindle, also where S has become a cutting speed.
+#[test]
+fn gears_of_cutting_speeds() {
+    let text = "%1\nN10 G90 G74 T1 D1 M06\nN20 S800 M40 M03\nN30 G00 X100 Z50\nN40 G96 S150\nN50 G01 X60 F200\n\
+        N60 Z10\nN70 G00 X100\nN900 M30\n";
+    let config = "[restart]\ntool-axis = \"X\"\n[[gears]]\nm = 41\nmin = 20\nmax = 500\n[[gears]]\nm = 42\nmin = 400\n\
+        max = 3000\n";
+    let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
+    let made = place.run(&["restart", "a.nc", "--lang", "en", "--n", "60", "--safe", "120"]).ends(0).stdout;
+    assert!(made.contains("G94 S800 \"speed for the spindle range\"") && made.contains("G96 S150 M03"), "{made}");
+}
+
 /// RST-1: an axis that the program did not move yet has to stand where the program found it; the set of G23 is
 /// restored where G23 is in force from power-up on.
 #[test]

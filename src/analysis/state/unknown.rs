@@ -1,7 +1,7 @@
 //! Which axes stand where nobody knows, and why.
 
 use crate::config::Settings;
-use crate::dict::{AxisLetter, GCode, SPINDLE_GROUP};
+use crate::dict::{AxisLetter, GCode, GGroup, SPINDLE_GROUP};
 use crate::run::{AxisSet, Executed, MotionType, Passed};
 
 /// Why the position of an axis is not known.
@@ -84,7 +84,8 @@ impl Axes {
     #[inline]
     pub fn pass(&mut self, block: &Executed<'_>, elsewhere: AxisSet) {
         self.note_moves(block);
-        if !block.moves_on() {
+        // By a distance an axis may leave a place that had a reason of its own.
+        if !block.moves_on() || block.g(GGroup::G9) == Some(GCode::G91) {
             self.note(block, elsewhere);
         }
     }

@@ -134,8 +134,9 @@ impl Broken<'_> {
         fixed: String,
     ) -> (Option<Number>, Option<Diagnostic>) {
         let Self { address, prefix, span, .. } = *self;
-        let text = around.slice(span);
-        let apart = [", ", ",\t", " ,", "\t,"].into_iter().any(|pair| text.contains(pair));
+        // Either side of a blank may be a number of its own: `X7 0,5`.
+        let behind = around.slice(span).get(prefix.trim_end_matches('=').len()..).sure();
+        let apart = behind.trim_matches([' ', '\t', '=']).contains([' ', '\t']);
         let written = shown(&fixed);
         let whole = number.value.as_whole().filter(|_| !number.rounded);
         let (meant, fixed) = if joined.ends_with(',') && joined.matches(',').count() == 1 {

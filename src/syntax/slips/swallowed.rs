@@ -20,10 +20,24 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
     // A sign that was meant to close the comment ends its text.
     let tail = text.get(start as usize..comment.end as usize)?;
     let closed = tail.rmatch_indices(['“', '”', '\'', ';']).next().map_or(0, |(at, sign)| at + sign.len());
-    let tokens: Vec<Token> = tokens(text, start + small(closed), comment.end).collect();
-    let ends = |from: usize| telling(text, tokens.get(from..).sure(), LEAST, None) == Some(true);
+    let tail = as_fixed(tail);
+    let tokens: Vec<Token> = tokens(&tail, small(closed), small(tail.len())).collect();
+    let ends = |from: usize| telling(&tail, tokens.get(from..).sure(), LEAST, None) == Some(true);
     let from = (0..tokens.len()).find(|from| ends(*from))?;
-    Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
+    Some(Span::new(start + tokens.get(from)?.start, start + tokens.last()?.end))
+}
+
+/// A text with decimal points and signs in place of decimal commas and typographic signs, each byte in its place: words
+/// with those are words that a fix makes good.
+fn as_fixed(text: &str) -> String {
+    let mut fixed = text.replace(['−', '–'], "  -");
+    for (at, _) in text.match_indices(',') {
+        let is_digit = |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_digit);
+        if is_digit(at.checked_sub(1)) && is_digit(Some(at + 1)) {
+            fixed.replace_range(at..=at, ".");
+        }
+    }
+    fixed
 }
 
 /// The words that a comment swallows, which begins with a quote (W0114).
