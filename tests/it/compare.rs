@@ -407,6 +407,12 @@ fn hidden_differences() {
         ("G01 X1\nG72 L7", "G01 X1\nG00\nG72 L7", "G00 G01 → G00"),
         ("R1=90\nG72 L7\nG01 X1", "R1=45\nG72 L7\nG01 X1", "R1"),
         ("R1=90\nG01 X1", "R1=45\nG01 X1", "the programs do the same"),
+        ("R2=1\nG85 Z-5\nG80", "R2=9\nG85 Z-5\nG80", "R2 1 → 9"),
+        // A spindle that turns does so at its speed, whatever the program does meanwhile; one that stands has none.
+        ("S600\nG04 Q900\nM05", "S900\nG04 Q900\nM05", "S 600 → 900 in 1 block (N11)"),
+        ("S600\nG00 X5\nG01 X6", "S900\nG00 X5\nG01 X6", "S 600 → 900 in 1 block (N12)"),
+        ("S600\nG00 X5", "G96 S600\nG00 X5", "G96 none → G96"),
+        ("M05 S600\nG04 Q900\nG00 X5", "M05 S900\nG04 Q900\nG00 X5", "the programs do the same"),
         ("M08\nM09\nM08\nM09", "M08\nM09\nM09\nM09\nM08\nM09\nM09\nM09", "the programs do the same"),
         ("G01 X5 M08 M41\nX6", "G01 X5 M41 M08\nX6", "the programs do the same"),
         ("G01 X5 M08 M77\nX6", "M77 M08 G01 X5\nX6", "the programs do the same"),

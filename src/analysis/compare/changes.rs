@@ -1,7 +1,7 @@
 //! Differences of aligned steps, grouped: what is the same change at many blocks is one (CMP-4).
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use super::align::{Aligned, align};
@@ -179,6 +179,10 @@ struct Difference {
     new: Option<Value>,
 }
 
+/// The group of changes of the spindle's speed where nothing is cut. Where there is the same change at cuts, that says
+/// it: what a change of S costs is counted there.
+const IDLE: u64 = u64::MAX;
+
 /// Changes by what they are.
 #[derive(Default)]
 struct Groups {
@@ -226,6 +230,23 @@ impl Groups {
         }
         changes.get_mut(place)
     }
+
+    /// All of them.
+    fn finish(self) -> Vec<Change> {
+        let Self { changes, runs, .. } = self;
+        // Whichever tool is in the spindle: two programs may have different ones there.
+        let key = |change: &Change| (change.what.clone(), change.old.clone(), change.new.clone());
+        let counts =
+            |(change, run): &(&Change, &u64)| **run != IDLE && is_of_speed(change.kind, change.what.as_deref());
+        let cuts: HashSet<_> = changes.iter().zip(&runs).filter(counts).map(|(change, _)| key(change)).collect();
+        let told = |(change, run): &(Change, u64)| *run != IDLE || !cuts.contains(&key(change));
+        changes.into_iter().zip(runs).filter(told).map(|(change, _)| change).collect()
+    }
+}
+
+/// Whether it is S, or a function that says what S means.
+fn is_of_speed(kind: ChangeKind, what: Option<&str>) -> bool {
+    kind == ChangeKind::Speed || matches!(what, Some("G96" | "G97"))
 }
 
 struct Grouping<'s> {
@@ -264,7 +285,7 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
     });
     grouping.end_runs();
     grouping.end_events();
-    let mut changes: Vec<Change> = grouping.groups.changes;
+    let mut changes: Vec<Change> = grouping.groups.finish();
     let first = |change: &Change| {
         let first = |blocks: &Blocks| blocks.runs.first().map_or(u32::MAX, |run| run[0]);
         (first(&change.new_blocks).min(first(&change.old_blocks)), change.kind)
@@ -349,6 +370,7 @@ impl Grouping<'_> {
         let (Some(old), Some(new)) = (self.old.step(a), self.new.step(b)) else { return };
         let contexts = (Steps::context_id(old), Steps::context_id(new));
         let mut found = Vec::new();
+        let mut idle = false;
         match (self.old.does(old), self.new.does(new)) {
             (Some(Does::Motion(old)), Some(Does::Motion(new)))
                 if old.values() != new.values() || old.axes != new.axes =>
@@ -372,12 +394,17 @@ impl Grouping<'_> {
             && let (Some(old), Some(new)) = (self.old.context_of(old), self.new.context_of(new))
         {
             let before = found.len();
+            idle = !(old.working && new.working);
             self.contexts(old, new, &mut found);
             if found.len() == before {
                 self.same_context = Some(contexts);
             }
         }
-        found.into_iter().for_each(|difference| self.note(difference, Some(a), Some(b), 0));
+        for difference in found {
+            let of_speed = is_of_speed(difference.kind, difference.what.as_deref());
+            let run = if idle && of_speed { IDLE } else { 0 };
+            self.note(difference, Some(a), Some(b), run);
+        }
     }
 
     fn positions(&self, old: &Motion, new: &Motion, found: &mut Vec<Difference>) {
@@ -443,7 +470,8 @@ impl Grouping<'_> {
             (Some(a), Some(b)) => near(a, b),
             (a, b) => a == b,
         };
-        if old.working && new.working && !same_speed {
+        let turn = old.turns && new.turns;
+        if turn && !same_speed {
             let (old, new) = (old.speed.map(Value::from), new.speed.map(Value::from));
             found.push(Difference { kind: ChangeKind::Speed, what: Some(Cow::Borrowed("S")), old, new });
         }
@@ -452,7 +480,8 @@ impl Grouping<'_> {
         for group in GGroup::ALL {
             let (a, b) = (of(old, group), of(new, group));
             // These count where both programs have them: the plane under a radius correction, all beside a macrocycle.
-            let counts = !INHERITED.contains(&group) || (a.is_some() && b.is_some());
+            let counts =
+                if INHERITED.contains(&group) { a.is_some() && b.is_some() } else { turn || group != GGroup::G6 };
             if a != b && counts {
                 let text = |code: Option<GCode>| code.map(|code| Value::Text(code.to_string()));
                 let what = b.or(a).map(|code| Cow::Owned(code.to_string()));

@@ -8,7 +8,8 @@ use super::steps::{Context, Event, Motion, Steps, UNKNOWN, Value};
 use crate::diag::Findings;
 use crate::dict::{
     AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
-    PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_STOP, TOOL_CHANGE, standard_m_functions,
+    PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
+    standard_m_functions,
 };
 use crate::run::{ArcPath, End, Executed, MotionType, Sink, State};
 
@@ -25,7 +26,7 @@ pub struct StepReader {
     before: Option<Written>,
     /// The sums of distances, by axis, since nobody knows where it is.
     way: [Micro; AxisLetter::ALL.len()],
-    /// The parameters that a macrocycle of the machine was called with last.
+    /// The parameters that a macrocycle of the machine or a fixed cycle was called with last.
     handed: BTreeMap<u8, Value>,
 }
 
@@ -103,6 +104,9 @@ impl StepReader {
             let words: Vec<String> = origin.into_iter().chain(correction).chain(words).collect();
             self.event(block, ChangeKind::Data, &data.g.to_string(), Value::Text(words.join(" ")));
         } else if !block.words().is_empty() {
+            if block.is_unmapped_cycle() {
+                self.read_parameters(block);
+            }
             // A fixed cycle that nobody knows, a spiral, a thread.
             let slot = block.g(GGroup::G8).filter(|code| code.is_cycle()).map_or("I J K".to_owned(), |g| g.to_string());
             let words = block.words().iter().map(|(letter, value)| format!("{letter}{value}"));
@@ -161,7 +165,7 @@ impl StepReader {
         }
     }
 
-    /// The parameters that the program assigned, and that a macrocycle of the machine may read.
+    /// The parameters that the program assigned, and that a macrocycle of the machine or a fixed cycle may read.
     fn read_parameters(&mut self, block: &Executed<'_>) {
         if self.parameters {
             return;
@@ -181,7 +185,8 @@ impl StepReader {
         let radius = block.g(GGroup::G3).filter(|code| *code != GCode::G40);
         let plane = block.g(GGroup::G1).filter(|_| radius.is_some());
         // What S means; the unit of F tells of the other functions of the group.
-        let speed = block.g(GGroup::G6).filter(|code| working && matches!(code, GCode::G96 | GCode::G97));
+        let turns = working || block.m(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
+        let speed = block.g(GGroup::G6).filter(|code| turns && matches!(code, GCode::G96 | GCode::G97));
         let motion = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11].into_iter();
         let counts = |group: &GGroup| block.is_opaque() && (*group != GGroup::G0 || block.opaque_call().is_some());
         let inherited = INHERITED.into_iter().filter(counts);
@@ -190,7 +195,8 @@ impl StepReader {
             tool: block.tool(),
             working,
             feed: feed.filter(|_| working),
-            speed: block.s().filter(|_| working),
+            turns,
+            speed: block.s().filter(|_| turns),
             functions: functions.collect(),
             dynamic_set: block.dynamic_set().filter(|_| block.continuous_mode()),
         };

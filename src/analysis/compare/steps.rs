@@ -39,10 +39,12 @@ pub struct Event {
 pub struct Context {
     /// The tool in the spindle.
     pub tool: Option<Decimal>,
-    /// Whether F and S count: a working motion, a thread, a fixed cycle.
+    /// Whether F counts: a working motion, a thread, a fixed cycle.
     pub working: bool,
     /// F, its unit, and whether a hundredth of it counts.
     pub feed: Option<(Decimal, FeedUnit, bool)>,
+    /// Whether S counts: where F does, and where the spindle turns.
+    pub turns: bool,
     /// S.
     pub speed: Option<Decimal>,
     /// Functions in force that change a motion.
