@@ -34,7 +34,7 @@ pub(super) struct Context<'a> {
     pub(super) wanted: Wanted,
     /// The cursor.
     pub(super) at: u32,
-    /// What an item takes the place of: what is typed, and digits right behind the cursor.
+    /// What an item takes the place of: what is typed, and the number right behind the cursor.
     pub(super) replaced: Span,
     /// The typed part of the item.
     pub(super) typed: &'a str,
@@ -68,8 +68,7 @@ impl<'a> Context<'a> {
         };
         let block = block_at(file, from);
         let rest = text.get(at as usize..)?;
-        let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-        let to = if typed_digits(wanted) { at + small(digits) } else { at };
+        let to = if takes_number(wanted) { at + small(number_length(rest)) } else { at };
         let behind = rest.get((to - at) as usize..)?.trim_start_matches([' ', '\t']);
         let alone = from == lead_start && (behind.is_empty() || behind.starts_with(['\r', '\n']));
         let torn = from
@@ -85,6 +84,18 @@ impl<'a> Context<'a> {
             alone: alone && !torn,
             block,
         })
+    }
+
+    /// Whether the word has a number already, behind the cursor.
+    pub(super) fn has_number(&self) -> bool {
+        let behind = self.file.source.text().get(self.at as usize..).sure();
+        number_length(behind.trim_start_matches([' ', '\t'])) > 0
+    }
+
+    /// Whether the word is assigned to already, behind the cursor.
+    pub(super) fn is_assigned(&self) -> bool {
+        let behind = self.file.source.text().get(self.replaced.end as usize..).sure();
+        behind.trim_start_matches([' ', '\t']).starts_with('=')
     }
 
     /// The typed text before the digits: the address, and blanks.
@@ -119,9 +130,17 @@ pub(super) fn previous(file: &ParsedFile, at: u32) -> Option<BlockId> {
     block_at(file, at.checked_sub(1)?)
 }
 
-/// Whether digits behind the cursor belong to what is typed.
-const fn typed_digits(wanted: Wanted) -> bool {
-    matches!(wanted, Wanted::Address(_) | Wanted::Assignment)
+/// Whether a number behind the cursor belongs to what is typed.
+const fn takes_number(wanted: Wanted) -> bool {
+    matches!(wanted, Wanted::Address(_) | Wanted::Assignment | Wanted::Value { .. })
+}
+
+/// How long the number is that a text begins with, or the rest of one.
+fn number_length(text: &str) -> usize {
+    let unsigned = text.trim_start_matches(['+', '-']);
+    let digits = unsigned.trim_start_matches(|character: char| character.is_ascii_digit() || ".,".contains(character));
+    // A sign alone is none.
+    if digits.len() == unsigned.len() { 0 } else { text.len() - digits.len() }
 }
 
 /// The kind of item that follows the tokens of a line, and where its typed part begins.
@@ -227,6 +246,11 @@ mod tests {
         for (text, typed) in [("G|", "G"), ("g0|", "g0"), ("X1 G 1|", "G 1"), ("G |", "G "), ("X1G0|1 Y5", "G01")] {
             assert_eq!(in_block(text), some(Wanted::Address(Address::G), typed), "{text}");
         }
+        for (text, typed) in [("F|1.5 X1", "F1.5"), ("F1|.5", "F1.5"), ("F|-1,25X1", "F-1,25"), ("F|-R1", "F")] {
+            assert_eq!(in_block(text), some(Wanted::Address(Address::F), typed), "{text}");
+        }
+        assert_eq!(in_block("XR|10 Y1"), some(Wanted::Value { target: None }, "R10"));
+        assert_eq!(in_block("R10=1|1"), some(Wanted::Value { target: Some(10) }, "11"));
         assert_eq!(in_block("G71 L|"), some(Wanted::Address(Address::L), "L"));
         assert_eq!(in_block("R|"), some(Wanted::Assignment, "R"));
         assert_eq!(in_block("X1 R1|"), some(Wanted::Assignment, "R1"));

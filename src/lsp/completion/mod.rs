@@ -99,7 +99,7 @@ fn fill(source: &Source<'_>, context: &Context<'_>, items: &mut Items<'_>) {
         Wanted::Address(address) => {
             values::values(source, context, address, items);
             // The meaning of a bare address.
-            if context.digits() == Some("") {
+            if context.digits() == Some("") && !context.has_number() {
                 addresses::address_item(source, address, context.typed, items);
             }
         }

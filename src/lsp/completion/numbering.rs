@@ -25,7 +25,7 @@ pub(crate) fn next_numbers(analysis: &Analysis, file: &ParsedFile, at: u32, coun
     let behind = near(last.map_or(0, |block| block.next().0));
     let base = last.map_or(0, |block| {
         let before = (block.0.saturating_sub(NEAR)..=block.0).rev().map(BlockId);
-        before.into_iter().find_map(|block| file.number(block)).unwrap_or(0)
+        before.into_iter().find_map(|block| number(file, block)).unwrap_or(0)
     });
     let is_typed = |block: BlockId| file.n_word(block).is_some_and(|word| word.start() == at);
     let next = behind.filter(|block| !is_typed(*block)).find_map(|block| file.number(block));
@@ -38,7 +38,7 @@ pub(crate) fn next_numbers(analysis: &Analysis, file: &ParsedFile, at: u32, coun
     let mut taken = BTreeSet::new();
     let mut highest = 0;
     for block in file.block_ids().filter(|block| !is_typed(*block)) {
-        let Some(number) = file.number(block) else { continue };
+        let Some(number) = number(file, block) else { continue };
         highest = highest.max(number);
         if base < number && number <= reach {
             taken.insert(number);
@@ -53,6 +53,15 @@ pub(crate) fn next_numbers(analysis: &Analysis, file: &ParsedFile, at: u32, coun
     free.or_else(|| {
         let series = series(highest.saturating_add(usual), usual);
         series.iter().all(|number| *number <= HIGHEST_BLOCK).then_some(series)
+    })
+}
+
+/// The number of a block, also of one that something touches: `N20N`.
+fn number(file: &ParsedFile, block: BlockId) -> Option<u32> {
+    file.number(block).or_else(|| {
+        let text = file.source.text().get(file.n_word(block)?.start() as usize + 1..)?.trim_start_matches([' ', '\t']);
+        let digits = text.split(|character: char| !character.is_ascii_digit()).next()?;
+        digits.parse().ok().filter(|number| (1..=HIGHEST_BLOCK).contains(number))
     })
 }
 

@@ -45,11 +45,16 @@ pub(super) fn parameters(source: &Source<'_>, context: &Context<'_>, items: &mut
             section: Section::Second,
             order: u32::from(index),
             filter: format!("{head}{number}"),
-            text: label.clone(),
+            text: unassigned(context, &label),
             label,
             snippet: None,
         });
     }
+}
+
+/// The text of an item, without its `=` where one stands behind the cursor.
+fn unassigned(context: &Context<'_>, label: &str) -> String {
+    if context.is_assigned() { label.trim_end_matches('=').to_owned() } else { label.to_owned() }
 }
 
 /// The parameters that blocks near the place assign or read, with their first value there.
@@ -97,7 +102,7 @@ pub(super) fn control_words(source: &Source<'_>, context: &Context<'_>, items: &
             section: Section::First,
             order: u32::from(index),
             filter: format!("{head}{number}"),
-            text: format!("R{index}="),
+            text: unassigned(context, &format!("R{index}=")),
             snippet: None,
         });
     }
