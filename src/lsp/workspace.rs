@@ -95,11 +95,11 @@ fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, wanted]: [u3
     Some(Named { uri, file, namings, parametric })
 }
 
-/// The edits that give macrocycle `l` another number wherever it is named, as `documentChanges`.
+/// The edits that give macrocycle `l` another number wherever it is named, by document.
 ///
 /// # Errors
 /// Why it cannot have another one.
-fn edits(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Vec<Value>, NavigationText> {
+fn edits(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Vec<(Value, Vec<Value>)>, NavigationText> {
     let mut changes = Vec::new();
     for Named { uri, file, namings, parametric } in naming(snapshot, l, target) {
         if let Some((n, r)) = parametric {
@@ -120,9 +120,13 @@ fn edits(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Vec<Val
             namings.iter().map(|naming| json!({ "range": places.range(naming.number), "newText": digits })).collect();
         let open = snapshot.files.open().values().find(|document| document.uri == uri);
         let version = open.map(|document| document.version);
-        changes.push(json!({ "textDocument": { "uri": uri, "version": version }, "edits": edits }));
+        changes.push((json!({ "uri": uri, "version": version }), edits));
     }
     Ok(changes)
+}
+
+fn text_edit((document, edits): (Value, Vec<Value>)) -> Value {
+    json!({ "textDocument": document, "edits": edits })
 }
 
 /// Whether the client can do what renaming a macrocycle takes.
@@ -138,7 +142,7 @@ pub(super) fn can_rename(snapshot: &Snapshot) -> bool {
 pub(super) fn rename(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Value, NavigationText> {
     let renamed = renamed(target, l, new).ok_or(NavigationText::MacrocycleFile { l })?;
     against(snapshot, l, new, target, &[]).map_or(Ok(()), Err)?;
-    let mut changes = edits(snapshot, l, new, target)?;
+    let mut changes: Vec<Value> = edits(snapshot, l, new, target)?.into_iter().map(text_edit).collect();
     let uris = snapshot.files.uri_of(target).zip(Uri::from_file_path(renamed).ok());
     if let Some((old, new)) = uris {
         changes.push(json!({ "kind": "rename", "oldUri": old, "newUri": new }));
@@ -192,14 +196,25 @@ pub(super) fn will_rename_files(snapshot: &Snapshot, params: &Value) -> Answer<V
     let files = params.get("files").and_then(Value::as_array);
     let files: Vec<(PathBuf, u32, u32)> = files.into_iter().flatten().filter_map(renamed).collect();
     let numbers: Vec<u32> = files.iter().map(|(_, l, _)| *l).collect();
-    let mut changes = Vec::new();
+    // One entry a document: the places of all its edits are those before any of them.
+    let mut documents: Vec<(Value, Vec<Value>)> = Vec::new();
     for (old, l, number) in files {
         let target = snapshot.files.canonical(&old);
-        // What keeps the edits from being made leaves the file to the user all the same.
-        if against(snapshot, l, number, &target, &numbers).is_none() {
-            changes.extend(edits(snapshot, l, number, &target).unwrap_or_default());
+        // All or none: calls of two files that exchange their numbers would else meet. The files get their names all
+        // the same.
+        let edits = match against(snapshot, l, number, &target, &numbers) {
+            None => edits(snapshot, l, number, &target),
+            Some(why) => Err(why),
+        };
+        let Ok(edits) = edits else { return Ok(Value::Null) };
+        for (document, edits) in edits {
+            match documents.iter_mut().find(|(known, _)| *known == document) {
+                Some((_, known)) => known.extend(edits),
+                None => documents.push((document, edits)),
+            }
         }
     }
+    let changes: Vec<Value> = documents.into_iter().map(text_edit).collect();
     if changes.is_empty() || !snapshot.client.has("/workspace/workspaceEdit/documentChanges") {
         return Ok(Value::Null);
     }

@@ -86,6 +86,19 @@ null
               "line": 1
             }
           }
+        },
+        {
+          "newText": "9001",
+          "range": {
+            "end": {
+              "character": 13,
+              "line": 2
+            },
+            "start": {
+              "character": 9,
+              "line": 2
+            }
+          }
         }
       ],
       "textDocument": {
@@ -112,27 +125,6 @@ null
       "textDocument": {
         "uri": "DIR/macros/L9001",
         "version": null
-      }
-    },
-    {
-      "edits": [
-        {
-          "newText": "9001",
-          "range": {
-            "end": {
-              "character": 13,
-              "line": 2
-            },
-            "start": {
-              "character": 9,
-              "line": 2
-            }
-          }
-        }
-      ],
-      "textDocument": {
-        "uri": "DIR/part.nc",
-        "version": 1
       }
     },
     {
