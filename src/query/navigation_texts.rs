@@ -39,6 +39,9 @@ bilingual! {
         CallByParameter { n: u32, r: u8 }
             "block N{n} takes the number of a subprogram from R{r}: it may call this one",
             "blok N{n} bere číslo podprogramu z R{r}: může volat tento";
+        Unread { n: u32 }
+            "the number behind L in block N{n} cannot be read: it may be this one",
+            "číslo za L v bloku N{n} nelze přečíst: může to být toto";
         MacrocycleExists { l: u32 } "macrocycle L{l} exists already", "makrocyklus L{l} už existuje";
         MacrocycleFile { l: u32 }
             "the file of macrocycle L{l} is named by its number, and programs that are not open may call it",

@@ -92,16 +92,26 @@ impl Doubts<'_> {
         self.document().map_or(0, |file| file.shown_number(block))
     }
 
-    /// A jump or call whose number comes from a parameter may lead there.
+    /// A jump or call whose number comes from a parameter, or cannot be read, may lead there.
     fn parametric(&self, code: GCode, unit: Option<UnitId>) -> Option<NavigationText> {
         self.flows(unit).filter(|(_, taker, _)| taker.may_be(code)).find_map(|(block, _, l)| {
-            let Value::Parameter { index: r, .. } = l.value() else { return None };
             let n = self.shown(block);
-            Some(if code == GCode::G73 {
-                NavigationText::JumpByParameter { n, r }
-            } else {
-                NavigationText::CallByParameter { n, r }
-            })
+            match l.value() {
+                Value::Parameter { index: r, .. } if code == GCode::G73 => {
+                    Some(NavigationText::JumpByParameter { n, r })
+                }
+                Value::Parameter { index: r, .. } => Some(NavigationText::CallByParameter { n, r }),
+                Value::None => self.has_digit(l).then_some(NavigationText::Unread { n }),
+                Value::Number(_) => None,
+            }
+        })
+    }
+
+    /// Whether a word of the document has a number, in whatever form.
+    fn has_digit(&self, word: Word) -> bool {
+        self.document().is_some_and(|file| {
+            let written = file.source.slice(word.span(file.source.text()));
+            written.contains(|character: char| character.is_ascii_digit())
         })
     }
 
