@@ -230,7 +230,7 @@ impl Making<'_> {
         for (_, axis) in axes.filter(|(at, _)| found.state.axis_position(*at).is_none()) {
             settings.machine.start.remove(&axis.letter);
         }
-        let session = Session { loader: &overlay, settings: &settings, progress: None, ..*self.session };
+        let session = Session { loader: &overlay, settings: &settings, progress: None };
         let old = self.session.open(self.path, self.name, Purpose::Report);
         let new = session.open(self.path, self.name, Purpose::Report);
         let (Ok(old), Ok(new)) = (old, new) else { return Err(Reason::Fails { code: String::new() }) };

@@ -13,7 +13,8 @@ use cnc872c::syntax::{foreign, is_suspicious};
 use cnc872c::text::{Encoding, MemoryLoader, SourceText};
 
 use crate::disk::TestDisk;
-use crate::markers::{Request, files};
+use crate::disk::files;
+use crate::markers::Request;
 use crate::run::{Run, run};
 use crate::samples::root;
 

@@ -52,3 +52,18 @@ impl Loader for TestDisk {
         whole.strip_prefix(&root).map(Path::to_path_buf).unwrap_or(whole)
     }
 }
+
+/// Every file of a folder and the folders in it, sorted.
+pub fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    let mut entries: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    entries.sort();
+    for entry in entries {
+        if entry.is_dir() {
+            found.extend(files(&entry));
+        } else {
+            found.push(entry);
+        }
+    }
+    found
+}

@@ -13,7 +13,7 @@ use cnc872c::session::Session;
 use cnc872c::syntax::{Form, parse};
 use cnc872c::text::{FileId, MemoryLoader, SourceText};
 
-use crate::markers::files;
+use crate::disk::files;
 
 #[path = "../../examples/reference/pages.rs"]
 mod pages;

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 #[path = "../../examples/highlighting/files.rs"]

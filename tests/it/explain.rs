@@ -154,7 +154,7 @@ fn the_same_examples_in_both_languages() {
 fn no_page_too_many() {
     for (_, folder, _) in LANGS {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/explain").join(folder);
-        let mut pages: Vec<String> = crate::markers::files(&root)
+        let mut pages: Vec<String> = crate::disk::files(&root)
             .iter()
             .map(|path| path.file_name().unwrap().to_str().unwrap().to_owned())
             .filter(|name| name.len() == "E0101.md".len())

@@ -10,7 +10,7 @@ use cnc872c::dict::Dialect;
 use cnc872c::text::Encoding;
 use proptest::prelude::*;
 
-use crate::markers::files;
+use crate::disk::files;
 use crate::model::program;
 use crate::properties::{cases, executed, soup};
 use crate::same_program::stays_the_same;

@@ -14,8 +14,6 @@ mod cli_report;
 mod cli_rewrite;
 mod cli_view;
 mod cli_walk;
-#[cfg(feature = "arrow")]
-mod columns;
 mod compare;
 mod dialects;
 mod disk;

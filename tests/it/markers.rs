@@ -10,7 +10,7 @@ use cnc872c::diag::{Code, Findings, Severity};
 use cnc872c::session::{Part, Session};
 use cnc872c::text::{LineColumn, Sources};
 
-use crate::disk::TestDisk;
+use crate::disk::{TestDisk, files};
 
 /// A finding as a test compares it: file, start, end, code.
 type Place = (String, (u32, u32), (u32, u32), String);
@@ -206,21 +206,6 @@ fn compare(sample: &Path) -> (Option<String>, usize) {
         difference += &format!("    unexpected {place:?}\n");
     }
     (Some(difference), found.len())
-}
-
-/// Every file of a folder and the folders in it, sorted.
-pub fn files(folder: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let mut entries: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-    entries.sort();
-    for entry in entries {
-        if entry.is_dir() {
-            found.extend(files(&entry));
-        } else {
-            found.push(entry);
-        }
-    }
-    found
 }
 
 /// Checks the samples of a folder; gives their names and the numbers of their findings.

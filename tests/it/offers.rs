@@ -11,7 +11,8 @@ use cnc872c::edit::apply_fixes;
 use cnc872c::session::Session;
 use cnc872c::text::{FileId, MemoryLoader, SourceText, Sources};
 
-use crate::markers::{Request, files, request};
+use crate::disk::files;
+use crate::markers::{Request, request};
 use crate::samples::root;
 
 /// The findings of a program in memory.

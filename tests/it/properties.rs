@@ -15,7 +15,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 use crate::disk::TestDisk;
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 /// Most block records of a run.

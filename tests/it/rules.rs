@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 /// The ids of the rules of the language document, one a line.

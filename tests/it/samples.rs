@@ -14,8 +14,9 @@ use cnc872c::text::{Encoding, SourceText};
 use serde_json::Value;
 
 use crate::disk::TestDisk;
+use crate::disk::files;
 use crate::json_schema::{Validator, validator_for};
-use crate::markers::{Request, files, request};
+use crate::markers::{Request, request};
 use crate::run::{Run, run};
 
 /// Streams with more lines are shortened to their first and last ones.

@@ -17,8 +17,9 @@ use serde_json::Value;
 
 use crate::cli::{BAD, Place};
 use crate::disk::TestDisk;
+use crate::disk::files;
 use crate::json_schema::validator_for;
-use crate::markers::{files, request};
+use crate::markers::request;
 use crate::samples::root;
 
 /// A program of the samples, with how it is executed.

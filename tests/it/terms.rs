@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 const TABLE: &str = "docs/reference/terms.md";

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 /// Longest source file, in lines.

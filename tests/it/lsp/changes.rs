@@ -19,7 +19,8 @@ use serde_json::{Value, json};
 use super::Client;
 use super::scenario::apply;
 use crate::disk::TestDisk;
-use crate::markers::{Request, files};
+use crate::disk::files;
+use crate::markers::Request;
 use crate::run::{Run, run};
 use crate::samples::root;
 

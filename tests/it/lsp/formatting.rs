@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::Client;
 use super::scenario::apply;
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 /// FMT-1, FMT-7: every sample, as it is and with more blanks, empty lines and small letters.

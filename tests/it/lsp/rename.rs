@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::Client;
 use super::scenario::apply;
 use crate::disk::TestDisk;
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 /// Folders of samples, and most numbers that are tried in one of them, evenly spread.

@@ -5,7 +5,7 @@ use cnc872c::text::{Encoding, SourceText};
 use serde_json::{Value, json};
 
 use super::Client;
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 /// The lines of a document as the protocol ends them: LF, CR LF, CR. Their lengths in the units of the encoding.

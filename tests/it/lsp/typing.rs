@@ -11,7 +11,7 @@ use cnc872c::text::{Encoding, SourceText};
 use serde_json::{Value, json};
 
 use super::Client;
-use crate::markers::files;
+use crate::disk::files;
 use crate::samples::root;
 
 /// Of longer texts the rest is pasted.

@@ -5,6 +5,11 @@
     clippy::if_same_then_else,
     reason = "a column of another type fails the test"
 )]
+#![expect(clippy::disallowed_methods, reason = "tests read files")]
+#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing)]
+
+#[path = "it/disk.rs"]
+mod disk;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -23,9 +28,7 @@ use cnc872c::session::{Part, Session, TimedSink, Times};
 use cnc872c::text::{Loader, Sources};
 use serde_json::{Map, Value, json};
 
-use crate::disk::TestDisk;
-use crate::markers::files;
-use crate::samples::root;
+use crate::disk::{TestDisk, files};
 
 /// A cell as JSON. Whole numbers are whole.
 fn cell(array: &dyn Array, row: usize) -> Value {
@@ -118,7 +121,7 @@ fn records(batches: &[RecordBatch], path: impl Fn(&str) -> Vec<String>, kept: &[
 fn samples() -> Vec<(PathBuf, String)> {
     let mut found = Vec::new();
     for folder in ["ok", "projects", "rules", "err"] {
-        for path in files(&root().join("samples").join(folder)) {
+        for path in files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("samples").join(folder)) {
             if path.extension().is_some_and(|extension| extension == "nc") && !Session::is_macrocycle_name(&path) {
                 let name = path.file_name().unwrap().to_str().unwrap().to_owned();
                 found.push((path.parent().unwrap().to_path_buf(), name));
