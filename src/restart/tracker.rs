@@ -75,7 +75,7 @@ pub(super) struct Tracker {
     /// The G6 function that F and S were written under.
     pub feed_mode: Option<GCode>,
     pub speed_mode: Option<GCode>,
-    /// The last S that was a speed of the spindle, and the G6 function that it was written under: the gear follows
+    /// The S that was in force as a speed of the spindle last, and the G6 function that made it one: the gear follows
     /// from it (MFN-9).
     pub turning: Option<(GCode, Decimal)>,
     /// M functions that the state does not keep, in the order of their last writing: seq, block, number. M10 or M11,
@@ -187,9 +187,9 @@ impl Tracker {
         }
         if block.written(Address::S) {
             self.speed_mode = mode;
-            let turns =
-                |function: &GCode| block.settings().machine.feed_mode(*function).is_some_and(|mode| !mode.constant_cut);
-            self.turning = mode.filter(turns).zip(block.s()).or(self.turning);
+        }
+        if block.feed_mode().is_some_and(|mode| !mode.constant_cut) {
+            self.turning = mode.zip(block.s());
         }
         let functions = &block.settings().machine.m_functions;
         for &number in block.m_written() {

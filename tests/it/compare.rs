@@ -412,6 +412,7 @@ fn hidden_differences() {
         ("S600\nG04 Q900\nM05", "S900\nG04 Q900\nM05", "S 600 → 900 in 1 block (N11)"),
         ("S600\nG00 X5\nG01 X6", "S900\nG00 X5\nG01 X6", "S 600 → 900 in 1 block (N12)"),
         ("S600\nG00 X5", "G96 S600\nG00 X5", "G96 none → G96"),
+        ("M05\nS600 M03\nG00 X5", "M05\nM03\nS600\nG00 X5", "the programs do the same"),
         ("M05 S600\nG04 Q900\nG00 X5", "M05 S900\nG04 Q900\nG00 X5", "the programs do the same"),
         ("M08\nM09\nM08\nM09", "M08\nM09\nM09\nM09\nM08\nM09\nM09\nM09", "the programs do the same"),
         ("G01 X5 M08 M41\nX6", "G01 X5 M41 M08\nX6", "the programs do the same"),

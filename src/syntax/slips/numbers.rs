@@ -151,10 +151,12 @@ impl Broken<'_> {
         } else {
             (in_dwell(around, address, joined).unwrap_or(CommaMeant::Whole { address }), None)
         };
-        // `L1,00` may be L100, `X10,` X100.
-        let between = joined.split_once(',').is_some_and(|(before, behind)| {
-            before.ends_with(|last: char| last.is_ascii_digit()) && behind.bytes().all(|byte| byte.is_ascii_digit())
-        });
+        // `L1,00` may be L100, `X10,` X100; a letter may be one too many.
+        let is_digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+        let unsigned = joined.strip_prefix(['+', '-']).unwrap_or(joined);
+        let between = unsigned
+            .split_once(',')
+            .is_some_and(|(before, behind)| is_digits(before) && behind.bytes().all(|byte| byte.is_ascii_digit()));
         let certain = matches!(meant, CommaMeant::Point { .. }) && between && address.is_dimensional();
         let certain = certain.then_some(Certain::DecimalComma);
         let found = around.diagnostic(span, Finding::DecimalComma { meant });

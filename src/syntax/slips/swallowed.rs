@@ -17,27 +17,57 @@ pub(super) fn words(text: &str, comment: Span) -> Option<Span> {
     while !text.is_char_boundary(start as usize) {
         start += 1;
     }
-    // A sign that was meant to close the comment ends its text.
-    let tail = text.get(start as usize..comment.end as usize)?;
-    let closed = tail.rmatch_indices(['“', '”', '\'', ';']).next().map_or(0, |(at, sign)| at + sign.len());
-    let tail = as_fixed(tail);
-    let tokens: Vec<Token> = tokens(&tail, small(closed), small(tail.len())).collect();
-    let ends = |from: usize| telling(&tail, tokens.get(from..).sure(), LEAST, None) == Some(true);
-    let from = (0..tokens.len()).find(|from| ends(*from))?;
-    Some(Span::new(start + tokens.get(from)?.start, start + tokens.last()?.end))
+    let tail = as_fixed(text.get(start as usize..comment.end as usize)?);
+    // Where it begins with words, a comment may follow them, as other controls write it.
+    let whole = |words: &Span| tail.get(..words.start as usize).sure().trim().is_empty() && start == comment.start;
+    let before_comment = || at_end(tail.get(..tail.find(['(', ';'])?)?).filter(whole);
+    let found = at_end(&tail).or_else(before_comment)?;
+    Some(Span::new(start + found.start, start + found.end))
 }
 
-/// A text with decimal points and signs in place of decimal commas and typographic signs, each byte in its place: words
-/// with those are words that a fix makes good.
+/// The words that end a text.
+fn at_end(text: &str) -> Option<Span> {
+    let text = text.trim_end_matches([' ', '\t', ',', ';', '-', '+']);
+    // A sign that was meant to close the comment ends its text.
+    let closed = text.rmatch_indices(['“', '”', '\'', ';']).next().map_or(0, |(at, sign)| at + sign.len());
+    let tokens: Vec<Token> = tokens(text, small(closed), small(text.len())).collect();
+    let ends = |from: usize| telling(text, tokens.get(from..).sure(), LEAST, None) == Some(true);
+    let from = (0..tokens.len()).find(|from| ends(*from))?;
+    Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
+}
+
+/// A text whose words are read as fixes would make them good, each byte in its place: with decimal commas, typographic
+/// signs, fixed blanks, blanks behind a sign, letters for digits, `=` behind an address.
 fn as_fixed(text: &str) -> String {
-    let mut fixed = text.replace(['−', '–'], "  -");
-    for (at, _) in text.match_indices(',') {
-        let is_digit = |at: Option<usize>| at.and_then(|at| text.as_bytes().get(at)).is_some_and(u8::is_ascii_digit);
-        if is_digit(at.checked_sub(1)) && is_digit(Some(at + 1)) {
-            fixed.replace_range(at..=at, ".");
+    let text = text.replace(['−', '–'], "  -").replace('\u{a0}', "  ");
+    let mut bytes = text.into_bytes();
+    for at in 0..bytes.len() {
+        let byte = |at: Option<usize>| at.and_then(|at| bytes.get(at)).copied().unwrap_or(b' ');
+        let (before, here, behind) = (byte(at.checked_sub(1)), byte(Some(at)), byte(Some(at + 1)));
+        let alone = before.is_ascii_alphabetic() && !byte(at.checked_sub(2)).is_ascii_alphabetic();
+        // `DO X5` is text.
+        let begins = alone && matches!(before, b'G' | b'X' | b'Y' | b'Z');
+        let in_number = (before.is_ascii_digit() || begins) && behind.is_ascii() && !behind.is_ascii_alphabetic();
+        let fixed = match here {
+            b',' if before.is_ascii_digit() && behind.is_ascii_digit() => b'.',
+            b'O' if in_number => b'0',
+            b'l' if in_number => b'1',
+            b'=' if alone && !matches!(before, b'R' | b'r') => b' ',
+            b'+' | b'-' if matches!(behind, b' ' | b'\t') => {
+                let blanks = bytes.iter().skip(at + 1).take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+                let number = byte(Some(at + 1 + blanks));
+                if number.is_ascii_digit() || matches!(number, b'.' | b'R' | b'r') {
+                    bytes.swap(at, at + blanks);
+                }
+                continue;
+            }
+            _ => continue,
+        };
+        if let Some(byte) = bytes.get_mut(at) {
+            *byte = fixed;
         }
     }
-    fixed
+    String::from_utf8(bytes).unwrap_or_default()
 }
 
 /// The words that a comment swallows, which begins with a quote (W0114).
@@ -97,7 +127,26 @@ pub(super) fn is_text(text: &str, span: Span) -> bool {
                     | Kind::Junk(Shape::TypographicComment)
             )
     };
-    begins && !tokens(text, span.start, span.end).any(|token| is_word(&token))
+    begins && !has_word(inner) && !tokens(text, span.start, span.end).any(|token| is_word(&token))
+}
+
+/// Whether a letter alone stands before something like a number, whatever is around: `Y- 5`, `X O`, `(dira; Y5`.
+fn has_word(text: &str) -> bool {
+    let characters: Vec<char> = text.chars().collect();
+    let at = |at: usize| characters.get(at).copied().unwrap_or(' ');
+    (0..characters.len()).any(|place| {
+        let begins = at(place).is_ascii_alphabetic() && (place == 0 || !at(place - 1).is_alphabetic());
+        let between = |character: &&char| matches!(character, ' ' | '\t' | '\u{a0}' | '+' | '-' | '−' | '–' | '=');
+        let number = place + 1 + characters.iter().skip(place + 1).take_while(between).count();
+        let behind = at(number + 1);
+        begins
+            && match at(number) {
+                '0'..='9' => true,
+                '.' | ',' | 'R' | 'r' => behind.is_ascii_digit(),
+                'O' | 'o' | 'l' => !behind.is_alphabetic(),
+                _ => false,
+            }
+    })
 }
 
 /// Where words stand that follow a text on its line, up to a comment or the next block.
