@@ -457,7 +457,7 @@ fn gears_of_cutting_speeds() {
     let made = place.run(&["restart", "a.nc", "--lang", "en", "--n", "60", "--safe", "120"]).ends(0).stdout;
     assert!(made.contains("G94 S800 \"speed for the spindle range\"") && made.contains("G96 S150 M03"), "{made}");
     // G94 makes a speed of the spindle of S, whatever it was written as.
-    place.put("a.nc", &text.replace("N60 Z10", "N52 G94 F100\nN54 G00 X80\nN56 G96 F120\nN60 G01 Z10"));
+    place.put("a.nc", text.replace("N60 Z10", "N52 G94 F100\nN54 G00 X80\nN56 G96 F120\nN60 G01 Z10"));
     let made = place.run(&["restart", "a.nc", "--lang", "en", "--n", "60", "--safe", "120"]).ends(0).stdout;
     assert!(made.contains("G94 S150 \"speed for the spindle range\""), "{made}");
 }
