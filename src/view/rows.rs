@@ -346,7 +346,8 @@ impl Rows {
             let feed = block.feed().map_or(0, |feed| feed.value.thousandths());
             Last { state, extra: 0, feed, context: self.contexts.find(block, &self.files) }
         };
-        let extra = if moves_on && special == Special::default() { 0 } else { self.extra(block, special) };
+        let has_extra = special != Special::default() || block.g_written().next().is_some();
+        let extra = if moves_on && !has_extra { 0 } else { self.extra(block, special) };
         self.last = Last { state, extra, feed, context };
         self.last
     }
