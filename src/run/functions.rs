@@ -27,7 +27,7 @@ pub(super) fn apply(site: &mut Site<'_>, state: &mut State, words: &BlockWords, 
                     state.said.other_axes = None;
                 }
                 if code.group() == GGroup::G0 {
-                    state.origins.motion = Some((site.file.shown_number(site.block), site.word_place(word)));
+                    state.origins.note_motion(site.file, site.block, word);
                 }
             }
             Lasting::Block => {}

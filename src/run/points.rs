@@ -61,7 +61,7 @@ impl Run {
         block.moves_on = block.words.write_again(word) && settled && degrees == block.degrees;
         block.degrees = degrees;
         if let Some((_, word)) = word {
-            state.origins.motion = Some((site.file.shown_number(site.block), site.word_place(word)));
+            state.origins.note_motion(site.file, site.block, word);
         }
         state.corrects = None;
         arrive(site, state, &block.travels);
@@ -124,7 +124,7 @@ impl Run {
         let has_function = points.may_have(Address::G) && in_force != BlockFlags::default();
         let function = if has_function { file.last_straight(first..frame.next, in_force) } else { None };
         if let Some((block, word)) = function {
-            state.origins.motion = Some((file.shown_number(block), file.word_place(word)));
+            state.origins.note_motion(file, block, word);
         }
         let (positions, unsettled) = (state.positions, state.unsettled);
         let addresses = Address::ALL.iter().filter(|address| points.may_have(**address));

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::unknown::Groups;
 use crate::config::Settings;
 use crate::dict::{Decimal, FIRST_DYNAMIC_SET, FeedPer, GCode, GGroup, M_GROUPS, Micro, SPINDLE_GROUP, SPINDLE_STOP};
-use crate::syntax::BlockId;
+use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location};
 
 /// What is known of an axis's position.
@@ -82,6 +82,14 @@ pub(super) struct Origins {
     pub(super) motion: Option<(u32, Location)>,
     /// The M function that moved the machine last (MFN-4), and its word.
     pub(super) moved: Option<(u8, Location)>,
+}
+
+impl Origins {
+    /// A block writes a G0 function, in force from it on.
+    #[inline]
+    pub(super) fn note_motion(&mut self, file: &ParsedFile, block: BlockId, word: Word) {
+        self.motion = Some((file.shown_number(block), file.word_place(word)));
+    }
 }
 
 /// Axes, a bit for each place in machine order.

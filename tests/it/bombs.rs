@@ -169,6 +169,13 @@ fn one_endless_line_in_every_form() {
     }
 }
 
+/// A comment of another control with a million blanks in it: each is looked at once.
+#[test]
+fn a_comment_of_blanks() {
+    let run = check(&format!("%1\nN10 G0 X1 (a{}b)\nN20 M30\n", " ".repeat(1_000_000)), &["--format", "json"]).ends(1);
+    assert!(codes(&run).contains(&"E0101".to_owned()), "{run:?}");
+}
+
 /// A million words in one block: as many findings as are shown, and the number of all.
 #[test]
 fn a_million_words_in_a_block() {

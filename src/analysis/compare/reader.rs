@@ -184,11 +184,11 @@ impl StepReader {
         let feed = block.feed().map(|feed| (feed.value, feed.unit, feed.hundredth));
         let radius = block.g(GGroup::G3).filter(|code| *code != GCode::G40);
         let plane = block.g(GGroup::G1).filter(|_| radius.is_some());
-        // What S means; the unit of F tells of the other functions of the group.
         // A block that takes no time, such as M03 alone, has no speed yet.
         let lasts =
             kind.is_some() || block.dwell().is_some() || block.stop() || block.cond_stop() || block.change_pos();
         let turns = working || lasts && block.m(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
+        // What S means; the unit of F tells of the other functions of the group.
         let speed = block.g(GGroup::G6).filter(|code| turns && matches!(code, GCode::G96 | GCode::G97));
         let motion = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11].into_iter();
         let counts = |group: &GGroup| block.is_opaque() && (*group != GGroup::G0 || block.opaque_call().is_some());

@@ -135,17 +135,19 @@ fn has_word(text: &str) -> bool {
     let characters: Vec<char> = text.chars().collect();
     let at = |at: usize| characters.get(at).copied().unwrap_or(' ');
     (0..characters.len()).any(|place| {
-        let begins = at(place).is_ascii_alphabetic() && (place == 0 || !at(place - 1).is_alphabetic());
+        // Blanks are passed from letters alone: a comment may have a million of them.
+        if !at(place).is_ascii_alphabetic() || place.checked_sub(1).is_some_and(|before| at(before).is_alphabetic()) {
+            return false;
+        }
         let between = |character: &&char| matches!(character, ' ' | '\t' | '\u{a0}' | '+' | '-' | '−' | '–' | '=');
         let number = place + 1 + characters.iter().skip(place + 1).take_while(between).count();
         let behind = at(number + 1);
-        begins
-            && match at(number) {
-                '0'..='9' => true,
-                '.' | ',' | 'R' | 'r' => behind.is_ascii_digit(),
-                'O' | 'o' | 'l' => !behind.is_alphabetic(),
-                _ => false,
-            }
+        match at(number) {
+            '0'..='9' => true,
+            '.' | ',' | 'R' | 'r' => behind.is_ascii_digit(),
+            'O' | 'o' | 'l' => !behind.is_alphabetic(),
+            _ => false,
+        }
     })
 }
 
