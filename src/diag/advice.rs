@@ -143,6 +143,20 @@ impl CommaMeant {
     }
 }
 
+bilingual! {
+    /// What was meant by a quote without its second one (E0105, W0114).
+    QuoteMeant {
+        Plain "write the plain quote `\"`", "napsat obyčejné uvozovky \"";
+        Number
+            "write the number without the quote; if a comment begins there, close it",
+            "napsat číslo bez uvozovek; začíná-li tu komentář, uzavřít ho";
+        Closed
+            "if these are words of the program, close the comment before them; if they are a part of the comment, \
+            behind them",
+            "patří-li do programu, ukončit komentář uvozovkami před nimi; patří-li do komentáře, až za nimi";
+    }
+}
+
 /// Whether the separate number holds the letter that belongs before it: `4Y0`.
 pub(super) fn is_exchanged(loose: &str) -> bool {
     let number = loose.starts_with(|first: char| first.is_ascii_digit() || "+-.".contains(first));

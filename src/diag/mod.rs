@@ -20,7 +20,9 @@ mod settings;
 mod shown;
 mod values;
 
-pub use advice::{AddressMeant, CommaMeant, DwellMeant, NumberMeant, PointMeant, TargetMeant, TextMeant, UnusedMeant};
+pub use advice::{
+    AddressMeant, CommaMeant, DwellMeant, NumberMeant, PointMeant, QuoteMeant, TargetMeant, TextMeant, UnusedMeant,
+};
 pub use after_end::{AfterEndMeant, Star, Unread, UnreadEnd};
 pub use details::{
     ArithmeticFault, CenterPlace, EarlyEnd, JointBreak, JointLimit, MINUS, Meant, OtherControl, ParameterNeed, Problem,

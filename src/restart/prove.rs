@@ -7,6 +7,9 @@ use crate::dict::{BUILDER_GROUPS, GGroup, M_GROUPS};
 use crate::run::{Executed, Missing, Motion};
 use crate::session::Execution;
 
+/// A length that is known in one program only.
+const LENGTH: &str = "length";
+
 /// What is compared from where on.
 #[derive(Clone, Copy)]
 pub(super) struct Proof {
@@ -33,7 +36,7 @@ pub(super) fn prove(mut old: Execution<'_>, mut new: Execution<'_>, proof: Proof
     let mut before = Before::new(old.program().settings);
     loop {
         let Some((block, _)) = old.step() else {
-            return if new.step().is_none() { Ok(()) } else { Err(Reason::Differs { what: "+".to_owned(), n: 0 }) };
+            return if new.step().is_none() { Ok(()) } else { Err(Reason::Longer) };
         };
         before.arrive(&block);
         let n = block.n();
@@ -42,8 +45,8 @@ pub(super) fn prove(mut old: Execution<'_>, mut new: Execution<'_>, proof: Proof
             let is_left_out = flat && !is_in_cycle(&block) && flat_words(&block, before.state()).is_empty();
             if !is_left_out {
                 let Some((other, _)) = new.step() else { return Err(failed(new, n)) };
-                if let Some(what) = difference(&block, &other, flat && !is_in_cycle(&block), proof.all_m) {
-                    return Err(Reason::Differs { what: what.to_owned(), n });
+                if let Some(field) = difference(&block, &other, flat && !is_in_cycle(&block), proof.all_m) {
+                    return Err(if field == LENGTH { Reason::Length { n } } else { Reason::Differs { field, n } });
                 }
             }
         }
@@ -59,11 +62,11 @@ fn failed(new: Execution<'_>, n: u32) -> Reason {
         outcome.findings.items().iter().find(|found| levels.of(found.code()) == Some(crate::diag::Severity::Error));
     match error {
         Some(found) => Reason::Fails { code: found.code().to_string() },
-        None => Reason::Differs { what: "-".to_owned(), n },
+        None => Reason::Shorter { n },
     }
 }
 
-/// What two executed blocks differ in, as records call it; `flat`: the new one is written out.
+/// The field of records in which two executed blocks differ; `flat`: the new one is written out.
 fn difference(old: &Executed<'_>, new: &Executed<'_>, flat: bool, all_m: bool) -> Option<&'static str> {
     let machine = &old.settings().machine;
     if machine.axes.iter().any(|axis| old.position(axis.letter) != new.position(axis.letter)) {
@@ -120,7 +123,8 @@ fn difference(old: &Executed<'_>, new: &Executed<'_>, flat: bool, all_m: bool) -
     same.into_iter().find(|(_, same)| !same).map(|(what, _)| what)
 }
 
-/// What two motions differ in. A length that the old one lacks after a change of origin may be known in the new one.
+/// The field in which two motions differ. A length that the old one lacks after a change of origin may be known in the
+/// new one.
 fn other_motion(old: Motion<'_>, new: Motion<'_>) -> Option<&'static str> {
     if old.kind() != new.kind() || !old.axes().eq(new.axes()) || old.spindle_axis() != new.spindle_axis() {
         return Some("motion");
@@ -131,7 +135,7 @@ fn other_motion(old: Motion<'_>, new: Motion<'_>) -> Option<&'static str> {
     let (length, other) = (old.length(), new.length());
     let lacks = length.missing() == Some(Missing::Origin) || (length.missing().is_some() && other.missing().is_some());
     if length != other && !lacks {
-        return Some("length");
+        return Some(LENGTH);
     }
     let arc = |motion: Motion<'_>| {
         let arc = motion.arc()?;

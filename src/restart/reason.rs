@@ -57,9 +57,15 @@ bilingual! {
             "{blocks} blocks of calls and loops would be written out, --max-blocks allows {limit}",
             "bylo by rozepsáno bloků volání a smyček: {blocks}, --max-blocks dovoluje {limit}";
         Fails { code: String } "a program from there has the error {code}", "program odtud má chybu {code}";
-        Differs { what: String, n: u32 }
-            "a program from there would differ at N{n}: {what}",
-            "program odtud by se lišil v N{n}: {what}";
+        Differs { field: &'static str, n: u32 }
+            "a program from there would differ at N{n}, in `{field}` of the block stream",
+            "program odtud by se lišil v N{n}, v `{field}` proudu bloků";
+        Length { n: u32 }
+            "in a program from there the length of the motion in N{n} would not be known",
+            "v programu odtud by nebyla známa délka pohybu v N{n}";
+        Longer "a program from there would go on behind the end of this one",
+            "program odtud by pokračoval za konec tohoto";
+        Shorter { n: u32 } "a program from there would end before N{n}", "program odtud by skončil před N{n}";
         SafeBelow { axis: String }
             "--safe is below the place: the tool would move across in rapid where it cut in {axis}",
             "--safe je pod místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";

@@ -187,7 +187,11 @@ impl<'t> Reader<'t> {
                 Role::JumpTarget => token.kind = Kind::Junk(Shape::JumpTarget),
                 Role::SecondProgram => {
                     self.second_program_start(token);
-                    continue;
+                    // `%N30`: a slip before a block number.
+                    let Some([b'%', b'N' | b'n', b'0'..=b'9', ..]) = bytes.get(token.span().range()) else { continue };
+                    (token.kind, token.start) = (Kind::Word, token.start + 1);
+                    cuts.push(batch.len());
+                    has_l = false;
                 }
                 Role::Program => self.program_seen = true,
                 Role::Other => {}
@@ -208,7 +212,7 @@ impl<'t> Reader<'t> {
     fn role(&self, bytes: &[u8], (batch, cuts): (&[Token], &[usize]), token: Token, has_l: bool) -> Role {
         let header = self.first && self.before_blocks(cuts);
         if (self.program_seen || self.form == Form::Macrocycle)
-            && !header
+            && (!header || self.below_program(bytes, batch, token))
             && let Some(shape) = slips::lost_number(bytes, batch, token)
         {
             return Role::Block(Some(shape));
@@ -238,6 +242,15 @@ impl<'t> Reader<'t> {
             Some(b'%') => Role::Program,
             _ => Role::Other,
         }
+    }
+
+    /// Whether a token before the first block stands below the line of `%`.
+    fn below_program(&self, bytes: &[u8], batch: &[Token], token: Token) -> bool {
+        let program = batch.iter().find(|token| bytes.get(token.start as usize) == Some(&b'%'));
+        program.is_some_and(|program| {
+            let between = bytes.get(program.end as usize..token.start as usize).sure();
+            between.iter().any(|byte| matches!(byte, b'\n' | b'\r'))
+        })
     }
 
     fn before_blocks(&self, cuts: &[usize]) -> bool {

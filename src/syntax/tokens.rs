@@ -70,7 +70,7 @@ pub enum Kind {
     #[regex(r#"#([0-9]+|<[A-Za-z0-9_]*>|(?&square))[ \t]*=[ \t]*[^ \t\r\n"*(;]*([ \t]*[+\-/][ \t]*[^ \t\r\n"*(;]+)*"#, |_| Shape::Variable, priority = 30)]
     #[regex(r"%[ \t]*(\r\n|\n|\r)[ \t]*[Oo][0-9]+", |_| Shape::ForeignStart, priority = 45)]
     #[regex("[“”„][^\"“”„\r\n]*[\"“”„]?", |_| Shape::TypographicComment, priority = 40)]
-    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*(?&odd)[+\-.,=0-9]+|(?&odd)|[ \t]*(?&square))"#, |_| Shape::GarbledWord, priority = 15)]
+    #[regex(r#"[A-Za-z&%]([ \t]*[+\-.,0-9]*(?&odd)[+\-.,=0-9]+|(?&odd)|[ \t]*(?&odd)[Rr][0-9]+|[ \t]*(?&square))"#, |_| Shape::GarbledWord, priority = 15)]
     #[regex(r#"[A-Za-z&%]\(([^()"\r\n]|\([^()"\r\n]*\))*\)"#, |_| Shape::GarbledWord, priority = 15)]
     #[regex(r"%(_[A-Za-z0-9_]*|[A-Za-z][A-Za-z_][A-Za-z0-9_]*|[Nn][0-9]+)", |_| Shape::GarbledWord, priority = 16)]
     #[regex(r"\([^)\r\n]*\)?|\{[^}\r\n]*\}?|'[^'\r\n]*'|`[^`\r\n]*`", |_| Shape::ForeignComment, priority = 40)]
@@ -332,10 +332,19 @@ impl Tokens<'_> {
         None
     }
 
-    /// `Z(R11)`, `Z [R11]`: the address, so that the value between the brackets follows.
+    /// `Z(R11)`, `Z [R11]`: the address, so that the value between the brackets follows. `X−R1=5`: what is before the
+    /// assignment.
     fn garbled_token(&mut self, token: Token) -> Token {
-        let bytes = self.text.as_bytes().get(token.span().range()).sure();
-        let [letter, rest @ ..] = bytes else { return token };
+        let text = self.text.get(token.span().range()).sure();
+        let behind = self.text.get(token.end as usize..).sure();
+        let digits = text.trim_end_matches(|last: char| last.is_ascii_digit());
+        let at = digits.len().saturating_sub(1);
+        if at > 0 && digits.ends_with(['R', 'r']) && behind.trim_start_matches([' ', '\t']).starts_with('=') {
+            let end = token.start + small(at);
+            self.restart(end);
+            return Token { end, ..token };
+        }
+        let [letter, rest @ ..] = text.as_bytes() else { return token };
         let blanks = rest.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
         let bracket = matches!(rest.get(blanks), Some(b'[')) || matches!(rest.first(), Some(b'(' | b'<'));
         let address = letter.is_ascii_alphabetic() && !matches!(letter, b'R' | b'r');

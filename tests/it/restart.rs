@@ -163,7 +163,8 @@ fn starts_all_over_the_samples() {
                 Answer::Refused { reason, nearest } => {
                     let text = format!("{reason:?}");
                     let kind = text.split([' ', '{']).next().unwrap().to_owned();
-                    assert_ne!(kind, "Differs", "{} seq {seq}: {reason:?}", sample.name);
+                    let differs = ["Differs", "Length", "Longer", "Shorter"].contains(&kind.as_str());
+                    assert!(!differs, "{} seq {seq}: {reason:?}", sample.name);
                     assert!(nearest.is_none_or(|nearest| nearest.seq < seq as u64));
                     *refused.entry(kind).or_default() += 1;
                 }
@@ -389,6 +390,9 @@ fn spindles_macrocycles_and_conversions() {
     let turned = "N30 S9 M03\nN40 G00 X0 Y0 Z50\nN50 M19\nN60 S500 M03\nN70 G00 Z3\nN80 G01 X7 F100\nN90 X20\n";
     let made = start("", turned, "90").ends(0).stdout;
     assert!(!made.contains("\"C "), "{made}");
+    // C was moved behind the change of origin, and the new program does not move it.
+    let turned = "N25 G54\nN30 M19\nN31 G00 C30\nN32 M03 S9\nN40 G00 X0 Y0 Z50\nN70 Z3\nN80 G01 X7 F100\nN90 X20\nN92 M05\nN94 M19\nN96 G00 C60\n";
+    start("", turned, "90").ends(1).says("the length of the motion in N96 would not be known");
     let converted = |blocks: &str| start("", &format!("{blocks}N50 G00 X0 Y0 Z50\nN70 G01 Z5 F100\nN80 X7\n"), "80");
     converted("N30 G35 X1\nN40 G35 Y1\n").ends(1).says("whether they add up");
     converted("N30 G35 X1\nN40 G34\nN41 G35 Y1\n").ends(0);

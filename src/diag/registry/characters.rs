@@ -76,10 +76,10 @@ macro_rules! characters {
             en (meant.message(Lang::En))
             cs (meant.message(Lang::Cs))
             help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
-        [E0105] TypographicQuote "typographic-quote" Error { quote: char }
+        [E0105] TypographicQuote "typographic-quote" Error { quote: char, meant: QuoteMeant }
             en "the typographic quote `{quote}` instead of `\"`"
             cs "typografické uvozovky {quote} místo obyčejných \""
-            help "write the plain quote `\"`" | "napsat obyčejné uvozovky \""
+            help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
             note "the control takes only the plain quote for the border of a comment; all that follows would be read \
                 as words"
                | "systém ohraničuje komentáře jen obyčejnými uvozovkami; text za jinými by četl jako slova programu"
@@ -141,12 +141,10 @@ macro_rules! characters {
                | "nechat ho vygenerovat postprocesorem pro tento systém; co změnit ručně, řekne „cnc872c explain W0113“"
             note "of each line only the first finding is shown; `-A other-control` shows all"
                | "z každého řádku je jen první hlášení; všechna ukáže volba -A other-control"
-        [W0114] CommentSwallowsWords "comment-swallows-words" Warning { words: String }
+        [W0114] CommentSwallowsWords "comment-swallows-words" Warning { words: String, meant: QuoteMeant }
             en "the comment has no closing quote and swallows `{words}`"
             cs "komentář bez koncových uvozovek spolkl „{words}“"
-            help "if these are words of the program, close the comment before them; if they are a part of the comment, \
-                behind them"
-               | "patří-li do programu, ukončit komentář uvozovkami před nimi; patří-li do komentáře, až za nimi"
+            help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
         [E0115] Utf16 "utf-16" Error {}
             en "the file is in UTF-16; the control reads single bytes"
             cs "soubor je v kódování UTF-16; systém čte jednotlivé bajty"

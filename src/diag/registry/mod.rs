@@ -28,8 +28,8 @@ use super::values::{control_digits, of_group, other_range, range_cs};
 use super::{
     AddressMeant, AfterEndMeant, ArcMeant, ArcPoints, ArithmeticFault, CenterPlace, CommaMeant, ConfigNeed,
     ConfigProblem, ConstantProblem, DwellMeant, EarlyEnd, JointBreak, JointLimit, KnownNames, Meant, NameKind, NotUsed,
-    NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, SpindleFault, TargetMeant,
-    TextMeant, Unmodelled, Unread, UnreadEnd, UnusedMeant, ValueMeant,
+    NumberMeant, OtherControl, OtherMeaning, ParameterNeed, PlaneFault, PointMeant, QuoteMeant, SpindleFault,
+    TargetMeant, TextMeant, Unmodelled, Unread, UnreadEnd, UnusedMeant, ValueMeant,
 };
 use crate::dict::{Address, Dialect, FeedPer, GCode, GGroup, Lang, Plane, REDUCED_FEED};
 use crate::sure::Sure;

@@ -2,7 +2,7 @@
 
 use super::swallowed;
 use super::{Around, Diagnosis, write};
-use crate::diag::{Certain, Edit, Finding, FixTitle, Meant, shown};
+use crate::diag::{Certain, Diagnostic, Edit, Finding, FixTitle, Meant, QuoteMeant, shown};
 use crate::dict::Address;
 use crate::sure::{Sure, small};
 use crate::syntax::tokens::{Kind, Shape, Token, tokens};
@@ -21,8 +21,10 @@ pub(super) fn quoted(around: &Around<'_>) -> Option<Diagnosis> {
         return Some(diagnosis);
     }
     let found = swallowed::swallowed_words(around.text, span).map(|words| {
-        let finding = Finding::CommentSwallowsWords { words: shown(around.slice(words).trim_end()) };
-        around.diagnostic(words, finding)
+        let number = around.byte(words.start).is_ascii_digit();
+        let meant = if number { QuoteMeant::Number } else { QuoteMeant::Closed };
+        let words_shown = shown(around.slice(words).trim_end());
+        around.diagnostic(words, Finding::CommentSwallowsWords { words: words_shown, meant })
     });
     Some(Diagnosis { found, ..diagnosis })
 }
@@ -41,7 +43,11 @@ pub(super) fn typographic(around: &Around<'_>) -> Option<Diagnosis> {
     // A comment that nothing closes may have swallowed words.
     let closed = edits.len() > 1 || text.ends_with('"');
     let certain = closed || swallowed::is_text(around.text, Span::new(first.end, span.end));
-    let found = around.diagnostic(first, Finding::TypographicQuote { quote });
+    if !closed && is_in_number(around, first) {
+        let found = around.diagnostic(first, Finding::TypographicQuote { quote, meant: QuoteMeant::Number });
+        return Some(broken_number(around, found, first, Span::new(first.end, span.end)));
+    }
+    let found = around.diagnostic(first, Finding::TypographicQuote { quote, meant: QuoteMeant::Plain });
     let found = found.with_edits(certain.then_some(Certain::Quotes), FixTitle::PlainQuotes, edits);
     Some(Diagnosis { comments: vec![span], ..Diagnosis::saying(1, found) })
 }
@@ -65,14 +71,8 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     let start = opening.end + small(body.len() - body.trim_start_matches([' ', '\t']).len());
     let kept = body.trim_matches([' ', '\t']);
     let inside = Span::new(start, start + small(kept.len()));
-    let is_digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
-    let numbered = around.previous().is_some_and(|before| around.address(before) != Some(Address::N));
-    if numbered && is_digit(span.start.checked_sub(1)) && is_digit(Some(opening.end)) {
-        // `Y10;5 F300`, `S12(00`: another sign than a point within a number. Neither the number is known nor what
-        // follows.
-        let words = tokens(around.text, inside.start, inside.end).filter(|token| token.kind == Kind::Word);
-        let diagnosis = Diagnosis::saying(1, around.characters(span, Meant::Number)).debris().junk(opening);
-        return Some(unknown(around, diagnosis, words));
+    if is_in_number(around, opening) {
+        return Some(broken_number(around, around.characters(span, Meant::Number), opening, inside));
     }
     let words = swallowed::words_between(around.text, inside);
     let closed = text.ends_with([')', '}', '\'', '`', '"']);
@@ -109,6 +109,19 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     let found = around.characters(span, meant).with_offers(write(&apart), edits);
     let found = if body.contains('"') { found } else { found.with_offers(FixTitle::Comment, quotes()) };
     Some(unknown(around, Diagnosis::saying(1, found).debris().junk(opening), words))
+}
+
+/// Whether another sign than a point is within a number: `Y10;5 F300`, `S12(00`, `X1“0 Y2`.
+fn is_in_number(around: &Around<'_>, sign: Span) -> bool {
+    let is_digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
+    let numbered = around.previous().is_some_and(|before| around.address(before) != Some(Address::N));
+    numbered && is_digit(sign.start.checked_sub(1)) && is_digit(Some(sign.end))
+}
+
+/// Neither the number that `sign` divides is known, nor the words of what follows.
+fn broken_number(around: &Around<'_>, found: Diagnostic, sign: Span, behind: Span) -> Diagnosis {
+    let words = tokens(around.text, behind.start, behind.end).filter(|token| token.kind == Kind::Word);
+    unknown(around, Diagnosis::saying(1, found).debris().junk(sign), words)
 }
 
 /// Leaves the words without values.

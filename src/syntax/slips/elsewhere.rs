@@ -317,7 +317,7 @@ pub(super) fn program_name(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(1, found).void(Address::Program, span))
 }
 
-/// `X#1`, `X−5`, `X[R1+5]`: a word with characters in it that the control does not know.
+/// `X#1`, `X−5`, `X−R1`, `X[R1+5]`: a word with characters in it that the control does not know.
 pub(super) fn garbled(around: &Around<'_>) -> Option<Diagnosis> {
     let token = around.junk(Shape::GarbledWord)?;
     let (span, address) = (token.span(), around.address(token)?);
@@ -326,15 +326,15 @@ pub(super) fn garbled(around: &Around<'_>) -> Option<Diagnosis> {
     let number = rest.trim_start_matches(blank).replace(MINUS, "-");
     let source = number.strip_prefix('#').filter(|digits| grammar::parameter_number(digits).is_some());
     let number = source.map_or(number.clone(), |digits| format!("R{digits}"));
-    let parametric = number.starts_with('R');
-    // `X#1*2`: it goes on.
-    let goes_on = matches!(around.byte(span.end), b'*' | b'#' | b'/' | b'+' | b'-' | b'[');
+    let parametric = number.trim_start_matches('-').starts_with(['R', 'r']);
+    // `X#1*2`, `X−R1.5`: it goes on.
+    let goes_on = matches!(around.byte(span.end), b'*' | b'#' | b'/' | b'+' | b'-' | b'[' | b'.');
     let other = address == Address::R || parametric && (goes_on || matches!(address, Address::N | Address::Program));
     let Some(word) = value(address, span, &number).filter(|_| !other) else {
         return Some(Diagnosis::saying(1, around.characters(span, Meant::inside(rest))).void(address, span));
     };
     let written = format!("{address}{number}");
-    let found = if parametric {
+    let found = if source.is_some() {
         around.characters_as(span, written, |written| Meant::Variable { written })
     } else {
         let found = around.characters(span, Meant::inside(rest).with_word(&written));

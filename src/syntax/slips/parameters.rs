@@ -6,7 +6,6 @@ use super::{Around, Diagnosis, functions, numbers, value, without_blanks, write}
 use crate::diag::{Certain, Diagnostic, Edit, Finding, MINUS, Meant, NumberMeant, ValueMeant, shown};
 use crate::dict::Address;
 use crate::sure::small;
-use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, Shape, Token};
 use crate::syntax::{Word, grammar};
 use crate::text::Span;
@@ -200,23 +199,24 @@ pub(super) fn several_equals(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(next.taken, around.malformed(span, NumberMeant::EqualsForm)).void(Address::R, span))
 }
 
-/// `R10=−5`.
+/// `R10=−5`, `R10=−R11`.
 pub(super) fn odd_value(around: &Around<'_>) -> Option<Diagnosis> {
     let mut next = around.cursor();
     let target = next.parameter()?;
     next.one(Kind::Equals)?;
     let odd = next.one(Kind::Junk(Shape::Unknown))?;
-    let span = target.span().to(odd.span());
+    let source = next.peek().filter(|source| source.kind == Kind::Parameter && source.start == odd.end);
+    let value_span = odd.span().to(source.and_then(|_| next.parameter()).unwrap_or(odd).span());
+    let span = target.span().to(value_span);
     let (number, wrong) = number(around, target);
-    let text = around.slice(odd.span());
-    let plain = text.replace(MINUS, "-");
-    let known = Number::parse(plain.as_bytes()).filter(|_| number.is_some());
-    let found = around.characters(odd.span(), Meant::of(text));
+    let plain = around.slice(value_span).replace(MINUS, "-");
+    let known = value(Address::R, span, &plain).filter(|_| number.is_some());
+    let found = around.characters(value_span, Meant::of(around.slice(odd.span())));
     let found = match known {
-        Some(_) => found.with_fix(Certain::Minus, write(&plain), around.place(odd.span()), plain),
+        Some(_) => found.with_fix(Certain::Minus, write(&plain), around.place(value_span), plain),
         None => found,
     };
-    let word = known.map_or(Word::bare(Address::R, span), |known| Word::with_number(Address::R, span, known));
+    let word = known.unwrap_or(Word::bare(Address::R, span));
     let word = number.map_or(word, |number| word.assigning(number));
     let found = if number.is_none() { wrong.unwrap_or(found) } else { found };
     Some(Diagnosis::saying(next.taken, found).with(word, span))

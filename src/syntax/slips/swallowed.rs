@@ -73,7 +73,23 @@ fn as_fixed(text: &str) -> String {
 /// The words that a comment swallows, which begins with a quote (W0114).
 pub fn swallowed_words(text: &str, comment: Span) -> Option<Span> {
     let inner = text.get(comment.range())?.strip_prefix('"')?;
-    if inner.ends_with('"') { None } else { words(text, Span::new(comment.start + 1, comment.end)) }
+    let inside = Span::new(comment.start + 1, comment.end);
+    if inner.ends_with('"') { None } else { rest_of_number(text, inside).or_else(|| words(text, inside)) }
+}
+
+/// The rest of a number and the words behind it, where a quote that nothing closes is within the number: `X1"0 Y2`.
+fn rest_of_number(text: &str, inside: Span) -> Option<Span> {
+    let is_number = |character: char| character.is_ascii_digit() || character == '.';
+    let word = text.get(..inside.start as usize)?.strip_suffix('"').filter(|before| before.ends_with(is_number))?;
+    let rest = text.get(inside.range())?.trim_end();
+    let behind = rest.strip_prefix(is_number)?.trim_start_matches(is_number);
+    let end = inside.start + small(rest.len());
+    if behind.is_empty() {
+        // `N10"2`, `T5"12`: a remark.
+        let letter = word.trim_end_matches(is_number).chars().next_back();
+        return (!matches!(letter, Some('N' | 'n' | 'T' | 't'))).then_some(Span::new(inside.start, end));
+    }
+    only_words(text, Span::new(end - small(behind.len()), end)).map(|_| Span::new(inside.start, end))
 }
 
 /// The words that `span` holds, when nothing but words and comments is in it.

@@ -1,0 +1,8 @@
+%1 "v prvnim bloku chybi N"
+10 G54 G90 G0 X0 Y0 Z50
+"@ 2:1-2:3 E0106
+N20 T1 M6
+N30 S1200 M3
+N40 G1 Z-2 F300
+N80 G0 Z50
+N90 M30
