@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::ops::Range;
 
 use super::align::{Aligned, align};
 use super::reader::INHERITED;
@@ -256,6 +257,8 @@ struct Grouping<'s> {
     groups: Groups,
     /// Steps in a row without counterpart, of the old program and of the new one.
     alone: [Vec<usize>; 2],
+    /// How many steps of either program stand up to the last pair.
+    paired: [usize; 2],
     /// Single events of either program, by place; `true`: the other program has it too, where it is in force already.
     events: [Vec<(usize, bool)>; 2],
     runs: u64,
@@ -271,19 +274,21 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
         tolerances,
         groups: Groups::default(),
         alone: Default::default(),
+        paired: [0; 2],
         events: Default::default(),
         runs: 0,
         same_context: None,
     };
     align(old, new, |aligned| match aligned {
-        Aligned::Old(at) => grouping.alone(0, at),
-        Aligned::New(at) => grouping.alone(1, at),
+        Aligned::Old(at) => grouping.alone[0].push(at),
+        Aligned::New(at) => grouping.alone[1].push(at),
         Aligned::Both(a, b) => {
-            grouping.end_runs();
+            grouping.end_runs([a, b]);
             grouping.pair(a, b);
+            grouping.paired = [a + 1, b + 1];
         }
     });
-    grouping.end_runs();
+    grouping.end_runs([old.list.len(), new.list.len()]);
     grouping.end_events();
     let mut changes: Vec<Change> = grouping.groups.finish();
     let first = |change: &Change| {
@@ -295,35 +300,42 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
 }
 
 impl Grouping<'_> {
-    fn alone(&mut self, side: usize, at: usize) {
-        let acts = self.steps(side).step(at).is_some_and(|step| !step.repeats);
-        if let Some(alone) = self.alone.get_mut(side).filter(|_| acts) {
-            alone.push(at);
-        }
-    }
-
     const fn steps(&self, side: usize) -> &Steps {
         if side == 0 { self.old } else { self.new }
     }
 
+    /// Ends the runs without counterpart; `ends`: the next pair.
+    fn end_runs(&mut self, ends: [usize; 2]) {
+        let [old, new] = std::mem::take(&mut self.alone);
+        let ([from, to], [end, last]) = (self.paired, ends);
+        self.end_run(0, old, to..last);
+        self.end_run(1, new, from..end);
+    }
+
     /// A run without counterpart is blocks added or removed when it moves; else each of its words counts by itself.
-    fn end_runs(&mut self) {
-        for side in 0..2 {
-            let run = self.alone.get_mut(side).map(std::mem::take).unwrap_or_default();
-            let steps = self.steps(side);
-            let moves = run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
-            if !moves {
-                if let Some(events) = self.events.get_mut(side) {
-                    events.extend(run.into_iter().map(|at| (at, false)));
-                }
-                continue;
-            }
+    /// `beside`: the steps of the other program in its place.
+    fn end_run(&mut self, side: usize, run: Vec<usize>, beside: Range<usize>) {
+        if run.is_empty() {
+            return;
+        }
+        let (steps, other) = (self.steps(side), self.steps(1 - side));
+        let moves = run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
+        if moves {
             self.runs += 1;
             let kind = if side == 0 { ChangeKind::Removed } else { ChangeKind::Added };
             for at in run {
                 let [old, new] = if side == 0 { [Some(at), None] } else { [None, Some(at)] };
                 self.note(Difference { kind, what: None, old: None, new: None }, old, new, self.runs);
             }
+            return;
+        }
+        let repeated = |at: usize| {
+            let event = steps.step(at).and_then(|step| event(steps, step));
+            (at, event.is_some_and(|event| other.repeats(event, beside.clone())))
+        };
+        let words: Vec<_> = run.into_iter().map(repeated).collect();
+        if let Some(events) = self.events.get_mut(side) {
+            events.extend(words);
         }
     }
 
@@ -376,14 +388,6 @@ impl Grouping<'_> {
                 if old.values() != new.values() || old.axes != new.axes =>
             {
                 self.positions(&old, &new, &mut found);
-            }
-            // What repeats in one program and acts in the other may be a change that stands elsewhere too.
-            (Some(Does::Event(said)), Some(Does::Event(says))) if old.repeats || new.repeats => {
-                let same = said == says;
-                let acts = [(a, !old.repeats), (b, !new.repeats)];
-                for (events, (at, _)) in self.events.iter_mut().zip(acts).filter(|(_, (_, acts))| *acts) {
-                    events.push((at, same));
-                }
             }
             (Some(Does::Event(old)), Some(Does::Event(new))) if old.value != new.value => {
                 found.push(difference(new, Some(old.value.clone()), Some(new.value.clone())));

@@ -71,12 +71,8 @@ impl StepReader {
     }
 
     fn event(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
-        self.event_that(false, block, kind, slot, value);
-    }
-
-    fn event_that(&mut self, repeats: bool, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
         let event = Event { kind, slot: slot.to_owned(), value };
-        self.steps.add_event((block.seq(), block.n()), self.context, event, repeats);
+        self.steps.add_event(block.seq(), block.n(), self.context, event);
     }
 
     /// Reads the words that act before the motion of a block.
@@ -136,7 +132,12 @@ impl StepReader {
             }
             let stop = group == PROGRAM_GROUP && !PROGRAM_ENDS.contains(&number);
             let kind = if stop { ChangeKind::Stop } else { ChangeKind::Function };
-            self.event_that(repeats, block, kind, &format!("m{group}"), Value::Text(format!("M{number:02}")));
+            let (slot, value) = (format!("m{group}"), Value::Text(format!("M{number:02}")));
+            if repeats {
+                self.steps.add_repeated(Event { kind, slot, value });
+            } else {
+                self.event(block, kind, &slot, value);
+            }
         }
     }
 

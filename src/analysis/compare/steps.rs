@@ -151,8 +151,6 @@ pub(super) struct Step {
     pub seq: u32,
     pub n: u32,
     context: u32,
-    /// It writes what is in force already: only of interest where it is a change in the other program.
-    pub repeats: bool,
     /// Equal for steps with the same effect.
     pub token: u64,
     what: What,
@@ -193,6 +191,9 @@ pub struct Steps {
     context_at: HashMap<Context, u32>,
     events: Vec<Event>,
     event_at: HashMap<Event, u32>,
+    /// Events that write what is in force already, and before which step each: of interest only where they are changes
+    /// in the other program.
+    repeated: Vec<(usize, u32)>,
     /// Blocks executed.
     pub blocks: u64,
     /// The sum of known lengths.
@@ -220,22 +221,38 @@ impl Steps {
         self.heads.push(Head { kind, axes, still, by, plane, at: index(self.values.len()) });
         self.values.extend_from_slice(motion.values());
         let seq = u32::try_from(seq).unwrap_or(u32::MAX);
-        self.list.push(Step { seq, n, context, repeats: false, token: motion.hash(), what: What::Motion(head) });
+        self.list.push(Step { seq, n, context, token: motion.hash(), what: What::Motion(head) });
     }
 
-    pub(super) fn add_event(&mut self, (seq, n): (u64, u32), context: u32, event: Event, repeats: bool) {
+    pub(super) fn add_event(&mut self, seq: u64, n: u32, context: u32, event: Event) {
         let mut hasher = DefaultHasher::new();
-        (&event, repeats).hash(&mut hasher);
+        event.hash(&mut hasher);
         let token = hasher.finish();
-        let known = self.event_at.get(&event).copied();
-        let at = known.unwrap_or_else(|| {
-            let new = index(self.events.len());
-            self.event_at.insert(event.clone(), new);
-            self.events.push(event);
-            new
-        });
+        let at = self.event_id(event);
         let seq = u32::try_from(seq).unwrap_or(u32::MAX);
-        self.list.push(Step { seq, n, context, repeats, token, what: What::Event(at) });
+        self.list.push(Step { seq, n, context, token, what: What::Event(at) });
+    }
+
+    pub(super) fn add_repeated(&mut self, event: Event) {
+        let at = self.event_id(event);
+        self.repeated.push((self.list.len(), at));
+    }
+
+    fn event_id(&mut self, event: Event) -> u32 {
+        if let Some(known) = self.event_at.get(&event) {
+            return *known;
+        }
+        let new = index(self.events.len());
+        self.event_at.insert(event.clone(), new);
+        self.events.push(event);
+        new
+    }
+
+    /// Whether an event is repeated before one of those steps, or the one behind them.
+    pub(super) fn repeats(&self, event: &Event, steps: Range<usize>) -> bool {
+        let from = self.repeated.partition_point(|(at, _)| *at < steps.start);
+        let there = self.repeated.iter().skip(from).take_while(|(at, _)| *at <= steps.end);
+        self.event_at.get(event).is_some_and(|event| there.into_iter().any(|(_, repeated)| repeated == event))
     }
 
     pub(super) fn step(&self, at: usize) -> Option<&Step> {
