@@ -146,6 +146,9 @@ impl CommaMeant {
 bilingual! {
     /// What was meant by a quote without its second one (E0105, W0114).
     QuoteMeant {
+        Empty
+            "if a comment ends here, write a quote where it begins; else delete this one",
+            "končí-li tu komentář, doplnit uvozovky na jeho začátek; jinak tyto uvozovky vymazat";
         Plain "write the plain quote `\"`", "napsat obyčejné uvozovky \"";
         Number
             "write the number without the quote; if a comment begins there, close it",
@@ -154,6 +157,22 @@ bilingual! {
             "if these are words of the program, close the comment before them; if they are a part of the comment, \
             behind them",
             "patří-li do programu, ukončit komentář uvozovkami před nimi; patří-li do komentáře, až za nimi";
+    }
+}
+
+impl QuoteMeant {
+    /// What the comment does (W0114).
+    pub(super) fn swallows(&self, words: &str, lang: Lang) -> String {
+        match (self, lang) {
+            (Self::Empty, Lang::En) => "the line ends in an empty comment without closing quote".to_owned(),
+            (Self::Empty, Lang::Cs) => "řádek končí prázdným komentářem bez koncových uvozovek".to_owned(),
+            (Self::Number, Lang::En) => format!("a quote within a number makes a comment of `{words}`"),
+            (Self::Number, Lang::Cs) => format!("uvozovky uvnitř čísla dělají z „{words}“ komentář"),
+            (Self::Plain | Self::Closed, Lang::En) => {
+                format!("the comment has no closing quote and swallows `{words}`")
+            }
+            (Self::Plain | Self::Closed, Lang::Cs) => format!("komentář bez koncových uvozovek spolkl „{words}“"),
+        }
     }
 }
 
@@ -229,6 +248,9 @@ bilingual! {
         SwallowedBefore { words: String }
             "a quote is missing before `{words}`, which the comment before swallows",
             "chybí uvozovky před „{words}“, které spolkl předchozí komentář";
+        InNumber { words: String }
+            "a quote within a number makes a comment of `{words}`: write the number without it",
+            "uvozovky uvnitř čísla dělají z „{words}“ komentář: napsat číslo bez nich";
         Unit
             "delete it: lengths are in mm, feeds in mm/min, under G95 in mm/rev",
             "vymazat: délky jsou v mm, posuvy v mm/min, při G95 v mm/ot";

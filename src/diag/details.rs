@@ -76,7 +76,6 @@ bilingual! {
             "delete it; if it is meant as a comment, put it between quotes: `\"comment\"`",
             "vymazat; má-li to být komentář, dát ho do uvozovek: \"komentář\"";
         Control "delete it; it does not show in an editor", "vymazat ho; v editoru nemusí být vidět";
-        Without { characters: String } "write the word without `{characters}`", "napsat slovo bez „{characters}“";
         Number
             "a number has digits, a sign and a decimal point only",
             "číslo tvoří jen číslice, znaménko a desetinná tečka";
@@ -166,18 +165,7 @@ impl Meant {
     /// The characters' meaning between an address and its number.
     pub fn inside(text: &str) -> Self {
         let meant = Self::of(text);
-        if meant != Self::Nothing {
-            return meant;
-        }
-        let belongs = |character: &char| character.is_ascii_digit() || " \t+-.,=".contains(*character);
-        let mut parts =
-            text.split(|character| !belongs(&character)).filter(|part| part.contains(|c: char| c.is_ascii_digit()));
-        if parts.next().is_some() && parts.next().is_some() {
-            // Without them two numbers would be one.
-            return Self::Number;
-        }
-        let characters: String = text.chars().filter(|character| !belongs(character)).collect();
-        Self::Without { characters: super::shown(&characters) }
+        if meant == Self::Nothing { Self::Number } else { meant }
     }
 }
 

@@ -267,7 +267,11 @@ impl<'t> Reader<'t> {
         let mut diagnostic = Diagnostic::new(Finding::SecondProgramStart { bare }, place);
         let rest = self.lowering.text.get(token.end as usize..).sure();
         // Other controls end a file with it.
-        if bare && rest.bytes().take(FEW).all(|byte| byte.is_ascii_whitespace()) && rest.len() < FEW {
+        let block = matches!(self.lowering.text.as_bytes().get(token.start as usize + 1), Some(b'N' | b'n'));
+        if block {
+            let percent = Location { span: Span::new(token.start, token.start + 1), ..place };
+            diagnostic = diagnostic.with_offer(FixTitle::Delete { text: "%".to_owned() }, percent, "");
+        } else if bare && rest.bytes().take(FEW).all(|byte| byte.is_ascii_whitespace()) && rest.len() < FEW {
             diagnostic = diagnostic.with_offer(FixTitle::Delete { text: "%".to_owned() }, place, "");
         }
         self.lowering.findings.add(diagnostic);

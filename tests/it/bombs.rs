@@ -176,6 +176,13 @@ fn a_comment_of_blanks() {
     assert!(codes(&run).contains(&"E0101".to_owned()), "{run:?}");
 }
 
+/// Seven million quotes, the last of them open: comments take no more than their places.
+#[test]
+fn a_line_of_quotes() {
+    let run = check(&format!("%1\nN10 X1 {}\nN20 M30\n", "\"".repeat(7_000_001)), &["--format", "short"]).ends(0);
+    assert!(run.stdout.contains("W0109") || run.stdout.contains("E0109"), "{run:?}");
+}
+
 /// A million words in one block: as many findings as are shown, and the number of all.
 #[test]
 fn a_million_words_in_a_block() {

@@ -142,8 +142,8 @@ macro_rules! characters {
             note "of each line only the first finding is shown; `-A other-control` shows all"
                | "z každého řádku je jen první hlášení; všechna ukáže volba -A other-control"
         [W0114] CommentSwallowsWords "comment-swallows-words" Warning { words: String, meant: QuoteMeant }
-            en "the comment has no closing quote and swallows `{words}`"
-            cs "komentář bez koncových uvozovek spolkl „{words}“"
+            en (meant.swallows(words, Lang::En))
+            cs (meant.swallows(words, Lang::Cs))
             help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
         [E0115] Utf16 "utf-16" Error {}
             en "the file is in UTF-16; the control reads single bytes"

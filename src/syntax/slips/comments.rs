@@ -20,13 +20,44 @@ pub(super) fn quoted(around: &Around<'_>) -> Option<Diagnosis> {
     if around.quotes_off.is_some_and(|end| span.start < end) {
         return Some(diagnosis);
     }
-    let found = swallowed::swallowed_words(around.text, span).map(|words| {
-        let number = around.byte(words.start).is_ascii_digit();
-        let meant = if number { QuoteMeant::Number } else { QuoteMeant::Closed };
-        let words_shown = shown(around.slice(words).trim_end());
-        around.diagnostic(words, Finding::CommentSwallowsWords { words: words_shown, meant })
-    });
+    let swallows = |words: Span, meant: QuoteMeant| {
+        let shown_words = shown(around.slice(words).trim_end());
+        around.diagnostic(words, Finding::CommentSwallowsWords { words: shown_words, meant })
+    };
+    let text = around.slice(span);
+    if let Some(inner) = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
+        let digit = inner.starts_with(|first: char| first.is_ascii_digit());
+        let letter = around.previous().filter(|before| before.kind == Kind::Letter && before.end == span.start);
+        let words = in_number(around, token);
+        let off = is_odd(around, span.start).filter(|_| digit && (words.is_some() || letter.is_some()));
+        // The finding of a text behind it says it.
+        let rest = around.tokens.get(around.at..).unwrap_or_default();
+        let mut line = rest.iter().take_while(|token| token.kind != Kind::LineEnd);
+        if off.is_none() || letter.is_none() && line.any(|token| token.kind == Kind::Junk(Shape::Text)) {
+            return Some(diagnosis);
+        }
+        return Some(Diagnosis {
+            found: words.map(|words| swallows(words, QuoteMeant::Number)),
+            quotes_off: off,
+            ..diagnosis
+        });
+    }
+    let beside = around.previous().filter(|before| !matches!(before.kind, Kind::LineEnd | Kind::Comment));
+    let found = match swallowed::swallowed_words(around.text, span) {
+        Some(words) if around.byte(words.start).is_ascii_digit() => Some(swallows(words, QuoteMeant::Number)),
+        Some(words) => Some(swallows(words, QuoteMeant::Closed)),
+        // `M06 D16"`: the quote that opens the comment is missing, or this one is a slip.
+        None if text.trim_end() == "\"" && beside.is_some() => Some(swallows(span, QuoteMeant::Empty)),
+        None => None,
+    };
     Some(Diagnosis { found, ..diagnosis })
+}
+
+/// The end of the line, where an odd number of quotes stands from a place on.
+fn is_odd(around: &Around<'_>, from: u32) -> Option<u32> {
+    let line = around.text.get(from as usize..)?.split(['\r', '\n']).next()?;
+    let quotes = line.chars().filter(|character| *character == '"' || TYPOGRAPHIC.contains(character)).count();
+    (quotes % 2 == 1).then_some(from + small(line.len()))
 }
 
 /// One finding for the quotes of a comment, at the first (LEX-12).
@@ -40,16 +71,24 @@ pub(super) fn typographic(around: &Around<'_>) -> Option<Diagnosis> {
     let quotes = text.char_indices().filter(|(_, character)| TYPOGRAPHIC.contains(character));
     let edits: Vec<Edit> = quotes.map(edit).collect();
     let (quote, first) = (text.chars().next()?, edits.first()?.at.span);
-    // A comment that nothing closes may have swallowed words.
-    let closed = edits.len() > 1 || text.ends_with('"');
-    let certain = closed || swallowed::is_text(around.text, Span::new(first.end, span.end));
-    if !closed && is_in_number(around, first) {
+    // A plain quote may be that of the next comment.
+    let (alone, plain) = (edits.len() == 1, text.ends_with('"'));
+    let off = is_odd(around, span.start).filter(|_| alone && plain);
+    let behind = Span::new(first.end, span.end - u32::from(plain));
+    if alone && is_in_number(around, first, behind) {
         let found = around.diagnostic(first, Finding::TypographicQuote { quote, meant: QuoteMeant::Number });
-        return Some(broken_number(around, found, first, Span::new(first.end, span.end)));
+        return Some(Diagnosis { quotes_off: off, ..broken_number(around, found, first, behind) });
     }
     let found = around.diagnostic(first, Finding::TypographicQuote { quote, meant: QuoteMeant::Plain });
-    let found = found.with_edits(certain.then_some(Certain::Quotes), FixTitle::PlainQuotes, edits);
-    Some(Diagnosis { comments: vec![span], ..Diagnosis::saying(1, found) })
+    let diagnosis = Diagnosis { comments: vec![span], quotes_off: off, ..Diagnosis::saying(1, found) };
+    if off.is_some() {
+        return Some(diagnosis);
+    }
+    // A comment that nothing closes may have swallowed words.
+    let certain = !alone || plain || swallowed::is_text(around.text, behind);
+    let found =
+        diagnosis.found.map(|found| found.with_edits(certain.then_some(Certain::Quotes), FixTitle::PlainQuotes, edits));
+    Some(Diagnosis { found, ..diagnosis })
 }
 
 /// `(text)`, `; text`, `{text}`, `// text`, `# text`: a comment as other controls write it.
@@ -71,7 +110,7 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     let start = opening.end + small(body.len() - body.trim_start_matches([' ', '\t']).len());
     let kept = body.trim_matches([' ', '\t']);
     let inside = Span::new(start, start + small(kept.len()));
-    if is_in_number(around, opening) {
+    if is_in_number(around, opening, inside) {
         return Some(broken_number(around, around.characters(span, Meant::Number), opening, inside));
     }
     let words = swallowed::words_between(around.text, inside);
@@ -111,11 +150,20 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     Some(unknown(around, Diagnosis::saying(1, found).debris().junk(opening), words))
 }
 
-/// Whether another sign than a point is within a number: `Y10;5 F300`, `S12(00`, `X1“0 Y2`.
-fn is_in_number(around: &Around<'_>, sign: Span) -> bool {
+/// What a comment between quotes holds whose first quote is within a number: `X1"0 Y5 "konec"`.
+pub(super) fn in_number(around: &Around<'_>, comment: Token) -> Option<Span> {
+    let inside = Span::new(comment.start + 1, comment.end - 1);
+    let before = comment.start.checked_sub(1)?;
+    (around.byte(before).is_ascii_digit() && around.byte(inside.start).is_ascii_digit()).then_some(inside)
+}
+
+/// Whether another sign than a point is within a number: `Y10;5 F300`, `S12(00`, `X1“0 Y2`. Behind a block number a
+/// remark may begin with a number.
+fn is_in_number(around: &Around<'_>, sign: Span, behind: Span) -> bool {
     let is_digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
-    let numbered = around.previous().is_some_and(|before| around.address(before) != Some(Address::N));
-    numbered && is_digit(sign.start.checked_sub(1)) && is_digit(Some(sign.end))
+    let divides = is_digit(sign.start.checked_sub(1)) && is_digit(Some(sign.end));
+    let is_word = |before: Token| around.address(before) != Some(Address::N);
+    divides && around.previous().is_some_and(|before| is_word(before) || swallowed::goes_on(around.text, behind))
 }
 
 /// Neither the number that `sign` divides is known, nor the words of what follows.

@@ -349,7 +349,9 @@ pub(super) fn accented(around: &Around<'_>) -> Option<Diagnosis> {
     const PLAIN: &str = "ACDILLSTUUYZCZZ";
     let span = around.token().span();
     let text = around.slice(span);
-    let first = text.chars().next()?;
+    // `2á.8`: the key of a digit.
+    let in_number = span.start.checked_sub(1).is_some_and(|before| around.byte(before).is_ascii_digit());
+    let first = text.chars().next().filter(|_| !in_number)?;
     let upper = first.to_uppercase().next()?;
     let (_, letter) = ACCENTED.chars().zip(PLAIN.chars()).find(|(accented, _)| *accented == upper)?;
     let number = text.get(first.len_utf8()..).filter(|number| Number::parse(number.as_bytes()).is_some())?;
@@ -368,7 +370,12 @@ pub(super) fn unknown(around: &Around<'_>) -> Option<Diagnosis> {
     let line_ends = rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']) || rest.trim().is_empty();
     let blanks = text.chars().all(is_blank);
     let minus = text.chars().all(|sign| MINUS.contains(&sign));
-    let found = around.characters(span, Meant::of(text));
+    let digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
+    // `X1)0`, `R1=2á.8`
+    let in_number = digit(span.start.checked_sub(1)) && text.contains(|within: char| within.is_ascii_digit());
+    let meant = Meant::of(text);
+    let meant = if in_number && meant == Meant::Nothing { Meant::Number } else { meant };
+    let found = around.characters(span, meant);
     Some(if text == ";" && line_ends {
         let found = around.characters(span, Meant::BlockEnd);
         let title = FixTitle::Delete { text: ";".to_owned() };
@@ -376,7 +383,7 @@ pub(super) fn unknown(around: &Around<'_>) -> Option<Diagnosis> {
     } else if blanks {
         Diagnosis::saying(1, found.with_fix(Certain::Blank, FixTitle::PlainBlank, place, " ")).debris()
     } else if minus && text.chars().count() == 1 {
-        let signs = rest.starts_with(|first: char| first.is_ascii_alphanumeric() || first == '.');
+        let signs = rest.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '.' | 'R' | 'r'));
         let found = if signs { found.with_fix(Certain::Minus, write("-"), place, "-") } else { found };
         Diagnosis::saying(1, found).debris()
     } else if minus {

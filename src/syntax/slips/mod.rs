@@ -145,6 +145,12 @@ impl Diagnosis {
     fn debris(self) -> Self {
         Self { debris: true, ..self }
     }
+
+    /// Whether it says no more than where comments are.
+    const fn is_remark(&self) -> bool {
+        let Self { tokens: _, words, comments: _, found, junk, debris, quotes_off } = self;
+        words.is_empty() && found.is_none() && junk.is_none() && !*debris && quotes_off.is_none()
+    }
 }
 
 /// The words of a block beyond this count are not looked at: nobody writes so many.
@@ -169,7 +175,7 @@ pub(super) fn read(text: &str, file: FileId, tokens: &[Token], quotes_off: Optio
     let mut around = Around { text, file, tokens, at: 0, words: Vec::new(), quotes_off };
     around.words = around.well_formed();
     let cycle = functions::other_cycle(&around);
-    let mut items = Vec::new();
+    let mut items: Vec<Diagnosis> = Vec::new();
     while around.at < tokens.len() {
         let item = around.item();
         let next = around.at + item.tokens.max(1);
@@ -180,7 +186,11 @@ pub(super) fn read(text: &str, file: FileId, tokens: &[Token], quotes_off: Optio
         });
         around.at = next;
         around.quotes_off = item.quotes_off.or(around.quotes_off);
-        items.push(item);
+        match items.last_mut() {
+            // A line may hold a million comments: they need not be items of their own.
+            Some(last) if item.is_remark() => last.comments.extend(item.comments),
+            _ => items.push(item),
+        }
     }
     items
 }

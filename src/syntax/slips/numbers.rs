@@ -101,7 +101,9 @@ impl Broken<'_> {
             Some(_) if pieces.is_empty() => return (number, None),
             Some(_) => {
                 let only = matches!(pieces, [only] if only.kind == Kind::Number && around.byte(only.start) != b'-');
-                let certain = matches!(run, "+" | "-") && only && address.is_dimensional();
+                // `R29 - 12`: perhaps `=` was meant, `R3+ 40.2`: perhaps another digit.
+                let written = address != Address::R || around.slice(span).contains('=');
+                let certain = matches!(run, "+" | "-") && only && written && address.is_dimensional();
                 (certain.then_some(Certain::BlankBehindSign), split(shown(&fixed)))
             }
             None if has_digit || joined.len() > 2 => {
@@ -333,7 +335,11 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
     let span = first.span().to(last.span());
     let text = shown(around.slice(span));
     let meant = match Number::parse(text.as_bytes()) {
-        Some(_) if around.begins_line(span.start) && text.bytes().all(|byte| byte.is_ascii_digit()) => {
+        Some(number)
+            if around.begins_line(span.start)
+                && text.bytes().all(|byte| byte.is_ascii_digit())
+                && number.value != Decimal::ZERO =>
+        {
             NumberMeant::BlockNumber { written: format!("N{text}") }
         }
         Some(_) => NumberMeant::NoAddress,
@@ -378,7 +384,10 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
     let word = bytes.get(token.span().range()).sure();
     let signs = word.iter().take_while(|byte| !byte.is_ascii_digit()).count();
     let (signs, digits) = word.split_at_checked(signs).unwrap_or_default();
-    let number = signs.len() < 2 && (1..=6).contains(&digits.len()) && digits.iter().all(u8::is_ascii_digit);
+    let sign = signs.len() < 2 && !matches!(signs, b"." | b",");
+    let whole = (1..=6).contains(&digits.len()) && digits.iter().all(u8::is_ascii_digit);
+    // No block has the number 0.
+    let number = sign && whole && digits.iter().any(|digit| *digit != b'0');
     let behind = bytes.get(token.end as usize..).sure();
     let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
     let words =

@@ -79,17 +79,36 @@ pub fn swallowed_words(text: &str, comment: Span) -> Option<Span> {
 
 /// The rest of a number and the words behind it, where a quote that nothing closes is within the number: `X1"0 Y2`.
 fn rest_of_number(text: &str, inside: Span) -> Option<Span> {
-    let is_number = |character: char| character.is_ascii_digit() || character == '.';
-    let word = text.get(..inside.start as usize)?.strip_suffix('"').filter(|before| before.ends_with(is_number))?;
+    let word = text.get(..inside.start as usize)?.strip_suffix('"').filter(|before| before.ends_with(is_of_number))?;
     let rest = text.get(inside.range())?.trim_end();
-    let behind = rest.strip_prefix(is_number)?.trim_start_matches(is_number);
-    let end = inside.start + small(rest.len());
-    if behind.is_empty() {
+    let whole = Span::new(inside.start, inside.start + small(rest.len()));
+    if rest.trim_start_matches(is_of_number).is_empty() {
         // `N10"2`, `T5"12`: a remark.
-        let letter = word.trim_end_matches(is_number).chars().next_back();
-        return (!matches!(letter, Some('N' | 'n' | 'T' | 't'))).then_some(Span::new(inside.start, end));
+        let letter = word.trim_end_matches(is_of_number).chars().next_back();
+        return (!rest.is_empty() && !matches!(letter, Some('N' | 'n' | 'T' | 't'))).then_some(whole);
     }
-    only_words(text, Span::new(end - small(behind.len()), end)).map(|_| Span::new(inside.start, end))
+    let is_number = rest.starts_with(is_of_number);
+    let words = words_of_number(text, whole)?;
+    let byte = |word: &Token| text.as_bytes().get(word.start as usize).copied().unwrap_or(b' ').to_ascii_uppercase();
+    // `T5"D16`: a remark.
+    (is_number || words.iter().any(|word| is_telling(byte(word)))).then_some(whole)
+}
+
+const fn is_of_number(character: char) -> bool {
+    character.is_ascii_digit() || character == '.'
+}
+
+/// The words behind the rest of a number, when nothing else is there.
+fn words_of_number(text: &str, span: Span) -> Option<Vec<Token>> {
+    let inner = text.get(span.range())?.trim_end();
+    let behind = inner.trim_start_matches(is_of_number);
+    let end = span.start + small(inner.len());
+    only_words(text, Span::new(end - small(behind.len()), end)).filter(|words| !words.is_empty())
+}
+
+/// Whether a number goes on in `span`, with words behind it.
+pub(super) fn goes_on(text: &str, span: Span) -> bool {
+    words_of_number(text, span).is_some()
 }
 
 /// The words that `span` holds, when nothing but words and comments is in it.

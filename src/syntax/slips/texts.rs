@@ -1,7 +1,7 @@
 //! Text that is no comment: remarks, messages, statements of other controls, units.
 
-use super::swallowed;
 use super::{Around, Diagnosis};
+use super::{comments, swallowed};
 use crate::diag::{Edit, Finding, FixTitle, Meant, TextMeant, shown};
 use crate::dict::{Address, GCode};
 use crate::sure::{Sure, small};
@@ -132,15 +132,16 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
     let before = before.filter(|before| before.end - before.start > 2 && around.byte(before.end - 1) == b'"');
     let swallowed =
         before.and_then(|before| swallowed::words(around.text, Span::new(before.start + 1, before.end - 1)));
+    let off = Some(span.end + length(rest.split(['\r', '\n']).next().sure()));
     let ascii = text.is_ascii();
-    let (finding, missing, off) = if let Some(words) = swallowed {
+    let (finding, missing) = if let Some(words) = swallowed {
         let start = words.start;
         let words = shown(around.slice(words).trim_end());
         let finding = match ascii {
             true => Finding::StrayText { text: shown(text), meant: TextMeant::SwallowedBefore { words } },
             false => Finding::UnknownCharacter { text: shown(text), meant: Meant::SwallowedBefore { words } },
         };
-        (finding, start, None)
+        (finding, start)
     } else {
         let behind = rest.strip_prefix('"')?;
         let inner = behind.split(['"', '\r', '\n']).next().sure();
@@ -150,11 +151,19 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
         if !ends && swallowed::words(around.text, inner).is_none() {
             return None;
         }
+        if let Some(inside) = before.and_then(|before| comments::in_number(around, before)) {
+            let words = shown(around.slice(inside).trim_end());
+            let finding = match ascii {
+                true => Finding::StrayText { text: shown(text), meant: TextMeant::InNumber { words } },
+                false => Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment },
+            };
+            return Some((around.diagnostic(span, finding), off));
+        }
         let finding = match ascii {
             true => Finding::StrayText { text: shown(text), meant: TextMeant::OpenQuote { text: shown(text) } },
             false => Finding::UnknownCharacter { text: shown(text), meant: Meant::OpenQuote { text: shown(text) } },
         };
-        (finding, span.start, Some(span.end + length(rest.split(['\r', '\n']).next().sure())))
+        (finding, span.start)
     };
     let title = FixTitle::Insert { text: "\"".to_owned() };
     Some((around.diagnostic(span, finding).with_offer(title, around.place(Span::empty(missing)), "\""), off))
