@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cnc872c::analysis::compare::{ChangeKind, Comparison, StepReader, Steps, Tolerances, compare, schema};
+use cnc872c::analysis::compare::{Change, ChangeKind, Comparison, StepReader, Steps, Tolerances, compare, schema};
 use cnc872c::config::{Purpose, Settings};
 use cnc872c::dict::Micro;
 use cnc872c::session::Session;
@@ -431,6 +431,42 @@ fn hidden_differences() {
         let run = place.run(&["compare", "o.nc", "n.nc", "--lang", "en"]).ends(i32::from(!same));
         assert!(run.stdout.contains(expected), "{old:?} {new:?}\n{}", run.stdout);
         assert!(!run.stdout.contains(": G17"), "{}", run.stdout);
+    }
+}
+
+/// CMP-1, CMP-4: a word that holds on, or whose block moves in both programs, is told beside blocks that only one has; what
+/// a loop executes again is one change.
+#[test]
+fn words_beside_blocks_of_one_program() {
+    for (old, new, expected) in [
+        ("G00 X20\nG01 Y4 M08\nX3", "G01 Y4\nX3", &[("removed", 1), ("M08", 1)][..]),
+        ("G01 Y4 M00\nX20\nY5", "G01 Y4\nY5", &[("M00", 1), ("removed", 1)]),
+        ("G00 X20\nG01 Y4 T2 M06\nX3", "G01 Y4\nX3", &[("removed", 1), ("T", 1)]),
+        ("G00 X20\nM08\nG01 Y4\nX3", "G01 Y4\nX3", &[("removed", 1), ("M08", 1)]),
+        ("G00 X10\nX20\nG01 Y4 M11\nX3", "G00 X10 M11\nG01 Y4\nX3", &[("M11", 1), ("removed", 1)]),
+        ("G00 X20\nM08\nY5", "G00 X19\nM08\nX20\nY5", &[("added", 1), ("M08", 1)]),
+        ("G01 X5\nX6 M05\nX7\nX8", "G01 X5\nX7\nX8", &[("M05", 1), ("removed", 1)]),
+        ("G01 X5\nX6 M08\nX7 M09\nX8", "G01 X5\nX8", &[("removed", 2)]),
+        ("G91 G01 X1\nY1\nX-1\nG73 L10 Q9", "G91 G01 X1\nY1\nZ1\nX-1\nG73 L10 Q9", &[("added", 10)]),
+        ("G91 G01 X1 M08\nY1\nX-1 M09\nG73 L10 Q9", "G91 G01 X1\nY1 M08\nX-1 M09\nG73 L10 Q9", &[("M08", 10)]),
+    ] {
+        for mirrored in [false, true] {
+            let (a, b) = if mirrored { (new, old) } else { (old, new) };
+            let changes = compare(&of_text(&framed(a)), &of_text(&framed(b)), TOLERANCES).changes;
+            let told = |change: &Change| {
+                let name = match (change.kind, mirrored) {
+                    (ChangeKind::Added, true) => "removed",
+                    (ChangeKind::Removed, true) => "added",
+                    (kind, _) => change.what.as_deref().unwrap_or(kind.name()),
+                };
+                (name.to_owned(), change.count())
+            };
+            let mut told: Vec<_> = changes.iter().map(told).collect();
+            told.sort();
+            let mut expected: Vec<_> = expected.iter().map(|(name, count)| ((*name).to_owned(), *count)).collect();
+            expected.sort();
+            assert_eq!(told, expected, "{a:?} {b:?}\n{changes:#?}");
+        }
     }
 }
 

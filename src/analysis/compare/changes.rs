@@ -261,7 +261,8 @@ struct Grouping<'s> {
     paired: [usize; 2],
     /// Single events of either program, by place; `true`: the other program has it too, where it is in force already.
     events: [Vec<(usize, bool)>; 2],
-    runs: u64,
+    /// What holds in either program, by slot.
+    in_force: [HashMap<&'s str, &'s Value>; 2],
     /// Contexts that were the same.
     same_context: Option<(u32, u32)>,
 }
@@ -276,7 +277,7 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
         alone: Default::default(),
         paired: [0; 2],
         events: Default::default(),
-        runs: 0,
+        in_force: [old, new].map(|steps| steps.start.iter().map(|event| (event.slot.as_str(), &event.value)).collect()),
         same_context: None,
     };
     align(old, new, |aligned| match aligned {
@@ -299,44 +300,68 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
     Comparison { changes }
 }
 
-impl Grouping<'_> {
-    const fn steps(&self, side: usize) -> &Steps {
+impl<'s> Grouping<'s> {
+    const fn steps(&self, side: usize) -> &'s Steps {
         if side == 0 { self.old } else { self.new }
+    }
+
+    /// Notes what holds behind a step.
+    fn hold(&mut self, side: usize, at: usize) {
+        let steps = self.steps(side);
+        let event = steps.step(at).and_then(|step| event(steps, step)).filter(|event| event.lasts);
+        if let (Some(event), Some(in_force)) = (event, self.in_force.get_mut(side)) {
+            in_force.insert(&event.slot, &event.value);
+        }
     }
 
     /// Ends the runs without counterpart; `ends`: the next pair.
     fn end_runs(&mut self, ends: [usize; 2]) {
         let [old, new] = std::mem::take(&mut self.alone);
         let ([from, to], [end, last]) = (self.paired, ends);
+        old.iter().for_each(|at| self.hold(0, *at));
+        new.iter().for_each(|at| self.hold(1, *at));
         self.end_run(0, old, to..last);
         self.end_run(1, new, from..end);
     }
 
-    /// A run without counterpart is blocks added or removed when it moves; else each of its words counts by itself.
-    /// `beside`: the steps of the other program in its place.
+    /// A run without counterpart is blocks added or removed when it moves; else each of its words counts by itself. A word
+    /// of a moving run counts by itself, too, where what it set holds in one program alone behind the run, and where
+    /// its block moves in both. `beside`: the steps of the other program in its place.
     fn end_run(&mut self, side: usize, run: Vec<usize>, beside: Range<usize>) {
         if run.is_empty() {
             return;
         }
         let (steps, other) = (self.steps(side), self.steps(1 - side));
         let moves = run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
+        let (words, blocks): (Vec<usize>, Vec<usize>) =
+            run.iter().partition(|at| !moves || self.counts_alone(side, **at, &run));
         if moves {
-            self.runs += 1;
+            // What a loop executes again is the same change.
+            let run = run_of(blocks.iter().filter_map(|at| steps.step(*at)));
             let kind = if side == 0 { ChangeKind::Removed } else { ChangeKind::Added };
-            for at in run {
+            for at in blocks {
                 let [old, new] = if side == 0 { [Some(at), None] } else { [None, Some(at)] };
-                self.note(Difference { kind, what: None, old: None, new: None }, old, new, self.runs);
+                self.note(Difference { kind, what: None, old: None, new: None }, old, new, run);
             }
-            return;
         }
         let repeated = |at: usize| {
             let event = steps.step(at).and_then(|step| event(steps, step));
             (at, event.is_some_and(|event| other.repeats(event, beside.clone())))
         };
-        let words: Vec<_> = run.into_iter().map(repeated).collect();
+        let words: Vec<_> = words.into_iter().map(repeated).collect();
         if let Some(events) = self.events.get_mut(side) {
             events.extend(words);
         }
+    }
+
+    /// Whether a word of a moving run counts by itself.
+    fn counts_alone(&self, side: usize, at: usize, run: &[usize]) -> bool {
+        let steps = self.steps(side);
+        let Some(event) = steps.step(at).and_then(|step| event(steps, step)) else { return false };
+        let [old, new] = [0, 1].map(|side| self.in_force.get(side).and_then(|held| held.get(event.slot.as_str())));
+        let own = if side == 0 { old } else { new };
+        let holds = event.lasts && own == Some(&&event.value) && old != new;
+        holds || steps.moves_beside(at, run)
     }
 
     /// Words in one program alone: the same ones elsewhere in the other program are one change (CMP-4).
@@ -356,9 +381,9 @@ impl Grouping<'_> {
             let says_nothing = repeated && moved.is_none_or(|(_, repeated)| repeated);
             if let Some(event) = event(self.new, step).cloned().filter(|_| !says_nothing) {
                 let old = moved.map(|_| event.value.clone());
-                let runs = if moved.is_some() { self.next_run() } else { 0 };
                 let moved = moved.map(|(at, _)| at);
-                self.note(difference(&event, old, Some(event.value.clone())), moved, Some(at), runs);
+                let places = moved.and_then(|at| self.old.step(at)).map(|old| run_of([old, step].into_iter()));
+                self.note(difference(&event, old, Some(event.value.clone())), moved, Some(at), places.unwrap_or(0));
             }
         }
         let left = waiting.into_values().flatten();
@@ -372,13 +397,10 @@ impl Grouping<'_> {
         }
     }
 
-    const fn next_run(&mut self) -> u64 {
-        self.runs += 1;
-        self.runs
-    }
-
     /// The differences of two steps that are one.
     fn pair(&mut self, a: usize, b: usize) {
+        self.hold(0, a);
+        self.hold(1, b);
         let (Some(old), Some(new)) = (self.old.step(a), self.new.step(b)) else { return };
         let contexts = (Steps::context_id(old), Steps::context_id(new));
         let mut found = Vec::new();
@@ -521,6 +543,14 @@ impl Grouping<'_> {
             new.into_iter().for_each(|step| change.new_blocks.add(step));
         }
     }
+}
+
+/// The group of changes at these steps: the same for the same blocks.
+fn run_of<'s>(steps: impl Iterator<Item = &'s Step>) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    steps.for_each(|step| step.n.hash(&mut hasher));
+    // Neither no group nor that of an idle spindle.
+    hasher.finish().clamp(1, IDLE - 1)
 }
 
 fn feed_value((value, unit, hundredth): (Decimal, FeedUnit, bool), plain: bool) -> Value {

@@ -71,8 +71,23 @@ impl StepReader {
     }
 
     fn event(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
-        let event = Event { kind, slot: slot.to_owned(), value };
+        self.add(block, Event { kind, slot: slot.to_owned(), value, lasts: false });
+    }
+
+    fn lasting(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
+        self.add(block, Event { kind, slot: slot.to_owned(), value, lasts: true });
+    }
+
+    fn add(&mut self, block: &Executed<'_>, event: Event) {
         self.steps.add_event(block.seq(), block.n(), self.context, event);
+    }
+
+    /// What holds before the first block.
+    fn start(&mut self, block: &Executed<'_>) -> Written {
+        let start = Written::of(&State::new(block.settings()));
+        let event = |(group, number): (usize, &Option<u8>)| number.map(|number| function_event(group, number, true));
+        self.steps.start = start.m.iter().enumerate().filter_map(event).collect();
+        start
     }
 
     /// Reads the words that act before the motion of a block.
@@ -89,7 +104,7 @@ impl StepReader {
         ];
         for (kind, slot, changed, value) in changed {
             if let Some(value) = value.filter(|_| changed) {
-                self.event(block, kind, slot, value);
+                self.lasting(block, kind, slot, value);
             }
         }
         self.read_functions(block, before, false);
@@ -127,16 +142,14 @@ impl StepReader {
             let repeats = stays && !turns && before.m.get(group).copied().flatten() == Some(number);
             if number == TOOL_CHANGE {
                 let tool = block.tool().map_or_else(|| Value::Text(String::new()), Value::from);
-                self.event(block, ChangeKind::Tool, "M06", tool);
+                self.lasting(block, ChangeKind::Tool, "M06", tool);
                 continue;
             }
-            let stop = group == PROGRAM_GROUP && !PROGRAM_ENDS.contains(&number);
-            let kind = if stop { ChangeKind::Stop } else { ChangeKind::Function };
-            let (slot, value) = (format!("m{group}"), Value::Text(format!("M{number:02}")));
+            let event = function_event(group, number, stays);
             if repeats {
-                self.steps.add_repeated(Event { kind, slot, value });
+                self.steps.add_repeated(event);
             } else {
-                self.event(block, kind, &slot, value);
+                self.add(block, event);
             }
         }
     }
@@ -267,6 +280,12 @@ impl StepReader {
 /// first: it moves by itself.
 pub(super) const INHERITED: [GGroup; 4] = [GGroup::G0, GGroup::G1, GGroup::G9, GGroup::G10];
 
+fn function_event(group: usize, number: u8, lasts: bool) -> Event {
+    let stop = group == PROGRAM_GROUP && !PROGRAM_ENDS.contains(&number);
+    let kind = if stop { ChangeKind::Stop } else { ChangeKind::Function };
+    Event { kind, slot: format!("m{group}"), value: Value::Text(format!("M{number:02}")), lasts }
+}
+
 /// Whether a function acts behind the motion of its block.
 fn is_late(number: u8) -> bool {
     let off = [SPINDLE_STOP, COOLANT_12[1], COOLANT_34[1], PROGRAM_STOP, OPTIONAL_STOP];
@@ -285,7 +304,7 @@ impl Sink for &mut StepReader {
             self.read_motion(block);
             return ControlFlow::Continue(());
         }
-        let before = self.before.take().unwrap_or_else(|| Written::of(&State::new(block.settings())));
+        let before = self.before.take().unwrap_or_else(|| self.start(block));
         if block.change_pos() {
             self.way = Default::default();
         }

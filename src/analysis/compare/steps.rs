@@ -32,6 +32,8 @@ pub struct Event {
     pub slot: String,
     /// Its value.
     pub value: Value,
+    /// Whether the value holds until another one is written.
+    pub lasts: bool,
 }
 
 /// The modal state at a step, as far as cutting depends on it.
@@ -194,6 +196,8 @@ pub struct Steps {
     /// Events that write what is in force already, and before which step each: of interest only where they are changes
     /// in the other program.
     repeated: Vec<(usize, u32)>,
+    /// What holds before the first step.
+    pub(super) start: Vec<Event>,
     /// Blocks executed.
     pub blocks: u64,
     /// The sum of known lengths.
@@ -257,6 +261,16 @@ impl Steps {
 
     pub(super) fn step(&self, at: usize) -> Option<&Step> {
         self.list.get(at)
+    }
+
+    /// Whether the block of an event moves, without its motion among `alone`, which are in order.
+    pub(super) fn moves_beside(&self, event: usize, alone: &[usize]) -> bool {
+        let Some(seq) = self.step(event).map(|step| step.seq) else { return false };
+        let is_motion = |at: &usize| self.step(*at).is_some_and(|step| step.seq == seq && Self::is_motion(step));
+        let of_block = |at: &usize| self.step(*at).is_some_and(|step| step.seq == seq);
+        let before = (0..event).rev().take_while(of_block);
+        let behind = (event + 1..self.list.len()).take_while(of_block);
+        before.chain(behind).find(is_motion).is_some_and(|motion| alone.binary_search(&motion).is_err())
     }
 
     pub(super) fn context_of(&self, step: &Step) -> Option<&Context> {
