@@ -195,7 +195,7 @@ fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, 
     if let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) {
         let session = Session { loader: &job.loader, settings, progress: None };
         let (path, name) = (&job.target().path, job.target().name());
-        let mut reader = StepReader::new(args.parameters, Micro::from_f64(args.tolerance));
+        let mut reader = StepReader::new(args.parameters);
         let mut clock = AtTime::new(settings, f64::INFINITY);
         let run = session.watch(path, &name, Purpose::Report, &mut (&mut reader, &mut clock));
         let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();

@@ -93,7 +93,7 @@ impl Program<'_> {
         let Self { path, name, loader, settings } = self;
         let goes_on = |executed| executed <= MOST && !snapshot.cancel.is_cancelled();
         let session = Session { loader: *loader, settings, progress: Some(&goes_on) };
-        let mut reader = StepReader::new(false, Tolerances::default().position);
+        let mut reader = StepReader::new(false);
         let mut clock = AtTime::new(settings, f64::INFINITY);
         let run = session.watch(path, name, Purpose::Report, &mut (&mut reader, &mut clock));
         if run.whole.is_none() {

@@ -20,7 +20,7 @@ use crate::state::{Sample, samples};
 const TOLERANCES: Tolerances = Tolerances { position: Micro::from_millionths(1000), percent: 0.0 };
 
 fn steps(session: &Session<'_>, file: &str) -> Option<Steps> {
-    let mut reader = StepReader::new(true, TOLERANCES.position);
+    let mut reader = StepReader::new(true);
     let run = session.watch(Path::new(file), file, Purpose::Report, &mut &mut reader);
     run.whole.map(|_| reader.finish())
 }
@@ -339,6 +339,37 @@ fn tolerances_and_shifts() {
     let drift: String = (1..9).map(|x| format!("\nX{x} Z{}", 2.0 - f64::from(x) * 0.001)).collect();
     let flat: String = (1..9).map(|x| format!("\nX{x} Z2")).collect();
     assert!(!same(&format!("G01 Z2{flat}"), &format!("G01 Z2{drift}"), "0.001"));
+    for (old, new, tolerance, expected) in [
+        ("G01 X5 Z0.5\nX5.28 Z0.501\nZ0.6", "G01 X5 Z0.5\nX5.28 Z0.502\nZ0.6", "0.001", true),
+        ("G01 X5 Z0.5\nX5.28 Z0.501\nZ0.6", "G01 X5 Z0.5\nX5.28\nZ0.6", "0.001", true),
+        ("G01 X5 Z0.5\nZ0.501\nY6", "G01 X5 Z0.5\nZ0.502\nY6", "0.001", true),
+        ("G01 X5 Z0.5\nZ0.501\nY6", "G01 X5 Z0.5\nY6", "0.001", true),
+        // What stands beside either of them differs by twice as much.
+        ("G01 Z10.05\nX5", "G01 Z9.95\nX5", "0.05", false),
+        ("G01 Z10.001\nX5", "G01 Z9.999\nX5", "0.001", false),
+        ("X19.4 Z-1.346\nX19.9 Z-1.487\nX20 Z-1.514", "X19.4 Z-1.346\nX19.9 Z-1.487\nX20 Z-1.214", "0.2", false),
+        // There and back is no motion near a place.
+        ("G01 X5\nX5.5\nX5", "G01 X5", "0.1", false),
+        ("G55\nG01 X5 Y0", "G55\nG01 X5", "0.1", false),
+    ] {
+        assert_eq!(same(old, new, tolerance), expected, "{old:?} {new:?} {tolerance}");
+    }
+    // The same points from another postprocessor, with one Z changed, and one point more.
+    let points = |noise: u32, z: f64, more: &str| {
+        let block = |at: u32| {
+            let wave = f64::from(at * 7 % 13) / 10.0;
+            let off = [0.0, 0.001, -0.001][(at * noise % 3) as usize];
+            let lower = if at == 300 { z } else { wave - 1.0 };
+            let more = if at == 600 { more } else { "" };
+            format!("{more}G01 X{:.3} Y{:.3} Z{:.3}", f64::from(at) * 0.366 + off, wave - off, lower + off)
+        };
+        of_text(&framed(&(0..800).map(block).collect::<Vec<_>>().join("\n")))
+    };
+    let exact = points(0, -3.0, "");
+    assert_eq!(compare(&exact, &points(1, -3.0, ""), TOLERANCES), Comparison::default());
+    let changes = compare(&exact, &points(1, -3.5, "G01 Y90\n"), TOLERANCES).changes;
+    let told: Vec<_> = changes.iter().map(|change| (change.kind, change.count())).collect();
+    assert_eq!(told, [(ChangeKind::Position, 1), (ChangeKind::Added, 1)], "{changes:#?}");
     // N65 of the new program is N60 of the old one.
     let points = [(10, 1, -1), (11, 5, 0), (15, 9, -1), (21, 2, 0), (28, 7, -1), (10, 1, 0), (33, 8, -1), (37, 3, 0)];
     let path = |by: i32| {
@@ -393,7 +424,7 @@ fn hidden_differences() {
         ("M19\nG00 C90\nM19\nG00 Z5", "M19\nG00 C90\nG00 Z5", "M19"),
         // After a change of origin a motion to the same words is one.
         ("G01 Z5\nG55\nG00 X0 Y0\nG01 Z0", "G01 Z5\nG55\nG01 Z0", "1 block removed"),
-        ("G55\nG01 X5 Y0", "G55\nG01 X5", "changes"),
+        ("G55\nG01 X5 Y0", "G55\nG01 X5", "Y 0 → none in 1 block"),
         ("G55\nG01 X5", "G55\nG91 G01 X5", "changes"),
         ("G55\nG02 X10 Y0 I5 J0", "G55\nG91 G02 X10 Y0 I5 J0", "changes"),
         ("G55\nG01 X5\nX5", "G55\nG01 X5", "the programs do the same"),
@@ -417,6 +448,9 @@ fn hidden_differences() {
         ("M05\nG00 X5\nM03\nG01 X9", "G00 X5\nM03\nG01 X9", "\nT1: M05 M05 → none in 1 block (N10)\n"),
         ("M05\nS600 M03\nG00 X5", "M05\nM03\nS600\nG00 X5", "the programs do the same"),
         ("M05 S600\nG04 Q900\nG00 X5", "M05 S900\nG04 Q900\nG00 X5", "the programs do the same"),
+        ("M05\nM00\nG01 X1", "M05 M00\nG01 X1", "the programs do the same"),
+        ("G04 Q10\nM01\nG01 X1", "G04 Q10 M01\nG01 X1", "the programs do the same"),
+        ("M00\nM05\nG00 X1", "M05 M00\nG00 X1", "M00"),
         ("M08\nM09\nM08\nM09", "M08\nM09\nM09\nM09\nM08\nM09\nM09\nM09", "the programs do the same"),
         ("G01 X5 M08 M41\nX6", "G01 X5 M41 M08\nX6", "the programs do the same"),
         ("G01 X5 M08 M77\nX6", "M77 M08 G01 X5\nX6", "the programs do the same"),

@@ -8,7 +8,7 @@ use std::ops::Range;
 use imara_diff::{Algorithm, Diff, Token};
 
 use super::near::by_nearness;
-use super::steps::{Steps, increments};
+use super::steps::{Does, Step, Steps, increments, rounded};
 use super::straight::Straight;
 use crate::sure::small;
 
@@ -21,7 +21,9 @@ pub(super) enum Aligned {
 }
 
 /// Gives both programs step by step. It is the mirror image of what the exchanged programs give.
-pub(super) fn align(old: &Steps, new: &Steps, give: impl FnMut(Aligned)) {
+///
+/// `tolerance`: places up to so many millionths apart are the same.
+pub(super) fn align(old: &Steps, new: &Steps, tolerance: i64, give: impl FnMut(Aligned)) {
     let mut straight = Straight::new([old, new], give);
     let tokens = |steps: &Steps| steps.list.iter().map(|step| step.token).collect::<Vec<_>>();
     let (a, b) = (tokens(old), tokens(new));
@@ -35,31 +37,17 @@ pub(super) fn align(old: &Steps, new: &Steps, give: impl FnMut(Aligned)) {
     let (first, second) = if swapped { (new, old) } else { (old, new) };
     let (a, b) = if swapped { (b, a) } else { (a, b) };
     let shifted = shifted((first, &a), (second, &b));
-    let mut part = |same: bool, before: Range<usize>, after: Range<usize>| {
-        if same {
-            before.zip(after).for_each(|(a, b)| straight.push(turned(Aligned::Both(a, b))));
-            return;
-        }
-        // A shifted run moves by the same increments.
-        let (a, b) = (increments(first, &before), increments(second, &after));
-        each(a, b, |same, from, to| {
-            let from = from.start + before.start..from.end + before.start;
-            let to = to.start + after.start..to.end + after.start;
-            if same {
-                from.zip(to).for_each(|(a, b)| straight.push(turned(Aligned::Both(a, b))));
-            } else {
-                pair((first, from), (second, to), &mut |aligned| straight.push(turned(aligned)));
-            }
-        });
+    let mut part = |alike: Alike, before: Range<usize>, after: Range<usize>| {
+        refine((first, before), (second, after), alike, tolerance, &mut |aligned| straight.push(turned(aligned)));
     };
     match shifted {
         Some(middle) => {
             let end = a.len();
-            part(true, 0..middle.start, 0..middle.start);
-            part(false, middle.clone(), middle.clone());
-            part(true, middle.end..end, middle.end..end);
+            part(Alike::Same, 0..middle.start, 0..middle.start);
+            part(Alike::Shifted, middle.clone(), middle.clone());
+            part(Alike::Same, middle.end..end, middle.end..end);
         }
-        None => each(a, b, part),
+        None => each(a, b, |same, before, after| part(if same { Alike::Same } else { Alike::Rounded }, before, after)),
     }
     straight.flush();
 }
@@ -77,6 +65,74 @@ fn shifted((first, a): (&Steps, &[u64]), (second, b): (&Steps, &[u64])) -> Optio
     (!middle.is_empty() && same * 2 > middle.len()).then_some(middle)
 }
 
+/// What steps of two runs may have in common.
+#[derive(Clone, Copy)]
+enum Alike {
+    /// They are the same one by one.
+    Same,
+    /// Most of them may be the same but for some digits.
+    Rounded,
+    /// They may move by the same increments.
+    Shifted,
+}
+
+/// Steps whose places are the same on a grid of so many tolerances may be the same.
+const GRID: i64 = 4;
+
+/// Aligns two runs: those steps that are the same within the tolerance at either end, then what is alike.
+fn refine(
+    (first, from): (&Steps, Range<usize>),
+    (second, to): (&Steps, Range<usize>),
+    alike: Alike,
+    tolerance: i64,
+    give: &mut dyn FnMut(Aligned),
+) {
+    let is_near = |(a, b): &(usize, usize)| {
+        let both = first.step(*a).zip(second.step(*b));
+        both.is_some_and(|(a, b)| a.token == b.token || is_near((first, a), (second, b), tolerance))
+    };
+    let start = match alike {
+        Alike::Same => from.len(),
+        Alike::Rounded | Alike::Shifted => from.clone().zip(to.clone()).take_while(is_near).count(),
+    };
+    let (rest, other) = (from.start + start..from.end, to.start + start..to.end);
+    let tail = rest.clone().rev().zip(other.clone().rev()).take_while(is_near).count();
+    let (before, after) = (rest.start..rest.end - tail, other.start..other.end - tail);
+    from.zip(to).take(start).for_each(|(a, b)| give(Aligned::Both(a, b)));
+    let inner = |same: bool, (from, to): (Range<usize>, Range<usize>), give: &mut dyn FnMut(Aligned)| {
+        let from = from.start + before.start..from.end + before.start;
+        let to = to.start + after.start..to.end + after.start;
+        match alike {
+            _ if same => from.zip(to).for_each(|(a, b)| give(Aligned::Both(a, b))),
+            Alike::Same | Alike::Rounded => {
+                refine((first, from), (second, to), Alike::Shifted, tolerance, give);
+            }
+            Alike::Shifted => pair((first, from), (second, to), give),
+        }
+    };
+    if !before.is_empty() || !after.is_empty() {
+        let (a, b) = match alike {
+            Alike::Same | Alike::Rounded => {
+                let grid = tolerance.max(1).saturating_mul(GRID);
+                (rounded(first, &before, grid), rounded(second, &after, grid))
+            }
+            // A shifted run moves by the same increments.
+            Alike::Shifted => (increments(first, &before), increments(second, &after)),
+        };
+        each(a, b, |same, from, to| inner(same, (from, to), give));
+    }
+    let ends = before.end..before.end + tail;
+    ends.zip(after.end..after.end + tail).for_each(|(a, b)| give(Aligned::Both(a, b)));
+}
+
+/// Whether two steps are the same motion but for the tolerance.
+fn is_near((first, a): (&Steps, &Step), (second, b): (&Steps, &Step), tolerance: i64) -> bool {
+    let (Some(Does::Motion(a)), Some(Does::Motion(b))) = (first.does(a), second.does(b)) else { return false };
+    let same = (a.kind, a.axes, a.plane, a.moving().1) == (b.kind, b.axes, b.plane, b.moving().1);
+    let near = |(a, b): (&i64, &i64)| a.abs_diff(*b) <= tolerance.unsigned_abs();
+    same && a.places().iter().zip(b.places()).all(near)
+}
+
 /// Pairs steps of one kind: in short runs the nearest ones, in long ones in their order.
 fn pair((first, from): (&Steps, Range<usize>), (second, to): (&Steps, Range<usize>), give: &mut dyn FnMut(Aligned)) {
     if by_nearness((first, from.clone()), (second, to.clone()), give) {
@@ -84,7 +140,7 @@ fn pair((first, from): (&Steps, Range<usize>), (second, to): (&Steps, Range<usiz
     }
     let kinds = |steps: &Steps, range: &Range<usize>| {
         let steps_in = steps.list.get(range.clone()).unwrap_or_default();
-        steps_in.iter().map(|step| steps.kind(step)).collect::<Vec<_>>()
+        steps_in.iter().map(|step| steps.kind(step, true)).collect::<Vec<_>>()
     };
     let (a, b) = (kinds(first, &from), kinds(second, &to));
     each(a, b, |same, before, after| {

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use super::align::{Aligned, align};
 use super::reader::INHERITED;
-use super::steps::{Context, Does, Event, Motion, Step, Steps, Value};
+use super::steps::{Context, Does, Event, Motion, Stand, Step, Steps, Value};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
 use crate::run::{FeedUnit, MotionType};
 use crate::sure::small;
@@ -261,6 +261,8 @@ struct Grouping<'s> {
     paired: [usize; 2],
     /// Single events of either program, by place; `true`: the other program has it too, where it is in force already.
     events: [Vec<(usize, bool)>; 2],
+    /// Where the axes of either program stand.
+    stands: [Stand; 2],
     /// What holds in either program, by slot.
     in_force: [HashMap<&'s str, &'s Value>; 2],
     /// Contexts that were the same.
@@ -277,15 +279,18 @@ pub fn compare(old: &Steps, new: &Steps, tolerances: Tolerances) -> Comparison {
         alone: Default::default(),
         paired: [0; 2],
         events: Default::default(),
+        stands: Default::default(),
         in_force: [old, new].map(|steps| steps.start.iter().map(|event| (event.slot.as_str(), &event.value)).collect()),
         same_context: None,
     };
-    align(old, new, |aligned| match aligned {
+    align(old, new, tolerances.position.millionths(), |aligned| match aligned {
         Aligned::Old(at) => grouping.alone[0].push(at),
         Aligned::New(at) => grouping.alone[1].push(at),
         Aligned::Both(a, b) => {
             grouping.end_runs([a, b]);
             grouping.pair(a, b);
+            grouping.pass(0, a);
+            grouping.pass(1, b);
             grouping.paired = [a + 1, b + 1];
         }
     });
@@ -305,23 +310,64 @@ impl<'s> Grouping<'s> {
         if side == 0 { self.old } else { self.new }
     }
 
-    /// Notes what holds behind a step.
-    fn hold(&mut self, side: usize, at: usize) {
+    /// Notes what holds behind a step, and where the axes stand.
+    fn pass(&mut self, side: usize, at: usize) {
         let steps = self.steps(side);
-        let event = steps.step(at).and_then(|step| event(steps, step)).filter(|event| event.lasts);
-        if let (Some(event), Some(in_force)) = (event, self.in_force.get_mut(side)) {
-            in_force.insert(&event.slot, &event.value);
+        match steps.step(at).and_then(|step| steps.does(step)) {
+            Some(Does::Event(event)) if event.lasts => {
+                if let Some(in_force) = self.in_force.get_mut(side) {
+                    in_force.insert(&event.slot, &event.value);
+                }
+            }
+            Some(Does::Motion(motion)) => {
+                if let Some(stand) = self.stands.get_mut(side) {
+                    stand.moved(&motion);
+                }
+            }
+            Some(Does::Event(_)) | None => {}
         }
     }
 
     /// Ends the runs without counterpart; `ends`: the next pair.
     fn end_runs(&mut self, ends: [usize; 2]) {
-        let [old, new] = std::mem::take(&mut self.alone);
+        let [mut old, mut new] = std::mem::take(&mut self.alone);
         let ([from, to], [end, last]) = (self.paired, ends);
-        old.iter().for_each(|at| self.hold(0, *at));
-        new.iter().for_each(|at| self.hold(1, *at));
+        let stands = self.stands;
+        old.iter().for_each(|at| self.pass(0, *at));
+        new.iter().for_each(|at| self.pass(1, *at));
+        let moves = |steps: &Steps, run: &[usize]| run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
+        let moving = [moves(self.old, &old), moves(self.new, &new)];
+        if !moving[1] {
+            self.leave_out_idle(self.old, &mut old, stands);
+        }
+        if !moving[0] {
+            self.leave_out_idle(self.new, &mut new, [stands[1], stands[0]]);
+        }
         self.end_run(0, old, to..last);
         self.end_run(1, new, from..end);
+    }
+
+    /// Leaves motions out that stay near where the other program stands all the while (CMP-2).
+    fn leave_out_idle(&self, steps: &Steps, run: &mut Vec<usize>, [mut own, other]: [Stand; 2]) {
+        run.retain(|at| {
+            let Some(Does::Motion(motion)) = steps.step(*at).and_then(|step| steps.does(step)) else { return true };
+            let before = own;
+            own.moved(&motion);
+            let near = |place: Option<i64>, stand: i64| place.is_some_and(|place| !self.beyond(place, stand));
+            let stays = |letter: AxisLetter| {
+                let (from, to) = (before.of(letter), own.of(letter));
+                // From where an origin left it, an axis moves though its position stays.
+                let stand = other.of(letter).filter(|_| from != to);
+                stand.is_some_and(|stand| near(from, stand) && near(to, stand))
+            };
+            let straight = matches!(motion.kind, MotionType::Rapid | MotionType::Linear);
+            !(straight && motion.letters().filter(|letter| motion.moves(*letter)).all(stays))
+        });
+    }
+
+    /// Whether two places are more than the tolerance apart.
+    const fn beyond(&self, a: i64, b: i64) -> bool {
+        a.abs_diff(b) > self.tolerances.position.millionths().unsigned_abs()
     }
 
     /// A run without counterpart is blocks added or removed when it moves; else each of its words counts by itself. A word
@@ -399,8 +445,6 @@ impl<'s> Grouping<'s> {
 
     /// The differences of two steps that are one.
     fn pair(&mut self, a: usize, b: usize) {
-        self.hold(0, a);
-        self.hold(1, b);
         let (Some(old), Some(new)) = (self.old.step(a), self.new.step(b)) else { return };
         let contexts = (Steps::context_id(old), Steps::context_id(new));
         let mut found = Vec::new();
@@ -435,7 +479,13 @@ impl<'s> Grouping<'s> {
 
     fn positions(&self, old: &Motion, new: &Motion, found: &mut Vec<Difference>) {
         let mut deltas = [0; AxisLetter::ALL.len()];
-        let beyond = |a: i64, b: i64| a.abs_diff(b) > self.tolerances.position.millionths().unsigned_abs();
+        let beyond = |a: i64, b: i64| self.beyond(a, b);
+        // Where the other program stands along an axis that it does not name; none where nobody knows, or where the
+        // axis moves though its position stays.
+        let stands = |side: usize, letter: AxisLetter, value: Option<i64>| {
+            let of = |side: usize| self.stands.get(side).and_then(|stand| stand.of(letter));
+            of(1 - side).filter(|_| of(side) != value)
+        };
         let mut add = |what: &'static str, old: Option<i64>, new: Option<i64>| {
             let (old, new) = (old.map(Value::Number), new.map(Value::Number));
             found.push(Difference { kind: ChangeKind::Position, what: Some(Cow::Borrowed(what)), old, new });
@@ -454,8 +504,18 @@ impl<'s> Grouping<'s> {
                 (Some(Some(a)), Some(None)) => add(letter.name(), Some(a), None),
                 (Some(None), Some(Some(b))) => add(letter.name(), None, Some(b)),
                 // Named in one program alone, where it stays.
-                (Some(a), None) if old.moves(letter) => add(letter.name(), a, None),
-                (None, Some(b)) if new.moves(letter) => add(letter.name(), None, b),
+                (Some(a), None) if old.moves(letter) => {
+                    let b = stands(0, letter, a);
+                    if a.zip(b).is_none_or(|(a, b)| beyond(a, b)) {
+                        add(letter.name(), a, b);
+                    }
+                }
+                (None, Some(b)) if new.moves(letter) => {
+                    let a = stands(1, letter, b);
+                    if a.zip(b).is_none_or(|(a, b)| beyond(a, b)) {
+                        add(letter.name(), a, b);
+                    }
+                }
                 _ => {}
             }
         }

@@ -3,13 +3,17 @@
 use std::ops::Range;
 
 use super::align::Aligned;
-use super::steps::{Does, Step, Steps, Value};
+use super::steps::{Does, Motion, Stand, Step, Steps, Value};
+use crate::dict::AxisLetter;
 
 /// Longest runs are paired so while the product of their lengths is no more.
 const MOST: usize = 10_000;
 
 /// The cost of a step without a counterpart; two of them cost more than any pair of one kind.
 const ALONE: f64 = 0.6;
+
+/// What a pair costs whose motions move along other axes: they are a pair where one of them hardly moves there.
+const OTHER_AXES: f64 = 0.9;
 
 /// Distance in mm at which a pair costs half of the most that it can cost.
 const HALF_MM: f64 = 5.0;
@@ -97,20 +101,22 @@ fn follow(ways: &[Way], (from, to): (Range<usize>, Range<usize>), give: &mut dyn
 /// What counts of a step when it is compared with many.
 struct Point<'s> {
     kind: u64,
-    /// Of a motion, in mm.
-    values: Vec<f64>,
+    motion: Option<Motion>,
+    stand: Stand,
     event: Option<&'s Value>,
 }
 
 impl<'s> Point<'s> {
     fn all(steps: &'s Steps, range: &Range<usize>) -> Vec<Self> {
+        let mut stand = Stand::before(steps, range.start);
         let point = |step: &Step| {
-            let (values, event) = match steps.does(step) {
-                Some(Does::Motion(motion)) => (motion.places().iter().map(|value| *value as f64 / 1e6).collect(), None),
-                Some(Does::Event(event)) => (Vec::new(), Some(&event.value)),
-                None => (Vec::new(), None),
+            stand.pass(steps, step);
+            let (motion, event) = match steps.does(step) {
+                Some(Does::Motion(motion)) => (Some(motion), None),
+                Some(Does::Event(event)) => (None, Some(&event.value)),
+                None => (None, None),
             };
-            Self { kind: steps.kind(step), values, event }
+            Self { kind: steps.kind(step, false), motion, stand, event }
         };
         steps.list.get(range.clone()).unwrap_or_default().iter().map(point).collect()
     }
@@ -124,6 +130,18 @@ fn distance(a: &Point<'_>, b: &Point<'_>) -> Option<f64> {
     if a.event.is_some() {
         return Some(if a.event == b.event { 0.0 } else { 0.5 });
     }
-    let mm: f64 = a.values.iter().zip(&b.values).map(|(a, b)| (a - b).abs()).sum();
-    Some(mm / (mm + HALF_MM))
+    let (Some(from), Some(to)) = (&a.motion, &b.motion) else { return Some(0.0) };
+    let place = |point: &Point<'_>, motion: &Motion, letter: AxisLetter| {
+        motion.value(letter).unwrap_or_else(|| point.stand.of(letter))
+    };
+    let apart = |letter: &AxisLetter| {
+        let (a, b) = (place(a, from, *letter)?, place(b, to, *letter)?);
+        Some(a.abs_diff(b))
+    };
+    let moved = AxisLetter::ALL.iter().filter(|letter| from.moves_along(**letter) || to.moves_along(**letter));
+    let centers = from.center().zip(to.center()).into_iter().flat_map(|(a, b)| a.into_iter().zip(b));
+    let centers = centers.map(|(a, b)| a.abs_diff(b));
+    let mm = moved.filter_map(apart).chain(centers).map(|apart| apart as f64 / 1e6).sum::<f64>();
+    let near = mm / (mm + HALF_MM);
+    Some(if from.moving() == to.moving() { near } else { OTHER_AXES + near })
 }

@@ -18,10 +18,6 @@ use crate::run::{ArcPath, End, Executed, MotionType, Sink, State};
 pub struct StepReader {
     steps: Steps,
     parameters: bool,
-    /// Positions up to so much apart are the same.
-    tolerance: Micro,
-    /// Where motions left each axis that they moved by more.
-    left: [Option<Micro>; AxisLetter::ALL.len()],
     context: u32,
     before: Option<Written>,
     /// The sums of distances, by axis, since nobody knows where it is.
@@ -50,14 +46,11 @@ impl Written {
 }
 
 impl StepReader {
-    /// `parameters`: also what is assigned to parameters, and jumps; `tolerance`: positions up to so much apart are the
-    /// same.
-    pub fn new(parameters: bool, tolerance: Micro) -> Self {
+    /// `parameters`: also what is assigned to parameters, and jumps.
+    pub fn new(parameters: bool) -> Self {
         Self {
             steps: Steps::default(),
             parameters,
-            tolerance,
-            left: Default::default(),
             context: 0,
             before: None,
             way: Default::default(),
@@ -107,7 +100,7 @@ impl StepReader {
                 self.lasting(block, kind, slot, value);
             }
         }
-        self.read_functions(block, before, false);
+        self.read_functions(block, before, When::Before);
         if let Some(data) = block.data() {
             let words = data.values.iter().map(|(letter, value)| format!("{letter}{value}"));
             let origin = data.origin.map(|origin| origin.to_string());
@@ -126,13 +119,13 @@ impl StepReader {
         }
     }
 
-    /// The M functions that act before the motion, or `late`, behind it.
-    fn read_functions(&mut self, block: &Executed<'_>, before: &Written, late: bool) {
+    /// The M functions that act then.
+    fn read_functions(&mut self, block: &Executed<'_>, before: &Written, when: When) {
         let machine = &block.settings().machine;
         let group_of = |number: u8| machine.m_functions.group(number);
         // Their order in the block does not matter.
         let mut written: Vec<u8> =
-            block.m_written().iter().copied().filter(|number| is_late(*number) == late).collect();
+            block.m_written().iter().copied().filter(|number| When::of(*number) == when).collect();
         written.sort_unstable_by_key(|number| (group_of(*number), *number));
         for number in written {
             let group = usize::from(group_of(number));
@@ -156,7 +149,7 @@ impl StepReader {
 
     /// What acts behind the motion of a block.
     fn read_behind(&mut self, block: &Executed<'_>, before: &Written) {
-        self.read_functions(block, before, true);
+        self.read_functions(block, before, When::Behind);
         if let Some(dwell) = block.dwell() {
             self.event(block, ChangeKind::Dwell, "G04", Value::Number(dwell.millionths()));
         }
@@ -177,6 +170,7 @@ impl StepReader {
                 self.event(block, ChangeKind::Parameter, "G73", left);
             }
         }
+        self.read_functions(block, before, When::Last);
     }
 
     /// The parameters that the program assigned, and that a macrocycle of the machine or a fixed cycle may read.
@@ -242,7 +236,7 @@ impl StepReader {
             if known.is_none() {
                 motion.by |= bit;
             }
-            if !stale && self.stays(letter, moves.start(letter), known) {
+            if !stale && known.is_some() && known == moves.start(letter) {
                 motion.still |= bit;
             }
             motion.push(known.or(way).map_or(UNKNOWN, Micro::millionths));
@@ -263,17 +257,6 @@ impl StepReader {
         *way = if known.is_some() { Micro::ZERO } else { way.plus(distance.unwrap_or_default()) };
         distance.map(|_| *way)
     }
-
-    /// Whether an axis ends where it stood, up to the tolerance. Small steps add up: they are measured from where the
-    /// last that counted has left it.
-    fn stays(&mut self, letter: AxisLetter, start: Option<Micro>, end: Option<Micro>) -> bool {
-        let Some(left) = self.left.get_mut(letter as usize) else { return false };
-        let near = |a: Micro, b: Micro| a.minus(b).abs() <= self.tolerance;
-        let from = left.filter(|left| start.is_some_and(|start| near(*left, start))).or(start);
-        let stays = from.zip(end).is_some_and(|(from, end)| near(from, end));
-        *left = if stays { from } else { end };
-        stays
-    }
 }
 
 /// The groups whose functions a macrocycle of the machine and a fixed cycle inherit (FLW-10). A cycle does not inherit the
@@ -286,10 +269,24 @@ fn function_event(group: usize, number: u8, lasts: bool) -> Event {
     Event { kind, slot: format!("m{group}"), value: Value::Text(format!("M{number:02}")), lasts }
 }
 
-/// Whether a function acts behind the motion of its block.
-fn is_late(number: u8) -> bool {
-    let off = [SPINDLE_STOP, COOLANT_12[1], COOLANT_34[1], PROGRAM_STOP, OPTIONAL_STOP];
-    off.contains(&number) || PROGRAM_ENDS.contains(&number)
+/// When an M function acts: before the motion of its block, behind it, or when all of the block is done.
+#[derive(Clone, Copy, Eq, PartialEq)]
+enum When {
+    Before,
+    Behind,
+    Last,
+}
+
+impl When {
+    fn of(number: u8) -> Self {
+        let stops = [PROGRAM_STOP, OPTIONAL_STOP].contains(&number) || PROGRAM_ENDS.contains(&number);
+        let off = [SPINDLE_STOP, COOLANT_12[1], COOLANT_34[1]].contains(&number);
+        match (stops, off) {
+            (true, _) => Self::Last,
+            (false, true) => Self::Behind,
+            (false, false) => Self::Before,
+        }
+    }
 }
 
 impl Sink for &mut StepReader {

@@ -139,11 +139,21 @@ impl Motion {
         turns || self.still & 1 << (letter as u16) == 0
     }
 
-    /// Motions with another key are never the same motion with other values.
-    fn kind_key(&self) -> (MotionType, u16, u16, Option<[AxisLetter; 2]>) {
+    /// Whether an axis of it moves.
+    pub fn moves_along(&self, letter: AxisLetter) -> bool {
+        self.axes & 1 << (letter as u16) != 0 && self.moves(letter)
+    }
+
+    /// The axes that move, and those of them of which distances are known alone.
+    pub fn moving(&self) -> (u16, u16) {
         let moving =
             self.letters().filter(|letter| self.moves(*letter)).fold(0, |all, letter| all | 1 << (letter as u16));
-        (self.kind, moving, self.by & moving, self.plane)
+        (moving, self.by & moving)
+    }
+
+    /// Motions with another key are never the same motion with other values.
+    fn kind_key(&self) -> (MotionType, (u16, u16), Option<[AxisLetter; 2]>) {
+        (self.kind, self.moving(), self.plane)
     }
 }
 
@@ -300,16 +310,73 @@ impl Steps {
         }
     }
 
-    /// Steps with another kind are never paired.
-    pub(super) fn kind(&self, step: &Step) -> u64 {
+    /// Steps with another kind are never paired, except for motions along other axes that are near each other.
+    pub(super) fn kind(&self, step: &Step, axes: bool) -> u64 {
         let mut hasher = DefaultHasher::new();
         match self.does(step) {
-            Some(Does::Motion(motion)) => motion.kind_key().hash(&mut hasher),
+            Some(Does::Motion(motion)) if axes => motion.kind_key().hash(&mut hasher),
+            Some(Does::Motion(motion)) => (motion.kind, motion.plane, motion.moving().1).hash(&mut hasher),
             Some(Does::Event(event)) => (event.kind, &event.slot).hash(&mut hasher),
             None => {}
         }
         hasher.finish()
     }
+}
+
+/// Where the axes stand, as far as it is known.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Stand([Option<i64>; AxisLetter::ALL.len()]);
+
+impl Stand {
+    /// So many steps before a place are looked at for where the axes stand there.
+    const BACK: usize = 64;
+
+    /// Where they stand before a step.
+    pub fn before(steps: &Steps, at: usize) -> Self {
+        let mut stand = Self::default();
+        let before = steps.list.get(at.saturating_sub(Self::BACK)..at).unwrap_or_default();
+        before.iter().for_each(|step| stand.pass(steps, step));
+        stand
+    }
+
+    /// Where they stand behind a step.
+    pub fn pass(&mut self, steps: &Steps, step: &Step) {
+        if let Some(Does::Motion(motion)) = steps.does(step) {
+            self.moved(&motion);
+        }
+    }
+
+    /// The same behind a motion.
+    pub fn moved(&mut self, motion: &Motion) {
+        for (letter, value) in motion.letters().zip(motion.values) {
+            let known = value != UNKNOWN && motion.by & 1 << (letter as u16) == 0;
+            if let Some(place) = self.0.get_mut(letter as usize) {
+                *place = known.then_some(value);
+            }
+        }
+    }
+
+    pub fn of(&self, letter: AxisLetter) -> Option<i64> {
+        self.0.get(letter as usize).copied().flatten()
+    }
+}
+
+/// Of steps that differ in digits only, most have the same: their kind, and where the axes stand behind them, in steps
+/// of `grid` millionths.
+pub(super) fn rounded(steps: &Steps, range: &Range<usize>, grid: i64) -> Vec<u64> {
+    let mut stand = Stand::before(steps, range.start);
+    let list = steps.list.get(range.clone()).unwrap_or_default();
+    let round = |step: &Step| {
+        stand.pass(steps, step);
+        let mut hasher = DefaultHasher::new();
+        steps.kind(step, false).hash(&mut hasher);
+        match step.what {
+            What::Motion(_) => stand.0.map(|place| place.map(|place| place.div_euclid(grid))).hash(&mut hasher),
+            What::Event(_) => step.token.hash(&mut hasher),
+        }
+        hasher.finish()
+    };
+    list.iter().map(round).collect()
 }
 
 /// What steps move by, from the motion before each in their range: the same in runs that are shifted.
