@@ -8,7 +8,7 @@ use std::ops::Range;
 use imara_diff::{Algorithm, Diff, Token};
 
 use super::near::by_nearness;
-use super::steps::{Does, Step, Steps, increments, rounded};
+use super::steps::{Steps, increments, rounded};
 use super::straight::Straight;
 use crate::sure::small;
 
@@ -89,7 +89,7 @@ fn refine(
 ) {
     let is_near = |(a, b): &(usize, usize)| {
         let both = first.step(*a).zip(second.step(*b));
-        both.is_some_and(|(a, b)| a.token == b.token || is_near((first, a), (second, b), tolerance))
+        both.is_some_and(|(a, b)| a.token == b.token || first.is_near(a, (second, b), tolerance))
     };
     let start = match alike {
         Alike::Same => from.len(),
@@ -123,14 +123,6 @@ fn refine(
     }
     let ends = before.end..before.end + tail;
     ends.zip(after.end..after.end + tail).for_each(|(a, b)| give(Aligned::Both(a, b)));
-}
-
-/// Whether two steps are the same motion but for the tolerance.
-fn is_near((first, a): (&Steps, &Step), (second, b): (&Steps, &Step), tolerance: i64) -> bool {
-    let (Some(Does::Motion(a)), Some(Does::Motion(b))) = (first.does(a), second.does(b)) else { return false };
-    let same = (a.kind, a.axes, a.plane, a.moving().1) == (b.kind, b.axes, b.plane, b.moving().1);
-    let near = |(a, b): (&i64, &i64)| a.abs_diff(*b) <= tolerance.unsigned_abs();
-    same && a.places().iter().zip(b.places()).all(near)
 }
 
 /// Pairs steps of one kind: in short runs the nearest ones, in long ones in their order.

@@ -313,18 +313,12 @@ impl<'s> Grouping<'s> {
     /// Notes what holds behind a step, and where the axes stand.
     fn pass(&mut self, side: usize, at: usize) {
         let steps = self.steps(side);
-        match steps.step(at).and_then(|step| steps.does(step)) {
-            Some(Does::Event(event)) if event.lasts => {
-                if let Some(in_force) = self.in_force.get_mut(side) {
-                    in_force.insert(&event.slot, &event.value);
-                }
-            }
-            Some(Does::Motion(motion)) => {
-                if let Some(stand) = self.stands.get_mut(side) {
-                    stand.moved(&motion);
-                }
-            }
-            Some(Does::Event(_)) | None => {}
+        let held = (self.stands.get_mut(side), self.in_force.get_mut(side));
+        let (Some(step), (Some(stand), Some(in_force))) = (steps.step(at), held) else { return };
+        if Steps::is_motion(step) {
+            stand.pass(steps, step);
+        } else if let Some(event) = event(steps, step).filter(|event| event.lasts) {
+            in_force.insert(&event.slot, &event.value);
         }
     }
 
@@ -350,9 +344,10 @@ impl<'s> Grouping<'s> {
     /// Leaves motions out that stay near where the other program stands all the while (CMP-2).
     fn leave_out_idle(&self, steps: &Steps, run: &mut Vec<usize>, [mut own, other]: [Stand; 2]) {
         run.retain(|at| {
-            let Some(Does::Motion(motion)) = steps.step(*at).and_then(|step| steps.does(step)) else { return true };
+            let Some(step) = steps.step(*at) else { return true };
+            let Some(Does::Motion(motion)) = steps.does(step) else { return true };
             let before = own;
-            own.moved(&motion);
+            own.pass(steps, step);
             let near = |place: Option<i64>, stand: i64| place.is_some_and(|place| !self.beyond(place, stand));
             let stays = |letter: AxisLetter| {
                 let (from, to) = (before.of(letter), own.of(letter));
@@ -449,16 +444,16 @@ impl<'s> Grouping<'s> {
         let contexts = (Steps::context_id(old), Steps::context_id(new));
         let mut found = Vec::new();
         let mut idle = false;
-        match (self.old.does(old), self.new.does(new)) {
-            (Some(Does::Motion(old)), Some(Does::Motion(new)))
-                if old.values() != new.values() || old.axes != new.axes =>
-            {
-                self.positions(&old, &new, &mut found);
+        let (of_old, of_new) = (self.old.values(old), self.new.values(new));
+        let same = if of_old.is_some() { of_old == of_new } else { old.token == new.token };
+        if !same {
+            match (self.old.does(old), self.new.does(new)) {
+                (Some(Does::Motion(old)), Some(Does::Motion(new))) => self.positions(&old, &new, &mut found),
+                (Some(Does::Event(old)), Some(Does::Event(new))) => {
+                    found.push(difference(new, Some(old.value.clone()), Some(new.value.clone())));
+                }
+                _ => {}
             }
-            (Some(Does::Event(old)), Some(Does::Event(new))) if old.value != new.value => {
-                found.push(difference(new, Some(old.value.clone()), Some(new.value.clone())));
-            }
-            _ => {}
         }
         if self.same_context != Some(contexts)
             && let (Some(old), Some(new)) = (self.old.context_of(old), self.new.context_of(new))

@@ -95,12 +95,6 @@ impl Motion {
         self.values.get(..self.count).unwrap_or_default()
     }
 
-    /// Those that are places along axes.
-    pub fn places(&self) -> &[i64] {
-        let center = if self.plane.is_some() { 2 } else { 0 };
-        self.values.get(..self.axes.count_ones() as usize + center).unwrap_or_default()
-    }
-
     /// The axes in the order of their values.
     pub fn letters(&self) -> impl Iterator<Item = AxisLetter> {
         let axes = self.axes;
@@ -295,15 +289,35 @@ impl Steps {
         matches!(step.what, What::Motion(_))
     }
 
+    /// The axes of a motion and its values.
+    pub(super) fn values(&self, step: &Step) -> Option<(u16, &[i64])> {
+        self.head(step).map(|(head, values)| (head.axes, values))
+    }
+
+    fn head(&self, step: &Step) -> Option<(&Head, &[i64])> {
+        let What::Motion(at) = step.what else { return None };
+        let head = self.heads.get(at as usize)?;
+        let end = self.heads.get(at as usize + 1).map_or(self.values.len(), |next| next.at as usize);
+        Some((head, self.values.get(head.at as usize..end)?))
+    }
+
+    /// Whether a step is the same motion as one of another program, but for so many millionths.
+    pub(super) fn is_near(&self, step: &Step, (other, step_of_other): (&Self, &Step), tolerance: i64) -> bool {
+        let (Some((a, values)), Some((b, others))) = (self.head(step), other.head(step_of_other)) else { return false };
+        let center = if a.plane.is_some() { 2 } else { 0 };
+        let places = a.axes.count_ones() as usize + center;
+        let near = |(a, b): (&i64, &i64)| a.abs_diff(*b) <= tolerance.unsigned_abs();
+        (a.kind, a.axes, a.by, a.plane) == (b.kind, b.axes, b.by, b.plane)
+            && values.iter().zip(others).take(places).all(near)
+    }
+
     pub(super) fn does(&self, step: &Step) -> Option<Does<'_>> {
         match step.what {
             What::Event(at) => self.events.get(at as usize).map(Does::Event),
-            What::Motion(at) => {
-                let head = self.heads.get(at as usize)?;
+            What::Motion(_) => {
+                let (head, values) = self.head(step)?;
                 let Head { kind, axes, still, by, plane, .. } = *head;
-                let end = self.heads.get(at as usize + 1).map_or(self.values.len(), |next| next.at as usize);
                 let mut motion = Motion { kind, axes, still, by, plane, ..Motion::new(kind) };
-                let values = self.values.get(head.at as usize..end).unwrap_or_default();
                 values.iter().for_each(|value| motion.push(*value));
                 Some(Does::Motion(motion))
             }
@@ -341,18 +355,13 @@ impl Stand {
 
     /// Where they stand behind a step.
     pub fn pass(&mut self, steps: &Steps, step: &Step) {
-        if let Some(Does::Motion(motion)) = steps.does(step) {
-            self.moved(&motion);
-        }
-    }
-
-    /// The same behind a motion.
-    pub fn moved(&mut self, motion: &Motion) {
-        for (letter, value) in motion.letters().zip(motion.values) {
-            let known = value != UNKNOWN && motion.by & 1 << (letter as u16) == 0;
-            if let Some(place) = self.0.get_mut(letter as usize) {
-                *place = known.then_some(value);
-            }
+        let Some((head, values)) = steps.head(step) else { return };
+        let (mut axes, mut values) = (head.axes, values.iter());
+        while axes != 0 {
+            let axis = axes.trailing_zeros();
+            axes &= axes - 1;
+            let (Some(place), Some(value)) = (self.0.get_mut(axis as usize), values.next()) else { return };
+            *place = Some(*value).filter(|value| *value != UNKNOWN && head.by & 1 << axis == 0);
         }
     }
 
