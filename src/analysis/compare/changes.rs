@@ -261,7 +261,7 @@ struct Grouping<'s> {
     paired: [usize; 2],
     /// Single events of either program, by place; `true`: the other program has it too, where it is in force already.
     events: [Vec<(usize, bool)>; 2],
-    /// Where the axes of either program stand.
+    /// The positions of the axes in either program.
     stands: [Stand; 2],
     /// What holds in either program, by slot.
     in_force: [HashMap<&'s str, &'s Value>; 2],
@@ -310,7 +310,7 @@ impl<'s> Grouping<'s> {
         if side == 0 { self.old } else { self.new }
     }
 
-    /// Notes what holds behind a step, and where the axes stand.
+    /// Follows a step: values that hold on, and positions.
     fn pass(&mut self, side: usize, at: usize) {
         let steps = self.steps(side);
         let held = (self.stands.get_mut(side), self.in_force.get_mut(side));
@@ -341,7 +341,7 @@ impl<'s> Grouping<'s> {
         self.end_run(1, new, from..end);
     }
 
-    /// Leaves motions out that stay near where the other program stands all the while (CMP-2).
+    /// Leaves out motions that stay within the tolerance of the position in the other program (CMP-2).
     fn leave_out_idle(&self, steps: &Steps, run: &mut Vec<usize>, [mut own, other]: [Stand; 2]) {
         run.retain(|at| {
             let Some(step) = steps.step(*at) else { return true };
@@ -377,7 +377,7 @@ impl<'s> Grouping<'s> {
         let (words, blocks): (Vec<usize>, Vec<usize>) =
             run.iter().partition(|at| !moves || self.counts_alone(side, **at, &run));
         if moves {
-            // What a loop executes again is the same change.
+            // A loop executes the same change again.
             let run = run_of(blocks.iter().filter_map(|at| steps.step(*at)));
             let kind = if side == 0 { ChangeKind::Removed } else { ChangeKind::Added };
             for at in blocks {

@@ -12,7 +12,7 @@ const MOST: usize = 10_000;
 /// The cost of a step without a counterpart; two of them cost more than any pair of one kind.
 const ALONE: f64 = 0.6;
 
-/// What a pair costs whose motions move along other axes: they are a pair where one of them hardly moves there.
+/// The cost of a pair that moves along different axes, beside its distance: only motions that are near are paired.
 const OTHER_AXES: f64 = 0.9;
 
 /// Distance in mm at which a pair costs half of the most that it can cost.

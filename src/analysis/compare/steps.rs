@@ -337,15 +337,15 @@ impl Steps {
     }
 }
 
-/// Where the axes stand, as far as it is known.
+/// The positions of the axes, as far as they are known.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Stand([Option<i64>; AxisLetter::ALL.len()]);
 
 impl Stand {
-    /// So many steps before a place are looked at for where the axes stand there.
+    /// The number of steps before a place that are read to find the positions there.
     const BACK: usize = 64;
 
-    /// Where they stand before a step.
+    /// The positions before a step.
     pub fn before(steps: &Steps, at: usize) -> Self {
         let mut stand = Self::default();
         let before = steps.list.get(at.saturating_sub(Self::BACK)..at).unwrap_or_default();
@@ -353,7 +353,7 @@ impl Stand {
         stand
     }
 
-    /// Where they stand behind a step.
+    /// Follows a step.
     pub fn pass(&mut self, steps: &Steps, step: &Step) {
         let Some((head, values)) = steps.head(step) else { return };
         let (mut axes, mut values) = (head.axes, values.iter());
@@ -370,8 +370,8 @@ impl Stand {
     }
 }
 
-/// Of steps that differ in digits only, most have the same: their kind, and where the axes stand behind them, in steps
-/// of `grid` millionths.
+/// Steps by their kind and by the positions after them, rounded to `grid` millionths: most steps that differ in their
+/// last digits only are equal.
 pub(super) fn rounded(steps: &Steps, range: &Range<usize>, grid: i64) -> Vec<u64> {
     let mut stand = Stand::before(steps, range.start);
     let list = steps.list.get(range.clone()).unwrap_or_default();

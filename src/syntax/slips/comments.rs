@@ -150,7 +150,7 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
     Some(unknown(around, Diagnosis::saying(1, found).debris().junk(opening), words))
 }
 
-/// What a comment between quotes holds whose first quote is within a number: `X1"0 Y5 "konec"`.
+/// The text of a comment that opens within a number: `X1"0 Y5 "konec"`.
 pub(super) fn in_number(around: &Around<'_>, comment: Token) -> Option<Span> {
     let inside = Span::new(comment.start + 1, comment.end - 1);
     let before = comment.start.checked_sub(1)?;
