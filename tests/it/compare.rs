@@ -348,6 +348,11 @@ fn tolerances_and_shifts() {
         ("G01 Z10.05\nX5", "G01 Z9.95\nX5", "0.05", false),
         ("G01 Z10.001\nX5", "G01 Z9.999\nX5", "0.001", false),
         ("X19.4 Z-1.346\nX19.9 Z-1.487\nX20 Z-1.514", "X19.4 Z-1.346\nX19.9 Z-1.487\nX20 Z-1.214", "0.2", false),
+        // A point that is nearly one of another pass, and exactly a third one.
+        ("X3\nX2\nX3\nX1", "X3.001\nX2.001\nX3\nX0.999", "0.001", true),
+        ("X3\nX1\nX3\nX1", "X2.999\nX0.999\nX3\nX1.001", "0.001", true),
+        ("X1\nX1", "X1.001\nX1", "0.001", true),
+        ("X0.015\nX0.005", "X0.025\nX0.015", "0.01", true),
         // There and back is no motion near a place.
         ("G01 X5\nX5.5\nX5", "G01 X5", "0.1", false),
         ("G55\nG01 X5 Y0", "G55\nG01 X5", "0.1", false),

@@ -25,9 +25,7 @@ pub(super) enum Aligned {
 /// `tolerance`: places up to so many millionths apart are the same.
 pub(super) fn align(old: &Steps, new: &Steps, tolerance: i64, give: impl FnMut(Aligned)) {
     let mut straight = Straight::new([old, new], give);
-    let tokens = |steps: &Steps| steps.list.iter().map(|step| step.token).collect::<Vec<_>>();
-    let (a, b) = (tokens(old), tokens(new));
-    let swapped = a > b;
+    let swapped = old.list.iter().map(|step| step.token).gt(new.list.iter().map(|step| step.token));
     let turned = |aligned| match aligned {
         Aligned::Both(a, b) if swapped => Aligned::Both(b, a),
         Aligned::Old(at) if swapped => Aligned::New(at),
@@ -35,94 +33,110 @@ pub(super) fn align(old: &Steps, new: &Steps, tolerance: i64, give: impl FnMut(A
         Aligned::Both(..) | Aligned::Old(_) | Aligned::New(_) => aligned,
     };
     let (first, second) = if swapped { (new, old) } else { (old, new) };
-    let (a, b) = if swapped { (b, a) } else { (a, b) };
-    let shifted = shifted((first, &a), (second, &b));
-    let mut part = |alike: Alike, before: Range<usize>, after: Range<usize>| {
-        refine((first, before), (second, after), alike, tolerance, &mut |aligned| straight.push(turned(aligned)));
-    };
-    match shifted {
-        Some(middle) => {
-            let end = a.len();
-            part(Alike::Same, 0..middle.start, 0..middle.start);
-            part(Alike::Shifted, middle.clone(), middle.clone());
-            part(Alike::Same, middle.end..end, middle.end..end);
-        }
-        None => each(a, b, |same, before, after| part(if same { Alike::Same } else { Alike::Rounded }, before, after)),
-    }
+    let ranges = (0..first.list.len(), 0..second.list.len());
+    let aligner = Aligner { first, second, tolerance };
+    aligner.refine(ranges, Alike::Exact, &mut |aligned| straight.push(turned(aligned)));
     straight.flush();
 }
 
-/// The steps that two programs differ in, where most of them move by the same increments in their places: a shift. Some
-/// of the shifted points may be points of the other program too, elsewhere.
-fn shifted((first, a): (&Steps, &[u64]), (second, b): (&Steps, &[u64])) -> Option<Range<usize>> {
-    if a.len() != b.len() {
-        return None;
-    }
-    let (start, tail) = alike(a, b);
-    let middle = start..a.len() - tail;
-    let (old, new) = (increments(first, &middle), increments(second, &middle));
-    let same = old.iter().zip(&new).filter(|(old, new)| old == new).count();
-    (!middle.is_empty() && same * 2 > middle.len()).then_some(middle)
-}
+/// Runs of either program.
+type Runs = (Range<usize>, Range<usize>);
 
 /// What steps of two runs may have in common.
 #[derive(Clone, Copy)]
 enum Alike {
-    /// They are the same one by one.
-    Same,
-    /// Most of them may be the same but for some digits.
+    /// Many may be the same.
+    Exact,
+    /// Many may be the same but for some digits.
     Rounded,
-    /// They may move by the same increments.
+    /// Many may move by the same increments.
     Shifted,
 }
 
 /// Steps whose places are the same on a grid of so many tolerances may be the same.
 const GRID: i64 = 4;
 
-/// Aligns two runs: those steps that are the same within the tolerance at either end, then what is alike.
-fn refine(
-    (first, from): (&Steps, Range<usize>),
-    (second, to): (&Steps, Range<usize>),
-    alike: Alike,
+struct Aligner<'s> {
+    first: &'s Steps,
+    second: &'s Steps,
     tolerance: i64,
-    give: &mut dyn FnMut(Aligned),
-) {
-    let is_near = |(a, b): &(usize, usize)| {
-        let both = first.step(*a).zip(second.step(*b));
-        both.is_some_and(|(a, b)| a.token == b.token || first.is_near(a, (second, b), tolerance))
-    };
-    let start = match alike {
-        Alike::Same => from.len(),
-        Alike::Rounded | Alike::Shifted => from.clone().zip(to.clone()).take_while(is_near).count(),
-    };
-    let (rest, other) = (from.start + start..from.end, to.start + start..to.end);
-    let tail = rest.clone().rev().zip(other.clone().rev()).take_while(is_near).count();
-    let (before, after) = (rest.start..rest.end - tail, other.start..other.end - tail);
-    from.zip(to).take(start).for_each(|(a, b)| give(Aligned::Both(a, b)));
-    let inner = |same: bool, (from, to): (Range<usize>, Range<usize>), give: &mut dyn FnMut(Aligned)| {
-        let from = from.start + before.start..from.end + before.start;
-        let to = to.start + after.start..to.end + after.start;
-        match alike {
-            _ if same => from.zip(to).for_each(|(a, b)| give(Aligned::Both(a, b))),
-            Alike::Same | Alike::Rounded => {
-                refine((first, from), (second, to), Alike::Shifted, tolerance, give);
-            }
-            Alike::Shifted => pair((first, from), (second, to), give),
-        }
-    };
-    if !before.is_empty() || !after.is_empty() {
-        let (a, b) = match alike {
-            Alike::Same | Alike::Rounded => {
-                let grid = tolerance.max(1).saturating_mul(GRID);
-                (rounded(first, &before, grid), rounded(second, &after, grid))
-            }
-            // A shifted run moves by the same increments.
-            Alike::Shifted => (increments(first, &before), increments(second, &after)),
-        };
-        each(a, b, |same, from, to| inner(same, (from, to), give));
+}
+
+impl Aligner<'_> {
+    /// Whether two steps are the same, up to the tolerance.
+    fn is_near(&self, (a, b): (usize, usize)) -> bool {
+        let both = self.first.step(a).zip(self.second.step(b));
+        both.is_some_and(|(a, b)| a.token == b.token || self.first.is_near(a, (self.second, b), self.tolerance))
     }
-    let ends = before.end..before.end + tail;
-    ends.zip(after.end..after.end + tail).for_each(|(a, b)| give(Aligned::Both(a, b)));
+
+    /// Aligns two runs: the steps that are the same at either end, or in their places where most are; else by what is
+    /// alike.
+    fn refine(&self, (from, to): Runs, alike: Alike, give: &mut dyn FnMut(Aligned)) {
+        let start = from.clone().zip(to.clone()).take_while(|both| self.is_near(*both)).count();
+        let (rest, other) = (from.start + start..from.end, to.start + start..to.end);
+        let tail = rest.clone().rev().zip(other.clone().rev()).take_while(|both| self.is_near(*both)).count();
+        let middle = (rest.start..rest.end - tail, other.start..other.end - tail);
+        from.zip(to).take(start).for_each(|(a, b)| give(Aligned::Both(a, b)));
+        let ends = (middle.0.end..rest.end, middle.1.end..other.end);
+        if !middle.0.is_empty() || !middle.1.is_empty() {
+            self.refine_middle(middle, alike, give);
+        }
+        ends.0.zip(ends.1).for_each(|(a, b)| give(Aligned::Both(a, b)));
+    }
+
+    fn refine_middle(&self, (from, to): Runs, alike: Alike, give: &mut dyn FnMut(Aligned)) {
+        let near = || from.clone().zip(to.clone()).filter(|both| self.is_near(*both)).count();
+        if from.len() == to.len() && near() * 2 > from.len() {
+            return self.in_place((from, to), give);
+        }
+        let tokens = |steps: &Steps, range: &Range<usize>| {
+            steps.list.get(range.clone()).unwrap_or_default().iter().map(|step| step.token).collect::<Vec<_>>()
+        };
+        let alike = if matches!(alike, Alike::Exact) && self.is_shifted(&from, &to) { Alike::Shifted } else { alike };
+        let (a, b) = match alike {
+            Alike::Exact => (tokens(self.first, &from), tokens(self.second, &to)),
+            Alike::Rounded => {
+                let grid = self.tolerance.max(1).saturating_mul(GRID);
+                (rounded(self.first, &from, grid), rounded(self.second, &to, grid))
+            }
+            Alike::Shifted => (increments(self.first, &from), increments(self.second, &to)),
+        };
+        each(a, b, |same, before, after| {
+            let runs =
+                (before.start + from.start..before.end + from.start, after.start + to.start..after.end + to.start);
+            match alike {
+                _ if same => runs.0.zip(runs.1).for_each(|(a, b)| give(Aligned::Both(a, b))),
+                Alike::Exact => self.refine(runs, Alike::Rounded, give),
+                Alike::Rounded => self.refine(runs, Alike::Shifted, give),
+                Alike::Shifted => pair((self.first, runs.0), (self.second, runs.1), give),
+            }
+        });
+    }
+
+    /// Pairs the steps that are the same in their places, and aligns what is between them.
+    fn in_place(&self, (from, to): Runs, give: &mut dyn FnMut(Aligned)) {
+        let (mut before, mut after) = (from.start, to.start);
+        for (a, b) in from.clone().zip(to.clone()).filter(|both| self.is_near(*both)) {
+            if before < a {
+                pair((self.first, before..a), (self.second, after..b), give);
+            }
+            give(Aligned::Both(a, b));
+            (before, after) = (a + 1, b + 1);
+        }
+        if before < from.end {
+            pair((self.first, before..from.end), (self.second, after..to.end), give);
+        }
+    }
+
+    /// Whether most steps move by the same increments in their places: a shift. Some of the shifted points may be points
+    /// of the other program too, elsewhere.
+    fn is_shifted(&self, from: &Range<usize>, to: &Range<usize>) -> bool {
+        if from.len() != to.len() {
+            return false;
+        }
+        let (old, new) = (increments(self.first, from), increments(self.second, to));
+        old.iter().zip(&new).filter(|(old, new)| old == new).count() * 2 > from.len()
+    }
 }
 
 /// Pairs steps of one kind: in short runs the nearest ones, in long ones in their order.
