@@ -181,6 +181,9 @@ fn a_comment_of_blanks() {
 fn a_line_of_quotes() {
     let run = check(&format!("%1\nN10 X1 {}\nN20 M30\n", "\"".repeat(7_000_001)), &["--format", "short"]).ends(0);
     assert!(run.stdout.contains("W0109") || run.stdout.contains("E0109"), "{run:?}");
+    for (part, count) in [("X1\"0\"", 300_001), ("“0\"", 300_000), ("abc\" ", 100_001), ("\"1 X1 Y2\"b", 100_001)] {
+        check(&format!("%1\nN10 X1{}\nN20 M30\n", part.repeat(count)), &["--format", "short"]);
+    }
 }
 
 /// A million words in one block: as many findings as are shown, and the number of all.

@@ -29,7 +29,7 @@ pub(super) fn quoted(around: &Around<'_>) -> Option<Diagnosis> {
         let digit = inner.starts_with(|first: char| first.is_ascii_digit());
         let letter = around.previous().filter(|before| before.kind == Kind::Letter && before.end == span.start);
         let words = in_number(around, token);
-        let off = is_odd(around, span.start).filter(|_| digit && (words.is_some() || letter.is_some()));
+        let off = if digit && (words.is_some() || letter.is_some()) { is_odd(around, span.start) } else { None };
         // The finding of a text behind it says it.
         let rest = around.tokens.get(around.at..).unwrap_or_default();
         let mut line = rest.iter().take_while(|token| token.kind != Kind::LineEnd);
@@ -53,11 +53,22 @@ pub(super) fn quoted(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis { found, ..diagnosis })
 }
 
-/// The end of the line, where an odd number of quotes stands from a place on.
+/// The end of the line, if an odd number of quotes follows in it. Longer lines than people write are not looked at.
 fn is_odd(around: &Around<'_>, from: u32) -> Option<u32> {
-    let line = around.text.get(from as usize..)?.split(['\r', '\n']).next()?;
-    let quotes = line.chars().filter(|character| *character == '"' || TYPOGRAPHIC.contains(character)).count();
-    (quotes % 2 == 1).then_some(from + small(line.len()))
+    const LONGEST: usize = 240;
+    let rest = around.text.get(from as usize..)?;
+    let (mut quotes, mut end) = (0, rest.len());
+    for (at, character) in rest.char_indices() {
+        if matches!(character, '\r' | '\n') {
+            end = at;
+            break;
+        }
+        if at > LONGEST {
+            return None;
+        }
+        quotes += usize::from(character == '"' || TYPOGRAPHIC.contains(&character));
+    }
+    (quotes % 2 == 1).then_some(from + small(end))
 }
 
 /// One finding for the quotes of a comment, at the first (LEX-12).
@@ -73,7 +84,7 @@ pub(super) fn typographic(around: &Around<'_>) -> Option<Diagnosis> {
     let (quote, first) = (text.chars().next()?, edits.first()?.at.span);
     // A plain quote may be that of the next comment.
     let (alone, plain) = (edits.len() == 1, text.ends_with('"'));
-    let off = is_odd(around, span.start).filter(|_| alone && plain);
+    let off = if alone && plain { is_odd(around, span.start) } else { None };
     let behind = Span::new(first.end, span.end - u32::from(plain));
     if alone && is_in_number(around, first, behind) {
         let found = around.diagnostic(first, Finding::TypographicQuote { quote, meant: QuoteMeant::Number });

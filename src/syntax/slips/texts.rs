@@ -132,7 +132,7 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
     let before = before.filter(|before| before.end - before.start > 2 && around.byte(before.end - 1) == b'"');
     let swallowed =
         before.and_then(|before| swallowed::words(around.text, Span::new(before.start + 1, before.end - 1)));
-    let off = Some(span.end + length(rest.split(['\r', '\n']).next().sure()));
+    let off = || Some(span.end + length(rest.split(['\r', '\n']).next().sure()));
     let ascii = text.is_ascii();
     let (finding, missing) = if let Some(words) = swallowed {
         let start = words.start;
@@ -157,7 +157,7 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
                 true => Finding::StrayText { text: shown(text), meant: TextMeant::InNumber { words } },
                 false => Finding::UnknownCharacter { text: shown(text), meant: Meant::Comment },
             };
-            return Some((around.diagnostic(span, finding), off));
+            return Some((around.diagnostic(span, finding), off()));
         }
         let finding = match ascii {
             true => Finding::StrayText { text: shown(text), meant: TextMeant::OpenQuote { text: shown(text) } },
@@ -166,7 +166,7 @@ fn beside_quote(around: &Around<'_>, span: Span) -> Option<(crate::diag::Diagnos
         (finding, span.start)
     };
     let title = FixTitle::Insert { text: "\"".to_owned() };
-    Some((around.diagnostic(span, finding).with_offer(title, around.place(Span::empty(missing)), "\""), off))
+    Some((around.diagnostic(span, finding).with_offer(title, around.place(Span::empty(missing)), "\""), off()))
 }
 
 /// The name of a unit behind a number: `F300mm/min`.
