@@ -273,7 +273,7 @@ pub fn compare(
     let options = Options::new(options)?;
     let tolerances = differences.tolerances().map_err(|fault| fault.raise(py))?;
     let made = work(py, |goes_on| {
-        let read = |program| with_one(program, &options, goes_on, |one| steps(one, &differences, tolerances));
+        let read = |program| with_one(program, &options, goes_on, |one| steps(one, &differences));
         let (old, new) = rayon::join(|| read(old), || read(new));
         let ((old, old_steps), (new, new_steps)) = (old?, new?);
         Ok(changes_json(&old, &new, &changes(&old_steps, &new_steps, tolerances).changes))
@@ -282,8 +282,8 @@ pub fn compare(
 }
 
 /// What one of two programs does.
-fn steps(mut one: One<'_>, differences: &Differences, tolerances: Tolerances) -> Result<(Side, Steps), Fault> {
-    let mut reader = StepReader::new(differences.parameters, tolerances.position);
+fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), Fault> {
+    let mut reader = StepReader::new(differences.parameters);
     let mut clock = AtTime::new(one.session.settings, f64::INFINITY);
     let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut (&mut reader, &mut clock));
     let whole = run.whole.is_some();
