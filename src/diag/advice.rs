@@ -161,7 +161,7 @@ bilingual! {
 }
 
 impl QuoteMeant {
-    /// What the comment does (W0114).
+    /// The message of W0114.
     pub(super) fn swallows(&self, words: &str, lang: Lang) -> String {
         match (self, lang) {
             (Self::Empty, Lang::En) => "the line ends in an empty comment without closing quote".to_owned(),

@@ -10,7 +10,7 @@ use crate::session::Execution;
 /// A length that is known in one program only.
 const LENGTH: &str = "length";
 
-/// What is compared from where on.
+/// The blocks and the parts of them that are compared.
 #[derive(Clone, Copy)]
 pub(super) struct Proof {
     /// The first block of the old program.

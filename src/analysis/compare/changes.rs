@@ -329,8 +329,7 @@ impl<'s> Grouping<'s> {
         let stands = self.stands;
         old.iter().for_each(|at| self.pass(0, *at));
         new.iter().for_each(|at| self.pass(1, *at));
-        let moves = |steps: &Steps, run: &[usize]| run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
-        let moving = [moves(self.old, &old), moves(self.new, &new)];
+        let moving = [self.old.moves(&old), self.new.moves(&new)];
         if !moving[1] {
             self.leave_out_idle(self.old, &mut old, stands);
         }
@@ -373,7 +372,7 @@ impl<'s> Grouping<'s> {
             return;
         }
         let (steps, other) = (self.steps(side), self.steps(1 - side));
-        let moves = run.iter().any(|at| steps.step(*at).is_some_and(Steps::is_motion));
+        let moves = steps.moves(&run);
         let (words, blocks): (Vec<usize>, Vec<usize>) =
             run.iter().partition(|at| !moves || self.counts_alone(side, **at, &run));
         if moves {
@@ -486,32 +485,20 @@ impl<'s> Grouping<'s> {
             found.push(Difference { kind: ChangeKind::Position, what: Some(Cow::Borrowed(what)), old, new });
         };
         for letter in AxisLetter::ALL {
-            match (old.value(letter), new.value(letter)) {
-                (Some(Some(a)), Some(Some(b))) => {
-                    if let Some(delta) = deltas.get_mut(letter as usize) {
+            let (a, b) = match (old.value(letter), new.value(letter)) {
+                (Some(None), Some(None)) => continue,
+                (Some(a), Some(b)) => {
+                    if let (Some(delta), Some(a), Some(b)) = (deltas.get_mut(letter as usize), a, b) {
                         *delta = b.saturating_sub(a);
                     }
-                    if beyond(a, b) {
-                        add(letter.name(), Some(a), Some(b));
-                    }
+                    (a, b)
                 }
-                // Known in one program alone.
-                (Some(Some(a)), Some(None)) => add(letter.name(), Some(a), None),
-                (Some(None), Some(Some(b))) => add(letter.name(), None, Some(b)),
-                // Named in one program alone, where it stays.
-                (Some(a), None) if old.moves(letter) => {
-                    let b = stands(0, letter, a);
-                    if a.zip(b).is_none_or(|(a, b)| beyond(a, b)) {
-                        add(letter.name(), a, b);
-                    }
-                }
-                (None, Some(b)) if new.moves(letter) => {
-                    let a = stands(1, letter, b);
-                    if a.zip(b).is_none_or(|(a, b)| beyond(a, b)) {
-                        add(letter.name(), a, b);
-                    }
-                }
-                _ => {}
+                (Some(a), None) if old.moves(letter) => (a, stands(0, letter, a)),
+                (None, Some(b)) if new.moves(letter) => (stands(1, letter, b), b),
+                _ => continue,
+            };
+            if a.zip(b).is_none_or(|(a, b)| beyond(a, b)) {
+                add(letter.name(), a, b);
             }
         }
         let (Some(plane), Some(a), Some(b)) = (new.plane, old.center(), new.center()) else { return };

@@ -281,6 +281,11 @@ impl Steps {
         self.contexts.get(step.context as usize)
     }
 
+    /// Whether one of those steps is a motion.
+    pub(super) fn moves(&self, steps: &[usize]) -> bool {
+        steps.iter().any(|at| self.step(*at).is_some_and(Self::is_motion))
+    }
+
     pub(super) const fn context_id(step: &Step) -> u32 {
         step.context
     }

@@ -164,17 +164,20 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
 /// The text of a comment that opens within a number: `X1"0 Y5 "konec"`.
 pub(super) fn in_number(around: &Around<'_>, comment: Token) -> Option<Span> {
     let inside = Span::new(comment.start + 1, comment.end - 1);
-    let before = comment.start.checked_sub(1)?;
-    (around.byte(before).is_ascii_digit() && around.byte(inside.start).is_ascii_digit()).then_some(inside)
+    divides(around, Span::new(comment.start, inside.start)).then_some(inside)
 }
 
 /// Whether another sign than a point is within a number: `Y10;5 F300`, `S12(00`, `X1“0 Y2`. Behind a block number a
 /// remark may begin with a number.
 fn is_in_number(around: &Around<'_>, sign: Span, behind: Span) -> bool {
-    let is_digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
-    let divides = is_digit(sign.start.checked_sub(1)) && is_digit(Some(sign.end));
     let is_word = |before: Token| around.address(before) != Some(Address::N);
-    divides && around.previous().is_some_and(|before| is_word(before) || swallowed::goes_on(around.text, behind))
+    divides(around, sign)
+        && around.previous().is_some_and(|before| is_word(before) || swallowed::goes_on(around.text, behind))
+}
+
+/// Whether digits are on both sides of a sign.
+fn divides(around: &Around<'_>, sign: Span) -> bool {
+    around.is_behind_digit(sign.start) && around.byte(sign.end).is_ascii_digit()
 }
 
 /// Neither the number that `sign` divides is known, nor the words of what follows.

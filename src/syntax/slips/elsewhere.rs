@@ -350,8 +350,7 @@ pub(super) fn accented(around: &Around<'_>) -> Option<Diagnosis> {
     let span = around.token().span();
     let text = around.slice(span);
     // `2á.8`: the key of a digit.
-    let in_number = span.start.checked_sub(1).is_some_and(|before| around.byte(before).is_ascii_digit());
-    let first = text.chars().next().filter(|_| !in_number)?;
+    let first = text.chars().next().filter(|_| !around.is_behind_digit(span.start))?;
     let upper = first.to_uppercase().next()?;
     let (_, letter) = ACCENTED.chars().zip(PLAIN.chars()).find(|(accented, _)| *accented == upper)?;
     let number = text.get(first.len_utf8()..).filter(|number| Number::parse(number.as_bytes()).is_some())?;
@@ -370,9 +369,8 @@ pub(super) fn unknown(around: &Around<'_>) -> Option<Diagnosis> {
     let line_ends = rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']) || rest.trim().is_empty();
     let blanks = text.chars().all(is_blank);
     let minus = text.chars().all(|sign| MINUS.contains(&sign));
-    let digit = |at: Option<u32>| at.is_some_and(|at| around.byte(at).is_ascii_digit());
     // `X1)0`, `R1=2á.8`
-    let in_number = digit(span.start.checked_sub(1)) && text.contains(|within: char| within.is_ascii_digit());
+    let in_number = around.is_behind_digit(span.start) && text.contains(|within: char| within.is_ascii_digit());
     let meant = Meant::of(text);
     let meant = if in_number && meant == Meant::Nothing { Meant::Number } else { meant };
     let found = around.characters(span, meant);

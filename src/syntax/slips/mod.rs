@@ -245,6 +245,10 @@ impl<'t> Around<'t> {
         self.text.as_bytes().get(at as usize).copied().unwrap_or(0)
     }
 
+    fn is_behind_digit(&self, at: u32) -> bool {
+        at.checked_sub(1).is_some_and(|before| self.byte(before).is_ascii_digit())
+    }
+
     fn place(&self, span: Span) -> Location {
         Location { file: self.file, span }
     }
