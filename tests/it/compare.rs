@@ -486,6 +486,7 @@ fn words_beside_blocks_of_one_program() {
         ("G00 X20\nM08\nY5", "G00 X19\nM08\nX20\nY5", &[("added", 1), ("M08", 1)]),
         ("G01 X5\nX6 M05\nX7\nX8", "G01 X5\nX7\nX8", &[("M05", 1), ("removed", 1)]),
         ("G01 X5\nX6 M08\nX7 M09\nX8", "G01 X5\nX8", &[("removed", 2)]),
+        ("G01 X1 M08\nX2\nM08", "G01 X2\nM08", &[("removed", 1), ("M08", 1)]),
         ("G91 G01 X1\nY1\nX-1\nG73 L10 Q9", "G91 G01 X1\nY1\nZ1\nX-1\nG73 L10 Q9", &[("added", 10)]),
         ("G91 G01 X1 M08\nY1\nX-1 M09\nG73 L10 Q9", "G91 G01 X1\nY1 M08\nX-1 M09\nG73 L10 Q9", &[("M08", 10)]),
     ] {

@@ -1,5 +1,5 @@
-//! Which step of one program is which of the other: the same ones first, between them those that move by the same
-//! increments, then those of one kind that are near each other (CMP-2).
+//! Which step of one program is which of the other: the same motions first, between them the same steps, then those that
+//! move by the same increments, then those of one kind that are near each other (CMP-2).
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -8,8 +8,7 @@ use std::ops::Range;
 use imara_diff::{Algorithm, Diff, Token};
 
 use super::near::by_nearness;
-use super::steps::{Steps, increments, rounded};
-use super::straight::Straight;
+use super::steps::{Steps, increments, rounded, tokens};
 use crate::sure::small;
 
 /// A step of one program or both, by index.
@@ -23,8 +22,7 @@ pub(super) enum Aligned {
 /// Gives both programs step by step. It is the mirror image of what the exchanged programs give.
 ///
 /// `tolerance`: places up to so many millionths apart are the same.
-pub(super) fn align(old: &Steps, new: &Steps, tolerance: i64, give: impl FnMut(Aligned)) {
-    let mut straight = Straight::new([old, new], give);
+pub(super) fn align(old: &Steps, new: &Steps, tolerance: i64, mut give: impl FnMut(Aligned)) {
     let swapped = old.list.iter().map(|step| step.token).gt(new.list.iter().map(|step| step.token));
     let turned = |aligned| match aligned {
         Aligned::Both(a, b) if swapped => Aligned::Both(b, a),
@@ -35,22 +33,35 @@ pub(super) fn align(old: &Steps, new: &Steps, tolerance: i64, give: impl FnMut(A
     let (first, second) = if swapped { (new, old) } else { (old, new) };
     let ranges = (0..first.list.len(), 0..second.list.len());
     let aligner = Aligner { first, second, tolerance };
-    aligner.refine(ranges, Alike::Exact, &mut |aligned| straight.push(turned(aligned)));
-    straight.flush();
+    aligner.refine(ranges, Alike::Motions, &mut |aligned| give(turned(aligned)));
 }
 
 /// Runs of either program.
 type Runs = (Range<usize>, Range<usize>);
 
-/// What steps of two runs may have in common.
-#[derive(Clone, Copy)]
+/// What steps of two runs may have in common, in the order in which it is looked for.
+#[derive(Clone, Copy, Eq, PartialEq)]
 enum Alike {
-    /// Many may be the same.
+    /// Motions may be the same: where these and the words between them changed places, the words stand elsewhere (CMP-4).
+    Motions,
+    /// Steps may be the same.
     Exact,
-    /// Many may be the same but for some digits.
+    /// Steps may be the same but for some digits.
     Rounded,
-    /// Many may move by the same increments.
+    /// Steps may move by the same increments.
     Shifted,
+}
+
+impl Alike {
+    /// What is looked for between steps that have this in common.
+    const fn next(self) -> Option<Self> {
+        match self {
+            Self::Motions => Some(Self::Exact),
+            Self::Exact => Some(Self::Rounded),
+            Self::Rounded => Some(Self::Shifted),
+            Self::Shifted => None,
+        }
+    }
 }
 
 /// Steps whose places are the same on a grid of so many tolerances may be the same.
@@ -78,7 +89,10 @@ impl Aligner<'_> {
         let middle = (rest.start..rest.end - tail, other.start..other.end - tail);
         from.zip(to).take(start).for_each(|(a, b)| give(Aligned::Both(a, b)));
         let ends = (middle.0.end..rest.end, middle.1.end..other.end);
-        if !middle.0.is_empty() || !middle.1.is_empty() {
+        if middle.0.is_empty() || middle.1.is_empty() {
+            middle.0.for_each(|at| give(Aligned::Old(at)));
+            middle.1.for_each(|at| give(Aligned::New(at)));
+        } else {
             self.refine_middle(middle, alike, give);
         }
         ends.0.zip(ends.1).for_each(|(a, b)| give(Aligned::Both(a, b)));
@@ -89,43 +103,48 @@ impl Aligner<'_> {
         if from.len() == to.len() && near() * 2 > from.len() {
             return self.in_place((from, to), give);
         }
-        let tokens = |steps: &Steps, range: &Range<usize>| {
-            steps.list.get(range.clone()).unwrap_or_default().iter().map(|step| step.token).collect::<Vec<_>>()
-        };
-        let alike = if matches!(alike, Alike::Exact) && self.is_shifted(&from, &to) { Alike::Shifted } else { alike };
-        let (a, b) = match alike {
-            Alike::Exact => (tokens(self.first, &from), tokens(self.second, &to)),
-            Alike::Rounded => {
-                let grid = self.tolerance.max(1).saturating_mul(GRID);
-                (rounded(self.first, &from, grid), rounded(self.second, &to, grid))
-            }
-            Alike::Shifted => (increments(self.first, &from), increments(self.second, &to)),
-        };
-        each(a, b, |same, before, after| {
-            let runs =
-                (before.start + from.start..before.end + from.start, after.start + to.start..after.end + to.start);
-            match alike {
-                _ if same => runs.0.zip(runs.1).for_each(|(a, b)| give(Aligned::Both(a, b))),
-                Alike::Exact => self.refine(runs, Alike::Rounded, give),
-                Alike::Rounded => self.refine(runs, Alike::Shifted, give),
-                Alike::Shifted => pair((self.first, runs.0), (self.second, runs.1), give),
+        let alike = if alike == Alike::Motions && self.is_shifted(&from, &to) { Alike::Shifted } else { alike };
+        let ((places, a), (others, b)) = (self.keys(self.first, &from, alike), self.keys(self.second, &to, alike));
+        let (mut before, mut after) = (from.start, to.start);
+        each(a, b, |same, old, new| {
+            let both = old.zip(new).take_while(|_| same);
+            for (a, b) in both.filter_map(|(a, b)| Some((*places.get(a)?, *others.get(b)?))) {
+                self.between((before..a, after..b), alike, give);
+                give(Aligned::Both(a, b));
+                (before, after) = (a + 1, b + 1);
             }
         });
+        self.between((before..from.end, after..to.end), alike, give);
+    }
+
+    /// Aligns what is between steps that are alike.
+    fn between(&self, (from, to): Runs, alike: Alike, give: &mut dyn FnMut(Aligned)) {
+        match alike.next() {
+            Some(next) => self.refine((from, to), next, give),
+            None => pair((self.first, from), (self.second, to), give),
+        }
+    }
+
+    /// The steps of a run that may have something in common with those of the other one: where each is, and what.
+    fn keys(&self, steps: &Steps, range: &Range<usize>, alike: Alike) -> (Vec<usize>, Vec<u64>) {
+        let keys = match alike {
+            Alike::Motions | Alike::Exact => tokens(steps, range),
+            Alike::Rounded => rounded(steps, range, self.tolerance.max(1).saturating_mul(GRID)),
+            Alike::Shifted => increments(steps, range),
+        };
+        let counts = |at: usize| alike != Alike::Motions || steps.step(at).is_some_and(Steps::is_motion);
+        range.clone().zip(keys).filter(|(at, _)| counts(*at)).unzip()
     }
 
     /// Pairs the steps that are the same in their places, and aligns what is between them.
     fn in_place(&self, (from, to): Runs, give: &mut dyn FnMut(Aligned)) {
         let (mut before, mut after) = (from.start, to.start);
         for (a, b) in from.clone().zip(to.clone()).filter(|both| self.is_near(*both)) {
-            if before < a {
-                pair((self.first, before..a), (self.second, after..b), give);
-            }
+            self.refine((before..a, after..b), Alike::Motions, give);
             give(Aligned::Both(a, b));
             (before, after) = (a + 1, b + 1);
         }
-        if before < from.end {
-            pair((self.first, before..from.end), (self.second, after..to.end), give);
-        }
+        self.refine((before..from.end, after..to.end), Alike::Motions, give);
     }
 
     /// Whether most steps move by the same increments in their places: a shift. Some of the shifted points may be points

@@ -13,7 +13,6 @@ mod json;
 mod near;
 mod reader;
 mod steps;
-mod straight;
 mod table;
 mod text;
 mod words;

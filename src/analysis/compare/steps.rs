@@ -375,6 +375,11 @@ impl Stand {
     }
 }
 
+/// Steps by their effect.
+pub(super) fn tokens(steps: &Steps, range: &Range<usize>) -> Vec<u64> {
+    steps.list.get(range.clone()).unwrap_or_default().iter().map(|step| step.token).collect()
+}
+
 /// Steps by their kind and by the positions after them, rounded to `grid` millionths: most steps that differ in their
 /// last digits only are equal.
 pub(super) fn rounded(steps: &Steps, range: &Range<usize>, grid: i64) -> Vec<u64> {
