@@ -82,6 +82,23 @@ impl Numbers {
     }
 }
 
+/// A text as comments, one a line: it goes on in the next where one is too short for it.
+pub(super) fn comment_lines(text: &str, line_end: &str) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let Some(line) = lines.last_mut() else { break };
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.len() + 1 + word.len() > WIDTH - 2 {
+            lines.push(word.to_owned());
+        } else {
+            line.push(' ');
+            line.push_str(word);
+        }
+    }
+    lines.into_iter().map(|line| format!("\"{line}\"{line_end}")).collect()
+}
+
 /// Blocks with their numbers, as text.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lines {
@@ -130,6 +147,19 @@ mod tests {
         assert_eq!(run(&[5], 9), (1, 4));
         assert_eq!(run(&[2, 9], 9), (3, 8));
         assert_eq!(Run::largest(&[1, 2, 3], 3).count(), 0);
+    }
+
+    /// RST-6: what is not restored is said in comments of at most 80 characters (LEX-7).
+    #[test]
+    fn long_comments() {
+        let text = "a macrocycle of the machine may have moved A, B, C, U, V, W: move them as it left them";
+        let lines = comment_lines(text, "\n");
+        assert_eq!(lines.lines().count(), 2, "{lines}");
+        assert!(
+            lines.lines().all(|line| line.len() <= WIDTH && line.starts_with('"') && line.ends_with('"')),
+            "{lines}"
+        );
+        assert_eq!(lines.replace("\"\n\"", " "), format!("\"{text}\"\n"));
     }
 
     /// RST-1: a block that is too long for its line goes on in the next.

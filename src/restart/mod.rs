@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 use approach::Approach;
 use gather::Gather;
+use lines::comment_lines;
 use preamble::{Preamble, Sources, notes};
 use prove::{Proof, prove};
 use scan::{Scan, There};
@@ -193,7 +194,7 @@ impl Making<'_> {
         let from = Sources { settings, found, there, approach, options: self.options, lang: self.lang };
         let mut head = self.title(source, found, there, line_end);
         for note in notes(from, &parameters, written_out) {
-            head.push_str(&format!("\"{}\"{line_end}", note.comment(self.lang)));
+            head.push_str(&comment_lines(&note.comment(self.lang), line_end));
         }
         let lines = Preamble::new(from, preamble).write(&parameters)?;
         let preamble = lines.blocks;
@@ -209,14 +210,16 @@ impl Making<'_> {
     fn title(&self, source: &SourceText, found: &Found, there: &There, line_end: &str) -> String {
         let name =
             Path::new(self.name).file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        let note = if there.several {
-            Note::TitleOfPass { name, n: found.n, pass: there.pass }
-        } else {
-            Note::Title { name, n: found.n }
+        let title = |name: String| {
+            let (n, pass) = (found.n, there.pass);
+            let note = if there.several { Note::TitleOfPass { name, n, pass } } else { Note::Title { name, n } };
+            note.comment(self.lang)
         };
+        // The place is what tells titles of one program apart.
+        let room = TITLE.saturating_sub(title(String::new()).chars().count());
+        let title = title(name.chars().take(room).collect());
         let number = source.text().split_once('%').map_or("", |(_, behind)| behind.trim_start_matches([' ', '\t']));
         let number: String = number.chars().take_while(char::is_ascii_digit).collect();
-        let title: String = note.comment(self.lang).chars().take(TITLE).collect();
         format!("%{number} \"{title}\"{line_end}")
     }
 

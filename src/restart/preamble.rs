@@ -93,7 +93,9 @@ impl<'a> Preamble<'a> {
         let state = &self.from.found.state;
         let word = |index: &u8| Some(format!("R{index}={}", state.parameter(*index)?));
         let words: Vec<String> = parameters.iter().filter_map(word).collect();
-        self.block(words, &Note::Parameters);
+        for words in words.chunks(PARAMETERS) {
+            self.block(words.to_vec(), &Note::Parameters);
+        }
     }
 
     fn functions(&mut self) {
@@ -324,6 +326,9 @@ impl<'a> Preamble<'a> {
         self.block(words, &Note::AsThere);
     }
 }
+
+/// So many parameters are written in a block.
+const PARAMETERS: usize = 24;
 
 /// So many M functions are named in a comment.
 const NAMED: usize = 8;

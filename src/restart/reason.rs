@@ -67,8 +67,11 @@ bilingual! {
             "program odtud by pokračoval za konec tohoto";
         Shorter { n: u32 } "a program from there would end before N{n}", "program odtud by skončil před N{n}";
         SafeBelow { axis: String }
-            "--safe is below the place: the tool would move across in rapid where it cut in {axis}",
-            "--safe je pod místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";
+            "--safe is not above the place: the tool would move across in rapid where it cut in {axis}",
+            "--safe není nad místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";
+        OtherSide
+            "X is negative here, and the tool came from there: the approach would cross the workpiece",
+            "X je zde záporné a nástroj přijel z této strany: najetí by přejelo obrobek";
         NoSafe { axis: String }
             "--safe is missing: since the last change of tool, origin or correction the program was not higher in \
             {axis}",

@@ -8,7 +8,7 @@ use super::reason::Reason;
 use super::tracker::{Conversion, Options, Tracker};
 use crate::config::Settings;
 use crate::diag::Findings;
-use crate::dict::{AxisLetter, Decimal, GCode, GGroup, TOOL_CHANGE};
+use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
 use crate::resolve::{Target as Leads, UnitKind};
 use crate::run::{ArmedCounter, End, Executed, MotionType, Program, Sink, State};
 use crate::syntax::BlockId;
@@ -33,15 +33,24 @@ pub struct Spot {
     pub changes: bool,
 }
 
-/// Places that work unless a later block needs an axis that is not known: those with the same unknown axes share their
-/// fate.
+/// Places that work unless a later block needs an axis that is not known, or works at their height: those with the same
+/// unknown axes at the same height share their fate.
 #[derive(Debug)]
 struct Pending {
     /// The latest of them.
     seq: u64,
     unknown: UnknownAxes,
+    /// See [`Target::level`].
+    level: Option<Micro>,
     /// Those that are listed.
     spots: Vec<Spot>,
+}
+
+impl Pending {
+    /// Whether nothing that comes later matters.
+    const fn is_settled(&self) -> bool {
+        self.unknown.is_empty() && self.level.is_none()
+    }
 }
 
 /// What was in force at the place that is asked for, beside its state.
@@ -131,7 +140,7 @@ pub(super) struct Scan {
     text: Text,
     there: Option<There>,
     /// Places that `--safe` would open.
-    lack_safe: u64,
+    without_safe: u64,
     /// Why the first of the other places is none.
     refused: Option<Reason>,
 }
@@ -162,7 +171,7 @@ impl Scan {
             count: 0,
             text: Text::default(),
             there: None,
-            lack_safe: 0,
+            without_safe: 0,
             refused: None,
         }
     }
@@ -181,7 +190,7 @@ impl Scan {
     pub fn into_places(mut self) -> Places {
         self.settle_all();
         self.spots.sort_by_key(|spot| spot.seq);
-        Places { spots: self.spots, with_safe: self.lack_safe, refused: self.refused }
+        Places { spots: self.spots, with_safe: self.without_safe, refused: self.refused }
     }
 
     /// Nothing more comes: what waited for it works.
@@ -222,16 +231,16 @@ impl Scan {
             Ok(target) => target,
             Err(reason) => {
                 if reason.asks_for_safe() {
-                    self.lack_safe += 1;
+                    self.without_safe += 1;
                 } else {
                     self.refused.get_or_insert(reason);
                 }
                 return;
             }
         };
-        let unknown = target.unknown;
-        let pending = Pending { seq, unknown, spots: spot.into_iter().collect() };
-        if !is_place && unknown.is_empty() {
+        let Target { unknown, level, .. } = target;
+        let pending = Pending { seq, unknown, level, spots: spot.into_iter().collect() };
+        if !is_place && pending.is_settled() {
             self.works(pending);
         } else {
             self.wait(pending);
@@ -242,7 +251,8 @@ impl Scan {
     fn wait(&mut self, pending: Pending) {
         let asked = self.place;
         let is_asked = |pending: &Pending| asked == Some(pending.seq);
-        let same = |other: &&mut Pending| other.unknown == pending.unknown && !is_asked(other) && !is_asked(&pending);
+        let alike = |other: &Pending| (other.unknown, other.level) == (pending.unknown, pending.level);
+        let same = |other: &&mut Pending| alike(other) && !is_asked(other) && !is_asked(&pending);
         match self.pending.iter_mut().find(same) {
             Some(other) => {
                 other.seq = other.seq.max(pending.seq);
@@ -296,7 +306,13 @@ impl Scan {
             return;
         }
         let used = Used::of(block, self.tracker.state());
+        let (changes, works_at) = (self.tracker.changes_heights(block), self.tracker.works_at(block));
         for mut pending in std::mem::take(&mut self.pending) {
+            pending.level = pending.level.filter(|_| !changes);
+            if pending.level.is_some_and(|level| works_at >= Some(level)) {
+                self.lack_safe(&pending);
+                continue;
+            }
             let UnknownAxes { fresh, from_start, lost } = &mut pending.unknown;
             let cut = (*from_start | *lost) & used.cut_from;
             let needed = (*fresh | *from_start | *lost) & used.from_there | cut;
@@ -310,11 +326,19 @@ impl Scan {
             for axes in [fresh, from_start, lost] {
                 *axes &= !used.known;
             }
-            if pending.unknown.is_empty() && self.place != Some(pending.seq) {
+            if pending.is_settled() && self.place != Some(pending.seq) {
                 self.works(pending);
             } else {
                 self.wait(pending);
             }
+        }
+    }
+
+    /// Places do not work without `--safe`: the tool works at their height.
+    fn lack_safe(&mut self, pending: &Pending) {
+        self.without_safe += pending.spots.len() as u64;
+        if let Some(there) = self.there.as_mut().filter(|_| self.place == Some(pending.seq)) {
+            there.target = Err(self.tracker.no_safe());
         }
     }
 

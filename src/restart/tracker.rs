@@ -62,8 +62,11 @@ pub(super) struct Tracker {
     /// Axes that the program never moved itself, and a macrocycle that may move any axis, a bit for each place in
     /// machine order.
     unseen: u16,
-    /// The greatest position of the tool's axis with the tool and the origin in force.
+    /// The greatest position of the tool's axis with the tool and the origin in force, and the least.
     highest: Option<Micro>,
+    lowest: Option<Micro>,
+    /// The greatest position of it at which something was worked.
+    worked: Option<Micro>,
     /// The tool's axis came to where it is in rapid, and nothing was worked there.
     came_in_rapid: bool,
     /// G74 was in force.
@@ -100,6 +103,8 @@ impl Tracker {
             origin_moved: [false; 9],
             unseen: 0,
             highest: None,
+            lowest: None,
+            worked: None,
             came_in_rapid: true,
             turns: false,
             origin: None,
@@ -164,17 +169,32 @@ impl Tracker {
             }
         };
         let stands = self.tool_axis.and_then(|at| after.axis_position(at).filter(|_| !after.is_unsettled(at)));
+        let of_old = |of: Option<Micro>| of.filter(|_| !self.changes_heights(block));
+        let highest = of_old(self.highest).max(stands.filter(|_| clear));
+        let worked = of_old(self.worked).max(self.works_at(block));
+        let lowest = [of_old(self.lowest), stands].into_iter().flatten().min();
+        (self.highest, self.worked, self.lowest) = (highest, worked, lowest);
+        self.before.pass(block);
+    }
+
+    /// Whether positions of the tool's axis before a block are none behind it: another tool, origin or correction.
+    pub fn changes_heights(&self, block: &Executed<'_>) -> bool {
+        let (before, after) = (self.before.state(), block.state());
         // D is the radius alone while no length correction is on (MOT-8). A motion in the block that changes them settles
         // its axes.
         let corrections = [before, after].map(|state| (state.d(), state.length_correction().filter(|on| *on != 0)));
         let corrects = corrections.iter().any(|(_, on)| on.is_some()) && corrections[0] != corrections[1];
-        let changes = block.m_written().contains(&TOOL_CHANGE)
+        block.m_written().contains(&TOOL_CHANGE)
             || before.origin() != after.origin()
             || corrects
-            || self.tool_axis.is_some_and(|at| after.is_unsettled(at) && !before.is_unsettled(at));
-        let stands = stands.filter(|_| clear);
-        self.highest = if changes { stands } else { self.highest.max(stands) };
-        self.before.pass(block);
+            || self.tool_axis.is_some_and(|at| after.is_unsettled(at) && !before.is_unsettled(at))
+    }
+
+    /// Where the tool's axis is while a block works: at the lower end of its motion, which may begin in the air.
+    pub fn works_at(&self, block: &Executed<'_>) -> Option<Micro> {
+        let at = self.tool_axis.filter(|_| block.motion().is_some_and(|motion| motion.kind().is_working()))?;
+        let known = |state: &State| state.axis_position(at).filter(|_| !state.is_unsettled(at));
+        [known(self.before.state()), known(block.state())].into_iter().flatten().min()
     }
 
     /// The parts that only blocks with more than axis words change.
@@ -303,7 +323,16 @@ impl Tracker {
         // Of one that never moves, nobody but the user knows.
         let fresh = if self.tool_is_moved { target.unknown.fresh } else { 0 };
         let below = (target.unknown.lost | target.unknown.from_start | fresh) & 1 << tool != 0;
-        target.approach = self.approach(settings, tool, below)?;
+        let approach = self.approach(settings, tool, below)?;
+        let place = approach.tool.map(|(_, place)| place);
+        let lost = target.unknown.lost & !(1 << tool);
+        if let Some(axis) = settings.machine.axes.get(lost.trailing_zeros() as usize)
+            && place.is_some_and(|place| place < approach.top)
+        {
+            return Err(Reason::Position { axis: axis.letter.to_string() });
+        }
+        target.level = place.filter(|place| approach.height == Height::Highest && *place == approach.top);
+        target.approach = approach;
         Ok(target)
     }
 
@@ -350,6 +379,18 @@ impl Tracker {
         Ok(())
     }
 
+    /// Nothing says where the tool is clear.
+    pub fn no_safe(&self) -> Reason {
+        Reason::NoSafe { axis: self.tool_letter.to_string() }
+    }
+
+    /// Whether the tool came to a place from the other side of the workpiece's axis: an approach from above would cross
+    /// the workpiece. A little beyond it, as in facing, is none.
+    fn is_beyond_axis(&self, place: Micro) -> bool {
+        let clear = self.highest.is_some_and(|highest| Micro::ZERO.minus(place) < highest);
+        place < Micro::ZERO && !(clear && self.lowest >= Some(place))
+    }
+
     /// The heights of the approach (RST-2); `below`: nobody knows where the tool's axis stands.
     fn approach(&self, settings: &Settings, tool: usize, below: bool) -> Result<Approach, Reason> {
         let state = self.state();
@@ -373,11 +414,14 @@ impl Tracker {
         let is_known = machine.axes.get(tool).is_some_and(|axis| is_known(tool, axis));
         let Some(place) = state.axis_position(tool).filter(|_| is_known) else { return Ok(approach) };
         approach.tool = Some((self.tool_letter, place));
+        if approach.is_diameter(self.tool_letter) && self.is_beyond_axis(place) {
+            return Err(Reason::OtherSide);
+        }
         let safe = self.options.safe.map(|safe| {
             let safe = Micro::from(safe);
             if approach.is_diameter(self.tool_letter) { safe.half() } else { safe }
         });
-        if safe.is_some_and(|safe| safe < place) && !self.came_in_rapid {
+        if safe.is_some_and(|safe| safe <= place) && !self.came_in_rapid {
             return Err(Reason::SafeBelow { axis: self.tool_letter.to_string() });
         }
         approach.height = match safe {
@@ -385,8 +429,9 @@ impl Tracker {
             Some(_) => Height::Safe,
             None => Height::Highest,
         };
-        let own = self.highest.filter(|highest| *highest > place || (*highest == place && self.came_in_rapid));
-        let Some(top) = safe.or(own) else { return Err(Reason::NoSafe { axis: self.tool_letter.to_string() }) };
+        let at_level = self.came_in_rapid && self.worked < Some(place);
+        let own = self.highest.filter(|highest| *highest > place || (*highest == place && at_level));
+        let Some(top) = safe.or(own) else { return Err(self.no_safe()) };
         approach.top = top.max(place);
         approach.clearance = Micro::from(self.options.clearance);
         if approach.top > place {

@@ -313,8 +313,17 @@ fn starts_that_would_be_wrong() {
     let drift = "N30 G55\nN40 G91 X5 Y5 Z-20\nN70 G01 Z-5\n";
     start(drift, &["--safe", "70"]).ends(1).says("has not moved since the origin");
     let cut = "N30 G01 Z-5\nN40 X40\nN70 X60\n";
-    start(cut, &["--safe=-10"]).ends(2).says("--safe is below the place");
-    assert!(across(cut, "--safe=-5").contains("G00 G90 Z-5 \"up to --safe\""));
+    start(cut, &["--safe=-10"]).ends(2).says("--safe is not above the place");
+    start(cut, &["--safe=-5"]).ends(2).says("--safe is not above the place");
+    assert!(across(cut, "--safe=-4").contains("G00 G90 Z-4 \"up to --safe\""));
+    // The program came to its highest place in rapid, and cuts there before it or behind it.
+    start("N30 G53 Z0\nN60 G54 X-80 Y0 Z-5\nN70 G01 X80\n", &[]).ends(2).says("--safe is missing");
+    start("N30 G53 Z0\nN60 G54 X-80 Y0 Z-5\nN70 X-85\nN80 G01 X80\n", &[]).ends(2).says("--safe is missing");
+    start("N30 G53 Z0\nN40 G54 X0 Y0 Z5\nN50 G01 X80\nN55 Z-5\nN60 G00 Z5\nN70 X9\n", &[])
+        .ends(2)
+        .says("--safe is missing");
+    let level = "N30 G53 Z0\nN60 G54 X-80 Y0 Z5\nN70 X-85\nN80 G01 X80 Z-5\nN90 G00 Z5\nN95 T2 M06\nN96 G01 Z5 X8\n";
+    assert!(start(level, &[]).ends(0).stdout.contains("G00 G90 Z5 \"up to the program's highest"));
     assert!(across("N70 X60\n", "--safe=10").contains("Z50 \"the height of the place, which is above --safe\""));
     start("N30 G00 X5\nN40 G01 X10\nN70 X60\n", &[]).ends(2).says("--safe is missing");
     let lost = "N30 G30 Z0\nN40 G91 G00 Z-120\nN50 G01 X40\nN70 Y20\n";
@@ -323,6 +332,30 @@ fn starts_that_would_be_wrong() {
     for conversion in ["G35 Z1", "G35 K1", "G36 K2"] {
         start(&format!("N30 {conversion}\nN40 X0 Y0 Z50\nN50 G01 Z-5\nN70 X9\n"), &[]).ends(1).says("is in force");
     }
+}
+
+/// RST-6: what is said at the top fits in lines of the control (LEX-7), and the place stands in the title.
+#[test]
+fn long_names_and_comments() {
+    let name = "deska_upinaci_prava_DN250_operace_20_dokonceni_obvodu_leva_strana_rev3.nc";
+    let text = "%3\nN10 G54 G90 T1 M06\nN20 S500 M03\nN30 G00 X0 Y0 Z50\nN40 G72 L9002\nN50 G01 X0 Y0 Z5 F100\nN60 X10\nN90 M30\n";
+    let config = "dialect = \"cnc8x6\"\n[machine-macrocycles]\nL9002 = {}\n";
+    let place = Place::with(&[(name, text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
+    for (lang, said) in [("en", "from N60\"\n"), ("cs", "od N60\"\n")] {
+        let made = place.run(&["restart", name, "--n", "60", "--safe", "90", "--lang", lang]).ends(0).stdout;
+        assert!(made.lines().all(|line| line.len() <= 80), "{made}");
+        assert!(made.starts_with("%3 \"deska_") && made.contains(said), "{made}");
+    }
+}
+
+/// RST-1: parameters are written in as many blocks as a control takes (BLK-3).
+#[test]
+fn many_parameters() {
+    let assigned: String = (0..96).map(|index| format!("N{} R{index}={index}\n", index + 100)).collect();
+    let read: String = (0..96).map(|index| format!("N{} XR{index}\n", index + 300)).collect();
+    let text = format!("%3\nN10 G54 G90 G00 X0 Y0 Z50\n{assigned}N290 Y5\n{read}N900 M30\n");
+    let place = Place::with(&[("a.nc", text.as_bytes())]);
+    assert!(place.run(&["restart", "a.nc", "--n", "290", "--lang", "en"]).ends(0).stdout.contains("R95=95"));
 }
 
 /// RST-4, RST-6: an axis that stands where nobody knows is no axis to go on beside: what a macrocycle of the machine,
@@ -338,7 +371,7 @@ fn axes_that_stand_where_nobody_knows() {
     let table = "[machine-macrocycles]\nL9002 = { axes = [\"B\"] }\n";
     let cut = "N40 R1=90\nN50 G72 L9002\nN60 G01 Z-5\nN70 X40\nN80 G00 Z50\n";
     let refused = start(table, cut, "70").ends(1);
-    refused.says("the position of B is not known, and N70 moves other axes").says("--seq 4, N50");
+    refused.says("the position of B is not known").says("--seq 4, N50");
     // What the program assigned is written for the macrocycle that may read it, whatever the text after it reads.
     let before = start(table, cut, "50").ends(0).stdout;
     assert!(before.contains("R1=90 \"parameters read later\""), "{before}");
@@ -350,7 +383,15 @@ fn axes_that_stand_where_nobody_knows() {
         ("", "N40 G81 Y9 Z-5\nN45 G80\nN46 Z50\n"),
     ] {
         let refused = start(config, &format!("{lost}N50 G90 G01 Z-5\nN60 X20\nN70 X40\nN76 G00 Z50\n"), "70");
-        refused.ends(1).says("the position of Y is not known, and N70 moves other axes");
+        refused.ends(1).says("the position of Y is not known");
+    }
+    // The preamble would go down beside it, or the rest would move on.
+    let lost = "[machine-macrocycles]\nL9003 = { axes = [\"X\"] }\n";
+    start(lost, "N40 G01 Z-5\nN50 G72 L9003\nN70 G00 X60 Y10\n", "70").ends(1).says("the position of X is not known");
+    start(lost, "N40 G00 Z60\nN50 G72 L9003\nN70 G00 X60 Y10\n", "70").ends(0);
+    for on in ["70", "80"] {
+        let refused = start(lost, "N40 G00 Z60\nN50 G72 L9003\nN70 G00 Y10\nN80 Y0\nN90 X5\n", on);
+        refused.ends(1).says("the position of X is not known, and N");
     }
     // The length of the tool is none of a rotary axis, its origin is.
     let turned = |blocks: &str| start("", &format!("N32 B88\n{blocks}N50 G00 X5 Y5 Z20\nN60 G01 Z-2\nN70 X30\n"), "70");
@@ -510,6 +551,14 @@ fn a_lathe() {
     for block in approach {
         at += run.stdout[at..].find(block).unwrap_or_else(|| panic!("{block}: {}", run.stdout));
     }
+    // From the other side of the axis an approach from above would cross the workpiece; facing goes a little beyond it.
+    let beyond = |blocks: &str| {
+        place.put("b.nc", format!("%1\nN10 G90 G74 T1 M06\nN20 S9 M03 F100\n{blocks}N90 G00 Z100\nN99 M30\n"));
+        place.run(&["restart", "b.nc", "--n", "90", "--safe", "140", "--lang", "en"])
+    };
+    beyond("N30 G00 X-140 Z2\nN40 X-50\nN50 G01 Z-20\n").ends(1).says("the approach would cross the workpiece");
+    beyond("N30 G00 X140 Z2\nN40 X-140\nN50 X-50\nN60 G01 Z-20\n").ends(1).says("the approach would cross");
+    assert!(beyond("N30 G00 X50 Z0\nN40 G01 X-1.6\n").ends(0).stdout.contains("G00 X2.4 "));
     place.put("cnc872c.toml", "[[axes]]\nletter = \"X\"\n[restart]\ntool-axis = \"Z\"\n");
     place.run(&["restart", "a.nc", "--n", "50"]).ends(2).says("E0702");
 }

@@ -447,6 +447,31 @@ fn errors_before_and_behind() {
     place.run(&["state", "late.nc", "--n", "20", "--after"]).ends(1);
     place.run(&["state", "late.nc", "--n", "30"]).ends(1);
     place.run(&["state", "none.nc", "--n", "30"]).ends(2);
+    // The limit is met behind every block that was executed.
+    place.put("long.nc", "%1\nN10 G0 X1\nN20 G91 X1\nN30 G73 L20 Q9999\nN40 G73 L20 Q9999\nN50 M30\n");
+    let long = ["--max-blocks", "1000"];
+    let before = place.run(&[&["state", "long.nc", "--seq", "3"], &long[..]].concat()).ends(0).stdout;
+    assert!(before.contains("N20 (line 3, seq 3)"), "{before}");
+    place.run(&[&["state", "long.nc", "--n", "50"], &long[..]].concat()).ends(1).says("E0410");
+}
+
+/// What a parameter of the machine's table gives is programmed, and not known.
+#[test]
+fn values_that_are_not_known() {
+    let place =
+        Place::with(&[("a.nc", b"%1\nN10 G90 T1 M06\nN20 SR2 M03 HR3\nN30 G0 X1\nN40 GR4\nN50 MR5\nN60 M30\n")]);
+    let before = |n: &str| place.run(&["state", "a.nc", "--n", n, "--lang", "en", "-A", "W0503"]).ends(0).stdout;
+    let known = before("30");
+    for row in [
+        "F               not programmed yet\n",
+        "S               not known here  N20 (line 3)\n",
+        "H               not known",
+    ] {
+        assert!(known.contains(row), "{row}: {known}");
+    }
+    assert!(!known.contains("others"), "{known}");
+    assert_eq!(before("50").matches("\n  others  not known here\n").count(), 1);
+    assert_eq!(before("60").matches("\n  others  not known here\n").count(), 2);
 }
 
 /// Under G74 the table shows the diameter, as programs write it, beside the position of X, which is a radius.

@@ -370,9 +370,7 @@ null
 === request cnc872c/restart part.nc@once
 === answer
 {
-  "message": null,
-  "name": "part-N40.nc",
-  "text": "%1 \"part.nc from N40\"\nN100 G54 \"functions in force\"\nN110 T5 M06 \"tool change, N20\"\nN120 S900 M03 \"spindle, N30\"\nN130 F200 \"feed, N30\"\nN140 G00 G90 Z50 \"up to the program's highest with this tool\"\nN150 G00 X0 Y0 \"across\"\nN40 G01 X10\nN50 G72 L9001 Q2\nN60 Y10\nN70 G73 L60 Q1\nN80 G41 D1 X20\nN90 G40 X30\nN95 X40 G73 L99\nN97 X50\nN99 M30\n"
+  "safe": "--safe is missing: since the last change of tool, origin or correction the program was not higher in Z"
 }
 === request cnc872c/restart part.nc@corrected
 === answer

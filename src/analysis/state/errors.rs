@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::diag::{Findings, Severity};
+use crate::diag::{Code, Findings, Severity};
 use crate::run::Executed;
 use crate::syntax::BlockId;
 use crate::text::FileId;
@@ -23,9 +23,10 @@ impl Errors {
         self.first
     }
 
-    /// Whether errors were added after the last block.
+    /// Whether errors were added after the last block, beside that of the limit: that is met behind every block.
     pub fn came_late(&self, findings: &Findings) -> bool {
-        findings.error_count() > self.count
+        let limit = usize::from(findings.has(Code::E0410));
+        findings.error_count() > self.count + limit
     }
 
     /// Looks at an executed block, after what was found in it.

@@ -60,9 +60,10 @@ impl StateReader {
         self.errors.first().is_some_and(|first| first < place || after && first == place)
     }
 
-    /// Whether errors were found after the last block, as those of joints are (W0801 to W0804).
+    /// Whether errors were found after the last block, as those of joints are (W0801 to W0804); without a place every
+    /// error counts.
     pub fn has_late_error(&self, findings: &Findings) -> bool {
-        self.errors.came_late(findings)
+        if self.found.is_some() { self.errors.came_late(findings) } else { findings.has_errors() }
     }
 
     /// Keeps what holds now, before or behind the block.

@@ -125,7 +125,17 @@ impl Table<'_> {
             let by = self.by(Slot::G(code.group().index()), &Words::PowerUp);
             vec![code.to_string(), code.meaning().get(self.lang).to_owned(), by]
         };
-        in_force.map(row).collect()
+        let power_up = self.settings.machine.power_up;
+        let lost = |group: GGroup| {
+            let at_first = power_up.get(group.index()).copied().flatten();
+            at_first.is_some() && self.found.state.g_in_force(group).is_none()
+        };
+        in_force.map(row).chain(self.others_not_known(GGroup::ALL.into_iter().any(lost))).collect()
+    }
+
+    /// A row for functions in force of which nobody knows which they are.
+    fn others_not_known(&self, there_are: bool) -> Option<Row> {
+        there_are.then(|| vec![self.say(&Words::OthersNotKnown), self.say(&Words::ValueNotKnown)])
     }
 
     fn m_functions(&self) -> Vec<Row> {
@@ -136,7 +146,12 @@ impl Table<'_> {
             let meaning = known.map_or_else(String::new, |row| row.meaning.get(self.lang).to_owned());
             vec![format!("M{number:02}"), meaning, self.by(Slot::M(group), &Words::PowerUp)]
         };
-        groups.map(row).collect()
+        let power_up = &self.settings.machine.m_power_up;
+        let lost = |group: usize| {
+            let at_first = power_up.get(group).copied().flatten();
+            at_first.is_some() && self.found.state.m_in_force(group).is_none()
+        };
+        groups.map(row).chain(self.others_not_known((1..M_GROUPS).any(lost))).collect()
     }
 
     fn values(&self) -> Vec<Row> {
@@ -161,10 +176,16 @@ impl Table<'_> {
             ("&".to_owned(), digits, "length_correction"),
             (self.say(&Words::DynamicSet), state.dynamic_set().map(|set| set.to_string()), "dynamic_set"),
         ];
-        let sometimes = sometimes.into_iter().filter(|(_, value, _)| value.is_some());
+        let is_written = |slot: &str| {
+            !slot.is_empty() && self.found.written.iter().any(|(written, _)| *written == Slot::value(slot))
+        };
+        let sometimes = sometimes.into_iter().filter(|(_, value, slot)| value.is_some() || is_written(slot));
         let row = |(name, value, slot): (String, Option<String>, &str)| match value {
             Some(value) if slot.is_empty() => vec![name, value],
             Some(value) => vec![name, value, self.by(Slot::value(slot), &Words::PowerUp)],
+            None if is_written(slot) => {
+                vec![name, self.say(&Words::ValueNotKnown), self.by(Slot::value(slot), &Words::PowerUp)]
+            }
             None => vec![name, self.say(&Words::NotProgrammed)],
         };
         always.into_iter().chain(sometimes).map(row).collect()

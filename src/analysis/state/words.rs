@@ -48,6 +48,8 @@ bilingual! {
         By { n: u32, line: u32 } "N{n} (line {line})", "N{n} (řádek {line})";
         ByIn { n: u32, line: u32, l: u32 } "N{n} (line {line}) in L{l}", "N{n} (řádek {line}) v L{l}";
         NotProgrammed "not programmed yet", "dosud neprogramováno";
+        ValueNotKnown "not known here", "zde není známo";
+        OthersNotKnown "others", "ostatní";
         FromMachine "from the machine's table, not known here", "z tabulky stroje, zde neznámý";
         NotKnown { why: String } "not known: {why}", "není známa: {why}";
         Reference "it stands at its reference point (G30)", "stojí v referenčním bodě (G30)";
