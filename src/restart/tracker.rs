@@ -169,7 +169,8 @@ impl Tracker {
             }
         };
         let stands = self.tool_axis.and_then(|at| after.axis_position(at).filter(|_| !after.is_unsettled(at)));
-        let of_old = |of: Option<Micro>| of.filter(|_| !self.changes_heights(block));
+        let changes = self.changes_heights(block);
+        let of_old = |of: Option<Micro>| of.filter(|_| !changes);
         let highest = of_old(self.highest).max(stands.filter(|_| clear));
         let worked = of_old(self.worked).max(self.works_at(block));
         let lowest = [of_old(self.lowest), stands].into_iter().flatten().min();
