@@ -136,9 +136,11 @@ impl Server {
 
     /// A document at `path` changed, came or went: what was found by way of it is old.
     fn changed(&mut self, path: &Path, listed: bool) {
-        let everywhere = is_configuration(path) || (listed && Session::is_macrocycle_name(path));
+        let is_macrocycle = Session::is_macrocycle_name(path);
+        let everywhere = is_configuration(path) || (listed && is_macrocycle);
         for (root_path, root) in &mut self.roots {
-            if root_path != path && (everywhere || root.read.iter().any(|read| read == path)) {
+            let reads = || root.read.iter().any(|read| read == path) || is_macrocycle && root.is_reading();
+            if root_path != path && (everywhere || reads()) {
                 root.touch();
                 self.refreshes.want();
             }

@@ -144,7 +144,11 @@ impl Loader for EditorFiles {
         match self.buffer(path) {
             Some(document) if document.source.name() == name => Ok(Arc::clone(&document.source)),
             Some(document) => Ok(Arc::new(SourceText::from_text(name, document.source.text()))),
-            None => self.disk.load(path, name, fallback),
+            // Editors take a byte-order mark off, and count from behind it.
+            None => self.disk.load(path, name, fallback).map(|source| match source.first_offset() {
+                0 => source,
+                _ => Arc::new(source.without_mark()),
+            }),
         }
     }
 

@@ -84,19 +84,20 @@ fn create_macrocycle(snapshot: &Snapshot, analysis: &Analysis, l: u32) -> Option
     edit(snapshot, &uri, Some(create), start, &format!("N10 G79 L{l}\nN20 G70\n"))
 }
 
-/// `name = "allow"` under `[lints]` of the project file, when there is one.
+/// `name = "allow"` under `[lints]` of the project file, when there is one that writes its tables so.
 fn allow(snapshot: &Snapshot, analysis: &Analysis, code: Code) -> Option<WorkspaceEdit> {
     let path = find_project(analysis.path.parent()?, &snapshot.files)?;
     let path = snapshot.files.canonical(&path);
     let source = snapshot.files.load(&path, PROJECT_FILE, Encoding::Utf8).ok()?;
     let uri = snapshot.files.uri_of(&path)?;
-    let (span, text) = lint_edit(&source, code);
+    let (span, text) = lint_edit(&source, code)?;
     let range = Places::new(&source, snapshot.client.unit).range(span);
     edit(snapshot, &uri, None, serde_json::to_value(range).ok()?, &text)
 }
 
-/// The place in a project file for the level, and its text.
-fn lint_edit(source: &SourceText, code: Code) -> (Span, String) {
+/// The place in a project file for the level, and its text; none where the levels are an inline table or dotted keys:
+/// a second table of that name is an error.
+fn lint_edit(source: &SourceText, code: Code) -> Option<(Span, String)> {
     let level = format!("{} = \"allow\"", code.name());
     let mut table = "";
     let mut header = None;
@@ -104,19 +105,22 @@ fn lint_edit(source: &SourceText, code: Code) -> (Span, String) {
         let span = source.line_span(line);
         let text = source.slice(span).trim();
         if let Some(name) = text.strip_prefix('[') {
-            table = name.split(']').next().sure().trim();
+            table = name.split(']').next().sure().trim().trim_matches(['"', '\'']);
             if table == "lints" {
                 header = Some(span);
             }
-        } else if table == "lints"
-            && let Some((name, _)) = text.split_once('=')
-            && Code::find(name.trim().trim_matches('"')) == Some(code)
-        {
-            return (span, level);
+        } else if let Some((name, _)) = text.split_once('=') {
+            let first = name.split('.').next().sure().trim().trim_matches(['"', '\'']);
+            if table.is_empty() && first == "lints" {
+                return None;
+            }
+            if table == "lints" && Code::find(first) == Some(code) {
+                return Some((span, level));
+            }
         }
     }
     if let Some(header) = header {
-        return (Span::empty(header.end), format!("\n{level}"));
+        return Some((Span::empty(header.end), format!("\n{level}")));
     }
     let text = source.text();
     let gap = match text.trim_end_matches([' ', '\t']) {
@@ -125,7 +129,7 @@ fn lint_edit(source: &SourceText, code: Code) -> (Span, String) {
         text if text.ends_with('\n') => "\n",
         _ => "\n\n",
     };
-    (Span::empty(source.len()), format!("{gap}[lints]\n{level}\n"))
+    Some((Span::empty(source.len()), format!("{gap}[lints]\n{level}\n")))
 }
 
 /// The quick fixes of the project file itself.
@@ -173,13 +177,19 @@ mod tests {
     fn levels() {
         let of = |text: &str| {
             let mut source = SourceText::from_text("", text);
-            let (span, with) = lint_edit(&source, Code::W0214);
+            let (span, with) = lint_edit(&source, Code::W0214)?;
             source.replace(span, &with);
-            source.text().to_owned()
+            Some(source.text().to_owned())
         };
-        assert_eq!(of("dialect = \"cnc872\"\n"), "dialect = \"cnc872\"\n\n[lints]\nempty-block = \"allow\"\n");
-        assert_eq!(of(""), "[lints]\nempty-block = \"allow\"\n");
-        assert_eq!(of("[lints]\n[limits]\n"), "[lints]\nempty-block = \"allow\"\n[limits]\n");
-        assert_eq!(of("[lints]\nW0214 = \"deny\"\n"), "[lints]\nempty-block = \"allow\"\n");
+        let some = |text: &str| Some(text.to_owned());
+        assert_eq!(of("dialect = \"cnc872\"\n"), some("dialect = \"cnc872\"\n\n[lints]\nempty-block = \"allow\"\n"));
+        assert_eq!(of(""), some("[lints]\nempty-block = \"allow\"\n"));
+        assert_eq!(of("[lints]\n[limits]\n"), some("[lints]\nempty-block = \"allow\"\n[limits]\n"));
+        assert_eq!(of("[lints]\nW0214 = \"deny\"\n"), some("[lints]\nempty-block = \"allow\"\n"));
+        assert_eq!(of("[\"lints\"]\n'W0214' = \"deny\"\n"), some("[\"lints\"]\nempty-block = \"allow\"\n"));
+        for written in ["lints = { W0601 = \"warn\" }\n", "lints.W0601 = \"warn\"\n", "\"lints\" . W0601 = \"warn\"\n"]
+        {
+            assert_eq!(of(written), None);
+        }
     }
 }

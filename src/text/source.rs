@@ -86,6 +86,14 @@ impl SourceText {
         Self { encoding: self.encoding, ..Self::from_text(self.name.as_str(), text) }
     }
 
+    /// The text without its byte-order mark, as editors count in it.
+    #[must_use]
+    pub fn without_mark(&self) -> Self {
+        let text = self.text.strip_prefix('\u{feff}').unwrap_or(&self.text).to_owned();
+        let Self { encoding, half, exact, .. } = *self;
+        Self { name: self.name.clone(), text, encoding, bom: false, half, exact, lines: OnceLock::new() }
+    }
+
     /// The file as the user named it.
     pub fn name(&self) -> &str {
         &self.name

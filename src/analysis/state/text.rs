@@ -214,8 +214,10 @@ impl Table<'_> {
             row(Words::Path, lengths(*path)),
         ];
         rows.extend(times.map(|times| row(Words::Time, seconds(times.seconds))));
-        if times.is_none() && blocks.done + blocks.left > Timing::ASSUMED {
-            rows.push(vec![self.say(&Words::NoTimes { blocks: Timing::ASSUMED })]);
+        if times.is_none() {
+            let many = blocks.done + blocks.left > Timing::ASSUMED;
+            let why = if many { Words::NoTimes { blocks: Timing::ASSUMED } } else { Words::NoMotion };
+            rows.push(vec![self.say(&why)]);
         }
         if times.is_some_and(|times| times.lower_bound) || !self.found.whole {
             rows.push(vec![self.say(&Words::AtLeast)]);

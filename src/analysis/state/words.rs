@@ -41,6 +41,9 @@ bilingual! {
         NoTimes { blocks: u64 }
             "no times: more than {blocks} blocks, and the project file has no [motion]",
             "bez časů: bloků je víc než {blocks} a projektový soubor nemá [motion]";
+        NoMotion
+            "no times, and paths as far as lengths are known: the project file has no [motion]",
+            "bez časů, dráhy jen ze známých délek: projektový soubor nemá [motion]";
         NextToolChange { seq: u64 } "next tool change: seq {seq}", "příští výměna nástroje: seq {seq}";
         NextStop { seq: u64 } "next stop: seq {seq}", "příští zastavení: seq {seq}";
         NextRapid { seq: u64 } "next rapid traverse: seq {seq}", "příští rychloposuv: seq {seq}";

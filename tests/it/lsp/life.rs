@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::Client;
+use crate::cli::Place;
 
 fn open(client: &mut Client, text: &str) {
     let document = json!({ "uri": "file:///p.nc", "languageId": "cnc872", "version": 1, "text": text });
@@ -254,4 +255,73 @@ fn one_refresh_for_a_change() {
     let mut said = client.said_so_far("refresh");
     said.sort();
     assert_eq!(said, ["codeLens", "diagnostic", "inlayHint"].map(|what| format!("workspace/{what}/refresh")));
+}
+
+/// Documents in a folder of the disk.
+struct Folder {
+    place: Place,
+    client: Client,
+}
+
+impl Folder {
+    fn with(files: &[(&str, &[u8])]) -> Self {
+        let (client, _) = Client::initialized(json!({ "capabilities": {} }));
+        Self { place: Place::with(files), client }
+    }
+
+    fn uri(&self, name: &str) -> String {
+        format!("file://{}", self.place.path(name).canonicalize().unwrap().display())
+    }
+
+    fn open(&mut self, name: &str, text: &str) {
+        let document = json!({ "uri": self.uri(name), "languageId": "cnc872", "version": 1, "text": text });
+        self.client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+    }
+
+    fn codes(&mut self, name: &str) -> Vec<Value> {
+        let params = json!({ "textDocument": { "uri": self.uri(name) } });
+        let items = self.client.request("textDocument/diagnostic", params)["result"]["items"].clone();
+        items.as_array().unwrap().iter().map(|item| item["code"].clone()).collect()
+    }
+}
+
+/// A program is read anew when a macrocycle changes while it is read for the first time: until then nobody knows which
+/// files it reads.
+#[test]
+fn a_macrocycle_that_changes_while_its_program_is_read() {
+    let good = "N10 G79 L9001\nN20 G00 X0 Y0\nN25 G02 X10 Y0 I5 J0 F100\nN30 G70\n";
+    let wrong = good.replace("I5", "I4");
+    let moves: String = (0..20_000).map(|index| format!("N{} G01 X{index} F100\n", index + 20)).collect();
+    let program = format!("%2\nN10 G72 L9001\n{moves}N999999 M30\n");
+    for (pause, (first, then, expected)) in [0, 20, 60, 120, 250]
+        .into_iter()
+        .flat_map(|pause| [(pause, (good, wrong.as_str(), 1)), (pause, (wrong.as_str(), good, 0))])
+    {
+        let mut folder = Folder::with(&[("L9001", first.as_bytes()), ("b.nc", program.as_bytes())]);
+        folder.open("L9001", first);
+        assert_eq!(folder.codes("L9001"), [Value::Null; 0]);
+        folder.open("b.nc", &program);
+        std::thread::sleep(std::time::Duration::from_millis(pause));
+        let document = json!({ "uri": folder.uri("L9001"), "version": 2 });
+        let params = json!({ "textDocument": document, "contentChanges": [{ "text": then }] });
+        folder.client.notify("textDocument/didChange", params);
+        assert_eq!(folder.codes("b.nc"), [Value::Null; 0]);
+        let found = folder.codes("L9001");
+        assert_eq!(found.iter().filter(|code| *code == "E0603").count(), expected, "after {pause} ms: {found:?}");
+    }
+}
+
+/// Editors take a byte-order mark off: places in files that are not open count from behind it.
+#[test]
+fn a_byte_order_mark() {
+    let macrocycle = "\u{feff}N10 G79 L9001 \"m\"\nN20 G70\n";
+    let mut folder = Folder::with(&[("L9001", macrocycle.as_bytes()), ("a.nc", b"%1\n")]);
+    folder.open("a.nc", "%1\nN10 G72 L9001\nN20 M30\n");
+    let position = json!({ "line": 1, "character": 10 });
+    let params = json!({ "textDocument": { "uri": folder.uri("a.nc") }, "position": position });
+    let answer = folder.client.request("textDocument/definition", params)["result"].clone();
+    let place = if answer.is_array() { answer[0].clone() } else { answer };
+    assert_eq!(place["uri"], folder.uri("L9001"));
+    let range = json!({ "start": { "line": 0, "character": 9 }, "end": { "line": 0, "character": 13 } });
+    assert_eq!(place["range"], range);
 }
