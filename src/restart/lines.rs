@@ -84,19 +84,24 @@ impl Numbers {
 
 /// A text as comments, one a line: it goes on in the next where one is too short for it.
 pub(super) fn comment_lines(text: &str, line_end: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let Some(line) = lines.last_mut() else { break };
-        if line.is_empty() {
-            line.push_str(word);
-        } else if line.len() + 1 + word.len() > WIDTH - 2 {
-            lines.push(word.to_owned());
-        } else {
-            line.push(' ');
-            line.push_str(word);
+    let lines = filled(text.split(' '), WIDTH - 2, "");
+    lines.into_iter().map(|line| format!("\"{line}\"{line_end}")).collect()
+}
+
+/// Parts with a blank between them, in lines of so many characters at most; all but the first are indented.
+fn filled<'p>(parts: impl Iterator<Item = &'p str>, width: usize, indent: &str) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if line.len() + 1 + part.len() <= width => {
+                line.push(' ');
+                line.push_str(part);
+            }
+            Some(_) => lines.push(format!("{indent}{part}")),
+            None => lines.push(part.to_owned()),
         }
     }
-    lines.into_iter().map(|line| format!("\"{line}\"{line_end}")).collect()
+    lines
 }
 
 /// Blocks with their numbers, as text.
@@ -113,22 +118,16 @@ pub(super) struct Lines {
 impl Lines {
     /// A block with a comment; it goes on in the next line where one is too short for it.
     pub fn block(&mut self, words: &[String], comment: &str) {
-        let mut line = format!("N{}", self.next);
+        let number = format!("N{}", self.next);
         self.next = self.next.saturating_add(self.step);
         self.blocks += 1;
         let comment = format!("\"{}\"", comment.chars().take(WIDTH - 4).collect::<String>());
-        let parts = words.iter().map(String::as_str).chain(Some(comment.as_str()).filter(|comment| comment.len() > 2));
-        for part in parts {
-            if line.len() + 1 + part.len() > WIDTH {
-                self.text.push_str(&line);
-                self.text.push_str(self.line_end);
-                line = " ".to_owned();
-            }
-            line.push(' ');
-            line.push_str(part);
+        let comment = Some(comment.as_str()).filter(|comment| comment.len() > 2);
+        let parts = std::iter::once(number.as_str()).chain(words.iter().map(String::as_str)).chain(comment);
+        for line in filled(parts, WIDTH, "  ") {
+            self.text.push_str(&line);
+            self.text.push_str(self.line_end);
         }
-        self.text.push_str(&line);
-        self.text.push_str(self.line_end);
     }
 }
 

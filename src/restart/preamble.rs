@@ -75,7 +75,7 @@ impl<'a> Preamble<'a> {
 
     /// The block that wrote something last.
     fn writer(&self, slot: Slot) -> Option<&'a Written> {
-        self.from.found.written.iter().find(|(written, _)| *written == slot).map(|(_, written)| written)
+        self.from.found.writer(slot)
     }
 
     fn in_force(&self, group: GGroup) -> Option<GCode> {

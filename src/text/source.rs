@@ -90,8 +90,7 @@ impl SourceText {
     #[must_use]
     pub fn without_mark(&self) -> Self {
         let text = self.text.strip_prefix('\u{feff}').unwrap_or(&self.text).to_owned();
-        let Self { encoding, half, exact, .. } = *self;
-        Self { name: self.name.clone(), text, encoding, bom: false, half, exact, lines: OnceLock::new() }
+        Self { half: self.half, exact: self.exact, ..self.with_text(text) }
     }
 
     /// The file as the user named it.

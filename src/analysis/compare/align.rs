@@ -39,7 +39,7 @@ pub(super) fn align(old: &Steps, new: &Steps, tolerance: i64, mut give: impl FnM
 /// Runs of either program.
 type Runs = (Range<usize>, Range<usize>);
 
-/// What steps of two runs may have in common, in the order in which it is looked for.
+/// What steps of two runs may have in common, in the order of trying.
 #[derive(Clone, Copy, Eq, PartialEq)]
 enum Alike {
     /// Motions may be the same: where these and the words between them changed places, the words stand elsewhere (CMP-4).
@@ -53,7 +53,7 @@ enum Alike {
 }
 
 impl Alike {
-    /// What is looked for between steps that have this in common.
+    /// What the steps between those may have in common.
     const fn next(self) -> Option<Self> {
         match self {
             Self::Motions => Some(Self::Exact),

@@ -67,6 +67,11 @@ pub struct Found {
 }
 
 impl Found {
+    /// The block that wrote something last.
+    pub fn writer(&self, slot: Slot) -> Option<&Written> {
+        self.written.iter().find(|(written, _)| *written == slot).map(|(_, written)| written)
+    }
+
     /// Whether some times are not known, or the program does not get to its end.
     pub fn is_lower_bound(&self) -> bool {
         !self.whole || self.times.is_none_or(|times| times.lower_bound)

@@ -74,8 +74,7 @@ impl Table<'_> {
 
     /// Who wrote something last; `otherwise`, when nobody did.
     fn by(&self, slot: Slot, otherwise: &Words) -> String {
-        let written = self.found.written.iter().find(|(written, _)| *written == slot);
-        let Some((_, Written { n, line, call, .. })) = written else { return self.say(otherwise) };
+        let Some(Written { n, line, call, .. }) = self.found.writer(slot) else { return self.say(otherwise) };
         let (n, line) = (*n, *line);
         self.say(&match call {
             Some((_, l)) => Words::ByIn { n, line, l: *l },
@@ -176,9 +175,7 @@ impl Table<'_> {
             ("&".to_owned(), digits, "length_correction"),
             (self.say(&Words::DynamicSet), state.dynamic_set().map(|set| set.to_string()), "dynamic_set"),
         ];
-        let is_written = |slot: &str| {
-            !slot.is_empty() && self.found.written.iter().any(|(written, _)| *written == Slot::value(slot))
-        };
+        let is_written = |slot: &str| !slot.is_empty() && self.found.writer(Slot::value(slot)).is_some();
         let sometimes = sometimes.into_iter().filter(|(_, value, slot)| value.is_some() || is_written(slot));
         let row = |(name, value, slot): (String, Option<String>, &str)| match value {
             Some(value) if slot.is_empty() => vec![name, value],
