@@ -243,8 +243,8 @@ const ATTEMPTS: usize = 5;
 
 /// Wait before a file is read again.
 const PAUSE: Duration = Duration::from_millis(20);
-/// A file written to so short a time ago may be written to again without another time: clocks of files tick every few
-/// milliseconds, and a writer pauses between its pieces.
+/// A file written to so short a time ago may be in the middle of being written, because a writer pauses between its
+/// pieces; and clocks of files tick every few milliseconds. It is read once more when it has rested that long.
 const FRESH: Duration = Duration::from_millis(100);
 /// The same where times of files are whole seconds, or every other one.
 const FRESH_OF_SECONDS: Duration = Duration::from_secs(2);
@@ -265,7 +265,7 @@ fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
         if !is_fresh(&before) {
             return Ok(bytes);
         }
-        std::thread::sleep(PAUSE);
+        std::thread::sleep(FRESH);
         file.rewind()?;
         if holds(&file, &bytes)? && is_same(&file)? {
             return Ok(bytes);

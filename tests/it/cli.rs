@@ -5,6 +5,7 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::time::{Duration, SystemTime};
 
 use tempfile::TempDir;
 
@@ -33,10 +34,13 @@ impl Place {
         self.folder.path().join(name)
     }
 
+    /// Writes a file that looks as if it had been there for a while: the program waits for those just written to.
     pub fn put(&self, name: &str, bytes: impl AsRef<[u8]>) {
         let path = self.path(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(path, bytes).unwrap();
+        let mut file = fs::File::create(path).unwrap();
+        file.write_all(bytes.as_ref()).unwrap();
+        file.set_modified(SystemTime::now() - Duration::from_secs(1)).unwrap();
     }
 
     pub fn read(&self, name: &str) -> Vec<u8> {
