@@ -57,14 +57,6 @@ impl Reading {
     }
 }
 
-/// Whether a finding says that characters could not be read as words (FMT-6, REN-5).
-pub(super) const fn is_malformed(code: Code) -> bool {
-    matches!(
-        code,
-        Code::E0101 | Code::E0102 | Code::E0103 | Code::E0104 | Code::E0105 | Code::E0106 | Code::E0107 | Code::E0111
-    )
-}
-
 struct Alone<'a>(&'a Arc<SourceText>);
 
 impl Loader for Alone<'_> {

@@ -112,7 +112,7 @@ pub(crate) fn renumbered(
 
 /// The first line of a file that could not be read: then no number is safe to change (REN-5).
 pub(crate) fn first_unread(outcome: &Outcome) -> Option<EditText> {
-    let is_unread = |code| alone::is_malformed(code) || matches!(code, Code::E0115 | Code::E0203);
+    let is_unread = |code: Code| code.is_malformed() || matches!(code, Code::E0115 | Code::E0203);
     let unread = outcome.findings.items().iter().filter(|item| item.at.file == FILE && is_unread(item.code()));
     let first = unread.min_by_key(|item| item.at)?;
     let source = outcome.sources.get(FILE)?;

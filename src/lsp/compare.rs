@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use gen_lsp_types::{LspRequestMethod, MessageDirection, Request, Uri};
+use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::analysis::{Analysis, configuration};
@@ -23,6 +24,15 @@ use crate::view::{Collector, Keep, Naming, Part, page};
 /// page that of its `-o`.
 #[derive(Debug)]
 pub(super) enum CompareRequest {}
+
+/// Beside the document.
+#[derive(Debug, Deserialize)]
+struct CompareParams {
+    #[serde(default)]
+    with: Option<Uri>,
+    #[serde(default)]
+    page: bool,
+}
 
 impl Request for CompareRequest {
     type Params = Value;
@@ -56,8 +66,8 @@ struct Program<'a> {
 pub(super) fn answer(snapshot: &Snapshot, analysis: &Analysis, params: Value) -> Answer<Option<Value>> {
     let lang = snapshot.client.lang();
     let refuse = |words: Words| Refusal::new(words.text(lang));
-    let wants_page = params.get("page").and_then(Value::as_bool).unwrap_or(false);
-    let with: Option<Uri> = params.get("with").and_then(|uri| serde_json::from_value(uri.clone()).ok());
+    let CompareParams { with, page: wants_page } =
+        CompareParams::deserialize(&params).map_err(Refusal::wrong_params)?;
     let (files, path) = (&snapshot.files, &analysis.path);
     if Session::is_macrocycle_name(path) {
         return Err(refuse(Words::Macrocycle));

@@ -158,8 +158,7 @@ fn workspace<R: Request>(needs: Needs, answer: fn(&Snapshot, R::Params) -> Answe
 }
 
 fn parameters<R: Request>(params: Value) -> Answer<R::Params> {
-    serde_json::from_value(params)
-        .map_err(|error| Refusal { code: ErrorCode::InvalidParams, message: error.to_string() })
+    serde_json::from_value(params).map_err(Refusal::wrong_params)
 }
 
 fn result<R: Request>(result: R::Result) -> Answer<String> {

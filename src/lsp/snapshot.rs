@@ -47,6 +47,12 @@ impl Refusal {
     pub(super) fn new(message: impl Into<String>) -> Self {
         Self { code: ErrorCode::RequestFailed, message: message.into() }
     }
+
+    /// For parameters of a request that are not of their type.
+    #[expect(clippy::needless_pass_by_value, reason = "what `map_err` gives")]
+    pub(super) fn wrong_params(error: serde_json::Error) -> Self {
+        Self { code: ErrorCode::InvalidParams, message: error.to_string() }
+    }
 }
 
 impl From<Refusal> for ResponseError {

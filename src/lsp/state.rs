@@ -1,7 +1,6 @@
 //! `cnc872c/state`: what holds at the place of the cursor when the program is executed.
 
 use gen_lsp_types::Position;
-use lsp_server::ErrorCode;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -53,8 +52,7 @@ pub(super) enum Here<'a> {
 impl StateParams {
     /// The parameters of a request.
     pub(super) fn of(params: &Value) -> Answer<Self> {
-        let wrong = |error: serde_json::Error| Refusal { code: ErrorCode::InvalidParams, message: error.to_string() };
-        Self::deserialize(params).map_err(wrong)
+        Self::deserialize(params).map_err(Refusal::wrong_params)
     }
 }
 

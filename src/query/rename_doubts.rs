@@ -9,6 +9,7 @@ use crate::diag::{Code, Diagnostic, Finding, Report};
 use crate::dict::{Address, GCode, HIGHEST_L, RESERVED_PARAMETER};
 use crate::resolve::{Roles, Taker, UnitId, UnitKind, control_word, l_number};
 use crate::session::Session;
+use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
 /// The parameters of control words (PAR-7).
@@ -143,7 +144,18 @@ impl Doubts<'_> {
     }
 
     fn parameter(&self, r: u8) -> Option<NavigationText> {
-        self.special(r).or_else(|| self.hidden_uses()).or_else(|| self.uses(r))
+        self.special(r).or_else(|| self.hidden_uses()).or_else(|| self.unread_use(r)).or_else(|| self.uses(r))
+    }
+
+    /// A use of the parameter in what cannot be read, as in `X-R10/2`.
+    fn unread_use(&self, r: u8) -> Option<NavigationText> {
+        let report = self.found?;
+        let unread = report.items().filter(|item| item.diagnostic.code().is_malformed());
+        let mut places = unread.map(|item| item.diagnostic.at);
+        let at = places.find(|at| names_parameter(report.sources().slice(*at), r))?;
+        let source = report.sources().get(at.file)?;
+        let line = small(source.lines().line_at(at.span.start) + 1);
+        Some(NavigationText::UnreadParameter { r, line })
     }
 
     /// The program's use of the parameter: only one that it assigns and reads itself is local.
@@ -244,6 +256,15 @@ impl Doubts<'_> {
             None => calculates(words),
         }
     }
+}
+
+/// Whether a text names a parameter: `R` and its number, blanks between them allowed.
+fn names_parameter(text: &str, r: u8) -> bool {
+    text.split(['R', 'r']).skip(1).any(|rest| {
+        let rest = rest.trim_start();
+        let digits = rest.find(|character: char| !character.is_ascii_digit()).map_or(rest, |end| rest.split_at(end).0);
+        digits.parse() == Ok(r)
+    })
 }
 
 /// Whether a block uses R5–R8 as control words, or may.

@@ -61,3 +61,10 @@ N50 M30
   "code": -32803,
   "message": "part.nc has errors: it cannot be compared"
 }
+=== request cnc872c/compare part.nc
+{ "with": 5 }
+=== answer
+{
+  "code": -32602,
+  "message": "invalid type: integer `5`, expected a string representing an URL"
+}

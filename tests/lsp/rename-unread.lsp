@@ -1,4 +1,4 @@
-# A jump whose number cannot be read may lead to the block: its number stays.
+# A jump whose number cannot be read may lead to the block, and a word that cannot be read may use the parameter: their numbers stay.
 === client
 { "locale": "en", "capabilities": { "textDocument": { "rename": { "prepareSupport": true } } } }
 === open part.nc
@@ -73,5 +73,32 @@ N‹inside›60 G70
         }
       }
     ]
+  }
+}
+=== open parameters.nc
+%2
+N10 R10=5 R1=2
+N20 XR‹ten›10 YR‹one›1
+N30 X-R10/2
+N40 M30
+=== request textDocument/prepareRename parameters.nc@ten
+=== answer
+{
+  "code": -32803,
+  "message": "line 4 names R10 in a word that cannot be read: fix that word first"
+}
+=== request textDocument/prepareRename parameters.nc@one
+=== answer
+{
+  "placeholder": "1",
+  "range": {
+    "end": {
+      "character": 12,
+      "line": 2
+    },
+    "start": {
+      "character": 11,
+      "line": 2
+    }
   }
 }

@@ -158,6 +158,21 @@ impl Code {
         self == Self::W0113 || (structure && ["E02", "E04"].iter().any(|family| self.as_str().starts_with(family)))
     }
 
+    /// Whether it says that characters could not be read as words (FMT-6, REN-5).
+    pub const fn is_malformed(self) -> bool {
+        matches!(
+            self,
+            Self::E0101
+                | Self::E0102
+                | Self::E0103
+                | Self::E0104
+                | Self::E0105
+                | Self::E0106
+                | Self::E0107
+                | Self::E0111
+        )
+    }
+
     /// Whether its level may be changed: warnings, and E0109.
     pub fn is_configurable(self) -> bool {
         self.severity() == Severity::Warning || self == Self::E0109

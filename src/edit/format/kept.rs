@@ -6,7 +6,6 @@ use super::block::{BLANK, extent, items};
 use super::word;
 use crate::config::Style;
 use crate::diag::{Code, Findings};
-use crate::edit::alone;
 use crate::syntax::{BlockFlags, ParsedFile};
 use crate::text::{FileId, Span};
 
@@ -16,7 +15,7 @@ pub(super) const WARNINGS: [Code; 4] = [Code::W0113, Code::W0114, Code::W0213, C
 
 /// Whether a finding says that its line could not be read as it was meant.
 const fn is_unread(code: Code) -> bool {
-    alone::is_malformed(code) || matches!(code, Code::W0114 | Code::W0213 | Code::W0221)
+    code.is_malformed() || matches!(code, Code::W0114 | Code::W0213 | Code::W0221)
 }
 
 /// The lines that stay as they are.
