@@ -76,12 +76,19 @@ pub(super) struct Approach {
     pub clearance: Micro,
     /// X is programmed as a diameter (G74).
     pub diameters: bool,
+    /// The machine is a lathe: the program may have come to the place by another way, as into a bore.
+    pub lathe: bool,
 }
 
 impl Approach {
     /// Whether the words of an axis are diameters.
     pub fn is_diameter(&self, axis: AxisLetter) -> bool {
         self.diameters && axis == AxisLetter::X
+    }
+
+    /// The tool's axis, where the approach comes to the place along it.
+    pub fn descends(&self) -> Option<AxisLetter> {
+        self.tool.filter(|(_, place)| *place < self.top).map(|(axis, _)| axis)
     }
 
     /// Where rapid ends and feed begins; nothing when the tool is there already.

@@ -7,6 +7,7 @@
 mod approach;
 mod ascii;
 mod gather;
+mod heights;
 mod lines;
 mod preamble;
 mod prove;

@@ -341,6 +341,9 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
         notes.push(Note::WrittenOut { blocks: written_out });
     }
     let Approach { tool, others, reference, .. } = from.approach;
+    if let Some(axis) = from.approach.descends().filter(|_| from.approach.lathe) {
+        notes.push(Note::Lathe { axis: axis.to_string() });
+    }
     // Other axes move in rapid, and the program never says where the tool's axis is.
     let blind =
         (tool.is_none() && !others.is_empty()).then(|| from.settings.machine.tool_axis.unwrap_or(AxisLetter::Z));

@@ -50,6 +50,9 @@ bilingual! {
             "F was written under {g} and counts otherwise here: the last part of the approach needs an F of its own",
             "F bylo zadáno při {g} a zde má jinou jednotku: poslední část najetí potřebuje vlastní F";
         Standing "F counts per revolution, and the spindle stands", "F je na otáčku a vřeteno stojí";
+        StandingInCut
+            "the spindle stands, and the tool would feed to where it cut",
+            "vřeteno stojí a nástroj by posuvem najel tam, kde obráběl";
         Unwritable { axis: String }
             "the position of {axis} cannot be written in thousandths",
             "polohu osy {axis} nelze zapsat v tisícinách";
@@ -73,9 +76,9 @@ bilingual! {
             "X is negative here, and the tool came from there: the approach would cross the workpiece",
             "X je zde záporné a nástroj přijel z této strany: najetí by přejelo obrobek";
         NoSafe { axis: String }
-            "--safe is missing: since the last change of tool, origin or correction the program was not higher in \
+            "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in \
             {axis}",
-            "chybí --safe: od poslední změny nástroje, počátku nebo korekce program v ose {axis} výš nestál";
+            "chybí --safe: s tímto nástrojem a počátkem program v ose {axis} nikde nestál nad místem a obráběním";
     }
 }
 
@@ -105,6 +108,9 @@ bilingual! {
         Unseen { axes: String }
             "a macrocycle of the machine may have moved {axes}: move them as it left them",
             "makrocyklus stroje mohl pohnout osami {axes}: najet s nimi, kde je nechal";
+        Lathe { axis: String }
+            "approach by {axis}, the others, {axis} again: in a bore this way is not clear",
+            "najetí osou {axis}, ostatními a znovu {axis}: v díře tato cesta není volná";
         Parameters "parameters read later", "parametry čtené dále";
         Functions "functions in force", "platné funkce";
         ToolChange "tool change", "výměna nástroje";

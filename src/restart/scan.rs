@@ -306,7 +306,8 @@ impl Scan {
             return;
         }
         let used = Used::of(block, self.tracker.state());
-        let (changes, works_at) = (self.tracker.changes_heights(block), self.tracker.works_at(block));
+        let heights = self.tracker.heights();
+        let (changes, works_at) = (heights.changes(block), heights.works_at(block, self.tracker.state()));
         for mut pending in std::mem::take(&mut self.pending) {
             pending.level = pending.level.filter(|_| !changes);
             if pending.level.is_some_and(|level| works_at >= Some(level)) {

@@ -1,6 +1,7 @@
 //! What a start at the next block would need: kept while the program is executed, judged before each block.
 
 use super::approach::{Approach, Height, Lack, Target};
+use super::heights::Heights;
 use super::reason::Reason;
 use crate::analysis::state::{Axes, Before, Unknown};
 use crate::config::{Axis, MayMove, Settings};
@@ -9,7 +10,7 @@ use crate::dict::{
     Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, OTHER_GROUP,
     SPINDLE_GROUP, SPINDLE_TURNS, TOOL_CHANGE,
 };
-use crate::run::{Executed, MotionType, Program, State};
+use crate::run::{Executed, Program, State};
 use crate::syntax::Word;
 
 /// What the user wants.
@@ -62,13 +63,7 @@ pub(super) struct Tracker {
     /// Axes that the program never moved itself, and a macrocycle that may move any axis, a bit for each place in
     /// machine order.
     unseen: u16,
-    /// The greatest position of the tool's axis with the tool and the origin in force, and the least.
-    highest: Option<Micro>,
-    lowest: Option<Micro>,
-    /// The greatest position of it at which something was worked.
-    worked: Option<Micro>,
-    /// The tool's axis came to where it is in rapid, and nothing was worked there.
-    came_in_rapid: bool,
+    heights: Heights,
     /// G74 was in force.
     turns: bool,
     /// The function and the block that wrote an origin.
@@ -81,6 +76,8 @@ pub(super) struct Tracker {
     /// The S that was in force as a speed of the spindle last, and the G6 function that made it one: the gear follows
     /// from it (MFN-9).
     pub turning: Option<(GCode, Decimal)>,
+    /// The spindle turned with the tool that is in it.
+    turned: bool,
     /// M functions that the state does not keep, in the order of their last writing: seq, block, number. M10 or M11,
     /// and every one of the last group, where none excludes another.
     pub apart: Vec<(u64, u32, u8)>,
@@ -90,10 +87,11 @@ pub(super) struct Tracker {
 impl Tracker {
     pub fn new(settings: &Settings, options: Options) -> Self {
         let tool_letter = settings.machine.tool_axis.unwrap_or(AxisLetter::Z);
+        let tool_axis = settings.machine.axes.index(tool_letter);
         Self {
             options,
             tool_letter,
-            tool_axis: settings.machine.axes.index(tool_letter),
+            tool_axis,
             tool_is_named: settings.machine.tool_axis.is_some(),
             tool_is_moved: false,
             before: Before::new(settings),
@@ -102,16 +100,14 @@ impl Tracker {
             drifted: [false; 9],
             origin_moved: [false; 9],
             unseen: 0,
-            highest: None,
-            lowest: None,
-            worked: None,
-            came_in_rapid: true,
+            heights: Heights::new(tool_axis.map(|at| (tool_letter, at))),
             turns: false,
             origin: None,
             corrections: None,
             feed_mode: None,
             speed_mode: None,
             turning: None,
+            turned: false,
             apart: Vec::new(),
             conversion: None,
         }
@@ -129,6 +125,10 @@ impl Tracker {
         self.before.state()
     }
 
+    pub const fn heights(&self) -> &Heights {
+        &self.heights
+    }
+
     pub const fn before(&self) -> &Before {
         &self.before
     }
@@ -141,7 +141,6 @@ impl Tracker {
     /// Follows a block.
     pub fn pass(&mut self, block: &Executed<'_>) {
         self.axes.pass(block, self.before.elsewhere(block));
-        let tool = self.tool_axis.and_then(|at| block.settings().machine.axes.get(at)).map(|axis| axis.letter);
         if !block.moves_on() {
             self.note(block);
         }
@@ -154,48 +153,8 @@ impl Tracker {
             *named = true;
             *drifted = by_distance && (*drifted || before.is_unsettled(at));
         }
-        let after = block.state();
-        // A height at which the program came by cutting down is none to move at in rapid.
-        let clear = match block.motion() {
-            None => self.came_in_rapid,
-            Some(motion) => {
-                let (rapid, moves) = (motion.kind() == MotionType::Rapid, tool.is_some_and(|tool| motion.moves(tool)));
-                self.came_in_rapid = rapid && (moves || self.came_in_rapid);
-                rapid
-                    || self.tool_axis.is_some_and(|at| {
-                        let [start, end] = [before, after].map(|state| state.axis_position(at));
-                        !before.is_unsettled(at) && start.is_some() && start < end
-                    })
-            }
-        };
-        let stands = self.tool_axis.and_then(|at| after.axis_position(at).filter(|_| !after.is_unsettled(at)));
-        let changes = self.changes_heights(block);
-        let of_old = |of: Option<Micro>| of.filter(|_| !changes);
-        let highest = of_old(self.highest).max(stands.filter(|_| clear));
-        let worked = of_old(self.worked).max(self.works_at(block));
-        let lowest = [of_old(self.lowest), stands].into_iter().flatten().min();
-        (self.highest, self.worked, self.lowest) = (highest, worked, lowest);
+        self.heights.pass(block, before);
         self.before.pass(block);
-    }
-
-    /// Whether positions of the tool's axis before a block are none behind it: another tool, origin or correction.
-    pub fn changes_heights(&self, block: &Executed<'_>) -> bool {
-        let (before, after) = (self.before.state(), block.state());
-        // D is the radius alone while no length correction is on (MOT-8). A motion in the block that changes them settles
-        // its axes.
-        let corrections = [before, after].map(|state| (state.d(), state.length_correction().filter(|on| *on != 0)));
-        let corrects = corrections.iter().any(|(_, on)| on.is_some()) && corrections[0] != corrections[1];
-        block.m_written().contains(&TOOL_CHANGE)
-            || before.origin() != after.origin()
-            || corrects
-            || self.tool_axis.is_some_and(|at| after.is_unsettled(at) && !before.is_unsettled(at))
-    }
-
-    /// Where the tool's axis is while a block works: at the lower end of its motion, which may begin in the air.
-    pub fn works_at(&self, block: &Executed<'_>) -> Option<Micro> {
-        let at = self.tool_axis.filter(|_| block.motion().is_some_and(|motion| motion.kind().is_working()))?;
-        let known = |state: &State| state.axis_position(at).filter(|_| !state.is_unsettled(at));
-        [known(self.before.state()), known(block.state())].into_iter().flatten().min()
     }
 
     /// The parts that only blocks with more than axis words change.
@@ -212,6 +171,8 @@ impl Tracker {
         if block.feed_mode().is_some_and(|mode| !mode.constant_cut) {
             self.turning = mode.zip(block.s());
         }
+        self.turned &= !block.m_written().contains(&TOOL_CHANGE);
+        self.turned |= after.m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
         let functions = &block.settings().machine.m_functions;
         for &number in block.m_written() {
             let group = functions.group(number);
@@ -333,7 +294,7 @@ impl Tracker {
             return Err(Reason::Position { axis: axis.letter.to_string() });
         }
         target.level = place.filter(|place| approach.height == Height::Highest && *place == approach.top);
-        target.approach = approach;
+        target.approach = Approach { lathe, ..approach };
         Ok(target)
     }
 
@@ -385,13 +346,6 @@ impl Tracker {
         Reason::NoSafe { axis: self.tool_letter.to_string() }
     }
 
-    /// Whether the tool came to a place from the other side of the workpiece's axis: an approach from above would cross
-    /// the workpiece. A little beyond it, as in facing, is none.
-    fn is_beyond_axis(&self, place: Micro) -> bool {
-        let clear = self.highest.is_some_and(|highest| Micro::ZERO.minus(place) < highest);
-        place < Micro::ZERO && !(clear && self.lowest >= Some(place))
-    }
-
     /// The heights of the approach (RST-2); `below`: nobody knows where the tool's axis stands.
     fn approach(&self, settings: &Settings, tool: usize, below: bool) -> Result<Approach, Reason> {
         let state = self.state();
@@ -415,14 +369,14 @@ impl Tracker {
         let is_known = machine.axes.get(tool).is_some_and(|axis| is_known(tool, axis));
         let Some(place) = state.axis_position(tool).filter(|_| is_known) else { return Ok(approach) };
         approach.tool = Some((self.tool_letter, place));
-        if approach.is_diameter(self.tool_letter) && self.is_beyond_axis(place) {
+        if approach.is_diameter(self.tool_letter) && self.heights.is_beyond_axis(place) {
             return Err(Reason::OtherSide);
         }
         let safe = self.options.safe.map(|safe| {
             let safe = Micro::from(safe);
             if approach.is_diameter(self.tool_letter) { safe.half() } else { safe }
         });
-        if safe.is_some_and(|safe| safe <= place) && !self.came_in_rapid {
+        if safe.is_some_and(|safe| safe <= place) && !self.heights.came_in_rapid() {
             return Err(Reason::SafeBelow { axis: self.tool_letter.to_string() });
         }
         approach.height = match safe {
@@ -430,9 +384,9 @@ impl Tracker {
             Some(_) => Height::Safe,
             None => Height::Highest,
         };
-        let at_level = self.came_in_rapid && self.worked < Some(place);
-        let own = self.highest.filter(|highest| *highest > place || (*highest == place && at_level));
-        let Some(top) = safe.or(own) else { return Err(self.no_safe()) };
+        let Some(top) = safe.or_else(|| self.heights.clear_of(place, approach.others.is_empty())) else {
+            return Err(self.no_safe());
+        };
         approach.top = top.max(place);
         approach.clearance = Micro::from(self.options.clearance);
         if approach.top > place {
@@ -447,6 +401,9 @@ impl Tracker {
             let turns = state.m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
             if per == Some(FeedPer::Revolution) && !turns {
                 return Err(Reason::Standing);
+            }
+            if self.turned && !turns && !self.heights.came_in_rapid() {
+                return Err(Reason::StandingInCut);
             }
         }
         approach.written(self.tool_letter, approach.top)?;

@@ -226,9 +226,9 @@ fn the_program_that_starts_there() {
     let all = written(&["--n", "100", "--all-m", "--safe", "150"]);
     assert!(all.contains("G00 G90 Z150 \"up to --safe\""), "{all}");
     assert!(all.contains("M25 \"N50\"") && all.contains("M10 \"clamp the workpiece, N70\""), "{all}");
-    let czech = written(&["--lang", "cs", "--at-tool", "T5"]);
+    let czech = written(&["--lang", "cs", "--at-tool", "T5", "--safe", "100"]);
     assert!(czech.starts_with("%872 \"a.nc od N20\"") && czech.contains("platne funkce"), "{czech}");
-    let list = place.run(&["restart", "a.nc", "--list", "--param", "R10=15"]).ends(0);
+    let list = place.run(&["restart", "a.nc", "--list", "--param", "R10=15", "--safe", "100"]).ends(0);
     assert!(list.stdout.contains("--seq 1  N20  line 3  pass 1  T5  tool change\n"), "{}", list.stdout);
     assert!(!list.stdout.contains("N90"), "{}", list.stdout);
 }
@@ -296,15 +296,19 @@ fn starts_that_would_be_wrong() {
         // Without length correction D is the radius: the heights stay.
         ("N60 D2 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
         ("N60 G01 Z0 D2\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
-        ("N30 G00 Z8\nN60 G55\nN61 Z6\nN62 G54\nN63 Z7\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z7 "),
+        // Back at an origin, or with a tool, the heights there are those from before.
+        ("N30 G00 Z8\nN60 G55\nN61 Z60\nN62 G54\nN63 Z7\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
+        ("N30 G58 X9\nN40 G00 X0 Y0 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
+        ("N30 T1 M06\nN60 G00 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
+        ("N30 T2 M06\nN40 G00 Z8\nN50 T1 M06\nN60 Z9\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
     ] {
         let run = start(blocks, &[]).ends(0);
         assert!(run.stdout.contains(&format!("G00 G90 {top}\"up to the program's highest")), "{blocks}{}", run.stdout);
     }
     // The program came to Z-5 and Z-10 by cutting only; what rises clears.
-    let fell = "N30 G53 Z0\nN40 G54 X50 Y50\nN50 G01 Z-5\nN60 X80\nN65 Z-10\nN70 X50\n";
+    let fell = "N30 G53 Z0\nN40 G55 X50 Y50\nN50 G01 Z-5\nN60 X80\nN65 Z-10\nN70 X50\n";
     start(fell, &[]).ends(2).says("--safe is missing");
-    let rises = "N30 G53 Z0\nN40 G54 X50 Y50 Z-9\nN50 G01 Z5\nN60 Z-10\nN65 X9\nN70 X50\n";
+    let rises = "N30 G53 Z0\nN40 G55 X50 Y50 Z-9\nN50 G01 Z5\nN60 Z-10\nN65 X9\nN70 X50\n";
     assert!(start(rises, &[]).ends(0).stdout.contains("G00 G90 Z5 \"up to"), "{rises}");
     // F in mm/min is none in mm/rev.
     let unit = "N30 G94 G01 Z5 F600\nN40 G95\nN60 G00 X20\nN70 G01 X25 F0.2\n";
@@ -313,17 +317,29 @@ fn starts_that_would_be_wrong() {
     let drift = "N30 G55\nN40 G91 X5 Y5 Z-20\nN70 G01 Z-5\n";
     start(drift, &["--safe", "70"]).ends(1).says("has not moved since the origin");
     let cut = "N30 G01 Z-5\nN40 X40\nN70 X60\n";
+    let stands = "N30 G01 Z-5\nN40 X40\nN50 M05\nN70 G00 Z50\n";
+    start(stands, &[]).ends(1).says("the spindle stands");
     start(cut, &["--safe=-10"]).ends(2).says("--safe is not above the place");
     start(cut, &["--safe=-5"]).ends(2).says("--safe is not above the place");
     assert!(across(cut, "--safe=-4").contains("G00 G90 Z-4 \"up to --safe\""));
     // The program came to its highest place in rapid, and cuts there before it or behind it.
-    start("N30 G53 Z0\nN60 G54 X-80 Y0 Z-5\nN70 G01 X80\n", &[]).ends(2).says("--safe is missing");
-    start("N30 G53 Z0\nN60 G54 X-80 Y0 Z-5\nN70 X-85\nN80 G01 X80\n", &[]).ends(2).says("--safe is missing");
-    start("N30 G53 Z0\nN40 G54 X0 Y0 Z5\nN50 G01 X80\nN55 Z-5\nN60 G00 Z5\nN70 X9\n", &[])
+    start("N30 G53 Z0\nN60 G55 X-80 Y0 Z-5\nN65 X-85\nN70 G01 X80\n", &[]).ends(2).says("--safe is missing");
+    start("N30 G53 Z0\nN60 G55 X-80 Y0 Z-5\nN65 X-85\nN70 X-90\nN80 G01 X80\n", &[]).ends(2).says("--safe is missing");
+    start("N30 G53 Z0\nN40 G55 X0 Y0 Z5\nN50 G01 X80\nN55 Z-5\nN60 G00 Z5\nN70 X9\n", &[])
         .ends(2)
         .says("--safe is missing");
-    let level = "N30 G53 Z0\nN60 G54 X-80 Y0 Z5\nN70 X-85\nN80 G01 X80 Z-5\nN90 G00 Z5\nN95 T2 M06\nN96 G01 Z5 X8\n";
+    let level =
+        "N30 G53 Z0\nN60 G55 X-80 Y0 Z5\nN65 X-85\nN70 X-90\nN80 G01 X80 Z-5\nN90 G00 Z5\nN95 T2 M06\nN96 G01 Z5 X8\n";
     assert!(start(level, &[]).ends(0).stdout.contains("G00 G90 Z5 \"up to the program's highest"));
+    // Nothing shows that the tool can cross at the height to which it came.
+    start("N30 G53 Z0\nN60 G55 X-80 Y0 Z5\nN70 G01 Z-5\n", &[]).ends(2).says("--safe is missing");
+    let rose = "N30 G53 Z0\nN60 G55 X-80 Y0 Z-5\nN65 Z20\nN70 X9\n";
+    assert!(start(rose, &[]).ends(0).stdout.contains("G00 G90 Z20 \"up to"), "{rose}");
+    // Another tool worked higher at this origin, or this one at all its heights.
+    let boss = "N30 G00 Z22\nN35 G01 Z20\nN40 X50\nN50 T2 M06\nN55 G00 X60 Y0 Z5\nN60 G01 Z-5\nN70 X70\n";
+    start(boss, &[]).ends(2).says("--safe is missing");
+    let other = boss.replace("T2 M06", "G55 T2 M06");
+    assert!(start(&other, &[]).ends(0).stdout.contains("G00 G90 Z5 \"up to"), "{other}");
     assert!(across("N70 X60\n", "--safe=10").contains("Z50 \"the height of the place, which is above --safe\""));
     start("N30 G00 X5\nN40 G01 X10\nN70 X60\n", &[]).ends(2).says("--safe is missing");
     let lost = "N30 G30 Z0\nN40 G91 G00 Z-120\nN50 G01 X40\nN70 Y20\n";
@@ -355,7 +371,9 @@ fn many_parameters() {
     let read: String = (0..96).map(|index| format!("N{} XR{index}\n", index + 300)).collect();
     let text = format!("%3\nN10 G54 G90 G00 X0 Y0 Z50\n{assigned}N290 Y5\n{read}N900 M30\n");
     let place = Place::with(&[("a.nc", text.as_bytes())]);
-    assert!(place.run(&["restart", "a.nc", "--n", "290", "--lang", "en"]).ends(0).stdout.contains("R95=95"));
+    assert!(
+        place.run(&["restart", "a.nc", "--n", "290", "--lang", "en", "--safe", "50"]).ends(0).stdout.contains("R95=95")
+    );
 }
 
 /// RST-4, RST-6: an axis that stands where nobody knows is no axis to go on beside: what a macrocycle of the machine,
@@ -551,6 +569,8 @@ fn a_lathe() {
     for block in approach {
         at += run.stdout[at..].find(block).unwrap_or_else(|| panic!("{block}: {}", run.stdout));
     }
+    let way = "\"approach by X, the others, X again: in a bore this way is not clear\"\n";
+    assert!(place.run(&["restart", "a.nc", "--n", "50", "--lang", "en"]).ends(0).stdout.contains(way));
     // From the other side of the axis an approach from above would cross the workpiece; facing goes a little beyond it.
     let beyond = |blocks: &str| {
         place.put("b.nc", format!("%1\nN10 G90 G74 T1 M06\nN20 S9 M03 F100\n{blocks}N90 G00 Z100\nN99 M30\n"));

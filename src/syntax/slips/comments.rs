@@ -142,7 +142,10 @@ pub(super) fn foreign(around: &Around<'_>) -> Option<Diagnosis> {
                 } else if body.contains('"') {
                     comment()
                 } else {
-                    let certain = text.starts_with(['(', ';']) && swallowed::is_text(around.text, inside);
+                    // A quote without a second one behind it may have lost that before the text.
+                    let certain = text.starts_with(['(', ';'])
+                        && swallowed::is_text(around.text, inside)
+                        && is_odd(around, span.end).is_none();
                     comment().with_edits(certain.then_some(Certain::Comment), FixTitle::Comment, quotes())
                 },
             )
