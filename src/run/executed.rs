@@ -321,10 +321,13 @@ impl<'r> Executed<'r> {
         Some(Feed { value, unit: self.feed_unit(), hundredth: self.interpreter.state.feed_reduced })
     }
 
-    /// What F counts in this block, or would count (TEC-1): degrees when only rotary axes or the spindle move.
+    /// What F counts in this block, or would count (TEC-1): degrees when only rotary axes or the spindle move, per
+    /// minute when the spindle does (MFN-10).
     pub fn feed_unit(&self) -> FeedUnit {
-        let degrees = self.motion().is_some_and(|motion| motion.is_in_degrees());
-        FeedUnit::of(self.feed_mode().map_or(FeedPer::Minute, |mode| mode.per), degrees)
+        match self.motion().filter(Motion::is_in_degrees) {
+            Some(motion) if motion.spindle_axis().is_some() => FeedUnit::DegPerMinute,
+            motion => FeedUnit::of(self.feed_mode().map_or(FeedPer::Minute, |mode| mode.per), motion.is_some()),
+        }
     }
 
     /// The meaning of the G6 function in force; `None` when it is not known which one that is.

@@ -106,8 +106,12 @@ impl Moving {
     /// See [`Motion::is_in_degrees`].
     #[inline]
     pub(super) fn is_in_degrees(&self, travels: &[Travel]) -> bool {
-        // The values of the axis words of G30 are not used (MOT-7).
-        let stands = |travel: &Travel| self.kind != MotionType::Reference && travel.distance == Some(Micro::ZERO);
+        let stands = |travel: &Travel| {
+            // From where an origin or a correction left it, an axis moves though its number stays (MOT-8).
+            let unsettled = self.stale.contains(travel.axis) && !travel.incremental;
+            // The values of the axis words of G30 are not used (MOT-7).
+            self.kind != MotionType::Reference && travel.distance == Some(Micro::ZERO) && !unsettled
+        };
         self.arc.is_none()
             && travels.iter().any(|travel| self.is_rotary(travel))
             && travels.iter().all(|travel| self.is_rotary(travel) || stands(travel))

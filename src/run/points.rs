@@ -54,7 +54,8 @@ impl Run {
             return false;
         }
         let stale = settle_origin(state, &block.travels, None);
-        block.effect = Effect::Motion(Moving { stale, ..moving });
+        let moving = Moving { stale, ..moving };
+        block.effect = Effect::Motion(moving);
         // The unit of the feed may differ from the point before.
         let degrees = moving.is_in_degrees(&block.travels);
         let word = written.and_then(|function| Some((function, site.file.g_word(site.block)?)));

@@ -196,6 +196,11 @@ fn of_a_lathe() {
     let run = place.run(&["report", "slow.nc", "--format", "json", "--dialect", "cnc8x6"]).ends(0);
     let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!(sheet["tools"][0]["feeds"][0]["max"], json!(1), "{sheet}");
+    // A thread keeps its pitch.
+    place.put("pitch.nc", "%1\nN1 G0 X0 T1 M6\nN2 S100 M3 M37 G95 F1.5\nN3 G33 X10\nN4 M30\n");
+    let run = place.run(&["report", "pitch.nc", "--format", "json", "--dialect", "cnc8x6"]).ends(0);
+    let sheet: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(sheet["tools"][0]["feeds"], json!([{ "unit": "mm/rev", "min": 1.5, "max": 1.5 }]), "{sheet}");
     let text = place.run(&["report", "slow.nc", "--lang", "en", "--dialect", "cnc8x6"]).ends(0).stdout;
     assert!(text.contains("20.708 mm"), "{text}");
 }

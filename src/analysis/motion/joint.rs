@@ -85,7 +85,6 @@ impl Piece {
 pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, later: &Piece) -> Option<Break> {
     let Some(earlier) = earlier else { return Some(Break::Start) };
     let other = |kind: MotionType| matches!(kind, MotionType::Thread | MotionType::Reference);
-    let still = |piece: &Piece| piece.from == Direction::Still || piece.to == Direction::Still;
     // Each block in G98 begins and ends with a ramp (CNT-1); in G24 the earlier one may go on (CNT-3).
     if later.mode != Mode::Continuous || earlier.mode == Mode::Basic {
         Some(Break::Mode)
@@ -106,7 +105,8 @@ pub(super) fn early_break(model: &Model, earlier: Option<&Piece>, idle: bool, la
         Some(Break::Unknown)
     } else {
         let apart = match model.recognition {
-            Recognition::Automatic => still(earlier) || still(later),
+            // An arc with one axis beyond the three may have no direction along these at its other end.
+            Recognition::Automatic => [earlier.to, later.from].contains(&Direction::Still),
             Recognition::Manual => earlier.unit != later.unit,
         };
         apart.then_some(Break::Axes)

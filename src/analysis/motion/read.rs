@@ -3,8 +3,8 @@
 use super::model::Model;
 use super::step::{Direction, Dynamics, Mode, Move, Step, Unit};
 use crate::config::{GivenBy, Motion as Configured, MotionKey, Profile, Rapid, SetKey, Settings, TimedFunction};
-use crate::dict::{Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Micro};
-use crate::run::{ArcPath, Executed, Feed, Length, Missing, Motion, MotionType};
+use crate::dict::{Address, AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::run::{ArcPath, Executed, FeedUnit, Length, Missing, Motion, MotionType};
 
 /// The part of P that is a jerk of 1 mm/s³ (VEL-11).
 const P_OF_JERK: f64 = 32.768;
@@ -189,9 +189,8 @@ impl StepReader {
             self.correction = digits;
         }
         if self.motion.number(MotionKey::MergeLength) > Decimal::ZERO {
-            let now = InForce::of(block);
-            found.plain &= !changes || self.in_force.is_some_and(|before| before.is_kept_by(&now));
-            self.in_force = Some(now);
+            found.plain &= !changes || self.in_force.is_some_and(|before| before.is_kept_by(block));
+            self.in_force = Some(InForce::behind(block));
         }
         found
     }
@@ -259,12 +258,12 @@ impl StepReader {
         let feed = block.feed()?;
         let value = float(feed.value) / 60.0;
         // S and the key are revolutions per minute.
-        let velocity = match block.feed_mode() {
-            None | Some(FeedMode { per: FeedPer::Minute, constant_cut: _ }) => value,
-            Some(FeedMode { per: FeedPer::Revolution, constant_cut: false }) => value * float(block.s()?),
-            Some(FeedMode { per: FeedPer::Revolution, constant_cut: true }) => {
+        let velocity = match feed.unit {
+            FeedUnit::MmPerMinute | FeedUnit::DegPerMinute => value,
+            FeedUnit::MmPerRevolution | FeedUnit::DegPerRevolution if block.const_cut_speed() => {
                 value * float(self.motion.given(MotionKey::ConstantCutting).value?)
             }
+            FeedUnit::MmPerRevolution | FeedUnit::DegPerRevolution => value * float(block.s()?),
         };
         // M37 reduces the feed; a thread keeps its pitch.
         Some(if feed.hundredth && kind != MotionType::Thread { velocity / 100.0 } else { velocity })
@@ -404,17 +403,26 @@ struct Words {
 struct InForce {
     g: [Option<GCode>; GGroup::ALL.len()],
     set: Option<u8>,
-    feed: Option<Feed>,
+    /// F, and whether a hundredth of it counts; what it counts follows from G6 and from the axes, which are no words.
+    feed: Option<(Decimal, bool)>,
 }
 
 impl InForce {
-    fn of(block: &Executed<'_>) -> Self {
-        Self { g: GGroup::ALL.map(|group| block.g(group)), set: block.dynamic_set(), feed: block.feed() }
+    /// What holds behind a block, functions of one block left out.
+    fn behind(block: &Executed<'_>) -> Self {
+        let state = block.state();
+        Self {
+            g: GGroup::ALL.map(|group| state.g_in_force(group)),
+            set: block.dynamic_set(),
+            feed: block.feed().map(|feed| (feed.value, feed.hundredth)),
+        }
     }
 
-    /// Whether the next block has nothing else in force; that a function of one block is over is no change.
-    fn is_kept_by(&self, next: &Self) -> bool {
-        let kept = self.g.iter().zip(&next.g).all(|(before, now)| now.is_none() || before == now);
-        kept && self.set == next.set && self.feed == next.feed
+    /// Whether the next block has nothing else in force.
+    fn is_kept_by(&self, next: &Executed<'_>) -> bool {
+        let now = Self::behind(next);
+        let mut groups = GGroup::ALL.into_iter().zip(self.g);
+        groups.all(|(group, before)| next.g(group).is_none_or(|now| before == Some(now)))
+            && (self.set, self.feed) == (now.set, now.feed)
     }
 }

@@ -255,11 +255,11 @@ fn count_runs(units: &mut Vec<UnitUse>, l: u32, macrocycle: bool, runs: u64) {
 impl ToolUse {
     /// Takes up F, S and D of a block that cuts.
     fn cuts(&mut self, block: &Executed<'_>) {
-        // That of a thread is its pitch, which is no feed per minute.
+        // That of a thread is its pitch, which is no feed per minute, and which M37 does not reduce.
         let threads = block.motion().is_some_and(|motion| motion.kind() == MotionType::Thread);
         if let Some(feed) = block.feed().filter(|feed| !threads || feed.unit == FeedUnit::MmPerRevolution) {
             let value = Micro::from(feed.value);
-            let value = if feed.hundredth { value.hundredth() } else { value };
+            let value = if feed.hundredth && !threads { value.hundredth() } else { value };
             let (least, greatest) = self.feeds.entry(feed.unit).or_insert((value, value));
             *least = (*least).min(value);
             *greatest = (*greatest).max(value);

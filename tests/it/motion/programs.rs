@@ -61,9 +61,23 @@ fn words_in_small_blocks() {
         let blocks = format!("N2 G23 G1 X10 F1000\nN3 X10.003\nN4 X10.004 {word}\nN5 X20");
         assert_eq!(merged(&blocks), [false, true, small, false], "{word}");
     }
+    // What F counts changed by the axes, and a jump is over: no word changed it.
+    let by_angle =
+        cnc8x9("[start]\nA = 0\n[machine-constants]\nR383 = 0.005\n", "N2 G23 G1 A10 F1000\nN3 X0.003 G1\nN4 X5");
+    assert!(motion(&planned(&by_angle), 3).merged);
+    assert_eq!(merged("N2 G23 G1 X10 F1000 G73 L3\nN3 X10.003 G1\nN4 X20\nN5 X30"), [false, true, false, false]);
     // In G91 no block is small, where it is written and behind it.
     assert_eq!(merged("N2 G23 G1 X10 F1000\nN3 X10.003\nN4 G91 X0.001\nN5 X10"), [false, true, false, false]);
     assert_eq!(merged("N2 G23 G1 G91 X10 F1000\nN3 X0.003\nN4 X0.001\nN5 X10"), [false; 4]);
+}
+
+/// CNT-2: an arc moves along an axis of the first three though one of its ends has no direction there.
+#[test]
+fn arcs_with_a_fourth_linear_axis() {
+    let config = "[[axes]]\nletter = \"X\"\n[[axes]]\nletter = \"Y\"\n[[axes]]\nletter = \"Z\"\n[[axes]]\nletter = \"U\"\n\
+        [start]\nU = 0\n[machine-constants]\nR39 = 0.090\n";
+    let planned = planned(&cnc8x9(config, "N2 G23 G2 X5 U-5 I5 F600\nN3 G1 X20"));
+    assert!(motion(&planned, 3).joint.as_ref().is_some_and(|joint| joint.broken_by.is_none()), "{planned:?}");
 }
 
 /// CNT-2: an arc that is shorter than `break-length-mm` breaks too, at both of its ends.

@@ -186,6 +186,11 @@ fn gears() {
         column(&blocks("%1\nN10 S100\nN20 M43\nN30\nN40 M44 S9999\nN50 M30"), "gear"),
         json!([null, 3, 3, 4, null])
     );
+    // Without a table M40 chooses none, whatever was in force.
+    for end in ["M40\nN30 M30", "G97 M40\nN30 M30", "M30"] {
+        let found = case(&format!("%1\nN10 G96 M42 S100\nN20 {end}")).args("--dialect=cnc8x9").blocks();
+        assert_eq!((&found[0]["gear"], found[1].get("gear")), (&json!(2), None), "{end}");
+    }
     assert_eq!(case("%1\nN10 M41 S501\nN20 M30").config(GEARS).run().errors, ["E0607"]);
 }
 

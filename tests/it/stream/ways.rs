@@ -45,6 +45,16 @@ fn feeds() {
     assert_eq!(found[5]["motion"]["length_mm"], 1);
 }
 
+/// MFN-10: the spindle as an axis goes by degrees per minute, under G95 too. MOT-8: an axis moves from where an origin
+/// left it, though its number stays; by a distance of 0 it does not.
+#[test]
+fn feeds_of_the_spindle_and_behind_origins() {
+    let found = raw("%1\nN1 G95 F2 S100 M19\nN2 G1 C90\nN3 X1 C0\nN4 M30", "", "");
+    assert_eq!(column(&found, "feed_unit"), json!(["mm/rev", "deg/min", "mm/rev", "mm/rev"]));
+    let found = raw("%1\nN1 G1 X0 A0 F600\nN2 G54\nN3 X0 A9\nN4 X0 A8\nN5 G91 G55 X0 A1\nN6 M30", "", "");
+    assert_eq!(column(&found, "feed_unit"), json!(["mm/min", "mm/min", "mm/min", "deg/min", "deg/min", "mm/min"]));
+}
+
 /// TEC-1, MOT-8: so does the feed of G30, by the axes that it moves, whatever the lengths are.
 #[test]
 fn feeds_of_reference_motions() {
