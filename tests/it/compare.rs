@@ -418,7 +418,7 @@ fn framed(blocks: &str) -> String {
 /// that turns the spindle back. The order of M words in a block and a plane without a radius correction are none.
 #[test]
 fn hidden_differences() {
-    let settings = "[machine-macrocycles]\nL7 = {}\n";
+    let settings = "[machine-macrocycles]\nL7 = {}\n[operations]\n\"01\" = \"add\"\n";
     for (old, new, expected) in [
         ("G94 S200\nG01 X10", "G96 S200\nG01 X10", "G96 none → G96"),
         ("G81 X10 Z-5\nX20\nG80", "G91 G81 X10 Z-5\nX20\nG80", "T1: G91 G90 → G91"),
@@ -452,10 +452,23 @@ fn hidden_differences() {
         ("S600\nM03\nG01 X5", "M03\nS600\nG01 X5", "the programs do the same"),
         ("M05\nG00 X5\nM03\nG01 X9", "G00 X5\nM03\nG01 X9", "\nT1: M05 M05 → none in 1 block (N10)\n"),
         ("M05\nS600 M03\nG00 X5", "M05\nM03\nS600\nG00 X5", "the programs do the same"),
+        // It runs up to what is written, even when less follows at once.
+        ("M05\nS9000 M03\nS900\nG01 X5", "M05\nS900 M03\nG01 X5", "T1: S 9000 → none in 1 block (N12)"),
+        ("S9000\nS500\nG01 X5", "G01 X5", "T1: S 9000 → none in 1 block (N11)"),
+        // Where in its block M05 acts is in no source.
+        ("G01 X5 M05", "G01 X5\nM05", "T1: M05 now in N11 (was N10)"),
+        ("M05\nG01 X5", "G01 X5 M05", "M05 now in"),
+        // What nobody knows is told by the parameter that it comes from.
+        ("G01 XR10", "G01 X-R10", "T1: X R10 → -R10 in 1 block"),
+        ("G01 X5 FR10", "G01 X5 FR11", "T1: F R10 → R11 in 1 block"),
+        ("R12=R10\nG01 XR12", "R12=R11\nG01 XR12", "T1: R12 R10 → R11 in 1 block"),
+        ("G02 X5 IR10", "G02 X5 IR11", "T1: I R10 → R11 in 1 block"),
+        ("G00 XR10\nXR10 Y5", "G00 XR10\nXR11 Y5", "T1: X R10 → R11 in 1 block (N11)"),
+        ("R15=2 G26 R5=01101512\nG01 XR12", "R15=3 G26 R5=01101512\nG01 XR12", "R15 2 → 3"),
         ("M05 S600\nG04 Q900\nG00 X5", "M05 S900\nG04 Q900\nG00 X5", "the programs do the same"),
         ("M05\nM00\nG01 X1", "M05 M00\nG01 X1", "the programs do the same"),
         ("G04 Q10\nM01\nG01 X1", "G04 Q10 M01\nG01 X1", "the programs do the same"),
-        ("M00\nM05\nG00 X1", "M05 M00\nG00 X1", "M00"),
+        ("M00\nM05\nG00 X1", "M05 M00\nG00 X1", " now in N1"),
         ("M08\nM09\nM08\nM09", "M08\nM09\nM09\nM09\nM08\nM09\nM09\nM09", "the programs do the same"),
         ("G01 X5 M08 M41\nX6", "G01 X5 M41 M08\nX6", "the programs do the same"),
         ("G01 X5 M08 M77\nX6", "M77 M08 G01 X5\nX6", "the programs do the same"),

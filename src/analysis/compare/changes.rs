@@ -411,15 +411,15 @@ impl<'s> Grouping<'s> {
         new.sort_unstable();
         let mut waiting: BTreeMap<u64, Vec<(usize, bool)>> = BTreeMap::new();
         for at in old.iter().rev() {
-            if let Some(step) = self.old.step(at.0) {
-                waiting.entry(step.token).or_default().push(*at);
+            if let Some(event) = self.old.step(at.0).and_then(|step| event(self.old, step)) {
+                waiting.entry(event.word()).or_default().push(*at);
             }
         }
         for (at, repeated) in new {
             let Some(step) = self.new.step(at) else { continue };
-            let moved = waiting.get_mut(&step.token).and_then(Vec::pop);
-            let says_nothing = repeated && moved.is_none_or(|(_, repeated)| repeated);
-            if let Some(event) = event(self.new, step).cloned().filter(|_| !says_nothing) {
+            let Some(event) = event(self.new, step).cloned() else { continue };
+            let moved = waiting.get_mut(&event.word()).and_then(Vec::pop);
+            if !repeated || moved.is_some_and(|(_, repeated)| !repeated) {
                 let old = moved.map(|_| event.value.clone());
                 let moved = moved.map(|(at, _)| at);
                 let places = moved.and_then(|at| self.old.step(at)).map(|old| run_of([old, step].into_iter()));
@@ -448,8 +448,15 @@ impl<'s> Grouping<'s> {
         if !same {
             match (self.old.does(old), self.new.does(new)) {
                 (Some(Does::Motion(old)), Some(Does::Motion(new))) => self.positions(&old, &new, &mut found),
-                (Some(Does::Event(old)), Some(Does::Event(new))) => {
-                    found.push(difference(new, Some(old.value.clone()), Some(new.value.clone())));
+                (Some(Does::Event(was)), Some(Does::Event(is))) => {
+                    let difference = difference(is, Some(was.value.clone()), Some(is.value.clone()));
+                    if was.word() == is.word() {
+                        // The same word, which one program has beside a motion.
+                        let places = run_of([old, new].into_iter());
+                        self.note(difference, Some(a), Some(b), places);
+                    } else {
+                        found.push(difference);
+                    }
                 }
                 _ => {}
             }

@@ -7,11 +7,12 @@ use super::ChangeKind;
 use super::steps::{Context, Event, Motion, Steps, UNKNOWN, Value};
 use crate::diag::Findings;
 use crate::dict::{
-    AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
+    Address, AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
     PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
     standard_m_functions,
 };
 use crate::run::{ArcPath, End, Executed, MotionType, Sink, State};
+use crate::syntax::Value as WordValue;
 
 /// Reads the steps of a program.
 #[derive(Debug)]
@@ -24,6 +25,10 @@ pub struct StepReader {
     way: [Micro; AxisLetter::ALL.len()],
     /// The parameters that a macrocycle of the machine or a fixed cycle was called with last.
     handed: BTreeMap<u8, Value>,
+    /// The speed of the spindle that turns, and whether a step showed it.
+    speed: Option<(Decimal, bool)>,
+    /// The speed counts in the block.
+    counts_speed: bool,
 }
 
 /// What lasts, as a change of it counts and its repetition does not.
@@ -55,6 +60,8 @@ impl StepReader {
             before: None,
             way: Default::default(),
             handed: BTreeMap::new(),
+            speed: None,
+            counts_speed: false,
         }
     }
 
@@ -64,15 +71,49 @@ impl StepReader {
     }
 
     fn event(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
-        self.add(block, Event { kind, slot: slot.to_owned(), value, lasts: false });
+        self.add(block, Event { kind, slot: slot.to_owned(), value, lasts: false, beside: false });
     }
 
     fn lasting(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
-        self.add(block, Event { kind, slot: slot.to_owned(), value, lasts: true });
+        self.add(block, Event { kind, slot: slot.to_owned(), value, lasts: true, beside: false });
     }
 
     fn add(&mut self, block: &Executed<'_>, event: Event) {
         self.steps.add_event(block.seq(), block.n(), self.context, event);
+    }
+
+    /// A speed to which the spindle runs up while nothing else shows it, above that which follows.
+    fn follow_speed(&mut self, block: &Executed<'_>) {
+        let turns = block.state().m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
+        let speed = block.state().s().filter(|_| turns);
+        if let Some((passed, false)) = self.speed.filter(|(passed, _)| speed.is_none_or(|now| now < *passed)) {
+            self.event(block, ChangeKind::Speed, "S", Value::from(passed));
+        }
+        let counted = self.speed.is_some_and(|(passed, counted)| counted && Some(passed) == speed);
+        self.speed = speed.map(|speed| (speed, counted || self.counts_speed));
+    }
+
+    /// The words of a block whose values come from parameters that nobody knows: which parameters these are.
+    fn read_unknown(&mut self, block: &Executed<'_>) {
+        let (_, id) = block.at();
+        for word in block.file().into_iter().flat_map(|file| file.words(id)).filter(|word| word.is_parametric()) {
+            let WordValue::Parameter { index, negated } = word.value() else { continue };
+            if block.parameter(index).is_some() {
+                continue;
+            }
+            let slot = match word.address {
+                Address::R => format!("R{}", word.target()),
+                address => address.row().letter.to_owned(),
+            };
+            let sign = if negated { "-" } else { "" };
+            self.event(block, ChangeKind::Parameter, &slot, Value::Text(format!("{sign}R{index}")));
+        }
+        let mut computes = block.g_written().filter(|code| code.operations() > 0);
+        let is_unknown = |index: &u8| block.state().is_assigned(*index) && block.parameter(*index).is_none();
+        if let Some(function) = computes.next().filter(|_| (0..96).any(|index| is_unknown(&index))) {
+            self.read_parameters(block);
+            self.event(block, ChangeKind::Parameter, &function.to_string(), Value::Text(String::new()));
+        }
     }
 
     /// What holds before the first block.
@@ -100,7 +141,7 @@ impl StepReader {
                 self.lasting(block, kind, slot, value);
             }
         }
-        self.read_functions(block, before, When::Before);
+        self.read_functions(block, before, When::Before, false);
         if let Some(data) = block.data() {
             let words = data.values.iter().map(|(letter, value)| format!("{letter}{value}"));
             let origin = data.origin.map(|origin| origin.to_string());
@@ -120,7 +161,7 @@ impl StepReader {
     }
 
     /// The M functions that act then.
-    fn read_functions(&mut self, block: &Executed<'_>, before: &Written, when: When) {
+    fn read_functions(&mut self, block: &Executed<'_>, before: &Written, when: When, beside: bool) {
         let machine = &block.settings().machine;
         let group_of = |number: u8| machine.m_functions.group(number);
         // Their order in the block does not matter.
@@ -138,7 +179,7 @@ impl StepReader {
                 self.lasting(block, ChangeKind::Tool, "M06", tool);
                 continue;
             }
-            let event = function_event(group, number, stays);
+            let event = Event { beside, ..function_event(group, number, stays) };
             if repeats {
                 self.steps.add_repeated(event);
             } else {
@@ -147,9 +188,9 @@ impl StepReader {
         }
     }
 
-    /// What acts behind the motion of a block.
-    fn read_behind(&mut self, block: &Executed<'_>, before: &Written) {
-        self.read_functions(block, before, When::Behind);
+    /// What acts behind the motion of a block, or may; `moves`: there is one.
+    fn read_behind(&mut self, block: &Executed<'_>, before: &Written, moves: bool) {
+        self.read_functions(block, before, When::Behind, moves);
         if let Some(dwell) = block.dwell() {
             self.event(block, ChangeKind::Dwell, "G04", Value::Number(dwell.millionths()));
         }
@@ -170,7 +211,7 @@ impl StepReader {
                 self.event(block, ChangeKind::Parameter, "G73", left);
             }
         }
-        self.read_functions(block, before, When::Last);
+        self.read_functions(block, before, When::Last, false);
     }
 
     /// The parameters that the program assigned, and that a macrocycle of the machine or a fixed cycle may read.
@@ -195,8 +236,9 @@ impl StepReader {
         // A block that takes no time, such as M03 alone, has no speed yet.
         let lasts =
             kind.is_some() || block.dwell().is_some() || block.stop() || block.cond_stop() || block.change_pos();
-        let turns = working || lasts && block.m(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
+        self.counts_speed = working || lasts && block.m(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
         // What S means; the unit of F tells of the other functions of the group.
+        let turns = self.counts_speed;
         let speed = block.g(GGroup::G6).filter(|code| turns && matches!(code, GCode::G96 | GCode::G97));
         let motion = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11].into_iter();
         let counts = |group: &GGroup| block.is_opaque() && (*group != GGroup::G0 || block.opaque_call().is_some());
@@ -214,8 +256,9 @@ impl StepReader {
         self.context = self.steps.context(&context);
     }
 
-    fn read_motion(&mut self, block: &Executed<'_>) {
-        let Some(moves) = block.motion() else { return };
+    /// Whether it moves.
+    fn read_motion(&mut self, block: &Executed<'_>) -> bool {
+        let Some(moves) = block.motion() else { return false };
         let mut motion = Motion::new(moves.kind());
         let by_distance = block.g(GGroup::G9) == Some(GCode::G91);
         // From a start that nobody knows, the way to the centre counts.
@@ -246,9 +289,14 @@ impl StepReader {
             center.iter().chain(&arc.sweep_deg).for_each(|value| motion.push(value.millionths()));
         }
         let (is_arc, returns) = (moves.arc().is_some(), moves.kind() == MotionType::Reference);
-        if motion.still != motion.axes || is_arc || returns {
+        if block.moves_on() && motion.values().contains(&UNKNOWN) {
+            self.read_unknown(block);
+        }
+        let adds = motion.still != motion.axes || is_arc || returns;
+        if adds {
             self.steps.add_motion(block.seq(), block.n(), self.context, &motion);
         }
+        adds
     }
 
     /// The sum of distances since nobody knows where an axis is.
@@ -266,7 +314,7 @@ pub(super) const INHERITED: [GGroup; 4] = [GGroup::G0, GGroup::G1, GGroup::G9, G
 fn function_event(group: usize, number: u8, lasts: bool) -> Event {
     let stop = group == PROGRAM_GROUP && !PROGRAM_ENDS.contains(&number);
     let kind = if stop { ChangeKind::Stop } else { ChangeKind::Function };
-    Event { kind, slot: format!("m{group}"), value: Value::Text(format!("M{number:02}")), lasts }
+    Event { kind, slot: format!("m{group}"), value: Value::Text(format!("M{number:02}")), lasts, beside: false }
 }
 
 /// When an M function acts: before the motion of its block, behind it, or when all of the block is done.
@@ -306,9 +354,11 @@ impl Sink for &mut StepReader {
             self.way = Default::default();
         }
         self.note_context(block);
+        self.follow_speed(block);
+        self.read_unknown(block);
         self.read_before(block, &before);
-        self.read_motion(block);
-        self.read_behind(block, &before);
+        let moves = self.read_motion(block);
+        self.read_behind(block, &before, moves);
         self.before = Some(Written::of(block.state()));
         ControlFlow::Continue(())
     }

@@ -34,6 +34,17 @@ pub struct Event {
     pub value: Value,
     /// Whether the value holds until another one is written.
     pub lasts: bool,
+    /// It stands in the block of a motion that it may act before or behind: the sources do not say.
+    pub beside: bool,
+}
+
+impl Event {
+    /// Equal for the same word wherever it stands.
+    pub fn word(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        (self.kind, &self.slot, &self.value).hash(&mut hasher);
+        hasher.finish()
+    }
 }
 
 /// The modal state at a step, as far as cutting depends on it.
