@@ -122,9 +122,9 @@ bilingual! {
             "separate words with blanks, never with commas: write `{written}`",
             "slova se oddělují mezerami, nikdy čárkami: napsat „{written}“";
         Whole { address: Address } "{address} takes whole numbers only", "{address} má jen celá čísla";
-        WholeWritten { written: String }
-            "the number is whole: write `{written}`",
-            "je to celé číslo: napsat „{written}“";
+        WholeWritten { written: String, digits: String }
+            "the number is whole: write `{written}`, or `{digits}` if the comma is one too many",
+            "je to celé číslo: napsat „{written}“, nebo „{digits}“, je-li čárka navíc";
         Dwell { written: String }
             "the dwell takes whole units of 10 ms; if seconds are meant, write `{written}`",
             "prodleva se zadává v celých jednotkách po 10 ms; jsou-li míněny sekundy, napsat „{written}“";

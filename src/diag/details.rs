@@ -109,6 +109,9 @@ bilingual! {
             "if it belongs to the program, write it alone: `{words}`; if it is a comment, put it between quotes: \
             `\"{comment}\"`",
             "patří-li to do programu, napsat jen „{words}“; je-li to komentář, dát ho do uvozovek: \"{comment}\"";
+        CzechKeys { written: String }
+            "on a Czech keyboard digits are typed with Shift: if a digit is meant, write `{written}`",
+            "číslice se na české klávesnici píší se Shiftem: je-li míněna číslice, napsat „{written}“";
         Accent { written: String }
             "if the address is meant, write `{written}`; else delete it",
             "je-li to adresa, napsat „{written}“, jinak vymazat";

@@ -55,8 +55,12 @@ impl Context<'_, '_> {
     fn follow(&mut self, resolved: &mut Resolved, written: &Written) -> Option<Target> {
         let number = l_number(written.l);
         if written.code == GCode::G71 {
-            self.warn_of_inner_call(resolved, written, number);
-            self.follow_subprogram(resolved, written, number?).map(Target::Unit)
+            let target = number.and_then(|number| self.follow_subprogram(resolved, written, number));
+            // One that is wrong has its finding.
+            if number.is_none() || target.is_some() && !written.l.is_faulty() {
+                self.warn_of_inner_call(resolved, written, number);
+            }
+            target.map(Target::Unit)
         } else if written.code == GCode::G72 {
             self.follow_macrocycle(resolved, written, number?).map(Target::Unit)
         } else {
@@ -161,7 +165,7 @@ fn named_by(context: &mut Context<'_, '_>, resolved: &Resolved, words: &[Word]) 
         // A G71 that clashes with another function of its group names it too, and so does one from a parameter. Of a
         // number that no subprogram has, the nearest was meant.
         if written(GCode::G71) || roles.taker.may_be(GCode::G71) {
-            named.extend(if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l) });
+            named.extend(if resolved.subprogram(l).is_some() { Some(l) } else { resolved.nearest_subprogram(l, None) });
         }
         let missing =
             |context: &mut Context<'_, '_>| context.library.find(l).is_err() && !context.library.is_of_machine(l);

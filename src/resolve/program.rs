@@ -201,9 +201,10 @@ impl Resolved {
         self.subprograms.get(&l).copied()
     }
 
-    /// The number of a subprogram that is nearest to `l` by spelling.
-    pub fn nearest_subprogram(&self, l: u32) -> Option<u32> {
-        self.subprograms.keys().copied().min_by_key(|number| spelling::distance(*number, l))
+    /// The number of a subprogram that is nearest to `l` by spelling, but not the one that is called from.
+    pub fn nearest_subprogram(&self, l: u32, from: Option<u32>) -> Option<u32> {
+        let others = self.subprograms.keys().copied().filter(|number| Some(*number) != from);
+        others.min_by_key(|number| spelling::distance(*number, l))
     }
 
     /// Where the call or jump of a block leads, when it is written with digits and exists.

@@ -104,7 +104,11 @@ pub fn subprogram(
     let program = FileId(0);
     let star = resolved.star(program).filter(|_| !from_macrocycle && !macrocycle);
     let hidden = star.zip(resolved.file(program)).and_then(|(star, file)| Some((star.at, star.entry(file, l)?)));
-    let near = resolved.nearest_subprogram(l).filter(|_| hidden.is_none());
+    let own = match from.kind {
+        UnitKind::Subprogram(own) => own,
+        UnitKind::Main | UnitKind::Macrocycle(_) => None,
+    };
+    let near = resolved.nearest_subprogram(l, own).filter(|_| hidden.is_none());
     let block = has_block(resolved, from, l);
     let (star, unread) = hidden.unzip();
     let (without_entry, uncalled) = (None, None);

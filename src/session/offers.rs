@@ -311,7 +311,8 @@ fn instead_of_return(file: &ParsedFile, unit: Unit) -> Option<Vec<Fix>> {
     Some(write(file, word.span(file.source.text()), "M30".to_owned()))
 }
 
-/// Without a word and the blanks before it; not when nothing else is in its block.
+/// Without a word and the blanks before it; not when nothing else is in its block, nor right behind a number, of which its
+/// letter may be a digit: `Z-7.l25`.
 fn delete_word(file: &ParsedFile, block: BlockId, word: Word) -> Option<Vec<Fix>> {
     let words = file.words(block);
     let twice =
@@ -323,6 +324,9 @@ fn delete_word(file: &ParsedFile, block: BlockId, word: Word) -> Option<Vec<Fix>
     let span = word.span(text);
     let before = text.get(..span.start as usize)?.trim_end_matches([' ', '\t']);
     let with_blanks = Span::new(u32::try_from(before.len()).ok()?, span.end);
+    if with_blanks == span && before.ends_with(|last: char| last.is_ascii_digit() || last == '.') {
+        return None;
+    }
     Some(offer(FixTitle::Delete { text: file.source.slice(span).to_owned() }, file, with_blanks, ""))
 }
 

@@ -16,7 +16,7 @@ N30 M30
 ř
 === findings part.nc
 2:4-2:6 W0601 working motion before the program sets a feed | help: write `F` in this block or before it; otherwise the feed of the program before stays in force
-2:7-2:9 E0101 `Xř` means nothing to the control | help: a number has digits, a sign and a decimal point only
+2:7-2:9 E0101 `Xř` means nothing to the control | help: on a Czech keyboard digits are typed with Shift: if a digit is meant, write `X5`
 === text part.nc
 %1
 N10 G00 X1

@@ -370,24 +370,30 @@ null
 === request cnc872c/restart part.nc@once
 === answer
 {
-  "safe": "--safe is missing: since the last change of tool, origin or correction the program was not higher in Z"
+  "safe": "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in Z"
 }
 === request cnc872c/restart part.nc@corrected
 === answer
 {
   "nearest": {
-    "n": 80,
-    "seq": 15
+    "n": 10,
+    "seq": 0
   },
-  "refused": "no start there: G41 is in force: only the program itself can lead the tool to the corrected path\nnearest earlier place that works: --seq 15, N80 (line 9), 0:00:06.6 after program start"
+  "refused": "no start there: G41 is in force: only the program itself can lead the tool to the corrected path\nnearest earlier place that works: --seq 0, N10 (line 2), 0:00:00.0 after program start"
+}
+=== request cnc872c/restart part.nc@loop
+{ "seq": 11, "safe": "60" }
+=== answer
+{
+  "message": null,
+  "name": "part-N60.nc",
+  "text": "%1 \"part.nc from N60, pass 1\"\nN100 G54 \"functions in force\"\nN110 T5 M06 \"tool change, N20\"\nN120 S900 M03 \"spindle, N30\"\nN130 F200 \"feed, N30\"\nN140 G00 G90 Z60 \"up to --safe\"\nN150 G00 X10 Y0 \"across\"\nN160 G00 Z50 \"down to 2 above\"\nN170 G01 Z48 \"to the place at F\"\nN60 Y10\nN70 G73 L60 Q1\nN80 G41 D1 X20\nN90 G40 X30\nN95 X40 G73 L99\nN97 X50\nN99 M30\n"
 }
 === request cnc872c/restart part.nc@loop
 { "seq": 11 }
 === answer
 {
-  "message": null,
-  "name": "part-N60.nc",
-  "text": "%1 \"part.nc from N60, pass 1\"\nN100 G54 \"functions in force\"\nN110 T5 M06 \"tool change, N20\"\nN120 S900 M03 \"spindle, N30\"\nN130 F200 \"feed, N30\"\nN140 G00 G90 Z50 \"up to the program's highest with this tool\"\nN150 G00 X10 Y0 \"across\"\nN160 G01 Z48 \"to the place at F\"\nN60 Y10\nN70 G73 L60 Q1\nN80 G41 D1 X20\nN90 G40 X30\nN95 X40 G73 L99\nN97 X50\nN99 M30\n"
+  "safe": "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in Z"
 }
 === request textDocument/codeLens part.nc
 === answer
@@ -440,7 +446,7 @@ N30 M30
 === request cnc872c/restart flat.nc@flat
 === answer
 {
-  "safe": "--safe is missing: since the last change of tool, origin or correction the program was not higher in Z"
+  "safe": "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in Z"
 }
 === request cnc872c/restart flat.nc@flat
 { "safe": "50,5" }

@@ -101,10 +101,8 @@ impl StepReader {
             if block.parameter(index).is_some() {
                 continue;
             }
-            let slot = match word.address {
-                Address::R => format!("R{}", word.target()),
-                address => address.row().letter.to_owned(),
-            };
+            let letter = word.address.row().letter;
+            let slot = if word.address == Address::R { format!("R{}", word.target()) } else { letter.to_owned() };
             let sign = if negated { "-" } else { "" };
             self.event(block, ChangeKind::Parameter, &slot, Value::Text(format!("{sign}R{index}")));
         }

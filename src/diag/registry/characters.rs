@@ -36,7 +36,9 @@ macro_rules! characters {
                 _ if is_exchanged(loose) => {
                     format!("the address stands before its number: `{written}` in place of `{loose}`")
                 }
-                (true, ..) => "write the parameter or the number, not both".to_owned(),
+                (true, true, _) => "write the parameter or the number, not both".to_owned(),
+                (true, false, true) => format!("an address is missing before `{loose}`"),
+                (true, false, false) => format!("an address is missing before `{loose}`: `{written}`?"),
                 (_, true, _) => format!("write `{joined}`, or give the second number an address of its own"),
                 (_, false, true) => format!(
                     "an address is missing before `{loose}`; if it goes on with the number before it, write `{joined}`"
@@ -48,7 +50,9 @@ macro_rules! characters {
             })
                | (match (joined.is_empty(), loose.is_empty(), written.is_empty()) {
                    _ if is_exchanged(loose) => format!("adresa se píše před číslo: „{written}“ místo „{loose}“"),
-                   (true, ..) => "napsat buď parametr, nebo číslo".to_owned(),
+                   (true, true, _) => "napsat buď parametr, nebo číslo".to_owned(),
+                   (true, false, true) => format!("před {loose} chybí adresa"),
+                   (true, false, false) => format!("před {loose} chybí adresa: „{written}“?"),
                    (_, true, _) => format!("napsat „{joined}“, nebo druhému číslu doplnit adresu"),
                    (_, false, true) => {
                        format!("před {loose} chybí adresa; patří-li k předchozímu číslu, napsat „{joined}“")

@@ -146,7 +146,11 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
     if !split.apart && (split.is_continued() || split.is_function()) {
         return Some(base);
     }
-    let missing = missing(around, &split);
+    let takes = |address: &Address| {
+        let number = Number::parse(split.text.as_bytes());
+        number.is_none_or(|number| around.may_mean(*address, split.loose.start, number))
+    };
+    let missing = missing(around, &split).filter(takes);
     let dimensional = split.address.is_dimensional();
     let written = missing.map(|address| format!("{address}{}", split.text)).unwrap_or_default();
     let (loose, shown_written) = (shown(split.text), shown(&written));

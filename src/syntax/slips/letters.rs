@@ -1,8 +1,8 @@
 //! Letters in place of digits, and block numbers with their letter in the wrong place.
 
 use super::functions::arc_in_force;
-use super::{Around, Diagnosis, numbers, without_blanks, write};
-use crate::diag::{Finding, NumberMeant, ValueMeant, shown};
+use super::{Around, Diagnosis, numbers, value, without_blanks, write};
+use crate::diag::{Finding, Meant, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::sure::Sure;
 use crate::syntax::number::Number;
@@ -149,6 +149,32 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
         Some(second) => diagnosis.void(second, behind.span()),
         None => diagnosis.debris().junk(span.to(behind.span())),
     })
+}
+
+/// `S150é`, `Xě5`: digits of a Czech keyboard without Shift.
+pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
+    const KEYS: &str = "é+ěščřžýáí";
+    let token = around.token();
+    let garbled = token.kind == Kind::Junk(Shape::GarbledWord);
+    let behind = matches!(token.kind, Kind::Junk(Shape::Unknown | Shape::Text)) && around.is_behind_digit(token.start);
+    if !garbled && !behind {
+        return None;
+    }
+    let (span, text) = (token.span(), around.slice(token.span()));
+    let (letter, keys) = if garbled { text.split_at_checked(1)? } else { ("", text) };
+    let digit = |key: char| match KEYS.chars().position(|known| known == key) {
+        Some(digit) if !key.is_ascii() => char::from_digit(u32::try_from(digit).ok()?, 10),
+        Some(_) | None => Some(key).filter(|key| key.is_ascii_digit() || *key == '.'),
+    };
+    let digits: String = keys.chars().map(digit).collect::<Option<_>>()?;
+    let before = if garbled { letter } else { around.slice(around.previous()?.span()) };
+    let written = format!("{before}{digits}");
+    let address = written.bytes().next().and_then(Address::from_byte)?;
+    value(address, span, written.get(1..)?.trim_start_matches([' ', '\t']))?;
+    let found = around.characters(span, Meant::CzechKeys { written: written.clone() });
+    let found = found.with_offer(write(&written), around.place(span), format!("{letter}{digits}"));
+    let diagnosis = Diagnosis::saying(1, found);
+    Some(if garbled { diagnosis.void(address, span) } else { diagnosis.debris().junk(span) })
 }
 
 /// `8N0`: the letter of a block number is inside it.

@@ -23,7 +23,7 @@ use super::number::Number;
 use super::tokens::{Kind, Shape, Token};
 use super::{Word, grammar};
 use crate::diag::{Diagnostic, Finding, FixTitle, Meant, NumberMeant, shown};
-use crate::dict::{Address, GCode};
+use crate::dict::{Address, GCode, ValueForm};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
 
@@ -46,7 +46,7 @@ const AROUND_WORDS: [Row; 8] = [
 ];
 
 /// The same for whatever is not a well-formed word. Recognisers that look farther around come first.
-const TABLE: [Row; 40] = [
+const TABLE: [Row; 41] = [
     (comments::quoted, "\"text\""),
     (comments::typographic, "„text“"),
     (comments::foreign, "(text)"),
@@ -79,6 +79,7 @@ const TABLE: [Row; 40] = [
     (elsewhere::jump_target, "G73 N20"),
     (letters::mixed, "8N0"),
     (numbers::without_n, "110 G02"),
+    (letters::czech_keys, "S150é"),
     (texts::unit, "F300mm/min"),
     (numbers::sign_first, "-X10"),
     (numbers::stray, "\"c\" 5"),
@@ -354,9 +355,14 @@ impl<'t> Around<'t> {
         self.words.iter().filter_map(|word| word.g_code())
     }
 
-    /// Whether the word at a place may have meant that number: there is such a G function, and the others of the block
-    /// leave room for it.
+    /// Whether the word at a place may have meant that number: its address takes it; there is such a G function, and the
+    /// others of the block leave room for it.
     fn may_mean(&self, address: Address, at: u32, number: Number) -> bool {
+        if let ValueForm::Whole { min, max } = address.row().form
+            && !number.value.as_whole().is_some_and(|number| (min..=max).contains(&number))
+        {
+            return false;
+        }
         let code = number.value.as_whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number);
         let mut others = self.words.iter().filter(|word| word.start() != at).filter_map(|word| word.g_code());
         address != Address::G || code.is_some_and(|code| others.all(|other| other.group() != code.group()))

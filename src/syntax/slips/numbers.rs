@@ -115,12 +115,15 @@ impl Broken<'_> {
                 return (None, Some(around.diagnostic(span, finding)));
             }
         };
-        // A function that does not exist, or that another one of the block excludes, was not meant.
-        if let (None, Some(number)) = (certain, number)
-            && !around.may_mean(address, span.start, number)
-            && let Finding::LetterForDigit { .. } = finding
-        {
-            return (None, Some(around.diagnostic(span, Finding::LetterForDigit { fixed: String::new() })));
+        // What its address does not take, or what another function of the block excludes, was not meant.
+        if certain.is_none() && number.is_some_and(|number| !around.may_mean(address, span.start, number)) {
+            let loose = pieces.last().map_or("", |piece| around.slice(piece.span()));
+            let finding = if let Finding::LetterForDigit { .. } = finding {
+                Finding::LetterForDigit { fixed: String::new() }
+            } else {
+                Finding::SplitNumber { joined: String::new(), loose: shown(loose), written: String::new() }
+            };
+            return (None, Some(around.diagnostic(span, finding)));
         }
         let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
         let found = around.diagnostic(span, finding).with_edits(certain, write(&fixed), edits);
@@ -149,7 +152,8 @@ impl Broken<'_> {
             (CommaMeant::Point { written }, Some(fixed))
         } else if let Some(whole) = whole {
             let written = format!("{prefix}{whole}");
-            (CommaMeant::WholeWritten { written: written.clone() }, Some(written))
+            let digits = format!("{prefix}{}", joined.replace(',', ""));
+            (CommaMeant::WholeWritten { written: written.clone(), digits }, Some(written))
         } else {
             (in_dwell(around, address, joined).unwrap_or(CommaMeant::Whole { address }), None)
         };
