@@ -144,12 +144,6 @@ impl Offers<'_> {
         {
             return self.unused_subprogram(file, self.unit_at(file, at)?, l);
         }
-        if let Finding::UnassignedParameter { parameter, .. } = found.finding
-            && found.at.file == FileId(0)
-            && word_at(file, at).is_some_and(|(_, word)| word.address.axis().is_some())
-        {
-            return self.before_first(file, &format!("R{parameter}=0"));
-        }
         None
     }
 

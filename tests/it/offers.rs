@@ -97,7 +97,6 @@ fn what_is_offered() {
         (Code::W0303, "%1\nN10 G0 X10.0012\nN20 M30\n", "write `X10.001`", "X10.001\n"),
         (Code::W0402, "%1\nN10 G0 X1 L5\nN20 M30\n", "delete `L5`", "N10 G0 X1\n"),
         (Code::W0403, "%1\nN10 G0 X1 Q5\nN20 M30\n", "delete `Q5`", "N10 G0 X1\n"),
-        (Code::W0503, "%1\nN10 G0 XR10\nN20 M30\n", "insert `N5 R10=0`", "%1\nN5 R10=0\nN10 G0 XR10\n"),
     ];
     for (code, program, title, result) in cases {
         let (offered, now) = offered(program, code);

@@ -38,7 +38,7 @@ macro_rules! flow {
             })
             help (match without_entry {
                 _ if let Some(unread) = unread => unread.help(Lang::En).to_owned(),
-                Some(block) => format!("if it begins with N{block}, put a block before it: `N… G79 L{l}`"),
+                Some(block) => format!("if it begins with N{block}, `G79 L{l}` belongs in it, or in a block before it"),
                 None if let Some(other) = uncalled => format!(
                     "nothing calls L{other}: if it is meant, write `G79 L{l}` where it begins, or `G71 L{other}` in \
                     the calls"
@@ -50,7 +50,7 @@ macro_rules! flow {
             })
                | (match without_entry {
                    _ if let Some(unread) = unread => unread.help(Lang::Cs).to_owned(),
-                   Some(block) => format!("začíná-li blokem N{block}, doplnit před něj blok „N… G79 L{l}“"),
+                   Some(block) => format!("začíná-li blokem N{block}, patří „G79 L{l}“ do něj, nebo do bloku před ním"),
                    None if let Some(other) = uncalled => format!(
                        "L{other} nic nevolá: je-li míněn, napsat na jeho začátku „G79 L{l}“, nebo ve voláních „G71 \
                        L{other}“"
