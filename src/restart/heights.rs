@@ -31,8 +31,16 @@ struct Stood {
     /// Its greatest position that was not reached by cutting down, and its least.
     highest: Option<Micro>,
     lowest: Option<Micro>,
-    /// The greatest position at which a rapid moved other axes alone, or to which one rose.
+    /// The greatest position at which a rapid moved other axes alone, or to which the axis rose alone or in rapid.
     cleared: Option<Micro>,
+}
+
+/// Above all heights.
+const UNKNOWN: Micro = Micro::from_millionths(i64::MAX);
+
+/// Whether the tool works on such a motion.
+fn is_work(kind: MotionType) -> bool {
+    kind.is_working() || kind == MotionType::Thread
 }
 
 /// Where an axis stands, when that is known.
@@ -48,11 +56,15 @@ pub(super) struct Heights {
     /// What is in force, and what is known of it.
     frame: Frame,
     stood: Stood,
-    /// The greatest position at which any tool worked at this origin.
+    /// The greatest position at which any tool worked at this origin; [`UNKNOWN`] where nobody knows one.
     worked: Option<Micro>,
     /// The tool's axis came to where it is in rapid, and nothing was worked there.
     in_rapid: bool,
-    /// The same of what was in force before.
+    /// The last motion worked along other axes.
+    works_across: bool,
+    /// The last motion worked, and the axis did not rise in it.
+    in_cut: bool,
+    /// What is known of what was in force before.
     earlier: HashMap<Frame, Stood>,
     worked_earlier: HashMap<Origin, Micro>,
 }
@@ -72,18 +84,23 @@ impl Heights {
         let mut clear = self.in_rapid;
         if let Some(motion) = block.motion() {
             let moves = motion.moves(axis);
+            let alone = moves && motion.axes().count() == 1;
             let rapid = motion.kind() == MotionType::Rapid;
             self.in_rapid = rapid && (moves || self.in_rapid);
             let rises = self.start(block, before).is_some_and(|start| stands > Some(start));
             // A height at which the program came by cutting down is none to move at in rapid.
             clear = rapid || rises;
-            if rapid && (rises || !moves) {
+            if rapid && (rises || !moves) || rises && alone {
                 self.stood.cleared = self.stood.cleared.max(stands);
             }
+            self.in_cut = !rapid && !rises;
         }
         self.stood.highest = self.stood.highest.max(stands.filter(|_| clear));
         self.stood.lowest = [self.stood.lowest, stands].into_iter().flatten().min();
         self.worked = self.worked.max(self.works_at(block, before));
+        if block.motion().is_some() {
+            self.works_across = self.is_across(block);
+        }
     }
 
     fn change_frame(&mut self, block: &Executed<'_>) {
@@ -91,7 +108,7 @@ impl Heights {
             // What was counted from the old values means nothing any more.
             let written = data.origin.unwrap_or(data.g);
             let moves = |(g5, g11): Origin| [g5, g11].contains(&Some(written));
-            let corrects = |frame: Frame| data.d.is_some() && frame.correction.is_some();
+            let corrects = |frame: Frame| data.d.is_some() && frame.correction.is_some_and(|(d, _)| d == data.d);
             self.earlier.retain(|frame, _| !moves(frame.origin) && !corrects(*frame));
             self.worked_earlier.retain(|origin, _| !moves(*origin));
             if moves(self.frame.origin) {
@@ -119,10 +136,19 @@ impl Heights {
         !block.moves_on() && (block.data().is_some() || Frame::of(block) != self.frame)
     }
 
-    /// Where the tool's axis is while a block works: at the lower end of its motion, which may begin in the air.
+    /// Where the tool's axis is while a block works: at the lower end of its motion, which may begin in the air, and
+    /// on the ridge between two such motions. [`UNKNOWN`] when nobody knows.
     pub fn works_at(&self, block: &Executed<'_>, before: &State) -> Option<Micro> {
-        let (_, at) = self.axis.filter(|_| block.motion().is_some_and(|motion| motion.kind().is_working()))?;
-        [self.start(block, before), position(block.state(), at)].into_iter().flatten().min()
+        let (_, at) = self.axis.filter(|_| block.motion().is_some_and(|motion| is_work(motion.kind())))?;
+        let start = self.start(block, before);
+        let lower = [start, position(block.state(), at)].into_iter().flatten().min();
+        lower.or(Some(UNKNOWN)).max(start.filter(|_| self.works_across && self.is_across(block)))
+    }
+
+    /// Whether a block works along other axes than the tool's.
+    fn is_across(&self, block: &Executed<'_>) -> bool {
+        let other = |axis: AxisLetter| self.axis.is_none_or(|(tool, _)| axis != tool);
+        block.motion().is_some_and(|motion| is_work(motion.kind()) && motion.axes().any(other))
     }
 
     /// Where the tool's axis is before the motion of a block, counted as in the block.
@@ -137,11 +163,16 @@ impl Heights {
         self.in_rapid
     }
 
+    /// Whether the last motion worked without rising.
+    pub const fn is_in_cut(&self) -> bool {
+        self.in_cut
+    }
+
     /// The height at which the approach to a place can move the other axes, as the program shows it: the greatest that
     /// it had with this tool at this origin, above all that was worked there. The height of the place itself is one
     /// where the program crossed at it or rose to it; `alone`: no other axis moves.
     pub fn clear_of(&self, place: Micro, alone: bool) -> Option<Micro> {
-        let at_place = self.in_rapid && (alone || self.stood.cleared == Some(place));
+        let at_place = self.stood.cleared == Some(place) || self.in_rapid && alone;
         self.stood
             .highest
             .filter(|highest| self.worked < Some(*highest) && (*highest > place || (*highest == place && at_place)))

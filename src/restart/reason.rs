@@ -76,9 +76,8 @@ bilingual! {
             "X is negative here, and the tool came from there: the approach would cross the workpiece",
             "X je zde záporné a nástroj přijel z této strany: najetí by přejelo obrobek";
         NoSafe { axis: String }
-            "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in \
-            {axis}",
-            "chybí --safe: s tímto nástrojem a počátkem program v ose {axis} nikde nestál nad místem a obráběním";
+            "--safe is missing: with this tool and origin the program shows no height in {axis} to move across at",
+            "chybí --safe: s tímto nástrojem a počátkem program neukazuje v ose {axis} výšku, v níž lze přejíždět";
     }
 }
 

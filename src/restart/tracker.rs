@@ -398,11 +398,12 @@ impl Tracker {
                 return Err(Reason::FeedUnit { g: mode.to_string() });
             }
             let per = per(state.g_in_force(GGroup::G6));
-            let turns = state.m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
+            let turns = state.m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m))
+                && state.s() != Some(Decimal::ZERO);
             if per == Some(FeedPer::Revolution) && !turns {
                 return Err(Reason::Standing);
             }
-            if self.turned && !turns && !self.heights.came_in_rapid() {
+            if self.turned && !turns && self.heights.is_in_cut() {
                 return Err(Reason::StandingInCut);
             }
         }

@@ -298,6 +298,8 @@ fn starts_that_would_be_wrong() {
         ("N60 G01 Z0 D2\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
         // Back at an origin, or with a tool, the heights there are those from before.
         ("N30 G00 Z8\nN60 G55\nN61 Z60\nN62 G54\nN63 Z7\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
+        // Corrections that are written for another D are none of those in force.
+        ("N30 G92 D9 Z0\nN40 G00 X0 Y0 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
         ("N30 G58 X9\nN40 G00 X0 Y0 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
         ("N30 T1 M06\nN60 G00 Z8\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
         ("N30 T2 M06\nN40 G00 Z8\nN50 T1 M06\nN60 Z9\nN65 G01 Z-5 X1 Y0\nN70 X30\n", "Z50 "),
@@ -338,6 +340,18 @@ fn starts_that_would_be_wrong() {
     // Another tool worked higher at this origin, or this one at all its heights.
     let boss = "N30 G00 Z22\nN35 G01 Z20\nN40 X50\nN50 T2 M06\nN55 G00 X60 Y0 Z5\nN60 G01 Z-5\nN70 X70\n";
     start(boss, &[]).ends(2).says("--safe is missing");
+    // So it is where an origin left the axis at a height that nobody knows, on a thread, and on the ridge of two feeds.
+    for work in
+        ["N35 G58 X5\nN40 G01 X60\nN45 G00 Z100", "N40 G33 X50 K2\nN45 G00 Z90", "N32 G01 Z0\nN35 X9 Z30\nN40 X20 Z0"]
+    {
+        let text = format!(
+            "N30 G00 Z60\n{work}\nN48 G53 G00 Z0\nN50 T2 M06\nN55 G54 X60 Y0 Z5\nN57 X50\nN60 G01 Z-5\nN70 X70\n"
+        );
+        start(&text, &[]).ends(2).says("--safe is missing");
+    }
+    // A feed that rises alone clears, and M05 behind it stops no spindle in the cut.
+    let bored = "N30 G55 T2 M06\nN35 G00 X0 Y0\nN40 S9 M03\nN50 Z2\nN55 G01 Z-5\nN60 Z20 M05\nN70 G00 X5\n";
+    assert!(start(bored, &[]).ends(0).stdout.contains("G00 G90 Z20 \"up to"), "{bored}");
     let other = boss.replace("T2 M06", "G55 T2 M06");
     assert!(start(&other, &[]).ends(0).stdout.contains("G00 G90 Z5 \"up to"), "{other}");
     assert!(across("N70 X60\n", "--safe=10").contains("Z50 \"the height of the place, which is above --safe\""));

@@ -370,7 +370,7 @@ null
 === request cnc872c/restart part.nc@once
 === answer
 {
-  "safe": "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in Z"
+  "safe": "--safe is missing: with this tool and origin the program shows no height in Z to move across at"
 }
 === request cnc872c/restart part.nc@corrected
 === answer
@@ -393,7 +393,7 @@ null
 { "seq": 11 }
 === answer
 {
-  "safe": "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in Z"
+  "safe": "--safe is missing: with this tool and origin the program shows no height in Z to move across at"
 }
 === request textDocument/codeLens part.nc
 === answer
@@ -446,7 +446,7 @@ N30 M30
 === request cnc872c/restart flat.nc@flat
 === answer
 {
-  "safe": "--safe is missing: with this tool and origin the program stood nowhere above the place and its work in Z"
+  "safe": "--safe is missing: with this tool and origin the program shows no height in Z to move across at"
 }
 === request cnc872c/restart flat.nc@flat
 { "safe": "50,5" }

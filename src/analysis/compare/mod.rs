@@ -15,6 +15,7 @@ mod reader;
 mod steps;
 mod table;
 mod text;
+mod unknown;
 mod words;
 
 pub use changes::{Blocks, Change, ChangeKind, Comparison, Tolerances, compare};

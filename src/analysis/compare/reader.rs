@@ -5,14 +5,14 @@ use std::ops::ControlFlow;
 
 use super::ChangeKind;
 use super::steps::{Context, Event, Motion, Steps, UNKNOWN, Value};
+use super::unknown::{Unknowns, as_written, is_unclear};
 use crate::diag::Findings;
 use crate::dict::{
-    Address, AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
+    AxisLetter, COOLANT_12, COOLANT_34, Decimal, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, ORIENTED_STOP,
     PROGRAM_ENDS, PROGRAM_GROUP, PROGRAM_STOP, SPINDLE_GROUP, SPINDLE_STOP, SPINDLE_TURNS, TOOL_CHANGE,
     standard_m_functions,
 };
 use crate::run::{ArcPath, End, Executed, MotionType, Sink, State};
-use crate::syntax::Value as WordValue;
 
 /// Reads the steps of a program.
 #[derive(Debug)]
@@ -27,6 +27,7 @@ pub struct StepReader {
     handed: BTreeMap<u8, Value>,
     /// The speed of the spindle that turns, and whether a step showed it.
     speed: Option<(Decimal, bool)>,
+    unknowns: Unknowns,
     /// The speed counts in the block.
     counts_speed: bool,
 }
@@ -61,6 +62,7 @@ impl StepReader {
             way: Default::default(),
             handed: BTreeMap::new(),
             speed: None,
+            unknowns: Unknowns::default(),
             counts_speed: false,
         }
     }
@@ -93,24 +95,14 @@ impl StepReader {
         self.speed = speed.map(|speed| (speed, counted || self.counts_speed));
     }
 
-    /// The words of a block whose values come from parameters that nobody knows: which parameters these are.
+    /// The words of a block whose values nobody knows, and those that a block cannot be read by.
     fn read_unknown(&mut self, block: &Executed<'_>) {
-        let (_, id) = block.at();
-        for word in block.file().into_iter().flat_map(|file| file.words(id)).filter(|word| word.is_parametric()) {
-            let WordValue::Parameter { index, negated } = word.value() else { continue };
-            if block.parameter(index).is_some() {
-                continue;
-            }
-            let letter = word.address.row().letter;
-            let slot = if word.address == Address::R { format!("R{}", word.target()) } else { letter.to_owned() };
-            let sign = if negated { "-" } else { "" };
-            self.event(block, ChangeKind::Parameter, &slot, Value::Text(format!("{sign}R{index}")));
+        self.unknowns.assign(block);
+        for (address, from) in self.unknowns.words(block) {
+            self.event(block, ChangeKind::Parameter, address.row().letter, Value::Text(from));
         }
-        let mut computes = block.g_written().filter(|code| code.operations() > 0);
-        let is_unknown = |index: &u8| block.state().is_assigned(*index) && block.parameter(*index).is_none();
-        if let Some(function) = computes.next().filter(|_| (0..96).any(|index| is_unknown(&index))) {
-            self.read_parameters(block);
-            self.event(block, ChangeKind::Parameter, &function.to_string(), Value::Text(String::new()));
+        for (address, value) in as_written(block) {
+            self.event(block, ChangeKind::Data, address.row().letter, value);
         }
     }
 
@@ -146,7 +138,7 @@ impl StepReader {
             let correction = data.d.map(|d| format!("D{d}"));
             let words: Vec<String> = origin.into_iter().chain(correction).chain(words).collect();
             self.event(block, ChangeKind::Data, &data.g.to_string(), Value::Text(words.join(" ")));
-        } else if !block.words().is_empty() {
+        } else if !block.words().is_empty() || block.is_unmapped_cycle() {
             if block.is_unmapped_cycle() {
                 self.read_parameters(block);
             }
@@ -228,6 +220,8 @@ impl StepReader {
     fn note_context(&mut self, block: &Executed<'_>) {
         let kind = block.motion().map(|motion| motion.kind());
         let working = kind.is_some_and(|kind| kind.is_working() || kind == MotionType::Thread) || block.is_opaque();
+        let unclear = is_unclear(block);
+        let working = working || unclear;
         let feed = block.feed().map(|feed| (feed.value, feed.unit, feed.hundredth));
         let radius = block.g(GGroup::G3).filter(|code| *code != GCode::G40);
         let plane = block.g(GGroup::G1).filter(|_| radius.is_some());
@@ -239,7 +233,8 @@ impl StepReader {
         let turns = self.counts_speed;
         let speed = block.g(GGroup::G6).filter(|code| turns && matches!(code, GCode::G96 | GCode::G97));
         let motion = [GGroup::G2, GGroup::G3, GGroup::G5, GGroup::G11].into_iter();
-        let counts = |group: &GGroup| block.is_opaque() && (*group != GGroup::G0 || block.opaque_call().is_some());
+        let counts =
+            |group: &GGroup| unclear || block.is_opaque() && (*group != GGroup::G0 || block.opaque_call().is_some());
         let inherited = INHERITED.into_iter().filter(counts);
         let functions = motion.chain(inherited).filter_map(|group| block.g(group)).chain(plane).chain(speed);
         let context = Context {

@@ -121,7 +121,8 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let signed = head.ends_with(['+', '-']);
     let same = |other: &&Word| Some(other.address) == second && !matches!(other.address, Address::G | Address::M);
     let repeated = around.words.iter().filter(same).count() > 1;
-    let digit = look_alike(letter);
+    // A speed of its own, unless the block has another one.
+    let digit = look_alike(letter).filter(|_| letter != b'S' || signed || repeated);
     let assigned = head.contains('=');
     let of_arc = letter == b'I' && !signed && !repeated && arc_in_force(around.text, behind.start);
     if of_arc || !(digit.is_some() || is_unlikely(letter) || signed || repeated || assigned) {
@@ -156,7 +157,8 @@ pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
     const KEYS: &str = "é+ěščřžýáí";
     let token = around.token();
     let garbled = token.kind == Kind::Junk(Shape::GarbledWord);
-    let behind = matches!(token.kind, Kind::Junk(Shape::Unknown | Shape::Text)) && around.is_behind_digit(token.start);
+    let behind = matches!(token.kind, Kind::Junk(Shape::Unknown | Shape::Text))
+        && around.text.get(..token.start as usize)?.ends_with(|last: char| last.is_ascii_digit() || last == '.');
     if !garbled && !behind {
         return None;
     }

@@ -19,11 +19,13 @@ pub(super) use numbers::lost_number;
 pub use swallowed::swallowed_words;
 pub(super) use texts::statement_end;
 
+use std::ops::RangeInclusive;
+
 use super::number::Number;
 use super::tokens::{Kind, Shape, Token};
 use super::{Word, grammar};
 use crate::diag::{Diagnostic, Finding, FixTitle, Meant, NumberMeant, shown};
-use crate::dict::{Address, GCode, ValueForm};
+use crate::dict::{Address, Dialect, GCode, ValueForm};
 use crate::sure::{Sure, small};
 use crate::text::{FileId, Location, Span};
 
@@ -358,9 +360,18 @@ impl<'t> Around<'t> {
     /// Whether the word at a place may have meant that number: its address takes it; there is such a G function, and the
     /// others of the block leave room for it.
     fn may_mean(&self, address: Address, at: u32, number: Number) -> bool {
-        if let ValueForm::Whole { min, max } = address.row().form
-            && !number.value.as_whole().is_some_and(|number| (min..=max).contains(&number))
-        {
+        let range = match address.row().form {
+            ValueForm::Whole { min, max } => Some(min..=max),
+            ValueForm::Technological => Some(0..=i64::from(Dialect::HIGHEST_M)),
+            ValueForm::None
+            | ValueForm::CorrectionDigits
+            | ValueForm::Dimension
+            | ValueForm::Feed
+            | ValueForm::Auxiliary
+            | ValueForm::Parameter => None,
+        };
+        let is_out = |range: RangeInclusive<i64>| !number.value.as_whole().is_some_and(|whole| range.contains(&whole));
+        if range.is_some_and(is_out) {
             return false;
         }
         let code = number.value.as_whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number);

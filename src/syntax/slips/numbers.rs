@@ -3,7 +3,7 @@
 use super::letters::{is_all_letters, look_alike};
 use super::{Around, Cursor, Diagnosis, functions, parameters, without_blanks, write};
 use crate::diag::{Certain, CommaMeant, Diagnostic, Edit, Finding, Meant, NumberMeant, ValueMeant, shown};
-use crate::dict::{Address, Decimal, GCode, HIGHEST_Q};
+use crate::dict::{Address, Decimal, Dialect, GCode, HIGHEST_Q};
 use crate::sure::Sure;
 use crate::syntax::number::Number;
 use crate::syntax::tokens::{Kind, Shape, Token};
@@ -146,6 +146,8 @@ impl Broken<'_> {
         let whole = number.value.as_whole().filter(|_| !number.rounded);
         let (meant, fixed) = if joined.ends_with(',') && joined.matches(',').count() == 1 {
             (CommaMeant::Border { written }, Some(fixed))
+        } else if apart && !address.row().form.takes_point(Dialect::Cnc872) {
+            (CommaMeant::Whole { address }, None)
         } else if apart {
             (CommaMeant::Apart { written }, None)
         } else if address.is_dimensional() || address == Address::H {
