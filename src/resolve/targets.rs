@@ -109,7 +109,8 @@ pub fn subprogram(
         UnitKind::Main | UnitKind::Macrocycle(_) => None,
     };
     let near = resolved.nearest_subprogram(l, own).filter(|_| hidden.is_none());
-    let block = has_block(resolved, from, l);
+    let own_block = resolved.file(from.file).and_then(|file| file.number(file.block_at(at.span.start)?));
+    let block = own_block != Some(l) && has_block(resolved, from, l);
     let (star, unread) = hidden.unzip();
     let (without_entry, uncalled) = (None, None);
     let finding =

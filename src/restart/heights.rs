@@ -125,7 +125,9 @@ impl Heights {
         self.earlier.insert(self.frame, self.stood);
         self.stood = self.earlier.get(&frame).copied().unwrap_or_default();
         if frame.origin != self.frame.origin {
-            self.worked.map(|worked| self.worked_earlier.insert(self.frame.origin, worked));
+            if let Some(worked) = self.worked {
+                self.worked_earlier.insert(self.frame.origin, worked);
+            }
             self.worked = self.worked_earlier.get(&frame.origin).copied();
         }
         self.frame = frame;

@@ -57,15 +57,15 @@ impl Offers<'_> {
             (taker == code && g.is_plain()).then_some(g)
         };
         let text = file.source.text();
-        if let Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, .. } = found.finding {
+        if let Finding::UnknownSubprogram { l, near, macrocycle, from_macrocycle, without_entry, block: jump, .. } =
+            found.finding
+        {
             let g = called(GCode::G71)?;
             if macrocycle {
                 return Some(offer(FixTitle::Write { text: format!("G72 L{l}") }, file, g.span(text), "G72"));
             }
-            let near = near.filter(|_| !from_macrocycle && without_entry.is_none() && word.is_plain())?;
-            let own = self.unit_of(file, block).map(|unit| unit.kind);
-            let fix = || offer(FixTitle::Write { text: format!("G71 L{near}") }, file, at, near.to_string());
-            return (own != Some(UnitKind::Subprogram(Some(near)))).then(fix);
+            let near = near.filter(|_| !from_macrocycle && !jump && without_entry.is_none() && word.is_plain())?;
+            return Some(offer(FixTitle::Write { text: format!("G71 L{near}") }, file, at, near.to_string()));
         }
         if let Finding::UnknownMacrocycle { l, subprogram: true, .. } = found.finding {
             let g = called(GCode::G72)?;

@@ -27,9 +27,9 @@ pub struct StepReader {
     handed: BTreeMap<u8, Value>,
     /// The speed of the spindle that turns, and whether a step showed it.
     speed: Option<(Decimal, bool)>,
-    unknowns: Unknowns,
     /// The speed counts in the block.
     counts_speed: bool,
+    unknowns: Unknowns,
 }
 
 /// What lasts, as a change of it counts and its repetition does not.
@@ -95,7 +95,7 @@ impl StepReader {
         self.speed = speed.map(|speed| (speed, counted || self.counts_speed));
     }
 
-    /// The words of a block whose values nobody knows, and those that a block cannot be read by.
+    /// The words of a block whose values nobody knows, and those whose effect nobody knows.
     fn read_unknown(&mut self, block: &Executed<'_>) {
         self.unknowns.assign(block);
         for (address, from) in self.unknowns.words(block) {
