@@ -38,12 +38,15 @@ pub(super) struct UnknownAxes {
     pub from_start: u16,
     /// See [`Lack::Lost`].
     pub lost: u16,
+    /// Those of `fresh` that the spindle turned, where the preamble changes the origin: the first motion of one has its
+    /// length in the program, and none in one that starts here (MOT-8).
+    pub turned: u16,
 }
 
 impl UnknownAxes {
     /// Whether there is none.
     pub const fn is_empty(self) -> bool {
-        self.fresh | self.from_start | self.lost == 0
+        self.fresh | self.from_start | self.lost | self.turned == 0
     }
 }
 

@@ -314,7 +314,15 @@ impl Scan {
                 self.lack_safe(&pending);
                 continue;
             }
-            let UnknownAxes { fresh, from_start, lost } = &mut pending.unknown;
+            let UnknownAxes { fresh, from_start, lost, turned } = &mut pending.unknown;
+            // Where both programs change the origin, neither has the length.
+            *turned &= !used.unsettled;
+            if *turned & used.moved != 0 {
+                if self.place == Some(pending.seq) {
+                    self.set_reason(Reason::Length { n: block.n() });
+                }
+                continue;
+            }
             let cut = (*from_start | *lost) & used.cut_from;
             let needed = (*fresh | *from_start | *lost) & used.from_there | cut;
             let stays = if used.moved == 0 { 0 } else { *lost & !used.moved };
@@ -354,6 +362,10 @@ impl Scan {
             0 => Reason::Stands { axis: of(stays), n },
             _ => Reason::Needed { axis: of(needed), n },
         };
+        self.set_reason(reason);
+    }
+
+    fn set_reason(&mut self, reason: Reason) {
         if let Some(there) = &mut self.there {
             there.target = Err(reason);
         }
@@ -371,6 +383,8 @@ struct Used {
     moved: u16,
     /// Where they stand after it does not depend on where they stood.
     known: u16,
+    /// Their programmed positions are not where the tool stands (MOT-8): before its motion, or behind it.
+    unsettled: u16,
 }
 
 impl Used {
@@ -410,6 +424,8 @@ impl Used {
         for (at, _) in machine.axes.iter().enumerate() {
             let found = before.axis_position(at).is_none() && block.state().axis_position(at).is_some();
             used.known |= if found { 1 << at } else { 0 };
+            let unsettled = before.is_unsettled(at) || block.state().is_unsettled(at);
+            used.unsettled |= if unsettled { 1 << at } else { 0 };
         }
         // What a macrocycle of the machine does may depend on where it begins.
         let unseen = block.moved_unseen().fold(0, |all, axis| all | bit(axis));

@@ -278,7 +278,11 @@ impl Tracker {
             match self.lack(at, axis) {
                 Some(Lack::Lost) => unknown.lost |= 1 << at,
                 Some(Lack::FromStart) if !self.begins() => unknown.from_start |= 1 << at,
-                Some(Lack::Fresh | Lack::Unseen | Lack::Turned) => unknown.fresh |= 1 << at,
+                Some(Lack::Turned) => {
+                    unknown.fresh |= 1 << at;
+                    unknown.turned |= if self.counts_anew(settings) { 1 << at } else { 0 };
+                }
+                Some(Lack::Fresh | Lack::Unseen) => unknown.fresh |= 1 << at,
                 Some(Lack::FromStart) | None => {}
             }
         }
@@ -296,6 +300,13 @@ impl Tracker {
         target.level = place.filter(|place| approach.height == Height::Highest && *place == approach.top);
         target.approach = Approach { lathe, ..approach };
         Ok(target)
+    }
+
+    /// Whether positions are counted from elsewhere than at power-up.
+    fn counts_anew(&self, settings: &Settings) -> bool {
+        let (state, start) = (self.state(), State::new(settings));
+        let differs = |group: GGroup| state.g_in_force(group) != start.g_in_force(group);
+        differs(GGroup::G5) || differs(GGroup::G11) || state.length_correction().is_some_and(|on| on != 0)
     }
 
     /// What is in force must be something that a program can begin with.

@@ -390,6 +390,29 @@ fn many_parameters() {
     );
 }
 
+/// RST-4: an axis that the spindle turned has a length in the program, and none in one that changes the origin first:
+/// such places are not listed.
+#[test]
+fn axes_that_the_spindle_turned() {
+    let text = "%1\nN10 G90 G54\nN20 T1 M06\nN30 S600 M03\nN40 G00 X0 Y0 Z50\nN50 G01 Z-5 F300\nN60 G00 Z50\nN70 M19\n\
+        N80 G01 C30\nN90 M03\nN100 G01 Z-3\nN110 G00 Z50\nN120 X20\nN130 M19\nN140 G01 C60\nN150 M03\nN160 G00 Z60\nN170 M30\n";
+    for (origin, listed) in [("G54", false), ("G53", true)] {
+        let place = Place::with(&[
+            ("a.nc", text.replace("G54", origin).as_bytes()),
+            ("cnc872c.toml", b"spindle-axis = \"C\"\n"),
+        ]);
+        let list = place.run(&["restart", "a.nc", "--list", "--safe", "100"]).ends(0).stdout;
+        assert_eq!(list.contains("N120"), listed, "{list}");
+        let numbers = list.lines().filter_map(|line| line.split_whitespace().nth(1));
+        for seq in numbers {
+            place.run(&["restart", "a.nc", "--seq", seq, "--safe", "100"]).ends(0);
+        }
+        let run =
+            place.run(&["restart", "a.nc", "--n", "120", "--safe", "100", "--lang", "en"]).ends(i32::from(!listed));
+        assert_eq!(run.stderr.contains("the length of the motion in N140"), !listed, "{}", run.stderr);
+    }
+}
+
 /// RST-4, RST-6: an axis that stands where nobody knows is no axis to go on beside: what a macrocycle of the machine,
 /// a distance or an M function left it at, whether the program names it later or not.
 #[test]
