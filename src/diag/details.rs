@@ -186,7 +186,7 @@ pub struct EarlyEnd {
     pub block: u32,
 }
 
-/// What is known by its name alone (W0612).
+/// A function whose effect is not modelled (W0612).
 #[derive(Clone, Debug, Eq, PartialEq)]
 pub enum Unmodelled {
     /// G05 to G08, or a fixed cycle that nothing maps (GRP-6, GRP-8).

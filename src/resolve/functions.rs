@@ -130,8 +130,7 @@ impl Conflict {
         let mut parameters: [Option<Word>; 96] = [None; 96];
         let mut conflicts = Vec::new();
         for &word in words {
-            let usable = !word.is_void() || word.address == Address::Skip;
-            if !usable || matches!(word.address, Address::G | Address::M) {
+            if word.lacks_value() || matches!(word.address, Address::G | Address::M) {
                 continue;
             }
             let slot = if word.address == Address::R {

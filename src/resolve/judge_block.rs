@@ -88,8 +88,7 @@ impl<'a> BlockJudge<'a> {
         }
         self.judge_plane(&functions);
         // Another function may have been meant by what is wrong in the block.
-        let lacks_value = |word: &Word| word.is_void() && word.address != Address::Skip;
-        let clear = !flags.has(BlockFlags::DEBRIS) && !words.iter().any(lacks_value);
+        let clear = !flags.has(BlockFlags::DEBRIS) && !words.iter().any(|word| word.lacks_value());
         self.judge_roles(words, &functions, flags, clear);
         self.judge_other_meanings(words, &functions);
         self.judge_dynamic_set(words, &functions);

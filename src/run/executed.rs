@@ -12,7 +12,7 @@ use crate::dict::{
     Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_STOP,
 };
 use crate::sure::small;
-use crate::syntax::{BlockFlags, BlockId, ParsedFile};
+use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, LastPlaces, LineColumn, Location};
 
 /// One executed block: what holds in it, what it does, how execution came to it.
@@ -122,6 +122,11 @@ impl<'r> Executed<'r> {
     /// Its file.
     pub fn file(&self) -> Option<&'r ParsedFile> {
         self.program.resolved.file(self.interpreter.block.file)
+    }
+
+    /// Its words as they stand in the file.
+    pub fn source_words(&self) -> &'r [Word] {
+        self.file().map_or(&[], |file| file.words(self.interpreter.block.id))
     }
 
     /// The name of its file, as found.

@@ -218,6 +218,11 @@ impl Word {
         self.flags & VOID != 0
     }
 
+    /// Whether it has no value that could be used, and needs one: a `/` needs none.
+    pub fn lacks_value(self) -> bool {
+        self.is_void() && self.address != Address::Skip
+    }
+
     /// Whether its value is a parameter.
     pub const fn is_parametric(self) -> bool {
         self.flags & PARAMETER != 0

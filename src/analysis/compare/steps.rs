@@ -1,4 +1,4 @@
-//! A program step by step: motions, and the words beside them. A million blocks fit in some 80 MB.
+//! A program step by step: motions, and the words beside them. A million blocks take about 80 MB.
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -34,7 +34,7 @@ pub struct Event {
     pub value: Value,
     /// Whether the value holds until another one is written.
     pub lasts: bool,
-    /// It stands in the block of a motion that it may act before or behind: the sources do not say.
+    /// It shares its block with a motion, and the sources do not say which of the two comes first.
     pub beside: bool,
 }
 

@@ -27,7 +27,7 @@ impl Unknowns {
         if block.opaque_call().is_some() {
             self.from.clear();
         }
-        for word in words(block).filter(|word| word.address == Address::R) {
+        for word in block.source_words().iter().copied().filter(|word| word.address == Address::R) {
             if let WordValue::Parameter { index, negated } = word.value() {
                 let from = self.source(block, index, negated);
                 self.from.insert(word.target(), from);
@@ -60,14 +60,14 @@ impl Unknowns {
     pub fn words(&mut self, block: &Executed<'_>) -> Vec<(Address, String)> {
         let returns = block.motion().is_some_and(|motion| motion.kind() == MotionType::Reference);
         let mut found = Vec::new();
-        for word in words(block).filter(|word| word.address != Address::R) {
+        for word in block.source_words().iter().copied().filter(|word| word.address != Address::R) {
             let WordValue::Parameter { index, negated } = word.value() else { continue };
             let axis = word.address.axis();
             if block.parameter(index).is_some() || returns && axis.is_some() {
                 continue;
             }
             let mut from = self.source(block, index, negated);
-            // What the number means.
+            // The same number goes elsewhere by distance and as a diameter.
             if axis.is_some() && block.g(GGroup::G9) == Some(GCode::G91) {
                 from.insert_str(0, "G91 ");
             }
@@ -90,7 +90,7 @@ impl Unknowns {
 /// Whether nobody knows what the axis words of a block do, because a function of it is not known.
 pub(super) fn is_unclear(block: &Executed<'_>) -> bool {
     let other = block.motion().is_some() || block.data().is_some() || block.is_unmapped_cycle();
-    !other && !block.moves_on() && words(block).any(|word| word.address.axis().is_some())
+    !other && !block.moves_on() && block.source_words().iter().any(|word| word.address.axis().is_some())
 }
 
 /// The axes and centre words of a block as written, where no motion says what they do.
@@ -109,12 +109,13 @@ pub(super) fn as_written(block: &Executed<'_>) -> Vec<(Address, Value)> {
         }
         WordValue::None => None,
     };
-    words(block).filter(wanted).filter_map(|word| Some((word.address, Value::from(value(word)?)))).collect()
-}
-
-fn words<'b>(block: &Executed<'b>) -> impl Iterator<Item = Word> + use<'b> {
-    let (_, id) = block.at();
-    block.file().into_iter().flat_map(move |file| file.words(id)).copied()
+    block
+        .source_words()
+        .iter()
+        .copied()
+        .filter(wanted)
+        .filter_map(|word| Some((word.address, Value::from(value(word)?))))
+        .collect()
 }
 
 fn shortened(text: String) -> String {

@@ -147,12 +147,11 @@ impl StepReader {
     /// Reads the words of the block.
     fn words(&mut self, block: &Executed<'_>) -> Words {
         let mut found = Words { plain: true, ..Words::default() };
-        let (file, (_, id)) = (block.file(), block.at());
         let times = &self.motion.times;
         let (mut start_s, mut end_s) = (0.0_f64, 0.0_f64);
         let (mut correction, mut changes) = (false, false);
         let mut tool_s = None;
-        for word in file.into_iter().flat_map(|file| file.words(id)) {
+        for word in block.source_words() {
             if word.address.axis().is_some() {
                 continue;
             }
@@ -189,8 +188,9 @@ impl StepReader {
             self.correction = digits;
         }
         if self.motion.number(MotionKey::MergeLength) > Decimal::ZERO {
-            found.plain &= !changes || self.in_force.is_some_and(|before| before.is_kept_by(block));
-            self.in_force = Some(InForce::behind(block));
+            let now = InForce::behind(block);
+            found.plain &= !changes || self.in_force.is_some_and(|before| before.is_kept_by(block, &now));
+            self.in_force = Some(now);
         }
         found
     }
@@ -418,9 +418,8 @@ impl InForce {
         }
     }
 
-    /// Whether the next block has nothing else in force.
-    fn is_kept_by(&self, next: &Executed<'_>) -> bool {
-        let now = Self::behind(next);
+    /// Whether the next block has nothing else in force; `now`: what holds behind that.
+    fn is_kept_by(&self, next: &Executed<'_>, now: &Self) -> bool {
         let mut groups = GGroup::ALL.into_iter().zip(self.g);
         groups.all(|(group, before)| next.g(group).is_none_or(|now| before == Some(now)))
             && (self.set, self.feed) == (now.set, now.feed)

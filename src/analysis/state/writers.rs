@@ -178,8 +178,7 @@ impl Writers {
             (0..12).for_each(|group| self.set(Slot::G(group), writer));
             block.m_changed().iter().for_each(|group| self.set(Slot::M(usize::from(*group)), writer));
         }
-        let block_id = block.at().1;
-        for word in block.file().into_iter().flat_map(|file| file.words(block_id)) {
+        for word in block.source_words() {
             if let Some(slot) = Slot::by_word(word.address) {
                 self.set(slot, writer);
             }
