@@ -148,7 +148,10 @@ impl Scenario {
                 let text = self.unmark(rest, body);
                 let path = self.folder.path().join(rest);
                 fs::create_dir_all(path.parent().unwrap()).unwrap();
-                fs::write(path, text).unwrap();
+                fs::write(&path, text).unwrap();
+                // The server waits for files just written to.
+                let before = std::time::SystemTime::now() - std::time::Duration::from_secs(1);
+                fs::File::options().write(true).open(&path).unwrap().set_modified(before).unwrap();
             }
             "open" => {
                 let text = self.unmark(rest, body);
