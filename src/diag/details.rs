@@ -112,6 +112,14 @@ bilingual! {
         CzechKeys { written: String }
             "on a Czech keyboard digits are typed with Shift: if a digit is meant, write `{written}`",
             "číslice se na české klávesnici píší se Shiftem: je-li míněna číslice, napsat „{written}“";
+        CzechKeyOrBlank { written: String }
+            "on a Czech keyboard digits are typed with Shift: if a digit is meant, write `{written}`; if a blank, a \
+            plain one: the fixed blank of Windows-1250 looks like this in CP852",
+            "číslice se na české klávesnici píší se Shiftem: je-li míněna číslice, napsat „{written}“; je-li míněna \
+            mezera, napsat obyčejnou: pevná mezera z kódování Windows-1250 vypadá v CP852 takto";
+        BlankOfWindows
+            "if a blank is meant, write a plain one: the fixed blank of Windows-1250 looks like this in CP852",
+            "je-li míněna mezera, napsat obyčejnou: pevná mezera z kódování Windows-1250 vypadá v CP852 takto";
         Accent { written: String }
             "if the address is meant, write `{written}`; else delete it",
             "je-li to adresa, napsat „{written}“, jinak vymazat";

@@ -206,7 +206,10 @@ mod tests {
     use crate::text::Span;
 
     fn empty_block(at: u32) -> Diagnostic {
-        Diagnostic::new(Finding::EmptyBlock { block: at }, Location { file: FileId(0), span: Span::new(at, at + 1) })
+        Diagnostic::new(
+            Finding::EmptyBlock { block: at, function: None },
+            Location { file: FileId(0), span: Span::new(at, at + 1) },
+        )
     }
 
     #[test]

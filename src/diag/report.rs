@@ -298,7 +298,10 @@ mod tests {
     }
 
     fn empty_block(file: u32, at: u32) -> Diagnostic {
-        Diagnostic::new(Finding::EmptyBlock { block: 1 }, Location { file: FileId(file), span: Span::new(at, at + 1) })
+        Diagnostic::new(
+            Finding::EmptyBlock { block: 1, function: None },
+            Location { file: FileId(file), span: Span::new(at, at + 1) },
+        )
     }
 
     fn findings(items: impl IntoIterator<Item = Diagnostic>) -> Findings {

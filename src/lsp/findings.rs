@@ -148,7 +148,7 @@ mod tests {
         let file = sources.add(SourceText::from_text("/p.nc", "N".repeat(10_010)));
         for at in 0..10_005 {
             let at = Location { file, span: Span::new(at, at + 1) };
-            findings.add(Diagnostic::new(Finding::EmptyBlock { block: 1 }, at));
+            findings.add(Diagnostic::new(Finding::EmptyBlock { block: 1, function: None }, at));
         }
         let mut report = Report::new();
         report.add_program(&sources, findings);

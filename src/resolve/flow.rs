@@ -157,7 +157,10 @@ fn named_by(context: &mut Context<'_, '_>, resolved: &Resolved, words: &[Word]) 
     let written = |code: GCode| words.iter().any(|word| word.g_code() == Some(code));
     let l = words.iter().copied().find(|word| word.address == Address::L);
     let unread = |l: Word| roles.taker.may_be(GCode::G71) && (l.is_parametric() || l.is_void());
-    if l.is_none() && written(GCode::G71) || words.iter().any(|word| word.address == Address::L && unread(*word)) {
+    let unread_g = words.iter().any(|word| word.address == Address::G && word.is_void());
+    if l.is_none() && (unread_g || written(GCode::G71))
+        || words.iter().any(|word| word.address == Address::L && unread(*word))
+    {
         return None;
     }
     let mut named = Vec::new();

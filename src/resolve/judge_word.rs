@@ -4,7 +4,7 @@ use super::axis_letters::bit;
 use super::forms::{FormFault, check_form, feed_mode_before, with_feed_mode};
 use super::functions::Functions;
 use super::judge_block::BlockJudge;
-use crate::config::Settings;
+use crate::config::{Machine, Settings};
 use crate::diag::{Diagnostic, Finding, PointMeant};
 use crate::dict::{Address, Decimal, GCode, GGroup, HIGHEST_L};
 use crate::syntax::{Form, Word};
@@ -45,7 +45,7 @@ impl BlockJudge<'_> {
             return false;
         }
         if word.has_sign() && !address.takes_sign(machine.dialect) {
-            self.report_value(word, Finding::SignNotAllowed { address });
+            self.report_value(word, Finding::SignNotAllowed { address, key: self.with_digit_of_plus(word) });
             return false;
         }
         let Some(value) = word.number() else { return true };
@@ -55,7 +55,7 @@ impl BlockJudge<'_> {
             let tolerated =
                 address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.roles.unknown);
             if !tolerated {
-                let meant = point_meant(address, value, dwell);
+                let meant = point_meant(machine, address, value, dwell);
                 self.report_value(word, Finding::PointNotAllowed { address, meant });
                 return false;
             }
@@ -85,7 +85,7 @@ impl BlockJudge<'_> {
             }
             // A fraction without a point cannot be.
             Err(FormFault::Fraction) => {
-                let meant = point_meant(address, value, dwell);
+                let meant = point_meant(machine, address, value, dwell);
                 self.report_value(word, Finding::PointNotAllowed { address, meant });
                 return false;
             }
@@ -101,6 +101,18 @@ impl BlockJudge<'_> {
             self.report_value(word, Finding::FinerThanResolution { rounded: value.to_string() });
         }
         true
+    }
+
+    /// A word whose `+` was meant as the digit 1, whose key it is on Czech keyboards, where its address takes that
+    /// number; else nothing.
+    fn with_digit_of_plus(&self, word: Word) -> String {
+        let written = self.file.source.slice(self.file.value_place(word).span);
+        let digits = written.strip_prefix('+').filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()));
+        let Some(number) = digits.map(|digits| format!("1{digits}")) else { return String::new() };
+        let takes = |value| check_form(&self.settings.machine, word.address, value, false, None).is_ok();
+        let fits = number.parse::<u32>().is_ok_and(|number| takes(Decimal::whole(i64::from(number))));
+        let function = matches!(word.address, Address::G | Address::M);
+        if fits && !function { format!("{}{number}", word.address) } else { String::new() }
     }
 
     /// The one range of F that holds at a word, where the block does not say it: by the last G6 function before it in
@@ -138,14 +150,15 @@ fn packed_call(address: Address, value: Decimal) -> Option<String> {
 }
 
 /// What was meant by a value with a point.
-fn point_meant(address: Address, value: Decimal, dwell: bool) -> PointMeant {
+fn point_meant(machine: &Machine, address: Address, value: Decimal, dwell: bool) -> PointMeant {
     if dwell {
         // GRP-5: units of 10 ms.
         let units = (value.thousandths() + 5) / 10;
         let written = (0..10_000).contains(&units).then(|| format!("{address}{units}"));
         return written.map_or(PointMeant::Dwell, |written| PointMeant::Seconds { written });
     }
-    match (address, value.as_whole()) {
+    let fits = check_form(machine, address, value, false, None).is_ok();
+    match (address, value.as_whole().filter(|_| fits)) {
         (_, Some(whole)) => PointMeant::Whole { written: format!("{address}{whole}") },
         (Address::G, None) if value.thousandths() / 1000 == 54 => PointMeant::Origin,
         (Address::G | Address::M, None) => PointMeant::Function,

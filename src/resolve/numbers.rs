@@ -63,17 +63,26 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], numbered: &mut N
         let last = rest.get(count.saturating_sub(1)).map_or(block, |(last, _)| *last);
         let last = (count > 1).then(|| parsed.shown_number(last));
         let number = parsed.shown_number(block);
+        let copied = last.is_some() || is_copy(parsed, block, first);
         let (at, other, label) = if last.is_none() && !rises(parsed, first) && rises(parsed, block) {
             (first, block, LabelText::BlockHere { block: number })
         } else {
             (block, first, LabelText::FirstBlock { block: number })
         };
-        let diagnostic = Diagnostic::new(Finding::DuplicateBlockNumber { block: number, last }, parsed.n_place(at));
+        let diagnostic =
+            Diagnostic::new(Finding::DuplicateBlockNumber { block: number, last, copied }, parsed.n_place(at));
         numbered.findings.add(diagnostic.with_label(parsed.n_place(other), label));
         let (run, behind) = rest.split_at_checked(count.max(1)).sure();
         numbered.repeated.extend(run.iter().map(|(block, _)| if last.is_none() { at } else { *block }));
         rest = behind;
     }
+}
+
+/// Whether two blocks have the same words.
+fn is_copy(parsed: &ParsedFile, one: BlockId, other: BlockId) -> bool {
+    let text = parsed.source.text();
+    let written = |block| parsed.words(block).iter().map(|word| parsed.source.slice(word.span(text)));
+    !parsed.words(one).is_empty() && written(one).eq(written(other))
 }
 
 /// Whether the number of a block lies between those of its neighbours.

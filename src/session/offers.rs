@@ -78,8 +78,8 @@ impl Offers<'_> {
             return Some(offer(FixTitle::Write { text: format!("G73 L{near}") }, file, at, near.to_string()));
         }
         if let Finding::MissingTarget { function: GCode::G71, meant } = &found.finding
-            // The number is there, behind another address.
-            && !matches!(meant, TargetMeant::InPlace { .. })
+            // The number is there, behind another address, or no call is meant.
+            && !matches!(meant, TargetMeant::InPlace { .. } | TargetMeant::Turning | TargetMeant::Drilling)
         {
             return self.missing_target(file, block, word, meant);
         }
@@ -119,14 +119,23 @@ impl Offers<'_> {
                 (_, _) => self.end_of(file, self.unit_at(file, at)?, "G70"),
             };
         }
-        if let Finding::DuplicateBlockNumber { last: None, .. } = found.finding {
+        if let Finding::DuplicateBlockNumber { last: None, block: number, copied } = found.finding {
             let block = file.block_at(at.start)?;
             if file.words(block).is_empty() {
                 return self.empty_block(file, at, file.shown_number(block));
             }
+            // Which of the two a jump means, nobody knows.
+            let is_it = |to: BlockId| file.number(to) == Some(number);
+            let targets = self.resolved.targets(file.file);
+            if targets.iter().any(|(_, target)| matches!(target, Target::Block(to) if is_it(*to))) {
+                return None;
+            }
             let before = block.0.checked_sub(1).map(BlockId)?;
             let free = self.free_behind(file, before)?;
-            return Some(write(file, at, format!("N{free}")));
+            let whole = || whole_lines(file.source.text(), Span::new(at.start, words_end(file, block)));
+            let copy = if copied { whole() } else { None };
+            let delete = copy.map(|copy| offer(FixTitle::DeleteBlock { block: number }, file, copy, ""));
+            return Some(delete.into_iter().flatten().chain(write(file, at, format!("N{free}"))).collect());
         }
         if let Finding::MacrocycleNumberMismatch { expected, found, .. } = found.finding {
             let ends = || file.block_ids().any(|block| file.flags(block).has(BlockFlags::RETURN));
@@ -136,8 +145,10 @@ impl Offers<'_> {
                 None => ends().then(|| self.before_first(file, &entry)).flatten(),
             };
         }
-        if let Finding::EmptyBlock { block } = found.finding {
-            return self.empty_block(file, at, block);
+        if let Finding::EmptyBlock { block, function } = &found.finding {
+            let function = function.as_ref().map(|function| write(file, at, function.clone()));
+            let empty = self.empty_block(file, at, *block).unwrap_or_default();
+            return Some(function.into_iter().flatten().chain(empty).collect());
         }
         if let Finding::UnusedSubprogram { l } = found.finding
             && self.certain
@@ -273,13 +284,15 @@ fn of_word(file: &ParsedFile, at: Span, finding: &Finding) -> Option<Vec<Fix>> {
         finding
     {
         Some(write(file, word.span(text), written.clone()))
-    } else if matches!(finding, Finding::SignNotAllowed { .. }) {
+    } else if let Finding::SignNotAllowed { key, .. } = finding {
         let number = file.source.slice(at).trim_start_matches(['+', '-', ' ', '\t']);
         let title = FixTitle::Write { text: format!("{}{number}", letter()) };
         // Of functions, and of 0, it is not sure enough that the number is right.
         let meant = number.bytes().all(|byte| byte.is_ascii_digit()) && number.bytes().any(|byte| byte != b'0');
         let function = matches!(word.address, Address::G | Address::M);
-        (meant && !function).then(|| offer(title, file, at, number))
+        let digit = (!key.is_empty()).then(|| write(file, word.span(text), key.clone()));
+        (meant && !function)
+            .then(|| offer(title, file, at, number).into_iter().chain(digit.into_iter().flatten()).collect())
     } else if let Finding::FinerThanResolution { rounded } = finding {
         Some(offer(FixTitle::Write { text: format!("{}{rounded}", letter()) }, file, at, rounded.clone()))
     } else if matches!(finding, Finding::MissingDwell { meant: DwellMeant::Units }) && file.words(block).len() == 1 {

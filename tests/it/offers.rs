@@ -188,6 +188,50 @@ fn what_a_fix_would_guess() {
     }
 }
 
+/// Where a slip may have been one of several, each reading is offered, and none that its address does not take.
+#[test]
+fn several_readings() {
+    let cases: [(&str, &[&str]); 27] = [
+        ("F1 50X3", &["write `F150`"]),
+        ("G0X41. 5Z2", &["write `Z52`", "write `X41.5`"]),
+        ("T1 2M6", &["write `M26`", "write `T12`"]),
+        ("Z2 5D12", &["write `Z25`"]),
+        ("S14 80M03", &["write `M80`", "write `S1480`"]),
+        ("X-31Y5 5", &["write `Z5`", "write `Y55`"]),
+        ("S1 780 M03", &["write `S1780`"]),
+        ("X45 10.5", &["write `Y10.5`", "write `X4510.5`"]),
+        ("5.000 D1", &[]),
+        ("G1 -5", &[]),
+        ("S118, M3", &[]),
+        ("S15,0", &[]),
+        ("G4é0", &[]),
+        ("X5áY3", &["write `X58`", "write a plain blank"]),
+        ("G01áX5", &["write a plain blank"]),
+        ("MM530", &[]),
+        ("G5e4", &[]),
+        ("M31=2.000", &[]),
+        ("G100.000", &[]),
+        ("X1 P129.0", &[]),
+        ("G73 .L30", &[]),
+        ("S+480", &["write `S480`", "write `S1480`"]),
+        ("G+1", &[]),
+        ("T2 N6", &["write `M6`", "delete N6"]),
+        ("G91 X5\nN40 G91 X5", &["delete N40", "write `N50`"]),
+        ("X1\nN45 X2\nN40 G73 L40 Q2", &[]),
+        ("X-3LY55", &[]),
+    ];
+    for (slip, wanted) in cases {
+        let program = format!("%1\nN20 T1 M06 D1\nN30 G00 X0 Y0 Z5 F100 S500 M03\nN40 {slip}\nN90 M30\n");
+        let found = check_text(&program);
+        let [item] = found.as_slice() else { panic!("{slip}: {found:?}") };
+        let titles: Vec<String> = item.fixes.iter().map(|fix| fix.title.text(Lang::En)).collect();
+        assert_eq!(titles, wanted, "{slip}: {}", item.code());
+    }
+    // No turning cycle is a call of the only subprogram.
+    let found = check_text("%1\nN10 G71 U10 W2\nN20 M30\nN30 G79 L10\nN40 G0 X1\nN50 G70\n");
+    assert!(matches!(found.as_slice(), [item] if item.code() == Code::E0401 && item.fixes.is_empty()), "{found:?}");
+}
+
 /// An offer is applied also where the text holds letters of a code page: letters outside ASCII keep their bytes.
 #[test]
 fn words_with_a_comment_between_brackets() {

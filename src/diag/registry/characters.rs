@@ -33,8 +33,14 @@ macro_rules! characters {
                 "mezera uvnitř čísla".to_owned()
             })
             help (match (joined.is_empty(), loose.is_empty(), written.is_empty()) {
-                _ if is_exchanged(loose) => {
+                (true, ..) if is_exchanged(loose) => {
                     format!("the address stands before its number: `{written}` in place of `{loose}`")
+                }
+                _ if is_exchanged(loose) => {
+                    format!(
+                        "the address stands before its number: `{written}` in place of `{loose}`; if only a blank is \
+                        too many, write `{joined}`"
+                    )
                 }
                 (true, true, _) => "write the parameter or the number, not both".to_owned(),
                 (true, false, true) => format!("an address is missing before `{loose}`"),
@@ -49,7 +55,13 @@ macro_rules! characters {
                 ),
             })
                | (match (joined.is_empty(), loose.is_empty(), written.is_empty()) {
-                   _ if is_exchanged(loose) => format!("adresa se píše před číslo: „{written}“ místo „{loose}“"),
+                   (true, ..) if is_exchanged(loose) => {
+                       format!("adresa se píše před číslo: „{written}“ místo „{loose}“")
+                   }
+                   _ if is_exchanged(loose) => format!(
+                       "adresa se píše před číslo: „{written}“ místo „{loose}“; je-li navíc jen mezera, napsat \
+                       „{joined}“"
+                   ),
                    (true, true, _) => "napsat buď parametr, nebo číslo".to_owned(),
                    (true, false, true) => format!("před {loose} chybí adresa"),
                    (true, false, false) => format!("před {loose} chybí adresa: „{written}“?"),

@@ -44,7 +44,9 @@ macro_rules! structure {
                } else {
                    format!("každý blok začít jeho číslem: „N{number} {word}“")
                })
-        [E0204] DuplicateBlockNumber "duplicate-block-number" Error { block: u32, last: Option<u32> }
+        [E0204] DuplicateBlockNumber "duplicate-block-number" Error {
+            block: u32, last: Option<u32>, copied: bool,
+        }
             en (match last {
                 Some(last) => format!("the blocks N{block} to N{last} are in this file twice"),
                 None => format!("block number N{block} is used twice in this file"),
@@ -53,12 +55,16 @@ macro_rules! structure {
                 Some(last) => format!("bloky N{block} až N{last} jsou v souboru dvakrát"),
                 None => format!("číslo bloku N{block} je v souboru dvakrát"),
             })
-            help (if last.is_some() {
+            help (if *copied && last.is_none() {
+                "delete one of the copies, or give it a number of its own"
+            } else if *copied {
                 "delete one of the copies, or renumber its blocks"
             } else {
                 "give one of the blocks a number of its own"
             })
-               | (if last.is_some() {
+               | (if *copied && last.is_none() {
+                   "jednu kopii vymazat, nebo jí dát jiné číslo"
+               } else if *copied {
                    "jednu kopii vymazat, nebo její bloky přečíslovat"
                } else {
                    "jednomu z bloků dát jiné číslo"
@@ -214,10 +220,19 @@ macro_rules! structure {
                } else {
                    "psát / až za číslo bloku, který se má vynechat: „N… /“"
                })
-        [W0214] EmptyBlock "empty-block" Warning { block: u32 }
+        [W0214] EmptyBlock "empty-block" Warning { block: u32, function: Option<String> }
             en "block N{block} is empty"
             cs "blok N{block} je prázdný"
-            help "delete it, or say in a comment what it is for" | "vymazat ho, nebo v komentáři napsat, k čemu je"
+            help (match function {
+                Some(function) => {
+                    format!("if the function is meant, write `{function}`; else delete the block")
+                }
+                None => "delete it, or say in a comment what it is for".to_owned(),
+            })
+               | (match function {
+                   Some(function) => format!("je-li míněna funkce, napsat „{function}“; jinak blok vymazat"),
+                   None => "vymazat ho, nebo v komentáři napsat, k čemu je".to_owned(),
+               })
         [W0215] ProgramEndInSubprogram "program-end-in-subprogram" Warning { function: u8 }
             en "M{function:02} in here ends the whole program, not only this unit"
             cs "M{function:02} zde ukončí celý program, nejen tento celek"

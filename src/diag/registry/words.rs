@@ -44,10 +44,19 @@ macro_rules! words {
                 format!("{address} nesmí mít desetinnou tečku")
             })
             help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
-        [E0305] SignNotAllowed "sign-not-allowed" Error { address: Address }
+        [E0305] SignNotAllowed "sign-not-allowed" Error { address: Address, key: String }
             en "{address} takes no sign"
             cs "{address} nesmí mít znaménko"
-            help "write the number without it" | "napsat číslo bez něj"
+            help (if key.is_empty() {
+                "write the number without it".to_owned()
+            } else {
+                format!("on a Czech keyboard `+` is the key of 1: write `{key}` if that is meant, else without the sign")
+            })
+               | (if key.is_empty() {
+                   "napsat číslo bez něj".to_owned()
+               } else {
+                   format!("na české klávesnici je + na klávese číslice 1: je-li míněna, napsat „{key}“, jinak bez něj")
+               })
         [E0306] DuplicateAddress "duplicate-address" Error { address: String, unnumbered: bool }
             en "`{address}` is written twice in this block"
             cs "{address} je v bloku dvakrát"

@@ -54,7 +54,7 @@ pub(super) fn plain() -> Report {
             ),
             Diagnostic::new(twice, find(&sources, 0, "X5", 0))
                 .with_label(find(&sources, 0, "X0", 0), LabelText::First { what: "X0".to_owned() }),
-            Diagnostic::new(Finding::EmptyBlock { block: 30 }, find(&sources, 0, "N30", 0)),
+            Diagnostic::new(Finding::EmptyBlock { block: 30, function: None }, find(&sources, 0, "N30", 0)),
         ],
     )
 }

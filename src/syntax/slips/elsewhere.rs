@@ -61,6 +61,10 @@ fn is_fastest(around: &Around<'_>, token: Token) -> bool {
 pub(super) fn line(around: &Around<'_>) -> Option<Diagnosis> {
     let [letter] = around.next([Kind::Letter])?;
     let function = line_function(around).filter(|_| around.address(letter) == Some(Address::L))?;
+    // `X-3LY55`: the digit 1.
+    if around.is_behind_digit(letter.start) {
+        return None;
+    }
     let span = Some(letter.span()).filter(|span| span.len() == 1)?;
     // R0, RL, RR: whether the radius is corrected.
     let of_radius = |word: &&Word| {
@@ -94,9 +98,10 @@ pub(super) fn printed(around: &Around<'_>) -> Option<Diagnosis> {
     }
     // Other words hold whole numbers without a sign, `&` four digits.
     let fits = |value: Number| {
-        address.is_dimensional()
+        let form = address.is_dimensional()
             || address == Address::F
-            || (address != Address::Correction && !value.point && !value.minus)
+            || (address != Address::Correction && !value.point && !value.minus);
+        form && around.may_mean(address, token.start, value)
     };
     let NumberMeant::Exponent { written } = meant else {
         return Some(Diagnosis::saying(1, around.malformed(span, meant)).void(address, span));
@@ -126,6 +131,8 @@ pub(super) fn assigned(around: &Around<'_>) -> Option<Diagnosis> {
     let digits = name.get(1..).sure().trim_matches([' ', '\t']);
     let numbered = matches!(address, Address::N | Address::Program);
     let word = value(address, span, text).filter(|word| !(product || numbered && word.is_parametric()));
+    let takes = |number| around.may_mean(address, token.start, number);
+    let word = word.filter(|word| word.is_parametric() || Number::parse(text.as_bytes()).is_some_and(takes));
     // `S1=1200`, `M1=3`: of one spindle among several.
     let of_spindle = matches!(address, Address::S | Address::M) && !digits.is_empty();
     let word = word.filter(|word| digits.is_empty() || of_spindle && !word.is_parametric());

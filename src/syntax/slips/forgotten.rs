@@ -52,11 +52,6 @@ impl<'t> Split<'t> {
             || (zeros && !digits && !(function && self.text.len() == 2))
     }
 
-    /// Whether the second piece has its own point: `45 10.5`, but not `1 000.5`.
-    fn has_own_point(&self) -> bool {
-        self.text.find('.').is_some_and(|digits| !matches!(digits, 0 | 3))
-    }
-
     /// Two digits that are those of one function: `M0 3`.
     fn is_function(&self) -> bool {
         matches!(self.address, Address::G | Address::M) && self.number.len() == 1 && self.text.len() == 1
@@ -66,11 +61,25 @@ impl<'t> Split<'t> {
         shown(&format!("{}{}{}", self.address, self.number, self.text))
     }
 
-    /// The finding that the second piece is part of `loose`, which was meant as `written`.
+    /// Whether the block makes sense with the two pieces joined, where an address is `missing`.
+    fn may_join(&self, around: &Around<'_>, missing: Address) -> bool {
+        let arc = || around.functions().any(|code| matches!(code, GCode::G02 | GCode::G03));
+        let flow = || missing == Address::G && around.has(Address::L);
+        let number = || self.text.starts_with('0') || missing == Address::T;
+        !(missing.axis().is_some() && arc() || flow() || self.address == Address::N && number())
+    }
+
+    /// The finding that the second piece is part of `loose`, which was meant as `written`, or goes on with the first.
     fn instead(&self, around: &Around<'_>, loose: Span, written: String) -> Diagnostic {
-        let text = shown(around.slice(loose));
-        let finding = Finding::SplitNumber { joined: self.joined(), loose: text, written: shown(&written) };
-        around.offering(loose, finding, written)
+        // What is behind it would be left without a number.
+        let whole = around.slice(loose).ends_with(|last: char| last.is_ascii_digit()) && self.address != Address::N;
+        let base = numbers::word(around).and_then(|base| base.found).filter(|_| whole);
+        let joining = base.map_or_else(Vec::new, |found| found.fixes);
+        let joined = if joining.is_empty() { String::new() } else { self.joined() };
+        let finding = Finding::SplitNumber { joined, loose: shown(around.slice(loose)), written: shown(&written) };
+        let mut found = around.offering(loose, finding, written);
+        found.fixes.extend(joining);
+        found
     }
 
     /// The word in pieces as its first piece says it.
@@ -122,12 +131,17 @@ pub(super) fn exchanged_address(around: &Around<'_>) -> Option<Diagnosis> {
     if split.is_function() || split.text.starts_with('0') && rest.starts_with(|first: char| first.is_ascii_digit()) {
         return None;
     }
-    // `N18 0G71`: a function has two digits already.
-    if matches!(address, Address::G | Address::M) && rest.len() + split.text.len() > 2 {
+    // `N18 0G71`: a function has two digits already. `F1 50X3`: one slip exchanges two characters.
+    let exchanged = format!("{}{rest}", split.text);
+    let takes = |number| around.may_mean(address, next.start, number);
+    if matches!(address, Address::G | Address::M) && exchanged.len() > 2
+        || !rest.is_empty() && split.text.len() > 1
+        || !Number::parse(exchanged.as_bytes()).is_none_or(takes)
+    {
         return None;
     }
     let whole = split.loose.span().to(next.span());
-    let found = split.instead(around, whole, format!("{address}{}{rest}", split.text));
+    let found = split.instead(around, whole, format!("{address}{exchanged}"));
     let diagnosis = split.first_piece(Diagnosis::saying(3, found)).void(address, next.span());
     Some(if rest.is_empty() { diagnosis.junk(next.span()) } else { diagnosis })
 }
@@ -155,10 +169,12 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
     let written = missing.map(|address| format!("{address}{}", split.text)).unwrap_or_default();
     let (loose, shown_written) = (shown(split.text), shown(&written));
     let base_found = base.found.clone()?;
+    let joins = missing.is_none_or(|missing| split.may_join(around, missing));
     let finding = if let Finding::SplitNumber { joined, .. } = &base_found.finding
         && (missing.is_some() || !dimensional)
     {
-        Finding::SplitNumber { joined: joined.clone(), loose, written: shown_written }
+        let joined = if joins { joined.clone() } else { String::new() };
+        Finding::SplitNumber { joined, loose, written: shown_written }
     } else if let Finding::MalformedNumber { text, .. } = &base_found.finding
         && missing.is_some()
     {
@@ -167,12 +183,10 @@ pub(super) fn address(around: &Around<'_>) -> Option<Diagnosis> {
     } else {
         base_found.finding.clone()
     };
-    // Joining is less likely than what is missing: `X7040` for `X70 40` would be a wrong move.
-    let fixes = if missing.is_some() {
-        vec![Fix::offer(write(&written), around.place(split.loose.span()), written)]
-    } else {
-        base_found.fixes.into_iter().filter(|_| dimensional && !split.has_own_point()).collect()
-    };
+    // What is missing is more likely than a blank too many: `X7040` for `X70 40` would be a wrong move.
+    let missing_word = missing.map(|_| Fix::offer(write(&written), around.place(split.loose.span()), written));
+    let joining = base_found.fixes.into_iter().filter(|_| joins);
+    let fixes = missing_word.into_iter().chain(joining).collect();
     let diagnosis = Diagnosis { found: Some(Diagnostic { finding, fixes, ..base_found }), ..base };
     if split.apart && missing.is_none() {
         return Some(diagnosis);
@@ -193,7 +207,8 @@ fn missing(around: &Around<'_>, split: &Split<'_>) -> Option<Address> {
     let of_group = |group: GGroup| around.functions().any(|code| code.group() == group);
     let function = split.text.parse().ok().filter(|_| two).and_then(GCode::from_number);
     let function = function.filter(|code| !of_group(code.group()));
-    let first_axis = (!has(Address::X)).then_some(Address::X);
+    // Which one, only another axis tells.
+    let first_axis = (!has(Address::X) && (has(Address::Y) || has(Address::Z))).then_some(Address::X);
     let wanted = |wanted: bool, address: Address| wanted.then_some(address);
     let flow = plain && matches!(split.text, "71" | "72" | "73") && !of_group(GGroup::G7);
     match split.address {

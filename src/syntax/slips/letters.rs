@@ -1,8 +1,8 @@
 //! Letters in place of digits, and block numbers with their letter in the wrong place.
 
 use super::functions::arc_in_force;
-use super::{Around, Diagnosis, numbers, value, without_blanks, write};
-use crate::diag::{Finding, Meant, NumberMeant, ValueMeant, shown};
+use super::{Around, Diagnosis, numbers, without_blanks, write};
+use crate::diag::{Finding, FixTitle, Meant, NumberMeant, ValueMeant, shown};
 use crate::dict::{Address, GCode, HIGHEST_BLOCK};
 use crate::sure::Sure;
 use crate::syntax::number::Number;
@@ -172,9 +172,26 @@ pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
     let before = if garbled { letter } else { around.slice(around.previous()?.span()) };
     let written = format!("{before}{digits}");
     let address = written.bytes().next().and_then(Address::from_byte)?;
-    value(address, span, written.get(1..)?.trim_start_matches([' ', '\t']))?;
-    let found = around.characters(span, Meant::CzechKeys { written: written.clone() });
-    let found = found.with_offer(write(&written), around.place(span), format!("{letter}{digits}"));
+    let start = if garbled { span.start } else { around.previous()?.start };
+    let number = Number::parse(written.get(1..)?.trim_start_matches([' ', '\t']).as_bytes())?;
+    let length = written.len() - 1;
+    let function = matches!(address, Address::G | Address::M);
+    let fits = around.may_mean(address, start, number) && !(function && length > 2);
+    // The fixed blank of Windows-1250 is `á` in CP852.
+    let blank = !garbled && keys == "á";
+    let meant = match (fits, blank) {
+        (true, true) => Meant::CzechKeyOrBlank { written: written.clone() },
+        (true, false) => Meant::CzechKeys { written: written.clone() },
+        (false, true) => Meant::BlankOfWindows,
+        (false, false) => Meant::Number,
+    };
+    let mut found = around.characters(span, meant);
+    if fits {
+        found = found.with_offer(write(&written), around.place(span), format!("{letter}{digits}"));
+    }
+    if blank {
+        found = found.with_offer(FixTitle::PlainBlank, around.place(span), " ");
+    }
     let diagnosis = Diagnosis::saying(1, found);
     Some(if garbled { diagnosis.void(address, span) } else { diagnosis.debris().junk(span) })
 }

@@ -371,7 +371,8 @@ impl<'t> Around<'t> {
             | ValueForm::Parameter => None,
         };
         let is_out = |range: RangeInclusive<i64>| !number.value.as_whole().is_some_and(|whole| range.contains(&whole));
-        if range.is_some_and(is_out) {
+        let point = number.point && !address.row().form.takes_point(Dialect::Cnc872);
+        if point || range.is_some_and(is_out) {
             return false;
         }
         let code = number.value.as_whole().and_then(|number| u8::try_from(number).ok()).and_then(GCode::from_number);

@@ -30,6 +30,7 @@ pub(super) fn doubled_letter(around: &Around<'_>) -> Option<Diagnosis> {
     let letter = run.get(..1).filter(|letter| letter.eq_ignore_ascii_case(&address.to_string()) && *letter != "l")?;
     let digits = run.get(letter.len()..).sure().trim_start_matches([' ', '\t']);
     let number = Number::parse(digits.as_bytes()).filter(|_| pieces.is_empty());
+    let number = number.filter(|number| around.may_mean(address, first.start, *number));
     let Some(number) = number else {
         return Some(Diagnosis::saying(next.taken, around.malformed(span, NumberMeant::Form)).void(address, span));
     };
@@ -144,10 +145,12 @@ impl Broken<'_> {
         let apart = behind.trim_matches([' ', '\t', '=']).contains([' ', '\t']);
         let written = shown(&fixed);
         let whole = number.value.as_whole().filter(|_| !number.rounded);
-        let (meant, fixed) = if joined.ends_with(',') && joined.matches(',').count() == 1 {
-            (CommaMeant::Border { written }, Some(fixed))
-        } else if apart && !address.row().form.takes_point(Dialect::Cnc872) {
+        let border = joined.ends_with(',') && joined.matches(',').count() == 1;
+        let (meant, fixed) = if (border || apart) && !address.row().form.takes_point(Dialect::Cnc872) {
+            // `S118,`: the key beside is 0.
             (CommaMeant::Whole { address }, None)
+        } else if border {
+            (CommaMeant::Border { written }, Some(fixed))
         } else if apart {
             (CommaMeant::Apart { written }, None)
         } else if address.is_dimensional() || address == Address::H {
@@ -155,7 +158,7 @@ impl Broken<'_> {
         } else if let Some(whole) = whole {
             let written = format!("{prefix}{whole}");
             let digits = format!("{prefix}{}", joined.replace(',', ""));
-            (CommaMeant::WholeWritten { written: written.clone(), digits }, Some(written))
+            (CommaMeant::WholeWritten { written, digits }, None)
         } else {
             (in_dwell(around, address, joined).unwrap_or(CommaMeant::Whole { address }), None)
         };

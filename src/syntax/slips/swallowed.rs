@@ -31,7 +31,10 @@ fn at_end(text: &str) -> Option<Span> {
     // A sign that was meant to close the comment ends its text.
     let closed = text.rmatch_indices(['“', '”', '\'', ';']).next().map_or(0, |(at, sign)| at + sign.len());
     let tokens: Vec<Token> = tokens(text, small(closed), small(text.len())).collect();
-    let ends = |from: usize| telling(text, tokens.get(from..).sure(), LEAST, None) == Some(true);
+    // Behind a typographic quote one word is enough: it was meant to close the comment.
+    let typographic = text.get(..closed).is_some_and(|before| before.ends_with(['“', '”']));
+    let least = if typographic { 1 } else { LEAST };
+    let ends = |from: usize| telling(text, tokens.get(from..).sure(), least, None) == Some(true);
     let from = (0..tokens.len()).find(|from| ends(*from))?;
     Some(Span::new(tokens.get(from)?.start, tokens.last()?.end))
 }
