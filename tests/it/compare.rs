@@ -433,6 +433,9 @@ fn hidden_differences() {
         ("G55\nG01 X5", "G55\nG91 G01 X5", "changes"),
         ("G55\nG02 X10 Y0 I5 J0", "G55\nG91 G02 X10 Y0 I5 J0", "changes"),
         ("G55\nG01 X5\nX5", "G55\nG01 X5", "the programs do the same"),
+        // Where G93 leaves an axis, a diameter counts as one; G92 only stores its words.
+        ("G74\nG93 G54 X10\nG00 X30", "G93 G54 X10\nG74\nG00 X30", "G93 G54 X5 → G54 X10"),
+        ("G74\nG92 G54 X10\nG00 X30", "G92 G54 X10\nG74\nG00 X30", "the programs do the same"),
         // A whole circle is no arc of no length, and a centre that stays is no change.
         ("G91 G02 X0 Y0 I5 J0", "G91 G02 X0 Y0.001 I5 J0", "T1: G02 360° → 0.011°"),
         ("G17 G02 X10 Y0 I5 J0", "G17 G02 X5 Y5 I5 J0", "changes 2, in blocks 1"),

@@ -130,8 +130,8 @@ fn compare(state: &Value, record: &Value, end: bool, at: &Value, context: &dyn F
         if matches!(key, "feed_scale" | "dynamic_set" | "continuous_mode") && end {
             continue;
         }
-        // Before the next block a macrocycle of the machine has moved what it may.
-        if key == "position" && record.get("opaque_call").is_some() && record["seq"] != at["seq"] {
+        // The record stands before the macrocycle of the machine, which has moved what it may when the block is over.
+        if key == "position" && record.get("opaque_call").is_some() {
             continue;
         }
         assert_eq!(state.get(key), record.get(key), "{key} {}", context());
@@ -149,6 +149,27 @@ fn compare(state: &Value, record: &Value, end: bool, at: &Value, context: &dyn F
         let expected = if [1, 7, 9].contains(&group) { &Value::Null } else { &record["m"][group] };
         assert_eq!(&state["m"][group], expected, "m{group} {}", context());
     }
+}
+
+/// FLW-12: behind a block that calls a macrocycle of the machine, what it may move is not known, as before the next one.
+#[test]
+fn behind_a_macrocycle_of_the_machine() {
+    let settings = "[machine-macrocycles]\nL9500 = { axes = [\"Z\"] }\nL9501 = {}\n[cycles]\nG84 = 9500\n";
+    let program = "%1\nN10 G00 X1 Y2 Z60\nN20 X5 G72 L9501\nN30 G00 X7 Y8 Z9\nN40 X6 G84\nN50 G80 X1\nN60 M30\n";
+    let place = Place::with(&[("p.nc", program.as_bytes()), ("cnc872c.toml", settings.as_bytes())]);
+    let at = |n: &str, more: &[&str]| {
+        let run = place.run(&[&["state", "p.nc", "--n", n, "--format", "json"], more].concat()).ends(0);
+        let state: Value = serde_json::from_str(&run.stdout).unwrap();
+        (state["position"].clone(), state["unknown"].clone())
+    };
+    let all = serde_json::json!({ "X": "macrocycle", "Y": "macrocycle", "Z": "macrocycle" });
+    assert_eq!(at("20", &["--after"]), (Value::Null, all));
+    assert_eq!(
+        at("40", &["--after"]),
+        (serde_json::json!({ "X": 6, "Y": 8 }), serde_json::json!({ "Z": "macrocycle" }))
+    );
+    assert_eq!(at("40", &["--after"]), at("50", &[]));
+    assert_eq!(at("20", &["--after"]), at("30", &[]));
 }
 
 /// The index of a whole execution, and what its replays need.

@@ -133,7 +133,15 @@ impl StepReader {
         }
         self.read_functions(block, before, When::Before, false);
         if let Some(data) = block.data() {
-            let words = data.values.iter().map(|(letter, value)| format!("{letter}{value}"));
+            // Where axes stand behind G93, the functions that measure X as a diameter count too.
+            let stands = |letter: char| {
+                let letter = AxisLetter::from_letter(letter).filter(|_| data.g == GCode::G93)?;
+                block.position(letter)
+            };
+            let words = data.values.iter().map(|(letter, value)| match stands(*letter) {
+                Some(position) => format!("{letter}{position}"),
+                None => format!("{letter}{value}"),
+            });
             let origin = data.origin.map(|origin| origin.to_string());
             let correction = data.d.map(|d| format!("D{d}"));
             let words: Vec<String> = origin.into_iter().chain(correction).chain(words).collect();

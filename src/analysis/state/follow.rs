@@ -190,6 +190,10 @@ impl Follow {
         if after && block.last() {
             state.reset_functions(&settings.machine);
         }
+        // Behind its call a macrocycle of the machine has run.
+        if after {
+            state.pass_machine_call();
+        }
         let axes = || settings.machine.axes.iter().enumerate();
         let unknown = axes().filter(|(place, _)| state.axis_position(*place).is_none());
         let unknown = unknown.map(|(_, axis)| (axis.letter, self.axes.why(axis.letter))).collect();
