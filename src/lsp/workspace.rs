@@ -9,15 +9,16 @@ use serde_json::{Value, json};
 use super::analysis::configuration;
 use super::places::Places;
 use super::snapshot::{Answer, Snapshot};
-use super::workspace_symbols::files;
+use super::workspace_symbols::{files, may_be_program};
 use crate::config::Settings;
 use crate::diag::Findings;
+use crate::dict::GCode;
 use crate::edit::line_length::first_long_line;
 use crate::query::names::{Name, Names, Naming, Usage};
 use crate::query::navigation_texts::NavigationText;
-use crate::resolve::{Library, Roles, Taker};
+use crate::resolve::{Library, Roles, Taker, l_number};
 use crate::session::Session;
-use crate::syntax::{Form, ParsedFile, Value as WordValue, parse};
+use crate::syntax::{BlockId, Form, ParsedFile, Value as WordValue, parse};
 use crate::text::{FileId, Loader};
 
 /// Longest file that is looked into, in bytes.
@@ -28,8 +29,8 @@ pub(super) struct Named {
     pub(super) uri: Uri,
     pub(super) file: ParsedFile,
     pub(super) namings: Vec<Naming>,
-    /// A call in it whose number comes from a parameter.
-    parametric: Option<(u32, u8)>,
+    /// Why it is not known which macrocycle it calls.
+    doubt: Option<NavigationText>,
 }
 
 /// The files of the workspace, and the open ones, that name macrocycle `l`, where that is the file at `target`.
@@ -41,8 +42,13 @@ pub(super) fn naming(snapshot: &Snapshot, l: u32, target: &Path) -> Vec<Named> {
 fn naming_of(snapshot: &Snapshot, l: u32, wanted: u32, target: &Path) -> Vec<Named> {
     let mut settings: BTreeMap<PathBuf, Settings> = BTreeMap::new();
     let mut seen: BTreeSet<PathBuf> = BTreeSet::new();
-    let open = snapshot.analyses.iter().map(|analysis| analysis.path.clone());
-    let all = open.chain(files(snapshot)).chain([target.to_path_buf()]).collect::<Vec<_>>();
+    // As they are typed: an analysis may still be under way. What lies beside them may call it in no workspace, too.
+    let open = snapshot.files.open();
+    let folders: BTreeSet<&Path> = open.keys().map(PathBuf::as_path).chain([target]).filter_map(Path::parent).collect();
+    let beside = folders.into_iter().flat_map(|folder| snapshot.files.list(folder));
+    let beside: Vec<PathBuf> = beside.filter(|path| may_be_program(path)).collect();
+    let all = open.keys().cloned().chain(files(snapshot)).chain(beside).chain([target.to_path_buf()]);
+    let all: Vec<PathBuf> = all.collect();
     let mut found = Vec::new();
     for path in all {
         if snapshot.cancel.is_cancelled() {
@@ -60,12 +66,13 @@ fn naming_of(snapshot: &Snapshot, l: u32, wanted: u32, target: &Path) -> Vec<Nam
     found
 }
 
-fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, wanted]: [u32; 2], target: &Path) -> Option<Named> {
+fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, number]: [u32; 2], target: &Path) -> Option<Named> {
     let own = Library::number(path);
     let source = snapshot.files.load(path, &path.to_string_lossy(), settings.encoding).ok()?;
-    let digits = wanted.to_string();
-    let mapped = settings.machine.cycles.values().any(|mapped| *mapped == wanted);
-    if !mapped && memchr::memmem::find(source.text().as_bytes(), digits.as_bytes()).is_none() {
+    let digits = number.to_string();
+    let mapped = settings.machine.cycles.values().any(|mapped| *mapped == number);
+    let text = source.text();
+    if !mapped && !text.contains(&digits) && !calls_by_parameter(text) {
         return None;
     }
     let session = Session { loader: &snapshot.files, settings, progress: None };
@@ -79,20 +86,34 @@ fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, wanted]: [u3
     let form = if own.is_some() { Form::Macrocycle } else { Form::Program };
     let file = parse(FileId(0), &source, form, &mut Findings::new());
     let names = Names { machine: &settings.machine, file: &file, macrocycle: own };
-    let wanted = |name| name == Name::Macrocycle(wanted);
+    let wanted = |name| name == Name::Macrocycle(number);
     // Another file of that number names itself in its first block.
     let is_meant = |naming: &Naming| path == target || naming.usage != Usage::Definition;
     let namings = file.block_ids().flat_map(|block| names.of_block(block, wanted)).filter(is_meant).collect();
-    let parametric = file.block_ids().find_map(|block| {
-        let roles = Roles::written(file.words(block));
-        let calls = matches!(roles.taker, Taker::One(code, _) if code == crate::dict::GCode::G72);
-        match roles.l.filter(|_| calls)?.value() {
-            WordValue::Parameter { index, .. } => Some((file.shown_number(block), index)),
-            WordValue::None | WordValue::Number(_) => None,
-        }
-    });
+    let doubt = file.block_ids().find_map(|block| doubt_of(&file, block, number));
     let uri = snapshot.files.uri_of(path)?;
-    Some(Named { uri, file, namings, parametric })
+    Some(Named { uri, file, namings, doubt })
+}
+
+/// Whether some L of a text takes its number from a parameter: `G72 LR10`.
+fn calls_by_parameter(text: &str) -> bool {
+    let rest = text.split(['L', 'l']).skip(1).map(|rest| rest.trim_start_matches([' ', '\t', '+']));
+    rest.into_iter().any(|rest| rest.starts_with(['R', 'r']))
+}
+
+/// Why it is not known whether a block calls macrocycle `l`.
+fn doubt_of(file: &ParsedFile, block: BlockId, l: u32) -> Option<NavigationText> {
+    let roles = Roles::written(file.words(block));
+    let word = roles.l.filter(|_| roles.taker.may_be(GCode::G72))?;
+    let n = file.shown_number(block);
+    match word.value() {
+        WordValue::Parameter { index: r, .. } => Some(NavigationText::CallByParameter { n, r }),
+        WordValue::Number(_) => {
+            let is_it = matches!(roles.taker, Taker::Unclear) && l_number(word) == Some(l);
+            is_it.then_some(NavigationText::Unclear { n, l })
+        }
+        WordValue::None => None,
+    }
 }
 
 /// The edits that give macrocycle `l` another number wherever it is named, by document.
@@ -101,9 +122,9 @@ fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, wanted]: [u3
 /// Why it cannot have another one.
 fn edits(snapshot: &Snapshot, l: u32, new: u32, target: &Path) -> Result<Vec<(Value, Vec<Value>)>, NavigationText> {
     let mut changes = Vec::new();
-    for Named { uri, file, namings, parametric } in naming(snapshot, l, target) {
-        if let Some((n, r)) = parametric {
-            return Err(NavigationText::CallByParameter { n, r });
+    for Named { uri, file, namings, doubt } in naming(snapshot, l, target) {
+        if let Some(doubt) = doubt {
+            return Err(doubt);
         }
         if namings.iter().any(|naming| !naming.written) {
             return Err(NavigationText::MacrocycleFile { l });
@@ -169,7 +190,11 @@ fn against(snapshot: &Snapshot, l: u32, new: u32, target: &Path, renamed: &[u32]
         return Some(NavigationText::MacrocycleExists { l: new });
     }
     // The file itself may name that number too.
-    let named = naming_of(snapshot, l, new, target).into_iter().find(|named| !named.namings.is_empty())?;
+    let means = |named: &Named| !named.namings.is_empty() || named.doubt.is_some();
+    let named = naming_of(snapshot, l, new, target).into_iter().find(means)?;
+    if named.namings.is_empty() {
+        return named.doubt;
+    }
     let name = named.file.source.name();
     let file = Path::new(name).file_name().map_or(name.into(), |name| name.to_string_lossy());
     Some(NavigationText::WouldLeadHere { call: format!("L{new} ({file})") })

@@ -140,7 +140,8 @@ pub(super) fn files(snapshot: &Snapshot) -> Vec<PathBuf> {
     found
 }
 
-fn may_be_program(path: &Path) -> bool {
+/// Whether its name is one of a program or a macrocycle.
+pub(super) fn may_be_program(path: &Path) -> bool {
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     Library::number(path).is_some() || EXTENSIONS.iter().any(|known| known.eq_ignore_ascii_case(extension))
 }
