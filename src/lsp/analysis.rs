@@ -28,6 +28,8 @@ pub(super) struct Analysis {
     pub(super) files: EditorFiles,
     /// The first line that could not be read, as renumbering says it.
     unread: Option<EditText>,
+    /// Whether the configuration has errors, and always had: how the program is to be laid out nobody knows.
+    pub(super) misconfigured: bool,
 }
 
 impl Analysis {
@@ -170,6 +172,7 @@ pub(super) fn run(
             },
             files: files.clone(),
             unread: first_unread(&outcome),
+            misconfigured,
         },
         [read.clone(), paths(files, &outcome.sources)].concat(),
     );

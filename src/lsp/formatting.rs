@@ -32,9 +32,9 @@ pub(super) fn range_formatting(
 
 /// The edits that give a part of the document its layout. Words and blanks change by themselves, so that the cursor
 /// stays where it is; editors are slow with very many edits, so these become one for each run of changed lines. `None`
-/// for a text that is not formatted (FMT-6): its finding says why.
+/// for a text that is not formatted (FMT-6), or whose project file cannot be read: its finding says why.
 pub(super) fn edits_of(snapshot: &Snapshot, analysis: &Analysis, part: Part) -> Option<Vec<TextEdit>> {
-    let source = analysis.resolved.file(DOCUMENT).map(|file| &file.source)?;
+    let source = analysis.resolved.file(DOCUMENT).filter(|_| !analysis.misconfigured).map(|file| &file.source)?;
     let changes = changes(&analysis.path, source, &analysis.settings, part).ok()?;
     let mut places = Places::new(source, snapshot.client.unit);
     let edit = |(span, text): (Span, &str)| TextEdit { range: places.range(span), new_text: text.to_owned() };

@@ -167,8 +167,21 @@ impl<'a> Painter<'a> {
             painter.block(block);
         }
         painter.end();
-        painter.painted.truncate(MOST);
-        painter.painted
+        painter.in_order()
+    }
+
+    /// In the order of the text. Where a word of another control is a finding, words may share its characters, and
+    /// comments may stand before the `%`: the first of two that meet counts.
+    fn in_order(mut self) -> Vec<Painted> {
+        self.painted.sort_by_key(|painted| painted.span);
+        let mut end = 0;
+        self.painted.retain(|painted| {
+            let apart = painted.span.start >= end;
+            end = if apart { painted.span.end } else { end };
+            apart
+        });
+        self.painted.truncate(MOST);
+        self.painted
     }
 
     fn add(&mut self, span: Span, kind: Kind, modifiers: u32) {
@@ -185,7 +198,7 @@ impl<'a> Painter<'a> {
         if let Some(word) = self.file.program {
             // Behind the `%` of another control, its number may stand on the next line.
             let span = word.span(self.file.source.text());
-            let line = self.file.source.slice(span).lines().next().unwrap_or_default();
+            let line = self.file.source.slice(span).split(['\r', '\n']).next().unwrap_or_default().trim_end();
             self.add(Span::new(span.start, span.start + small(line.len())), Kind::Namespace, DECLARATION);
         }
         for &comment in self.file.comments_before_blocks() {
@@ -195,7 +208,6 @@ impl<'a> Painter<'a> {
     }
 
     fn block(&mut self, block: BlockId) {
-        let from = self.painted.len();
         if let Some(word) = self.file.n_word(block) {
             self.add(word.span(self.file.source.text()), Kind::Label, DECLARATION);
         }
@@ -209,16 +221,6 @@ impl<'a> Painter<'a> {
         for &comment in self.file.comments_behind(block) {
             self.add(comment, Kind::Comment, 0);
         }
-        // Where a word of another control is a finding, words may share its characters.
-        let mut added = self.painted.split_off(from);
-        added.sort_by_key(|painted| painted.span);
-        let mut end = 0;
-        added.retain(|painted| {
-            let apart = painted.span.start >= end;
-            end = if apart { painted.span.end } else { end };
-            apart
-        });
-        self.painted.append(&mut added);
     }
 
     fn word(&mut self, word: Word, flow: Option<GCode>) {
