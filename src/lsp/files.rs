@@ -126,9 +126,11 @@ impl EditorFiles {
         self.disk.read(path)
     }
 
-    /// The open document at `path`.
+    /// The open document at `path`, or of that name: the name of a file whose path is not UTF-8 is not its path.
     pub(super) fn buffer(&self, path: &Path) -> Option<&Document> {
-        self.open.get(path).or_else(|| self.open.get(&self.canonical(path)))
+        let name = || path.to_str().filter(|name| name.contains(char::REPLACEMENT_CHARACTER));
+        let named = || name().and_then(|name| self.open.values().find(|document| document.source.name() == name));
+        self.open.get(path).or_else(|| self.open.get(&self.canonical(path))).or_else(named)
     }
 }
 

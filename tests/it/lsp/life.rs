@@ -183,6 +183,28 @@ fn missing_macrocycles_are_created() {
     assert_eq!(changes[1]["edits"][0]["newText"], "N10 G79 L9001\nN20 G70\n");
 }
 
+/// A folder whose name is no UTF-8, as an old share has it, keeps no finding from its document.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_path_that_is_no_text() {
+    for pull in [false, true] {
+        let capabilities = if pull { json!({ "textDocument": { "diagnostic": {} } }) } else { json!({}) };
+        let (mut client, _) = Client::initialized(json!({ "capabilities": capabilities }));
+        let uri = "file:///parts/d%A7l/q.nc";
+        let text = "%1\nN1 X5,1\nN2 M30\n";
+        let document = json!({ "uri": uri, "languageId": "cnc872", "version": 0, "text": text });
+        client.notify("textDocument/didOpen", json!({ "textDocument": document }));
+        let found = if pull {
+            client.request("textDocument/diagnostic", json!({ "textDocument": { "uri": uri } }))["result"]["items"]
+                .clone()
+        } else {
+            client.findings(uri, Some(0))
+        };
+        assert_eq!(found[0]["code"], "E0104", "{pull}: {found}");
+        assert_eq!(client.end(), 0);
+    }
+}
+
 /// A text as it was (`git:`) has the path of the file, and is another document: findings and edits stay with their own.
 #[test]
 fn versions_of_a_file_are_documents_of_their_own() {
