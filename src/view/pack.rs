@@ -87,6 +87,7 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     put("codes", Value::Array(times.codes));
     put("accels", json!(times.accels));
     put("start_s", json!(times.start_s));
+    put("beyond", times.beyond.json());
     put("foretold", Value::Object(foretold));
     put("per", Value::Object(per));
     put("turning", json!(rows.turning.is_lathe()));

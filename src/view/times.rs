@@ -140,7 +140,47 @@ pub(super) struct Times {
     /// Of motions outside of stretches: working, rapid.
     alone: [f64; 2],
     end_s: f64,
+    beyond: Beyond,
     total: Total,
+}
+
+/// The rest of the stretch in which the part ends.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Beyond {
+    /// The velocity at its first joint, in parts of a mm/min.
+    feed: Option<i64>,
+    /// How long its motions take, in seconds.
+    rest_s: f64,
+    /// It has ended.
+    is_over: bool,
+}
+
+impl Beyond {
+    fn pass(&mut self, block: &BlockTimes) {
+        let motion = block.motion.as_ref();
+        let joint = motion.filter(|motion| motion.stretch.is_some()).and_then(|motion| motion.joint.as_ref());
+        let merged = motion.is_some_and(|motion| motion.merged);
+        let goes_on = merged || joint.is_some_and(|joint| joint.broken_by.is_none());
+        self.is_over |= !goes_on;
+        if !self.is_over {
+            self.feed = self.feed.or(joint.map(|joint| feed(joint.velocity)));
+            self.rest_s += block.duration_s - other_s(block);
+        }
+    }
+
+    fn feed(&self) -> i64 {
+        self.feed.unwrap_or_default()
+    }
+
+    /// For the header of a page.
+    pub fn json(&self) -> Value {
+        json!({ "feed": self.feed(), "rest_s": self.rest_s })
+    }
+}
+
+/// How long a block takes without its motion, in seconds.
+const fn other_s(block: &BlockTimes) -> f64 {
+    block.dwell_s + block.function_s + block.settle_s + block.gap_s
 }
 
 /// The packed times.
@@ -151,6 +191,7 @@ pub(super) struct PackedTimes {
     pub accels: Vec<f64>,
     /// When the first block starts.
     pub start_s: f64,
+    pub beyond: Beyond,
 }
 
 impl Times {
@@ -199,6 +240,9 @@ impl Listener for Times {
             if block.seq >= self.part.from && self.starts.len() == self.plan_of.len() && !self.dots_only {
                 self.starts.push(block.start_s);
             }
+            if block.seq >= self.part.from {
+                self.beyond.pass(block);
+            }
             return;
         }
         if self.dots_only {
@@ -217,10 +261,7 @@ impl Listener for Times {
         if block.unknown {
             code.has |= has::UNKNOWN;
         }
-        let mut planned = Planned {
-            other_us: whole((block.dwell_s + block.function_s + block.settle_s + block.gap_s) * 1e6),
-            ..Planned::default()
-        };
+        let mut planned = Planned { other_us: whole(other_s(block) * 1e6), ..Planned::default() };
         if let Some(motion) = &block.motion {
             describe(motion, &mut code);
             planned.length = motion.length.unwrap_or_default();
@@ -356,7 +397,8 @@ impl<'t> Packer<'t> {
         columns.push(("time.joint".to_owned(), joint));
         let (codes, coded) = self.codes();
         columns.extend(coded);
-        PackedTimes { columns, codes, accels: self.times.accels.clone(), start_s: self.start_s() }
+        let (accels, beyond) = (self.times.accels.clone(), self.times.beyond);
+        PackedTimes { columns, codes, accels, start_s: self.start_s(), beyond }
     }
 
     /// Decides what each joint is foretold from. Joints at a cap first, then those of rising velocity in the order of
@@ -439,7 +481,8 @@ impl<'t> Packer<'t> {
         let (motion, code) = self.motion(place)?;
         let end = match self.motion(place + 1) {
             Some((_, next)) if next.is_continuous() => float(self.joint(place + 1)?),
-            _ => 0.0,
+            Some(_) => 0.0,
+            None => float(self.times.beyond.feed()),
         };
         Some(whole((end * end + gained(self.accel(code), motion.length)).sqrt()))
     }
@@ -447,8 +490,12 @@ impl<'t> Packer<'t> {
     /// Velocities of a timed motion as the reader foretells them: at the start, at the end.
     fn ends(&self, place: usize) -> [i64; 2] {
         let start = self.joint(place).unwrap_or_default();
-        let next = self.motion(place + 1).is_some_and(|(_, next)| next.is_continuous());
-        [start, if next { self.joint(place + 1).unwrap_or_default() } else { 0 }]
+        let end = match self.motion(place + 1) {
+            Some((_, next)) if next.is_continuous() => self.joint(place + 1).unwrap_or_default(),
+            Some(_) => 0,
+            None => self.times.beyond.feed(),
+        };
+        [start, end]
     }
 
     /// The greatest velocity as the reader foretells it.

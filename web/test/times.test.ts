@@ -44,6 +44,21 @@ async function check(file: string): Promise<void> {
     return;
   }
   const { times, records } = found;
+  sameRecords(times, records);
+  // A page of a part, which may begin and end within a stretch.
+  const third = Math.floor(records.length / 3);
+  for (const [from, count] of [
+    [0, third],
+    [third, third],
+  ] as const) {
+    const data = count === 0 ? undefined : await pageData(file, '--from', String(from), '--blocks', String(count));
+    if (data !== undefined) {
+      sameRecords(new Times(data, new Program(data)), records.slice(from, from + count));
+    }
+  }
+}
+
+function sameRecords(times: Times, records: Fields[]): void {
   records.forEach((record, index) => {
     const shown = times.record(index);
     const { kind: _, seq, n: __, file: ___, line: ____, joint, ...fields } = record as { [name: string]: Json };
@@ -88,6 +103,13 @@ test('the greatest feeds', () =>
       );
       await check(file);
     },
+  ));
+
+test('a page that ends within a joined piece', () =>
+  written(
+    `%1\nN10 G0 X0 Y0 Z0 G23\nN20 G1 X10 F1000\n${Array.from({ length: 40 }, (_, at) => `N${30 + at} X${10.5 + at / 2}`).join('\n')}\nN80 M30\n`,
+    '[motion]\nmerge-length-mm = 2\n',
+    check,
   ));
 
 test('the cap of a joint is that of accuracy where a ramp leads to it', () =>

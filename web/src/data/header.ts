@@ -106,6 +106,8 @@ export interface Header {
   accels: number[];
   /** When the first block of the page starts, in seconds. */
   start_s: number;
+  /** The rest of the stretch in which the page ends: the velocity at its first joint, in parts of a mm/min; seconds. */
+  beyond: { feed: number; rest_s: number };
   /** By letter: what the numbers in the text are foretold from. */
   foretold: { [letter: string]: 'row' };
   /** Parts of a millimetre or degree that numbers count, by column. */

@@ -238,15 +238,22 @@ export class Times {
       const index = timed[place]!;
       if (modes[this.#code[index]!] === 2) {
         const next = timed[place + 1];
-        const to = next !== undefined && passed[this.#code[next]!] ? joint.get(next) : 0;
+        const to = this.#passedAt(next, passed);
         const fallen = Math.sqrt(to * to + gained(this.#accel(this.#codeOf(index)), this.#length(index)));
         joint.set(index, Math.round(fallen) + corrections[place]!);
       }
     }
     for (let place = 0; place < timed.length; place += 1) {
-      const next = timed[place + 1];
-      this.#end.set(timed[place]!, next !== undefined && passed[this.#code[next]!] ? joint.get(next) : 0);
+      this.#end.set(timed[place]!, this.#passedAt(timed[place + 1], passed));
     }
+  }
+
+  /** The velocity at the joint before the next motion, which may lie beyond the page. */
+  #passedAt(next: number | undefined, passed: boolean[]): number {
+    if (next === undefined) {
+      return this.#program.header.beyond.feed;
+    }
+    return passed[this.#code[next]!] ? this.#joint.get(next) : 0;
   }
 
   #readTimes(data: Container<Header>, timed: Int32Array, other: Numbers): void {
@@ -485,7 +492,8 @@ export class Times {
     while (end < this.#code.length && this.#codeOf(end).broken_by === undefined && this.#has(end, MOTION)) {
       end += 1;
     }
-    let rest = this.#start[end]! - this.#start[index]!;
+    const beyond = end === this.#code.length ? this.#program.header.beyond.rest_s : 0;
+    let rest = this.#start[end]! - this.#start[index]! + beyond;
     if (this.#other !== undefined) {
       for (let block = index; block < end; block += 1) {
         rest -= this.#other[block]! / 1e6;
