@@ -99,7 +99,7 @@ fn fill(row: &mut Row, sheet: &Sheet, summary: &Summary, totals: &Totals, used: 
     row.lower_bound = summary.total.is_lower_bound();
     row.path_mm_by_type =
         totals.by_type().map(|(kind, path)| (kind.name().to_owned(), Number(path.to_f64()))).collect();
-    row.extents = Extents { working: reach(&sheet.working), all: reach(&sheet.all) };
+    row.extents = Extents { working: reach(&sheet.size.working), all: reach(&sheet.size.all) };
     row.tools = tools.into_iter().collect();
     row.m = sheet.m_functions.keys().copied().collect();
     row.g = used.g.iter().copied().collect();

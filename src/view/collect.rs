@@ -13,6 +13,7 @@ use super::rows::{Keep, Part, Rows};
 use super::times::{Dots, Expected, Times};
 use crate::analysis::equidistant::Equidistant;
 use crate::analysis::motion::{Basis, Model, Planner, Step, StepReader, machine};
+use crate::analysis::sheet::{Extents, Size};
 use crate::config::Settings;
 use crate::diag::{Findings, Report, Severity};
 use crate::dict::Lang;
@@ -31,6 +32,7 @@ pub struct Collector {
     reader: StepReader,
     planned: Fold<(Step, bool), (Planner, Times)>,
     equidistant: Equidistant,
+    size: Size,
     errors: Errors,
     /// Tells, as execution begins, how many bytes may be kept.
     room: fn() -> usize,
@@ -50,6 +52,7 @@ pub struct View {
     rows: Rows,
     times: Times,
     equidistant: Equidistant,
+    size: Size,
     /// Whether nothing of the machine's motion is configured.
     assumed: bool,
     machine: Value,
@@ -79,6 +82,7 @@ impl Collector {
             reader: StepReader::new(settings),
             planned,
             equidistant: Equidistant::new(settings, true),
+            size: Size::default(),
             errors: Errors::default(),
             room: || usize::MAX,
             most: usize::MAX,
@@ -117,7 +121,8 @@ impl Collector {
 
     /// The result of the run: the text of the program, which may not have been executed, and how many blocks were.
     pub fn finish(self, text: Option<&Arc<SourceText>>, naming: Naming<'_>, executed: u64) -> View {
-        let Self { mut rows, planned, equidistant, assumed, machine, mut program, whole, .. } = self;
+        let Self { mut rows, planned, equidistant, mut size, assumed, machine, mut program, whole, .. } = self;
+        size.end();
         // A program that cannot be executed is shown all the same.
         if let Some(source) = text.filter(|_| rows.files.is_empty()) {
             let file = parse(FileId(0), source, Form::Program, &mut Findings::new());
@@ -127,7 +132,7 @@ impl Collector {
         planner.finish(&mut times);
         program.insert("name".to_owned(), json!(naming.program()));
         let names = rows.files.iter().map(|file| naming.of(file.source.name())).collect();
-        View { rows, times, equidistant, assumed, machine, program, names, blocks: executed, whole }
+        View { rows, times, equidistant, size, assumed, machine, program, names, blocks: executed, whole }
     }
 }
 
@@ -161,6 +166,7 @@ impl View {
             whole: self.whole,
             findings,
             equidistant: self.equidistant_json(),
+            size: [&self.size.working, &self.size.all].map(size_json),
             compared,
         };
         pack(&self.rows, &self.times, about)
@@ -253,6 +259,17 @@ impl View {
     }
 }
 
+/// How far the axes of the planes go, in millimetres, and which go farther than that is known.
+fn size_json(extents: &Extents) -> Value {
+    let axes = || extents.axes().filter(|(letter, _)| letter.is_of_the_planes());
+    let known = axes().filter_map(|(letter, reach)| {
+        let (least, greatest) = reach.known?;
+        Some((letter.to_string(), json!([least.to_f64(), greatest.to_f64()])))
+    });
+    let lacks: String = axes().filter(|(_, reach)| reach.lacks).map(|(letter, _)| letter.letter()).collect();
+    json!({ "axes": known.collect::<Map<_, _>>(), "lacks": lacks })
+}
+
 /// Where errors are: the picture ends before the first block that has one.
 #[derive(Debug, Default)]
 struct Errors {
@@ -337,11 +354,15 @@ impl Sink for Collect<'_> {
     }
 
     fn block(&mut self, block: &Executed<'_>, findings: &mut Findings) -> ControlFlow<()> {
-        let Collector { rows, reader, planned, equidistant, errors, .. } = &mut *self.collector;
+        let Collector { rows, reader, planned, equidistant, size, errors, .. } = &mut *self.collector;
         if errors.stop(block, findings) {
             return ControlFlow::Continue(());
         }
         let again = rows.add(block);
+        // An execution that the rows have goes no farther.
+        if !again && rows.part.has(block.seq()) {
+            size.add(block);
+        }
         planned.push((reader.read(block), again));
         equidistant.read(block, findings);
         if block.seq().is_multiple_of(MEMORY) && self.collector.memory() > self.collector.most {

@@ -26,6 +26,8 @@ pub(super) struct About<'v> {
     pub whole: bool,
     pub findings: Vec<Value>,
     pub equidistant: Option<Value>,
+    /// How far working motions go, and all.
+    pub size: [Value; 2],
     /// What another program does differently.
     pub compared: Option<Value>,
 }
@@ -93,6 +95,8 @@ pub(super) fn pack(rows: &Rows, times: &Times, about: About<'_>) -> Vec<u8> {
     put("turning", json!(rows.turning.is_lathe()));
     put("diameter", json!(rows.turning.diameter));
     put("findings", Value::Array(about.findings));
+    let [working, all] = about.size;
+    put("size", json!({ "working": working, "all": all }));
     if let Some(equidistant) = about.equidistant {
         put("equidistant", equidistant);
     }

@@ -51,6 +51,12 @@ export async function dataOf(page: string): Promise<Container<Header>> {
   return new Container<Header>(await inflate(bytesOfText(text!)));
 }
 
+/** The set-up sheet; nothing when the program has errors. */
+export function report(file: string): Fields | undefined {
+  const run = spawnSync(program, ['report', file, '--format', 'json'], { encoding: 'utf8' });
+  return run.status === 0 ? (JSON.parse(run.stdout) as Fields) : undefined;
+}
+
 /** The records of blocks of a stream; nothing when the program has errors. */
 export function stream(command: string, file: string, ...options: string[]): Fields[] | undefined {
   try {

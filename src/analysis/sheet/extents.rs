@@ -26,6 +26,51 @@ pub struct Extents {
     unseen: [Option<u32>; AxisLetter::ALL.len()],
 }
 
+/// How far a program goes.
+#[derive(Clone, Debug, Default)]
+pub struct Size {
+    /// By working motion.
+    pub working: Extents,
+    /// By all motion.
+    pub all: Extents,
+}
+
+impl Size {
+    /// Takes up a block.
+    pub fn add(&mut self, block: &Executed<'_>) {
+        let Self { working, all } = self;
+        if let Some(motion) = block.motion() {
+            all.add_motion(&motion, block.n());
+            if motion.kind().is_working() {
+                working.add_motion(&motion, block.n());
+                working.add_standing(block, &motion);
+            }
+        }
+        for letter in moved_unseen(block) {
+            working.lack(letter, block.n());
+            all.lack(letter, block.n());
+        }
+    }
+
+    /// Behind the last block.
+    pub fn end(&mut self) {
+        self.working.end(&self.all);
+        self.all.cover(&self.working);
+    }
+}
+
+/// The axes of the planes that a block takes where nobody knows: a fixed cycle that is not mapped, a macrocycle of the
+/// machine.
+pub(super) fn moved_unseen(block: &Executed<'_>) -> Vec<AxisLetter> {
+    if !block.is_opaque() {
+        return Vec::new();
+    }
+    let cycle = block.is_unmapped_cycle();
+    let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
+    let linear = block.settings().machine.axes.iter().filter(|axis| !axis.rotary).map(|axis| axis.letter);
+    linear.filter(|letter| letter.is_of_the_planes() && (cycle || unseen.contains(letter))).collect()
+}
+
 impl Extents {
     /// The axes that moved, in the order of their letters; X as a diameter where it is programmed as one.
     pub fn axes(&self) -> impl Iterator<Item = (AxisLetter, Reach)> + '_ {

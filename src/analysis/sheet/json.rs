@@ -209,7 +209,7 @@ pub fn json(sheet: &Sheet, summary: &Summary, assumed: bool) -> String {
         time_s: summary.total.time_s.into(),
         assumed,
         lower_bound: summary.total.is_lower_bound(),
-        extents: ExtentsRecord { working: reach(&sheet.working), all: reach(&sheet.all) },
+        extents: ExtentsRecord { working: reach(&sheet.size.working), all: reach(&sheet.size.all) },
         tools: sheet.tools.iter().map(|used| tool(used, summary)).collect(),
         m_functions: sheet
             .m_functions

@@ -8,7 +8,7 @@ mod render;
 mod words;
 
 pub use document::{Document, document};
-pub use extents::{Extents, MOST_BLOCKS, Reach};
+pub use extents::{Extents, MOST_BLOCKS, Reach, Size};
 pub use json::{SCHEMA, json, schema};
 pub use reader::{Head, MUse, ParameterUse, Path, Sheet, SheetReader, ToolUse, UnitUse};
 pub use render::{html, markdown, text};

@@ -3,9 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::ControlFlow;
 
-use super::extents::Extents;
+use super::extents::{Extents, Size, moved_unseen};
 use crate::diag::{CallKind, Findings};
-use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
+use crate::dict::{Decimal, GCode, GGroup, Micro, TOOL_CHANGE};
 use crate::run::{End, Executed, FeedUnit, Length, Motion, MotionType, Program, Sink};
 use crate::text::{FileId, Location};
 
@@ -109,10 +109,8 @@ pub struct UnitUse {
 pub struct Sheet {
     /// What stands above the first block.
     pub head: Head,
-    /// How far working motion reaches.
-    pub working: Extents,
-    /// How far all motion reaches.
-    pub all: Extents,
+    /// How far it goes.
+    pub size: Size,
     /// Tools in the order in which they come into the spindle.
     pub tools: Vec<ToolUse>,
     /// M functions by number.
@@ -198,19 +196,12 @@ impl SheetReader {
 
     /// Where a fixed cycle that is not mapped leads, or a macrocycle of the machine, and how far, nobody knows.
     fn unknown_motion(&mut self, block: &Executed<'_>) {
-        let axes = block.settings().machine.axes.iter().filter(|axis| !axis.rotary).map(|axis| axis.letter);
-        let main = |letter: &AxisLetter| matches!(letter, AxisLetter::X | AxisLetter::Y | AxisLetter::Z);
-        let cycle = block.is_unmapped_cycle();
-        let unseen: Vec<AxisLetter> = block.moved_unseen().collect();
-        let letters: Vec<AxisLetter> = axes.filter(main).filter(|letter| cycle || unseen.contains(letter)).collect();
+        let letters = moved_unseen(block);
         if letters.is_empty() {
             return;
         }
-        let lack = |extents: &mut Extents| letters.iter().for_each(|letter| extents.lack(*letter, block.n()));
-        lack(&mut self.sheet.working);
-        lack(&mut self.sheet.all);
         if let Some(tool) = self.tool(block) {
-            lack(&mut tool.extents);
+            letters.iter().for_each(|letter| tool.extents.lack(*letter, block.n()));
             tool.working.lacks = true;
             tool.rapid.lacks = true;
             tool.cuts(block);
@@ -220,13 +211,8 @@ impl SheetReader {
     fn motion(&mut self, block: &Executed<'_>, motion: &Motion<'_>) {
         let (n, moves_on) = (block.n(), block.moves_on());
         self.sheet.head.diameter |= block.g(GGroup::G10) == Some(GCode::G74);
-        self.sheet.all.add_motion(motion, n);
         let kind = motion.kind();
         let length = motion.length();
-        if kind.is_working() {
-            self.sheet.working.add_motion(motion, n);
-            self.sheet.working.add_standing(block, motion);
-        }
         let Some(tool) = self.tool(block) else { return };
         match kind {
             MotionType::Rapid => tool.rapid.add(length),
@@ -289,6 +275,7 @@ impl Sink for SheetReader {
     }
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {
+        self.sheet.size.add(block);
         if block.moves_on()
             && let Some(motion) = block.motion()
         {
@@ -317,13 +304,13 @@ impl Sink for SheetReader {
     }
 
     fn end(mut self, _: End, _: &mut Findings) -> Sheet {
-        let Sheet { working, all, tools, .. } = &mut self.sheet;
-        let tools = tools.iter_mut().map(|tool| &mut tool.extents);
-        std::iter::once(&mut *working).chain(tools).for_each(|extents| extents.end(all));
-        all.cover(working);
+        let Sheet { size, tools, .. } = &mut self.sheet;
+        tools.iter_mut().for_each(|tool| tool.extents.end(&size.all));
+        size.end();
         if self.sheet.head.diameter {
             let tools = self.sheet.tools.iter_mut().map(|tool| &mut tool.extents);
-            [&mut self.sheet.working, &mut self.sheet.all].into_iter().chain(tools).for_each(Extents::in_diameters);
+            let Size { working, all } = &mut self.sheet.size;
+            [working, all].into_iter().chain(tools).for_each(Extents::in_diameters);
         }
         self.sheet
     }

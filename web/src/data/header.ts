@@ -55,6 +55,12 @@ export interface TimeCode {
   k?: number;
 }
 
+/** How far motions go, in millimetres; `lacks`: the axes that go farther than is known. */
+export interface Size {
+  axes: { [letter: string]: [number, number] };
+  lacks: string;
+}
+
 /** One piece of the equidistant path. */
 export interface EquidistantPiece {
   seq: number;
@@ -112,6 +118,8 @@ export interface Header {
   foretold: { [letter: string]: 'row' };
   /** Parts of a millimetre or degree that numbers count, by column. */
   per: { [column: string]: number };
+  /** How far working motions go, and all. */
+  size: { working: Size; all: Size };
   findings: PageFinding[];
   /** A lathe: seen in ZX at first. */
   turning: boolean;

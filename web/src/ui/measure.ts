@@ -1,36 +1,35 @@
 // Distances, boxes, path and time of a stretch.
 
 import type { App } from '../app.ts';
+import type { Size } from '../data/header.ts';
 import { type Key, t } from '../i18n.ts';
-import type { Box } from '../scene/camera.ts';
 import type { View } from '../scene/view.ts';
 import { clock, h, idle, rebuild, shown } from './dom.ts';
 
 export function measure(app: App, view: View): HTMLElement {
   const element = h('div', { class: 'measure' });
   let stretch: { from: number; to: number } | undefined;
-  const box = (key: Key, of: Box | undefined): HTMLElement => {
-    if (of === undefined) {
-      return h('section', {}, h('h2', {}, t(key)), h('p', { class: 'empty' }, t('noMotions')));
+  const box = (key: Key, { axes, lacks }: Size): HTMLElement => {
+    const letters = ['X', 'Y', 'Z'].filter((letter) => letter in axes);
+    const title = lacks === '' ? t(key) : `${t(key)}, ${t('lowerBound')}`;
+    if (letters.length === 0) {
+      return h('section', {}, h('h2', {}, title), h('p', { class: 'empty' }, t('noMotions')));
     }
-    const { min, max } = of;
     const { diameter } = app.header;
-    const rows = ['X', 'Y', 'Z'].map((letter, i) => {
-      if (!app.path.isEverKnown(app.path.axes[i]!)) {
-        return null;
-      }
+    const rows = letters.map((letter) => {
+      const [min, max] = axes[letter]!;
       // As the picture's axis counts.
       const [name, times] = letter === 'X' && diameter ? ['ØX', 2] : [letter, 1];
-      const values = [min[i]!, max[i]!, max[i]! - min[i]!].map((value) => h('td', {}, shown(times * value)));
+      const values = [min, max, max - min].map((value) => h('td', {}, shown(times * value)));
       return h('tr', {}, h('th', { scope: 'row' }, name), ...values);
     });
     const head = ['', t('from'), t('to'), t('size')].map((name) =>
       name === '' ? h('td') : h('th', { scope: 'col' }, name),
     );
-    return h('table', {}, h('caption', {}, t(key)), h('tr', {}, ...head), ...rows);
+    return h('table', {}, h('caption', {}, title), h('tr', {}, ...head), ...rows);
   };
   const tell = (): void => {
-    const { path } = app;
+    const { working, all } = app.header.size;
     const { measured } = view;
     const distance = h('section', {}, h('h2', {}, t('distance')));
     if (measured.length === 2) {
@@ -62,7 +61,7 @@ export function measure(app: App, view: View): HTMLElement {
         t('clear'),
       ),
     );
-    rebuild(element, distance, stretchPart(), box('boxWorking', path.workingBox), box('boxAll', path.box));
+    rebuild(element, distance, stretchPart(), box('boxWorking', working), box('boxAll', all));
   };
   const pickPoints = (): void => {
     view.measured = [];
