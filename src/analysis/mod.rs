@@ -12,5 +12,5 @@ pub mod state;
 mod totals;
 
 pub use number::{Number, push_digits, write_real};
-pub use record_schema::{forbid_null, record_schema};
+pub use record_schema::{document_schema, forbid_null, record_schema};
 pub use totals::Totals;

@@ -33,6 +33,20 @@ pub fn record_schema<T: JsonSchema>(schema: &str) -> Value {
     root
 }
 
+/// The schema of the document `T`, JSON Schema 2020-12. `schema` is name and version of the form.
+pub fn document_schema<T: JsonSchema>(schema: &str) -> Value {
+    let generator = SchemaSettings::draft2020_12().into_generator();
+    let mut document = generator.into_root_schema_for::<T>().to_value();
+    forbid_null(&mut document);
+    if let Some(Value::Object(definitions)) = document.get_mut("$defs") {
+        definitions.values_mut().for_each(forbid_null);
+    }
+    if let Some(root) = document.as_object_mut() {
+        root.insert("$id".to_owned(), format!("urn:{}", schema.replace('/', ":")).into());
+    }
+    document
+}
+
 /// Fields without a value are left out, never null; only the items of `g` and `m` are.
 pub fn forbid_null(schema: &mut Value) {
     let Some(schema) = schema.as_object_mut() else { return };

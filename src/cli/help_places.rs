@@ -25,13 +25,6 @@ pub(super) const COMMANDS: &[CommandText] = &[
 
 /// The arguments.
 pub(super) const ARGUMENTS: &[ArgumentText] = &[
-    arg(
-        "state",
-        "file",
-        Arguments,
-        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
-        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
-    ),
     arg("", "n", Options, "The block with this number", "Blok s tímto číslem"),
     arg("", "line", Options, "The block on this line; of several the first", "Blok na tomto řádku; z několika první"),
     arg("", "seq", Options, "The executed block with this seq, from 0", "Provedený blok s tímto seq, od 0"),
@@ -39,7 +32,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "",
         "time",
         Options,
-        "The block that is under way so long after program start",
+        "The block being executed this long after program start",
         "Blok, který se provádí po této době od startu programu",
     ),
     arg("", "at_tool", Options, "The M06 of this tool", "M06 tohoto nástroje"),
@@ -60,13 +53,6 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg("state", "after", Options, "The state behind the block, not before it", "Stav za blokem, ne před ním"),
     arg("state", "format", Options, "The form of the answer", "Tvar odpovědi"),
     arg("state", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
-    arg(
-        "restart",
-        "file",
-        Arguments,
-        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
-        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
-    ),
     arg("restart", "after", Options, "Start behind the block, not with it", "Začít za blokem, ne tímto blokem"),
     arg(
         "restart",
@@ -126,7 +112,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "partial",
         Options,
         "Compare programs with errors as far as they can be executed",
-        "Programy s chybami porovnat, pokud je lze provést",
+        "Porovnat i programy s chybami, a to tak daleko, jak je lze provést",
     ),
     arg("compare", "format", Options, "The form of the answer", "Tvar odpovědi"),
     arg(

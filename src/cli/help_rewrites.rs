@@ -17,42 +17,21 @@ pub(super) const COMMANDS: &[CommandText] = &[
 /// Their arguments and options.
 pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg(
-        "format",
+        "",
         "paths",
         Arguments,
         "Programs, macrocycles, folders to search for them, or - for standard input, which goes to standard output",
         "Programy, makrocykly, složky k prohledání, nebo - pro standardní vstup, z něhož se píše na standardní výstup",
     ),
     arg(
-        "format",
+        "",
         "check",
         Options,
         "Change nothing, and name the files that would change. Exit with status 1 when there are some",
         "Nic neměnit a vypsat soubory, které by se změnily. Jsou-li nějaké, skončit kódem 1",
     ),
     arg(
-        "format",
-        "diff",
-        Options,
-        "Change nothing, and show the changes as a unified diff. Exit with status 1 when there is something",
-        "Nic neměnit a ukázat změny (unified diff). Je-li co měnit, skončit kódem 1",
-    ),
-    arg(
-        "renumber",
-        "paths",
-        Arguments,
-        "Programs, macrocycles, folders to search for them, or - for standard input, which goes to standard output",
-        "Programy, makrocykly, složky k prohledání, nebo - pro standardní vstup, z něhož se píše na standardní výstup",
-    ),
-    arg(
-        "renumber",
-        "check",
-        Options,
-        "Change nothing, and name the files that would change. Exit with status 1 when there are some",
-        "Nic neměnit a vypsat soubory, které by se změnily. Jsou-li nějaké, skončit kódem 1",
-    ),
-    arg(
-        "renumber",
+        "",
         "diff",
         Options,
         "Change nothing, and show the changes as a unified diff. Exit with status 1 when there is something",
@@ -62,7 +41,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg("renumber", "start", Options, "The first number", "První číslo"),
     arg("renumber", "unit", Options, "Only this subprogram", "Jen tento podprogram"),
     arg("renumber", "from", Options, "Only from this block on", "Jen od tohoto bloku"),
-    arg("renumber", "to", Options, "Only up to this block, it included", "Jen po tento blok včetně"),
+    arg("renumber", "to", Options, "Only up to and including this block", "Jen po tento blok včetně"),
     arg(
         "renumber",
         "width",

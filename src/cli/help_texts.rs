@@ -69,7 +69,7 @@ pub(super) const COMMANDS: &[CommandText] = &[
     about!(
         "motion",
         "Estimates how the machine moves through a program: its time, where it slows down, and why",
-        "Odhadne, jak stroj programem projede: jeho čas, kde zpomalí a proč"
+        "Odhadne, jak stroj programem projede: jak dlouho to trvá, kde zpomalí a proč"
     ),
     about!(
         "plc",
@@ -94,7 +94,7 @@ pub(super) const COMMANDS: &[CommandText] = &[
     about!(
         "lsp",
         "Serves an editor: findings while typing, meanings, jumps (language server on stdin and stdout)",
-        "Slouží editoru: hlášení při psaní, významy, skoky (jazykový server na stdin a stdout)"
+        "Jazykový server pro editor: hlášení při psaní, významy, přechody (na stdin a stdout)"
     ),
     about!(
         "stats",
@@ -153,8 +153,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "check",
         "paths",
         Arguments,
-        "Programs, macrocycles, folders to search for them, or - for standard input. A folder is searched with the \
-         folders in it for .nc .ncp .mpf .txt with a line that begins with % and a number, and for macrocycles L…; \
+        "Programs, macrocycles, folders to search for them, or - for standard input. A folder and the folders in it are searched for .nc, .ncp, .mpf and .txt files in which a line begins with % and a number, and for macrocycles L…; \
          hidden files and links that lead out are left out",
         "Programy, makrocykly, složky k prohledání, nebo - pro standardní vstup. Ve složce a ve složkách v ní se \
          hledají soubory .nc .ncp .mpf .txt s řádkem, který začíná znakem % a číslem, a makrocykly L…; skryté soubory \
@@ -180,8 +179,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         Arguments,
         "Codes or names of findings, functions, addresses, keys, signals of the PLC; any other word lists the pages \
          that have it. None: the list of all findings",
-        "Kódy nebo názvy hlášení, funkce, adresy, klíče, signály PLC; jiné slovo vypíše stránky, kde je. Nic: seznam \
-         všech hlášení",
+        "Kódy nebo názvy hlášení, funkce, adresy, klíče, signály PLC; u jiného slova se vypíšou stránky, na kterých je. Bez argumentu: seznam všech hlášení",
     ),
     arg("init", "folder", Arguments, "The folder, else this one", "Složka; jinak tato"),
     arg("init", "dialect", Options, "The control, else cnc872", "Řídicí systém; jinak cnc872"),
@@ -192,7 +190,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Over standard input and output: the only way there is; for clients that say so",
         "Po standardním vstupu a výstupu: jiný způsob není; pro klienty, kteří to uvádějí",
     ),
-    arg("schema", "schema", Arguments, "Of what", "Čeho"),
+    arg("schema", "schema", Arguments, "Which schema", "Které schéma"),
     arg("completions", "shell", Arguments, "For which shell", "Pro který shell"),
     arg("", "command", Arguments, "Of which command", "Ke kterému příkazu"),
     arg(
@@ -238,7 +236,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Leave out the blocks before this seq, the number of the record; not N",
         "Vynechat bloky před tímto seq, pořadím záznamu; ne N",
     ),
-    arg("compile", "limit", Options, "Write at most so many blocks", "Zapsat nejvýše tolik bloků"),
+    arg("compile", "limit", Options, "Write at most this many blocks", "Zapsat nejvýše tolik bloků"),
     arg(
         "view",
         "output",
@@ -250,8 +248,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "view",
         "plane",
         Options,
-        "What a picture looks at; else the plane that shows most of the working motions",
-        "Na co se obrázek dívá; jinak rovina, v níž je vidět nejvíc pracovních pohybů",
+        "View shown in the picture; else the plane that shows most of the working motions",
+        "Směr pohledu na obrázku; jinak rovina, v níž je vidět nejvíc pracovních pohybů",
     ),
     arg(
         "view",
@@ -276,14 +274,14 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "Nakreslit jen prvních N provedených bloků",
     ),
     arg(
-        "motion",
+        "",
         "file",
         Arguments,
         "The program, or - for standard input. A macrocycle is executed with the program that calls it",
         "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
     ),
     arg(
-        "motion",
+        "",
         "output",
         Options,
         "Write to this file. It is replaced when all is written, and left as it was otherwise",
@@ -301,8 +299,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "motion",
         "all",
         Options,
-        "List all red joints, not the first 20; of the findings all",
-        "Vypsat všechna červená napojení, ne jen prvních 20; z hlášení všechna",
+        "List all red joints, not just the first 20, and all findings",
+        "Vypsat všechna červená napojení, ne jen prvních 20, a všechna hlášení",
     ),
     arg(
         "motion",
@@ -310,20 +308,6 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         Options,
         "Try another value of a key of [motion] or of a machine constant; may be given again",
         "Zkusit jinou hodnotu klíče z [motion] nebo strojní konstanty; lze opakovat",
-    ),
-    arg(
-        "plc",
-        "file",
-        Arguments,
-        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
-        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
-    ),
-    arg(
-        "plc",
-        "output",
-        Options,
-        "Write to this file. It is replaced when all is written, and left as it was otherwise",
-        "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
     ),
     arg("plc", "format", Options, "The form of the output", "Tvar výstupu"),
     arg(
@@ -345,8 +329,8 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "plc",
         "all",
         Options,
-        "In the table also the steps that change nothing; of the findings all",
-        "V tabulce i kroky, které nic nemění; z hlášení všechna",
+        "Also show the steps that change nothing, and all findings",
+        "V tabulce i kroky, které nic nemění, a všechna hlášení",
     ),
     arg(
         "plc",
@@ -366,24 +350,10 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
     arg("plc", "limit", Options, "The steps of at most so many blocks", "Kroky nejvýše tolika bloků"),
     arg(
         "report",
-        "file",
-        Arguments,
-        "The program, or - for standard input. A macrocycle is executed with the program that calls it",
-        "Program, nebo - pro standardní vstup. Makrocyklus se provádí s programem, který ho volá",
-    ),
-    arg(
-        "report",
-        "output",
-        Options,
-        "Write to this file. It is replaced when all is written, and left as it was otherwise",
-        "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
-    ),
-    arg(
-        "report",
         "format",
         Options,
-        "The form of the sheet; else by the name of the output file, and human",
-        "Tvar listu; jinak podle názvu výstupního souboru, a human",
+        "Form of the sheet; by default from the extension of the output file, otherwise human",
+        "Tvar listu; bez volby podle přípony výstupního souboru, jinak human",
     ),
     arg(
         "stats",
@@ -391,13 +361,6 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         Arguments,
         "Programs, or folders to search for them as check does",
         "Programy, nebo složky k prohledání jako u check",
-    ),
-    arg(
-        "stats",
-        "output",
-        Options,
-        "Write to this file. It is replaced when all is written, and left as it was otherwise",
-        "Zapsat do tohoto souboru. Nahradí se, až když je vše zapsáno, jinak zůstane, jak byl",
     ),
     arg("stats", "format", Options, "The form of the rows", "Tvar řádků"),
     arg(
@@ -421,13 +384,6 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         } else {
             "Jak se hlášení vypíšou"
         },
-    ),
-    arg(
-        "compile",
-        "all",
-        Options,
-        "Show all findings; else at most 20 of each code and file (human, short)",
-        "Vypsat všechna hlášení; jinak nejvýše 20 od každého kódu a souboru (human, short)",
     ),
     arg("report", "all", Options, "Show all findings", "Vypsat všechna hlášení"),
     arg("", "format", Options, "How findings are shown", "Jak se hlášení vypíšou"),
@@ -488,7 +444,7 @@ pub(super) const ARGUMENTS: &[ArgumentText] = &[
         "",
         "max_blocks",
         Machine,
-        "Most blocks that a program may execute; 10000000 unless configured",
+        "Execute at most this many blocks; 10000000 unless configured",
         "Kolik bloků smí program nejvýše provést; není-li nastaveno, 10000000",
     ),
     arg(

@@ -47,7 +47,7 @@ rows! {
         Takes::Flag(|it, on| it.settings.optional_stop = on), Is("false") =>
         "whether M01 stops the program", "zda M01 program zastaví";
     "oriented-stop" "MFN-10": Takes::Flag(|it, on| it.settings.machine.oriented_stop = on), Is("true") =>
-        "whether the machine has the oriented spindle stop M19", "zda stroj má orientovaný stop vřetena M19";
+        "whether the machine has the oriented spindle stop M19", "zda stroj má stop vřetena v orientovaném bodě (M19)";
     "spindle-axis" "MFN-10" example "\"C\"":
         one_of!([spindle_axes()], |it, axis| it.settings.machine.spindle_axis = axis),
         words("`\"C\"`, else `\"A\"` or `\"B\"`, if the machine has it", "`\"C\"`, jinak `\"A\"` nebo `\"B\"`, má-li \

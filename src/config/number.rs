@@ -90,8 +90,8 @@ impl ParameterFault {
             },
             Self::Number => Bilingual { en: "there are parameters R0 to R95", cs: "jsou jen parametry R0 až R95" },
             Self::Value => Bilingual {
-                en: "a parameter takes ±69999.999, or a whole number of up to eight digits",
-                cs: "hodnota parametru je ±69999.999, nebo celé číslo nejvýše o osmi číslicích",
+                en: "a parameter takes a number within ±69999.999, or a whole number of up to eight digits",
+                cs: "hodnota parametru je číslo v rozsahu ±69999.999, nebo celé číslo nejvýše o osmi číslicích",
             },
             Self::Finer => Bilingual {
                 en: "a parameter has three decimals at most",

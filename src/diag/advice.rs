@@ -27,7 +27,7 @@ bilingual! {
             "dělit se zde nedá: napsat výsledek, „{written}“";
         Undivided
             "nothing is divided here: write the result; `/` is a block skip and stands behind the block number",
-            "dělit se zde nedá: napsat výsledek; / znamená vypuštění bloku a stojí za číslem bloku";
+            "dělit se zde nedá: napsat výsledek; / znamená vynechání bloku a stojí za číslem bloku";
         Computed
             "there are no expressions; G26 to G29 compute with parameters",
             "výrazy se psát nedají; s parametry počítají G26 až G29";

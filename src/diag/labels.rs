@@ -31,8 +31,8 @@ bilingual! {
         UnitBegins { l: u32 } "L{l} begins here", "L{l} začíná zde";
         MacrocycleFile { name: String } "one of them: {name}", "jeden z nich: {name}";
         ShowsIt { text: String }
-            "`{text}` is written so on such a control",
-            "„{text}“ se takto píše na takovém systému";
+            "such a control writes `{text}`",
+            "takto píše „{text}“ jiný systém";
         FeedPerRevolution "written as a feed per revolution", "zadáno jako posuv na otáčku";
         FeedPerMinute "written as a feed per minute", "zadáno jako posuv za minutu";
         PositionLost { m: u8 }

@@ -49,7 +49,7 @@ impl OtherMeaning {
                 "write the zero offset of the work again (such as `G54`) behind the block with G53".to_owned()
             }
             (Self::ModalOrigin, Lang::Cs) => {
-                "za blokem s G53 znovu zadat posunutí obrobku (například „G54“)".to_owned()
+                "za blokem s G53 znovu zadat posunutí nulového bodu (například „G54“)".to_owned()
             }
             (Self::CuttingSpeed { .. }, Lang::En) => {
                 "with the speed of the spindle in S the feed is under G94 or G95; the key `g97` says what G97 is"

@@ -138,8 +138,8 @@ bilingual! {
             "takes a lasting function of group {group}",
             "musí být trvalá funkce skupiny {group}";
         ParameterValue
-            "takes ±69999.999, or a whole number of up to eight digits",
-            "musí být ±69999.999, nebo celé číslo nejvýše o osmi číslicích";
+            "takes a number within ±69999.999, or a whole number of up to eight digits",
+            "musí být číslo v rozsahu ±69999.999, nebo celé číslo nejvýše o osmi číslicích";
     }
 }
 

@@ -65,7 +65,7 @@ impl ValueMeant {
                 macrocycle reads: `R10=2`. The macrocycle is named in the project file: `[cycles]`, `{cycle} = …`"
             ),
             (Self::Height { cycle }, Lang::Cs) => format!(
-                "{cycle} má jen polohu díry; výšky, hloubky a úběry se zadávají do parametrů, které čte jeho \
+                "{cycle} má jen polohu díry; výšky, hloubky a kroky vrtání se zadávají do parametrů, které čte jeho \
                 makrocyklus: „R10=2“. Makrocyklus se uvede v projektovém souboru: [cycles], {cycle} = …"
             ),
             (Self::Line { function }, Lang::En) => {
@@ -229,7 +229,7 @@ pub(super) fn other_range(address: Address, range: &str, mode: Option<GCode>, la
             "a tool has a number of at most eight digits; its correction is chosen by `D`",
             "číslo nástroje má nejvýše osm číslic; korekce se volí adresou D",
         ),
-        Address::I if mode == Some(GCode::G23) => ("I chooses the dynamic set", "I volí dynamickou sadu"),
+        Address::I if mode == Some(GCode::G23) => ("I chooses the dynamic set", "I volí sadu dynamiky"),
         Address::I | Address::J | Address::K => (
             "a number without a decimal point counts whole millimetres, not thousandths",
             "číslo bez desetinné tečky jsou celé milimetry, ne tisíciny",

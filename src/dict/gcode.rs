@@ -85,7 +85,7 @@ impl GGroup {
             Self::G0 => ("interpolation", "interpolace"),
             Self::G1 => ("plane", "rovina"),
             Self::G2 => ("joining of blocks, copying, helix", "napojování bloků, kopírování, šroubovice"),
-            Self::G3 => ("radius correction", "korekce na poloměr"),
+            Self::G3 => ("radius correction", "poloměrová korekce"),
             Self::G4 => ("parameter arithmetic", "aritmetika parametrů"),
             Self::G5 => ("zero offsets", "posunutí nulového bodu"),
             Self::G6 => ("unit of feed", "jednotka posuvu"),
@@ -182,9 +182,9 @@ g_functions! {
     G98 98 G2 Default "CNT-1"
         "basic state of the group: blocks join with ramps",
         "základní stav skupiny: bloky se napojují s rampami";
-    G40 40 G3 Default "EQU-1" "radius correction off", "zrušení korekce na poloměr";
-    G41 41 G3 Modal "EQU-1" "radius correction, tool left of the path", "korekce na poloměr vlevo";
-    G42 42 G3 Modal "EQU-1" "radius correction, tool right of the path", "korekce na poloměr vpravo";
+    G40 40 G3 Default "EQU-1" "radius correction off", "zrušení poloměrové korekce";
+    G41 41 G3 Modal "EQU-1" "radius correction, tool left of the path", "poloměrová korekce vlevo";
+    G42 42 G3 Modal "EQU-1" "radius correction, tool right of the path", "poloměrová korekce vpravo";
     G26 26 G4 Block "PAR-7" "parameter arithmetic, one operation (R5)", "aritmetika parametrů, jedna operace (R5)";
     G27 27 G4 Block "PAR-7"
         "parameter arithmetic, two operations (R5, R6)",

@@ -12,6 +12,14 @@ pub enum Lang {
 }
 
 impl Lang {
+    /// `en`, `cs`.
+    pub const fn code(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::Cs => "cs",
+        }
+    }
+
     /// The language that options and settings call so: `en`, `cs`, in either case.
     pub fn named(name: &str) -> Option<Self> {
         match name.to_ascii_lowercase().as_str() {

@@ -117,10 +117,7 @@ fn message(diagnostic: &Diagnostic, lang: Lang) -> String {
 
 /// Where the page of a code is: a document that the server gives (`workspace/textDocumentContent`).
 pub(super) fn page(code: Code, lang: Lang) -> Option<Uri> {
-    let lang = match lang {
-        Lang::En => "en",
-        Lang::Cs => "cs",
-    };
+    let lang = lang.code();
     Uri::parse(&format!("{SCHEME}:/explain/{lang}/{code}.md")).ok()
 }
 

@@ -11,7 +11,7 @@ use crate::query::cursor::{DOCUMENT, block_at};
 use crate::query::flow::Flow;
 use crate::query::hover_texts::Said;
 use crate::query::observe::{Observation, Observed, control_of, executing, observe};
-use crate::query::shown::{count, exact, formula};
+use crate::query::shown::{count, formula};
 use crate::resolve::Roles;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Value, Word};
 
@@ -113,7 +113,7 @@ impl Hinter<'_> {
                     (plane.name.to_owned(), Said::HintPlane { g: code.number(), name: plane.name })
                 } else if word.address == Address::Q && dwell {
                     let units = word.number().filter(|_| !word.is_faulty())?;
-                    let s = exact(Micro::from_millionths(units.thousandths().saturating_mul(10)));
+                    let s = Micro::from_millionths(units.thousandths().saturating_mul(10)).to_string();
                     (format!("= {s} s"), Said::HintDwell { s })
                 } else {
                     return None;

@@ -147,7 +147,7 @@ impl Subject<'_> {
             said.push(Said::DynamicSet);
         } else if word.address == Address::Q && self.writes(block, |code| code == GCode::G04) {
             let seconds = word.number().map(|number| Micro::from_millionths(number.thousandths().saturating_mul(10)));
-            said.extend(seconds.map(|seconds| Said::Dwell { s: shown::exact(seconds) }));
+            said.extend(seconds.map(|seconds| Said::Dwell { s: seconds.to_string() }));
         } else {
             said.extend(self.axis(word).map(|rotary| if rotary { Said::RotaryAxis } else { Said::LinearAxis }));
         }
@@ -185,7 +185,7 @@ impl Subject<'_> {
             let machine = &self.analysis.settings.machine;
             let modes = g_functions(self.file, block).filter_map(|(code, _)| machine.feed_mode(code));
             let written = modes.map(|mode| FeedUnit::of(mode.per, false)).next();
-            return seen.or(written).map_or("", |unit| shown::feed_unit(unit, self.lang));
+            return seen.or(written).map_or("", |unit| unit.shown(self.lang));
         }
         // Factors, angles and the like.
         if writes(&[GCode::G31, GCode::G35, GCode::G36, GCode::G38, GCode::G39]) {

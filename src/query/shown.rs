@@ -2,7 +2,6 @@
 
 use crate::dict::{Address, Decimal, Lang, Micro, Operation};
 use crate::resolve::ControlWord;
-use crate::run::FeedUnit;
 use crate::syntax::{Value, Word};
 
 /// A count with its thousands apart: `2 000 000`.
@@ -21,32 +20,11 @@ pub(crate) fn count(number: u64) -> String {
     shown
 }
 
-/// With all its decimals, without trailing zeros.
-pub(crate) fn exact(value: Micro) -> String {
-    let millionths = value.millionths();
-    let sign = if millionths < 0 { "-" } else { "" };
-    let magnitude = millionths.unsigned_abs();
-    let text = format!("{sign}{}.{:06}", magnitude / 1_000_000, magnitude % 1_000_000);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
 /// To thousandths, the resolution of the control: for computed lengths.
 pub(crate) fn rounded(value: Micro) -> String {
     let millionths = value.millionths();
     let thousandths = (millionths + if millionths < 0 { -500 } else { 500 }) / 1000;
     Decimal::from_thousandths(thousandths).to_string()
-}
-
-/// The unit of F.
-pub(crate) const fn feed_unit(unit: FeedUnit, lang: Lang) -> &'static str {
-    match (unit, lang) {
-        (FeedUnit::MmPerMinute, _) => "mm/min",
-        (FeedUnit::MmPerRevolution, Lang::En) => "mm/rev",
-        (FeedUnit::MmPerRevolution, Lang::Cs) => "mm/ot",
-        (FeedUnit::DegPerMinute, _) => "°/min",
-        (FeedUnit::DegPerRevolution, Lang::En) => "°/rev",
-        (FeedUnit::DegPerRevolution, Lang::Cs) => "°/ot",
-    }
 }
 
 /// The unit of S.
@@ -121,9 +99,7 @@ mod tests {
         let counts = [0, 999, 2000, 12_345, 2_000_000].map(count);
         assert_eq!(counts, ["0", "999", "2000", "12\u{a0}345", "2\u{a0}000\u{a0}000"]);
         let micro = Micro::from_millionths;
-        assert_eq!(exact(micro(-12_500_000)), "-12.5");
-        assert_eq!(exact(micro(100_000_000)), "100");
-        assert_eq!((exact(micro(1_234_567)), rounded(micro(1_234_567))), ("1.234567".to_owned(), "1.235".to_owned()));
+        assert_eq!(rounded(micro(1_234_567)), "1.235");
         assert_eq!(rounded(micro(-1_234_500)), "-1.235");
     }
 }

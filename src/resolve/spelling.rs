@@ -5,32 +5,7 @@ use crate::dict::HIGHEST_L;
 /// A sort key: how many digits have to be put in, left out, changed, or exchanged with their neighbours to make one of
 /// the other, and then how far they are from each other.
 pub(super) fn distance(one: u32, other: u32) -> (usize, u32) {
-    (digits_apart(&one.to_string(), &other.to_string()), one.abs_diff(other))
-}
-
-/// The optimal string alignment of two numbers: ten digits at most, so that a table of all pairs is small.
-fn digits_apart(one: &str, other: &str) -> usize {
-    let (one, other) = (one.as_bytes(), other.as_bytes());
-    let mut rows: Vec<Vec<usize>> = vec![(0..=other.len()).collect()];
-    for (at, digit) in one.iter().enumerate() {
-        let mut row = vec![at + 1];
-        for (column, wanted) in other.iter().enumerate() {
-            let cell = |row: &[usize], column: usize| row.get(column).copied().unwrap_or(usize::MAX / 2);
-            let above = rows.get(at).map(Vec::as_slice).unwrap_or_default();
-            let changed = cell(above, column) + usize::from(digit != wanted);
-            let mut least = changed.min(cell(above, column + 1) + 1).min(cell(&row, column) + 1);
-            if let (Some(before), Some(left)) = (at.checked_sub(1), column.checked_sub(1))
-                && one.get(before) == Some(wanted)
-                && other.get(left) == Some(digit)
-            {
-                let exchanged = rows.get(before).map_or(usize::MAX / 2, |row| cell(row, left));
-                least = least.min(exchanged + 1);
-            }
-            row.push(least);
-        }
-        rows.push(row);
-    }
-    rows.last().and_then(|row| row.last()).copied().unwrap_or(0)
+    (strsim::osa_distance(&one.to_string(), &other.to_string()), one.abs_diff(other))
 }
 
 /// The numbers of at most four digits that one slip makes of `number`.

@@ -122,7 +122,7 @@ bilingual! {
         Auxiliary "auxiliary functions", "pomocné funkce";
         Function { meaning: String, n: u32 } "{meaning}, N{n}", "{meaning}, N{n}";
         FunctionOf { n: u32 } "N{n}", "N{n}";
-        Set "dynamic set of G23", "dynamická sada pro G23";
+        Set "dynamic set of G23", "sada dynamiky pro G23";
         Feed "feed", "posuv";
         FeedOf { n: u32 } "feed, N{n}", "posuv, N{n}";
         Mode "unit of feed in force", "platná jednotka posuvu";
@@ -131,7 +131,7 @@ bilingual! {
         Highest "up to the program's highest with this tool", "nahoru na nejvyšší polohu programu s tímto nástrojem";
         Level "the height of the place, which is above --safe", "výška místa, které je nad --safe";
         Across "across", "přejezd";
-        Down { clearance: String } "down to {clearance} above", "dolů na {clearance} nad místo";
+        Down { clearance: String } "down to {clearance} mm above the place", "dolů na {clearance} mm nad místo";
         Place "to the place at F", "na místo s F";
         AsThere "as at the place", "jak platí v místě";
     }
@@ -162,11 +162,11 @@ bilingual! {
         Rapid "rapid", "rychloposuv";
         NoTool "no tool", "bez nástroje";
         NoPlaces
-            "there is no tool change and no rapid at which the program can start",
-            "není výměna nástroje ani rychloposuv, kterými lze začít";
+            "the program has no tool change and no rapid to start at",
+            "v programu není výměna nástroje ani rychloposuv, kterým by šlo začít";
         NoPlacesBecause { why: String }
-            "there is no tool change and no rapid at which the program can start; at the first of them: {why}",
-            "není výměna nástroje ani rychloposuv, kterými lze začít; u prvního z nich: {why}";
+            "the program cannot start at any tool change or rapid; reason at the first one: {why}",
+            "začít nelze žádnou výměnou nástroje ani rychloposuvem; důvod u prvního místa: {why}";
         MoreWithSafe { more: u64 } "places that --safe would open: {more}", "míst, která zpřístupní --safe: {more}";
     }
 }

@@ -9,7 +9,7 @@ use super::{Interpreter, Program};
 use crate::config::Settings;
 use crate::diag::{CallKind, CallSite, Diagnostic, Finding};
 use crate::dict::{
-    Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_STOP,
+    Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Lang, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_STOP,
 };
 use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
@@ -86,6 +86,16 @@ impl FeedUnit {
             Self::MmPerRevolution => "mm/rev",
             Self::DegPerMinute => "deg/min",
             Self::DegPerRevolution => "deg/rev",
+        }
+    }
+
+    /// As people read it.
+    pub const fn shown(self, lang: Lang) -> &'static str {
+        match (self, lang) {
+            (Self::MmPerRevolution, Lang::Cs) => "mm/ot",
+            (Self::DegPerMinute, Lang::Cs) => "°/min",
+            (Self::DegPerRevolution, Lang::Cs) => "°/ot",
+            (Self::MmPerMinute, _) | (_, Lang::En) => self.name(),
         }
     }
 }
@@ -275,7 +285,7 @@ impl<'r> Executed<'r> {
         &self.interpreter.block.m.written
     }
 
-    /// The M groups with a change mark (MFN-6), ascending.
+    /// The M groups with a change bit (MFN-6), ascending.
     pub fn m_changed(&self) -> &'r [u8] {
         &self.interpreter.block.m.changed
     }

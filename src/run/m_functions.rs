@@ -30,7 +30,7 @@ pub(super) struct MFunctionsOfBlock {
     pub(super) in_force: [Option<u8>; M_GROUPS],
     /// In written order.
     pub(super) written: Vec<u8>,
-    /// The groups with a change mark, ascending (MFN-6).
+    /// The groups with a change bit, ascending (MFN-6).
     pub(super) changed: Vec<u8>,
     pub(super) break_cont: bool,
     pub(super) break_cont_end: bool,

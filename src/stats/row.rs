@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use schemars::JsonSchema;
-use schemars::generate::SchemaSettings;
 use serde::{Deserialize, Serialize, Serializer};
 use serde_json::Value;
 
-use crate::analysis::forbid_null;
+use crate::analysis::document_schema;
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "cnc872c.stats/1";
@@ -131,14 +130,5 @@ struct Document {
 
 /// The schema, JSON Schema 2020-12.
 pub fn schema() -> Value {
-    let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = generator.into_root_schema_for::<Document>().to_value();
-    forbid_null(&mut schema);
-    if let Some(Value::Object(definitions)) = schema.get_mut("$defs") {
-        definitions.values_mut().for_each(forbid_null);
-    }
-    if let Some(root) = schema.as_object_mut() {
-        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
-    }
-    schema
+    document_schema::<Document>(SCHEMA)
 }

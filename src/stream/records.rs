@@ -231,7 +231,7 @@ pub struct BlockRecord {
     /// M functions written in this block, in written order.
     #[schemars(default)]
     pub m_set: Vec<u8>,
-    /// Groups with a change mark (MFN-6), ascending.
+    /// Groups with a change bit (MFN-6), ascending.
     #[schemars(default)]
     pub m_changed: Vec<u8>,
     /// Values of groups 2, 5, 6 while the program stands (MFN-8).

@@ -10,15 +10,8 @@ impl Hash {
 
     pub fn add(&mut self, value: u64) {
         let fold = |a: u64, b: u64| {
-            let [low, high] = {
-                let product = u128::from(a) * u128::from(b);
-                let bytes = product.to_le_bytes();
-                let half = |at: usize| {
-                    bytes.iter().skip(at).take(8).rev().fold(0_u64, |sum, byte| sum << 8 | u64::from(*byte))
-                };
-                [half(0), half(8)]
-            };
-            low ^ high
+            let product = u128::from(a) * u128::from(b);
+            (product ^ product >> 64) as u64
         };
         self.0 = fold(self.0 ^ value, 0xA076_1D64_78BD_642F).rotate_left(23) ^ self.1;
         self.1 = fold(self.1 ^ value, 0xE703_7ED1_A0B4_28DB).wrapping_add(self.0);

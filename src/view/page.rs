@@ -12,10 +12,7 @@ const STYLES: &str = include_str!("viewer/viewer.css");
 /// is not the browser's.
 pub fn page(data: &[u8], old: Option<&[u8]>, name: &str, lang: Option<Lang>) -> String {
     let (data, old) = (text(data), old.map(text).unwrap_or_default());
-    let lang = lang.map_or("", |lang| match lang {
-        Lang::En => "en",
-        Lang::Cs => "cs",
-    });
+    let lang = lang.map_or("", |lang| lang.code());
     let mut page = String::with_capacity(data.len() + old.len() + VIEWER.len() + STYLES.len() + 2048);
     page.push_str("<!doctype html>\n<html lang=\"");
     page.push_str(if lang.is_empty() { "en" } else { lang });

@@ -18,7 +18,7 @@ N60 M30
 === request cnc872c/signals part.nc@start
 === answer
 {
-  "text": "N20 S900 M03 \"spindle\"\nN20 runs 1×\n\nseq 1\n  changes in this block:\n    ZMM2PI=1                change mark of M group 2\n    PO_OSXPI=0              request to move axis X: X\n    PO_OSYPI=0              request to move axis Y: Y\n    PB06=03h                the function of M group 2: the spindle\n    M03PI=1                 M03 in force: spindle clockwise\n  in force besides:\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n",
+  "text": "N20 S900 M03 \"spindle\"\nN20 runs 1×\n\nseq 1\n  changes in this block:\n    ZMM2PI=1                change bit of M group 2\n    PO_OSXPI=0              request to move axis X: X\n    PO_OSYPI=0              request to move axis Y: Y\n    PB06=03h                the function of M group 2: the spindle\n    M03PI=1                 M03 in force: spindle clockwise\n  in force besides:\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n",
   "truncated": false
 }
 === request cnc872c/signals part.nc@first
@@ -30,13 +30,13 @@ N60 M30
 === request cnc872c/signals part.nc@stop
 === answer
 {
-  "text": "N50 M00\nN50 runs 1×\n\nseq 17\n  changes in this block:\n    ZMM1PI=1                change mark of M group 1\n    M00_PID=1               M00 is programmed: stop\n  in force besides:\n    PB06=03h                the function of M group 2: the spindle\n    M03PI=1                 M03 in force: spindle clockwise\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n\nseq 17, stop\n  changes in this block:\n    ZMM1PI=0                change mark of M group 1\n    ZMM2PI=1                change mark of M group 2\n    ZMM5PI=1                change mark of M group 5\n    ZMM6PI=1                change mark of M group 6\n    PB06=05h                the function of M group 2: the spindle\n    M00_PID=0               M00 is programmed: stop\n    M03PI=0                 M03 in force: spindle clockwise\n    SF_STOP=1               the program stands at M00 or M01\n    PO_STOP=1               the program stands at M00 or M01\n  in force besides:\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n",
+  "text": "N50 M00\nN50 runs 1×\n\nseq 17\n  changes in this block:\n    ZMM1PI=1                change bit of M group 1\n    M00_PID=1               M00 is programmed: stop\n  in force besides:\n    PB06=03h                the function of M group 2: the spindle\n    M03PI=1                 M03 in force: spindle clockwise\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n\nseq 17, stop\n  changes in this block:\n    ZMM1PI=0                change bit of M group 1\n    ZMM2PI=1                change bit of M group 2\n    ZMM5PI=1                change bit of M group 5\n    ZMM6PI=1                change bit of M group 6\n    PB06=05h                the function of M group 2: the spindle\n    M00_PID=0               M00 is programmed: stop\n    M03PI=0                 M03 in force: spindle clockwise\n    SF_STOP=1               the program stands at M00 or M01\n    PO_STOP=1               the program stands at M00 or M01\n  in force besides:\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n",
   "truncated": false
 }
 === request cnc872c/signals L9001@macro
 === answer
 {
-  "text": "N20 M10\nN20 runs 3×\n\nseq 4 (3×)\n  changes in this block:\n    ZMM7PI=1                change mark of M group 7\n    M10PID=1                M10 is programmed: clamp the workpiece\n  in force besides:\n    PB06=03h                the function of M group 2: the spindle\n    M03PI=1                 M03 in force: spindle clockwise\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n",
+  "text": "N20 M10\nN20 runs 3×\n\nseq 4 (3×)\n  changes in this block:\n    ZMM7PI=1                change bit of M group 7\n    M10PID=1                M10 is programmed: clamp the workpiece\n  in force besides:\n    PB06=03h                the function of M group 2: the spindle\n    M03PI=1                 M03 in force: spindle clockwise\n    G00PI=1                 rapid traverse (G00)\n    AUTPI=1                 automatic mode\n",
   "truncated": false
 }
 === request cnc872c/signals part.nc@title

@@ -387,7 +387,7 @@ null
 {
   "message": null,
   "name": "part-N60.nc",
-  "text": "%1 \"part.nc from N60, pass 1\"\nN100 G54 \"functions in force\"\nN110 T5 M06 \"tool change, N20\"\nN120 S900 M03 \"spindle, N30\"\nN130 F200 \"feed, N30\"\nN140 G00 G90 Z60 \"up to --safe\"\nN150 G00 X10 Y0 \"across\"\nN160 G00 Z50 \"down to 2 above\"\nN170 G01 Z48 \"to the place at F\"\nN60 Y10\nN70 G73 L60 Q1\nN80 G41 D1 X20\nN90 G40 X30\nN95 X40 G73 L99\nN97 X50\nN99 M30\n"
+  "text": "%1 \"part.nc from N60, pass 1\"\nN100 G54 \"functions in force\"\nN110 T5 M06 \"tool change, N20\"\nN120 S900 M03 \"spindle, N30\"\nN130 F200 \"feed, N30\"\nN140 G00 G90 Z60 \"up to --safe\"\nN150 G00 X10 Y0 \"across\"\nN160 G00 Z50 \"down to 2 mm above the place\"\nN170 G01 Z48 \"to the place at F\"\nN60 Y10\nN70 G73 L60 Q1\nN80 G41 D1 X20\nN90 G40 X30\nN95 X40 G73 L99\nN97 X50\nN99 M30\n"
 }
 === request cnc872c/restart part.nc@loop
 { "seq": 11 }
@@ -454,7 +454,7 @@ N30 M30
 {
   "message": null,
   "name": "flat-N20.nc",
-  "text": "%2 \"flat.nc from N20\"\nN40 F100 \"feed, N10\"\nN50 G00 G90 Z50.5 \"up to --safe\"\nN60 G00 X0 \"across\"\nN70 G00 Z7 \"down to 2 above\"\nN80 G01 Z5 \"to the place at F\"\nN20 X10\nN30 M30\n"
+  "text": "%2 \"flat.nc from N20\"\nN40 F100 \"feed, N10\"\nN50 G00 G90 Z50.5 \"up to --safe\"\nN60 G00 X0 \"across\"\nN70 G00 Z7 \"down to 2 mm above the place\"\nN80 G01 Z5 \"to the place at F\"\nN20 X10\nN30 M30\n"
 }
 === request cnc872c/restart flat.nc@flat
 { "safe": "high" }

@@ -1,14 +1,13 @@
 //! The changes as JSON `cnc872c.compare/1`, and its schema.
 
 use schemars::JsonSchema;
-use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::{Value as Json, json};
 
 use super::changes::{Blocks, Change, ChangeKind, merged};
 use super::steps::Value;
 use super::text::{head, line};
-use crate::analysis::{Number, forbid_null};
+use crate::analysis::{Number, document_schema};
 use crate::dict::{Lang, Micro};
 
 /// Name and version of the form.
@@ -114,16 +113,7 @@ enum Scalar {
 
 /// The schema, JSON Schema 2020-12.
 pub fn schema() -> Json {
-    let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = generator.into_root_schema_for::<Record>().to_value();
-    forbid_null(&mut schema);
-    if let Some(Json::Object(definitions)) = schema.get_mut("$defs") {
-        definitions.values_mut().for_each(forbid_null);
-    }
-    if let Some(root) = schema.as_object_mut() {
-        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
-    }
-    schema
+    document_schema::<Record>(SCHEMA)
 }
 
 /// The comparison, pretty, with a line end.

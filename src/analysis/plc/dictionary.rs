@@ -111,7 +111,7 @@ pub const ROWS: &[Row] = &[
         Form::Bit,
         "8.3.1",
         2,
-        "change mark of M group {x}",
+        "change bit of M group {x}",
         "změnový bit {x}. skupiny M",
     ),
     flag(
@@ -146,8 +146,8 @@ pub const ROWS: &[Row] = &[
         "M01 is programmed in the block",
         "v bloku je programováno M01",
     ),
-    flag("BLK.HProg", |_| Cell::Flag(Flag::HProg), "8.3.1", 3, "change mark of H", "změnový bit funkce H"),
-    flag("BLK.TProg", |_| Cell::Flag(Flag::TProg), "8.3.1", 3, "change mark of T", "změnový bit funkce T"),
+    flag("BLK.HProg", |_| Cell::Flag(Flag::HProg), "8.3.1", 3, "change bit of H", "změnový bit funkce H"),
+    flag("BLK.TProg", |_| Cell::Flag(Flag::TProg), "8.3.1", 3, "change bit of T", "změnový bit funkce T"),
     flag(
         "BLK.RevFeed",
         |_| Cell::Flag(Flag::RevFeed),
@@ -222,7 +222,7 @@ pub const ROWS: &[Row] = &[
         Form::Bit,
         "8.2.6",
         2,
-        "change mark of M group {x}",
+        "change bit of M group {x}",
         "změnový bit {x}. skupiny M",
     ),
     row(
@@ -371,8 +371,8 @@ pub const ROWS: &[Row] = &[
     flag("G00PI", |_| Cell::Flag(Flag::Rapid), "8.2.4", 11, "rapid traverse (G00)", "rychloposuv (G00)"),
     flag("G33PI", |_| Cell::Flag(Flag::Thread), "8.2.3", 11, "thread cutting (G33)", "závitování (G33)"),
     flag("AUTPI", |_| Cell::Flag(Flag::Automatic), "8.2.2", 11, "automatic mode", "režim AUT"),
-    flag("ZMSHPI", |_| Cell::Flag(Flag::HProg), "8.2.6", 12, "change mark of H", "změnový bit funkce H"),
-    flag("ZMSTPI", |_| Cell::Flag(Flag::TProg), "8.2.6", 12, "change mark of T", "změnový bit funkce T"),
+    flag("ZMSHPI", |_| Cell::Flag(Flag::HProg), "8.2.6", 12, "change bit of H", "změnový bit funkce H"),
+    flag("ZMSTPI", |_| Cell::Flag(Flag::TProg), "8.2.6", 12, "change bit of T", "změnový bit funkce T"),
     row(
         One("SPINDLE_GEAR_ACT_1"),
         |_| Cell::Gear,
@@ -601,7 +601,7 @@ mod tests {
             (signal.cell, signal.form(), signal.meaning(Lang::En))
         };
         assert_eq!(of("BLK.M[11]"), (Cell::Group(11), Form::DWord, "the function of M group 11".to_owned()));
-        assert_eq!(of("ZMM10PI"), (Cell::Mark(10), Form::Bit, "change mark of M group 10".to_owned()));
+        assert_eq!(of("ZMM10PI"), (Cell::Mark(10), Form::Bit, "change bit of M group 10".to_owned()));
         assert_eq!(of("BLK.AxNC15Move").0, Cell::Moves(15));
         assert_eq!(of("BLK.AxNC[0]").0, Cell::Position(0));
         assert_eq!(of("PO_OSZPI").0, Cell::Request(2));

@@ -16,7 +16,7 @@ pub const STOPPED: [usize; 3] = {
 pub struct Facts {
     /// By group: the function in force; 0 is not used.
     pub m: [Option<u8>; M_GROUPS],
-    /// A bit for each group with a change mark.
+    /// A bit for each group with a change bit.
     pub marks: u16,
     /// A bit for each [`Flag`] that holds.
     pub(super) flags: u16,
@@ -116,7 +116,7 @@ impl Facts {
         self.flags = if holds { self.flags | bit } else { self.flags & !bit };
     }
 
-    /// Whether the group has a change mark.
+    /// Whether the group has a change bit.
     pub const fn is_marked(&self, group: usize) -> bool {
         group < M_GROUPS && self.marks >> group & 1 == 1
     }

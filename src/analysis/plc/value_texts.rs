@@ -117,13 +117,13 @@ pub(super) const fn value_of(cell: Cell) -> Option<Bilingual> {
         Cell::ParabAccel => (
             "P/500 of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and the \
              profile parabolic, under G00 or in G23; else no value",
-            "P/500 platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při G00 \
+            "P/500 platné sady dynamiky, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, při G00 \
              nebo G23; jinak bez hodnoty",
         ),
         Cell::LinearAccel => (
             "`linear-mm-s2` of the dynamic set in force, while G00 is in force of that of G00; only with [motion] and \
              the profile parabolic, under G00 or in G23; else no value",
-            "`linear-mm-s2` platné dynamické sady, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, \
+            "`linear-mm-s2` platné sady dynamiky, při G00 sady rychloposuvu; jen s [motion] a parabolickým průběhem, \
              při G00 nebo G23; jinak bez hodnoty",
         ),
         Cell::Group(_)

@@ -5,7 +5,6 @@ use super::reader::{Path, Sheet, ToolUse};
 use super::words::Words;
 use crate::analysis::motion::{Summary, Total, clock};
 use crate::dict::{AxisLetter, Lang};
-use crate::run::FeedUnit;
 
 /// A heading with a table below it.
 #[derive(Clone, Debug, Eq, PartialEq)]
@@ -151,13 +150,7 @@ fn path(path: Path, lang: Lang) -> String {
 }
 
 fn feeds(tool: &ToolUse, lang: Lang) -> String {
-    let unit = |unit: FeedUnit| match unit {
-        FeedUnit::MmPerMinute => Words::PerMinute,
-        FeedUnit::MmPerRevolution => Words::PerRevolution,
-        FeedUnit::DegPerMinute => Words::DegPerMinute,
-        FeedUnit::DegPerRevolution => Words::DegPerRevolution,
-    };
-    let feeds = tool.feeds.iter().map(|(counts, feeds)| format!("{} {}", range(*feeds), unit(*counts).text(lang)));
+    let feeds = tool.feeds.iter().map(|(counts, feeds)| format!("{} {}", range(*feeds), counts.shown(lang)));
     feeds.collect::<Vec<_>>().join("; ")
 }
 

@@ -3,14 +3,13 @@
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
-use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::Value;
 
 use super::extents::Extents;
 use super::reader::{Sheet, ToolUse};
 use crate::analysis::motion::Summary;
-use crate::analysis::{Number, forbid_null};
+use crate::analysis::{Number, document_schema};
 use crate::dict::AxisLetter;
 
 /// Name and version of the form.
@@ -183,16 +182,7 @@ struct UnitRecord {
 
 /// The schema, JSON Schema 2020-12.
 pub fn schema() -> Value {
-    let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = generator.into_root_schema_for::<Record>().to_value();
-    forbid_null(&mut schema);
-    if let Some(Value::Object(definitions)) = schema.get_mut("$defs") {
-        definitions.values_mut().for_each(forbid_null);
-    }
-    if let Some(root) = schema.as_object_mut() {
-        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
-    }
-    schema
+    document_schema::<Record>(SCHEMA)
 }
 
 /// The sheet, pretty, with a line end; `assumed`: the machine is not configured.

@@ -2,7 +2,6 @@
 
 use super::document::{Document, Section};
 use crate::diag::terminal_safe;
-use crate::dict::Lang;
 
 /// Plain text: columns below one another.
 pub fn text(document: &Document) -> String {
@@ -74,10 +73,7 @@ const STYLE: &str = "body{font:15px/1.4 system-ui,sans-serif;margin:2em;color:#1
 
 /// One page of HTML without scripts.
 pub fn html(document: &Document) -> String {
-    let lang = match document.lang {
-        Lang::En => "en",
-        Lang::Cs => "cs",
-    };
+    let lang = document.lang.code();
     let title = escaped(&document.title);
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"{lang}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\

@@ -34,10 +34,6 @@ bilingual! {
         Feeds "F", "F";
         Speeds "S", "S";
         CuttingSpeed { speeds: String } "{speeds} (constant cutting speed)", "{speeds} (konstantní řezná rychlost)";
-        PerMinute "mm/min", "mm/min";
-        PerRevolution "mm/rev", "mm/ot";
-        DegPerMinute "deg/min", "°/min";
-        DegPerRevolution "deg/rev", "°/ot";
         Revolutions { speeds: String } "{speeds} rev/min", "{speeds} ot/min";
         D "D", "D";
         Reach "reach", "rozsah";

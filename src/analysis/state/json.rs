@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use schemars::JsonSchema;
-use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -11,7 +10,7 @@ use super::found::{CounterAt, Found};
 use super::place::CallAt;
 use super::unknown::Unknown;
 use super::writers::{Slot, Written, is_momentary};
-use crate::analysis::{Number, forbid_null};
+use crate::analysis::{Number, document_schema};
 use crate::config::Settings;
 use crate::dict::{GCode, GGroup, M_GROUPS, Micro};
 
@@ -202,16 +201,7 @@ struct Reason(#[schemars(extend("enum" = Unknown::ALL.map(Unknown::name)))] Stri
 
 /// The schema, JSON Schema 2020-12.
 pub fn schema() -> Value {
-    let generator = SchemaSettings::draft2020_12().into_generator();
-    let mut schema = generator.into_root_schema_for::<Record>().to_value();
-    forbid_null(&mut schema);
-    if let Some(Value::Object(definitions)) = schema.get_mut("$defs") {
-        definitions.values_mut().for_each(forbid_null);
-    }
-    if let Some(root) = schema.as_object_mut() {
-        root.insert("$id".to_owned(), format!("urn:{}", SCHEMA.replace('/', ":")).into());
-    }
-    schema
+    document_schema::<Record>(SCHEMA)
 }
 
 /// What was found in the program of that name, pretty, with a line end.

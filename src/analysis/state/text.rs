@@ -157,7 +157,7 @@ impl Table<'_> {
         let state = &self.found.state;
         let feed = state.feed(&self.settings.machine).map(|feed| {
             let scale = if feed.hundredth { " × 0.01 (M37)" } else { "" };
-            format!("{} {}{scale}", feed.value, feed.unit.name())
+            format!("{} {}{scale}", feed.value, feed.unit.shown(self.lang))
         });
         let text = |value: Option<crate::dict::Decimal>| value.map(|value| value.to_string());
         let digits = state.length_correction().map(|digits| format!("{digits:04}"));

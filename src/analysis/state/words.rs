@@ -62,9 +62,9 @@ bilingual! {
         Spindle "it is the spindle, which turned", "je to vřeteno, které se točilo";
         Incremental "moved by G91 from an unknown position", "pohyb v G91 z neznámé polohy";
         Value "a value is not known", "není známa hodnota";
-        Gear "gear", "převod";
+        Gear "gear", "převodový stupeň";
         Tool "in the spindle", "ve vřetenu";
-        DynamicSet "dynamic set", "dynamická sada";
+        DynamicSet "dynamic set", "sada dynamiky";
         NoBlock { place: String } "{place}: there is no such block", "{place}: takový blok neexistuje";
         NoBlockNear { place: String, near: u32 }
             "{place}: there is no such block; the nearest number is N{near}",
@@ -80,8 +80,8 @@ bilingual! {
             "--file {file}: makrocyklus toho jména se neprovádí";
         NoProgram "the program executes no block", "program neprovede žádný blok";
         Several { place: String, count: u64 }
-            "{place} is executed {count} times; one of them is named by --pass:",
-            "{place} se provede {count}krát; které provedení, určí --pass:";
+            "{place} is executed {count} times; choose one with --pass:",
+            "{place} se provede {count}krát; jedno z provedení vybrat volbou --pass:";
         Pass { seq: u64, n: u32, line: u32, calls: String }
             "N{n}, line {line}, seq {seq}, {calls}",
             "N{n}, řádek {line}, seq {seq}, {calls}";

@@ -120,13 +120,13 @@ macro_rules! characters {
             } else {
                 format!("adresy malými písmeny ({count}×), první je zde")
             })
-            help "write addresses in upper case, as the control's own editor does"
-               | "psát adresy velkými písmeny, jako to dělá editor systému"
+            help "write addresses in upper case, as the manual does"
+               | "psát adresy velkými písmeny jako příručka"
         [E0109] LineTooLong "line-too-long" Error { length: usize }
             en "the line has {length} characters; the control reads 80"
             cs "řádek má {length} znaků; systém jich čte 80"
-            help "break the line between two words: a block may go on in the next line, a comment may not"
-               | "rozdělit řádek mezi dvěma slovy: blok smí pokračovat na dalším řádku, komentář ne"
+            help "break the line between two words; a comment that goes on in the next line begins there with its own quote"
+               | "rozdělit řádek mezi dvěma slovy; komentář, který pokračuje na dalším řádku, tam musí začít vlastní uvozovkou"
         [W0110] TextAfterEnd "text-after-end" Warning { meant: AfterEndMeant }
             en (meant.message(Lang::En))
             cs (meant.message(Lang::Cs))

@@ -62,7 +62,7 @@ macro_rules! motion {
             help "program {axes} absolutely (G90) before the arc" | "před obloukem najet absolutně (G90) osami: {axes}"
         [E0607] SpeedOutsideGear "speed-outside-gear" Error { s: u32, m: u8, min: u32, max: u32, g97: bool }
             en "S{s} is outside range M{m}, which is {min}–{max} rev/min"
-            cs "S{s} je mimo rozsah M{m}, tedy {min}–{max} ot/min"
+            cs "S{s} je mimo rozsah M{m} ({min}–{max} ot/min)"
             help (if *g97 {
                 "change the speed, program another range, or let M40 choose it; if S is a cutting speed under G97, set \
                 `g97 = \"per-revolution\"`"
@@ -77,9 +77,9 @@ macro_rules! motion {
                })
         [E0608] OrientedStopUnavailable "oriented-stop-unavailable" Error {}
             en "this machine is configured without the oriented stop M19"
-            cs "stroj nemá podle konfigurace orientovaný stop M19"
-            help "use M05; when the machine has it, set `oriented-stop = true`"
-               | "použít M05; má-li ho stroj, nastavit oriented-stop = true"
+            cs "stroj nemá podle konfigurace stop vřetena v orientovaném bodě (M19)"
+            help "use M05; if the machine has the oriented stop M19, set `oriented-stop = true`"
+               | "použít M05; má-li stroj stop v orientovaném bodě (M19), nastavit oriented-stop = true"
         [E0609] CenterWordNotUsable "center-word-not-usable" Error {
             letters: String, place: CenterPlace, written: String,
         }

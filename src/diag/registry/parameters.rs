@@ -31,7 +31,7 @@ macro_rules! parameters {
         [W0504] AssignedAndRead "assigned-and-read" Warning { parameter: u8 }
             en "R{parameter} is read here and assigned in the same block: the old value counts"
             cs "R{parameter} se v témže bloku čte i přiřazuje: platí stará hodnota"
-            help "assign it in a block before, or after" | "přiřadit ho v bloku před tím, nebo za tím"
+            help "assign it in a block before, or after" | "přiřadit ho v předchozím, nebo v následujícím bloku"
         [E0505] MissingControlWord "missing-control-word" Error { function: GCode, missing: String, reference: bool }
             en "{function} needs {missing} in its block"
             cs "{function} potřebuje v bloku {missing}"

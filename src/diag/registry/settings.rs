@@ -12,7 +12,7 @@ macro_rules! settings {
             cs ({ let needs = needs.text(Lang::Cs); format!("{key} {needs}") })
         [E0703] MFunctionFixed "m-function-fixed" Error { m: u8, group: u8 }
             en "M{m:02} is a standard function and cannot leave M group {group}"
-            cs "M{m:02} je pevně přiřazená funkce a nelze ji vyřadit z {group}. skupiny"
+            cs "M{m:02} je standardní funkce a nelze ji vyřadit z {group}. skupiny"
             help "write GroupNo=\"{group}\", or leave GroupNo out; the other attributes may be set"
                | "napsat GroupNo=\"{group}\", nebo GroupNo vynechat; ostatní atributy nastavit lze"
         [E0704] MFunctionRepeated "m-function-repeated" Error { m: u8 }

@@ -83,7 +83,7 @@ macro_rules! structure {
             cs (match (late, skipped) {
                 _ if unread.is_some() => unread.map(|end| end.message(Lang::Cs)).unwrap_or_default(),
                 (Some(m), _) => format!("hlavní program nemá konec: M{m:02} je až za podprogramy"),
-                (None, true) => "při zapnutém vynechávání bloků se vynechá i konec programu".to_owned(),
+                (None, true) => "při zapnutém vynechání bloků se vynechá i konec programu".to_owned(),
                 (None, false) => "program nemá konec: v žádném bloku není M02 ani M30".to_owned(),
             })
             help (match (late, instead) {
@@ -136,7 +136,7 @@ macro_rules! structure {
                     format!("{unit} nemá konec: G70 na řádku {line} je až za hvězdičkou, která ukončuje soubor")
                 } else {
                     match (macrocycle, skipped, last) {
-                        (_, true, _) => "při zapnutém vynechávání bloků se vynechá i G70, které tento celek ukončuje",
+                        (_, true, _) => "při zapnutém vynechání bloků se vynechá i G70, které tento celek ukončuje",
                         (true, false, _) => "makrocyklus nemá konec: v žádném bloku není G70",
                         (false, false, true) => "podprogram nemá konec: až do konce souboru v žádném bloku není G70",
                         (false, false, false) => {
@@ -267,12 +267,12 @@ macro_rules! structure {
             help "keep one of them on the search path" | "na cestě hledání nechat jen jeden"
         [E0218] BlockAfterMacrocycleEnd "block-after-macrocycle-end" Error { block: u32 }
             en "N{block} comes after the G70 that ends the macrocycle"
-            cs "blok N{block} stojí za G70, které makrocyklus ukončuje"
+            cs "blok N{block} stojí za funkcí G70, která makrocyklus ukončuje"
             help "a macrocycle file holds one unit; move the block before G70, or into another file"
                | "soubor makrocyklu obsahuje jediný celek; blok přesunout před G70, nebo do jiného souboru"
         [W0219] SkippableStructure "skippable-structure" Warning { function: String }
             en "`/` in the block with {function}: with block skip on, the control goes on behind it"
-            cs "/ v bloku s {function}: při zapnutém vynechávání bloků se pokračuje za ním"
+            cs "/ v bloku s {function}: při zapnutém vynechání bloků se pokračuje za ním"
             help "give {function} a block of its own without `/`" | "dát {function} do samostatného bloku bez /"
         [W0220] ProgramStartInMacrocycle "program-start-in-macrocycle" Warning {}
             en "a macrocycle file with a `%` line"

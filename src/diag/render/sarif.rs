@@ -245,10 +245,7 @@ fn escaped(text: &str) -> String {
 }
 
 const fn language(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "en",
-        Lang::Cs => "cs",
-    }
+    lang.code()
 }
 
 /// The encoding's name in the IANA registry.
