@@ -63,6 +63,7 @@ pub mod explain;
 mod json_schema;
 #[cfg(feature = "lsp")]
 pub mod lsp;
+mod named;
 pub mod parallel;
 #[cfg(feature = "lsp")]
 mod query;

@@ -1,20 +1,20 @@
 //! What machines differ in, and configuration names by a word.
 
 use crate::dict::{AxisLetter, Dialect, FeedMode, FeedPer};
+use crate::named::named;
 
-/// What G97 means (TEC-5): the sources disagree.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum G97 {
-    /// Feed per minute, no constant cutting speed, as in ISO.
-    PerMinute,
-    /// Feed per revolution with constant cutting speed.
-    PerRevolution,
+named! {
+    /// What G97 means (TEC-5): the sources disagree.
+    #[derive(Clone, Copy, Debug, Eq, PartialEq)]
+    pub enum G97 {
+        /// Feed per minute, no constant cutting speed, as in ISO.
+        PerMinute "per-minute",
+        /// Feed per revolution with constant cutting speed.
+        PerRevolution "per-revolution",
+    }
 }
 
 impl G97 {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::PerMinute, Self::PerRevolution];
-
     /// What holds on that control unless configured.
     pub const fn of(dialect: Dialect) -> Self {
         match dialect {
@@ -30,36 +30,17 @@ impl G97 {
             Self::PerRevolution => FeedMode { per: FeedPer::Revolution, constant_cut: true },
         }
     }
-
-    /// As written in the project file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::PerMinute => "per-minute",
-            Self::PerRevolution => "per-revolution",
-        }
-    }
 }
 
-/// Which of the two axes of an arc I belongs to, and which J (MOT-3).
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub enum ArcCenters {
-    /// I to the one that comes first in the order of the machine's axes.
-    #[default]
-    MachineOrder,
-    /// I to the one that the plane's name says first: Y in YZ, Z in ZX.
-    PlaneOrder,
-}
-
-impl ArcCenters {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::MachineOrder, Self::PlaneOrder];
-
-    /// As written in the project file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::MachineOrder => "machine-order",
-            Self::PlaneOrder => "plane-order",
-        }
+named! {
+    /// Which of the two axes of an arc I belongs to, and which J (MOT-3).
+    #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+    pub enum ArcCenters {
+        /// I to the one that comes first in the order of the machine's axes.
+        #[default]
+        MachineOrder "machine-order",
+        /// I to the one that the plane's name says first: Y in YZ, Z in ZX.
+        PlaneOrder "plane-order",
     }
 }
 

@@ -5,55 +5,35 @@ use std::collections::BTreeMap;
 pub use super::motion_keys::MotionKey;
 use super::motion_keys::SET;
 use crate::dict::{AxisLetter, Decimal, Dialect};
+use crate::named::named;
 
-/// How the control recognises that blocks join continuously (S3 A3, A4).
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub enum Recognition {
-    /// G23 and G24 alone decide.
-    Manual,
-    /// G23 switches it on; the angle decides.
-    #[default]
-    Automatic,
-}
-
-impl Recognition {
-    /// Every one.
-    pub const ALL: [Self; 2] = [Self::Manual, Self::Automatic];
-
-    /// As in the project file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Manual => "manual",
-            Self::Automatic => "automatic",
-        }
+named! {
+    /// How the control recognises that blocks join continuously (S3 A3, A4).
+    #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+    pub enum Recognition {
+        /// G23 and G24 alone decide.
+        Manual "manual",
+        /// G23 switches it on; the angle decides.
+        #[default]
+        Automatic "automatic",
     }
 }
 
-/// The course of the velocity.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub enum Profile {
-    /// Without envelope velocity (S3 A3).
-    Ramps,
-    /// Envelope velocity with constant accelerations (S3 A6).
-    #[default]
-    Linear,
-    /// Envelope velocity with limited jerk (S3 A7).
-    Parabolic,
+named! {
+    /// The course of the velocity.
+    #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+    pub enum Profile {
+        /// Without envelope velocity (S3 A3).
+        Ramps "ramps",
+        /// Envelope velocity with constant accelerations (S3 A6).
+        #[default]
+        Linear "linear",
+        /// Envelope velocity with limited jerk (S3 A7).
+        Parabolic "parabolic",
+    }
 }
 
 impl Profile {
-    /// Every one.
-    pub const ALL: [Self; 3] = [Self::Ramps, Self::Linear, Self::Parabolic];
-
-    /// As in the project file.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Ramps => "ramps",
-            Self::Linear => "linear",
-            Self::Parabolic => "parabolic",
-        }
-    }
-
     /// Of a control that says nothing.
     pub const fn of(dialect: Dialect) -> Self {
         match dialect {

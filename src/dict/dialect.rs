@@ -1,43 +1,33 @@
 //! The three controls (§12 of the language).
 
-macro_rules! dialects {
-    ($($(#[$attribute:meta])* $variant:ident $name:literal $title:literal;)*) => {
-        /// Which control a program is for.
-        #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-        #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-        #[cfg_attr(feature = "cli", value(rename_all = "lower"))]
-        pub enum Dialect {
-            $($(#[$attribute])* $variant,)*
-        }
+use crate::named::named;
 
-        impl Dialect {
-            /// Every dialect, the newest last.
-            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$variant),*];
-
-            /// As written in options, the project file and the stream.
-            pub const fn name(self) -> &'static str {
-                match self { $(Self::$variant => $name,)* }
-            }
-
-            /// As people write it.
-            pub const fn title(self) -> &'static str {
-                match self { $(Self::$variant => $title,)* }
-            }
-        }
-    };
-}
-
-dialects! {
-    /// CNC8x6: six axes, machine constants R56–R59 for M groups 10–13.
-    Cnc8x6 "cnc8x6" "CNC8x6";
-    /// CNC8x9 (DUAL): as CNC8x6 for the language.
-    Cnc8x9 "cnc8x9" "CNC8x9";
-    /// CNC872: sixteen axes, M functions by ChannelConfig.
-    #[default]
-    Cnc872 "cnc872" "CNC872";
+named! {
+    /// Which control a program is for, the newest last.
+    #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+    #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+    #[cfg_attr(feature = "cli", value(rename_all = "lower"))]
+    pub enum Dialect {
+        /// CNC8x6: six axes, machine constants R56–R59 for M groups 10–13.
+        Cnc8x6 "cnc8x6",
+        /// CNC8x9 (DUAL): as CNC8x6 for the language.
+        Cnc8x9 "cnc8x9",
+        /// CNC872: sixteen axes, M functions by ChannelConfig.
+        #[default]
+        Cnc872 "cnc872",
+    }
 }
 
 impl Dialect {
+    /// As people write it.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Cnc8x6 => "CNC8x6",
+            Self::Cnc8x9 => "CNC8x9",
+            Self::Cnc872 => "CNC872",
+        }
+    }
+
     /// Highest M number of any dialect.
     pub const HIGHEST_M: u8 = {
         let mut highest = 0;

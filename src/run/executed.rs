@@ -11,6 +11,7 @@ use crate::diag::{CallKind, CallSite, Diagnostic, Finding};
 use crate::dict::{
     Address, AxisLetter, Decimal, FeedMode, FeedPer, GCode, GGroup, Lang, M_GROUPS, Micro, OPTIONAL_STOP, PROGRAM_STOP,
 };
+use crate::named::named;
 use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, LastPlaces, LineColumn, Location};
@@ -52,23 +53,22 @@ pub struct Feed {
     pub hundredth: bool,
 }
 
-/// What F counts in a block (TEC-1).
-#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
-pub enum FeedUnit {
-    /// mm/min.
-    MmPerMinute,
-    /// mm/rev.
-    MmPerRevolution,
-    /// deg/min: only rotary axes or the spindle move.
-    DegPerMinute,
-    /// deg/rev.
-    DegPerRevolution,
+named! {
+    /// What F counts in a block (TEC-1).
+    #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+    pub enum FeedUnit {
+        /// mm/min.
+        MmPerMinute "mm/min",
+        /// mm/rev.
+        MmPerRevolution "mm/rev",
+        /// deg/min: only rotary axes or the spindle move.
+        DegPerMinute "deg/min",
+        /// deg/rev.
+        DegPerRevolution "deg/rev",
+    }
 }
 
 impl FeedUnit {
-    /// All.
-    pub const ALL: [Self; 4] = [Self::MmPerMinute, Self::MmPerRevolution, Self::DegPerMinute, Self::DegPerRevolution];
-
     /// The unit of F under a feed mode, of a path in degrees or in millimetres.
     pub const fn of(per: FeedPer, degrees: bool) -> Self {
         match (per, degrees) {
@@ -76,16 +76,6 @@ impl FeedUnit {
             (FeedPer::Revolution, false) => Self::MmPerRevolution,
             (FeedPer::Minute, true) => Self::DegPerMinute,
             (FeedPer::Revolution, true) => Self::DegPerRevolution,
-        }
-    }
-
-    /// `mm/min`, `mm/rev`, `deg/min`, `deg/rev`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::MmPerMinute => "mm/min",
-            Self::MmPerRevolution => "mm/rev",
-            Self::DegPerMinute => "deg/min",
-            Self::DegPerRevolution => "deg/rev",
         }
     }
 

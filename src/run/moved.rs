@@ -4,40 +4,28 @@ use super::arc::{self, Computed};
 use super::state::AxisSet;
 use super::travel::Travel;
 use crate::dict::{AxisLetter, GCode, Micro};
+use crate::named::named;
 
-/// How a block moves.
-#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
-pub enum MotionType {
-    /// G00.
-    Rapid,
-    /// G01.
-    Linear,
-    /// G02.
-    ArcCw,
-    /// G03.
-    ArcCcw,
-    /// G33.
-    Thread,
-    /// G30.
-    Reference,
+named! {
+    /// How a block moves.
+    #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
+    pub enum MotionType {
+        /// G00.
+        Rapid "rapid",
+        /// G01.
+        Linear "linear",
+        /// G02.
+        ArcCw "arc_cw",
+        /// G03.
+        ArcCcw "arc_ccw",
+        /// G33.
+        Thread "thread",
+        /// G30.
+        Reference "reference",
+    }
 }
 
 impl MotionType {
-    /// All, in the order of the documentation.
-    pub const ALL: [Self; 6] = [Self::Rapid, Self::Linear, Self::ArcCw, Self::ArcCcw, Self::Thread, Self::Reference];
-
-    /// As written in records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rapid => "rapid",
-            Self::Linear => "linear",
-            Self::ArcCw => "arc_cw",
-            Self::ArcCcw => "arc_ccw",
-            Self::Thread => "thread",
-            Self::Reference => "reference",
-        }
-    }
-
     /// Whether it is one of G01, G02 and G03.
     pub const fn is_working(self) -> bool {
         match self {
@@ -167,28 +155,16 @@ impl Length {
     }
 }
 
-/// Why the length of a motion is not known.
-#[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
-pub enum Missing {
-    /// A distance is not known: the start of an axis (MOT-2), or a value that only the machine has (PAR-5).
-    Start,
-    /// After a change of origin or correction the tool is not where the program says (MOT-8).
-    Origin,
-    /// A motion to the reference point (MOT-7).
-    Reference,
-}
-
-impl Missing {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::Start, Self::Origin, Self::Reference];
-
-    /// `start`, `origin`, `reference`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Start => "start",
-            Self::Origin => "origin",
-            Self::Reference => "reference",
-        }
+named! {
+    /// Why the length of a motion is not known.
+    #[derive(Clone, Copy, Debug, Eq, Hash, PartialEq)]
+    pub enum Missing {
+        /// A distance is not known: the start of an axis (MOT-2), or a value that only the machine has (PAR-5).
+        Start "start",
+        /// After a change of origin or correction the tool is not where the program says (MOT-8).
+        Origin "origin",
+        /// A motion to the reference point (MOT-7).
+        Reference "reference",
     }
 }
 

@@ -2,34 +2,37 @@
 
 use std::borrow::Cow;
 
+use crate::named::named;
 use crate::sure::Sure;
 
-/// How the bytes of a file become characters, when they are not valid UTF-8.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-pub enum Encoding {
-    /// UTF-8: tried first on every file; as the configured one it takes no other.
-    #[cfg_attr(feature = "cli", value(name = "utf-8"))]
-    Utf8,
-    /// DOS Latin 2, the default of what is not UTF-8.
-    #[default]
-    #[cfg_attr(feature = "cli", value(name = "cp852"))]
-    Cp852,
-    /// Windows, Central European.
-    #[cfg_attr(feature = "cli", value(name = "windows-1250", aliases = ["cp1250", "win1250"]))]
-    Windows1250,
-    /// ISO Latin 2.
-    #[cfg_attr(feature = "cli", value(name = "iso-8859-2"))]
-    Iso88592,
-    /// The code of the Kamenický brothers (CP895), of Czech DOS machines.
-    #[cfg_attr(feature = "cli", value(name = "kamenicky", alias = "cp895"))]
-    Kamenicky,
-    /// UTF-16, the lower byte of each unit first: told by its bytes, and no encoding of part programs.
-    #[cfg_attr(feature = "cli", value(skip))]
-    Utf16Le,
-    /// UTF-16, the higher byte first.
-    #[cfg_attr(feature = "cli", value(skip))]
-    Utf16Be,
+named! {
+    /// How the bytes of a file become characters, when they are not valid UTF-8.
+    #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+    #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+    pub enum Encoding {
+        /// UTF-8: tried first on every file; as the configured one it takes no other.
+        #[cfg_attr(feature = "cli", value(name = "utf-8"))]
+        Utf8 "utf-8",
+        /// DOS Latin 2, the default of what is not UTF-8.
+        #[default]
+        #[cfg_attr(feature = "cli", value(name = "cp852"))]
+        Cp852 "cp852",
+        /// Windows, Central European.
+        #[cfg_attr(feature = "cli", value(name = "windows-1250", aliases = ["cp1250", "win1250"]))]
+        Windows1250 "windows-1250",
+        /// ISO Latin 2.
+        #[cfg_attr(feature = "cli", value(name = "iso-8859-2"))]
+        Iso88592 "iso-8859-2",
+        /// The code of the Kamenický brothers (CP895), of Czech DOS machines.
+        #[cfg_attr(feature = "cli", value(name = "kamenicky", alias = "cp895"))]
+        Kamenicky "kamenicky",
+        /// UTF-16, the lower byte of each unit first: told by its bytes, and no encoding of part programs.
+        #[cfg_attr(feature = "cli", value(skip))]
+        Utf16Le "utf-16le",
+        /// UTF-16, the higher byte first.
+        #[cfg_attr(feature = "cli", value(skip))]
+        Utf16Be "utf-16be",
+    }
 }
 
 /// So many bytes are looked at for UTF-16 without a byte-order mark.
@@ -48,23 +51,6 @@ const KAMENICKY: [char; 128] = [
 ];
 
 impl Encoding {
-    /// Every one.
-    pub const ALL: [Self; 7] =
-        [Self::Utf8, Self::Cp852, Self::Windows1250, Self::Iso88592, Self::Kamenicky, Self::Utf16Le, Self::Utf16Be];
-
-    /// As options and tables call it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Utf8 => "utf-8",
-            Self::Cp852 => "cp852",
-            Self::Windows1250 => "windows-1250",
-            Self::Iso88592 => "iso-8859-2",
-            Self::Kamenicky => "kamenicky",
-            Self::Utf16Le => "utf-16le",
-            Self::Utf16Be => "utf-16be",
-        }
-    }
-
     /// Whether every unit of UTF-16 in the bytes belongs to a character: no half pairs, no half unit at the end.
     pub(super) fn is_exact(self, bytes: &[u8]) -> bool {
         let unit: fn(&[u8; 2]) -> u16 = match self {

@@ -9,74 +9,41 @@ use super::align::{Aligned, align};
 use super::reader::INHERITED;
 use super::steps::{Context, Does, Event, Motion, Stand, Step, Steps, Value};
 use crate::dict::{AxisLetter, Decimal, GCode, GGroup, Micro};
+use crate::named::named;
 use crate::run::{FeedUnit, MotionType};
 use crate::sure::small;
 
 /// Of an arc, in millionths of degrees.
 const HALF_TURN: u64 = 180_000_000;
 
-/// What differs.
-#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
-pub enum ChangeKind {
-    /// Where a motion ends, or its centre.
-    Position,
-    /// F.
-    Feed,
-    /// S.
-    Speed,
-    /// T, M06.
-    Tool,
-    /// G or M functions, H, P.
-    Function,
-    /// G04.
-    Dwell,
-    /// M00, M01.
-    Stop,
-    /// D, `&`.
-    Correction,
-    /// Words that are data, or that nobody knows the meaning of.
-    Data,
-    /// Parameters and jumps.
-    Parameter,
-    /// Blocks of the new program alone.
-    Added,
-    /// Blocks of the old program alone.
-    Removed,
-}
-
-impl ChangeKind {
-    /// Every kind.
-    pub const ALL: [Self; 12] = [
-        Self::Position,
-        Self::Feed,
-        Self::Speed,
-        Self::Tool,
-        Self::Function,
-        Self::Dwell,
-        Self::Stop,
-        Self::Correction,
-        Self::Data,
-        Self::Parameter,
-        Self::Added,
-        Self::Removed,
-    ];
-
-    /// As in JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Position => "position",
-            Self::Feed => "feed",
-            Self::Speed => "speed",
-            Self::Tool => "tool",
-            Self::Function => "function",
-            Self::Dwell => "dwell",
-            Self::Stop => "stop",
-            Self::Correction => "correction",
-            Self::Data => "data",
-            Self::Parameter => "parameter",
-            Self::Added => "added",
-            Self::Removed => "removed",
-        }
+named! {
+    /// What differs.
+    #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+    pub enum ChangeKind {
+        /// Where a motion ends, or its centre.
+        Position "position",
+        /// F.
+        Feed "feed",
+        /// S.
+        Speed "speed",
+        /// T, M06.
+        Tool "tool",
+        /// G or M functions, H, P.
+        Function "function",
+        /// G04.
+        Dwell "dwell",
+        /// M00, M01.
+        Stop "stop",
+        /// D, `&`.
+        Correction "correction",
+        /// Words that are data, or that nobody knows the meaning of.
+        Data "data",
+        /// Parameters and jumps.
+        Parameter "parameter",
+        /// Blocks of the new program alone.
+        Added "added",
+        /// Blocks of the old program alone.
+        Removed "removed",
     }
 }
 

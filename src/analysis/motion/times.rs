@@ -2,170 +2,87 @@
 
 use super::step::Unit;
 use crate::dict::Decimal;
+use crate::named::named;
 use crate::run::MotionType;
 use crate::text::Location;
 
-/// Why a joint is not passed continuously (CNT-2), in the order in which reasons are looked for.
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-pub enum Break {
-    /// The first motion of the program.
-    Start,
-    /// The later block is not in G23, or the earlier one is in G98.
-    Mode,
-    /// One of the two is G00.
-    Rapid,
-    /// Blocks without motion were executed between them.
-    NoMotion,
-    /// One is a thread or a motion to the reference point.
-    OtherMotion,
-    /// G04 in the earlier block.
-    Dwell,
-    /// M00, or M01 with optional stop, in the earlier block.
-    Stop,
-    /// An M function with BreakContEnd in the earlier block, or with BreakCont in the later one.
-    MFunction,
-    /// Length, direction or velocity of one is not known.
-    Unknown,
-    /// One does not move the first three linear axes, or the two are measured in different units.
-    Axes,
-    /// One is shorter than `break-length-mm`.
-    ShortLength,
-    /// One lasts less than `shortest-block-ms`.
-    ShortTime,
-    /// The angle between the tangents is not below `angle-deg`.
-    Angle,
-}
-
-impl Break {
-    /// Every reason, in the order in which they are looked for.
-    pub const ALL: [Self; 13] = [
-        Self::Start,
-        Self::Mode,
-        Self::Rapid,
-        Self::NoMotion,
-        Self::OtherMotion,
-        Self::Dwell,
-        Self::Stop,
-        Self::MFunction,
-        Self::Unknown,
-        Self::Axes,
-        Self::ShortLength,
-        Self::ShortTime,
-        Self::Angle,
-    ];
-
-    /// As in records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Start => "start",
-            Self::Mode => "mode",
-            Self::Rapid => "rapid",
-            Self::NoMotion => "no_motion",
-            Self::OtherMotion => "other_motion",
-            Self::Dwell => "dwell",
-            Self::Stop => "stop",
-            Self::MFunction => "m_function",
-            Self::Unknown => "unknown",
-            Self::Axes => "axes",
-            Self::ShortLength => "short_length",
-            Self::ShortTime => "short_time",
-            Self::Angle => "angle",
-        }
+named! {
+    /// Why a joint is not passed continuously (CNT-2), in the order in which reasons are looked for.
+    #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+    pub enum Break {
+        /// The first motion of the program.
+        Start "start",
+        /// The later block is not in G23, or the earlier one is in G98.
+        Mode "mode",
+        /// One of the two is G00.
+        Rapid "rapid",
+        /// Blocks without motion were executed between them.
+        NoMotion "no_motion",
+        /// One is a thread or a motion to the reference point.
+        OtherMotion "other_motion",
+        /// G04 in the earlier block.
+        Dwell "dwell",
+        /// M00, or M01 with optional stop, in the earlier block.
+        Stop "stop",
+        /// An M function with BreakContEnd in the earlier block, or with BreakCont in the later one.
+        MFunction "m_function",
+        /// Length, direction or velocity of one is not known.
+        Unknown "unknown",
+        /// One does not move the first three linear axes, or the two are measured in different units.
+        Axes "axes",
+        /// One is shorter than `break-length-mm`.
+        ShortLength "short_length",
+        /// One lasts less than `shortest-block-ms`.
+        ShortTime "short_time",
+        /// The angle between the tangents is not below `angle-deg`.
+        Angle "angle",
     }
 }
 
-/// What gives the velocity at a continuous joint; of several the first that alone gives it.
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
-pub enum Limit {
-    /// The programmed velocity of one of the two blocks (VEL-1).
-    Feed,
-    /// Centripetal acceleration of an arc (VEL-3).
-    Centripetal,
-    /// The shortest time of a block (VEL-6).
-    ShortestBlock,
-    /// Criterion of accuracy (VEL-4).
-    Accuracy,
-    /// Dynamic criterion (VEL-5).
-    Overload,
-    /// Stopping within the blocks that the control sees (VEL-9).
-    LookAhead,
-    /// Acceleration from or towards a slower place.
-    Ramp,
-}
-
-impl Limit {
-    /// Every limit, in the order in which they count.
-    pub const ALL: [Self; 7] = [
-        Self::Feed,
-        Self::Centripetal,
-        Self::ShortestBlock,
-        Self::Accuracy,
-        Self::Overload,
-        Self::LookAhead,
-        Self::Ramp,
-    ];
-
-    /// As in records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Feed => "feed",
-            Self::Centripetal => "centripetal",
-            Self::ShortestBlock => "shortest_block",
-            Self::Accuracy => "accuracy",
-            Self::Overload => "overload",
-            Self::LookAhead => "look_ahead",
-            Self::Ramp => "ramp",
-        }
+named! {
+    /// What gives the velocity at a continuous joint; of several the first that alone gives it.
+    #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+    pub enum Limit {
+        /// The programmed velocity of one of the two blocks (VEL-1).
+        Feed "feed",
+        /// Centripetal acceleration of an arc (VEL-3).
+        Centripetal "centripetal",
+        /// The shortest time of a block (VEL-6).
+        ShortestBlock "shortest_block",
+        /// Criterion of accuracy (VEL-4).
+        Accuracy "accuracy",
+        /// Dynamic criterion (VEL-5).
+        Overload "overload",
+        /// Stopping within the blocks that the control sees (VEL-9).
+        LookAhead "look_ahead",
+        /// Acceleration from or towards a slower place.
+        Ramp "ramp",
     }
 }
 
-/// What gives the cap of a block (VEL-7).
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum CapBy {
-    /// The programmed feed.
-    Feed,
-    /// The velocity of G00.
-    Rapid,
-    /// Centripetal acceleration.
-    Centripetal,
-    /// The shortest time of a block.
-    ShortestBlock,
-}
-
-impl CapBy {
-    /// Every one.
-    pub const ALL: [Self; 4] = [Self::Feed, Self::Rapid, Self::Centripetal, Self::ShortestBlock];
-
-    /// As in records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Feed => "feed",
-            Self::Rapid => "rapid",
-            Self::Centripetal => "centripetal",
-            Self::ShortestBlock => "shortest_block",
-        }
+named! {
+    /// What gives the cap of a block (VEL-7).
+    #[derive(Clone, Copy, Debug, Eq, PartialEq)]
+    pub enum CapBy {
+        /// The programmed feed.
+        Feed "feed",
+        /// The velocity of G00.
+        Rapid "rapid",
+        /// Centripetal acceleration.
+        Centripetal "centripetal",
+        /// The shortest time of a block.
+        ShortestBlock "shortest_block",
     }
 }
 
-/// The dot that the control draws at a joint (DOT-1).
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum Dot {
-    /// Passed continuously.
-    Yellow,
-    /// Continuity is broken, or the velocity drops.
-    Red,
-}
-
-impl Dot {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::Yellow, Self::Red];
-
-    /// As in records.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Yellow => "yellow",
-            Self::Red => "red",
-        }
+named! {
+    /// The dot that the control draws at a joint (DOT-1).
+    #[derive(Clone, Copy, Debug, Eq, PartialEq)]
+    pub enum Dot {
+        /// Passed continuously.
+        Yellow "yellow",
+        /// Continuity is broken, or the velocity drops.
+        Red "red",
     }
 }
 

@@ -2,56 +2,31 @@
 
 use crate::config::Settings;
 use crate::dict::{AxisLetter, GCode, GGroup, SPINDLE_GROUP};
+use crate::named::named;
 use crate::run::{AxisSet, Executed, MotionType, Passed};
 
-/// Why the position of an axis is not known.
-#[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
-pub enum Unknown {
-    /// Not programmed yet (MOT-2).
-    #[default]
-    NotProgrammed,
-    /// At its reference point (MOT-7).
-    Reference,
-    /// An M function moved the machine (MFN-4).
-    MFunction,
-    /// A fixed cycle that is not mapped (GRP-6).
-    Cycle,
-    /// A macrocycle that only the machine has (FLW-12).
-    Macrocycle,
-    /// The spindle turned (MFN-10).
-    Spindle,
-    /// Moved by G91 from an unknown position (MOT-2).
-    Incremental,
-    /// A value that is not known (PAR-5).
-    Value,
-}
-
-impl Unknown {
-    /// As in JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::NotProgrammed => "not_programmed",
-            Self::Reference => "reference",
-            Self::MFunction => "m_function",
-            Self::Cycle => "cycle",
-            Self::Macrocycle => "macrocycle",
-            Self::Spindle => "spindle",
-            Self::Incremental => "incremental",
-            Self::Value => "value",
-        }
+named! {
+    /// Why the position of an axis is not known.
+    #[derive(Clone, Copy, Debug, Default, Eq, PartialEq)]
+    pub enum Unknown {
+        /// Not programmed yet (MOT-2).
+        #[default]
+        NotProgrammed "not_programmed",
+        /// At its reference point (MOT-7).
+        Reference "reference",
+        /// An M function moved the machine (MFN-4).
+        MFunction "m_function",
+        /// A fixed cycle that is not mapped (GRP-6).
+        Cycle "cycle",
+        /// A macrocycle that only the machine has (FLW-12).
+        Macrocycle "macrocycle",
+        /// The spindle turned (MFN-10).
+        Spindle "spindle",
+        /// Moved by G91 from an unknown position (MOT-2).
+        Incremental "incremental",
+        /// A value that is not known (PAR-5).
+        Value "value",
     }
-
-    /// Every one.
-    pub const ALL: [Self; 8] = [
-        Self::NotProgrammed,
-        Self::Reference,
-        Self::MFunction,
-        Self::Cycle,
-        Self::Macrocycle,
-        Self::Spindle,
-        Self::Incremental,
-        Self::Value,
-    ];
 }
 
 /// What execution does to the axes.

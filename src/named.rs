@@ -1,0 +1,27 @@
+//! Values that records, options and the project file call by a word.
+
+/// Declares an enum whose variants have names: `Rapid "rapid"`.
+macro_rules! named {
+    (
+        $(#[$attribute:meta])* $visible:vis enum $Enum:ident {
+            $($(#[$of_variant:meta])* $Variant:ident $name:literal,)*
+        }
+    ) => {
+        $(#[$attribute])*
+        $visible enum $Enum {
+            $($(#[$of_variant])* $Variant,)*
+        }
+
+        impl $Enum {
+            /// Every one, as declared.
+            $visible const ALL: [Self; [$($name),*].len()] = [$(Self::$Variant),*];
+
+            /// What records, options and the project file call it.
+            $visible const fn name(self) -> &'static str {
+                match self { $(Self::$Variant => $name,)* }
+            }
+        }
+    };
+}
+
+pub(crate) use named;
