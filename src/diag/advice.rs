@@ -364,9 +364,9 @@ bilingual! {
             "doplnit číslo podprogramu; podprogramy v souboru: {known}";
         Millimetres
             "delete it if millimetres are meant: lengths are always in millimetres; if a call is meant, write the \
-            number of the subprogram: `L100`",
-            "měla-li být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, \
-            doplnit číslo podprogramu: „L100“";
+            number of the subprogram with `L`",
+            "měla-li to být volba milimetrů, vymazat ji: délky jsou zde vždy v milimetrech; mělo-li to být volání, \
+            doplnit číslo podprogramu s L";
         InPlace { block: String }
             "write the number of the subprogram with `L` in place of `{block}`: `L100`",
             "místo {block} napsat číslo podprogramu s L: „L100“";
@@ -438,6 +438,9 @@ bilingual! {
     PointMeant {
         Plain "write a whole number", "napsat celé číslo";
         Whole { written: String } "write `{written}`", "napsat „{written}“";
+        WholeOrDigits { written: String, digits: String }
+            "write `{written}`, or `{digits}` if the point is one too many",
+            "napsat „{written}“, nebo „{digits}“, je-li tečka navíc";
         Dwell "`Q100` is one second", "„Q100“ je jedna sekunda";
         Seconds { written: String }
             "if seconds are meant, write `{written}`",

@@ -49,12 +49,13 @@ impl ValueMeant {
             (Self::LetterForDigit { letter, written }, Lang::En) => {
                 format!(
                     "if `{letter}` is there in place of a digit, write `{written}`; if not, write a value for \
-                    `{address}`"
+                    `{address}`, or delete the letter that is one too many"
                 )
             }
             (Self::LetterForDigit { letter, written }, Lang::Cs) => {
                 format!(
-                    "je-li {letter} omylem místo číslice, napsat „{written}“; jinak doplnit hodnotu adresy {address}"
+                    "je-li {letter} omylem místo číslice, napsat „{written}“; jinak doplnit hodnotu adresy {address}, \
+                    nebo vymazat písmeno, které je navíc"
                 )
             }
             (Self::EarlyStart, Lang::En) => "delete it; in a remark spell the word `percent`".to_owned(),
@@ -71,8 +72,13 @@ impl ValueMeant {
             (Self::Line { function }, Lang::En) => {
                 format!("a straight line is programmed by `{function}`, without `L`")
             }
-            (Self::Line { function }, Lang::Cs) => format!("úsečku programuje „{function}“, bez L"),
-            (Self::Number | Self::Beyond | Self::Parameter, _) => value_wanted(address, lang),
+            (Self::Line { function }, Lang::Cs) => format!("přímkový pohyb programuje „{function}“, bez L"),
+            (Self::Beyond | Self::Parameter, _) => value_wanted(address, lang),
+            (Self::Number, _) if address.len() > 1 || address == "%" => value_wanted(address, lang),
+            (Self::Number, Lang::En) => {
+                format!("{}; if the letter is one too many, delete it", value_wanted(address, lang))
+            }
+            (Self::Number, Lang::Cs) => format!("{}; je-li písmeno navíc, vymazat ho", value_wanted(address, lang)),
         }
     }
 

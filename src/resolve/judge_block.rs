@@ -7,18 +7,18 @@ use super::functions::{Conflict, Functions, m_number};
 use super::judge_file::{Judged, JudgedFile};
 use super::judge_word::is_out_of_range;
 use super::missing_axis;
+use super::numbers::number_as_function;
 use super::targets::{centers_without_use, missing_control_words};
 use super::unnumbered::is_first_in_line;
 use super::{Taker, Unit, UnitKind, control_word, l_number, unused_l};
 use crate::config::Settings;
 use crate::diag::{CenterPlace, Diagnostic, Finding, LabelText, OtherMeaning, ParameterNeed, TargetMeant, UnusedMeant};
 use crate::dict::{
-    Address, DYNAMIC_SETS, Decimal, Dialect, FEED_FUNCTIONS, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, Lang,
-    ORIENTED_STOP, PROGRAM_ENDS, RESERVED_PARAMETER,
+    Address, DYNAMIC_SETS, Decimal, FEED_FUNCTIONS, FIRST_CONTROL, GCode, GGroup, LAST_CONTROL, Lang, ORIENTED_STOP,
+    PROGRAM_ENDS, RESERVED_PARAMETER,
 };
 use crate::sure::Sure;
 use crate::syntax::{BlockFlags, BlockId, Form, ParsedFile, Value, Word};
-use crate::text::Span;
 
 /// Most words of an address in one block (BLK-3, BLK-4).
 const MOST_G: usize = 11;
@@ -151,23 +151,13 @@ impl<'a> BlockJudge<'a> {
         if unnumbered.is_some_and(|line| lines.line_at(line) == lines.line_at(place.span.start)) {
             return;
         }
-        let function = self.function_of_number(block, place.span);
+        let function = number_as_function(self.file, block);
         let warning = Diagnostic::new(Finding::EmptyBlock { block: self.file.shown_number(block), function }, place);
         if self.around.at_star == Some(block) {
             self.judged.at_star.push(warning);
         } else {
             self.judged.empty.push((block, warning));
         }
-    }
-
-    /// The M function whose number an empty block has behind the words of another block on its line: `T2 N6`.
-    fn function_of_number(&self, block: BlockId, at: Span) -> Option<String> {
-        let (text, lines) = (self.file.source.text(), self.file.source.lines());
-        let last = self.file.words(BlockId(block.0.checked_sub(1)?)).last()?;
-        let digits = self.file.source.slice(at).get(1..)?.trim_start_matches([' ', '\t']);
-        let number: u8 = digits.parse().ok().filter(|_| digits.len() <= 2)?;
-        let one_line = lines.line_at(last.span(text).end) == lines.line_at(at.start);
-        (one_line && number <= Dialect::HIGHEST_M).then(|| format!("M{digits}"))
     }
 
     /// Reports words that conflict (BLK-3, GRP-1, MFN-1). Conflicts with the lines above one that lacks its block

@@ -56,6 +56,7 @@ impl BlockJudge<'_> {
                 address == Address::Q && value.is_whole() && !word.is_rounded() && (dwell || functions.roles.unknown);
             if !tolerated {
                 let meant = point_meant(machine, address, value, dwell);
+                let meant = self.with_digits_of_point(word, meant);
                 self.report_value(word, Finding::PointNotAllowed { address, meant });
                 return false;
             }
@@ -113,6 +114,19 @@ impl BlockJudge<'_> {
         let fits = number.parse::<u32>().is_ok_and(|number| takes(Decimal::whole(i64::from(number))));
         let function = matches!(word.address, Address::G | Address::M);
         if fits && !function { format!("{}{number}", word.address) } else { String::new() }
+    }
+
+    /// A number whose point may be one too many: `T2.0`.
+    fn with_digits_of_point(&self, word: Word, meant: PointMeant) -> PointMeant {
+        let PointMeant::Whole { written } = meant else { return meant };
+        let number = self.file.source.slice(self.file.value_place(word).span).replace('.', "");
+        let takes = |value| check_form(&self.settings.machine, word.address, value, false, None).is_ok();
+        let fits = number.parse::<u32>().is_ok_and(|number| {
+            let value = Decimal::whole(i64::from(number));
+            word.number() != Some(value) && takes(value)
+        });
+        let digits = format!("{}{number}", word.address);
+        if fits { PointMeant::WholeOrDigits { written, digits } } else { PointMeant::Whole { written } }
     }
 
     /// The one range of F that holds at a word, where the block does not say it: by the last G6 function before it in

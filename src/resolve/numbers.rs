@@ -1,7 +1,7 @@
 //! The block numbers of a file: which jumps can reach, and which stand twice (BLK-7).
 
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
-use crate::dict::HIGHEST_L;
+use crate::dict::{Dialect, HIGHEST_L};
 use crate::sure::Sure;
 use crate::syntax::{BlockId, ParsedFile};
 
@@ -76,6 +76,16 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], numbered: &mut N
         numbered.repeated.extend(run.iter().map(|(block, _)| if last.is_none() { at } else { *block }));
         rest = behind;
     }
+}
+
+/// The M function whose number an empty block has behind the words of another block on its line: `T2 N6`.
+pub fn number_as_function(file: &ParsedFile, block: BlockId) -> Option<String> {
+    let (text, lines) = (file.source.text(), file.source.lines());
+    let (last, n) = (file.words(BlockId(block.0.checked_sub(1)?)).last()?, file.n_word(block)?);
+    let digits = file.source.slice(n.span(text)).get(1..)?.trim_start_matches([' ', '\t']);
+    let number: u8 = digits.parse().ok().filter(|_| digits.len() <= 2)?;
+    let one_line = lines.line_at(last.span(text).end) == lines.line_at(n.start());
+    (one_line && number <= Dialect::HIGHEST_M).then(|| format!("M{digits}"))
 }
 
 /// Whether two blocks have the same words.

@@ -11,7 +11,7 @@ use super::star::Star;
 use super::{Resolved, Unit, UnitId, UnitKind, l_number};
 use crate::config::Settings;
 use crate::diag::{Diagnostic, EarlyEnd, Finding, LabelText};
-use crate::dict::{Address, GCode, PROGRAM_ENDS};
+use crate::dict::{Address, GCode, PROGRAM_ENDS, SPINDLE_TURNS};
 use crate::sure::small;
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location, Span};
@@ -74,7 +74,8 @@ impl Context<'_, '_> {
         // An end after the subprograms is the one that is missing before them.
         let late = self.open.take_end().and_then(|block| end_word(self.settings, parsed, block));
         let function = late.map(|(function, _)| function);
-        let instead = last.and_then(|last| self.return_elsewhere(parsed, last)).map(|(function, _)| function);
+        let instead = last.and_then(|last| self.return_elsewhere(parsed, last).or_else(|| only_start(parsed, last)));
+        let instead = instead.map(|(function, _)| function);
         let star = split.star.as_ref().filter(|_| late.is_none());
         let (star, unread) = star.and_then(|star| Some((star.at, star.program_end(parsed)?))).unzip();
         let finding = Finding::MissingProgramEnd { skipped: false, late: function, instead, unread };
@@ -330,6 +331,13 @@ fn unit_end(parsed: &ParsedFile, first: BlockId) -> (BlockId, bool) {
         }
     }
     (BlockId(parsed.block_count()), false)
+}
+
+/// The M03 that is all a block has: as the last one of a program it is an M30 that lost its 0.
+fn only_start(parsed: &ParsedFile, block: BlockId) -> Option<(u8, Word)> {
+    let [word] = parsed.words(block) else { return None };
+    let [start, _] = SPINDLE_TURNS;
+    word.is_m(start).then_some((start, *word))
 }
 
 fn entry_place(parsed: &ParsedFile, block: BlockId) -> Location {

@@ -3,9 +3,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::diag::{Diagnostic, DwellMeant, Finding, Findings, Fix, FixTitle, PointMeant, TargetMeant, UnusedMeant};
+use crate::diag::{
+    Diagnostic, DwellMeant, Edit, Finding, Findings, Fix, FixTitle, PointMeant, TargetMeant, UnusedMeant,
+};
 use crate::dict::{Address, GCode, HIGHEST_BLOCK};
-use crate::resolve::{Resolved, Roles, Taker, Target, Unit, UnitKind};
+use crate::resolve::{Resolved, Roles, Taker, Target, Unit, UnitKind, number_as_function};
 use crate::sure::{Sure, small};
 use crate::syntax::{BlockFlags, BlockId, ParsedFile, Word};
 use crate::text::{FileId, Span};
@@ -65,6 +67,14 @@ impl Offers<'_> {
                 return Some(offer(FixTitle::Write { text: format!("G72 L{l}") }, file, g.span(text), "G72"));
             }
             let near = near.filter(|_| !from_macrocycle && !jump && without_entry.is_none() && word.is_plain())?;
+            // `G71 Q100 L2`: the two are exchanged.
+            let q = file.words(block).iter().find(|other| other.address == Address::Q);
+            if let Some(q) = q.filter(|q| q.is_plain() && q.whole() == Some(i64::from(near))) {
+                let swapped = |span: Span, text: String| Edit { at: file.at(span), text };
+                let edits = vec![swapped(q.span(text), format!("Q{l}")), swapped(at, near.to_string())];
+                let title = FixTitle::Write { text: format!("G71 L{near} Q{l}") };
+                return Some(vec![Fix { title, edits, certain: None }]);
+            }
             return Some(offer(FixTitle::Write { text: format!("G71 L{near}") }, file, at, near.to_string()));
         }
         if let Finding::UnknownMacrocycle { l, subprogram: true, .. } = found.finding {
@@ -122,7 +132,9 @@ impl Offers<'_> {
         if let Finding::DuplicateBlockNumber { last: None, block: number, copied } = found.finding {
             let block = file.block_at(at.start)?;
             if file.words(block).is_empty() {
-                return self.empty_block(file, at, file.shown_number(block));
+                let function = number_as_function(file, block).map(|function| write(file, at, function));
+                let empty = self.empty_block(file, at, file.shown_number(block)).unwrap_or_default();
+                return Some(function.into_iter().flatten().chain(empty).collect());
             }
             // Which of the two a jump means, nobody knows.
             let is_it = |to: BlockId| file.number(to) == Some(number);
@@ -284,6 +296,9 @@ fn of_word(file: &ParsedFile, at: Span, finding: &Finding) -> Option<Vec<Fix>> {
         finding
     {
         Some(write(file, word.span(text), written.clone()))
+    } else if let Finding::PointNotAllowed { meant: PointMeant::WholeOrDigits { written, digits }, .. } = finding {
+        let readings = [written, digits].into_iter();
+        Some(readings.flat_map(|reading| write(file, word.span(text), reading.clone())).collect())
     } else if let Finding::SignNotAllowed { key, .. } = finding {
         let number = file.source.slice(at).trim_start_matches(['+', '-', ' ', '\t']);
         let title = FixTitle::Write { text: format!("{}{number}", letter()) };

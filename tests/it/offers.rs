@@ -191,7 +191,7 @@ fn what_a_fix_would_guess() {
 /// Where a slip may have been one of several, each reading is offered, and none that its address does not take.
 #[test]
 fn several_readings() {
-    let cases: [(&str, &[&str]); 27] = [
+    let cases: [(&str, &[&str]); 33] = [
         ("F1 50X3", &["write `F150`"]),
         ("G0X41. 5Z2", &["write `Z52`", "write `X41.5`"]),
         ("T1 2M6", &["write `M26`", "write `T12`"]),
@@ -219,6 +219,12 @@ fn several_readings() {
         ("G91 X5\nN40 G91 X5", &["delete N40", "write `N50`"]),
         ("X1\nN45 X2\nN40 G73 L40 Q2", &[]),
         ("X-3LY55", &[]),
+        ("F100O", &["write `F1000`", "write `F100`"]),
+        ("S450BM03", &["write `S4508`", "write `S450`"]),
+        ("X1O0", &["write `X100`", "write `X10`"]),
+        ("T2.0 M6", &["write `T2`", "write `T20`"]),
+        ("X5\nN50 X6 N40", &["write `M40`", "delete N40"]),
+        ("R15B25.5", &[]),
     ];
     for (slip, wanted) in cases {
         let program = format!("%1\nN20 T1 M06 D1\nN30 G00 X0 Y0 Z5 F100 S500 M03\nN40 {slip}\nN90 M30\n");

@@ -104,11 +104,21 @@ macro_rules! characters {
             cs (meant.message(text, Lang::Cs))
             help (meant.text(Lang::En)) | (meant.text(Lang::Cs))
             note (meant.note(Lang::En)) | (meant.note(Lang::Cs))
-        [E0107] LetterForDigit "letter-for-digit" Error { fixed: String }
+        [E0107] LetterForDigit "letter-for-digit" Error { fixed: String, without: String }
             en "a letter in place of a digit"
             cs "místo číslice je písmeno"
-            help (if fixed.is_empty() { String::new() } else { format!("write `{fixed}`") })
-               | (if fixed.is_empty() { String::new() } else { format!("napsat „{fixed}“") })
+            help (match (fixed.is_empty(), without.is_empty()) {
+                (true, true) => String::new(),
+                (false, true) => format!("write `{fixed}`"),
+                (true, false) => format!("if the letter is one too many, write `{without}`"),
+                (false, false) => format!("write `{fixed}`, or `{without}` if the letter is one too many"),
+            })
+               | (match (fixed.is_empty(), without.is_empty()) {
+                   (true, true) => String::new(),
+                   (false, true) => format!("napsat „{fixed}“"),
+                   (true, false) => format!("je-li písmeno navíc, napsat „{without}“"),
+                   (false, false) => format!("napsat „{fixed}“, nebo „{without}“, je-li písmeno navíc"),
+               })
         [W0108] LowercaseAddress "lowercase-address" Warning { count: usize }
             en (if *count == 1 {
                 "an address in lower case".to_owned()

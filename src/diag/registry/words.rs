@@ -55,7 +55,7 @@ macro_rules! words {
                | (if key.is_empty() {
                    "napsat číslo bez něj".to_owned()
                } else {
-                   format!("na české klávesnici je + na klávese číslice 1: je-li míněna, napsat „{key}“, jinak bez něj")
+                   format!("na české klávesnici je + na klávese číslice 1: je-li míněna, napsat „{key}“, jinak číslo bez znaménka")
                })
         [E0306] DuplicateAddress "duplicate-address" Error { address: String, unnumbered: bool }
             en "`{address}` is written twice in this block"

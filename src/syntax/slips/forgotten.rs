@@ -71,8 +71,10 @@ impl<'t> Split<'t> {
 
     /// The finding that the second piece is part of `loose`, which was meant as `written`, or goes on with the first.
     fn instead(&self, around: &Around<'_>, loose: Span, written: String) -> Diagnostic {
-        // What is behind it would be left without a number.
-        let whole = around.slice(loose).ends_with(|last: char| last.is_ascii_digit()) && self.address != Address::N;
+        // What is behind it would be left without a number, or without a function that takes it.
+        let rest = around.slice(loose);
+        let flow = self.address == Address::N && (around.has(Address::L) || around.has(Address::Q));
+        let whole = rest.ends_with(|last: char| last.is_ascii_digit()) && !flow;
         let base = numbers::word(around).and_then(|base| base.found).filter(|_| whole);
         let joining = base.map_or_else(Vec::new, |found| found.fixes);
         let joined = if joining.is_empty() { String::new() } else { self.joined() };

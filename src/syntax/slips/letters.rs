@@ -54,7 +54,8 @@ pub(super) fn small_l_in_number(around: &Around<'_>) -> Option<Diagnosis> {
     let written = format!("{}1{}", around.slice(n.span()), around.slice(l.span()).get(1..).sure());
     let number = Number::parse(written.get(1..)?.as_bytes())?;
     let span = n.span().to(l.span());
-    let found = around.offering(span, Finding::LetterForDigit { fixed: written.clone() }, written);
+    let finding = Finding::LetterForDigit { fixed: written.clone(), without: String::new() };
+    let found = around.offering(span, finding, written);
     Some(Diagnosis::saying(2, found).with(Word::with_number(Address::N, span, number), span))
 }
 
@@ -76,11 +77,14 @@ pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {
     let written = format!("{}{digit}", around.slice(word.span()).to_ascii_uppercase());
     let span = word.span().to(letter.span());
     let number = Number::parse(written.get(1..)?.trim_start_matches([' ', '\t']).as_bytes())?;
-    let found = if around.may_mean(address, word.start, number) {
-        around.offering(span, Finding::LetterForDigit { fixed: shown(&written) }, written)
-    } else {
-        around.diagnostic(span, Finding::LetterForDigit { fixed: String::new() })
-    };
+    let without = around.slice(word.span()).to_ascii_uppercase();
+    let written = Some(written).filter(|_| around.may_mean(address, word.start, number));
+    let fixed = written.as_ref().map(|written| shown(written)).unwrap_or_default();
+    let found = around.diagnostic(span, Finding::LetterForDigit { fixed, without: shown(&without) });
+    let found = written
+        .into_iter()
+        .chain([without])
+        .fold(found, |found, text| found.with_offer(write(&text), around.place(span), text));
     Some(Diagnosis::saying(2, found).void(address, span).junk(letter.span()))
 }
 
@@ -129,8 +133,10 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
         return None;
     }
     let sign = head.chars().next_back().filter(|sign| matches!(sign, '+' | '-')).map(String::from).unwrap_or_default();
-    let number = digit.map(|digit| format!("{sign}{digit}{}", around.number(behind)));
     let address = Address::from_byte(around.byte(span.start));
+    // A parameter is assigned by `=`.
+    let digit = digit.filter(|_| assigned || address != Some(Address::R));
+    let number = digit.map(|digit| format!("{sign}{digit}{}", around.number(behind)));
     let number = number.filter(|number| {
         Number::parse(number.as_bytes())
             .is_some_and(|number| address.is_none_or(|address| around.may_mean(address, span.start, number)))

@@ -91,13 +91,17 @@ impl Broken<'_> {
         let number = Number::parse(fixed.as_bytes());
         let fixed = format!("{prefix}{fixed}");
         let has_digit = fixed.bytes().any(|byte| byte.is_ascii_digit() && !prefix.as_bytes().contains(&byte));
+        let mut without = None;
         let (certain, finding) = match number {
             Some(number) if joined.contains(',') => return self.with_comma(around, number, &joined, fixed),
             Some(_) if joined.bytes().any(|letter| look_alike(letter).is_some()) => {
                 let alone = pieces.is_empty() && is_all_letters(joined.trim_start_matches(['+', '-']));
                 // N and L are never 0: another digit was meant.
                 let certain = alone && !matches!(address, Address::N | Address::L);
-                (certain.then_some(Certain::LettersAlone), Finding::LetterForDigit { fixed: shown(&fixed) })
+                without = if certain { None } else { self.without_letter(around, &joined) };
+                let shorter = without.clone().unwrap_or_default();
+                let finding = Finding::LetterForDigit { fixed: shown(&fixed), without: shorter };
+                (certain.then_some(Certain::LettersAlone), finding)
             }
             Some(_) if pieces.is_empty() => return (number, None),
             Some(_) => {
@@ -117,18 +121,37 @@ impl Broken<'_> {
             }
         };
         // What its address does not take, or what another function of the block excludes, was not meant.
-        if certain.is_none() && number.is_some_and(|number| !around.may_mean(address, span.start, number)) {
-            let loose = pieces.last().map_or("", |piece| around.slice(piece.span()));
-            let finding = if let Finding::LetterForDigit { .. } = finding {
-                Finding::LetterForDigit { fixed: String::new() }
-            } else {
-                Finding::SplitNumber { joined: String::new(), loose: shown(loose), written: String::new() }
-            };
-            return (None, Some(around.diagnostic(span, finding)));
+        let fits = certain.is_some() || number.is_none_or(|number| around.may_mean(address, span.start, number));
+        let finding = if fits {
+            finding
+        } else if let Finding::LetterForDigit { without, .. } = finding {
+            Finding::LetterForDigit { fixed: String::new(), without }
+        } else {
+            let loose = shown(pieces.last().map_or("", |piece| around.slice(piece.span())));
+            Finding::SplitNumber { joined: String::new(), loose, written: String::new() }
+        };
+        let mut found = around.diagnostic(span, finding);
+        if fits {
+            let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
+            found = found.with_edits(certain, write(&fixed), edits);
         }
-        let edits = vec![Edit { at: around.place(span), text: fixed.clone() }];
-        let found = around.diagnostic(span, finding).with_edits(certain, write(&fixed), edits);
+        if let Some(without) = without {
+            found = found.with_offer(write(&without), around.place(span), without);
+        }
         (number.filter(|_| certain.is_some()), Some(found))
+    }
+
+    /// The word without its only letter, when its address takes that.
+    fn without_letter(&self, around: &Around<'_>, joined: &str) -> Option<String> {
+        let Self { address, prefix, span, .. } = *self;
+        // `M3O`: functions have two digits.
+        let function = matches!(address, Address::G | Address::M);
+        if function && joined.contains(['O', 'o']) {
+            return None;
+        }
+        let digits: String = joined.chars().filter(|character| !character.is_ascii_alphabetic()).collect();
+        let number = Number::parse(digits.as_bytes()).filter(|_| digits.len() + 1 == joined.len())?;
+        around.may_mean(address, span.start, number).then(|| format!("{prefix}{digits}"))
     }
 
     /// A number with a comma: a decimal one, where its address takes a point, or one that parts it from the next word.
