@@ -107,7 +107,7 @@ class Block(Record):
     m_set: list[int] | None = cell()
     """M functions written in this block, in written order."""
     m_changed: list[int] | None = cell()
-    """Groups with a change mark, ascending."""
+    """Groups with a change bit, ascending."""
     m_at_stop: dict[str, int] | None = cell()
     """Values of groups 2, 5, 6 while the program stands."""
     break_cont: bool = cell()

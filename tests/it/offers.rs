@@ -191,7 +191,7 @@ fn what_a_fix_would_guess() {
 /// Where a slip may have been one of several, each reading is offered, and none that its address does not take.
 #[test]
 fn several_readings() {
-    let cases: [(&str, &[&str]); 33] = [
+    let cases: [(&str, &[&str]); 35] = [
         ("F1 50X3", &["write `F150`"]),
         ("G0X41. 5Z2", &["write `Z52`", "write `X41.5`"]),
         ("T1 2M6", &["write `M26`", "write `T12`"]),
@@ -225,6 +225,8 @@ fn several_readings() {
         ("T2.0 M6", &["write `T2`", "write `T20`"]),
         ("X5\nN50 X6 N40", &["write `M40`", "delete N40"]),
         ("R15B25.5", &[]),
+        ("X5YřZ1", &["write `Y5`"]),
+        ("X-ě5 Y1", &["write `X-25`"]),
     ];
     for (slip, wanted) in cases {
         let program = format!("%1\nN20 T1 M06 D1\nN30 G00 X0 Y0 Z5 F100 S500 M03\nN40 {slip}\nN90 M30\n");

@@ -192,7 +192,7 @@ fn lists() {
 #[test]
 fn explained() {
     let place = Place::with(&[]);
-    place.run(&["explain", "ZMM10PI"]).ends(0).prints("change mark of M group 10");
+    place.run(&["explain", "ZMM10PI"]).ends(0).prints("change bit of M group 10");
     place.run(&["explain", "BLK[0].M[11]", "--lang", "cs"]).ends(0).prints("funkce 11. skupiny M");
     place.run(&["explain", "STOPPI", "MPxPI"]).ends(0).prints("A part program does not determine it");
     place.run(&["explain", "ZMM10P"]).ends(2).says("ZMM10PI");

@@ -1,5 +1,5 @@
 //! Random programs, without `[motion]` and with it: JSON, CSV and the value change dump say the same, also when steps
-//! start, and change marks are those of the block stream.
+//! start, and change bits are those of the block stream.
 
 use std::collections::BTreeMap;
 

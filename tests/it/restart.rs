@@ -208,7 +208,7 @@ fn the_program_that_starts_there() {
         "N1080 F200 \"feed, N50\"",
         "N1090 G00 G90 Z100 \"up to the program's highest with this tool\"",
         "N1100 G00 X20 Y20 \"across\"",
-        "N1110 G00 Z-1 \"down to 2 above\"",
+        "N1110 G00 Z-1 \"down to 2 mm above the place\"",
         "N1120 G01 Z-3 \"to the place at F\"",
         "N1440 Y20 \"N1030\"",
         "N1441 G91 G01 Z-1 \"N1010\"",

@@ -162,7 +162,13 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
 pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
     const KEYS: &str = "é+ěščřžýáí";
     let token = around.token();
-    let garbled = token.kind == Kind::Junk(Shape::GarbledWord);
+    let is_key = |key: char| !key.is_ascii() && KEYS.contains(key) || key.is_ascii_digit();
+    // `YřZ1`: without a blank behind it, it looks like text.
+    let word =
+        |text: &str| text.len() > 1 && text.split_at_checked(1).is_some_and(|(_, keys)| keys.chars().all(is_key));
+    let text =
+        token.kind == Kind::Junk(Shape::Text) && around.address(token).is_some() && word(around.slice(token.span()));
+    let garbled = text || token.kind == Kind::Junk(Shape::GarbledWord);
     let behind = matches!(token.kind, Kind::Junk(Shape::Unknown | Shape::Text))
         && around.text.get(..token.start as usize)?.ends_with(|last: char| last.is_ascii_digit() || last == '.');
     if !garbled && !behind {
@@ -174,7 +180,9 @@ pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
         Some(digit) if !key.is_ascii() => char::from_digit(u32::try_from(digit).ok()?, 10),
         Some(_) | None => Some(key).filter(|key| key.is_ascii_digit() || *key == '.'),
     };
-    let digits: String = keys.chars().map(digit).collect::<Option<_>>()?;
+    let unsigned = keys.strip_prefix(['+', '-']).filter(|_| garbled).unwrap_or(keys);
+    let sign = keys.strip_suffix(unsigned).unwrap_or_default();
+    let digits = sign.chars().map(Some).chain(unsigned.chars().map(digit)).collect::<Option<String>>()?;
     let before = if garbled { letter } else { around.slice(around.previous()?.span()) };
     let written = format!("{before}{digits}");
     let address = written.bytes().next().and_then(Address::from_byte)?;

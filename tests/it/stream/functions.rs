@@ -72,7 +72,7 @@ fn power_up_values() {
     assert_eq!(found[0]["motion"], json!({"type": "linear", "axes": ["X"], "delta": {"X": 5}, "length_mm": 5}));
 }
 
-/// Values and change marks of the M groups (MFN-6, MFN-7).
+/// Values and change bits of the M groups (MFN-6, MFN-7).
 #[test]
 fn m_groups() {
     let found = blocks("%1\nN10 M03 M08 M99\nN20\nN30 M03\nN40 M06 M10 M49\nN50 M41 M51 M20\nN60 M04 M07 M30");
