@@ -20,7 +20,7 @@ use arrow_array::{Array, RecordBatch};
 use arrow_ipc::reader::StreamReader;
 use arrow_schema::{DataType, Schema};
 use cnc872c::analysis::motion::{Basis, machine, total, write_block};
-use cnc872c::analysis::plc::{self, Json, Range, Reader};
+use cnc872c::analysis::plc::{self, Json, Reader};
 use cnc872c::columns::{BlockTable, Ipc, Kept, MotionTable, PROGRAM, StepTable};
 use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
@@ -326,14 +326,14 @@ fn signals() {
         let chosen = || plc::default(settings.machine.dialect, true, false);
         let mut text = Vec::new();
         let (mut out, mut failed) = (Json::new(&mut text), None);
-        let reader = Reader::new(chosen(), &settings.machine, Range::default(), &mut out, &mut failed);
+        let reader = Reader::new(chosen(), &settings.machine, Part::default(), &mut out, &mut failed);
         if session.run(Path::new(&name), &name, Purpose::Compile, reader).whole.is_none() {
             continue;
         }
         whole += 1;
         let (mut kept, mut broken, mut failed) = (Kept::default(), None, None);
         let mut table = StepTable::new(&mut kept, &mut broken);
-        let reader = Reader::new(chosen(), &settings.machine, Range::default(), &mut table, &mut failed);
+        let reader = Reader::new(chosen(), &settings.machine, Part::default(), &mut table, &mut failed);
         session.run(Path::new(&name), &name, Purpose::Compile, reader);
         let lines = lines(&text);
         let end: Value = serde_json::from_str(kept.end.unwrap().record()).unwrap();

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use cnc872c::analysis::compare::{Side, StepReader, Steps, Tolerances, compare as changes, json as changes_json};
 use cnc872c::analysis::motion::{Basis, machine};
 use cnc872c::analysis::plc::{
-    Cell, Condition, Header, Range, Reader, Signal, Step, Writer, default, named, signal_problem, with_compatible,
+    Cell, Condition, Header, Reader, Signal, Step, Writer, default, named, signal_problem, with_compatible,
 };
 use cnc872c::analysis::state::AtTime;
 use cnc872c::columns::{BlockTable, Kept, MotionTable, StepTable};
@@ -201,7 +201,7 @@ pub fn plc(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, wanted
         let timed = machine.motion.configured;
         let (mut kept, mut broken, mut failed) = (Kept::default(), None, None);
         let mut writer = Matching { inner: StepTable::new(&mut kept, &mut broken), condition };
-        let range = Range { from: wanted.first, limit: wanted.limit };
+        let range = Part { from: wanted.first, limit: wanted.limit };
         let reader = Reader::new(signals, machine, range, &mut writer, &mut failed);
         let run = if timed {
             session.run_timed(one.path, &one.name, Purpose::Compile, times, TimedSignals(reader))

@@ -5,6 +5,7 @@ pub mod equidistant;
 pub mod json;
 pub mod motion;
 mod number;
+mod part;
 pub mod plc;
 mod record_schema;
 pub mod sheet;
@@ -12,5 +13,6 @@ pub mod state;
 mod totals;
 
 pub use number::{Number, push_digits, write_real};
+pub use part::Part;
 pub use record_schema::{document_schema, forbid_null, record_schema};
 pub use totals::Totals;

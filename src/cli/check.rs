@@ -113,12 +113,8 @@ fn check_all(
         _ => Counted::Files(targets.len() as u64),
     };
     let progress = Progress::start(counted, false, locale.lang);
-    let blocks = |blocks: u64| {
-        if matches!(counted, Counted::Blocks) {
-            progress.set(blocks);
-        }
-        true
-    };
+    let count = progress.counter();
+    let blocks = |blocks: u64| matches!(counted, Counted::Files(_)) || count(blocks);
     let check = |target: &Target| {
         let settings = projects.settings(target)?;
         let outcome = check_one(target, &Session { loader, settings, progress: Some(&blocks) });

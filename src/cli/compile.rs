@@ -40,10 +40,7 @@ pub(super) fn run(args: &CompileArgs, locale: Locale) -> Result<Status, Failure>
     }
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
-    let count = |blocks: u64| {
-        progress.set(blocks);
-        true
-    };
+    let count = progress.counter();
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let part = Part { from: args.from, limit: args.limit };
     let (path, name) = (&job.target().path, job.target().name());

@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -20,7 +19,7 @@ use crate::dict::Lang;
 use crate::disk::{DiskLoader, canonical};
 use crate::edit::apply_fixes;
 use crate::session::Session;
-use crate::text::{FileId, Loader, Numbered, Sources};
+use crate::text::{FileId, Loader, Overlay, Sources};
 
 /// The program among the files of its run.
 const PROGRAM: FileId = FileId(0);
@@ -213,27 +212,29 @@ fn attempt(target: &Target, projects: &Projects, disk: &DiskLoader) -> Option<At
         Ok(before) => before,
         Err(error) => return Some(Attempt { unreadable: Some(error), ..Attempt::default() }),
     };
-    let mut now = InMemory { disk, path: disk.canonical(&target.path), bytes: before.clone() };
+    let mut now = before.clone();
     let mut count = 0;
     let mut applied = Vec::new();
     let mut elsewhere = BTreeMap::new();
     let mut hindrance = (target.origin == Origin::Linked).then_some(Hindrance::Link);
     for round in 0..MOST_ROUNDS {
-        let outcome = Session { loader: &now, settings, progress: None }.check(&target.path, &target.name());
+        let overlay = Overlay { below: disk, path: &target.path, bytes: &now };
+        let outcome = Session { loader: &overlay, settings, progress: None }.check(&target.path, &target.name());
         let mut found: Vec<&Diagnostic> =
             outcome.findings.items().iter().filter(|item| is_shown(item, settings)).collect();
         found.sort_by_key(|diagnostic| (diagnostic.at, diagnostic.code()));
         if round == 0 && target.origin == Origin::Searched {
             let foreign = found.iter().any(|item| is_foreign(item));
-            if foreign || (settings.severity(Code::W0113).is_none() && is_for_other_control(target, &now, settings)) {
+            if foreign || (settings.severity(Code::W0113).is_none() && is_for_other_control(target, &overlay, settings))
+            {
                 hindrance = Some(Hindrance::Foreign);
             }
         }
         elsewhere = fixes_elsewhere(&outcome.sources, &found);
         let Some(source) = outcome.sources.get(PROGRAM).filter(|_| !outcome.unusable) else { break };
         let own: Vec<(&Diagnostic, &Fix)> = found.into_iter().filter_map(|item| Some((item, fix_of(item)?))).collect();
-        let fixed = apply_fixes(source, PROGRAM, &now.bytes, own.iter().map(|(_, fix)| *fix));
-        if fixed.bytes == now.bytes {
+        let fixed = apply_fixes(source, PROGRAM, &now, own.iter().map(|(_, fix)| *fix));
+        if fixed.bytes == now {
             break;
         }
         for &at in fixed.applied.iter().take(MOST_LISTED.saturating_sub(applied.len())) {
@@ -244,15 +245,15 @@ fn attempt(target: &Target, projects: &Projects, disk: &DiskLoader) -> Option<At
             }
         }
         count += fixed.applied.len();
-        now.bytes = fixed.bytes;
+        now = fixed.bytes;
     }
-    let fixable = (now.bytes != before).then_some(Fixable { before, after: now.bytes, count, applied, hindrance });
+    let fixable = (now != before).then_some(Fixable { before, after: now, count, applied, hindrance });
     Some(Attempt { fixable, elsewhere, ..Attempt::default() })
 }
 
 /// Whether a program is for another control (W0113), also when that finding is allowed: then it is not shown, but what
 /// it says of the file holds.
-fn is_for_other_control(target: &Target, loader: &InMemory<'_>, settings: &Settings) -> bool {
+fn is_for_other_control(target: &Target, loader: &dyn Loader, settings: &Settings) -> bool {
     let mut settings = settings.clone();
     settings.lints.insert(Code::W0113, Level::Warn);
     let outcome = Session { loader, settings: &settings, progress: None }.check(&target.path, &target.name());
@@ -298,40 +299,6 @@ fn fixes_elsewhere(sources: &Sources, found: &[&Diagnostic]) -> BTreeMap<String,
         }
     }
     counts
-}
-
-/// The disk, with one file as it stands after the fixes so far.
-struct InMemory<'a> {
-    disk: &'a DiskLoader,
-    /// By its one name.
-    path: PathBuf,
-    bytes: Vec<u8>,
-}
-
-impl Loader for InMemory<'_> {
-    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        if self.disk.canonical(path) == self.path { Ok(self.bytes.clone()) } else { self.disk.read(path) }
-    }
-
-    fn is_folder(&self, path: &Path) -> bool {
-        self.disk.is_folder(path)
-    }
-
-    fn list(&self, folder: &Path) -> Vec<PathBuf> {
-        self.disk.list(folder)
-    }
-
-    fn folders(&self, folder: &Path) -> Vec<PathBuf> {
-        self.disk.folders(folder)
-    }
-
-    fn numbered(&self, folders: &[PathBuf], number: &dyn Fn() -> Numbered) -> Arc<Numbered> {
-        self.disk.numbered(folders, number)
-    }
-
-    fn canonical(&self, path: &Path) -> PathBuf {
-        self.disk.canonical(path)
-    }
 }
 
 #[cfg(test)]

@@ -56,10 +56,7 @@ pub(super) fn run(args: &MotionArgs, locale: Locale) -> Result<Status, Failure> 
     }
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
-    let count = |blocks: u64| {
-        progress.set(blocks);
-        true
-    };
+    let count = progress.counter();
     let run = OneRun { loader: &job.loader, count: &count, target: job.target(), settings };
     let made = match args.format {
         MotionFormat::Human => run.account(before, args.all, locale, &mut stream).map(|made| (made, 0)),

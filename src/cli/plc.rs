@@ -12,8 +12,9 @@ use super::status::{Failure, Status, stdout, tell};
 use super::threads;
 use super::walk::Target;
 use super::words::Words;
+use crate::analysis::Part;
 use crate::analysis::plc::{
-    self, Cell, Condition, Csv, Finder, Json, NoSignal, Range, Reader, Signal, Table, Wave, Writer, signal_problem,
+    self, Cell, Condition, Csv, Finder, Json, NoSignal, Reader, Signal, Table, Wave, Writer, signal_problem,
 };
 use crate::config::{Machine, Overrides, Purpose};
 use crate::diag::{Diagnostic, Finding, Findings, Format, Report};
@@ -71,17 +72,14 @@ pub(super) fn run(args: &PlcArgs, locale: Locale) -> Result<Status, Failure> {
     }
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
-    let count = |blocks: u64| {
-        progress.set(blocks);
-        true
-    };
+    let count = progress.counter();
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let out = BufWriter::with_capacity(BUFFER, &mut stream);
     let run = Run {
         session,
         target: job.target(),
         signals,
-        range: Range { from: args.from, limit: args.limit },
+        part: Part { from: args.from, limit: args.limit },
         tells_time: args.format != PlcFormat::Table,
     };
     let written = match condition {
@@ -106,7 +104,7 @@ struct Run<'a> {
     session: Session<'a>,
     target: &'a Target,
     signals: Vec<&'static Signal>,
-    range: Range,
+    part: Part,
     /// The form tells when steps start.
     tells_time: bool,
 }
@@ -116,9 +114,9 @@ impl Run<'_> {
     /// how the whole program ended.
     fn to(self, writer: &mut dyn Writer, shown: bool) -> io::Result<(Outcome, Option<End>)> {
         let times = self.times(shown);
-        let Self { session, target, signals, range, .. } = self;
+        let Self { session, target, signals, part, .. } = self;
         let mut failed = None;
-        let reader = Reader::new(signals, &session.settings.machine, range, writer, &mut failed);
+        let reader = Reader::new(signals, &session.settings.machine, part, writer, &mut failed);
         let reader = if shown { reader } else { reader.unreported() };
         let (path, name) = (&target.path, target.name());
         let run = match times {

@@ -2,8 +2,9 @@
 //! half second.
 
 use std::io::{self, IsTerminal};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
@@ -29,15 +30,10 @@ pub(super) enum Counted {
 /// Work under way. The bar disappears when this is dropped.
 #[derive(Debug)]
 pub(super) struct Progress {
-    shared: Arc<Shared>,
+    done: Arc<AtomicU64>,
+    /// Ends the thread when it is dropped.
+    under_way: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
-}
-
-#[derive(Debug, Default)]
-struct Shared {
-    done: AtomicU64,
-    finished: Mutex<bool>,
-    wake: Condvar,
 }
 
 impl Progress {
@@ -45,49 +41,47 @@ impl Progress {
     /// would mix.
     pub fn start(counted: Counted, stdout_in_use: bool, lang: Lang) -> Self {
         let visible = io::stderr().is_terminal() && !(stdout_in_use && io::stdout().is_terminal());
-        let shared = Arc::new(Shared::default());
+        let done = Arc::new(AtomicU64::default());
+        let (under_way, ended) = channel();
         let thread = visible.then(|| {
-            let shared = Arc::clone(&shared);
-            std::thread::Builder::new().spawn(move || show(&shared, counted, lang)).ok()
+            let done = Arc::clone(&done);
+            std::thread::Builder::new().spawn(move || show(&done, &ended, counted, lang)).ok()
         });
-        Self { shared, thread: thread.flatten() }
+        Self { done, under_way: Some(under_way), thread: thread.flatten() }
     }
 
-    /// So much is done.
-    pub fn set(&self, done: u64) {
-        self.shared.done.store(done, Ordering::Relaxed);
+    /// Takes how much is done, of work that nobody stops.
+    pub fn counter(&self) -> impl Fn(u64) -> bool + Sync + use<> {
+        let counted = Arc::clone(&self.done);
+        move |done| {
+            counted.store(done, Ordering::Relaxed);
+            true
+        }
     }
 
     /// One more is done.
     pub fn advance(&self) {
-        self.shared.done.fetch_add(1, Ordering::Relaxed);
+        self.done.fetch_add(1, Ordering::Relaxed);
     }
 }
 
 impl Drop for Progress {
     fn drop(&mut self) {
-        *self.shared.finished.lock().unwrap_or_else(PoisonError::into_inner) = true;
-        self.shared.wake.notify_all();
+        self.under_way = None;
         if let Some(thread) = self.thread.take() {
             let _ = thread.join();
         }
     }
 }
 
-/// Whether the work was finished within that time.
-fn finished_within(shared: &Shared, time: Duration) -> bool {
-    let finished = shared.finished.lock().unwrap_or_else(PoisonError::into_inner);
-    let wait = shared.wake.wait_timeout_while(finished, time, |finished| !*finished);
-    *wait.unwrap_or_else(PoisonError::into_inner).0
-}
-
-fn show(shared: &Shared, counted: Counted, lang: Lang) {
-    if finished_within(shared, PATIENCE) {
+fn show(done: &AtomicU64, ended: &Receiver<()>, counted: Counted, lang: Lang) {
+    let is_over = |time: Duration| ended.recv_timeout(time) != Err(RecvTimeoutError::Timeout);
+    if is_over(PATIENCE) {
         return;
     }
     let bar = bar(counted, lang);
-    while !finished_within(shared, STEP) {
-        bar.set_position(shared.done.load(Ordering::Relaxed));
+    while !is_over(STEP) {
+        bar.set_position(done.load(Ordering::Relaxed));
         bar.tick();
     }
     bar.finish_and_clear();

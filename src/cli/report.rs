@@ -42,10 +42,7 @@ pub(super) fn run(args: &ReportArgs, locale: Locale) -> Result<Status, Failure> 
     };
     let mut stream = Stream::open(job.output(), locale.lang)?;
     let progress = Progress::start(Counted::Blocks, matches!(stream, Stream::Stdout(_)), locale.lang);
-    let count = |blocks: u64| {
-        progress.set(blocks);
-        true
-    };
+    let count = progress.counter();
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let sinks = ((SheetReader::new(), Estimate::new(settings, 0)), ());
     // A parameter of the machine is no error here: the sheet lists it.

@@ -32,10 +32,7 @@ pub(super) fn run(args: &RestartArgs, locale: Locale) -> Result<Status, Failure>
         return Ok(unusable(report, &shown, locale));
     };
     let progress = Progress::start(Counted::Blocks, job.output().is_none(), locale.lang);
-    let count = |blocks: u64| {
-        progress.set(blocks);
-        true
-    };
+    let count = progress.counter();
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let options = Options { safe: args.safe, clearance: args.clearance, all_m: args.all_m };
     let (path, name) = (&job.target().path, job.target().name());

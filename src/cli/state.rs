@@ -28,10 +28,7 @@ pub(super) fn run(args: &StateArgs, locale: Locale) -> Result<Status, Failure> {
         return Ok(unusable(report, &shown, locale));
     };
     let progress = Progress::start(Counted::Blocks, true, locale.lang);
-    let count = |blocks: u64| {
-        progress.set(blocks);
-        true
-    };
+    let count = progress.counter();
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let (path, name) = (&job.target().path, job.target().name());
     let asked = match named {

@@ -38,10 +38,7 @@ pub(super) fn run(args: &ViewArgs, locale: Locale) -> Result<Status, Failure> {
         return Ok(unusable(report, &args.shown, locale));
     };
     let progress = Progress::start(Counted::Blocks, output.is_none(), locale.lang);
-    let count = |blocks: u64| {
-        progress.set(blocks);
-        true
-    };
+    let count = progress.counter();
     let session = Session { loader: &job.loader, settings, progress: Some(&count) };
     let keep = if form == Form::Page { Keep::Records } else { Keep::Geometry };
     let part = Part { from: args.from, blocks: args.blocks };

@@ -7,14 +7,15 @@ use std::ops::ControlFlow;
 use super::batches::{Batches, End as LastBatch, PROGRAM, Rows};
 use super::beside::Records;
 use super::table::Table;
+use crate::analysis::Part;
 use crate::analysis::Totals;
 use crate::config::Axis;
 use crate::diag::Findings;
 use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{End, Executed, FeedUnit, Jump, MStop, Missing, MotionType, Program, Sink};
 use crate::stream::{
-    AxisMap, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Part, Record, Rows as Filler,
-    program_record, record_text,
+    AxisMap, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Record, Rows as Filler, program_record,
+    record_text,
 };
 
 /// Millimetres.

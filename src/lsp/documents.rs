@@ -16,7 +16,7 @@ use super::files::Document;
 use super::findings::by_file;
 use super::places::span;
 use super::roots::{Event, Reporter, Root, Run, Waiting};
-use super::server::Server;
+use super::server::{Refreshes, Server};
 use super::texts::Text;
 use super::workers::guarded;
 use crate::session::Session;
@@ -142,7 +142,7 @@ impl Server {
             let reads = || root.read.iter().any(|read| read == path) || is_macrocycle && root.is_reading();
             if root_path != path && (everywhere || reads()) {
                 root.touch();
-                self.refreshes.want();
+                self.refreshes = Refreshes { views: true, findings: true };
             }
         }
     }
@@ -152,7 +152,7 @@ impl Server {
         self.files.forget();
         for root in self.roots.values_mut() {
             root.touch();
-            self.refreshes.want();
+            self.refreshes = Refreshes { views: true, findings: true };
         }
     }
 
@@ -185,7 +185,7 @@ impl Server {
                     self.serve_waiting(run.path());
                     self.serve_others(run.path());
                     if concerns {
-                        self.refreshes.want_views();
+                        self.refreshes.views = true;
                     }
                 }
             }
@@ -205,10 +205,13 @@ impl Server {
 
     /// Asks the client to ask again for what a change made old, once all of that is known: once for all documents.
     fn refresh(&mut self) {
-        if self.everything_known() && self.refreshes.take_views() {
+        if self.everything_known() && std::mem::take(&mut self.refreshes.views) {
             self.ask_to_refresh();
         }
-        if self.roots.values().all(Root::is_judged) && self.refreshes.take_findings() && self.client.pulls() {
+        if self.roots.values().all(Root::is_judged)
+            && std::mem::take(&mut self.refreshes.findings)
+            && self.client.pulls()
+        {
             self.ask_to_pull();
         }
     }

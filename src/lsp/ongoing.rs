@@ -17,7 +17,7 @@ impl Server {
         }
         self.progress_count += 1;
         let token = format!("cnc872c-{}", self.progress_count);
-        self.ask_for_nothing("window/workDoneProgress/create", json!({ "token": token }));
+        self.ask("window/workDoneProgress/create", json!({ "token": token }));
         let name = run.path().file_name().map(|name| name.to_string_lossy().into_owned());
         let title = Text::Checking.text(self.client.lang());
         let value = json!({ "kind": "begin", "title": title, "message": name });
@@ -60,6 +60,6 @@ impl Server {
             "method": "workspace/didChangeWatchedFiles",
             "registerOptions": { "watchers": [{ "globPattern": pattern }] },
         });
-        self.ask_for_nothing("client/registerCapability", json!({ "registrations": [registration] }));
+        self.ask("client/registerCapability", json!({ "registrations": [registration] }));
     }
 }

@@ -86,40 +86,12 @@ enum Stage {
     ShutDown,
 }
 
-/// What an answer of the client is for.
-#[derive(Clone, Copy, Debug)]
-enum Asked {
-    Settings,
-    Nothing,
-}
-
 /// The requests that the client should repeat, collected until all effects of a change are known.
 #[derive(Debug, Default)]
 pub(super) struct Refreshes {
-    views: bool,
-    findings: bool,
-}
-
-impl Refreshes {
-    /// A document is old by a change elsewhere.
-    pub(super) const fn want(&mut self) {
-        (self.views, self.findings) = (true, true);
-    }
-
-    /// Hints and lenses of a document are old.
-    pub(super) const fn want_views(&mut self) {
-        self.views = true;
-    }
-
-    /// Whether hints and lenses are old; then no more.
-    pub(super) const fn take_views(&mut self) -> bool {
-        std::mem::replace(&mut self.views, false)
-    }
-
-    /// Whether findings are old; then no more.
-    pub(super) const fn take_findings(&mut self) -> bool {
-        std::mem::replace(&mut self.findings, false)
-    }
+    /// Hints and lenses are old.
+    pub(super) views: bool,
+    pub(super) findings: bool,
 }
 
 /// Whether files changed that programs depend on, and not only programs.
@@ -146,7 +118,8 @@ pub(super) struct Server {
     pub(super) checked: Checked,
     /// Requests not answered yet: the client may cancel them.
     pending: BTreeMap<RequestId, Cancel>,
-    asked: BTreeMap<RequestId, Asked>,
+    /// Requests for the settings.
+    settings_asked: BTreeSet<RequestId>,
     asked_count: i32,
     outgoing: Sender<Outgoing>,
     pub(super) events: Sender<Event>,
@@ -176,7 +149,7 @@ impl Server {
             refreshes: Refreshes::default(),
             checked: Checked::default(),
             pending: BTreeMap::new(),
-            asked: BTreeMap::new(),
+            settings_asked: BTreeSet::new(),
             asked_count: 0,
             outgoing,
             events,
@@ -274,7 +247,7 @@ impl Server {
         match method.as_str() {
             "initialized" => {
                 if self.client.has("/workspace/didChangeWatchedFiles/dynamicRegistration") {
-                    self.ask("client/registerCapability", capabilities::registrations(), Asked::Nothing);
+                    self.ask("client/registerCapability", capabilities::registrations());
                 }
                 self.ask_settings();
             }
@@ -317,8 +290,8 @@ impl Server {
     }
 
     fn response(&mut self, response: Response) {
-        if let (Some(Asked::Settings), Ok(Value::Array(sections))) =
-            (self.asked.remove(&response.id), response.response_result)
+        if self.settings_asked.remove(&response.id)
+            && let Ok(Value::Array(sections)) = response.response_result
         {
             self.set_settings(sections);
         }
@@ -330,7 +303,8 @@ impl Server {
             let folders = self.client.folders.iter().filter_map(|folder| Uri::from_file_path(folder).ok());
             let scoped = folders.map(|uri| json!({ "scopeUri": uri, "section": settings::SECTION }));
             let items: Vec<Value> = std::iter::once(json!({ "section": settings::SECTION })).chain(scoped).collect();
-            self.ask("workspace/configuration", json!({ "items": items }), Asked::Settings);
+            let id = self.ask("workspace/configuration", json!({ "items": items }));
+            self.settings_asked.insert(id);
         }
     }
 
@@ -464,21 +438,17 @@ impl Server {
         self.answer(id, Err(ResponseError { code: code as i32, message: message.to_owned(), data: None }));
     }
 
-    fn ask(&mut self, method: &str, params: Value, asked: Asked) {
+    /// Asks the client; gives the request, for an answer that matters.
+    pub(super) fn ask(&mut self, method: &str, params: Value) -> RequestId {
         self.asked_count += 1;
         let id = RequestId::from(self.asked_count);
-        self.asked.insert(id.clone(), asked);
-        self.send(Request { id, method: method.to_owned(), params });
-    }
-
-    /// Asks the client something whose answer does not matter.
-    pub(super) fn ask_for_nothing(&mut self, method: &str, params: Value) {
-        self.ask(method, params, Asked::Nothing);
+        self.send(Request { id: id.clone(), method: method.to_owned(), params });
+        id
     }
 
     /// Asks the client to ask for findings again.
     pub(super) fn ask_to_pull(&mut self) {
-        self.ask("workspace/diagnostic/refresh", Value::Null, Asked::Nothing);
+        self.ask("workspace/diagnostic/refresh", Value::Null);
     }
 
     /// Asks the client to ask again for what is shown between the lines.
@@ -486,7 +456,7 @@ impl Server {
         for (what, method) in [("inlayHint", "workspace/inlayHint/refresh"), ("codeLens", "workspace/codeLens/refresh")]
         {
             if self.client.has(&format!("/workspace/{what}/refreshSupport")) {
-                self.ask(method, Value::Null, Asked::Nothing);
+                self.ask(method, Value::Null);
             }
         }
     }

@@ -9,7 +9,8 @@ use serde_json::{Value, json};
 use super::analysis::Analysis;
 use super::places::offset;
 use super::snapshot::{Answer, Refusal, Snapshot};
-use crate::analysis::plc::{self, Form, Header, Place, Range, Reader, Signal, Step, Writer};
+use crate::analysis::Part;
+use crate::analysis::plc::{self, Form, Header, Place, Reader, Signal, Step, Writer};
 use crate::config::Purpose;
 use crate::dict::Lang;
 use crate::edit::edit_texts::EditText;
@@ -69,7 +70,7 @@ pub(super) fn signals(
     if machine.motion.configured {
         // With those that motion gives, as far as the program has no errors.
         let signals = plc::default(machine.dialect, true, true);
-        let reader = Reader::new(signals, machine, Range::default(), &mut sheet, &mut failed).unreported();
+        let reader = Reader::new(signals, machine, Part::default(), &mut sheet, &mut failed).unreported();
         let times = Times { phases: false, time_dist: true };
         let name = program.path.to_string_lossy();
         program.session().run_timed(&program.path, &name, Purpose::Check, times, TimedSignals(reader));
@@ -78,7 +79,7 @@ pub(super) fn signals(
         sheet = empty();
         failed = None;
         let signals = plc::default(machine.dialect, true, false);
-        let reader = Reader::new(signals, machine, Range::default(), &mut sheet, &mut failed).unreported();
+        let reader = Reader::new(signals, machine, Part::default(), &mut sheet, &mut failed).unreported();
         program.observe(reader);
     }
     if snapshot.cancel.is_cancelled() {

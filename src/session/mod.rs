@@ -25,7 +25,7 @@ pub use signals::TimedSignals;
 pub use state::StateRun;
 pub use timed::{TimedSink, Times};
 
-pub use crate::stream::Part;
+pub use crate::analysis::Part;
 
 /// The findings of a run, with the texts that they refer to.
 #[derive(Debug, Default)]

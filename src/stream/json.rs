@@ -8,31 +8,12 @@ use super::records::{
     AxisMap, AxisRecord, EndRecord, FileRecord, GearRecord, MFunctionRecord, ProgramRecord, Record, SCHEMA,
 };
 use super::row::Rows;
-use crate::analysis::Totals;
+use crate::analysis::{Part, Totals};
 use crate::config::Settings;
 use crate::diag::Findings;
 use crate::dict::{AxisLetter, Decimal, Micro};
 use crate::run::{End, Executed, Program, Sink};
 use crate::text::FileId;
-
-/// Which block records of a stream are written; `program`, `file` and `end` always are.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Part {
-    /// First `seq`.
-    pub from: u64,
-    /// Most block records; all when `None`.
-    pub limit: Option<u64>,
-}
-
-impl Part {
-    pub(crate) const fn contains(self, seq: u64) -> bool {
-        seq >= self.from
-            && match self.limit {
-                Some(limit) => seq - self.from < limit,
-                None => true,
-            }
-    }
-}
 
 /// Writes to `out` the stream of the program that `run` shows to the sink. Its text is made and written in a thread
 /// beside execution, or between its blocks when the system gives no thread.

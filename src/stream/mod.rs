@@ -13,7 +13,7 @@ mod writer;
 
 #[cfg(feature = "arrow")]
 pub(crate) use json::program_record;
-pub use json::{JsonStream, Part, write};
+pub use json::{JsonStream, write};
 pub use records::SCHEMA;
 #[cfg(feature = "arrow")]
 pub(crate) use records::{AxisMap, BlockRecord, CALLS_BY, Call, Data, EndRecord, FileRecord, Motion, Record};

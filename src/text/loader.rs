@@ -193,20 +193,27 @@ impl fmt::Debug for Overlay<'_> {
     }
 }
 
+impl Overlay<'_> {
+    /// Whether a path is one of the file's.
+    fn is_it(&self, path: &Path) -> bool {
+        path == self.path || self.below.canonical(path) == self.below.canonical(self.path)
+    }
+}
+
 impl Loader for Overlay<'_> {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        if path == self.path { Ok(self.bytes.to_vec()) } else { self.below.read(path) }
+        if self.is_it(path) { Ok(self.bytes.to_vec()) } else { self.below.read(path) }
     }
 
     fn load(&self, path: &Path, name: &str, fallback: Encoding) -> io::Result<Arc<SourceText>> {
-        if path == self.path {
+        if self.is_it(path) {
             return Ok(Arc::new(SourceText::decode(name, self.bytes.to_vec(), fallback)?));
         }
         self.below.load(path, name, fallback)
     }
 
     fn size(&self, path: &Path) -> Option<u64> {
-        if path == self.path { Some(self.bytes.len() as u64) } else { self.below.size(path) }
+        if self.is_it(path) { Some(self.bytes.len() as u64) } else { self.below.size(path) }
     }
 
     fn list(&self, folder: &Path) -> Vec<PathBuf> {

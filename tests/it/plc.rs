@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::io;
 use std::path::Path;
 
-use cnc872c::analysis::plc::{Csv, Header, Json, Range, Reader, Step, Wave, Writer, beside, named};
+use cnc872c::analysis::Part;
+use cnc872c::analysis::plc::{Csv, Header, Json, Reader, Step, Wave, Writer, beside, named};
 use cnc872c::config::{Overrides, Purpose, Settings, configure, find_project};
 use cnc872c::diag::Findings;
 use cnc872c::session::{Outcome, Session, TimedSignals, Times};
@@ -15,10 +16,10 @@ use crate::markers::options;
 /// Runs `plc` with these signals for what it reports.
 pub fn signals(session: &Session<'_>, file: &str, signals: &str) -> Outcome {
     let mut out = Vec::new();
-    run(session, file, signals, Range::default(), &mut Json::new(&mut out))
+    run(session, file, signals, Part::default(), &mut Json::new(&mut out))
 }
 
-fn run(session: &Session<'_>, file: &str, signals: &str, range: Range, writer: &mut dyn Writer) -> Outcome {
+fn run(session: &Session<'_>, file: &str, signals: &str, range: Part, writer: &mut dyn Writer) -> Outcome {
     let machine = &session.settings.machine;
     let signals = named(signals, machine.dialect).expect("signals");
     let mut failed = None;
@@ -41,7 +42,7 @@ pub struct Case {
     program: String,
     files: BTreeMap<String, String>,
     args: String,
-    pub range: Range,
+    pub range: Part,
 }
 
 /// One step: its cells as tables show them, by name; absent ones are empty.
@@ -520,11 +521,11 @@ fn parts() {
     let steps =
         |program: &Case| -> Vec<(u64, bool)> { program.rows("M03PI").iter().map(|row| (row.seq, row.stop)).collect() };
     assert_eq!(steps(&program), [(0, false), (1, false), (1, true), (2, false), (3, false)]);
-    program.range = Range { from: 1, limit: Some(1) };
+    program.range = Part { from: 1, limit: Some(1) };
     assert_eq!(steps(&program), [(1, false), (1, true)]);
-    program.range = Range { from: 2, limit: None };
+    program.range = Part { from: 2, limit: None };
     assert_eq!(steps(&program), [(2, false), (3, false)]);
-    program.range = Range { from: 9, limit: Some(0) };
+    program.range = Part { from: 9, limit: Some(0) };
     assert!(steps(&program).is_empty());
 }
 
@@ -553,7 +554,7 @@ fn beside_execution() {
     let forms: [Form; 3] =
         [|out| Box::new(Csv::new(out)), |out| Box::new(Json::new(out)), |out| Box::new(Wave::new(out))];
     for (from, limit) in [(0, None), (3000, Some(2000))] {
-        let case = Case { range: Range { from, limit }, ..case.clone() };
+        let case = Case { range: Part { from, limit }, ..case.clone() };
         for form in forms {
             let (mut direct, mut through) = (Vec::new(), Vec::new());
             case.written("*", &mut *form(&mut direct));
@@ -598,7 +599,7 @@ fn errors_beside_execution() {
                 let machine = &session.settings.machine;
                 let mut failed = None;
                 let signals = named("AUTPI", machine.dialect).unwrap();
-                let reader = Reader::new(signals, machine, Range::default(), writer, &mut failed);
+                let reader = Reader::new(signals, machine, Part::default(), writer, &mut failed);
                 let run = session.run(Path::new("P.NC"), "P.NC", Purpose::Compile, reader);
                 (failed.is_some(), run.outcome.executed)
             })

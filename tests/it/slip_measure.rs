@@ -6,8 +6,8 @@ use std::path::Path;
 use cnc872c::config::{Overrides, Settings, configure, find_project};
 use cnc872c::diag::{Code, Diagnostic, Findings, Fix};
 use cnc872c::edit::apply_fixes;
+use cnc872c::session::Part;
 use cnc872c::session::Session;
-use cnc872c::stream::Part;
 use cnc872c::text::{FileId, MemoryLoader, Sources};
 
 /// A correct program, and the files that it needs.

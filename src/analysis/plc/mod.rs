@@ -42,7 +42,7 @@ pub use json::{Json, SCHEMA, schema};
 #[cfg(feature = "arrow")]
 pub(crate) use json::{end_text, file_text, header_text};
 pub use list::{list_json, list_table};
-pub use reader::{Header, Range, Reader, Writer};
+pub use reader::{Header, Reader, Writer};
 pub use steps::{Place, Step, Tracker};
 pub use table::{Csv, Table};
 pub use values::{Value, write_value};

@@ -8,6 +8,7 @@ use super::dictionary::Signal;
 use super::facts::StepTimes;
 use super::fits::Fits;
 use super::steps::{Place, Step, Tracker};
+use crate::analysis::Part;
 use crate::config::{Machine, Purpose, Settings};
 use crate::diag::{Code, Findings, Severity};
 use crate::run::{End, Executed, Program, Sink};
@@ -56,25 +57,6 @@ pub trait Writer {
     fn end(&mut self, end: End) -> io::Result<()>;
 }
 
-/// Which steps are written: those of blocks by their `seq`.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Range {
-    /// First `seq`.
-    pub from: u64,
-    /// Most blocks; all when `None`.
-    pub limit: Option<u64>,
-}
-
-impl Range {
-    const fn contains(self, seq: u64) -> bool {
-        seq >= self.from
-            && match self.limit {
-                Some(limit) => seq - self.from < limit,
-                None => true,
-            }
-    }
-}
-
 /// Follows chosen signals through a program, and gives the steps to a writer.
 pub struct Reader<'w> {
     tracker: Tracker,
@@ -83,7 +65,7 @@ pub struct Reader<'w> {
     /// W0901 where it is an error: an error ends the showing of blocks, and each place is to be found, so that it comes
     /// at the end.
     held: Option<Findings>,
-    range: Range,
+    part: Part,
     next_file: u32,
     /// The last ones, when the writer wants lines and columns.
     places: Option<LastPlaces>,
@@ -93,12 +75,12 @@ pub struct Reader<'w> {
 }
 
 impl<'w> Reader<'w> {
-    /// Gives the steps of a range, with the values of these signals. What the writer fails with goes to `failed`, and
+    /// Gives the steps of a part, with the values of these signals. What the writer fails with goes to `failed`, and
     /// ends the reading.
     pub fn new(
         signals: Vec<&'static Signal>,
         machine: &Machine,
-        range: Range,
+        part: Part,
         writer: &'w mut dyn Writer,
         failed: &'w mut Option<io::Error>,
     ) -> Self {
@@ -107,7 +89,7 @@ impl<'w> Reader<'w> {
             held: None,
             blocks: Blocks::new(machine, &signals),
             tracker: Tracker::new(signals),
-            range,
+            part,
             next_file: 1,
             places: writer.wants_lines().then(LastPlaces::default),
             writer,
@@ -128,7 +110,7 @@ impl<'w> Reader<'w> {
     }
 
     fn give(&mut self, place: Place) -> io::Result<()> {
-        if self.range.contains(place.seq) { self.writer.step(&self.tracker.step(place)) } else { Ok(()) }
+        if self.part.contains(place.seq) { self.writer.step(&self.tracker.step(place)) } else { Ok(()) }
     }
 
     /// The next block with its times: in place of [`Sink::block`] where motion is computed.
