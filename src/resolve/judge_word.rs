@@ -110,23 +110,24 @@ impl BlockJudge<'_> {
         let written = self.file.source.slice(self.file.value_place(word).span);
         let digits = written.strip_prefix('+').filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()));
         let Some(number) = digits.map(|digits| format!("1{digits}")) else { return String::new() };
-        let takes = |value| check_form(&self.settings.machine, word.address, value, false, None).is_ok();
-        let fits = number.parse::<u32>().is_ok_and(|number| takes(Decimal::whole(i64::from(number))));
         let function = matches!(word.address, Address::G | Address::M);
-        if fits && !function { format!("{}{number}", word.address) } else { String::new() }
+        let fits = !function && self.taken(word, &number).is_some();
+        if fits { format!("{}{number}", word.address) } else { String::new() }
+    }
+
+    /// The value of those digits, when the address of a word takes them.
+    fn taken(&self, word: Word, digits: &str) -> Option<Decimal> {
+        let value = Decimal::whole(digits.parse::<u32>().ok()?.into());
+        check_form(&self.settings.machine, word.address, value, false, None).is_ok().then_some(value)
     }
 
     /// A number whose point may be one too many: `T2.0`.
     fn with_digits_of_point(&self, word: Word, meant: PointMeant) -> PointMeant {
         let PointMeant::Whole { written } = meant else { return meant };
         let number = self.file.source.slice(self.file.value_place(word).span).replace('.', "");
-        let takes = |value| check_form(&self.settings.machine, word.address, value, false, None).is_ok();
-        let fits = number.parse::<u32>().is_ok_and(|number| {
-            let value = Decimal::whole(i64::from(number));
-            word.number() != Some(value) && takes(value)
-        });
+        let other = self.taken(word, &number).filter(|value| word.number() != Some(*value));
         let digits = format!("{}{number}", word.address);
-        if fits { PointMeant::WholeOrDigits { written, digits } } else { PointMeant::Whole { written } }
+        if other.is_some() { PointMeant::WholeOrDigits { written, digits } } else { PointMeant::Whole { written } }
     }
 
     /// The one range of F that holds at a word, where the block does not say it: by the last G6 function before it in
