@@ -97,8 +97,8 @@ fn named(snapshot: &Snapshot, path: &Path, settings: &Settings, [l, number]: [u3
 
 /// Whether some L of a text takes its number from a parameter: `G72 LR10`.
 fn calls_by_parameter(text: &str) -> bool {
-    let rest = text.split(['L', 'l']).skip(1).map(|rest| rest.trim_start_matches([' ', '\t', '+']));
-    rest.into_iter().any(|rest| rest.starts_with(['R', 'r']))
+    let mut behind = text.split(['L', 'l']).skip(1);
+    behind.any(|rest| rest.trim_start_matches([' ', '\t', '+']).starts_with(['R', 'r']))
 }
 
 /// Why it is not known whether a block calls macrocycle `l`.

@@ -128,7 +128,7 @@ impl Subject<'_> {
             page.item(&label(Said::Length), &text);
         }
         if observed.dwell_s.is_known() {
-            page.item(&label(Said::DwellTime), &format!("{} s", observed.dwell_s.list(|value| value.to_string())));
+            page.item(&label(Said::DwellTime), &format!("{} s", observed.dwell_s.list(|value| value)));
         }
         if observed.jumps > 0 {
             page.item(&label(Said::Taken), &format!("{}×", count(observed.jumps)));
@@ -147,7 +147,7 @@ impl Subject<'_> {
         let [start, peak, end] = &moved.velocities;
         if start.is_known() {
             let unit = if moved.in_degrees { "°/min" } else { "mm/min" };
-            let [start, peak, end] = [start, peak, end].map(|values| values.list(|value| value.to_string()));
+            let [start, peak, end] = [start, peak, end].map(|values| values.list(|value| value));
             page.item(&Said::Velocities.text(self.lang), &format!("{start} / {peak} / {end} {unit}"));
         }
         if moved.joined.is_known() {
@@ -157,8 +157,8 @@ impl Subject<'_> {
             });
             page.item(&Said::JointBefore.text(self.lang), &joined);
         }
-        if moved.time_s.list(|value| value.to_string()) != "0" && moved.time_s.is_known() {
-            page.item(&Said::BlockTime.text(self.lang), &format!("{} s", moved.time_s.list(|value| value.to_string())));
+        if moved.time_s.list(|value| value) != "0" && moved.time_s.is_known() {
+            page.item(&Said::BlockTime.text(self.lang), &format!("{} s", moved.time_s.list(|value| value)));
         }
     }
 
@@ -167,12 +167,7 @@ impl Subject<'_> {
         let known = axes.filter_map(|axis| {
             let place = AxisLetter::ALL.into_iter().position(|letter| letter == axis.letter)?;
             let values = observed.positions.get(place).filter(|values| values.is_known())?;
-            Some(format!(
-                "{} {} {}",
-                axis.letter,
-                values.list(|value| value.to_string()),
-                if axis.rotary { "°" } else { "mm" }
-            ))
+            Some(format!("{} {} {}", axis.letter, values.list(|value| value), if axis.rotary { "°" } else { "mm" }))
         });
         let known: Vec<String> = known.collect();
         if known.is_empty() { Said::Unknown.text(self.lang) } else { known.join("; ") }

@@ -132,9 +132,7 @@ impl Offers<'_> {
         if let Finding::DuplicateBlockNumber { last: None, block: number, copied } = found.finding {
             let block = file.block_at(at.start)?;
             if file.words(block).is_empty() {
-                let function = number_as_function(file, block).map(|function| write(file, at, function));
-                let empty = self.empty_block(file, at, file.shown_number(block)).unwrap_or_default();
-                return Some(function.into_iter().flatten().chain(empty).collect());
+                return Some(self.empty_block(file, block, at));
             }
             // Which of the two a jump means, nobody knows.
             let is_it = |to: BlockId| file.number(to) == Some(number);
@@ -157,10 +155,8 @@ impl Offers<'_> {
                 None => ends().then(|| self.before_first(file, &entry)).flatten(),
             };
         }
-        if let Finding::EmptyBlock { block, function } = &found.finding {
-            let function = function.as_ref().map(|function| write(file, at, function.clone()));
-            let empty = self.empty_block(file, at, *block).unwrap_or_default();
-            return Some(function.into_iter().flatten().chain(empty).collect());
+        if let Finding::EmptyBlock { .. } = found.finding {
+            return Some(self.empty_block(file, file.block_at(at.start)?, at));
         }
         if let Finding::UnusedSubprogram { l } = found.finding
             && self.certain
@@ -217,8 +213,13 @@ impl Offers<'_> {
         Some(offer(FixTitle::Insert { text: block }, file, Span::empty(line.start), inserted))
     }
 
-    fn empty_block(&self, file: &ParsedFile, at: Span, number: u32) -> Option<Vec<Fix>> {
-        let block = file.block_at(at.start)?;
+    /// The function that its number may be, and the program without it.
+    fn empty_block(&self, file: &ParsedFile, block: BlockId, at: Span) -> Vec<Fix> {
+        let function = number_as_function(file, block).map(|function| write(file, at, function));
+        function.into_iter().chain(self.without_block(file, block, at)).flatten().collect()
+    }
+
+    fn without_block(&self, file: &ParsedFile, block: BlockId, at: Span) -> Option<Vec<Fix>> {
         let jumps = self.resolved.targets(file.file).iter().any(|(_, target)| *target == Target::Block(block));
         let unit = self.unit_of(file, block)?;
         // A unit keeps its first and its last block: they begin and end it.
@@ -226,7 +227,7 @@ impl Offers<'_> {
             return None;
         }
         let span = whole_lines(file.source.text(), at).unwrap_or(at);
-        Some(offer(FixTitle::DeleteBlock { block: number }, file, span, ""))
+        Some(offer(FixTitle::DeleteBlock { block: file.shown_number(block) }, file, span, ""))
     }
 
     /// All blocks of a unit, with the comments directly above them.

@@ -479,23 +479,23 @@ impl<'t> Packer<'t> {
     /// What deceleration over the motion itself comes from.
     fn fallen(&self, place: usize) -> Option<i64> {
         let (motion, code) = self.motion(place)?;
-        let end = match self.motion(place + 1) {
-            Some((_, next)) if next.is_continuous() => float(self.joint(place + 1)?),
-            Some(_) => 0.0,
-            None => float(self.times.beyond.feed()),
-        };
+        let end = float(self.passed_at(place + 1)?);
         Some(whole((end * end + gained(self.accel(code), motion.length)).sqrt()))
     }
 
     /// Velocities of a timed motion as the reader foretells them: at the start, at the end.
     fn ends(&self, place: usize) -> [i64; 2] {
         let start = self.joint(place).unwrap_or_default();
-        let end = match self.motion(place + 1) {
-            Some((_, next)) if next.is_continuous() => self.joint(place + 1).unwrap_or_default(),
-            Some(_) => 0,
-            None => self.times.beyond.feed(),
-        };
-        [start, end]
+        [start, self.passed_at(place + 1).unwrap_or_default()]
+    }
+
+    /// The velocity at the joint before a motion, which may lie beyond the part; `None`: it is not foretold yet.
+    fn passed_at(&self, place: usize) -> Option<i64> {
+        match self.motion(place) {
+            Some((_, motion)) if motion.is_continuous() => self.joint(place),
+            Some(_) => Some(0),
+            None => Some(self.times.beyond.feed()),
+        }
     }
 
     /// The greatest velocity as the reader foretells it.

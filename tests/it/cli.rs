@@ -15,6 +15,14 @@ pub const GOOD: &str = "%1 \"PLATE\"\r\nN10 G0 G90 X0 Y0\r\nN20 G1 X10 F100\r\nN
 /// A program with one error, E0306.
 pub const BAD: &str = "%1\nN10 G0 G90 X0 X5\nN20 M30\n";
 
+/// Writes a file that looks as if it had been there for a while: the program waits for those just written to.
+pub fn write_older(path: &Path, bytes: impl AsRef<[u8]>) {
+    fs::create_dir_all(path.parent().unwrap()).unwrap();
+    let mut file = fs::File::create(path).unwrap();
+    file.write_all(bytes.as_ref()).unwrap();
+    file.set_modified(SystemTime::now() - Duration::from_secs(1)).unwrap();
+}
+
 /// A folder for one test, and runs in it.
 pub struct Place {
     folder: TempDir,
@@ -34,13 +42,9 @@ impl Place {
         self.folder.path().join(name)
     }
 
-    /// Writes a file that looks as if it had been there for a while: the program waits for those just written to.
+    /// Writes a file that looks as if it had been there for a while.
     pub fn put(&self, name: &str, bytes: impl AsRef<[u8]>) {
-        let path = self.path(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        let mut file = fs::File::create(path).unwrap();
-        file.write_all(bytes.as_ref()).unwrap();
-        file.set_modified(SystemTime::now() - Duration::from_secs(1)).unwrap();
+        write_older(self.path(name).as_ref(), bytes);
     }
 
     pub fn read(&self, name: &str) -> Vec<u8> {

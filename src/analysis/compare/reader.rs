@@ -133,7 +133,7 @@ impl StepReader {
         }
         self.read_functions(block, before, When::Before, false);
         if let Some(data) = block.data() {
-            // Where axes stand behind G93, the functions that measure X as a diameter count too.
+            // G93 says where an axis stands: X of a diameter at half its number.
             let stands = |letter: char| {
                 let letter = AxisLetter::from_letter(letter).filter(|_| data.g == GCode::G93)?;
                 block.position(letter)

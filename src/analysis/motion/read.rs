@@ -175,7 +175,7 @@ impl StepReader {
             match times.get(&TimedFunction::M(u16::from(*number))) {
                 Some(time) if self.at_end.contains(number) => end_s = end_s.max(float(time.value)),
                 Some(time) => start_s = start_s.max(float(time.value)),
-                // The time of a T beside it is that of the change.
+                // A T beside it gives the change its time.
                 None if *number == TOOL_CHANGE => found.untimed_change |= tool_s.is_none(),
                 None => found.untimed_function |= !STOPS.contains(number),
             }

@@ -69,27 +69,26 @@ fn section(heading: Words, head: &[Words], rows: Vec<Vec<String>>, lang: Lang) -
 }
 
 fn size(sheet: &Sheet, lang: Lang) -> Section {
-    let rows = [(Words::Working, &sheet.size.working), (Words::All, &sheet.size.all)].into_iter().flat_map(
-        |(what, extents)| {
-            let what = what.text(lang);
-            let missing = missing(extents, lang);
-            extents.axes().map(move |(letter, reach)| {
-                let diameter = letter == AxisLetter::X && sheet.head.diameter;
-                let letter = letter.to_string();
-                let letter = if diameter { Words::Diameter { letter }.text(lang) } else { letter };
-                let [from, to, size] = match reach.known {
-                    Some((least, greatest)) => [least, greatest, greatest.minus(least)].map(|value| value.to_string()),
-                    None => [(); 3].map(|()| Words::Unknown.text(lang)),
-                };
-                let [size, missing] = match reach.known {
-                    _ if !reach.lacks => [size, String::new()],
-                    Some(_) => [Words::AtLeast { what: size }.text(lang), missing.clone()],
-                    None => [size, missing.clone()],
-                };
-                vec![what.clone(), letter, from, to, size, missing]
-            })
-        },
-    );
+    let parts = [(Words::Working, &sheet.size.working), (Words::All, &sheet.size.all)];
+    let rows = parts.into_iter().flat_map(|(what, extents)| {
+        let what = what.text(lang);
+        let missing = missing(extents, lang);
+        extents.axes().map(move |(letter, reach)| {
+            let diameter = letter == AxisLetter::X && sheet.head.diameter;
+            let letter = letter.to_string();
+            let letter = if diameter { Words::Diameter { letter }.text(lang) } else { letter };
+            let [from, to, size] = match reach.known {
+                Some((least, greatest)) => [least, greatest, greatest.minus(least)].map(|value| value.to_string()),
+                None => [(); 3].map(|()| Words::Unknown.text(lang)),
+            };
+            let [size, missing] = match reach.known {
+                _ if !reach.lacks => [size, String::new()],
+                Some(_) => [Words::AtLeast { what: size }.text(lang), missing.clone()],
+                None => [size, missing.clone()],
+            };
+            vec![what.clone(), letter, from, to, size, missing]
+        })
+    });
     let rows = rows.collect();
     let head = [Words::Motions, Words::Axis, Words::From, Words::To, Words::Size, Words::MissingBlocks];
     section(Words::Work, &head, rows, lang)

@@ -162,12 +162,14 @@ pub(super) fn letter_for_digit(around: &Around<'_>) -> Option<Diagnosis> {
 pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
     const KEYS: &str = "é+ěščřžýáí";
     let token = around.token();
-    let is_key = |key: char| !key.is_ascii() && KEYS.contains(key) || key.is_ascii_digit();
+    let digit = |key: char| match KEYS.chars().position(|known| known == key) {
+        Some(digit) if !key.is_ascii() => char::from_digit(u32::try_from(digit).ok()?, 10),
+        Some(_) | None => Some(key).filter(|key| key.is_ascii_digit() || *key == '.'),
+    };
     // `YřZ1`: without a blank behind it, it looks like text.
-    let word =
-        |text: &str| text.len() > 1 && text.split_at_checked(1).is_some_and(|(_, keys)| keys.chars().all(is_key));
-    let text =
-        token.kind == Kind::Junk(Shape::Text) && around.address(token).is_some() && word(around.slice(token.span()));
+    let keys = around.slice(token.span()).get(1..).filter(|keys| !keys.is_empty());
+    let word = keys.is_some_and(|keys| keys.chars().all(|key| digit(key).is_some()));
+    let text = word && token.kind == Kind::Junk(Shape::Text) && around.address(token).is_some();
     let garbled = text || token.kind == Kind::Junk(Shape::GarbledWord);
     let behind = matches!(token.kind, Kind::Junk(Shape::Unknown | Shape::Text))
         && around.text.get(..token.start as usize)?.ends_with(|last: char| last.is_ascii_digit() || last == '.');
@@ -176,10 +178,6 @@ pub(super) fn czech_keys(around: &Around<'_>) -> Option<Diagnosis> {
     }
     let (span, text) = (token.span(), around.slice(token.span()));
     let (letter, keys) = if garbled { text.split_at_checked(1)? } else { ("", text) };
-    let digit = |key: char| match KEYS.chars().position(|known| known == key) {
-        Some(digit) if !key.is_ascii() => char::from_digit(u32::try_from(digit).ok()?, 10),
-        Some(_) | None => Some(key).filter(|key| key.is_ascii_digit() || *key == '.'),
-    };
     let unsigned = keys.strip_prefix(['+', '-']).filter(|_| garbled).unwrap_or(keys);
     let sign = keys.strip_suffix(unsigned).unwrap_or_default();
     let digits = sign.chars().map(Some).chain(unsigned.chars().map(digit)).collect::<Option<String>>()?;

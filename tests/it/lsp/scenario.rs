@@ -31,6 +31,7 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use super::Client;
+use crate::cli::write_older;
 use crate::samples::root;
 
 /// Runs every scenario; reports all failures together.
@@ -146,12 +147,7 @@ impl Scenario {
             }
             "file" => {
                 let text = self.unmark(rest, body);
-                let path = self.folder.path().join(rest);
-                fs::create_dir_all(path.parent().unwrap()).unwrap();
-                fs::write(&path, text).unwrap();
-                // The server waits for files just written to.
-                let before = std::time::SystemTime::now() - std::time::Duration::from_secs(1);
-                fs::File::options().write(true).open(&path).unwrap().set_modified(before).unwrap();
+                write_older(&self.folder.path().join(rest), text);
             }
             "open" => {
                 let text = self.unmark(rest, body);
