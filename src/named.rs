@@ -1,7 +1,29 @@
 //! Values that records, options and the project file call by a word.
 
-/// Declares an enum whose variants have names: `Rapid "rapid"`.
+/// Declares an enum whose variants have names, `Rapid "rapid"`, and may have texts, `Rapid "rapid" ("G00", "G00")`.
 macro_rules! named {
+    (
+        $(#[$attribute:meta])* $visible:vis enum $Enum:ident {
+            $($(#[$of_variant:meta])* $Variant:ident $name:literal ($en:literal, $cs:literal),)*
+        }
+    ) => {
+        $crate::named::named! {
+            $(#[$attribute])* $visible enum $Enum { $($(#[$of_variant])* $Variant $name,)* }
+        }
+
+        impl $Enum {
+            /// What people read.
+            pub(crate) fn text(self, lang: $crate::dict::Lang) -> String {
+                let text = match (self, lang) {
+                    $(
+                        (Self::$Variant, $crate::dict::Lang::En) => $en,
+                        (Self::$Variant, $crate::dict::Lang::Cs) => $cs,
+                    )*
+                };
+                text.to_owned()
+            }
+        }
+    };
     (
         $(#[$attribute:meta])* $visible:vis enum $Enum:ident {
             $($(#[$of_variant:meta])* $Variant:ident $name:literal,)*

@@ -243,8 +243,8 @@ bilingual! {
             "put the comment between quotes: `\"{all}\"`; where `{words}` belongs to the program, `\"{text}\" {words}`",
             "komentář dát do uvozovek: \"{all}\"; patří-li {words} do programu, tak \"{text}\" {words}";
         OpenQuote { text: String }
-            "the quote before it is missing: `\"{text}\"`",
-            "chybí uvozovky před ním: \"{text}\"";
+            "a quote is missing where the comment begins, here or further left: `\"{text}\"`",
+            "chybí uvozovky, kterými komentář začíná, zde nebo dále vlevo: \"{text}\"";
         SwallowedBefore { words: String }
             "a quote is missing before `{words}`, which the comment before swallows",
             "chybí uvozovky před „{words}“, které spolkl předchozí komentář";

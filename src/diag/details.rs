@@ -124,8 +124,8 @@ bilingual! {
             "if the address is meant, write `{written}`; else delete it",
             "je-li to adresa, napsat „{written}“, jinak vymazat";
         OpenQuote { text: String }
-            "the quote before it is missing: `\"{text}\"`",
-            "chybí uvozovky před ním: \"{text}\"";
+            "a quote is missing where the comment begins, here or further left: `\"{text}\"`",
+            "chybí uvozovky, kterými komentář začíná, zde nebo dále vlevo: \"{text}\"";
         SwallowedBefore { words: String }
             "a quote is missing before `{words}`, which the comment before swallows",
             "chybí uvozovky před „{words}“, které spolkl předchozí komentář";

@@ -8,7 +8,6 @@ use super::observe::{Observation, Observed};
 use super::page::Page;
 use super::shown::{count, rounded, speed_unit};
 use super::values::Values;
-use crate::analysis::motion::{break_name, limit_name};
 use crate::dict::{Address, AxisLetter, Decimal, Lang, Micro};
 use crate::session::Session;
 use crate::syntax::{BlockId, Value, Word};
@@ -152,8 +151,8 @@ impl Subject<'_> {
         }
         if moved.joined.is_known() {
             let joined = moved.joined.list(|joined| match joined {
-                JoinedBy::Broken(reason) => Said::JointStops { reason: break_name(reason, self.lang) }.text(self.lang),
-                JoinedBy::Limited(limit) => Said::JointLimited { limit: limit_name(limit, self.lang) }.text(self.lang),
+                JoinedBy::Broken(reason) => Said::JointStops { reason: reason.text(self.lang) }.text(self.lang),
+                JoinedBy::Limited(limit) => Said::JointLimited { limit: limit.text(self.lang) }.text(self.lang),
             });
             page.item(&Said::JointBefore.text(self.lang), &joined);
         }

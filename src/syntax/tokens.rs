@@ -60,7 +60,7 @@ pub enum Kind {
     #[regex(r"[A-Za-z&%][ \t]*[+\-]?(?&exponent)", |_| Shape::PrintedWord, priority = 25)]
     #[regex(r"[ABCFIJKU-Zabcfijku-z][ \t]*[+\-]?((?&infinite))", |_| Shape::PrintedWord, priority = 25)]
     #[regex(r"[DGHL-TNdghl-t&%][+\-]?((?&infinite))", |_| Shape::PrintedWord, priority = 25)]
-    #[regex(r"[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])", |_| Shape::PrintedWord, priority = 25)]
+    #[regex(r"((?&address)[ \t]*[+\-]?)?[Ff]([Mm][Aa][Xx]|[Aa][Uu][Tt][Oo])", |_| Shape::PrintedWord, priority = 25)]
     #[regex(r"[Rr]([ \t]*[0-9]+[.,Oo]|[Ool])[.,0-9Oo]*", |_| Shape::LooseParameter, priority = 20)]
     #[regex(r"[+\-.,0-9][+\-.,0-9Oo]*", |_| Shape::LooseNumber, priority = 10)]
     #[regex(r"[+\-]?((?&exponent)|(?&nan)|[Ii][Nn][Ff])", |_| Shape::LooseNumber, priority = 10)]
@@ -90,7 +90,7 @@ pub enum Shape {
     LooseWord,
     /// An address other than R with several signs and no number: `X--`.
     ManySigns,
-    /// An address with a number as programs print it: `X1.5E-05`, `S1.2E+03`, `XNaN`, `D-inf`; `FMAX`.
+    /// An address with a number as programs print it: `X1.5E-05`, `S1.2E+03`, `XNaN`, `D-inf`, `FMAX`, `XFMAX`.
     PrintedWord,
     /// R with something like a number: `R1O`, `R1.5`.
     LooseParameter,

@@ -4,7 +4,7 @@ use super::basis::{Basis, InForce};
 use super::summary::{RedJoint, Summary, Total};
 use super::times::Untimed;
 use super::trimmed;
-use super::words::{Help, LimitName, Reason, UntimedName, Words};
+use super::words::{Help, Words};
 use crate::diag::terminal_safe;
 use crate::dict::{Decimal, Lang};
 use crate::run::MotionType;
@@ -97,7 +97,7 @@ impl Account<'_> {
         }
         self.add_basis(basis, &mut lines);
         let zero = Untimed::ALL.into_iter().zip(summary.untimed).filter(|(_, untimed)| *untimed);
-        let zero: Vec<String> = zero.map(|(what, _)| UntimedName::of(what).text(lang)).collect();
+        let zero: Vec<String> = zero.map(|(what, _)| what.text(lang)).collect();
         if !zero.is_empty() {
             lines.add(&Words::CountAsZero { what: zero.join(", ") }.text(lang));
         }
@@ -208,13 +208,13 @@ impl Account<'_> {
         lines.head(&Words::Joints);
         lines.row(&Words::Continuous.text(lang), &summary.continuous.to_string(), "");
         for (reason, count) in summary.breaks() {
-            let words = Words::BrokenBy { reason: Reason::of(reason).text(lang) };
+            let words = Words::BrokenBy { reason: reason.text(lang) };
             lines.row(&words.text(lang), &count.to_string(), "");
         }
         if summary.limits().next().is_some() {
             lines.head(&Words::Limits);
             for (limit, count) in summary.limits() {
-                lines.row(&LimitName::of(limit).text(lang), &count.to_string(), "");
+                lines.row(&limit.text(lang), &count.to_string(), "");
             }
         }
         let [yellow, red] = summary.dots;
@@ -257,7 +257,7 @@ impl Account<'_> {
         }
         let help = match (joint.broken_by, joint.limited_by) {
             (Some(reason), _) => {
-                parts.push(format!("{}: {}", Words::Stops.text(lang), Reason::of(reason).text(lang)));
+                parts.push(format!("{}: {}", Words::Stops.text(lang), reason.text(lang)));
                 Help::of_break(reason)
             }
             (None, limit) => {
@@ -266,7 +266,7 @@ impl Account<'_> {
                     programmed: trimmed(red.programmed.unwrap_or(0.0) * 60.0, 1),
                 };
                 parts.push(feed.text(lang));
-                parts.extend(limit.map(|limit| LimitName::of(limit).text(lang)));
+                parts.extend(limit.map(|limit| limit.text(lang)));
                 limit.map(Help::of_limit)
             }
         };
@@ -303,8 +303,8 @@ mod tests {
     #[test]
     fn names_fit() {
         for lang in [Lang::En, Lang::Cs] {
-            let broken = Break::ALL.map(|reason| Words::BrokenBy { reason: Reason::of(reason).text(lang) });
-            let limits = Limit::ALL.map(|limit| LimitName::of(limit).text(lang));
+            let broken = Break::ALL.map(|reason| Words::BrokenBy { reason: reason.text(lang) });
+            let limits = Limit::ALL.map(|limit| limit.text(lang));
             let others = [Words::Ideal, Words::NoJerk, Words::Settle, Words::Gaps, Words::NoTool];
             let names = broken.iter().chain(&others).map(|words| words.text(lang)).chain(limits);
             for name in names {

@@ -48,7 +48,6 @@ pub use records::{SCHEMA, schema};
 pub use step::{Direction, Dynamics, Mode, Move, Step, Unit};
 pub use summary::{Estimate, RedJoint, Summary, Total};
 pub use times::{BlockTimes, Break, CapBy, Dot, InStretch, Joint, Limit, MotionTimes, Phase, Untimed, Velocities};
-pub use words::{break_name, limit_name};
 
 /// A number with at most so many decimals, without trailing zeros.
 pub fn trimmed(value: f64, decimals: usize) -> String {

@@ -1,7 +1,7 @@
 //! Results of the planner for each block: its time, its velocities, the joint before it.
 
 use super::step::Unit;
-use crate::dict::Decimal;
+use crate::dict::{Decimal, bilingual};
 use crate::named::named;
 use crate::run::MotionType;
 use crate::text::Location;
@@ -11,31 +11,31 @@ named! {
     #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
     pub enum Break {
         /// The first motion of the program.
-        Start "start",
+        Start "start" ("first motion", "první pohyb"),
         /// The later block is not in G23, or the earlier one is in G98.
-        Mode "mode",
+        Mode "mode" ("not in G23", "není G23"),
         /// One of the two is G00.
-        Rapid "rapid",
+        Rapid "rapid" ("G00", "G00"),
         /// Blocks without motion were executed between them.
-        NoMotion "no_motion",
+        NoMotion "no_motion" ("blocks without motion between", "bloky bez pohybu"),
         /// One is a thread or a motion to the reference point.
-        OtherMotion "other_motion",
+        OtherMotion "other_motion" ("thread or reference point", "závit nebo nájezd do reference"),
         /// G04 in the earlier block.
-        Dwell "dwell",
+        Dwell "dwell" ("dwell", "prodleva"),
         /// M00, or M01 with optional stop, in the earlier block.
-        Stop "stop",
+        Stop "stop" ("M00 or M01", "M00 nebo M01"),
         /// An M function with BreakContEnd in the earlier block, or with BreakCont in the later one.
-        MFunction "m_function",
+        MFunction "m_function" ("M function", "M funkce"),
         /// Length, direction or velocity of one is not known.
-        Unknown "unknown",
+        Unknown "unknown" ("motion is not known", "pohyb není znám"),
         /// One does not move the first three linear axes, or the two are measured in different units.
-        Axes "axes",
+        Axes "axes" ("other axes", "jiné osy"),
         /// One is shorter than `break-length-mm`.
-        ShortLength "short_length",
+        ShortLength "short_length" ("block shorter than break-length-mm", "blok kratší než break-length-mm"),
         /// One lasts less than `shortest-block-ms`.
-        ShortTime "short_time",
+        ShortTime "short_time" ("block below shortest-block-ms", "blok pod shortest-block-ms"),
         /// The angle between the tangents is not below `angle-deg`.
-        Angle "angle",
+        Angle "angle" ("angle", "úhel návaznosti"),
     }
 }
 
@@ -44,19 +44,19 @@ named! {
     #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
     pub enum Limit {
         /// The programmed velocity of one of the two blocks (VEL-1).
-        Feed "feed",
+        Feed "feed" ("programmed feed", "programovaný posuv"),
         /// Centripetal acceleration of an arc (VEL-3).
-        Centripetal "centripetal",
+        Centripetal "centripetal" ("centripetal acceleration", "odstředivé zrychlení"),
         /// The shortest time of a block (VEL-6).
-        ShortestBlock "shortest_block",
+        ShortestBlock "shortest_block" ("shortest time of a block", "nejkratší trvání bloku"),
         /// Criterion of accuracy (VEL-4).
-        Accuracy "accuracy",
+        Accuracy "accuracy" ("criterion of accuracy", "kritérium přesnosti"),
         /// Dynamic criterion (VEL-5).
-        Overload "overload",
+        Overload "overload" ("dynamic criterion", "dynamické kritérium"),
         /// Stopping within the blocks that the control sees (VEL-9).
-        LookAhead "look_ahead",
+        LookAhead "look_ahead" ("look-ahead", "předvídání bloků"),
         /// Acceleration from or towards a slower place.
-        Ramp "ramp",
+        Ramp "ramp" ("acceleration", "zrychlení"),
     }
 }
 
@@ -113,17 +113,15 @@ pub struct Joint {
     pub no_room_to_stop: bool,
 }
 
-/// What takes time and counts as 0, because nobody gave it.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum Untimed {
-    /// Tool changes.
-    Change,
-    /// Other functions.
-    Function,
-    /// Waits at the end of motions.
-    Settle,
-    /// Gaps of G98.
-    Gap,
+bilingual! {
+    /// What takes time and counts as 0, because nobody gave it.
+    #[derive(Copy)]
+    Untimed {
+        Change "tool changes (M06 in [motion.times])", "výměny nástroje (M06 v [motion.times])";
+        Function "functions ([motion.times])", "funkce ([motion.times])";
+        Settle "waits at the end of motions (settle-ms)", "čekání na konci pohybů (settle-ms)";
+        Gap "gaps before blocks in G98 (block-gap-ms)", "prodlevy před bloky při G98 (block-gap-ms)";
+    }
 }
 
 impl Untimed {

@@ -1,17 +1,7 @@
 //! Texts of the account of a program's motion, in both languages.
 
-use super::times::{Break, Limit, Untimed};
-use crate::dict::{Lang, bilingual};
-
-/// Why a joint is broken.
-pub fn break_name(reason: Break, lang: Lang) -> String {
-    Reason::of(reason).text(lang)
-}
-
-/// What limits a continuous joint.
-pub fn limit_name(limit: Limit, lang: Lang) -> String {
-    LimitName::of(limit).text(lang)
-}
+use super::times::{Break, Limit};
+use crate::dict::bilingual;
 
 bilingual! {
     /// Lines and parts of lines.
@@ -83,93 +73,6 @@ bilingual! {
         Angle { angle: String } "{angle}°", "{angle}°";
         Stops "stop", "zastavení";
         Feed { feed: String, programmed: String } "{feed} of {programmed} mm/min", "{feed} z {programmed} mm/min";
-    }
-}
-
-bilingual! {
-    /// Why a joint is broken.
-    Reason {
-        Start "first motion", "první pohyb";
-        Mode "not in G23", "není G23";
-        Rapid "G00", "G00";
-        NoMotion "blocks without motion between", "bloky bez pohybu";
-        OtherMotion "thread or reference point", "závit nebo nájezd do reference";
-        Dwell "dwell", "prodleva";
-        Stop "M00 or M01", "M00 nebo M01";
-        MFunction "M function", "M funkce";
-        Unknown "motion is not known", "pohyb není znám";
-        Axes "other axes", "jiné osy";
-        ShortLength "block shorter than break-length-mm", "blok kratší než break-length-mm";
-        ShortTime "block below shortest-block-ms", "blok pod shortest-block-ms";
-        Angle "angle", "úhel návaznosti";
-    }
-}
-
-impl Reason {
-    pub const fn of(reason: Break) -> Self {
-        match reason {
-            Break::Start => Self::Start,
-            Break::Mode => Self::Mode,
-            Break::Rapid => Self::Rapid,
-            Break::NoMotion => Self::NoMotion,
-            Break::OtherMotion => Self::OtherMotion,
-            Break::Dwell => Self::Dwell,
-            Break::Stop => Self::Stop,
-            Break::MFunction => Self::MFunction,
-            Break::Unknown => Self::Unknown,
-            Break::Axes => Self::Axes,
-            Break::ShortLength => Self::ShortLength,
-            Break::ShortTime => Self::ShortTime,
-            Break::Angle => Self::Angle,
-        }
-    }
-}
-
-bilingual! {
-    /// What takes time and counts as 0.
-    UntimedName {
-        Change "tool changes (M06 in [motion.times])", "výměny nástroje (M06 v [motion.times])";
-        Function "functions ([motion.times])", "funkce ([motion.times])";
-        Settle "waits at the end of motions (settle-ms)", "čekání na konci pohybů (settle-ms)";
-        Gap "gaps before blocks in G98 (block-gap-ms)", "prodlevy před bloky při G98 (block-gap-ms)";
-    }
-}
-
-impl UntimedName {
-    pub const fn of(untimed: Untimed) -> Self {
-        match untimed {
-            Untimed::Change => Self::Change,
-            Untimed::Function => Self::Function,
-            Untimed::Settle => Self::Settle,
-            Untimed::Gap => Self::Gap,
-        }
-    }
-}
-
-bilingual! {
-    /// What limits a continuous joint.
-    LimitName {
-        Feed "programmed feed", "programovaný posuv";
-        Centripetal "centripetal acceleration", "odstředivé zrychlení";
-        ShortestBlock "shortest time of a block", "nejkratší trvání bloku";
-        Accuracy "criterion of accuracy", "kritérium přesnosti";
-        Overload "dynamic criterion", "dynamické kritérium";
-        LookAhead "look-ahead", "předvídání bloků";
-        Ramp "acceleration", "zrychlení";
-    }
-}
-
-impl LimitName {
-    pub const fn of(limit: Limit) -> Self {
-        match limit {
-            Limit::Feed => Self::Feed,
-            Limit::Centripetal => Self::Centripetal,
-            Limit::ShortestBlock => Self::ShortestBlock,
-            Limit::Accuracy => Self::Accuracy,
-            Limit::Overload => Self::Overload,
-            Limit::LookAhead => Self::LookAhead,
-            Limit::Ramp => Self::Ramp,
-        }
     }
 }
 

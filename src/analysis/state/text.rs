@@ -112,7 +112,7 @@ impl Table<'_> {
                 return Some(vec![letter, format!("{position}{diameter}"), by]);
             }
             let (_, why) = self.found.unknown.iter().find(|(unknown, _)| *unknown == axis.letter)?;
-            let why = self.say(&Words::why(*why));
+            let why = why.text(self.lang);
             Some(vec![letter, self.say(&Words::NotKnown { why })])
         };
         axes.filter_map(row).collect()

@@ -11,21 +11,21 @@ named! {
     pub enum Unknown {
         /// Not programmed yet (MOT-2).
         #[default]
-        NotProgrammed "not_programmed",
+        NotProgrammed "not_programmed" ("not programmed yet", "dosud neprogramováno"),
         /// At its reference point (MOT-7).
-        Reference "reference",
+        Reference "reference" ("it stands at its reference point (G30)", "stojí v referenčním bodě (G30)"),
         /// An M function moved the machine (MFN-4).
-        MFunction "m_function",
+        MFunction "m_function" ("an M function moved the machine", "strojem pohnula M funkce"),
         /// A fixed cycle that is not mapped (GRP-6).
-        Cycle "cycle",
+        Cycle "cycle" ("a fixed cycle moved it that is not configured", "pohnul jí pevný cyklus, který není nastaven"),
         /// A macrocycle that only the machine has (FLW-12).
-        Macrocycle "macrocycle",
+        Macrocycle "macrocycle" ("a macrocycle moved it that only the machine has", "pohnul jí makrocyklus, který má jen stroj"),
         /// The spindle turned (MFN-10).
-        Spindle "spindle",
+        Spindle "spindle" ("it is the spindle, which turned", "je to vřeteno, které se točilo"),
         /// Moved by G91 from an unknown position (MOT-2).
-        Incremental "incremental",
+        Incremental "incremental" ("moved by G91 from an unknown position", "pohyb v G91 z neznámé polohy"),
         /// A value that is not known (PAR-5).
-        Value "value",
+        Value "value" ("a value is not known", "není známa hodnota"),
     }
 }
 

@@ -1,7 +1,6 @@
 //! What `state` says to people, in both languages.
 
 use super::place::{Arrival, Asked, CallAt, Place, PlaceFault};
-use super::unknown::Unknown;
 use crate::analysis::motion::clock;
 use crate::dict::{Lang, bilingual};
 
@@ -55,13 +54,6 @@ bilingual! {
         OthersNotKnown "others", "ostatní";
         FromMachine "from the machine's table, not known here", "z tabulky stroje, zde neznámý";
         NotKnown { why: String } "not known: {why}", "není známa: {why}";
-        Reference "it stands at its reference point (G30)", "stojí v referenčním bodě (G30)";
-        MFunction "an M function moved the machine", "strojem pohnula M funkce";
-        Cycle "a fixed cycle moved it that is not configured", "pohnul jí pevný cyklus, který není nastaven";
-        Macrocycle "a macrocycle moved it that only the machine has", "pohnul jí makrocyklus, který má jen stroj";
-        Spindle "it is the spindle, which turned", "je to vřeteno, které se točilo";
-        Incremental "moved by G91 from an unknown position", "pohyb v G91 z neznámé polohy";
-        Value "a value is not known", "není známa hodnota";
         Gear "gear", "převodový stupeň";
         Tool "in the spindle", "ve vřetenu";
         DynamicSet "dynamic set", "sada dynamiky";
@@ -87,22 +79,6 @@ bilingual! {
             "N{n}, řádek {line}, seq {seq}, {calls}";
         MorePasses { more: u64 } "  and {more} more", "  a dalších {more}";
         ShortCall { l: u32, n: u32, pass: u32, of: u32 } "L{l} from N{n} ({pass}/{of})", "L{l} z N{n} ({pass}/{of})";
-    }
-}
-
-impl Words {
-    /// Why an axis is not known.
-    pub const fn why(why: Unknown) -> Self {
-        match why {
-            Unknown::NotProgrammed => Self::NotProgrammed,
-            Unknown::Reference => Self::Reference,
-            Unknown::MFunction => Self::MFunction,
-            Unknown::Cycle => Self::Cycle,
-            Unknown::Macrocycle => Self::Macrocycle,
-            Unknown::Spindle => Self::Spindle,
-            Unknown::Incremental => Self::Incremental,
-            Unknown::Value => Self::Value,
-        }
     }
 }
 

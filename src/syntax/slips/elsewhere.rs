@@ -53,8 +53,8 @@ pub(super) fn line_function(around: &Around<'_>) -> Option<GCode> {
 }
 
 fn is_fastest(around: &Around<'_>, token: Token) -> bool {
-    let name = around.slice(token.span()).get(1..).unwrap_or_default();
-    token.kind == Kind::Junk(Shape::PrintedWord) && ["max", "auto"].iter().any(|fast| name.eq_ignore_ascii_case(fast))
+    let name = around.slice(token.span()).to_ascii_uppercase();
+    token.kind == Kind::Junk(Shape::PrintedWord) && (name.ends_with("FMAX") || name.ends_with("FAUTO"))
 }
 
 /// `L Z+100 R0 FMAX`: one finding, with the function that is meant.
@@ -82,7 +82,7 @@ pub(super) fn line(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(1, found).void(Address::L, span).junk(span))
 }
 
-/// `X1.5E-05`, `S1.2E+03`, `XNaN`, `FMAX`.
+/// `X1.5E-05`, `S1.2E+03`, `XNaN`, `FMAX`, `XFMAX`.
 pub(super) fn printed(around: &Around<'_>) -> Option<Diagnosis> {
     let token = around.junk(Shape::PrintedWord)?;
     let (span, address) = (token.span(), around.address(token)?);
