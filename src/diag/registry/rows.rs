@@ -1,23 +1,16 @@
 //! The form of the rows of the registry, and what a code says beside them.
 
 use super::Code;
+use crate::named::named;
 
-/// How serious a finding is, unless configured.
-#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
-pub enum Severity {
-    /// The program is wrong, or means something else than written.
-    Error,
-    /// The program is legal, but probably not intended.
-    Warning,
-}
-
-impl Severity {
-    /// As in JSON.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Error => "error",
-            Self::Warning => "warning",
-        }
+named! {
+    /// How serious a finding is, unless configured.
+    #[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
+    pub enum Severity {
+        /// The program is wrong, or means something else than written.
+        Error "error" ("error", "chyba"),
+        /// The program is legal, but probably not intended.
+        Warning "warning" ("warning", "varování"),
     }
 }
 

@@ -3,12 +3,13 @@
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 
+use super::Shown;
 use super::excerpt::Excerpt;
 use super::few::{Part, parts};
 use super::frame::{self, Mark};
 use super::places::Places;
 use super::style::{Style, paint};
-use super::{Shown, words};
+use super::words::{self, Words};
 use crate::diag::{CallSite, Diagnostic, Fix, FixTitle, Report, Reported, Severity, terminal_safe};
 use crate::dict::Lang;
 use crate::text::{FileId, LineColumn, Span};
@@ -47,7 +48,7 @@ impl Human<'_> {
     fn finding(&self, Reported { severity, diagnostic }: &Reported) -> String {
         let style = style_of(*severity);
         let message = terminal_safe(&diagnostic.finding.message(self.lang)).into_owned();
-        let header = format!("{}[{}]", words::severity(*severity, self.lang), diagnostic.code());
+        let header = format!("{}[{}]", severity.text(self.lang), diagnostic.code());
         let mut text = paint(&header, style, self.colour);
         text.push_str(&paint(&format!(": {message}"), Style::Strong, self.colour));
         text.push('\n');
@@ -58,7 +59,7 @@ impl Human<'_> {
             text.push('\n');
         }
         for (word, words) in self.remarks(diagnostic) {
-            let word = paint(word, Style::Accent, self.colour);
+            let word = paint(&word, Style::Accent, self.colour);
             text.push_str(&format!("{bar} {word}: {}\n", terminal_safe(&words)));
         }
         let end = format!("{}╯", "─".repeat(width + 2));
@@ -101,10 +102,10 @@ impl Human<'_> {
     }
 
     /// The remarks below the program: the calls, why, what to write.
-    fn remarks(&self, diagnostic: &Diagnostic) -> Vec<(&'static str, String)> {
-        let mut remarks: Vec<(&'static str, String)> =
-            calls(&self.places, diagnostic, self.lang).into_iter().map(|call| (words::note(self.lang), call)).collect();
-        remarks.extend(diagnostic.finding.note(self.lang).map(|note| (words::note(self.lang), note)));
+    fn remarks(&self, diagnostic: &Diagnostic) -> Vec<(String, String)> {
+        let calls = calls(&self.places, diagnostic, self.lang).into_iter();
+        let notes = calls.chain(diagnostic.finding.note(self.lang));
+        let mut remarks: Vec<_> = notes.map(|note| (Words::Note.text(self.lang), note)).collect();
         let mut help = diagnostic.finding.help(self.lang);
         let message = diagnostic.finding.message(self.lang);
         // A help says already what the fix does, unless it cannot name what the fix writes.
@@ -121,13 +122,13 @@ impl Human<'_> {
         let one = match (&mut help, unsaid.as_slice()) {
             (Some(help), [Fix { title: FixTitle::Write { text }, .. }]) if !help.contains(['`', '„']) => {
                 help.push_str(": ");
-                help.push_str(&words::quoted(text, self.lang));
+                help.push_str(&Words::Quoted { word: text.clone() }.text(self.lang));
                 true
             }
             _ => false,
         };
         let unsaid = unsaid.into_iter().filter(|_| !one).map(|fix| fix.title.text(self.lang));
-        remarks.extend(help.iter().cloned().chain(unsaid).map(|help| (words::help(self.lang), help)));
+        remarks.extend(help.iter().cloned().chain(unsaid).map(|help| (Words::Help.text(self.lang), help)));
         remarks
     }
 
@@ -147,12 +148,12 @@ impl Human<'_> {
             writeln!(out, "{}", counts.join(", "))?;
         }
         for program in report.not_executed().iter().take(MOST_PROGRAMS) {
-            let (file, reason) = (terminal_safe(&program.file), program.reason(self.lang));
-            writeln!(out, "{}", words::not_executed(&file, &reason, self.lang))?;
+            let (file, reason) = (terminal_safe(&program.file).into_owned(), program.reason(self.lang));
+            writeln!(out, "{}", Words::NotExecuted { file, reason }.text(self.lang))?;
         }
         let more = report.not_executed().len().saturating_sub(MOST_PROGRAMS);
         if more > 0 {
-            writeln!(out, "{}", words::more_not_executed(more, self.lang))?;
+            writeln!(out, "{}", Words::MoreNotExecuted { count: more }.text(self.lang))?;
         }
         for program in report.stayed_unknown().iter().take(MOST_PROGRAMS) {
             writeln!(out, "{}: {}", terminal_safe(&program.file), program.text(self.lang))?;
@@ -164,12 +165,13 @@ impl Human<'_> {
         };
         let fixable = report.items().filter(|item| is_fixable(item)).count();
         if fixable > 0 && report.programs() > 0 {
-            writeln!(out, "{}", words::fixable(fixable, self.lang))?;
+            writeln!(out, "{}", Words::Fixable { count: fixable }.text(self.lang))?;
         }
         if !by_code.is_empty() {
             let names: Vec<&str> = by_code.keys().take(MOST_CODES).map(|code| code.as_str()).collect();
             let more = if by_code.len() > MOST_CODES { " …" } else { "" };
-            writeln!(out, "{}", words::explain(&format!("{}{more}", names.join(" ")), self.lang))?;
+            let codes = format!("{}{more}", names.join(" "));
+            writeln!(out, "{}", Words::Explain { codes }.text(self.lang))?;
         }
         Ok(())
     }
@@ -180,7 +182,7 @@ pub(super) fn calls(places: &Places<'_>, diagnostic: &Diagnostic, lang: Lang) ->
     let called_by = |call: &CallSite| {
         let LineColumn { line, .. } = places.start(call.at);
         let place = if call.at.file == diagnostic.at.file {
-            words::line(line, lang)
+            Words::Line { line }.text(lang)
         } else {
             format!("{}:{line}", places.name(call.at.file))
         };
@@ -193,7 +195,7 @@ pub(super) fn calls(places: &Places<'_>, diagnostic: &Diagnostic, lang: Lang) ->
     }
     let far = MOST_CALLS - NEAREST_CALLS;
     let mut calls: Vec<String> = nearest_first.clone().take(NEAREST_CALLS).map(called_by).collect();
-    calls.push(words::more_calls(count - MOST_CALLS, lang));
+    calls.push(Words::MoreCalls { count: count - MOST_CALLS }.text(lang));
     calls.extend(nearest_first.skip(count - far).map(called_by));
     calls
 }

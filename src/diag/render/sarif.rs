@@ -7,8 +7,9 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use super::edits::gathered;
+use super::json_text;
 use super::places::Places;
-use super::{json_text, words};
+use super::words::{self, Words};
 use crate::diag::{Code, Diagnostic, Edit, Report, Reported, explain, terminal_safe};
 use crate::dict::Lang;
 use crate::text::{Encoding, FileId, Location};
@@ -180,7 +181,7 @@ impl Log<'_> {
         if !calls.is_empty() {
             // The nearest call first.
             let frames = calls.iter().rev().map(|call| {
-                let line = words::line(self.places.start(call.at).line, self.lang);
+                let line = Words::Line { line: self.places.start(call.at).line }.text(self.lang);
                 json!({"location": {
                     "physicalLocation": self.physical(call.at),
                     "message": message(&words::called_by(call, &line, self.lang)),

@@ -1,30 +1,27 @@
 //! The words between findings, in both languages.
 
 use super::few::More;
-use crate::diag::{CallKind, CallSite, LIMIT_PER_CODE, Report, Severity};
-use crate::dict::Lang;
+use crate::diag::{CallKind, CallSite, LIMIT_PER_CODE, Report};
+use crate::dict::{Lang, bilingual};
 
-/// `error`, `chyba`: the word a finding begins with.
-pub(super) const fn severity(severity: Severity, lang: Lang) -> &'static str {
-    match (severity, lang) {
-        (Severity::Error, Lang::En) => "error",
-        (Severity::Error, Lang::Cs) => "chyba",
-        (Severity::Warning, Lang::En) => "warning",
-        (Severity::Warning, Lang::Cs) => "varování",
-    }
-}
-
-pub(super) const fn note(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "note",
-        Lang::Cs => "poznámka",
-    }
-}
-
-pub(super) const fn help(lang: Lang) -> &'static str {
-    match lang {
-        Lang::En => "help",
-        Lang::Cs => "nápověda",
+bilingual! {
+    /// The words of lines that hold no findings, and those that lead in.
+    Words {
+        Note "note", "poznámka";
+        Help "help", "nápověda";
+        Line { line: u32 } "line {line}", "řádek {line}";
+        MoreCalls { count: usize } "… {count} more calls", "… dalších volání: {count}";
+        NotExecuted { file: String, reason: String }
+            "{file} was not executed because of {reason}",
+            "{file} nebyl proveden kvůli {reason}";
+        MoreNotExecuted { count: usize }
+            "more programs that were not executed: {count}",
+            "další neprovedené programy: {count}";
+        Fixable { count: usize }
+            "fixable with cnc872c check --fix: {count}",
+            "opravitelné pomocí cnc872c check --fix: {count}";
+        Quoted { word: String } "`{word}`", "„{word}“";
+        Explain { codes: String } "details: cnc872c explain {codes}", "podrobnosti: cnc872c explain {codes}";
     }
 }
 
@@ -37,22 +34,6 @@ pub(super) fn called_by(call: &CallSite, place: &str, lang: Lang) -> String {
         (CallKind::Subprogram | CallKind::Macrocycle, Lang::Cs) => format!("voláno z bloku N{n} {name} L{l} ({place})"),
         (CallKind::Cycle(_), Lang::En) => format!("called by N{n} {name} as L{l} ({place})"),
         (CallKind::Cycle(_), Lang::Cs) => format!("voláno z bloku N{n} {name} jako L{l} ({place})"),
-    }
-}
-
-/// `line 9`.
-pub(super) fn line(line: u32, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("line {line}"),
-        Lang::Cs => format!("řádek {line}"),
-    }
-}
-
-/// In place of calls that are not listed.
-pub(super) fn more_calls(count: usize, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("… {count} more calls"),
-        Lang::Cs => format!("… dalších volání: {count}"),
     }
 }
 
@@ -83,52 +64,12 @@ pub(super) fn more(more: &More, file: &str, lang: Lang) -> String {
     }
 }
 
-/// A program that was not executed, and why.
-pub(super) fn not_executed(file: &str, reason: &str, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("{file} was not executed because of {reason}"),
-        Lang::Cs => format!("{file} nebyl proveden kvůli {reason}"),
-    }
-}
-
-/// In place of such programs that are not named.
-pub(super) fn more_not_executed(count: usize, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("more programs that were not executed: {count}"),
-        Lang::Cs => format!("další neprovedené programy: {count}"),
-    }
-}
-
 /// How many findings are not shown.
 pub(super) fn suppressed(count: usize, lang: Lang) -> String {
     match lang {
         Lang::En if count == 1 => "1 more finding is counted, but not shown".to_owned(),
         Lang::En => format!("{count} more findings are counted, but not shown"),
         Lang::Cs => format!("další hlášení, která jsou započtena, ale ne vypsána: {count}"),
-    }
-}
-
-/// How many findings have a certain fix.
-pub(super) fn fixable(count: usize, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("fixable with cnc872c check --fix: {count}"),
-        Lang::Cs => format!("opravitelné pomocí cnc872c check --fix: {count}"),
-    }
-}
-
-/// Text of a program within a sentence.
-pub(super) fn quoted(word: &str, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("`{word}`"),
-        Lang::Cs => format!("„{word}“"),
-    }
-}
-
-/// Where there is more to read.
-pub(super) fn explain(codes: &str, lang: Lang) -> String {
-    match lang {
-        Lang::En => format!("details: cnc872c explain {codes}"),
-        Lang::Cs => format!("podrobnosti: cnc872c explain {codes}"),
     }
 }
 
