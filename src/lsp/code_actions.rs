@@ -11,9 +11,7 @@ use serde_json::{Value, json};
 
 use super::analysis::{Analysis, Found};
 use super::edits::document_edit;
-use super::findings::Converter;
-use super::offered;
-use super::places::{Places, span};
+use super::offered::{self, Touched};
 use super::snapshot::{Answer, Refusal, Snapshot};
 use crate::diag::Reported;
 use crate::edit::compatible_edits;
@@ -44,12 +42,14 @@ pub(super) fn code_action(
     let Some(source) = analysis.sources.get(FileId(0)) else { return Ok(None) };
     let wanted = Wanted(&params.context);
     let mut actions = Vec::new();
-    if let Some(found) = &snapshot.found {
-        let fixes = OfDocument::new(snapshot, analysis, source, found);
+    let found = snapshot.found.as_ref();
+    let file = found.and_then(|found| found.report.sources().find(source.name()));
+    if let Some((found, file)) = found.zip(file) {
+        let fixes = OfDocument { snapshot, analysis, source, found, file };
         if wanted.kind(CodeActionKind::QuickFix.as_str()) {
-            let range = span(source, params.range, snapshot.client.unit);
-            actions.extend(fixes.quick_fixes(range));
-            actions.extend(offered::actions(snapshot, analysis, source, found, range));
+            let mut touched = Touched::new(snapshot, found, source, file, params.range);
+            actions.extend(fixes.quick_fixes(&mut touched));
+            actions.extend(offered::actions(snapshot, analysis, &mut touched));
         }
         if wanted.for_the_file(FIX_ALL) {
             actions.extend(fixes.fix_all());
@@ -129,46 +129,29 @@ struct OfDocument<'a> {
     source: &'a SourceText,
     found: &'a Found,
     /// The document in the report.
-    file: Option<FileId>,
+    file: FileId,
 }
 
 impl<'a> OfDocument<'a> {
-    fn new(snapshot: &'a Snapshot, analysis: &'a Analysis, source: &'a SourceText, found: &'a Found) -> Self {
-        let file = found.report.sources().find(source.name());
-        Self { snapshot, analysis, source, found, file }
-    }
-
     fn items(&self) -> impl Iterator<Item = &'a Reported> {
         let file = self.file;
-        let of_document = move |item: &&Reported| Some(item.diagnostic.file()) == file;
+        let of_document = move |item: &&Reported| item.diagnostic.file() == file;
         self.found.report.items().filter(of_document).filter(|item| !item.diagnostic.fixes.is_empty())
     }
 
     /// The fixes of the findings that touch a range.
-    fn quick_fixes(&self, range: Span) -> Vec<CodeAction> {
-        let Snapshot { client, files, .. } = self.snapshot;
-        let converter = Converter { report: &self.found.report, files, unit: client.unit, lang: client.lang() };
-        let mut places = Places::new(self.source, client.unit);
+    fn quick_fixes(&self, touched: &mut Touched<'_>) -> Vec<CodeAction> {
         let mut actions = Vec::new();
-        for item in self.items() {
-            let at = item.diagnostic.at.span;
-            if at.end < range.start || range.end < at.start {
-                continue;
-            }
+        for item in touched.items() {
             let fixes = &item.diagnostic.fixes;
             for fix in fixes {
                 let mut edits: Vec<(Span, &str)> =
                     fix.edits.iter().map(|edit| (edit.at.span, edit.text.as_str())).collect();
                 edits.sort_by_key(|(span, _)| *span);
                 let edit = document_edit(self.snapshot, self.analysis, self.source, edits.into_iter());
-                actions.push(CodeAction {
-                    title: fix.title.text(client.lang()),
-                    kind: Some(CodeActionKind::QuickFix),
-                    diagnostics: Some(vec![converter.diagnostic(item, &mut places)]),
-                    is_preferred: (fixes.len() == 1 && fix.certain.is_some()).then_some(true),
-                    edit,
-                    ..CodeAction::default()
-                });
+                let action = touched.action(item, fix.title.text(self.snapshot.client.lang()), edit);
+                let is_preferred = (fixes.len() == 1 && fix.certain.is_some()).then_some(true);
+                actions.push(CodeAction { is_preferred, ..action });
             }
         }
         actions
@@ -178,7 +161,7 @@ impl<'a> OfDocument<'a> {
     /// --fix`.
     fn fix_all(&self) -> Option<CodeAction> {
         let fixes = self.items().filter_map(|item| item.diagnostic.certain_fix());
-        let edits: Vec<(Span, &str)> = compatible_edits(self.source, self.file?, fixes).collect();
+        let edits: Vec<(Span, &str)> = compatible_edits(self.source, self.file, fixes).collect();
         if edits.is_empty() {
             return None;
         }

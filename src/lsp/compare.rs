@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use gen_lsp_types::{LspRequestMethod, MessageDirection, Request, Uri};
+use gen_lsp_types::Uri;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -19,26 +19,15 @@ use crate::session::Session;
 use crate::text::{FileId, Loader, Overlay};
 use crate::view::{Collector, Keep, Naming, Part, page};
 
-/// The parameters are `textDocument`; `with`, the URI of the old program, without which the saved text is the old one;
-/// `page`, whether a page is wanted. Gives `{ "same", "text", "page"? }`: the text is that of `cnc872c compare`, the
-/// page that of its `-o`.
-#[derive(Debug)]
-pub(super) enum CompareRequest {}
-
-/// Beside the document.
+/// What is compared, beside the document.
 #[derive(Debug, Deserialize)]
-struct CompareParams {
+pub(super) struct CompareParams {
+    /// The old program; without it the saved text is the old one.
     #[serde(default)]
     with: Option<Uri>,
+    /// Whether a page is wanted.
     #[serde(default)]
     page: bool,
-}
-
-impl Request for CompareRequest {
-    type Params = Value;
-    type Result = Option<Value>;
-    const METHOD: LspRequestMethod<'static> = LspRequestMethod::Custom("cnc872c/compare");
-    const MESSAGE_DIRECTION: MessageDirection = MessageDirection::ClientToServer;
 }
 
 bilingual! {
@@ -62,12 +51,11 @@ struct Program<'a> {
     settings: &'a Settings,
 }
 
-/// Answers [`CompareRequest`].
-pub(super) fn answer(snapshot: &Snapshot, analysis: &Analysis, params: Value) -> Answer<Option<Value>> {
+/// Gives `{ "same", "text", "page"? }`: the text is that of `cnc872c compare`, the page that of its `-o`.
+pub(super) fn answer(snapshot: &Snapshot, analysis: &Analysis, params: CompareParams) -> Answer<Value> {
     let lang = snapshot.client.lang();
     let refuse = |words: Words| Refusal::new(words.text(lang));
-    let CompareParams { with, page: wants_page } =
-        CompareParams::deserialize(&params).map_err(Refusal::wrong_params)?;
+    let CompareParams { with, page: wants_page } = params;
     let (files, path) = (&snapshot.files, &analysis.path);
     if Session::is_macrocycle_name(path) {
         return Err(refuse(Words::Macrocycle));
@@ -94,7 +82,7 @@ pub(super) fn answer(snapshot: &Snapshot, analysis: &Analysis, params: Value) ->
         let (before, after) = (old.draw(None), new.draw(Some(compared)));
         found.insert("page".to_owned(), json!(page(&after, Some(&before), &new.name, Some(lang))));
     }
-    Ok(Some(found))
+    Ok(found)
 }
 
 impl Program<'_> {

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
-use gen_lsp_types::{CodeLensParams, LspRequestMethod, MessageDirection, Request};
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
@@ -16,18 +15,7 @@ use crate::run::{End, Executed, Sink};
 
 /// A program gives `[{ "line", "dot" }]`: lines from 0, the dot `yellow` or `red`. Where several joints are in a line,
 /// or one is passed in several ways, a red one wins. Null for what is not executed.
-#[derive(Debug)]
-pub(super) enum DotsRequest {}
-
-impl Request for DotsRequest {
-    type Params = CodeLensParams;
-    type Result = Option<Value>;
-    const METHOD: LspRequestMethod<'static> = LspRequestMethod::Custom("cnc872c/dots");
-    const MESSAGE_DIRECTION: MessageDirection = MessageDirection::ClientToServer;
-}
-
-/// Answers [`DotsRequest`].
-pub(super) fn dots(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) -> Answer<Option<Value>> {
+pub(super) fn dots(snapshot: &Snapshot, analysis: &Analysis, _: Value) -> Answer<Option<Value>> {
     if !analysis.executable {
         return Ok(None);
     }

@@ -1,8 +1,8 @@
-//! Changes of one document, as the client takes them.
+//! Changes of documents, as the client takes them.
 
 use gen_lsp_types::{
-    DocumentChange, OptionalVersionedTextDocumentIdentifier, TextDocumentEdit, TextDocumentIdentifier, TextEdit,
-    WorkspaceEdit,
+    CreateFile, DocumentChange, OptionalVersionedTextDocumentIdentifier, TextDocumentEdit, TextDocumentIdentifier,
+    TextEdit, Uri, WorkspaceEdit,
 };
 
 use super::analysis::Analysis;
@@ -29,16 +29,28 @@ pub(super) fn document_edit<'t>(
         let (span, text) = as_one(source, edits);
         vec![edit((span, &text))]
     };
-    let uri = document.uri.clone();
+    workspace_edit(snapshot, &document.uri, None, edits)
+}
+
+/// Changes of the document `uri`, `first` a change of its file; none where the client cannot make that.
+pub(super) fn workspace_edit(
+    snapshot: &Snapshot,
+    uri: &Uri,
+    first: Option<CreateFile>,
+    edits: Vec<TextEdit>,
+) -> Option<WorkspaceEdit> {
     if !snapshot.client.has("/workspace/workspaceEdit/documentChanges") {
-        return Some(WorkspaceEdit { changes: Some([(uri, edits)].into()), ..WorkspaceEdit::default() });
+        let changes = first.is_none().then(|| [(uri.clone(), edits)].into())?;
+        return Some(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() });
     }
+    let version = snapshot.files.open().values().find(|document| document.uri == *uri).map(|document| document.version);
     let text_document = OptionalVersionedTextDocumentIdentifier {
-        version: Some(document.version),
-        text_document_identifier: TextDocumentIdentifier { uri },
+        version,
+        text_document_identifier: TextDocumentIdentifier { uri: uri.clone() },
     };
     let change = TextDocumentEdit { text_document, edits: edits.into_iter().map(Into::into).collect() };
-    let document_changes = Some(vec![DocumentChange::TextDocumentEdit(change)]);
+    let first = first.map(DocumentChange::CreateFile);
+    let document_changes = Some(first.into_iter().chain([DocumentChange::TextDocumentEdit(change)]).collect());
     Some(WorkspaceEdit { document_changes, ..WorkspaceEdit::default() })
 }
 

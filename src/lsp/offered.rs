@@ -3,73 +3,82 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use gen_lsp_types::{CodeAction, CodeActionKind, Uri, WorkspaceEdit};
-use serde_json::{Value, json};
+use gen_lsp_types::{CodeAction, CodeActionKind, CreateFile, CreateFileOptions, Range, TextEdit, Uri, WorkspaceEdit};
+use serde_json::Value;
 
 use super::analysis::{Analysis, Found};
+use super::edits::workspace_edit;
 use super::findings::Converter;
-use super::places::Places;
+use super::places::{Places, span};
 use super::snapshot::Snapshot;
 use crate::config::{PROJECT_FILE, find_project};
-use crate::diag::{Code, Finding, Reported};
+use crate::diag::{Code, Edit, Finding, Report, Reported};
 use crate::edit::edit_texts::EditText;
 use crate::sure::Sure;
 use crate::text::{Encoding, FileId, Loader, SourceText, Span};
 
-/// The offers for findings of the document that touch a range.
-pub(super) fn actions(
-    snapshot: &Snapshot,
-    analysis: &Analysis,
-    source: &SourceText,
-    found: &Found,
+/// The findings of a file that touch a range, and actions for them.
+pub(super) struct Touched<'a> {
+    report: &'a Report,
+    converter: Converter<'a>,
+    places: Places<'a>,
+    file: FileId,
     range: Span,
-) -> Vec<CodeAction> {
-    let client = &snapshot.client;
-    let document = found.report.sources().find(source.name());
+}
+
+impl<'a> Touched<'a> {
+    /// Those of `source`, which is `file` in the report.
+    pub(super) fn new(
+        snapshot: &'a Snapshot,
+        found: &'a Found,
+        source: &'a SourceText,
+        file: FileId,
+        range: Range,
+    ) -> Self {
+        let Snapshot { client, files, .. } = snapshot;
+        let report = &found.report;
+        let converter = Converter { report, files, unit: client.unit, lang: client.lang() };
+        let range = span(source, range, client.unit);
+        Self { report, converter, places: Places::new(source, client.unit), file, range }
+    }
+
+    pub(super) fn items(&self) -> impl Iterator<Item = &'a Reported> + use<'a> {
+        let Self { report, file, range, .. } = *self;
+        report.items().filter(move |item| {
+            let at = item.diagnostic.at;
+            at.file == file && at.span.end >= range.start && range.end >= at.span.start
+        })
+    }
+
+    pub(super) fn action(&mut self, item: &Reported, title: String, edit: Option<WorkspaceEdit>) -> CodeAction {
+        CodeAction {
+            title,
+            kind: Some(CodeActionKind::QuickFix),
+            diagnostics: Some(vec![self.converter.diagnostic(item, &mut self.places)]),
+            edit,
+            ..CodeAction::default()
+        }
+    }
+}
+
+/// The offers for findings of the document.
+pub(super) fn actions(snapshot: &Snapshot, analysis: &Analysis, touched: &mut Touched<'_>) -> Vec<CodeAction> {
+    let lang = snapshot.client.lang();
     let mut codes = BTreeSet::new();
     let mut actions = Vec::new();
-    let mut places = Places::new(source, client.unit);
-    let converter = Converter { report: &found.report, files: &snapshot.files, unit: client.unit, lang: client.lang() };
-    for item in found.report.items() {
-        let at = item.diagnostic.at;
-        if Some(at.file) != document || at.span.end < range.start || range.end < at.span.start {
-            continue;
-        }
+    for item in touched.items() {
         let code = item.diagnostic.code();
-        let mut add = |text: EditText, edit: Option<WorkspaceEdit>, item: &Reported| {
-            actions.extend(edit.map(|edit| CodeAction {
-                title: text.text(client.lang()),
-                kind: Some(CodeActionKind::QuickFix),
-                diagnostics: Some(vec![converter.diagnostic(item, &mut places)]),
-                edit: Some(edit),
-                ..CodeAction::default()
-            }));
+        let mut add = |text: EditText, edit: Option<WorkspaceEdit>| {
+            actions.extend(edit.map(|edit| touched.action(item, text.text(lang), Some(edit))));
         };
         if let Finding::UnknownMacrocycle { l, subprogram: false, .. } = item.diagnostic.finding {
-            let text = EditText::CreateMacrocycle { l };
-            add(text, create_macrocycle(snapshot, analysis, l), item);
+            add(EditText::CreateMacrocycle { l }, create_macrocycle(snapshot, analysis, l));
         }
         if code.is_configurable() && codes.insert(code) {
-            let text = EditText::Allow { name: code.name() };
-            add(text, allow(snapshot, analysis, code), item);
+            add(EditText::Allow { name: code.name() }, allow(snapshot, analysis, code));
         }
     }
     actions
-}
-
-/// An edit of one document by its URI: what stands instead of a range.
-fn edit(snapshot: &Snapshot, uri: &Uri, first: Option<Value>, range: Value, text: &str) -> Option<WorkspaceEdit> {
-    let edit = json!({ "range": range, "newText": text });
-    if !snapshot.client.has("/workspace/workspaceEdit/documentChanges") {
-        if first.is_some() {
-            return None;
-        }
-        return serde_json::from_value(json!({ "changes": { uri.as_str(): [edit] } })).ok();
-    }
-    let version = snapshot.files.open().values().find(|document| document.uri == *uri).map(|document| document.version);
-    let change = json!({ "textDocument": { "uri": uri, "version": version }, "edits": [edit] });
-    let changes: Vec<Value> = first.into_iter().chain([change]).collect();
-    serde_json::from_value(json!({ "documentChanges": changes })).ok()
 }
 
 /// The frame of a macrocycle beside the program, or in the folder that the configuration names for them.
@@ -79,9 +88,10 @@ fn create_macrocycle(snapshot: &Snapshot, analysis: &Analysis, l: u32) -> Option
     let folder = configured.map(|folder| analysis.files.canonical(folder));
     let folder = folder.or_else(|| analysis.path.parent().map(Path::to_path_buf))?;
     let uri = Uri::from_file_path(folder.join(format!("L{l}"))).ok().filter(|_| creates)?;
-    let create = json!({ "kind": "create", "uri": uri, "options": { "ignoreIfExists": true } });
-    let start = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 0, "character": 0 } });
-    edit(snapshot, &uri, Some(create), start, &format!("N10 G79 L{l}\nN20 G70\n"))
+    let options = CreateFileOptions { overwrite: None, ignore_if_exists: Some(true) };
+    let create = CreateFile { uri: uri.clone(), options: Some(options), annotation_id: None };
+    let frame = TextEdit { range: Range::default(), new_text: format!("N10 G79 L{l}\nN20 G70\n") };
+    workspace_edit(snapshot, &uri, Some(create), vec![frame])
 }
 
 /// `name = "allow"` under `[lints]` of the project file, when there is one that writes its tables so.
@@ -90,15 +100,16 @@ fn allow(snapshot: &Snapshot, analysis: &Analysis, code: Code) -> Option<Workspa
     let path = snapshot.files.canonical(&path);
     let source = snapshot.files.load(&path, PROJECT_FILE, Encoding::Utf8).ok()?;
     let uri = snapshot.files.uri_of(&path)?;
-    let (span, text) = lint_edit(&source, code)?;
+    let (span, new_text) = lint_edit(&source, code)?;
     let range = Places::new(&source, snapshot.client.unit).range(span);
-    edit(snapshot, &uri, None, serde_json::to_value(range).ok()?, &text)
+    workspace_edit(snapshot, &uri, None, vec![TextEdit { range, new_text }])
 }
 
 /// The place in a project file for the level, and its text; none where the levels are an inline table or dotted keys:
 /// a second table of that name is an error.
 fn lint_edit(source: &SourceText, code: Code) -> Option<(Span, String)> {
     let level = format!("{} = \"allow\"", code.name());
+    let line_end = if source.text().contains("\r\n") { "\r\n" } else { "\n" };
     let mut table = "";
     let mut header = None;
     for line in 0..source.lines().count() {
@@ -120,53 +131,38 @@ fn lint_edit(source: &SourceText, code: Code) -> Option<(Span, String)> {
         }
     }
     if let Some(header) = header {
-        return Some((Span::empty(header.end), format!("\n{level}")));
+        return Some((Span::empty(header.end), format!("{line_end}{level}")));
     }
     let text = source.text();
     let gap = match text.trim_end_matches([' ', '\t']) {
-        "" => "",
-        text if text.ends_with("\n\n") => "",
-        text if text.ends_with('\n') => "\n",
-        _ => "\n\n",
+        "" => 0,
+        text if text.ends_with(&line_end.repeat(2)) => 0,
+        text if text.ends_with('\n') => 1,
+        _ => 2,
     };
-    Some((Span::empty(source.len()), format!("{gap}[lints]\n{level}\n")))
+    let gap = line_end.repeat(gap);
+    Some((Span::empty(source.len()), format!("{gap}[lints]{line_end}{level}{line_end}")))
 }
 
 /// The quick fixes of the project file itself.
 pub(super) fn in_project_file(snapshot: &Snapshot, params: &Value) -> Option<Value> {
     let file = super::project_file::of_request(snapshot, params)?;
     let found = snapshot.found.as_ref()?;
-    let client = &snapshot.client;
-    let id: FileId = found
-        .report
-        .sources()
-        .iter()
-        .find_map(|(id, source)| (snapshot.files.canonical(Path::new(source.name())) == file.path).then_some(id))?;
-    let range: gen_lsp_types::Range = serde_json::from_value(params.get("range")?.clone()).ok()?;
-    let range = super::places::span(&file.source, range, client.unit);
-    let converter = Converter { report: &found.report, files: &snapshot.files, unit: client.unit, lang: client.lang() };
+    let same = |source: &SourceText| snapshot.files.canonical(Path::new(source.name())) == file.path;
+    let id = found.report.sources().iter().find_map(|(id, source)| same(source).then_some(id))?;
+    let range: Range = serde_json::from_value(params.get("range")?.clone()).ok()?;
+    let mut touched = Touched::new(snapshot, found, &file.source, id, range);
     let uri = snapshot.files.uri_of(&file.path)?;
-    let mut places = Places::new(&file.source, client.unit);
     let mut actions = Vec::new();
-    for item in found.report.items().filter(|item| item.diagnostic.at.file == id) {
-        let at = item.diagnostic.at.span;
-        if at.end < range.start || range.end < at.start {
-            continue;
-        }
+    for item in touched.items() {
         for fix in &item.diagnostic.fixes {
-            let Some(change) = fix.edits.first() else { continue };
-            let range = serde_json::to_value(places.range(change.at.span)).ok()?;
-            let action = CodeAction {
-                title: fix.title.text(client.lang()),
-                kind: Some(CodeActionKind::QuickFix),
-                diagnostics: Some(vec![converter.diagnostic(item, &mut places)]),
-                edit: edit(snapshot, &uri, None, range, &change.text),
-                ..CodeAction::default()
-            };
-            actions.push(serde_json::to_value(action).ok()?);
+            let places = &mut touched.places;
+            let edit = |edit: &Edit| TextEdit { range: places.range(edit.at.span), new_text: edit.text.clone() };
+            let edit = workspace_edit(snapshot, &uri, None, fix.edits.iter().map(edit).collect());
+            actions.push(touched.action(item, fix.title.text(snapshot.client.lang()), edit));
         }
     }
-    Some(Value::Array(actions))
+    serde_json::to_value(actions).ok()
 }
 
 #[cfg(test)]
@@ -183,6 +179,8 @@ mod tests {
         };
         let some = |text: &str| Some(text.to_owned());
         assert_eq!(of("dialect = \"cnc872\"\n"), some("dialect = \"cnc872\"\n\n[lints]\nempty-block = \"allow\"\n"));
+        assert_eq!(of("R1 = 2\r\n"), some("R1 = 2\r\n\r\n[lints]\r\nempty-block = \"allow\"\r\n"));
+        assert_eq!(of("[lints]\r\nR1 = 2"), some("[lints]\r\nempty-block = \"allow\"\r\nR1 = 2"));
         assert_eq!(of(""), some("[lints]\nempty-block = \"allow\"\n"));
         assert_eq!(of("[lints]\n[limits]\n"), some("[lints]\nempty-block = \"allow\"\n[limits]\n"));
         assert_eq!(of("[lints]\nW0214 = \"deny\"\n"), some("[lints]\nempty-block = \"allow\"\n"));

@@ -1,6 +1,6 @@
 //! `cnc872c/path`: the data of the page that shows a program's path, for editors that show it beside the text.
 
-use gen_lsp_types::{CodeLensParams, LspRequestMethod, MessageDirection, Request, Uri};
+use gen_lsp_types::Uri;
 use serde_json::{Value, json};
 
 use super::analysis::{Analysis, configuration};
@@ -17,18 +17,7 @@ use crate::view::{Collector, Keep, Naming, Part, base64};
 /// the program that is shown, the URIs of its files by the index that the data give them, how many blocks were
 /// executed, whether there are more, and the data of its page in base 64. `blocks` is 0 when the data hold none of
 /// them, as of a program with written errors. Null for what no program executes.
-#[derive(Debug)]
-pub(super) enum PathRequest {}
-
-impl Request for PathRequest {
-    type Params = CodeLensParams;
-    type Result = Option<Value>;
-    const METHOD: LspRequestMethod<'static> = LspRequestMethod::Custom("cnc872c/path");
-    const MESSAGE_DIRECTION: MessageDirection = MessageDirection::ClientToServer;
-}
-
-/// Answers [`PathRequest`].
-pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: CodeLensParams) -> Answer<Option<Value>> {
+pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: Value) -> Answer<Option<Value>> {
     let program: &query::analysis::Analysis = match executing(snapshot.open(), analysis) {
         Some(program) => program,
         None if Session::is_macrocycle_name(&analysis.path) => return Ok(None),

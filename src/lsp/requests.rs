@@ -1,7 +1,8 @@
 //! Which request is answered by what, and what it needs to be known first.
 
-use gen_lsp_types::Request;
 use lsp_server::ErrorCode;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 use super::analysis::Analysis;
@@ -31,96 +32,69 @@ pub(super) fn handler(method: &str) -> Option<Handler> {
 
 /// The handler of a request about one document.
 fn of_document(method: &str) -> Option<Handler> {
-    use gen_lsp_types as lsp;
     Some(match method {
-        "textDocument/hover" => {
-            or_project_file(document::<lsp::HoverRequest>(Needs::Blocks, hover::hover), project_file::hover)
+        "textDocument/hover" => or_project_file(document(Needs::Blocks, hover::hover), project_file::hover),
+        "textDocument/signatureHelp" => document(Needs::Blocks, signature::signature_help),
+        "cnc872c/compare" => document(Needs::Analysis, compare::answer),
+        "cnc872c/dots" => document(Needs::Run, dots::dots),
+        "cnc872c/path" => document(Needs::Run, path::path),
+        "cnc872c/restart" => document(Needs::Run, restart::restart),
+        "cnc872c/state" => document(Needs::Run, state::state),
+        "cnc872c/signals" => document(Needs::Run, signals::signals),
+        "textDocument/codeLens" => document(Needs::Run, code_lens::code_lens),
+        "textDocument/inlayHint" => document(Needs::Blocks, inlay_hints::inlay_hint),
+        "textDocument/completion" => {
+            or_project_file(document(Needs::Analysis, completion::completion), project_file::completion)
         }
-        "textDocument/signatureHelp" => untyped(Needs::Blocks, signature::signature_help),
-        "cnc872c/compare" => document::<compare::CompareRequest>(Needs::Analysis, compare::answer),
-        "cnc872c/dots" => document::<dots::DotsRequest>(Needs::Run, dots::dots),
-        "cnc872c/path" => document::<path::PathRequest>(Needs::Run, path::path),
-        "cnc872c/restart" => untyped(Needs::Run, restart::restart),
-        "cnc872c/state" => untyped(Needs::Run, state::state),
-        "cnc872c/signals" => document::<signals::SignalsRequest>(Needs::Run, signals::signals),
-        "textDocument/codeLens" => document::<lsp::CodeLensRequest>(Needs::Run, code_lens::code_lens),
-        "textDocument/inlayHint" => document::<lsp::InlayHintRequest>(Needs::Blocks, inlay_hints::inlay_hint),
-        "textDocument/completion" => or_project_file(
-            document::<lsp::CompletionRequest>(Needs::Analysis, completion::completion),
-            project_file::completion,
-        ),
-        "textDocument/formatting" => {
-            document::<lsp::DocumentFormattingRequest>(Needs::Analysis, formatting::formatting)
+        "textDocument/formatting" => document(Needs::Analysis, formatting::formatting),
+        "textDocument/rangeFormatting" => document(Needs::Analysis, formatting::range_formatting),
+        "textDocument/onTypeFormatting" => document(Needs::Analysis, on_type::on_type_formatting),
+        "textDocument/documentSymbol" => document(Needs::Analysis, outline::document_symbol),
+        "textDocument/foldingRange" => document(Needs::Analysis, folding::folding_range),
+        "textDocument/selectionRange" => document(Needs::Analysis, selection::selection_range),
+        "textDocument/codeAction" => {
+            or_project_file(document(Needs::Findings, code_actions::code_action), |snapshot, params| {
+                Ok(offered::in_project_file(snapshot, params).unwrap_or_default())
+            })
         }
-        "textDocument/rangeFormatting" => {
-            document::<lsp::DocumentRangeFormattingRequest>(Needs::Analysis, formatting::range_formatting)
-        }
-        "textDocument/onTypeFormatting" => {
-            document::<lsp::DocumentOnTypeFormattingRequest>(Needs::Analysis, on_type::on_type_formatting)
-        }
-        "textDocument/documentSymbol" => {
-            document::<lsp::DocumentSymbolRequest>(Needs::Analysis, outline::document_symbol)
-        }
-        "textDocument/foldingRange" => document::<lsp::FoldingRangeRequest>(Needs::Analysis, folding::folding_range),
-        "textDocument/selectionRange" => {
-            document::<lsp::SelectionRangeRequest>(Needs::Analysis, selection::selection_range)
-        }
-        "textDocument/codeAction" => or_project_file(
-            document::<lsp::CodeActionRequest>(Needs::Findings, code_actions::code_action),
-            |snapshot, params| Ok(offered::in_project_file(snapshot, params).unwrap_or_default()),
-        ),
-        "codeAction/resolve" => document::<lsp::CodeActionResolveRequest>(Needs::Analysis, code_actions::resolve),
-        "textDocument/semanticTokens/full" => {
-            document::<lsp::SemanticTokensRequest>(Needs::Analysis, semantic_tokens::full)
-        }
-        "textDocument/semanticTokens/range" => {
-            document::<lsp::SemanticTokensRangeRequest>(Needs::Analysis, semantic_tokens::range)
-        }
-        "textDocument/definition" => document::<lsp::DefinitionRequest>(Needs::Everything, definition::definition),
-        "textDocument/declaration" => document::<lsp::DeclarationRequest>(Needs::Everything, definition::declaration),
-        "textDocument/references" => document::<lsp::ReferencesRequest>(Needs::Everything, references::references),
-        "textDocument/documentHighlight" => {
-            document::<lsp::DocumentHighlightRequest>(Needs::Everything, references::highlight)
-        }
-        "textDocument/prepareRename" => document::<lsp::PrepareRenameRequest>(Needs::Findings, rename::prepare),
-        "textDocument/rename" => document::<lsp::RenameRequest>(Needs::Findings, rename::rename),
-        "textDocument/documentLink" => document::<lsp::DocumentLinkRequest>(Needs::Analysis, links::document_links),
-        "textDocument/prepareCallHierarchy" => {
-            document::<lsp::CallHierarchyPrepareRequest>(Needs::Everything, hierarchy::prepare)
-        }
+        "codeAction/resolve" => document(Needs::Analysis, code_actions::resolve),
+        "textDocument/semanticTokens/full" => document(Needs::Analysis, semantic_tokens::full),
+        "textDocument/semanticTokens/range" => document(Needs::Analysis, semantic_tokens::range),
+        "textDocument/definition" => document(Needs::Everything, definition::definition),
+        "textDocument/declaration" => document(Needs::Everything, definition::declaration),
+        "textDocument/references" => document(Needs::Everything, references::references),
+        "textDocument/documentHighlight" => document(Needs::Everything, references::highlight),
+        "textDocument/prepareRename" => document(Needs::Findings, rename::prepare),
+        "textDocument/rename" => document(Needs::Findings, rename::rename),
+        "textDocument/documentLink" => document(Needs::Analysis, links::document_links),
+        "textDocument/prepareCallHierarchy" => document(Needs::Everything, hierarchy::prepare),
         _ => return None,
     })
 }
 
 /// The handler of a request about all documents and files.
 fn of_workspace(method: &str) -> Option<Handler> {
-    use gen_lsp_types as lsp;
     Some(match method {
-        "workspace/symbol" => {
-            workspace::<lsp::WorkspaceSymbolRequest>(Needs::Nothing, workspace_symbols::workspace_symbol)
-        }
-        "workspace/diagnostic" => untyped_workspace(workspace_findings::workspace_diagnostic),
-        "workspace/willRenameFiles" => untyped_workspace(workspace::will_rename_files),
-        "workspace/executeCommand" => workspace::<lsp::ExecuteCommandRequest>(Needs::Nothing, commands::execute),
-        "callHierarchy/incomingCalls" => {
-            workspace::<lsp::CallHierarchyIncomingCallsRequest>(Needs::Everything, hierarchy::incoming)
-        }
-        "callHierarchy/outgoingCalls" => {
-            workspace::<lsp::CallHierarchyOutgoingCallsRequest>(Needs::Everything, hierarchy::outgoing)
-        }
-        "workspace/textDocumentContent" => {
-            workspace::<lsp::TextDocumentContentRequest>(Needs::Nothing, explain::text_document_content)
-        }
+        "workspace/symbol" => workspace(Needs::Nothing, workspace_symbols::workspace_symbol),
+        "workspace/diagnostic" => workspace(Needs::Nothing, workspace_findings::workspace_diagnostic),
+        "workspace/willRenameFiles" => workspace(Needs::Nothing, workspace::will_rename_files),
+        "workspace/executeCommand" => workspace(Needs::Nothing, commands::execute),
+        "callHierarchy/incomingCalls" => workspace(Needs::Everything, hierarchy::incoming),
+        "callHierarchy/outgoingCalls" => workspace(Needs::Everything, hierarchy::outgoing),
+        "workspace/textDocumentContent" => workspace(Needs::Nothing, explain::text_document_content),
         _ => return None,
     })
 }
 
 /// A request about one program or macrocycle. In other documents its result is null.
-fn document<R: Request>(needs: Needs, answer: fn(&Snapshot, &Analysis, R::Params) -> Answer<R::Result>) -> Handler {
+fn document<P: DeserializeOwned + 'static, R: Serialize + 'static>(
+    needs: Needs,
+    answer: fn(&Snapshot, &Analysis, P) -> Answer<R>,
+) -> Handler {
     let run = move |snapshot: &Snapshot, params: Value| {
-        let params = parameters::<R>(params)?;
+        let params = parameters(params)?;
         match &snapshot.analysis {
-            Some(analysis) => result::<R>(answer(snapshot, analysis, params)?),
+            Some(analysis) => result(&answer(snapshot, analysis, params)?),
             None => Ok(NULL.to_owned()),
         }
     };
@@ -136,32 +110,20 @@ fn or_project_file(handler: Handler, answer: fn(&Snapshot, &Value) -> Answer<Val
     Handler { needs, run: Box::new(run) }
 }
 
-/// A request about one program or macrocycle whose parameters and result are taken as JSON.
-fn untyped(needs: Needs, answer: fn(&Snapshot, &Analysis, &Value) -> Answer<Value>) -> Handler {
-    let run = move |snapshot: &Snapshot, params: Value| match &snapshot.analysis {
-        Some(analysis) => Ok(answer(snapshot, analysis, &params)?.to_string()),
-        None => Ok(NULL.to_owned()),
-    };
-    Handler { needs, run: Box::new(run) }
-}
-
-/// A request about everything whose parameters and result are taken as JSON.
-fn untyped_workspace(answer: fn(&Snapshot, &Value) -> Answer<Value>) -> Handler {
-    let run = move |snapshot: &Snapshot, params: Value| Ok(answer(snapshot, &params)?.to_string());
-    Handler { needs: Needs::Nothing, run: Box::new(run) }
-}
-
 /// A request about everything.
-fn workspace<R: Request>(needs: Needs, answer: fn(&Snapshot, R::Params) -> Answer<R::Result>) -> Handler {
-    let run = move |snapshot: &Snapshot, params: Value| result::<R>(answer(snapshot, parameters::<R>(params)?)?);
+fn workspace<P: DeserializeOwned + 'static, R: Serialize + 'static>(
+    needs: Needs,
+    answer: fn(&Snapshot, P) -> Answer<R>,
+) -> Handler {
+    let run = move |snapshot: &Snapshot, params: Value| result(&answer(snapshot, parameters(params)?)?);
     Handler { needs, run: Box::new(run) }
 }
 
-fn parameters<R: Request>(params: Value) -> Answer<R::Params> {
+fn parameters<P: DeserializeOwned>(params: Value) -> Answer<P> {
     serde_json::from_value(params).map_err(Refusal::wrong_params)
 }
 
-fn result<R: Request>(result: R::Result) -> Answer<String> {
-    serde_json::to_string(&result)
+fn result(result: &impl Serialize) -> Answer<String> {
+    serde_json::to_string(result)
         .map_err(|error| Refusal { code: ErrorCode::InternalError, message: error.to_string() })
 }

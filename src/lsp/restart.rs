@@ -18,9 +18,8 @@ use crate::session::Session;
 /// Where no start is possible it gives `{ "refused", "nearest": { "seq", "n" } }`: why, and the nearest earlier place;
 /// `{ "safe" }` when the height is missing at which the tool is clear of everything; and the same as that request where
 /// a block is executed several times. Null where no block is.
-pub(super) fn restart(snapshot: &Snapshot, analysis: &Analysis, params: &Value) -> Answer<Value> {
+pub(super) fn restart(snapshot: &Snapshot, analysis: &Analysis, params: StateParams) -> Answer<Value> {
     let lang = snapshot.client.lang();
-    let params = StateParams::of(params)?;
     let (program, seq) = match here(snapshot, analysis, &params)? {
         Here::Nowhere => return Ok(Value::Null),
         Here::Several(passes) => return Ok(passes),

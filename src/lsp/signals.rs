@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use gen_lsp_types::{LspRequestMethod, MessageDirection, Request, TextDocumentPositionParams};
+use gen_lsp_types::TextDocumentPositionParams;
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
@@ -25,18 +25,8 @@ use crate::session::{Session, TimedSignals, Times};
 /// Most different steps of the block that are shown.
 const SHOWN: usize = 20;
 
-/// A place in a program or macrocycle gives `{ "text", "truncated" }`; null where no block is.
-#[derive(Debug)]
-pub(super) enum SignalsRequest {}
-
-impl Request for SignalsRequest {
-    type Params = TextDocumentPositionParams;
-    type Result = Option<Value>;
-    const METHOD: LspRequestMethod<'static> = LspRequestMethod::Custom("cnc872c/signals");
-    const MESSAGE_DIRECTION: MessageDirection = MessageDirection::ClientToServer;
-}
-
-/// The steps of the block, with the signals that they change and those that are neither 0 nor absent.
+/// A place in a program or macrocycle gives `{ "text", "truncated" }`: the steps of the block, with the signals that
+/// they change and those that are neither 0 nor absent. Null where no block is.
 pub(super) fn signals(
     snapshot: &Snapshot,
     analysis: &Analysis,

@@ -1,6 +1,6 @@
 //! `textDocument/signatureHelp`: the parameters that the macrocycle takes which a block calls, with their values there.
 
-use gen_lsp_types::Position;
+use gen_lsp_types::{Position, TextDocumentPositionParams};
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
@@ -18,13 +18,16 @@ use crate::resolve::Target;
 pub(super) const TRIGGERS: [&str; 4] = ["L", "l", "R", "r"];
 
 /// Answers the request.
-pub(super) fn signature_help(snapshot: &Snapshot, analysis: &Analysis, params: &Value) -> Answer<Value> {
-    Ok(help(snapshot, analysis, params).unwrap_or(Value::Null))
+pub(super) fn signature_help(
+    snapshot: &Snapshot,
+    analysis: &Analysis,
+    params: TextDocumentPositionParams,
+) -> Answer<Option<Value>> {
+    Ok(help(snapshot, analysis, params.position))
 }
 
-fn help(snapshot: &Snapshot, analysis: &Analysis, params: &Value) -> Option<Value> {
+fn help(snapshot: &Snapshot, analysis: &Analysis, position: Position) -> Option<Value> {
     let file = analysis.resolved.file(DOCUMENT)?;
-    let position: Position = serde_json::from_value(params.get("position")?.clone()).ok()?;
     let place = offset(&file.source, position, snapshot.client.unit);
     let block = block_at(file, place)?;
     let flow = Flow::of(analysis, file, block).filter(|flow| flow.code == GCode::G72)?;

@@ -49,19 +49,11 @@ pub(super) enum Here<'a> {
     Several(Value),
 }
 
-impl StateParams {
-    /// The parameters of a request.
-    pub(super) fn of(params: &Value) -> Answer<Self> {
-        Self::deserialize(params).map_err(Refusal::wrong_params)
-    }
-}
-
 /// A place gives `{ "seq", "text", "state" }`: the executed block, the table of `cnc872c state`, and its JSON. A block
 /// that is executed several times gives `{ "count", "message", "passes": [{ "pass", "seq", "text" }] }`: the first of
 /// its executions, one of which is asked for by its `seq`. Null where no block is.
-pub(super) fn state(snapshot: &Snapshot, analysis: &Analysis, params: &Value) -> Answer<Value> {
+pub(super) fn state(snapshot: &Snapshot, analysis: &Analysis, params: StateParams) -> Answer<Value> {
     let lang = snapshot.client.lang();
-    let params = StateParams::of(params)?;
     let (program, indexed, seq) = match here(snapshot, analysis, &params)? {
         Here::Nowhere => return Ok(Value::Null),
         Here::Several(passes) => return Ok(passes),

@@ -210,7 +210,7 @@ fn renamed(path: &Path, l: u32, new: u32) -> Option<PathBuf> {
 }
 
 /// `workspace/willRenameFiles`: the calls of a macrocycle follow its file.
-pub(super) fn will_rename_files(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
+pub(super) fn will_rename_files(snapshot: &Snapshot, params: Value) -> Answer<Value> {
     let renamed = |file: &Value| {
         let path = |key: &str| Uri::parse(file.get(key)?.as_str()?).ok()?.to_file_path().ok();
         let (old, new) = (path("oldUri")?, path("newUri")?);

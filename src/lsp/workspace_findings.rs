@@ -33,7 +33,7 @@ fn hash(value: impl Hash) -> u64 {
 }
 
 /// Answers the request with what the client does not have yet.
-pub(super) fn workspace_diagnostic(snapshot: &Snapshot, params: &Value) -> Answer<Value> {
+pub(super) fn workspace_diagnostic(snapshot: &Snapshot, params: Value) -> Answer<Value> {
     let mut known = snapshot.checked.known.lock().unwrap_or_else(PoisonError::into_inner);
     if known.seen != Some(snapshot.checked.files) && look(snapshot, &mut known) {
         known.seen = Some(snapshot.checked.files);
