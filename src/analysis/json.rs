@@ -8,7 +8,7 @@ use serde_json::ser::Formatter;
 
 use super::number::write_real;
 use crate::dict::Micro;
-use crate::text::is_unsafe;
+use crate::text::write_json_safe;
 
 /// Name and version of the compiler, as records have it.
 pub const GENERATOR: &str = concat!("cnc872c ", env!("CARGO_PKG_VERSION"));
@@ -46,19 +46,7 @@ impl Formatter for Plain {
     }
 
     fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
-        if !self.safe || !fragment.contains(is_unsafe) {
-            return writer.write_all(fragment.as_bytes());
-        }
-        for character in fragment.chars() {
-            if is_unsafe(character) {
-                for unit in character.encode_utf16(&mut [0; 2]) {
-                    write!(writer, "\\u{unit:04x}")?;
-                }
-            } else {
-                write!(writer, "{character}")?;
-            }
-        }
-        Ok(())
+        if self.safe { write_json_safe(writer, fragment) } else { writer.write_all(fragment.as_bytes()) }
     }
 }
 

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::row::{Reach, Row, SCHEMA};
+use crate::analysis::json;
 use crate::analysis::motion::clock;
 use crate::diag::terminal_safe;
-use crate::text::is_unsafe;
 
 /// Before the rows of JSON.
 pub fn json_head() -> String {
@@ -20,26 +20,7 @@ pub const fn json_break(first: bool) -> &'static str {
 
 /// A row of JSON.
 pub fn json_row(row: &Row) -> String {
-    // Texts and finite numbers have a JSON.
-    escaped(serde_json::to_string(row).unwrap_or_default())
-}
-
-/// Escapes the characters on which a terminal might act.
-fn escaped(text: String) -> String {
-    if !text.chars().any(is_unsafe) {
-        return text;
-    }
-    let mut safe = String::with_capacity(text.len());
-    for character in text.chars() {
-        if is_unsafe(character) {
-            for unit in character.encode_utf16(&mut [0; 2]) {
-                let _ = write!(safe, "\\u{unit:04x}");
-            }
-        } else {
-            safe.push(character);
-        }
-    }
-    safe
+    json::text(row, true)
 }
 
 /// Behind the rows of JSON.

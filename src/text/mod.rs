@@ -23,4 +23,4 @@ pub use path::{has_way_back, path_name, way_back, without_ways_back};
 pub use source::{DecodeError, FileId, Location, SourceText};
 pub use sources::Sources;
 pub use span::Span;
-pub(crate) use terminal::is_unsafe;
+pub(crate) use terminal::{is_unsafe, write_json_safe};

@@ -42,7 +42,7 @@ pub fn page(data: &[u8], old: Option<&[u8]>, name: &str, lang: Option<Lang>) -> 
 }
 
 /// Text between tags.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let safe = |character: char| if character.is_control() { '\u{FFFD}' } else { character };
     text.chars().map(safe).collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::display::{Class, DASH, DOT_SIZES, DOTS, Display, Item, LETTER, Place};
+use super::page::escaped;
 
 /// Writes the picture. `image`: the path as PNG, in place of its lines.
 pub(super) fn svg(display: &Display, image: Option<&[u8]>) -> String {
@@ -136,11 +137,6 @@ fn number(out: &mut String, value: f64) {
 
 fn hex([red, green, blue]: [u8; 3]) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
-}
-
-fn escaped(text: &str) -> String {
-    let safe = |character: char| if character.is_control() { '\u{FFFD}' } else { character };
-    text.chars().map(safe).collect::<String>().replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// Bytes as base 64, with padding.

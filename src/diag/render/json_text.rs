@@ -1,33 +1,23 @@
-//! JSON that a terminal may get: what it might act on is escaped, which means the same to every reader of JSON.
+//! JSON that a terminal may get: what it might act on is escaped.
 
 use std::io::{self, Write};
 
 use serde::Serialize;
-use serde_json::ser::{CompactFormatter, Formatter, Serializer};
+use serde_json::ser::{Formatter, Serializer};
 
-use crate::sure::Sure;
-use crate::text::is_unsafe;
+use crate::text::write_json_safe;
 
 /// Writes `value` in one line.
 pub(super) fn write(value: &impl Serialize, mut out: &mut dyn Write) -> io::Result<()> {
-    value.serialize(&mut Serializer::with_formatter(&mut out, Safe(CompactFormatter)))?;
+    value.serialize(&mut Serializer::with_formatter(&mut out, Safe))?;
     out.write_all(b"\n")
 }
 
-struct Safe(CompactFormatter);
+struct Safe;
 
 impl Formatter for Safe {
     fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
-        let mut rest = fragment;
-        while let Some((at, character)) = rest.char_indices().find(|&(_, character)| is_unsafe(character)) {
-            let (before, from) = rest.split_at(at);
-            self.0.write_string_fragment(writer, before)?;
-            for unit in character.encode_utf16(&mut [0; 2]) {
-                write!(writer, "\\u{unit:04x}")?;
-            }
-            rest = from.get(character.len_utf8()..).sure();
-        }
-        self.0.write_string_fragment(writer, rest)
+        write_json_safe(writer, fragment)
     }
 }
 
