@@ -46,6 +46,19 @@ impl AxisLetter {
         }
     }
 
+    /// The letter of the linear axis beside it (ISO 841): U along X, V along Y, W along Z, and the other way round.
+    pub const fn parallel(self) -> Option<Self> {
+        match self {
+            Self::X => Some(Self::U),
+            Self::Y => Some(Self::V),
+            Self::Z => Some(Self::W),
+            Self::U => Some(Self::X),
+            Self::V => Some(Self::Y),
+            Self::W => Some(Self::Z),
+            Self::A | Self::B | Self::C => None,
+        }
+    }
+
     /// The letter as a text.
     pub const fn name(self) -> &'static str {
         match self {

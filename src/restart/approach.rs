@@ -75,6 +75,8 @@ pub(super) struct Approach {
     pub top: Micro,
     /// What says so.
     pub height: Height,
+    /// Why a start needs another `--safe`, if it does.
+    pub lacks: Option<Reason>,
     /// How far above the place rapid ends.
     pub clearance: Micro,
     /// X is programmed as a diameter (G74).

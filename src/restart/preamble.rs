@@ -340,18 +340,13 @@ pub(super) fn notes(from: Sources<'_>, parameters: &[u8], written_out: u64) -> V
     if written_out > 0 {
         notes.push(Note::WrittenOut { blocks: written_out });
     }
-    let Approach { tool, others, reference, .. } = from.approach;
     if let Some(axis) = from.approach.descends().filter(|_| from.approach.lathe) {
         notes.push(Note::Lathe { axis: axis.to_string() });
     }
-    // Other axes move in rapid, and the program never says where the tool's axis is.
-    let blind =
-        (tool.is_none() && !others.is_empty()).then(|| from.settings.machine.tool_axis.unwrap_or(AxisLetter::Z));
     let is_moved = |axis| from.found.unknown.iter().any(|(letter, _)| *letter == axis);
-    let unknown =
-        from.there.unknown.iter().copied().filter(|(axis, _)| Some(*axis) != blind && !reference.contains(axis));
+    let unknown = from.there.unknown.iter().copied().filter(|(axis, _)| !from.approach.reference.contains(axis));
     let (unseen, unknown): (Vec<_>, Vec<_>) = unknown.partition(|(_, lack)| *lack == Lack::Unseen);
-    for (axis, lack) in unknown.into_iter().chain(blind.map(|axis| (axis, Lack::Lost))) {
+    for (axis, lack) in unknown {
         let letter = axis.to_string();
         match lack {
             Lack::Fresh if !is_moved(axis) => {}

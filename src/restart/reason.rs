@@ -69,6 +69,9 @@ bilingual! {
         Longer "a program from there would go on behind the end of this one",
             "program odtud by pokračoval za konec tohoto";
         Shorter { n: u32 } "a program from there would end before N{n}", "program odtud by skončil před N{n}";
+        Lowered { axis: String, tool: String }
+            "{axis} is parallel to {tool} and does not stand at its highest: the approach would move across with it down",
+            "osa {axis} je rovnoběžná s {tool} a nestojí ve své nejvyšší poloze: najetí by s ní dole přejíždělo";
         SafeBelow { axis: String }
             "--safe is not above the place: the tool would move across in rapid where it cut in {axis}",
             "--safe není nad místem: nástroj by rychloposuvem přejížděl tam, kde v ose {axis} obráběl";

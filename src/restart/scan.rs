@@ -42,6 +42,8 @@ struct Pending {
     unknown: UnknownAxes,
     /// See [`Target::level`].
     level: Option<Micro>,
+    /// See [`super::approach::Approach::lacks`].
+    lacks: Option<Reason>,
     /// Those that are listed.
     spots: Vec<Spot>,
 }
@@ -201,6 +203,10 @@ impl Scan {
     }
 
     fn works(&mut self, pending: Pending) {
+        if let Some(reason) = pending.lacks.clone() {
+            self.lack_safe(&pending, reason);
+            return;
+        }
         if self.place != Some(pending.seq) {
             self.nearest = self.nearest.max(Some(pending.seq));
         }
@@ -230,16 +236,12 @@ impl Scan {
         let target = match judged {
             Ok(target) => target,
             Err(reason) => {
-                if reason.asks_for_safe() {
-                    self.without_safe += 1;
-                } else {
-                    self.refused.get_or_insert(reason);
-                }
+                self.refused.get_or_insert(reason);
                 return;
             }
         };
-        let Target { unknown, level, .. } = target;
-        let pending = Pending { seq, unknown, level, spots: spot.into_iter().collect() };
+        let Target { unknown, level, approach } = target;
+        let pending = Pending { seq, unknown, level, lacks: approach.lacks, spots: spot.into_iter().collect() };
         if !is_place && pending.is_settled() {
             self.works(pending);
         } else {
@@ -251,7 +253,8 @@ impl Scan {
     fn wait(&mut self, pending: Pending) {
         let asked = self.place;
         let is_asked = |pending: &Pending| asked == Some(pending.seq);
-        let alike = |other: &Pending| (other.unknown, other.level) == (pending.unknown, pending.level);
+        let key = |of: &Pending| (of.unknown, of.level, of.lacks.clone());
+        let alike = |other: &Pending| key(other) == key(&pending);
         let same = |other: &&mut Pending| alike(other) && !is_asked(other) && !is_asked(&pending);
         match self.pending.iter_mut().find(same) {
             Some(other) => {
@@ -311,7 +314,7 @@ impl Scan {
         for mut pending in std::mem::take(&mut self.pending) {
             pending.level = pending.level.filter(|_| !changes);
             if pending.level.is_some_and(|level| works_at >= Some(level)) {
-                self.lack_safe(&pending);
+                self.lack_safe(&pending, self.tracker.no_safe());
                 continue;
             }
             let UnknownAxes { fresh, from_start, lost, turned } = &mut pending.unknown;
@@ -343,11 +346,11 @@ impl Scan {
         }
     }
 
-    /// Places do not work without `--safe`: the tool works at their height.
-    fn lack_safe(&mut self, pending: &Pending) {
+    /// Places do not work without another `--safe`.
+    fn lack_safe(&mut self, pending: &Pending, reason: Reason) {
         self.without_safe += pending.spots.len() as u64;
-        if let Some(there) = self.there.as_mut().filter(|_| self.place == Some(pending.seq)) {
-            there.target = Err(self.tracker.no_safe());
+        if self.place == Some(pending.seq) {
+            self.set_reason(reason);
         }
     }
 
@@ -442,7 +445,6 @@ impl Sink for &mut Scan {
 
     fn begin(&mut self, program: &Program<'_>) {
         self.text = Text::of(program);
-        self.tracker.begin(program);
     }
 
     fn block(&mut self, block: &Executed<'_>, _: &mut Findings) -> ControlFlow<()> {

@@ -1,6 +1,6 @@
 //! What a start at the next block would need: kept while the program is executed, judged before each block.
 
-use super::approach::{Approach, Height, Lack, Target};
+use super::approach::{Approach, Height, Lack, Target, UnknownAxes};
 use super::heights::Heights;
 use super::reason::Reason;
 use crate::analysis::state::{Axes, Before, Unknown};
@@ -10,8 +10,7 @@ use crate::dict::{
     Address, AxisLetter, CLAMP_GROUP, Decimal, FeedPer, GCode, GGroup, Micro, ORIENTED_STOP, OTHER_GROUP,
     SPINDLE_GROUP, SPINDLE_TURNS, TOOL_CHANGE,
 };
-use crate::run::{Executed, Program, State};
-use crate::syntax::Word;
+use crate::run::{Executed, State};
 
 /// What the user wants.
 #[derive(Clone, Copy, Debug)]
@@ -50,8 +49,9 @@ pub(super) struct Tracker {
     tool_axis: Option<usize>,
     /// Whether the project file names it.
     tool_is_named: bool,
-    /// Whether a block of the program moves it.
-    tool_is_moved: bool,
+    /// The place in machine order of the linear axis that is parallel to it, and the greatest position of that one.
+    parallel: Option<usize>,
+    parallel_highest: Option<Micro>,
     before: Before,
     axes: Axes,
     /// By place in machine order: a motion or a block of data gave it its position.
@@ -87,13 +87,17 @@ pub(super) struct Tracker {
 impl Tracker {
     pub fn new(settings: &Settings, options: Options) -> Self {
         let tool_letter = settings.machine.tool_axis.unwrap_or(AxisLetter::Z);
-        let tool_axis = settings.machine.axes.index(tool_letter);
+        let axes = &settings.machine.axes;
+        let tool_axis = axes.index(tool_letter);
+        let parallel = tool_letter.parallel().and_then(|letter| axes.index(letter));
+        let parallel = parallel.filter(|at| axes.get(*at).is_some_and(|axis| !axis.rotary));
         Self {
             options,
             tool_letter,
             tool_axis,
             tool_is_named: settings.machine.tool_axis.is_some(),
-            tool_is_moved: false,
+            parallel,
+            parallel_highest: None,
             before: Before::new(settings),
             axes: Axes::new(settings),
             named: [false; 9],
@@ -111,13 +115,6 @@ impl Tracker {
             apart: Vec::new(),
             conversion: None,
         }
-    }
-
-    /// Looks at the program before it is executed.
-    pub fn begin(&mut self, program: &Program<'_>) {
-        let moves = |word: &Word| word.address.axis() == Some(self.tool_letter);
-        let mut files = program.resolved.written_files();
-        self.tool_is_moved = files.any(|file| file.block_ids().any(|block| file.words(block).iter().any(moves)));
     }
 
     /// What is in force.
@@ -153,6 +150,8 @@ impl Tracker {
             *named = true;
             *drifted = by_distance && (*drifted || before.is_unsettled(at));
         }
+        let parallel = self.parallel.and_then(|at| block.state().axis_position(at));
+        self.parallel_highest = self.parallel_highest.max(parallel);
         self.heights.pass(block, before);
         self.before.pass(block);
     }
@@ -255,7 +254,7 @@ impl Tracker {
     /// How a start at the block can be approached, with the axes that are not known there.
     ///
     /// # Errors
-    /// Why there is none, whatever the program does later.
+    /// Why there is none, whatever the program does later and whatever `--safe` is.
     pub fn judge(&self, block: &Executed<'_>) -> Result<Target, Reason> {
         self.judge_functions(block)?;
         let settings = block.settings();
@@ -286,18 +285,18 @@ impl Tracker {
                 Some(Lack::FromStart) | None => {}
             }
         }
-        // Of one that never moves, nobody but the user knows.
-        let fresh = if self.tool_is_moved { target.unknown.fresh } else { 0 };
-        let below = (target.unknown.lost | target.unknown.from_start | fresh) & 1 << tool != 0;
+        let UnknownAxes { lost, from_start, fresh, .. } = target.unknown;
+        let below = (lost | from_start | fresh) & 1 << tool != 0;
         let approach = self.approach(settings, tool, below)?;
         let place = approach.tool.map(|(_, place)| place);
-        let lost = target.unknown.lost & !(1 << tool);
+        let lost = lost & !(1 << tool);
         if let Some(axis) = settings.machine.axes.get(lost.trailing_zeros() as usize)
-            && place.is_some_and(|place| place < approach.top)
+            && place.is_some_and(|place| approach.lacks.is_some() || place < approach.top)
         {
             return Err(Reason::Position { axis: axis.letter.to_string() });
         }
-        target.level = place.filter(|place| approach.height == Height::Highest && *place == approach.top);
+        let level = |place: &Micro| approach.height == Height::Highest && *place == approach.top;
+        target.level = place.filter(level).filter(|_| approach.lacks.is_none());
         target.approach = Approach { lathe, ..approach };
         Ok(target)
     }
@@ -357,6 +356,12 @@ impl Tracker {
         Reason::NoSafe { axis: self.tool_letter.to_string() }
     }
 
+    /// An axis that is parallel to the tool's, and is not where it stood highest.
+    fn lowered(&self, settings: &Settings) -> Option<AxisLetter> {
+        let at = self.parallel.filter(|at| self.state().axis_position(*at) < self.parallel_highest)?;
+        Some(settings.machine.axes.get(at)?.letter)
+    }
+
     /// The heights of the approach (RST-2); `below`: nobody knows where the tool's axis stands.
     fn approach(&self, settings: &Settings, tool: usize, below: bool) -> Result<Approach, Reason> {
         let state = self.state();
@@ -387,20 +392,25 @@ impl Tracker {
             let safe = Micro::from(safe);
             if approach.is_diameter(self.tool_letter) { safe.half() } else { safe }
         });
-        if safe.is_some_and(|safe| safe <= place) && !self.heights.came_in_rapid() {
-            return Err(Reason::SafeBelow { axis: self.tool_letter.to_string() });
+        if let Some(axis) = self.lowered(settings).filter(|_| !approach.others.is_empty()) {
+            return Err(Reason::Lowered { axis: axis.to_string(), tool: self.tool_letter.to_string() });
         }
         approach.height = match safe {
             Some(safe) if safe < place => Height::Place,
             Some(_) => Height::Safe,
             None => Height::Highest,
         };
-        let Some(top) = safe.or_else(|| self.heights.clear_of(place, approach.others.is_empty())) else {
-            return Err(self.no_safe());
+        let top = safe.or_else(|| self.heights.clear_of(place, approach.others.is_empty()));
+        approach.lacks = match top {
+            None => Some(self.no_safe()),
+            Some(top) if safe.is_some() && top <= place && !self.heights.came_in_rapid() => {
+                Some(Reason::SafeBelow { axis: self.tool_letter.to_string() })
+            }
+            Some(_) => None,
         };
-        approach.top = top.max(place);
+        approach.top = top.unwrap_or(place).max(place);
         approach.clearance = Micro::from(self.options.clearance);
-        if approach.top > place {
+        if approach.lacks.is_some() || approach.top > place {
             if state.feed(machine).is_none() {
                 return Err(Reason::NoFeed);
             }

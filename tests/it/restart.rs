@@ -542,8 +542,41 @@ fn axes_that_are_lost_stay_lost() {
     }
     let blind = "N20 S9 M03\nN30 G00 X1 Y1\nN40 G00 X50 Y5\n";
     start("", &format!("{blind}N50 Z50 F9\nN60 G01 Z-1\n"), "50").ends(1).says("the position of Z is not known");
-    // Nothing but the user moves it.
-    assert!(start("", &format!("{blind}N50 G01 X9 F9\n"), "50").ends(0).stdout.contains("Z is not known here"));
+    start("", &format!("{blind}N50 G01 X9 F9\n"), "50").ends(1).says("the position of Z is not known");
+}
+
+/// RST-2, RST-4: where the tool works by another axis than the tool's, nothing says that it is clear.
+#[test]
+fn tools_that_another_axis_moves() {
+    let start = |config: &str, blocks: &str, n: &str| {
+        let text = format!("%1\nN10 G90 T1 M06\nN20 S900 M03 F80\n{blocks}N900 M30\n");
+        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
+        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "100"])
+    };
+    let quill = "N30 G00 X100 Y100 W50\nN40 W2\nN50 G01 W-60\nN60 G00 W50\nN70 X200\nN80 W2\nN90 G01 W-60\nN95 X210\n";
+    start("", quill, "95").ends(1).says("the position of Z is not known");
+    start("[restart]\ntool-axis = \"W\"\n", quill, "95").ends(0);
+    let mill = "N30 G00 X0 Y0 Z50\nN40 Z2\nN50 G01 Z-10\nN60 X50\n";
+    for axis in ["W", "B"] {
+        let config = format!("[restart]\ntool-axis = \"{axis}\"\n");
+        start(&config, mill, "60").ends(1).says(&format!("the position of {axis} is not known"));
+    }
+    let both = "N30 G00 X0 Y0 Z50 W0\nN40 Z5\nN50 G01 W-60\nN60 X10\nN70 G00 W0\nN80 X30\n";
+    start("", both, "60").ends(1).says("W is parallel to Z and does not stand at its highest").says("--seq 4, N50");
+    assert!(start("", both, "80").ends(0).stdout.contains("X10 Y0 W0 \"across\""));
+}
+
+/// RST-4: `--safe` is asked for only where it opens a place.
+#[test]
+fn what_no_safe_opens() {
+    let text = "%1\nN10 G54 G90 G94 T1 M06\nN20 S1000 M03 F200\nN30 G00 X0 Y0 Z50\nN35 G91 B10\nN36 G90\nN40 Z2\nN50 G01 Z-1\n\
+        N60 X10\nN70 X15\nN80 G90 X20\nN90 G00 Z50\nN95 X0\nN110 M30\n";
+    let place = Place::with(&[("a.nc", text.as_bytes())]);
+    let start = |args: &[&str]| place.run(&[&["restart", "a.nc", "--lang", "en"], args].concat());
+    for safe in [&[][..], &["--safe", "60"], &["--safe", "10"]] {
+        start(&[&["--n", "35"], safe].concat()).ends(1).says("the position of B is not known, and N35 goes on from it");
+    }
+    assert!(!start(&["--list"]).stdout.contains("--safe would open"));
 }
 
 /// MFN-9: under M40 the gear follows from the last speed of the spindle, also where S has become a cutting speed.
