@@ -46,10 +46,10 @@ impl OtherMeaning {
                 }
             }
             (Self::ModalOrigin, Lang::En) => {
-                "write the zero offset of the work again (such as `G54`) behind the block with G53".to_owned()
+                "behind a retraction write the zero offset of the work again, such as `G54`".to_owned()
             }
             (Self::ModalOrigin, Lang::Cs) => {
-                "za blokem s G53 znovu zadat posunutí nulového bodu (například „G54“)".to_owned()
+                "po odjezdu znovu zadat posunutí nulového bodu, například „G54“".to_owned()
             }
             (Self::CuttingSpeed { .. }, Lang::En) => {
                 "with the speed of the spindle in S the feed is under G94 or G95; the key `g97` says what G97 is"

@@ -18,6 +18,8 @@ pub(super) struct Functions {
     pub(super) roles: Roles,
     /// Has a G function of other controls with words that belong to it: a call or a cycle.
     foreign: bool,
+    /// M98 where the machine has no such function.
+    call_elsewhere: Option<Word>,
     /// The conflicts of these functions.
     pub(super) conflicts: Vec<Conflict>,
 }
@@ -54,6 +56,10 @@ impl Functions {
     }
 
     fn add_m(&mut self, number: u8, word: Word, machine: &Machine) {
+        let configured = machine.m_functions.get(number).is_some_and(|function| function.configured);
+        if number == CALL_ELSEWHERE && !configured {
+            self.call_elsewhere = Some(word);
+        }
         match self.m.get_mut(usize::from(machine.m_functions.group(number))) {
             Some(Some((first, first_word))) => {
                 let conflict = Conflict { first: *first_word, second: word, of: Shared::MGroup(*first, number) };
@@ -71,8 +77,8 @@ impl Functions {
     }
 
     /// M98, which calls a subprogram on other controls.
-    pub(super) fn calls_elsewhere(&self) -> Option<Word> {
-        self.m.iter().flatten().find(|(number, _)| *number == CALL_ELSEWHERE).map(|(_, word)| *word)
+    pub(super) const fn calls_elsewhere(&self) -> Option<Word> {
+        self.call_elsewhere
     }
 
     /// Whether the block calls a subprogram by M98 and P.

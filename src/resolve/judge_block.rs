@@ -7,7 +7,7 @@ use super::functions::{Conflict, Functions, m_number};
 use super::judge_file::{Judged, JudgedFile};
 use super::judge_word::is_out_of_range;
 use super::missing_axis;
-use super::numbers::number_as_function;
+use super::numbers::{number_as_function, word_before};
 use super::targets::{centers_without_use, missing_control_words};
 use super::unnumbered::is_first_in_line;
 use super::{Taker, Unit, UnitKind, control_word, l_number, unused_l};
@@ -25,7 +25,7 @@ const MOST_G: usize = 11;
 const MOST_M: usize = 10;
 const MOST_R: usize = 95;
 /// In m/min: above what turning works with, so that a speed of the spindle was probably meant.
-const NO_CUTTING_SPEED: i64 = 500;
+const NO_CUTTING_SPEED: i64 = 1000;
 /// So many subprograms are named in a help.
 const MOST_NAMED: usize = 5;
 
@@ -84,7 +84,7 @@ impl<'a> BlockJudge<'a> {
                 self.judge_word(word, &functions);
             }
             if word.address == Address::T {
-                self.judge_tool(word);
+                self.judge_tool(word, words);
             }
         }
         self.judge_plane(&functions);
@@ -132,7 +132,7 @@ impl<'a> BlockJudge<'a> {
                 all_simple = false;
                 self.judge_word(word, &Functions::default());
                 if word.address == Address::T {
-                    self.judge_tool(word);
+                    self.judge_tool(word, words);
                 }
             }
         }
@@ -142,13 +142,16 @@ impl<'a> BlockJudge<'a> {
         (seen, all_simple && !repeated)
     }
 
-    /// Warns of a block without words (W0214), unless its line lacks another block number, or the words come after the
-    /// `*` in it.
+    /// Warns of a block without words (W0214), unless its line lacks another block number, a letter without a value
+    /// stands before it, `Mn03`, or the words come after the `*` in it.
     fn warn_of_empty_block(&mut self, block: BlockId) {
         let place = self.file.n_place(block);
         let lines = self.file.source.lines();
         let unnumbered = self.around.unnumbered(self.settings).line_before(place.span.start);
         if unnumbered.is_some_and(|line| lines.line_at(line) == lines.line_at(place.span.start)) {
+            return;
+        }
+        if word_before(self.file, block).is_some_and(Word::is_void) {
             return;
         }
         let function = number_as_function(self.file, block);
@@ -368,12 +371,15 @@ impl<'a> BlockJudge<'a> {
             self.judged.cutting_speed = Some(Diagnostic::new(finding, self.file.word_place(s)));
         }
         if let Some((table @ (GCode::G92 | GCode::G93), g)) = functions.of_group(GGroup::G10) {
-            self.judge_table(words, table, g);
+            self.judge_table(words, table, g, functions.of_group(GGroup::G5).is_some());
         }
     }
 
-    /// `T0101`: the tool and its offset.
-    fn judge_tool(&mut self, t: Word) {
+    /// `T0101`: the tool and its offset, without D.
+    fn judge_tool(&mut self, t: Word, words: &[Word]) {
+        if words.iter().any(|word| word.address == Address::D) {
+            return;
+        }
         let pair = |tool: &i64| (101..1000).contains(tool) && tool / 100 == tool % 100;
         let Some(tool) = t.whole().filter(pair) else { return };
         let written = self.file.source.slice(t.span(self.file.source.text())).to_ascii_uppercase();
@@ -386,11 +392,13 @@ impl<'a> BlockJudge<'a> {
     }
 
     /// G92 or G93 with words that mean something else on other controls, or without values for the table (GRP-4).
-    fn judge_table(&mut self, words: &[Word], table: GCode, g: Word) {
+    /// `origin`: with a function of origin.
+    fn judge_table(&mut self, words: &[Word], table: GCode, g: Word, origin: bool) {
         let of = |address: Address| words.iter().copied().find(|word| word.address == address);
         let (axes, s) = (words.iter().any(|word| word.address.axis().is_some()), of(Address::S));
         let meant = |meant: OtherMeaning| Finding::OtherMeaning { meant, count: None };
-        if table == GCode::G92 && axes && of(Address::F).is_some_and(|f| !f.is_faulty()) {
+        let of_thread = of(Address::Z).is_some() && of(Address::Y).is_none() && of(Address::D).is_none();
+        if table == GCode::G92 && of_thread && !origin && of(Address::F).is_some_and(|f| !f.is_faulty()) {
             self.report(g, meant(OtherMeaning::Thread));
         }
         if let Some(s) = s.filter(|s| table == GCode::G92 && !axes && of(Address::D).is_none() && !s.is_faulty()) {

@@ -3,7 +3,7 @@
 use crate::diag::{Diagnostic, Finding, Findings, LabelText};
 use crate::dict::{Dialect, HIGHEST_L};
 use crate::sure::Sure;
-use crate::syntax::{BlockId, ParsedFile};
+use crate::syntax::{BlockId, ParsedFile, Word};
 
 /// The numbers of a file's blocks.
 pub(super) struct Numbered {
@@ -80,12 +80,17 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], numbered: &mut N
 
 /// The M function whose number an empty block has behind the words of another block on its line: `T2 N6`.
 pub fn number_as_function(file: &ParsedFile, block: BlockId) -> Option<String> {
-    let (text, lines) = (file.source.text(), file.source.lines());
-    let (last, n) = (file.words(BlockId(block.0.checked_sub(1)?)).last()?, file.n_word(block)?);
-    let digits = file.source.slice(n.span(text)).get(1..)?.trim_start_matches([' ', '\t']);
+    let n = file.n_word(block).filter(|_| word_before(file, block).is_some())?;
+    let digits = file.source.slice(n.span(file.source.text())).get(1..)?.trim_start_matches([' ', '\t']);
     let number: u8 = digits.parse().ok().filter(|_| digits.len() <= 2)?;
-    let one_line = lines.line_at(last.span(text).end) == lines.line_at(n.start());
-    (one_line && number <= Dialect::HIGHEST_M).then(|| format!("M{digits}"))
+    (number <= Dialect::HIGHEST_M).then(|| format!("M{digits}"))
+}
+
+/// The last word before a block, on the line of its number.
+pub(super) fn word_before(file: &ParsedFile, block: BlockId) -> Option<Word> {
+    let (text, lines) = (file.source.text(), file.source.lines());
+    let (last, n) = (*file.words(BlockId(block.0.checked_sub(1)?)).last()?, file.n_word(block)?);
+    (lines.line_at(last.span(text).end) == lines.line_at(n.start())).then_some(last)
 }
 
 /// Whether two blocks have the same words.

@@ -211,6 +211,7 @@ impl State {
             last_origin,
             named_tool,
             retracted,
+            works_by_g53,
             compiled: _,
             said,
         } = after;
@@ -220,7 +221,7 @@ impl State {
         (self.dynamic_set, self.orients, self.moved_unseen) = (*dynamic_set, *orients, *moved_unseen);
         (self.feed_per, self.feed_reduced, self.gear) = (*feed_per, *feed_reduced, *gear);
         (self.corrects, self.last_origin) = (*corrects, *last_origin);
-        (self.named_tool, self.retracted) = (*named_tool, *retracted);
+        (self.named_tool, self.retracted, self.works_by_g53) = (*named_tool, *retracted, *works_by_g53);
         if block.has_parameters() {
             self.parameters = *parameters;
             self.said.read_outside = said.read_outside;

@@ -96,6 +96,7 @@ pub(super) fn apply(
         }
     }
     forget_functions(state, words);
+    let spindle = state.m(SPINDLE_GROUP);
     state.feed_reduced = site.machine().m_functions.reduces_feed(state.m(FEED_GROUP));
     if m.end.is_some() {
         reset(site.machine(), state, &mut changed);
@@ -113,6 +114,8 @@ pub(super) fn apply(
             *held = None;
         }
     }
+    // The spindle goes on until the motion of the block has ended.
+    hold_spindle(state, spindle);
     if m.moves_before {
         state.lose_positions();
     }
@@ -143,6 +146,12 @@ fn reset(machine: &Machine, state: &mut State, changed: &mut [bool; M_GROUPS]) {
     }
 }
 
+fn hold_spindle(state: &mut State, function: Option<u8>) {
+    if let Some(held) = state.m.get_mut(SPINDLE_GROUP) {
+        *held = function;
+    }
+}
+
 /// What holds while the program stands (MFN-8).
 pub(super) fn at_stop(machine: &Machine) -> MStop {
     let defaults = machine.m_functions.defaults();
@@ -156,6 +165,9 @@ pub(super) fn at_stop(machine: &Machine) -> MStop {
 pub(super) fn finish(site: &Site<'_>, state: &mut State, m: &MFunctionsOfBlock) {
     if m.moves_after {
         state.lose_positions();
+    }
+    if m.end.is_some() {
+        hold_spindle(state, m.in_force.get(SPINDLE_GROUP).copied().flatten());
     }
     state.orients = halts(site.settings, m) && spindle::axis(site.machine(), state).is_some();
 }

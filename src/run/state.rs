@@ -229,6 +229,17 @@ impl Default for Said {
     }
 }
 
+/// Whether a G53 in place of a zero offset of the work, written with Z alone as other controls retract, is in force.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub(super) enum Retracted {
+    /// No.
+    No,
+    /// It is, and the program has not worked since.
+    ByG53,
+    /// It is, and the program works by it, which was said.
+    Said,
+}
+
 /// The state between two blocks.
 #[derive(Clone, Debug)]
 pub struct State {
@@ -271,9 +282,10 @@ pub struct State {
     pub(super) corrects: Option<GCode>,
     /// The T that no M06 followed so far, and its word (W0628).
     pub(super) named_tool: Option<(Decimal, Location)>,
-    /// A G53 in place of a zero offset of the work, written with Z alone as other controls retract, is still in force
-    /// (W0116).
-    pub(super) retracted: bool,
+    /// Whether a G53 that is written for one block is in force (W0116).
+    pub(super) retracted: Retracted,
+    /// G53 is an origin of the work: the program wrote it by G92, or worked by it without retracting under it.
+    pub(super) works_by_g53: bool,
     /// A stream is written: a parameter without a value ends it (PAR-5).
     pub(super) compiled: bool,
     /// For texts.
@@ -328,7 +340,8 @@ impl State {
             spindle_words: None,
             corrects: None,
             named_tool: None,
-            retracted: false,
+            retracted: Retracted::No,
+            works_by_g53: false,
             compiled: false,
             origins: Origins::default(),
             last_origin: (None, None),

@@ -3,7 +3,7 @@
 use super::block::{Block, Effect, InForce};
 use super::parameters::with_origin;
 use super::site::Site;
-use super::state::{Held, Position, SpindleWords, State};
+use super::state::{Held, Position, Retracted, SpindleWords, State};
 use super::travel::Travel;
 use super::words::BlockWords;
 use crate::config::Axis;
@@ -39,9 +39,14 @@ pub(super) fn check_motion(site: &mut Site<'_>, state: &mut State, words: &Block
         state.said.spindle_stopped = true;
         site.found(Finding::SpindleStopped { thread }, words.place_of_motion(site));
     }
-    if words.written(GGroup::G5).is_none() && std::mem::take(&mut state.retracted) {
-        let meant = OtherMeaning::ModalOrigin;
-        site.found(Finding::OtherMeaning { meant, count: None }, words.place_of_motion(site));
+    match state.retracted {
+        Retracted::No => state.works_by_g53 |= g.of(GGroup::G5) == Some(GCode::G53),
+        Retracted::ByG53 if words.written(GGroup::G5).is_none() => {
+            state.retracted = Retracted::Said;
+            let meant = OtherMeaning::ModalOrigin;
+            site.found(Finding::OtherMeaning { meant, count: None }, words.place_of_motion(site));
+        }
+        Retracted::ByG53 | Retracted::Said => {}
     }
 }
 
@@ -51,7 +56,10 @@ pub(super) fn note_retraction(site: &Site<'_>, state: &mut State, words: &BlockW
         let work = state.modal(GGroup::G5).is_some_and(|before| before != GCode::G53);
         let mut axes = words.axis_words().filter_map(|(axis, _)| site.machine().axes.get(axis));
         let only_z = axes.next().is_some_and(|axis| axis.letter == AxisLetter::Z) && axes.next().is_none();
-        state.retracted = origin == GCode::G53 && work && only_z && words.data().is_none();
+        let writes = words.data().is_some();
+        state.works_by_g53 |= writes && origin == GCode::G53;
+        let retracts = origin == GCode::G53 && work && only_z && !writes && !state.works_by_g53;
+        state.retracted = if retracts { Retracted::ByG53 } else { Retracted::No };
     }
 }
 
@@ -60,7 +68,12 @@ pub(super) fn may_lack(site: &Site<'_>, state: &mut State, g: &InForce, thread: 
     let feed = (state.feed == Held::None && !state.said.feed)
         || (!thread && (differing_unit(site, state, g).is_some() || lacks_speed(site, state, g).is_some()));
     let speed = state.speed == Held::None && !state.said.speed && speed_reader(site, g).is_some();
-    state.retracted || feed || speed || lacks_spindle(site, state, thread)
+    let origin = match state.retracted {
+        Retracted::No => !state.works_by_g53 && g.of(GGroup::G5) == Some(GCode::G53),
+        Retracted::ByG53 => true,
+        Retracted::Said => false,
+    };
+    origin || feed || speed || lacks_spindle(site, state, thread)
 }
 
 /// The G6 function in force, when a motion under it needs S (TEC-3).

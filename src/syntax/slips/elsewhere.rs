@@ -338,7 +338,12 @@ pub(super) fn garbled(around: &Around<'_>) -> Option<Diagnosis> {
     let goes_on = matches!(around.byte(span.end), b'*' | b'#' | b'/' | b'+' | b'-' | b'[' | b'.');
     let other = address == Address::R || parametric && (goes_on || matches!(address, Address::N | Address::Program));
     let Some(word) = value(address, span, &number).filter(|_| !other) else {
-        return Some(Diagnosis::saying(1, around.characters(span, Meant::inside(rest))).void(address, span));
+        // `R[5]=3`
+        let mut next = around.cursor();
+        next.one(token.kind);
+        let span = next.assigned_value().map_or(span, |last| span.to(last.span()));
+        let found = around.characters(span, Meant::inside(rest));
+        return Some(Diagnosis::saying(next.taken, found).void(address, span));
     };
     let written = format!("{address}{number}");
     let found = if source.is_some() {
