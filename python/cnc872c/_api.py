@@ -268,7 +268,7 @@ def plc(
 ) -> Steps:
     """What a program asks of the PLC, step by step: the signals of ``cnc872c plc``.
 
-    With ``find`` only the steps in which a condition holds, with the signals that it names.
+    With ``find`` only the steps in which a condition holds, with the signals that it names, instead of ``signals``.
 
     >>> import cnc872c
     >>> text = "%1\\nN10 G90 G00 X0 T5\\nN20 M03 S500\\nN30 M30"
@@ -344,6 +344,7 @@ def restart_places(
     *,
     text: str | bytes | None = None,
     safe: float | None = None,
+    clearance: float = 2.0,
     **options: Unpack[Options],
 ) -> list[RestartPlace]:
     """The tool changes and rapids at which a program can start: those of ``cnc872c restart --list``.
@@ -353,7 +354,7 @@ def restart_places(
     >>> [place["n"] for place in cnc872c.restart_places(text=text, safe=50)]
     [10, 30, 60]
     """
-    start = {"safe": safe, "clearance": 2.0, "all_m": False}
+    start = {"safe": safe, "clearance": clearance, "all_m": False}
     places, more = _native.restart_places(program(path, text), plain(options), start)
     if more and not places:
         warnings.warn(f"with `safe` there would be {more} places", stacklevel=2)

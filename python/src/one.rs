@@ -22,7 +22,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::fault::{Fault, json};
-use crate::options::{Options, tried};
+use crate::options::{Options, count, tried};
 use crate::setup::Setup;
 use crate::table::Table;
 use crate::work::{GoesOn, work};
@@ -99,18 +99,25 @@ impl One<'_> {
     }
 }
 
+/// A part of what is executed.
+fn part(first: i64, limit: Option<i64>) -> Result<Part, Fault> {
+    let limit = limit.map(|limit| count("limit", limit)).transpose()?;
+    Ok(Part { from: count("first", first)?, limit })
+}
+
 /// The block stream.
 #[pyfunction]
 pub fn compile(
     py: Python<'_>,
     program: Program,
     options: &Bound<'_, PyDict>,
-    first: u64,
-    limit: Option<u64>,
+    first: i64,
+    limit: Option<i64>,
 ) -> PyResult<Made> {
     one(py, program, Options::new(options)?, |one| {
+        let part = part(first, limit)?;
         let (mut kept, mut failed) = (Kept::default(), None);
-        let sink = BlockTable::new(Part { from: first, limit }, &mut kept, &mut failed);
+        let sink = BlockTable::new(part, &mut kept, &mut failed);
         let run = one.session.run(one.path, &one.name, Purpose::Compile, sink);
         one.finish(run, kept, failed)
     })
@@ -180,8 +187,8 @@ pub struct Wanted {
     signals: Option<String>,
     compat: bool,
     find: Option<String>,
-    first: u64,
-    limit: Option<u64>,
+    first: i64,
+    limit: Option<i64>,
 }
 
 /// The signals of the PLC.
@@ -201,7 +208,7 @@ pub fn plc(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>, wanted
         let timed = machine.motion.configured;
         let (mut kept, mut broken, mut failed) = (Kept::default(), None, None);
         let mut writer = Matching { inner: StepTable::new(&mut kept, &mut broken), condition };
-        let range = Part { from: wanted.first, limit: wanted.limit };
+        let range = part(wanted.first, wanted.limit)?;
         let reader = Reader::new(signals, machine, range, &mut writer, &mut failed);
         let run = if timed {
             session.run_timed(one.path, &one.name, Purpose::Compile, times, TimedSignals(reader))
@@ -229,6 +236,9 @@ fn chosen(
 ) -> Result<Vec<&'static Signal>, Fault> {
     let (dialect, motion) = (machine.dialect, machine.motion.configured);
     if let Some(condition) = condition {
+        if wanted.signals.is_some() || wanted.compat {
+            return Err(Fault::Option("find: the condition names the signals, without signals and compat".to_owned()));
+        }
         return Ok(condition.signals().to_vec());
     }
     let Some(names) = &wanted.signals else { return Ok(default(dialect, wanted.compat, motion)) };
@@ -304,8 +314,11 @@ pub fn format(py: Python<'_>, program: Program, options: &Bound<'_, PyDict>) -> 
         let unread = |error| Fault::Io(one.path.into(), error);
         let bytes = one.session.loader.read(one.path).map_err(unread)?;
         let settings = one.session.settings;
-        let source = SourceText::decode(one.name.as_str(), bytes.clone(), settings.encoding);
-        let source = source.map_err(|error| unread(error.into()))?;
+        let Ok(source) = SourceText::decode(one.name.as_str(), bytes.clone(), settings.encoding) else {
+            let outcome = one.session.check(one.path, &one.name);
+            one.add(outcome)?;
+            return Err(Fault::Program(one.json()));
+        };
         let mut made = Vec::new();
         match layout(one.path, &Arc::new(source), settings, &mut |part| made.extend_from_slice(part)) {
             Ok(formatted) => Ok((if formatted.changed { made } else { bytes }, formatted.lines_left)),

@@ -71,7 +71,7 @@ impl Options {
                 "optional_stop" => over.optional_stop = Some(value.extract()?),
                 "encoding" => over.encoding = Some(encoding(&value)?),
                 "max_blocks" => {
-                    let most: u64 = value.extract()?;
+                    let most = count("max_blocks", value.extract()?).map_err(|fault| fault.raise(py))?;
                     if most == 0 {
                         return Err(wrong(py, "max_blocks is at least 1".to_owned()));
                     }
@@ -145,9 +145,21 @@ fn parameters(value: &Bound<'_, PyAny>) -> PyResult<Vec<(u8, cnc872c::dict::Deci
     value.cast::<PyDict>()?.iter().map(one).collect()
 }
 
-/// `{"motion.accel-mm-s2": 800}`: keys with their values as TOML.
+/// A number of blocks.
+///
+/// # Errors
+/// When it is negative.
+pub fn count(name: &str, given: i64) -> Result<u64, Fault> {
+    u64::try_from(given).map_err(|_| Fault::Option(format!("{name}: {given} is less than 0")))
+}
+
+/// `{"motion.accel-mm-s2": 800}`: keys with their values, or these as TOML.
 pub fn tried(value: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
-    let one = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| Ok((key.extract()?, value.str()?.to_string()));
+    let one = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let text =
+            if value.is_instance_of::<PyDict>() { toml(&value, DEPTH)?.to_string() } else { value.str()?.to_string() };
+        Ok((key.extract()?, text))
+    };
     value.cast::<PyDict>()?.iter().map(one).collect()
 }
 
@@ -193,7 +205,8 @@ fn toml(value: &Bound<'_, PyAny>, depth: usize) -> PyResult<Value> {
         return Ok(value.extract::<bool>()?.into());
     }
     if value.is_instance_of::<PyInt>() {
-        return Ok(value.extract::<i64>()?.into());
+        let given = value.extract::<i64>();
+        return Ok(given.map_err(|_| wrong(value.py(), format!("config: {value} is too large")))?.into());
     }
     if value.is_instance_of::<PyFloat>() {
         return Ok(value.extract::<f64>()?.into());

@@ -16,14 +16,14 @@ use crate::options::Options;
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct At {
-    n: Option<u32>,
-    line: Option<u32>,
-    seq: Option<u64>,
+    n: Option<i64>,
+    line: Option<i64>,
+    seq: Option<i64>,
     time: Option<f64>,
     at_tool: Option<i64>,
     file: Option<String>,
     #[pyo3(item("pass"))]
-    pass_number: Option<u64>,
+    pass_number: Option<i64>,
     after: bool,
 }
 
@@ -31,12 +31,13 @@ impl At {
     /// The place that execution finds. A time is looked for first.
     fn asked(self, one: &mut One<'_>) -> Result<Asked, Fault> {
         let place = match self {
-            Self { n: Some(n), .. } => Place::N(n),
-            Self { line: Some(line), .. } => Place::Line(line),
+            Self { n: Some(n), .. } => Place::N(number("n", n)?),
+            Self { line: Some(line), .. } => Place::Line(number("line", line)?),
             Self { at_tool: Some(tool), .. } => Place::Tool(Decimal::whole(tool)),
-            Self { seq, .. } => Place::Seq(seq.unwrap_or(0)),
+            Self { seq, .. } => Place::Seq(number("seq", seq.unwrap_or(0))?),
         };
-        let mut asked = Asked { place, file: self.file, pass: self.pass_number, after: self.after };
+        let pass = self.pass_number.map(|pass| number("pass_", pass)).transpose()?;
+        let mut asked = Asked { place, file: self.file, pass, after: self.after };
         if let Some(seconds) = self.time {
             if !(seconds.is_finite() && seconds >= 0.0) {
                 return Err(Fault::Place(format!("time: {seconds} is no time in seconds")));
@@ -50,6 +51,11 @@ impl At {
         }
         Ok(asked)
     }
+}
+
+/// A number that a place may have.
+fn number<T: TryFrom<i64>>(name: &str, given: i64) -> Result<T, Fault> {
+    T::try_from(given).map_err(|_| Fault::Place(format!("{name}: there is no {given}")))
 }
 
 /// Whether the program has errors, or was not executed to its end.

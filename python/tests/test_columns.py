@@ -17,7 +17,7 @@ import pyarrow
 import pyarrow.ipc
 import pytest
 from cnc872c import _native
-from shared import FAULTY, ROOT, run, samples
+from shared import FAULTY, ROOT, WHOLE, run, samples
 
 AXES = "xyzabcuvw"
 
@@ -219,6 +219,10 @@ def test_units() -> None:
     assert schema.field("motion_length_mm").metadata == {b"unit": b"mm"}
     assert schema.field("a").metadata == {b"unit": b"deg"}
     assert json.loads(schema.metadata[b"cnc872c.program"])["number"] == 1
+    signals = cnc872c.plc(text=WHOLE, signals=["BLK.AxNC[0]", "BLK.AxNC[3]"]).to_arrow().schema
+    assert [signals.field(f"BLK.AxNC[{at}]").metadata for at in (0, 3)] == [{b"unit": b"mm"}, {b"unit": b"deg"}]
+    facts = cnc872c.stats(text=WHOLE).to_arrow().schema
+    assert facts.field("extents_all_x_min").metadata == {b"unit": b"mm"}
 
 
 def test_nothing_is_copied() -> None:

@@ -134,6 +134,8 @@ def test_configuration(folder: Path) -> None:
         {"param": {"R96": 1}},
         {"param": {"X": 1}},
         {"max_blocks": 0},
+        {"max_blocks": -1},
+        {"config": {"limits": {"records": 2**63}}},
         {"macrocycles": "missing"},
         {"deny": "E0104"},
         {"allow": "W9999"},
@@ -157,6 +159,14 @@ def test_what_motion_and_plc_refuse() -> None:
     with pytest.raises(cnc872c.ConfigError) as raised:
         cnc872c.plc(text=WHOLE, find="BLK.T >")
     assert raised.value.findings[0].file == "find"
+    for both in ({"signals": ["BLK.T"]}, {"compat": True}):
+        with pytest.raises(cnc872c.ConfigError, match="find"):
+            cnc872c.plc(text=WHOLE, find="BLK.TProg", **both)
+    for number in ({"first": -1}, {"limit": -1}):
+        for function in (cnc872c.compile, cnc872c.plc):
+            with pytest.raises(cnc872c.ConfigError, match="-1"):
+                function(text=WHOLE, **number)
+    cnc872c.motion(text=WHOLE, set={"rapid-mm-min": {"X": 5000}})
     faster = cnc872c.motion(text=WHOLE, set={"accel-mm-s2": 5000})
     assert faster.time_s < cnc872c.motion(text=WHOLE).time_s
 
@@ -167,7 +177,7 @@ def test_places() -> None:
     assert cnc872c.state(text=text, n=20, pass_=2)["place"]["seq"] == 3
     assert cnc872c.state(text=text, line=3, pass_=1)["place"]["n"] == 20
     assert cnc872c.state(text=text, time=1.0)["place"]["n"] == 20
-    for place in ({"n": 20}, {"n": 99}, {"seq": 99}, {"time": 1e9}, {"at_tool": 3}, {"n": 20, "file": "L5"}):
+    for place in ({"n": 20}, {"n": 99}, {"n": -1}, {"n": 2**33}, {"seq": -1}, {"seq": 99}, {"time": 1e9}, {"at_tool": 3}, {"n": 20, "file": "L5"}):
         with pytest.raises(cnc872c.PlaceError) as raised:
             cnc872c.state(text=text, **place)
         assert isinstance(raised.value, LookupError)
@@ -183,7 +193,7 @@ def test_starts(folder: Path) -> None:
     command = run("restart", "part.nc", "--n", "50", "--clearance", "5", cwd=folder)
     assert cnc872c.restart("part.nc", n=50, clearance=5).decode() == command.stdout
     listed = run("restart", "part.nc", "--list", cwd=folder).stdout.splitlines()
-    assert len(cnc872c.restart_places("part.nc")) == len(listed)
+    assert len(cnc872c.restart_places("part.nc", clearance=5)) == len(listed)
     with pytest.raises(cnc872c.PlaceError):
         cnc872c.restart("part.nc", n=55)
     corrected = text.replace("T1 M06", "T1 D1 M06").replace("N40 G01", "N40 G01 G41")
@@ -209,6 +219,8 @@ def test_layout(folder: Path) -> None:
     assert (folder / "part.nc").read_bytes() == expected
     with pytest.raises(FileNotFoundError):
         cnc872c.format("missing.nc")
+    with pytest.raises(cnc872c.ProgramError, match="E0112"):
+        cnc872c.format(text=untidy.encode("cp1250"), encoding="utf-8")
     with pytest.warns(UserWarning, match="1 lines"):
         assert "??" in cnc872c.format(text="%1\nN10 G1X5.5F100 ??\nN20 M30\n")
 

@@ -1,7 +1,7 @@
 %1 "pismeno navic
 N10 G54 G90 G0 X0 Y0 Z50
 N20 T1 M6
-N30 S1200 Mn03
+N30 S1200 MN03
 "         ^ E0103
 N40 G1 Z-2 F300
 N50 R[5]=3

@@ -106,7 +106,7 @@ mod tests {
     fn texts() {
         let name = "a\u{1b}\u{7f}\u{202e}ř\"\\\n";
         let quoted = text(&name, true);
-        assert!(!quoted.chars().any(is_unsafe));
+        assert!(!quoted.chars().any(crate::text::is_unsafe));
         assert_eq!(serde_json::from_str::<String>(&quoted).unwrap(), name);
         assert_eq!(text(&name, false), serde_json::to_string(name).unwrap());
         assert_eq!(text(&Pairs(vec![("b", 1), ("a", 2)]), false), r#"{"b":1,"a":2}"#);

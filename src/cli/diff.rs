@@ -38,7 +38,9 @@ pub fn unified(name: &str, before: &[Vec<u8>], after: &[Vec<u8>], colors: bool) 
         return out;
     }
     let name = terminal_safe(name);
-    out.extend_from_slice(format!("--- {name}\n+++ {name}\n").as_bytes());
+    // A tab ends a name with blanks in it.
+    let end = if name.contains(' ') { "\t" } else { "" };
+    out.extend_from_slice(format!("--- {name}{end}\n+++ {name}{end}\n").as_bytes());
     let near = |a: &Change, b: &Change| b.before.start - a.before.end <= 2 * CONTEXT;
     for hunk in changes.chunk_by(near) {
         self::hunk(&mut out, hunk, before, after, colors);

@@ -19,9 +19,9 @@ use crate::stream::{
 };
 
 /// Millimetres.
-const MM: &str = "mm";
+pub(super) const MM: &str = "mm";
 /// Degrees.
-const DEG: &str = "deg";
+pub(super) const DEG: &str = "deg";
 
 /// The block stream as columns: a reader of executed blocks.
 pub struct BlockTable<'o> {

@@ -15,8 +15,8 @@ use crate::dict::Micro;
 use crate::run::{End, Executed, Program};
 use crate::session::TimedSink;
 
-/// Velocities of motion in millimetres.
-const FEED: &str = "mm/min";
+/// Velocities: the second in blocks that move rotary axes only.
+const FEED: &str = "mm/min or deg/min";
 
 /// The motion stream as columns: a reader of executed blocks with their times.
 pub struct MotionTable<'o> {

@@ -4,15 +4,17 @@ use std::fmt;
 use std::io;
 
 use super::batches::{Batches, End as LastBatch, PROGRAM, Rows};
+use super::blocks::{DEG, MM};
 use super::table::Table;
-use crate::analysis::plc::{Form, Header, Signal, Step, Value, Writer, end_text, file_text, header_text};
+use crate::analysis::plc::{Cell, Form, Header, Signal, Step, Value, Writer, end_text, file_text, header_text};
 use crate::dict::Micro;
 use crate::run::End;
 
 /// Steps as columns. All signals have their values in every row.
 pub struct StepTable<'o> {
     rows: Rows<'o>,
-    signals: Vec<&'static Signal>,
+    /// With the units of their numbers.
+    signals: Vec<(&'static Signal, &'static str)>,
     files: Vec<String>,
 }
 
@@ -31,7 +33,12 @@ impl<'o> StepTable<'o> {
 
 impl Writer for StepTable<'_> {
     fn begin(&mut self, header: &Header<'_>) -> io::Result<()> {
-        self.signals = header.signals.to_vec();
+        let axes = &header.settings.machine.axes;
+        let unit = |signal: &Signal| {
+            let Cell::Position(place) = signal.cell else { return signal.cell.unit() };
+            axes.get(usize::from(place)).map_or("", |axis| if axis.rotary { DEG } else { MM })
+        };
+        self.signals = header.signals.iter().map(|signal| (*signal, unit(signal))).collect();
         let values = vec![None; self.signals.len()];
         let none = Step { values: &values, ..Step::default() };
         put(&mut self.rows.table, &none, &self.signals);
@@ -56,7 +63,7 @@ impl Writer for StepTable<'_> {
     }
 }
 
-fn put(table: &mut Table, step: &Step<'_>, signals: &[&'static Signal]) {
+fn put(table: &mut Table, step: &Step<'_>, signals: &[(&'static Signal, &'static str)]) {
     let place = step.place;
     table.long("seq", Some(place.seq));
     table.whole("n", "", Some(place.n));
@@ -64,8 +71,8 @@ fn put(table: &mut Table, step: &Step<'_>, signals: &[&'static Signal]) {
     table.whole("line", "", Some(place.line));
     table.number("start_s", "s", step.start_s.map(Micro::to_f64));
     table.flag("stop", place.stop);
-    for (signal, value) in signals.iter().zip(step.values) {
-        let (value, unit): (Value, _) = (*value, signal.cell.unit());
+    for ((signal, unit), value) in signals.iter().copied().zip(step.values) {
+        let value: Value = *value;
         match signal.form() {
             Form::Real => table.number(&signal.name, unit, value.map(|value| Micro::from_millionths(value).to_f64())),
             Form::Bit | Form::Byte => table.byte(&signal.name, value.and_then(|value| u8::try_from(value).ok())),

@@ -105,7 +105,9 @@ fn put_reach(table: &mut Table, name: &str, reach: &Reach) {
     for axis in AxisLetter::ALL {
         let [least, greatest] = reach.get(axis.name()).map_or([None; 2], |ends| ends.map(|end| Some(end.0)));
         let letter = axis.letter().to_ascii_lowercase();
-        table.number(format_args!("{name}_{letter}_min"), "", least);
-        table.number(format_args!("{name}_{letter}_max"), "", greatest);
+        // Programs of other machines may mean others by the other letters.
+        let unit = if matches!(axis, AxisLetter::X | AxisLetter::Y | AxisLetter::Z) { "mm" } else { "" };
+        table.number(format_args!("{name}_{letter}_min"), unit, least);
+        table.number(format_args!("{name}_{letter}_max"), unit, greatest);
     }
 }

@@ -111,9 +111,12 @@ impl<'t> Lowering<'t> {
         }
         for item in items {
             for (word, span) in item.words {
-                // Even so it may begin or end a unit.
-                self.note(word);
-                let (word, span) = self.beside_junk(word, span, &runs);
+                let unknown = self.beside_junk(word, span, &runs);
+                if unknown.is_some() {
+                    // Even so it may begin or end a unit.
+                    self.note(word);
+                }
+                let (word, span) = unknown.unwrap_or((word, span));
                 self.push(word, span);
             }
             self.comments.extend(item.comments);
@@ -135,10 +138,8 @@ impl<'t> Lowering<'t> {
     }
 
     /// A word that touches junk has no value. A number that goes on behind the junk may be any that begins so.
-    fn beside_junk(&self, word: Word, span: Span, runs: &[Span]) -> (Word, Span) {
-        let Some(run) = run_at(runs, span.start).filter(|run| run.start <= span.end && !word.is_void()) else {
-            return (word, span);
-        };
+    fn beside_junk(&self, word: Word, span: Span, runs: &[Span]) -> Option<(Word, Span)> {
+        let run = run_at(runs, span.start).filter(|run| run.start <= span.end && !word.is_void())?;
         let digits = self.text.as_bytes().get(run.end as usize..).sure();
         let digits = digits.iter().take(8).take_while(|byte| byte.is_ascii_digit()).count();
         let numbered = matches!(word.address, Address::N | Address::L | Address::G | Address::M);
@@ -146,7 +147,7 @@ impl<'t> Lowering<'t> {
         let breaks = self.text.get(run.range()).sure().contains(['\n', '\r']);
         let end = if numbered && !breaks { span.end.max(run.end + small(digits)) } else { span.end };
         let span = Span::new(span.start, end);
-        (Word::bare(word.address, span).faulty().assigning(word.target()), span)
+        Some((Word::bare(word.address, span).faulty().assigning(word.target()), span))
     }
 
     /// Adds a word, which stands at `span`, to the block.

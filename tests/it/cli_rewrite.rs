@@ -29,6 +29,10 @@ fn checks_and_diffs() {
     let place = Place::with(&[("a.nc", b"%1\nN10  X1\nN20 M30\n")]);
     let run = place.run(&["format", "--diff", "a.nc"]).ends(1);
     assert_eq!(run.stdout, "--- a.nc\n+++ a.nc\n@@ -1,3 +1,3 @@\n %1\n-N10  X1\n+N10 X1\n N20 M30\n");
+    // `patch` takes a name with blanks up to the tab.
+    let place = Place::with(&[("a b.nc", b"%1\nN10  X1\nN20 M30\n")]);
+    let run = place.run(&["format", "--diff", "a b.nc"]).ends(1);
+    assert!(run.stdout.starts_with("--- a b.nc\t\n+++ a b.nc\t\n@@"), "{}", run.stdout);
 }
 
 /// FMT-6: programs for other controls and in UTF-16 stay, with the finding that says so; so does what is no program.

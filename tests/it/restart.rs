@@ -8,7 +8,7 @@ use cnc872c::restart::{Answer, Options, Restart, restart};
 use cnc872c::session::{Part, Session};
 use serde_json::Value;
 
-use crate::cli::{BAD, Place};
+use crate::cli::{BAD, Place, Run};
 use crate::state::{Sample, samples};
 
 const OPTIONS: Options = Options { safe: None, clearance: Decimal::from_thousandths(2000), all_m: true };
@@ -178,6 +178,12 @@ fn starts_all_over_the_samples() {
     );
 }
 
+/// `restart` of a program under a project file.
+fn started(config: &str, text: &str, args: &[&str]) -> Run {
+    let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
+    place.run(&[&["restart", "a.nc", "--lang", "en"], args].concat())
+}
+
 const LOOP: &str = "%872 \"FLANGE\"\r\nN10 G90 G54 G0 X0 Y0 Z100\r\nN20 T5 D1 M06\r\nN30 S1200 M41 M03 M08\r\nN40 G0 X10 Y10 Z5\r\n\
     N50 G1 Z-1 F200 M25\r\nN60 G71 L100 Q3\r\nN70 G0 Z100 M10\r\nN80 G41 X5\r\nN90 G40 X0\r\nN100 M30\r\n\"p\u{f8}\u{ed}ruba\r\nN1000 G79 L100\r\n\
     N1010 G91 G1 Z-1\r\nN1020 G90 XR10 R10=20\r\nN1030 Y20 G70\r\n";
@@ -286,8 +292,7 @@ fn what_is_refused() {
 fn starts_that_would_be_wrong() {
     let head = "%1\nN10 G54 T1 D1 M06\nN20 G90 G00 X0 Y0 Z50 S800 M03 F200\n";
     let start = |blocks: &str, arguments: &[&str]| {
-        let place = Place::with(&[("a.nc", format!("{head}{blocks}N900 M30\n").as_bytes())]);
-        place.run(&[&["restart", "a.nc", "--lang", "en", "--n", "70"], arguments].concat())
+        started("", &format!("{head}{blocks}N900 M30\n"), &[&["--n", "70"], arguments].concat())
     };
     let across = |blocks: &str, safe: &str| start(blocks, &[safe]).ends(0).stdout;
     for (blocks, top) in [
@@ -384,10 +389,7 @@ fn many_parameters() {
     let assigned: String = (0..96).map(|index| format!("N{} R{index}={index}\n", index + 100)).collect();
     let read: String = (0..96).map(|index| format!("N{} XR{index}\n", index + 300)).collect();
     let text = format!("%3\nN10 G54 G90 G00 X0 Y0 Z50\n{assigned}N290 Y5\n{read}N900 M30\n");
-    let place = Place::with(&[("a.nc", text.as_bytes())]);
-    assert!(
-        place.run(&["restart", "a.nc", "--n", "290", "--lang", "en", "--safe", "50"]).ends(0).stdout.contains("R95=95")
-    );
+    assert!(started("", &text, &["--n", "290", "--safe", "50"]).ends(0).stdout.contains("R95=95"));
 }
 
 /// RST-4: an axis that the spindle turned has a length in the program, and none in one that changes the origin first:
@@ -420,8 +422,7 @@ fn axes_that_stand_where_nobody_knows() {
     let head = "%1\nN10 T2 M06\nN20 G90 G00 X0 Y0 Z50\nN30 S900 M03 F300\n";
     let start = |config: &str, blocks: &str, n: &str| {
         let text = format!("{head}{blocks}N900 M30\n");
-        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
-        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "60"])
+        started(config, &text, &["--n", n, "--safe", "60"])
     };
     let table = "[machine-macrocycles]\nL9002 = { axes = [\"B\"] }\n";
     let cut = "N40 R1=90\nN50 G72 L9002\nN60 G01 Z-5\nN70 X40\nN80 G00 Z50\n";
@@ -461,8 +462,7 @@ fn axes_that_stand_where_nobody_knows() {
 fn spindles_macrocycles_and_conversions() {
     let start = |config: &str, blocks: &str, n: &str| {
         let text = format!("%1\nN10 T1 D1 M06\n{blocks}N900 M30\n");
-        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
-        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "100"])
+        started(config, &text, &["--n", n, "--safe", "100"])
     };
     let cutting = |first: &str, then: &str| {
         format!(
@@ -501,9 +501,7 @@ fn spindles_macrocycles_and_conversions() {
 fn axes_from_the_project_file() {
     let start = |blocks: &str, n: &str| {
         let text = format!("%1\nN10 T3 M06\nN20 S900 M03 F300\n{blocks}N900 M30\n");
-        let config = b"[start]\nX = 1\nY = 2\nZ = 80\n";
-        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config)]);
-        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "90"])
+        started("[start]\nX = 1\nY = 2\nZ = 80\n", &text, &["--n", n, "--safe", "90"])
     };
     let cut = "N30 G90 G00 Z10\nN40 G01 Z-5\nN50 X20\nN60 Y30\nN70 G00 Z50\n";
     let across = start(cut, "50").ends(0).stdout;
@@ -524,8 +522,7 @@ fn axes_from_the_project_file() {
 fn axes_that_are_lost_stay_lost() {
     let start = |config: &str, blocks: &str, n: &str| {
         let text = format!("%1\nN10 G90 T1 D1 F9\n{blocks}N900 M30\n");
-        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
-        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "100"])
+        started(config, &text, &["--n", n, "--safe", "100"])
     };
     let table = "[start]\nX = 0\nY = 0\nZ = 300\n[machine-macrocycles]\nL9001 = {}\n";
     let changes =
@@ -550,8 +547,7 @@ fn axes_that_are_lost_stay_lost() {
 fn tools_that_another_axis_moves() {
     let start = |config: &str, blocks: &str, n: &str| {
         let text = format!("%1\nN10 G90 T1 M06\nN20 S900 M03 F80\n{blocks}N900 M30\n");
-        let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", config.as_bytes())]);
-        place.run(&["restart", "a.nc", "--lang", "en", "--n", n, "--safe", "100"])
+        started(config, &text, &["--n", n, "--safe", "100"])
     };
     let quill = "N30 G00 X100 Y100 W50\nN40 W2\nN50 G01 W-60\nN60 G00 W50\nN70 X200\nN80 W2\nN90 G01 W-60\nN95 X210\n";
     start("", quill, "95").ends(1).says("the position of Z is not known");
@@ -569,14 +565,12 @@ fn tools_that_another_axis_moves() {
 /// RST-4: `--safe` is asked for only where it opens a place.
 #[test]
 fn what_no_safe_opens() {
-    let text = "%1\nN10 G54 G90 G94 T1 M06\nN20 S1000 M03 F200\nN30 G00 X0 Y0 Z50\nN35 G91 B10\nN36 G90\nN40 Z2\nN50 G01 Z-1\n\
-        N60 X10\nN70 X15\nN80 G90 X20\nN90 G00 Z50\nN95 X0\nN110 M30\n";
-    let place = Place::with(&[("a.nc", text.as_bytes())]);
-    let start = |args: &[&str]| place.run(&[&["restart", "a.nc", "--lang", "en"], args].concat());
-    for safe in [&[][..], &["--safe", "60"], &["--safe", "10"]] {
-        start(&[&["--n", "35"], safe].concat()).ends(1).says("the position of B is not known, and N35 goes on from it");
+    let text = "%1\nN10 T1 M06\nN20 S1000 M03 F200\nN30 G00 X0 Y0 Z50\nN35 G91 B10\nN40 G90 Z2\nN50 G01 Z-1\nN60 X10\nN110 M30\n";
+    for safe in [&[][..], &["--safe=60"], &["--safe=10"]] {
+        let refused = started("", text, &[&["--n=35"], safe].concat()).ends(1);
+        refused.says("the position of B is not known, and N35 goes on from it");
     }
-    assert!(!start(&["--list"]).stdout.contains("--safe would open"));
+    assert!(!started("", text, &["--list"]).stdout.contains("--safe would open"));
 }
 
 /// MFN-9: under M40 the gear follows from the last speed of the spindle, also where S has become a cutting speed.
@@ -601,8 +595,7 @@ fn gears_of_cutting_speeds() {
 fn what_holds_from_power_up_on() {
     let text = "%1\nN10 G54 T1 D1 M06\nN20 G90 G00 X0 Z50 S800 M03 F200\nN30 G23 I2\nN40 G01 Z-2\nN50 X5\nN60 Y9\n\
         N900 M30\n";
-    let place = Place::with(&[("a.nc", text.as_bytes()), ("cnc872c.toml", b"[power-up]\nG2 = 23\n")]);
-    let run = place.run(&["restart", "a.nc", "--lang", "en", "--n", "50"]).ends(0);
+    let run = started("[power-up]\nG2 = 23\n", text, &["--n", "50"]).ends(0);
     assert!(
         run.stdout.contains("\"Y was not programmed yet: move it to where the program found it\""),
         "{}",
@@ -615,9 +608,7 @@ fn what_holds_from_power_up_on() {
 #[test]
 fn functions_beside_each_other() {
     let text = "%1\nN10 G54 T1 M06\nN20 G90 G00 Z50 S8 M03 F2 M70\nN25 M71\nN30 M72 M11\nN35 M70\nN40 G01 Z-2\nN50 X5\nN90 M30\n";
-    let place = Place::with(&[("a.nc", text.as_bytes())]);
-    let started =
-        |more: &[&str]| place.run(&[&["restart", "a.nc", "--lang", "en", "--n", "50"], more].concat()).ends(0).stdout;
+    let started = |more: &[&str]| started("", text, &[&["--n", "50"], more].concat()).ends(0).stdout;
     assert!(started(&[]).contains("\"not restored: M71, M72, M70 of group 14 (--all-m)\""), "{}", started(&[]));
     let all = started(&["--all-m"]);
     let written: Vec<&str> = all

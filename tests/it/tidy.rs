@@ -15,7 +15,7 @@ const LONGEST_FUNCTION: usize = 80;
 /// Which top-level modules each may use.
 const LAYERS: [(&str, &[&str]); 23] = [
     ("sure", &[]),
-    ("named", &[]),
+    ("named", &["dict"]),
     ("text", &[]),
     ("disk", &["text"]),
     ("parallel", &[]),

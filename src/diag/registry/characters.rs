@@ -165,8 +165,8 @@ macro_rules! characters {
             })
             help "let the postprocessor write it for this control; `cnc872c explain W0113` says what to change by hand"
                | "nechat ho vygenerovat postprocesorem pro tento systém; co změnit ručně, řekne „cnc872c explain W0113“"
-            note "of each line only the first finding is shown; `-A other-control` shows all"
-               | "z každého řádku je jen první hlášení; všechna ukáže volba -A other-control"
+            note "of each line only the first finding is shown; `cnc872c check -A other-control` shows all"
+               | "z každého řádku je jen první hlášení; všechna ukáže „cnc872c check -A other-control“"
         [W0114] CommentSwallowsWords "comment-swallows-words" Warning { words: String, meant: QuoteMeant }
             en (meant.swallows(words, Lang::En))
             cs (meant.swallows(words, Lang::Cs))
