@@ -456,8 +456,10 @@ fn hidden_differences() {
         ("M05\nG00 X5\nM03\nG01 X9", "G00 X5\nM03\nG01 X9", "\nT1: M05 M05 → none in 1 block (N10)\n"),
         ("M05\nS600 M03\nG00 X5", "M05\nM03\nS600\nG00 X5", "the programs do the same"),
         // It runs up to what is written, even when less follows at once.
-        ("M05\nS9000 M03\nS900\nG01 X5", "M05\nS900 M03\nG01 X5", "T1: S 9000 → none in 1 block (N12)"),
-        ("S9000\nS500\nG01 X5", "G01 X5", "T1: S 9000 → none in 1 block (N11)"),
+        ("M05\nS9000 M03\nS900\nG01 X5", "M05\nS900 M03\nG01 X5", "T1: S 9000 → none in 1 block (N11)"),
+        ("S9000\nS500\nG01 X5", "G01 X5", "T1: S 9000 → none in 1 block (N10)"),
+        ("S600\nG01 X5", "S600\nS5\nS6\nS600\nG01 X5", "the programs do the same"),
+        ("G01 X5\nM05", "G01 X5\nS5\nS6\nM05", "the programs do the same"),
         // Where in its block M05 acts is in no source.
         ("G01 X5 M05", "G01 X5\nM05", "T1: M05 now in N11 (was N10)"),
         ("M05\nG01 X5", "G01 X5 M05", "M05 now in"),

@@ -493,6 +493,11 @@ fn values_that_are_not_known() {
     assert!(!known.contains("others"), "{known}");
     assert_eq!(before("50").matches("\n  others  not known here\n").count(), 1);
     assert_eq!(before("60").matches("\n  others  not known here\n").count(), 2);
+    // A dynamic set stays behind G23.
+    let sets = "%1\nN10 G23 I3\nN20 G24\nN30 M30\n";
+    let place = Place::with(&[("a.nc", sets.as_bytes())]);
+    let behind = place.run(&["state", "a.nc", "--n", "30", "--lang", "en"]).ends(0).stdout;
+    assert!(behind.contains("dynamic set     3  N10 (line 2)"), "{behind}");
 }
 
 /// Under G74 the table shows the diameter, as programs write it, beside the position of X, which is a radius.

@@ -25,8 +25,10 @@ pub struct StepReader {
     way: [Micro; AxisLetter::ALL.len()],
     /// The parameters that a macrocycle of the machine or a fixed cycle was called with last.
     handed: BTreeMap<u8, Value>,
-    /// The speed of the spindle that turns, and whether a step showed it.
-    speed: Option<(Decimal, bool)>,
+    /// The speed of the spindle in the last block that shows it; nothing while the spindle stands.
+    shown_speed: Option<Decimal>,
+    /// The greatest speed since then, and where it was written: its seq, its number.
+    passed_speed: Option<(Decimal, u64, u32)>,
     /// The speed counts in the block.
     counts_speed: bool,
     unknowns: Unknowns,
@@ -61,9 +63,10 @@ impl StepReader {
             before: None,
             way: Default::default(),
             handed: BTreeMap::new(),
-            speed: None,
-            unknowns: Unknowns::default(),
+            shown_speed: None,
+            passed_speed: None,
             counts_speed: false,
+            unknowns: Unknowns::default(),
         }
     }
 
@@ -73,7 +76,7 @@ impl StepReader {
     }
 
     fn event(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
-        self.add(block, Event { kind, slot: slot.to_owned(), value, lasts: false, beside: false });
+        self.add(block, Event::passing(kind, slot, value));
     }
 
     fn lasting(&mut self, block: &Executed<'_>, kind: ChangeKind, slot: &str, value: Value) {
@@ -84,15 +87,20 @@ impl StepReader {
         self.steps.add_event(block.seq(), block.n(), self.context, event);
     }
 
-    /// A speed to which the spindle runs up while nothing else shows it, above that which follows.
+    /// A speed to which the spindle runs up while nothing else shows it, above those before and behind.
     fn follow_speed(&mut self, block: &Executed<'_>) {
         let turns = block.state().m_in_force(SPINDLE_GROUP).is_some_and(|m| SPINDLE_TURNS.contains(&m));
         let speed = block.state().s().filter(|_| turns);
-        if let Some((passed, false)) = self.speed.filter(|(passed, _)| speed.is_none_or(|now| now < *passed)) {
-            self.event(block, ChangeKind::Speed, "S", Value::from(passed));
+        if let Some(now) = speed.filter(|_| !self.counts_speed) {
+            let greater = self.passed_speed.is_none_or(|(passed, ..)| passed < now);
+            self.passed_speed = if greater { Some((now, block.seq(), block.n())) } else { self.passed_speed };
+            return;
         }
-        let counted = self.speed.is_some_and(|(passed, counted)| counted && Some(passed) == speed);
-        self.speed = speed.map(|speed| (speed, counted || self.counts_speed));
+        let passed = self.passed_speed.take().filter(|(passed, ..)| Some(*passed) > speed.max(self.shown_speed));
+        if let Some((passed, seq, n)) = passed {
+            self.steps.add_event(seq, n, self.context, Event::passing(ChangeKind::Speed, "S", Value::from(passed)));
+        }
+        self.shown_speed = speed;
     }
 
     /// The words of a block whose values nobody knows, and those whose effect nobody knows.

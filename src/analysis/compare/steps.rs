@@ -39,6 +39,11 @@ pub struct Event {
 }
 
 impl Event {
+    /// One that holds for its block.
+    pub fn passing(kind: ChangeKind, slot: &str, value: Value) -> Self {
+        Self { kind, slot: slot.to_owned(), value, lasts: false, beside: false }
+    }
+
     /// Equal for the same word wherever it stands.
     pub fn word(&self) -> u64 {
         let mut hasher = DefaultHasher::new();

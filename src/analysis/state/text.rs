@@ -160,6 +160,9 @@ impl Table<'_> {
             format!("{} {}{scale}", feed.value, feed.unit.shown(self.lang))
         });
         let text = |value: Option<crate::dict::Decimal>| value.map(|value| value.to_string());
+        // It stays behind G23, until the next one with I.
+        let is_chosen = state.dynamic_set().is_some() || self.found.writer(Slot::value("dynamic_set")).is_some();
+        let set = state.chosen_dynamic_set().filter(|_| is_chosen).map(|set| set.to_string());
         let digits = state.length_correction().map(|digits| format!("{digits:04}"));
         let always = [
             ("F".to_owned(), feed, "feed"),
@@ -173,7 +176,7 @@ impl Table<'_> {
             ("P".to_owned(), text(state.p()), "p"),
             ("D".to_owned(), text(state.d()), "d"),
             ("&".to_owned(), digits, "length_correction"),
-            (self.say(&Words::DynamicSet), state.dynamic_set().map(|set| set.to_string()), "dynamic_set"),
+            (self.say(&Words::DynamicSet), set, "dynamic_set"),
         ];
         let is_written = |slot: &str| !slot.is_empty() && self.found.writer(Slot::value(slot)).is_some();
         let sometimes = sometimes.into_iter().filter(|(_, value, slot)| value.is_some() || is_written(slot));

@@ -186,7 +186,7 @@ impl Writers {
         let after = block.state();
         let arc = || block.motion().is_some_and(|motion| motion.kind().is_arc());
         let chooses = || block.g_written().any(|code| code == GCode::G23) && block.written(Address::I) && !arc();
-        if before.dynamic_set() != after.dynamic_set() || chooses() {
+        if before.chosen_dynamic_set() != after.chosen_dynamic_set() || chooses() {
             self.set(Slot::value("dynamic_set"), writer);
         }
         block.params().iter().for_each(|(index, _)| self.set(Slot::R(*index), writer));
