@@ -42,26 +42,8 @@ pub fn write_real(millionths: i64, out: &mut String) {
     let fraction = magnitude % 1_000_000;
     if fraction > 0 {
         out.push('.');
-        // Most are whole thousandths.
-        let (thousandths, rest) = (fraction / 1000, fraction % 1000);
-        if rest == 0 {
-            push_fraction(thousandths, out);
-        } else {
-            push_digits(thousandths, 3, out);
-            push_fraction(rest, out);
-        }
-    }
-}
-
-/// Thousandths as up to three digits, without zeros at the end.
-fn push_fraction(thousandths: u64, out: &mut String) {
-    let (hundredths, last) = (thousandths / 10, thousandths % 10);
-    if last > 0 {
-        push_digits(thousandths, 3, out);
-    } else if hundredths % 10 > 0 {
-        push_digits(hundredths, 2, out);
-    } else {
-        push_digits(hundredths / 10, 1, out);
+        push_digits(fraction, 6, out);
+        out.truncate(out.trim_end_matches('0').len());
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::PossibleValue;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command as ClapCommand, FromArgMatches, Parser, Subcommand, ValueEnum};
 
-use crate::config::{Level, parse_decimal};
+use crate::config::{Level, parse_position};
 use crate::diag::Format;
 use crate::dict::{Decimal, Dialect, HIGHEST_BLOCK, HIGHEST_L, Lang};
 use crate::text::Encoding;
@@ -425,7 +425,7 @@ pub(super) struct RestartArgs {
 
 /// A position in thousandths, as a program can have it.
 fn thousandths(text: &str) -> Result<Decimal, String> {
-    parse_decimal(text).filter(|value| value.abs() <= Decimal::DIMENSION_MAX).ok_or_else(|| "100.5".to_owned())
+    parse_position(text).ok_or_else(|| "100.5".to_owned())
 }
 
 /// The same, above zero.

@@ -47,7 +47,7 @@ pub use modes::{ArcCenters, G97, SpindleAxis};
 pub use motion::{
     DynamicSet, From as GivenBy, Given, Motion, MotionKey, Profile, Rapid, Recognition, SetKey, SetValue, TimedFunction,
 };
-pub use number::{ParameterFault, parse_decimal, parse_parameter};
+pub use number::{ParameterFault, parse_decimal, parse_parameter, parse_position};
 pub use overrides::Overrides;
 pub use reference::reference;
 pub use schema::schema;

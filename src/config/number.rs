@@ -15,6 +15,12 @@ pub fn parse_decimal(text: &str) -> Option<Decimal> {
     parse_rounding(text).map(|(number, _)| number)
 }
 
+/// A position as somebody types it: at most three decimals, within the range of axis words.
+pub fn parse_position(text: &str) -> Option<Decimal> {
+    let fits = |(number, exact): &(Decimal, bool)| *exact && number.abs() <= Decimal::DIMENSION_MAX;
+    parse_rounding(text).filter(fits).map(|(number, _)| number)
+}
+
 /// As [`parse_decimal`], and whether the number is exactly the written one.
 pub(super) fn parse_rounding(text: &str) -> Option<(Decimal, bool)> {
     let (negative, unsigned) = match text.strip_prefix(['+', '-']) {

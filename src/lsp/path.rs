@@ -1,5 +1,7 @@
 //! `cnc872c/path`: the data of the page that shows a program's path, for editors that show it beside the text.
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use gen_lsp_types::Uri;
 use serde_json::{Value, json};
 
@@ -11,7 +13,7 @@ use crate::query;
 use crate::query::observe::{MOST, executing};
 use crate::session::Session;
 use crate::text::{FileId, Loader};
-use crate::view::{Collector, Keep, Naming, Part, base64};
+use crate::view::{Collector, Keep, Naming, Part};
 
 /// A program, or a macrocycle that an open program calls, gives `{ "uri", "files", "blocks", "truncated", "data" }`:
 /// the program that is shown, the URIs of its files by the index that the data give them, how many blocks were
@@ -49,6 +51,6 @@ pub(super) fn path(snapshot: &Snapshot, analysis: &Analysis, _: Value) -> Answer
         "files": uris,
         "blocks": if view.count() == 0 { 0 } else { outcome.executed },
         "truncated": outcome.executed > MOST,
-        "data": base64(&view.data(&report, naming, None)),
+        "data": STANDARD.encode(view.data(&report, naming, None)),
     })))
 }

@@ -7,7 +7,7 @@ use super::commands::refuse_errors;
 use super::snapshot::{Answer, Refusal, Snapshot};
 use super::state::{Here, StateParams, here, name};
 use crate::analysis::state::{Asked, Place, fault_text};
-use crate::config::parse_decimal;
+use crate::config::parse_position;
 use crate::diag::Report;
 use crate::dict::Decimal;
 use crate::edit::edit_texts::EditText;
@@ -59,9 +59,7 @@ pub(super) fn restart(snapshot: &Snapshot, analysis: &Analysis, params: StatePar
 
 /// A height in mm, as somebody types it.
 fn height(text: &str) -> Option<Decimal> {
-    let text = text.trim().replace(',', ".");
-    let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    parse_decimal(&text).filter(|height| height.abs() <= Decimal::DIMENSION_MAX && decimals <= 3)
+    parse_position(&text.trim().replace(',', "."))
 }
 
 /// The new program, with a name for it.

@@ -51,4 +51,3 @@ pub use page::page;
 pub use picture::{LeftOut, Picture, Still};
 pub use projection::Plane;
 pub use rows::{Keep, Part};
-pub use svg::base64;

@@ -269,6 +269,7 @@ fn what_is_refused() {
         (&["a.nc", "--n", "100", "--list"], 2, "--list"),
         (&["a.nc", "--n", "20", "-o", "a.nc"], 2, "another file belongs after -o"),
         (&["a.nc", "--n", "20", "--clearance", "0"], 2, "--clearance"),
+        (&["a.nc", "--n", "20", "--safe", "60.0004"], 2, "--safe"),
         (&["bad.nc", "--n", "10"], 1, "E0306"),
         (&["bad.nc", "--list"], 1, "E0306"),
         (&["endless.nc", "--n", "40", "--max-blocks", "1000"], 1, "E0410"),
