@@ -4,12 +4,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use cnc872c::analysis::compare::{Side, StepReader, Steps, Tolerances, compare as changes, json as changes_json};
+use cnc872c::analysis::compare::{Side, Steps, Tolerances, compare as changes, json as changes_json};
 use cnc872c::analysis::motion::{Basis, machine};
 use cnc872c::analysis::plc::{
     Cell, Condition, Header, Reader, Signal, Step, Writer, default, named, signal_problem, with_compatible,
 };
-use cnc872c::analysis::state::AtTime;
 use cnc872c::columns::{BlockTable, Kept, MotionTable, StepTable};
 use cnc872c::config::{Machine, Purpose, Settings, tried_fault};
 use cnc872c::diag::{Diagnostic, Finding, Findings, Report};
@@ -293,18 +292,13 @@ pub fn compare(
 
 /// What one of two programs does.
 fn steps(mut one: One<'_>, differences: &Differences) -> Result<(Side, Steps), Fault> {
-    let mut reader = StepReader::new(differences.parameters);
-    let mut clock = AtTime::new(one.session.settings, f64::INFINITY);
-    let run = one.session.watch(one.path, &one.name, Purpose::Report, &mut (&mut reader, &mut clock));
-    let whole = run.whole.is_some();
+    let (run, side, steps) = one.session.steps(one.path, &one.name, differences.parameters);
     let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();
     one.add(run.outcome)?;
-    if !usable || !(whole || differences.partial) {
+    if !usable || !(side.whole || differences.partial) {
         return Err(Fault::Program(one.json()));
     }
-    let steps = reader.finish();
-    let (blocks, path, time_s) = (steps.blocks, steps.path, clock.found().err());
-    Ok((Side { name: one.name, blocks, path, time_s, whole }, steps))
+    Ok((side, steps))
 }
 
 /// A program in one layout, and how many lines stay because they cannot be read.

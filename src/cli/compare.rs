@@ -16,11 +16,8 @@ use super::status::{Failure, Status, stdout, tell};
 use super::threads;
 use super::walk::targets;
 use super::words::Words;
-use crate::analysis::compare::{
-    Row, Side, StepReader, Steps, Tolerances, Verdict, compare, for_page, json, table, text,
-};
-use crate::analysis::state::AtTime;
-use crate::config::{Overrides, Purpose};
+use crate::analysis::compare::{Row, Side, Steps, Tolerances, Verdict, compare, for_page, json, table, text};
+use crate::config::Overrides;
 use crate::diag::{Format, Report};
 use crate::dict::Micro;
 use crate::disk::{DiskLoader, is_stdin};
@@ -194,18 +191,10 @@ fn read(file: &Path, args: &CompareArgs, overrides: &Overrides) -> Result<Read, 
     let mut found = None;
     if let Some(settings) = projects.settings(job.target()).filter(|_| report.errors() == 0) {
         let session = Session { loader: &job.loader, settings, progress: None };
-        let (path, name) = (&job.target().path, job.target().name());
-        let mut reader = StepReader::new(args.parameters);
-        let mut clock = AtTime::new(settings, f64::INFINITY);
-        let run = session.watch(path, &name, Purpose::Report, &mut (&mut reader, &mut clock));
+        let (run, side, steps) = session.steps(&job.target().path, &job.target().name(), args.parameters);
         let usable = !run.outcome.unusable && run.outcome.not_executed.is_none();
         run.outcome.add_to(&mut report);
-        if usable && (run.whole.is_some() || args.partial) {
-            let steps = reader.finish();
-            let (time_s, whole) = (clock.found().err(), run.whole.is_some());
-            let side = Side { name, blocks: steps.blocks, path: steps.path, time_s, whole };
-            found = Some((side, steps));
-        }
+        found = (usable && (side.whole || args.partial)).then_some((side, steps));
     }
     Ok(Read { job, projects, report, found })
 }

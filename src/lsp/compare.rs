@@ -9,9 +9,8 @@ use serde_json::{Value, json};
 
 use super::analysis::{Analysis, configuration};
 use super::snapshot::{Answer, Refusal, Snapshot};
-use crate::analysis::compare::{Side, StepReader, Steps, Tolerances, compare, for_page, text};
-use crate::analysis::state::AtTime;
-use crate::config::{Purpose, Settings};
+use crate::analysis::compare::{Side, Steps, Tolerances, compare, for_page, text};
+use crate::config::Settings;
 use crate::diag::Report;
 use crate::dict::bilingual;
 use crate::query::observe::MOST;
@@ -91,20 +90,12 @@ impl Program<'_> {
         let Self { path, name, loader, settings } = self;
         let goes_on = |executed| executed <= MOST && !snapshot.cancel.is_cancelled();
         let session = Session { loader: *loader, settings, progress: Some(&goes_on) };
-        let mut reader = StepReader::new(false);
-        let mut clock = AtTime::new(settings, f64::INFINITY);
-        let run = session.watch(path, name, Purpose::Report, &mut (&mut reader, &mut clock));
-        if run.whole.is_none() {
-            let file = name.clone();
-            return Err(match run.outcome.executed {
-                executed if executed > MOST => Words::TooLong { file },
-                _ => Words::HasErrors { file },
-            });
+        let (run, side, steps) = session.steps(path, name, false);
+        match (run.whole, run.outcome.executed) {
+            (Some(_), _) => Ok((side, steps)),
+            (None, executed) if executed > MOST => Err(Words::TooLong { file: name.clone() }),
+            (None, _) => Err(Words::HasErrors { file: name.clone() }),
         }
-        let steps = reader.finish();
-        let (blocks, path, time_s) = (steps.blocks, steps.path, clock.found().err());
-        let side = Side { name: name.clone(), blocks, path, time_s, whole: true };
-        Ok((side, steps))
     }
 
     /// The data of its picture.

@@ -1,6 +1,7 @@
 //! One run over one program or macrocycle: load, resolve, execute, report. What the command line and the editor call.
 
 mod checks;
+mod compared;
 mod execution;
 mod offers;
 mod record;
