@@ -31,7 +31,7 @@ pub(super) fn restart(snapshot: &Snapshot, analysis: &Analysis, params: StatePar
     let options = Options { safe, clearance: Decimal::from_thousandths(2000), all_m: false };
     let goes_on = |_| !snapshot.cancel.is_cancelled();
     let session = Session { progress: Some(&goes_on), ..program.session() };
-    let asked = Asked { place: Place::Seq(seq), file: None, pass: None, after: false };
+    let asked = Asked { place: Place::Seq(seq), file: None, pass: None, after: params.after };
     let name = name(snapshot, program);
     let Made { outcome, answer } = restart::restart(&session, &program.path, &name, &asked, options, lang);
     if snapshot.cancel.is_cancelled() {

@@ -42,9 +42,9 @@ bilingual! {
         Unread { n: u32 }
             "the number behind L in block N{n} cannot be read: it may be this one",
             "číslo za L v bloku N{n} nelze přečíst: může to být toto";
-        UnreadParameter { r: u8, line: u32 }
-            "line {line} names R{r} in a word that cannot be read: fix that word first",
-            "na řádku {line} je R{r} ve slově, které nelze přečíst: nejdřív ho opravte";
+        UnreadUse { what: String, line: u32 }
+            "line {line} has {what} in a place that cannot be read: fix that first",
+            "na řádku {line} je {what} na místě, které nelze přečíst: nejdřív ho opravte";
         MacrocycleExists { l: u32 } "macrocycle L{l} exists already", "makrocyklus L{l} už existuje";
         MacrocycleFile { l: u32 }
             "the file of macrocycle L{l} is named by its number, and programs that are not open may call it",

@@ -30,9 +30,13 @@ impl Doubts<'_> {
         match self.name {
             Name::Block(number) => {
                 let unit = self.unit_of_block(number)?;
-                self.parametric(GCode::G73, Some(unit)).or_else(|| self.unclear(GCode::G73, number))
+                let unread = || self.unread_number(number);
+                self.parametric(GCode::G73, Some(unit)).or_else(|| self.unclear(GCode::G73, number)).or_else(unread)
             }
-            Name::Subprogram(l) => self.parametric(GCode::G71, None).or_else(|| self.unclear(GCode::G71, l)),
+            Name::Subprogram(l) => {
+                let unread = || self.unread_number(l);
+                self.parametric(GCode::G71, None).or_else(|| self.unclear(GCode::G71, l)).or_else(unread)
+            }
             Name::Macrocycle(l) => Some(NavigationText::MacrocycleFile { l }),
             Name::Parameter(r) => self.parameter(r),
         }
@@ -108,11 +112,14 @@ impl Doubts<'_> {
         })
     }
 
-    /// Whether a word of the document has a number, in whatever form.
+    /// Whether a word of the document has a number, in whatever form, or one follows it on another line.
     fn has_digit(&self, word: Word) -> bool {
+        let digit = |character: char| character.is_ascii_digit();
         self.document().is_some_and(|file| {
-            let written = file.source.slice(word.span(file.source.text()));
-            written.contains(|character: char| character.is_ascii_digit())
+            let text = file.source.text();
+            let span = word.span(text);
+            let behind = text.get(span.end as usize..).unwrap_or_default().trim_start();
+            file.source.slice(span).contains(digit) || behind.starts_with(digit)
         })
     }
 
@@ -144,18 +151,33 @@ impl Doubts<'_> {
     }
 
     fn parameter(&self, r: u8) -> Option<NavigationText> {
-        self.special(r).or_else(|| self.hidden_uses()).or_else(|| self.unread_use(r)).or_else(|| self.uses(r))
+        self.special(r)
+            .or_else(|| self.hidden_uses())
+            .or_else(|| self.unread_use(format!("R{r}"), |text| names_parameter(text, r)))
+            .or_else(|| self.uses(r))
     }
 
-    /// A use of the parameter in what cannot be read, as in `X-R10/2`.
-    fn unread_use(&self, r: u8) -> Option<NavigationText> {
+    /// A use in what cannot be read, as in `X-R10/2`.
+    fn unread_use(&self, what: String, is_named: impl Fn(&str) -> bool) -> Option<NavigationText> {
         let report = self.found?;
         let unread = report.items().filter(|item| item.diagnostic.code().is_malformed());
         let mut places = unread.map(|item| item.diagnostic.at);
-        let at = places.find(|at| names_parameter(report.sources().slice(*at), r))?;
+        let at = places.find(|at| is_named(report.sources().slice(*at)))?;
         let source = report.sources().get(at.file)?;
         let line = small(source.lines().line_at(at.span.start) + 1);
-        Some(NavigationText::UnreadParameter { r, line })
+        Some(NavigationText::UnreadUse { what, line })
+    }
+
+    /// The number of a block or subprogram in what cannot be read, or behind the end of the program.
+    fn unread_number(&self, number: u32) -> Option<NavigationText> {
+        let what = number.to_string();
+        self.unread_use(what.clone(), |text| has_number(text, number)).or_else(|| {
+            let file = self.document()?;
+            let (before, rest) = file.source.text().split_at_checked(file.end as usize)?;
+            let line = |line: &str| has_number(line, number);
+            let behind = rest.split('\n').position(line)?;
+            Some(NavigationText::UnreadUse { what, line: small(before.matches('\n').count() + behind + 1) })
+        })
     }
 
     /// The program's use of the parameter: only one that it assigns and reads itself is local.
@@ -265,6 +287,11 @@ fn names_parameter(text: &str, r: u8) -> bool {
         let digits = rest.find(|character: char| !character.is_ascii_digit()).map_or(rest, |end| rest.split_at(end).0);
         digits.parse() == Ok(r)
     })
+}
+
+/// Whether a text has a number among others.
+fn has_number(text: &str, number: u32) -> bool {
+    text.split(|character: char| !character.is_ascii_digit()).any(|digits| digits.parse() == Ok(number))
 }
 
 /// Whether a block uses R5–R8 as control words, or may.

@@ -58,6 +58,11 @@ impl Indexed {
         Some(Self { index: indexer.finish(whole), resolved, sources })
     }
 
+    /// How many blocks were executed.
+    pub(crate) fn executed(&self) -> u64 {
+        self.index.executed()
+    }
+
     /// The executions of a block of the document.
     pub(crate) fn executions(&self, program: &Analysis, document: &Analysis, block: BlockId) -> Executions {
         let cut = self.index.executed() >= MOST;

@@ -85,7 +85,7 @@ N40 M30
 === answer
 {
   "code": -32803,
-  "message": "line 4 names R10 in a word that cannot be read: fix that word first"
+  "message": "line 4 has R10 in a place that cannot be read: fix that first"
 }
 === request textDocument/prepareRename parameters.nc@one
 === answer
@@ -100,5 +100,68 @@ N40 M30
       "character": 11,
       "line": 2
     }
+  }
+}
+=== open behind.nc
+%3
+N40 G71 L‹behind›200
+N90 M30
+N100 G79 L100
+*110 X5
+N120 G70
+N200 G79 L200
+N210 G70
+=== request textDocument/prepareRename behind.nc@behind
+=== answer
+{
+  "code": -32803,
+  "message": "line 7 has 200 in a place that cannot be read: fix that first"
+}
+=== open lines.nc
+%4
+N‹split›60 X5
+N65 G73 L
+60 Q2
+N70 M30
+N100 G79 L‹called›100
+N110 CALL L100
+N120 G70
+=== request textDocument/prepareRename lines.nc@split
+=== answer
+{
+  "code": -32803,
+  "message": "the number behind L in block N65 cannot be read: it may be this one"
+}
+=== request textDocument/prepareRename lines.nc@called
+=== answer
+{
+  "code": -32803,
+  "message": "line 7 has 100 in a place that cannot be read: fix that first"
+}
+=== open pieces.nc
+%5
+N‹apart›60 7G1 X5 F100
+N65 X1
+N70 M30
+=== request textDocument/rename pieces.nc@apart
+{ "newName": "100" }
+=== answer
+{
+  "changes": {
+    "DIR/pieces.nc": [
+      {
+        "newText": "100",
+        "range": {
+          "end": {
+            "character": 3,
+            "line": 1
+          },
+          "start": {
+            "character": 1,
+            "line": 1
+          }
+        }
+      }
+    ]
   }
 }

@@ -83,7 +83,9 @@ N99 M30
       "blocks_left": 16,
       "lower_bound": true,
       "path_left_mm": 52,
-      "path_mm": 0
+      "path_mm": 0,
+      "time_left_s": 15.646667,
+      "time_s": 0
     },
     "s": 900,
     "schema": "cnc872c.state/1",
@@ -165,7 +167,15 @@ N99 M30
       }
     }
   },
-  "text": "Before N40 (line 5, seq 3) of part.nc\n\nPosition\n  X  0   N10 (line 2)\n  Y  0   N10 (line 2)\n  Z  50  N10 (line 2)\n\nG functions\n  G00  rapid traverse                                    N10 (line 2)\n  G17  plane XY                                          since power-up\n  G98  basic state of the group: blocks join with ramps  since power-up\n  G40  radius correction off                             since power-up\n  G54  zero offset 1                                     N10 (line 2)\n  G94  feed per minute                                   since power-up\n  G70  end of a subprogram or macrocycle                 since power-up\n  G80  no fixed cycle                                    since power-up\n  G90  absolute coordinates                              N10 (line 2)\n  G75  radius programming                                since power-up\n  G34  all conversions of coordinates off                since power-up\n\nM functions\n  M03  spindle on, clockwise         N30 (line 4)\n  M40  spindle range follows from S  since power-up\n  M09  coolant 1 and 2 off           since power-up\n  M53  coolant 3 and 4 off           since power-up\n  M48  feed override works           since power-up\n\nValues\n  F               200 mm/min  N30 (line 4)\n  S               900         N30 (line 4)\n  T               5           N20 (line 3)\n  in the spindle  T5          N20 (line 3)\n\nParameters\n  R10  2  N10 (line 2)\n\nProgress\n            done  left  done, this tool  left, this tool\n  blocks    3     16    2                16\n  path, mm  0     52    0                52\n  no times, and paths as far as lengths are known: the project file has no [motion]\n"
+  "text": "Before N40 (line 5, seq 3) of part.nc\n\nPosition\n  X  0   N10 (line 2)\n  Y  0   N10 (line 2)\n  Z  50  N10 (line 2)\n\nG functions\n  G00  rapid traverse                                    N10 (line 2)\n  G17  plane XY                                          since power-up\n  G98  basic state of the group: blocks join with ramps  since power-up\n  G40  radius correction off                             since power-up\n  G54  zero offset 1                                     N10 (line 2)\n  G94  feed per minute                                   since power-up\n  G70  end of a subprogram or macrocycle                 since power-up\n  G80  no fixed cycle                                    since power-up\n  G90  absolute coordinates                              N10 (line 2)\n  G75  radius programming                                since power-up\n  G34  all conversions of coordinates off                since power-up\n\nM functions\n  M03  spindle on, clockwise         N30 (line 4)\n  M40  spindle range follows from S  since power-up\n  M09  coolant 1 and 2 off           since power-up\n  M53  coolant 3 and 4 off           since power-up\n  M48  feed override works           since power-up\n\nValues\n  F               200 mm/min  N30 (line 4)\n  S               900         N30 (line 4)\n  T               5           N20 (line 3)\n  in the spindle  T5          N20 (line 3)\n\nParameters\n  R10  2  N10 (line 2)\n\nProgress\n            done       left       done, this tool  left, this tool\n  blocks    3          16         2                16\n  path, mm  0          52         0                52\n  time      0:00:00.0  0:00:15.6  0:00:00.0        0:00:15.6\n  times and paths are at least these: some are not known\n"
+}
+=== request cnc872c/restart part.nc@once
+{ "after": true, "safe": "60" }
+=== answer
+{
+  "message": null,
+  "name": "part-N50.nc",
+  "text": "%1 \"part.nc from N50\"\nN100 G54 \"functions in force\"\nN110 T5 M06 \"tool change, N20\"\nN120 S900 M03 \"spindle, N30\"\nN130 F200 \"feed, N30\"\nN140 G00 G90 Z60 \"up to --safe\"\nN150 G00 X10 Y0 \"across\"\nN160 G00 Z52 \"down to 2 mm above the place\"\nN170 G01 Z50 \"to the place at F\"\nN50 G72 L9001 Q2\nN60 Y10\nN70 G73 L60 Q1\nN80 G41 D1 X20\nN90 G40 X30\nN95 X40 G73 L99\nN97 X50\nN99 M30\n"
 }
 === request cnc872c/state part.nc@title
 === answer
@@ -253,7 +263,9 @@ null
       "blocks_left": 7,
       "lower_bound": true,
       "path_left_mm": 30,
-      "path_mm": 22
+      "path_mm": 22,
+      "time_left_s": 9.02,
+      "time_s": 6.626667
     },
     "s": 900,
     "schema": "cnc872c.state/1",
@@ -341,7 +353,7 @@ null
       }
     }
   },
-  "text": "Behind N60 (line 7, seq 11) of part.nc\n\nPosition\n  X  10  N40 (line 5)\n  Y  10  N60 (line 7)\n  Z  48  N20 (line 2) in L9001\n\nG functions\n  G01  linear interpolation                              N20 (line 2) in L9001\n  G17  plane XY                                          since power-up\n  G98  basic state of the group: blocks join with ramps  since power-up\n  G40  radius correction off                             since power-up\n  G54  zero offset 1                                     N10 (line 2)\n  G94  feed per minute                                   since power-up\n  G70  end of a subprogram or macrocycle                 N30 (line 3) in L9001\n  G80  no fixed cycle                                    since power-up\n  G90  absolute coordinates                              N30 (line 3) in L9001\n  G75  radius programming                                since power-up\n  G34  all conversions of coordinates off                since power-up\n\nM functions\n  M03  spindle on, clockwise         N30 (line 4)\n  M40  spindle range follows from S  since power-up\n  M09  coolant 1 and 2 off           since power-up\n  M53  coolant 3 and 4 off           since power-up\n  M48  feed override works           since power-up\n\nValues\n  F               200 mm/min  N30 (line 4)\n  S               900         N30 (line 4)\n  T               5           N20 (line 3)\n  in the spindle  T5          N20 (line 3)\n\nParameters\n  R10  2  N10 (line 2)\n\nProgress\n            done  left  done, this tool  left, this tool\n  blocks    12    7     11               7\n  path, mm  22    30    22               30\n  no times, and paths as far as lengths are known: the project file has no [motion]\n"
+  "text": "Behind N60 (line 7, seq 11) of part.nc\n\nPosition\n  X  10  N40 (line 5)\n  Y  10  N60 (line 7)\n  Z  48  N20 (line 2) in L9001\n\nG functions\n  G01  linear interpolation                              N20 (line 2) in L9001\n  G17  plane XY                                          since power-up\n  G98  basic state of the group: blocks join with ramps  since power-up\n  G40  radius correction off                             since power-up\n  G54  zero offset 1                                     N10 (line 2)\n  G94  feed per minute                                   since power-up\n  G70  end of a subprogram or macrocycle                 N30 (line 3) in L9001\n  G80  no fixed cycle                                    since power-up\n  G90  absolute coordinates                              N30 (line 3) in L9001\n  G75  radius programming                                since power-up\n  G34  all conversions of coordinates off                since power-up\n\nM functions\n  M03  spindle on, clockwise         N30 (line 4)\n  M40  spindle range follows from S  since power-up\n  M09  coolant 1 and 2 off           since power-up\n  M53  coolant 3 and 4 off           since power-up\n  M48  feed override works           since power-up\n\nValues\n  F               200 mm/min  N30 (line 4)\n  S               900         N30 (line 4)\n  T               5           N20 (line 3)\n  in the spindle  T5          N20 (line 3)\n\nParameters\n  R10  2  N10 (line 2)\n\nProgress\n            done       left       done, this tool  left, this tool\n  blocks    12         7          11               7\n  path, mm  22         30         22               30\n  time      0:00:06.6  0:00:09.0  0:00:06.6        0:00:09.0\n  times and paths are at least these: some are not known\n"
 }
 === request cnc872c/state L9001@macro
 === answer

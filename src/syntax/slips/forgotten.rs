@@ -86,7 +86,7 @@ impl<'t> Split<'t> {
 
     /// The word in pieces as its first piece says it.
     fn first_piece(&self, diagnosis: Diagnosis) -> Diagnosis {
-        let head = Span::new(self.word.start, self.loose.start);
+        let head = self.word.span();
         let word = Number::parse(self.number.as_bytes())
             .map_or_else(|| Word::bare(self.address, head), |number| Word::with_number(self.address, head, number));
         diagnosis.with(word, head)
