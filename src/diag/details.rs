@@ -291,8 +291,8 @@ bilingual! {
             "střed oblouku udávají I a J v pořadí jeho os";
         InTableBlock "a G92 or G93 block takes axis words", "blok s G92 nebo G93 má slova os";
         NoUse
-            "it is no arc, and no function that takes it is in force",
-            "není to oblouk a neplatí funkce, která by ho použila";
+            "it is no arc, and no function in force takes such words",
+            "není to oblouk a neplatí funkce, která taková slova používá";
     }
 }
 

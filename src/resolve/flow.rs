@@ -98,7 +98,8 @@ impl Context<'_, '_> {
         match self.open.without_entry(l) {
             Some((_, true)) => {}
             Some((stray, false)) => {
-                *without_entry = Some(stray.block);
+                // Its number may be what is wrong with it.
+                *without_entry = Some(stray.block).filter(|number| *number > 0);
                 let at = stray.at;
                 self.findings.add(diagnostic.with_label(at, LabelText::WithoutEntry));
             }

@@ -331,8 +331,9 @@ impl<'a> BlockJudge<'a> {
     /// The call or jump of a block whose digits are exchanged.
     fn exchanged_call(&self, words: &[Word], functions: &Functions) -> Option<(GCode, u32)> {
         let units = self.around.units;
+        let jumps = |l| words.first().is_some_and(|word| unused_l::has_block_near(self.file, units, *word, l));
         unused_l::exchanged_call(units, words, functions)
-            .filter(|(code, l)| *code != GCode::G71 || unused_l::is_unit(units, *l))
+            .filter(|(code, l)| if *code == GCode::G71 { unused_l::is_unit(units, *l) } else { jumps(*l) })
     }
 
     /// The first subprograms of the file, when there are any.

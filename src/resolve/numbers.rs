@@ -80,7 +80,8 @@ fn report(parsed: &ParsedFile, repeated: &[(BlockId, BlockId)], numbered: &mut N
 
 /// The M function whose number an empty block has behind the words of another block on its line: `T2 N6`.
 pub fn number_as_function(file: &ParsedFile, block: BlockId) -> Option<String> {
-    let n = file.n_word(block).filter(|_| word_before(file, block).is_some())?;
+    let twice = block.next().0 < file.block_count() && file.number(block) == file.number(block.next());
+    let n = file.n_word(block).filter(|_| !twice && word_before(file, block).is_some())?;
     let digits = file.source.slice(n.span(file.source.text())).get(1..)?.trim_start_matches([' ', '\t']);
     let number: u8 = digits.parse().ok().filter(|_| digits.len() <= 2)?;
     (number <= Dialect::HIGHEST_M).then(|| format!("M{digits}"))

@@ -3,10 +3,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{Known, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind};
+use super::{Known, Library, MacrocycleFault, Resolved, Unit, UnitId, UnitKind, l_number};
 use crate::config::Machine;
 use crate::diag::{CenterPlace, Diagnostic, Finding, LabelText, Unmodelled, shown};
-use crate::dict::GCode;
+use crate::dict::{Address, GCode};
 use crate::syntax::{BlockId, ParsedFile, Word};
 use crate::text::{FileId, Location};
 
@@ -76,6 +76,7 @@ pub fn jump_target(resolved: &Resolved, unit: &Unit, l: u32, at: Location) -> Kn
             Known::No(Box::new(Diagnostic::new(Finding::JumpOutOfUnit { l }, at).with_label(there, label)))
         }
         None if resolved.may_have_block(unit, l) => Known::Unknown,
+        None if second_program(resolved, unit.file, |file, block| file.number(block) == Some(l)) => Known::Unknown,
         None => {
             let near = resolved.nearest_block(unit, l);
             let subprogram = resolved.subprogram(l).is_some() && !matches!(unit.kind, UnitKind::Macrocycle(_));
@@ -98,6 +99,9 @@ pub fn subprogram(
     match resolved.subprogram(l) {
         Some(unit) if !from_macrocycle => return Known::Yes(unit),
         None if !from_macrocycle && resolved.nameless_subprogram => return Known::Unknown,
+        None if second_program(resolved, from.file, |file, block| is_entry(file.words(block), l)) => {
+            return Known::Unknown;
+        }
         Some(_) | None => {}
     }
     let macrocycle = library.find(l).is_ok() || library.is_of_machine(l);
@@ -123,6 +127,18 @@ pub fn subprogram(
         Some(_) => Known::Unknown,
         None => Known::No(Box::new(diagnostic)),
     }
+}
+
+/// Whether a block behind a second `%` (E0202) is such: the `%` may be what is wrong.
+fn second_program(resolved: &Resolved, file: FileId, is: impl Fn(&ParsedFile, BlockId) -> bool) -> bool {
+    let Some(file) = resolved.file(file).filter(|file| file.second_program.is_some()) else { return false };
+    (file.program_end().0..file.block_count()).any(|block| is(file, BlockId(block)))
+}
+
+/// Whether a block begins subprogram `l`.
+fn is_entry(words: &[Word], l: u32) -> bool {
+    let begins = words.iter().any(|word| word.g_code() == Some(GCode::G79));
+    begins && words.iter().any(|word| word.address == Address::L && l_number(*word) == Some(l))
 }
 
 /// Whether a block of the unit has that number: a jump was meant, perhaps.

@@ -34,8 +34,7 @@ fn written_with(code: GCode, words: &[Word], l: u32) -> String {
 pub(super) fn lost_function(file: &ParsedFile, units: &[Unit], words: &[Word], l: Word) -> UnusedMeant {
     let Some(number) = super::l_number(l) else { return UnusedMeant::Target };
     let call = is_unit(units, number).then(|| written_with(GCode::G71, words, number));
-    let block = file.block_at(l.start()).filter(|block| has_block_near(file, units, *block, number));
-    let jump = block.map(|_| written_with(GCode::G73, words, number));
+    let jump = has_block_near(file, units, l, number).then(|| written_with(GCode::G73, words, number));
     match (call, jump) {
         (Some(call), Some(jump)) => UnusedMeant::CallOrJump { call, jump },
         (Some(written), None) => UnusedMeant::Alone { written },
@@ -52,10 +51,11 @@ pub(super) fn is_call_alone(file: &ParsedFile, units: &[Unit], words: &[Word]) -
     l.is_some_and(|l| lost_function(file, units, words, *l) != UnusedMeant::Target)
 }
 
-/// Whether a block not far from that one, in the same unit, has the number.
-fn has_block_near(file: &ParsedFile, units: &[Unit], block: BlockId, number: u32) -> bool {
+/// Whether a block not far from a word, in the same unit, has the number.
+pub(super) fn has_block_near(file: &ParsedFile, units: &[Unit], word: Word, number: u32) -> bool {
     /// So many blocks before and behind it are looked at.
     const BLOCKS: u32 = 1 << 10;
+    let Some(block) = file.block_at(word.start()) else { return false };
     let near = units.iter().find(|unit| unit.contains(block)).map(|unit| {
         let first = unit.first.0.max(block.0.saturating_sub(BLOCKS));
         (first..unit.end.0.min(block.0.saturating_add(BLOCKS))).map(BlockId)
