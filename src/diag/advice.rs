@@ -34,6 +34,9 @@ bilingual! {
         Exponent { written: String }
             "a number has no exponent: write `{written}`",
             "číslo se píše bez exponentu: „{written}“";
+        ExponentOrAddress { written: String }
+            "a number has no exponent: write `{written}`, or another address in place of `E`",
+            "číslo se píše bez exponentu: „{written}“; je-li E místo jiné adresy, napsat ji";
         ExponentForm "a number has no exponent: write out its digits", "číslo se píše bez exponentu, všemi číslicemi";
         NotANumber
             "whatever wrote the file had no value here; write the number that was meant",
@@ -83,6 +86,7 @@ impl NumberMeant {
                 | Self::Divided { .. }
                 | Self::Undivided
                 | Self::Exponent { .. }
+                | Self::ExponentOrAddress { .. }
                 | Self::ExponentForm
                 | Self::NotANumber
                 | Self::Fastest
@@ -242,6 +246,9 @@ bilingual! {
         WithWords { text: String, words: String, all: String }
             "put the comment between quotes: `\"{all}\"`; where `{words}` belongs to the program, `\"{text}\" {words}`",
             "komentář dát do uvozovek: \"{all}\"; patří-li {words} do programu, tak \"{text}\" {words}";
+        Addressed { address: Address, text: String }
+            "if it is a word, write the number of `{address}`; if it is a comment, put it between quotes: `\"{text}\"`",
+            "je-li to slovo, napsat číslo adresy {address}; je-li to komentář, dát ho do uvozovek: \"{text}\"";
         OpenQuote { text: String }
             "a quote is missing where the comment begins, here or further left: `\"{text}\"`",
             "chybí uvozovky, kterými komentář začíná, zde nebo dále vlevo: \"{text}\"";

@@ -86,12 +86,12 @@ pub(super) fn line(around: &Around<'_>) -> Option<Diagnosis> {
 pub(super) fn printed(around: &Around<'_>) -> Option<Diagnosis> {
     let token = around.junk(Shape::PrintedWord)?;
     let (span, address) = (token.span(), around.address(token)?);
-    let number = around.slice(span).get(1..).sure();
+    let number_text = around.slice(span).get(1..).sure();
     if is_fastest(around, token) {
         let found = line_function(around).is_none().then(|| around.malformed(span, NumberMeant::Fastest));
         return Some(Diagnosis { found, ..Diagnosis::of(1) }.void(address, span));
     }
-    let meant = numbers::printed(number, &address.to_string());
+    let meant = numbers::printed(number_text, &address.to_string());
     let exponent = matches!(meant, NumberMeant::Exponent { .. } | NumberMeant::ExponentForm);
     if exponent && address == Address::R {
         return Some(parameters::no_number(around, 1, span));
@@ -110,6 +110,12 @@ pub(super) fn printed(around: &Around<'_>) -> Option<Diagnosis> {
     let Some(number) = number else {
         return Some(Diagnosis::saying(1, around.malformed(span, NumberMeant::ExponentForm)).void(address, span));
     };
+    // Programs print a sign: `X10E2` may be a letter in place of `D`.
+    let signed = number_text.split_once(['E', 'e']).is_some_and(|(_, exponent)| exponent.starts_with(['+', '-']));
+    if !signed {
+        let found = around.malformed(span, NumberMeant::ExponentOrAddress { written });
+        return Some(Diagnosis::saying(1, found).with(Word::with_number(address, span, number), span));
+    }
     let found = around.malformed(span, NumberMeant::Exponent { written: written.clone() });
     // A feed of zero is none.
     if address == Address::F && number.value.thousandths() == 0 {

@@ -59,6 +59,18 @@ pub(super) fn small_l_in_number(around: &Around<'_>) -> Option<Diagnosis> {
     Some(Diagnosis::saying(2, found).with(Word::with_number(Address::N, span, number), span))
 }
 
+/// `XRl`, `YRO`: a parameter whose number is nothing but letters.
+pub(super) fn parameter_of_letters(around: &Around<'_>) -> Option<Diagnosis> {
+    let token = around.junk(Shape::Text)?;
+    let (span, address) = (token.span(), around.address(token)?);
+    let letters = around.slice(span).get(1..)?.strip_prefix(['R', 'r'])?;
+    let number = letters.bytes().map(look_alike).collect::<Option<String>>().filter(|_| is_all_letters(letters))?;
+    grammar::parameter_number(&number)?;
+    let fixed = format!("{address}R{number}");
+    let finding = Finding::LetterForDigit { fixed: fixed.clone(), without: String::new() };
+    Some(Diagnosis::saying(1, around.offering(span, finding, fixed)).void(address, span))
+}
+
 /// `G0I`, `X6l`, `Y3S`: a letter without a value, right behind a number, is the digit that it looks like. Of words
 /// without a decimal point too the other reading is possible, so that it is offered only.
 pub(super) fn letter_for_last_digit(around: &Around<'_>) -> Option<Diagnosis> {

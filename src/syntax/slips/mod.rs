@@ -48,7 +48,7 @@ const AROUND_WORDS: [Row; 8] = [
 ];
 
 /// The same for whatever is not a well-formed word. Recognisers that look farther around come first.
-const TABLE: [Row; 41] = [
+const TABLE: [Row; 42] = [
     (comments::quoted, "\"text\""),
     (comments::typographic, "„text“"),
     (comments::foreign, "(text)"),
@@ -82,6 +82,7 @@ const TABLE: [Row; 41] = [
     (letters::mixed, "8N0"),
     (numbers::without_n, "110 G02"),
     (letters::czech_keys, "S150é"),
+    (letters::parameter_of_letters, "XRl"),
     (texts::unit, "F300mm/min"),
     (numbers::sign_first, "-X10"),
     (numbers::stray, "\"c\" 5"),

@@ -58,6 +58,7 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
         set_by_statement(around, meant, span).into_iter().fold(Diagnosis::of(next.taken).debris(), word)
     });
     let meant = statement.unwrap_or_else(|| match (words, behind) {
+        _ if let Some(address) = addressed(text) => TextMeant::Addressed { address, text: shown_text.clone() },
         (Some(words), Some(behind)) => {
             let all = shown(around.slice(span.to(behind)).trim_end());
             TextMeant::WithWords { text: shown_text.clone(), words, all }
@@ -65,22 +66,28 @@ pub(super) fn stray(around: &Around<'_>) -> Option<Diagnosis> {
         _ => TextMeant::Comment { text: shown_text.clone() },
     });
     let found = around.diagnostic(span, Finding::StrayText { text: shown_text, meant });
-    let diagnosis = needed(around, text).into_iter().fold(diagnosis, |diagnosis, word| diagnosis.void(word, span));
+    let needed = addressed(text).filter(|address| is_needed(around, address));
+    let diagnosis = needed.into_iter().fold(diagnosis, |diagnosis, word| diagnosis.void(word, span));
     Some(Diagnosis { found: Some(found), ..diagnosis })
 }
 
-/// `G71 LX`, `G04 QX`, `G02 X5 IX`: the address that a function of the block needs, with a letter in place of its
-/// number.
-fn needed(around: &Around<'_>, text: &str) -> Option<Address> {
+/// `Xp`: an address with a letter in place of its number.
+fn addressed(text: &str) -> Option<Address> {
     let &[first, _] = text.as_bytes() else { return None };
-    let address = Address::from_byte(first)?;
+    Address::from_byte(first)
+}
+
+/// Whether a word of the address was probably meant: an axis, or what a function of the block needs: `G71 LX`, `G04 QX`,
+/// `G02 X5 IX`.
+fn is_needed(around: &Around<'_>, address: &Address) -> bool {
+    let address = *address;
     let centre = matches!(address, Address::I | Address::J);
     let takes = |code: GCode| {
         address == Address::L && code.takes_l()
             || address == Address::Q && code == GCode::G04
             || centre && matches!(code, GCode::G02 | GCode::G03)
     };
-    around.functions().any(takes).then_some(address)
+    address.axis().is_some() || around.functions().any(takes)
 }
 
 /// `MSG("text")`

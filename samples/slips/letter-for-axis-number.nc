@@ -1,0 +1,11 @@
+%1 "pismeno misto cisla
+N10 G54 G90 G0 X0 Y0 Z50 R1=20
+N20 T1 M6
+N30 S1200 M3
+N40 G1 X10 Y0 F300
+N50 G3 Xp Y10 I-10
+"      ^^ E0111
+N60 G3 X-10 Y0 J-10
+N70 G1 YRl
+"      ^^^ E0107
+N90 M30
