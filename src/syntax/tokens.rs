@@ -2,6 +2,7 @@
 
 use logos::Logos;
 
+use super::number::Number;
 use super::slips::look_alike;
 use crate::dict::Address;
 use crate::sure::{Sure, small};
@@ -214,6 +215,8 @@ impl Iterator for Tokens<'_> {
             self.comment_token(token)
         } else if kind == Kind::Junk(Shape::GarbledWord) {
             self.garbled_token(token)
+        } else if kind == Kind::Junk(Shape::LooseWord) {
+            self.word_before_text(token)
         } else {
             token
         };
@@ -354,6 +357,21 @@ impl Tokens<'_> {
         let end = token.start + 1;
         self.restart(end);
         Token { kind: Kind::Letter, end, ..token }
+    }
+
+    /// `Q500otvor`: the word before a text that begins with an O.
+    fn word_before_text(&mut self, token: Token) -> Token {
+        let text = self.text.get(token.span().range()).sure();
+        let word = text.trim_end_matches(['O', 'o']);
+        let mut behind = self.text.get(token.end as usize..).sure().chars();
+        let is_text = behind.by_ref().take(2).filter(|character| character.is_alphabetic()).count() == 2;
+        let well_formed = Number::parse(word.get(1..).unwrap_or_default().as_bytes()).is_some();
+        if word.len() == text.len() || !is_text || !well_formed {
+            return token;
+        }
+        let end = token.start + small(word.len());
+        self.restart(end);
+        Token { kind: Kind::Word, end, ..token }
     }
 
     /// `//` at the beginning of a line makes a comment of it, as in other languages.

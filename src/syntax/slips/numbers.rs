@@ -422,15 +422,15 @@ pub(in crate::syntax) fn lost_number(bytes: &[u8], before: &[Token], token: Toke
     let number = sign && whole && digits.iter().any(|digit| *digit != b'0');
     let behind = bytes.get(token.end as usize..).sure();
     let blanks = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-    let words =
-        matches!(behind.get(blanks..), Some([b'A'..=b'M' | b'P'..=b'Z', b'0'..=b'9' | b'+' | b'-' | b'.' | b'R', ..]));
+    let begins = behind.get(blanks..).sure().iter().take(2).map(u8::to_ascii_uppercase).collect::<Vec<u8>>();
+    let words = matches!(begins.as_slice(), [b'A'..=b'M' | b'P'..=b'Z', b'0'..=b'9' | b'+' | b'-' | b'.' | b'R']);
     let whole = |last: &Token| {
         matches!(
             last.kind,
             Kind::Word | Kind::Number | Kind::Skip | Kind::Junk(Shape::Text | Shape::Unknown | Shape::LooseWord)
         )
     };
-    if !(line && number && blanks > 0 && words) {
+    if !(line && number && (blanks > 0 || digits.len() > 1) && words) {
         return None;
     }
     let mut last = before.iter().rev().filter(|token| token.kind != Kind::LineEnd).peekable();
